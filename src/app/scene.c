@@ -348,11 +348,10 @@ static void settle(void *user, const struct scene *scene, struct scene_params *p
     *params = app_describe_scene(settling->given, settling->maps);
 }
 
-/* --env valley, or sky: the built-in landscape, also around a file. */
+/* --env valley: the built-in landscape, also around a file. */
 static bool is_valley(const struct app_scene *given)
 {
-    return given->environment &&
-           (!strcmp(given->environment, "valley") || !strcmp(given->environment, "sky"));
+    return given->environment && asset_is_valley(given->environment);
 }
 
 /* A person's file is in the studio, and an asset in its own environment, unless options say what

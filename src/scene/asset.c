@@ -114,6 +114,11 @@ bool asset_is_there(const struct asset *asset)
     return path != NULL;
 }
 
+bool asset_is_valley(const char *name)
+{
+    return !strcmp(name, "valley") || !strcmp(name, "sky");
+}
+
 enum status asset_locate(const struct asset *asset, char **path)
 {
     char program[4096];

@@ -36,6 +36,9 @@ bool asset_is_there(const struct asset *asset);
 /* Returns the asset of this name and kind, or NULL. */
 const struct asset *asset_find(const char *name, enum asset_kind kind);
 
+/* Returns whether a name of an environment is that of the built-in landscape: valley, or sky. */
+bool asset_is_valley(const char *name);
+
 /*
  * Finds an asset's file. The caller frees *path, which is NULL on failure. Logs and returns
  * STATUS_NO_INPUT if no folder has the file, or STATUS_TRY_AGAIN when out of memory.

@@ -504,7 +504,7 @@ enum status picture_change(struct picture **picture, const struct settings *sett
 
 static bool is_environment(const char *path)
 {
-    return path_ends_in(path, ".exr") || path_ends_in(path, ".hdr") || !strcmp(path, "sky") ||
+    return path_ends_in(path, ".exr") || path_ends_in(path, ".hdr") || asset_is_valley(path) ||
            asset_find(path, ASSET_ENVIRONMENT);
 }
 

@@ -113,8 +113,7 @@ void view_load_session(struct view *v, const char *path)
 static char *whole_name(const char *name)
 {
     const bool is_file = !scene_find_builtin(name) && !asset_find(name, ASSET_SCENE) &&
-                         !asset_find(name, ASSET_ENVIRONMENT) && strcmp(name, "sky") != 0 &&
-                         strcmp(name, "valley") != 0;
+                         !asset_find(name, ASSET_ENVIRONMENT) && !asset_is_valley(name);
     char *path = is_file ? realpath(name, NULL) : NULL;
     return path ? path : strdup(name);
 }

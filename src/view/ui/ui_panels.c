@@ -87,7 +87,7 @@ bool ui_named_buttons(const char *name, const char *const *names, uint32_t count
 const char *ui_environment(uint32_t i)
 {
     if (!i--)
-        return "sky";
+        return "valley";
     for (const struct asset *a = assets; a->name; a++) {
         if (a->kind == ASSET_ENVIRONMENT && !i--)
             return a->name;
