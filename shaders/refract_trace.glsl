@@ -495,8 +495,7 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
     bool is_given = trace_given(e, view_slant(ray), given, given_cross);
     bool is_going = true;
     do {
-        bool is_traced = !(is_first && is_given);
-        trace_hit hit = trace_meet(trace_start_of(way), is_traced);
+        trace_hit hit = trace_meet(trace_start_of(way), !(is_first && is_given));
         trace_cross c = trace_cross_at(way, hit, channel);
         if (is_given && is_first) {
             hit = given;
@@ -520,21 +519,23 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
 #endif
 }
 
-/* Traces the colours apart where their indices differ; the first, green, has what is no colour.
- * Drivers copy functions to where they are called: a second call would double what they compile. */
+/* Traces a pixel: with TRACE_COLORS its colours apart, as their indices differ; the first, green,
+ * has what is no colour. Drivers copy functions to where they are called, so there is one call. */
 void trace_colors(vec3 eye, vec3 e)
 {
+#ifdef TRACE_COLORS
     trace_seen all;
-    int count = constant_refract_colors > 1u ? 3 : 1;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < 3; i++) {
         int channel = i == 0 ? 1 : 2 * (i - 1);
         trace_pixel(eye, e, channel);
-        if (i == 0)
-            all = seen;
+        all = i == 0 ? seen : all;
         all.refraction[channel] = seen.refraction[channel];
         all.reflection[channel] = seen.reflection[channel];
     }
     seen = all;
+#else
+    trace_pixel(eye, e, 1);
+#endif
 }
 
 /* Returns the picture's depth of a point. */

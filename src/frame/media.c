@@ -52,6 +52,19 @@ bool frame_media_are_bare(const struct scene *scene)
            model->materials[model->objects[0].material].flags & MATERIAL_IS_BARE;
 }
 
+bool frame_media_disperse(const struct scene *scene, const struct settings *settings)
+{
+    const struct model *model = &scene->model;
+    const struct refract_params *refract = settings_of(settings, &refract_settings);
+    if (refract->dispersion > 0.0f)
+        return true;
+    for (uint32_t i = 0; i < model->object_count && !frame_media_are_bare(scene); i++) {
+        if (model->materials[model->objects[i].material].dispersion > 0.0f)
+            return true;
+    }
+    return false;
+}
+
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index)
 {

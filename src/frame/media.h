@@ -28,6 +28,9 @@ struct frame_medium frame_medium_at(const struct scene *scene, const struct sett
 /* Returns whether settings decide the materials of the scene's objects. */
 bool frame_media_are_bare(const struct scene *scene);
 
+/* Returns whether a medium disperses light: then colours have paths of their own. */
+bool frame_media_disperse(const struct scene *scene, const struct settings *settings);
+
 /* Returns the number of media, the outside among them: at least 2, because a scene whose objects
  * nobody has listed counts as one bare object. */
 uint32_t frame_media_count(const struct scene *scene);

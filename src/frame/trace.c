@@ -28,13 +28,19 @@ static bool is_near(const struct mesh *mesh, vec3s point, float reach)
     return false;
 }
 
+bool frame_trace_lights_surroundings(const struct scene *scene, const struct settings *settings)
+{
+    const struct ground_params *ground = settings_of(settings, &ground_settings);
+    return ground->light == GROUND_TRACED && material_rows_has_lit(&scene->model.surroundings);
+}
+
 bool frame_trace_meets_surroundings(const struct scene *scene, const struct settings *settings)
 {
     const struct trace_params *params = settings_of(settings, &trace_settings);
     const struct model *model = &scene->model;
     if (params->surroundings != TRACE_AUTO)
         return params->surroundings == TRACE_RAYS;
-    if (frame_trace_constant(scene, settings) & TRACE_HAS_GROUND)
+    if (frame_trace_lights_surroundings(scene, settings))
         return true;
     if (frame_trace_constant(scene, settings) & (TRACE_HAS_SHINE | TRACE_HAS_DRESS))
         return true;
@@ -62,7 +68,6 @@ static uint32_t objects_constant(const struct scene *scene, const struct setting
 uint32_t frame_trace_constant(const struct scene *scene, const struct settings *settings)
 {
     const struct motion_params *motion = settings_of(settings, &motion_settings);
-    const struct ground_params *ground = settings_of(settings, &ground_settings);
     const struct model *model = &scene->model;
     const uint32_t count = object_count(scene);
     uint32_t bits = objects_constant(scene, settings);
@@ -76,8 +81,7 @@ uint32_t frame_trace_constant(const struct scene *scene, const struct settings *
             bits |= TRACE_HAS_HOLES;
     }
     bits |= ice_caustics.is_on(settings) ? TRACE_HAS_SUN : 0;
-    if (ground->light == GROUND_TRACED && material_rows_has_lit(&model->surroundings))
-        bits |= TRACE_HAS_GROUND;
+    bits |= frame_trace_lights_surroundings(scene, settings) ? TRACE_HAS_GROUND : 0;
     bits |= scene->material_rows ? TRACE_HAS_MATERIALS : 0;
     bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
     if (fabsf(motion->ice) > 0.0f || fabsf(motion->objects) > 0.0f)
@@ -121,8 +125,9 @@ void frame_trace_fill(struct trace_frame *trace, const struct frame_view *view,
         .ice = view->scene->model.object_count ? view->scene->model.objects[0].rank : 1,
         .crack_slope = cracks_of->look.bump,
         .media_at = tree->media,
-        .guide = surface_light_guide(&view->scene->environment, view->scene->surface_light),
     };
+    if (frame_trace_lights_surroundings(view->scene, view->settings))
+        trace->guide = surface_light_guide(&view->scene->environment, view->scene->surface_light);
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
         trace->roots[i] = tree->roots[i];
     for (uint32_t i = 0; i < frame_media_count(view->scene); i++) {

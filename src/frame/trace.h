@@ -10,6 +10,10 @@
  * has textures, or a corner of the surroundings within two radii of the object's middle. */
 bool frame_trace_meets_surroundings(const struct scene *scene, const struct settings *settings);
 
+/* Returns whether rays bring light to what is around the objects (ground.light): where something of
+ * it is lit. */
+bool frame_trace_lights_surroundings(const struct scene *scene, const struct settings *settings);
+
 /* Returns CONSTANT_TRACE. */
 uint32_t frame_trace_constant(const struct scene *scene, const struct settings *settings);
 

@@ -331,16 +331,6 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
     return g;
 }
 
-static bool is_dispersive(const struct scene *scene, const struct settings *settings)
-{
-    for (uint32_t i = 0; i < frame_media_count(scene); i++) {
-        const struct frame_medium medium = frame_medium_at(scene, settings, i);
-        if (medium.ior[0] != medium.ior[2])
-            return true;
-    }
-    return false;
-}
-
 struct frame_constants frame_view_constants(const struct scene *scene,
                                             const struct settings *settings,
                                             const struct technique *rung)
@@ -358,6 +348,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
             material_rows_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene),
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
+        [CONSTANT_REFRACT_COLORS] = frame_media_disperse(scene, settings) ? 3 : 1,
         [CONSTANT_OVER] = over_layers(settings, rung),
         [CONSTANT_TRACE] = frame_trace_constant(scene, settings),
         [CONSTANT_HIDDEN] = scene->is_hidden,
@@ -369,7 +360,5 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         if ((*technique)->write_constants)
             (*technique)->write_constants(settings, constants.values);
     }
-    if (is_dispersive(scene, settings))
-        constants.values[CONSTANT_REFRACT_COLORS] = 3;
     return constants;
 }

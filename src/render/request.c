@@ -1,5 +1,6 @@
 /* request.c: what the renderer's plans draw and read back. */
 #include "src/render/request.h"
+#include "src/frame/media.h"
 #include "src/frame/trace.h"
 #include "src/frame/view.h"
 #include "src/scene/scene.h"
@@ -59,6 +60,8 @@ bool renderer_is_wide(const struct renderer_params *params)
 static struct technique_choice choose(const struct renderer_params *params,
                                       enum technique_purpose purpose)
 {
+    const bool meets_surroundings = params->rung && params->rung->rung.meets_tree &&
+                                    frame_trace_meets_surroundings(params->scene, params->settings);
     return (struct technique_choice){
         .settings = params->settings,
         .purpose = purpose,
@@ -69,8 +72,10 @@ static struct technique_choice choose(const struct renderer_params *params,
         .is_dressed = is_dressed(params),
         .is_wide = purpose == TECHNIQUE_PICTURE && renderer_is_wide(params),
         .has_extras = params->scene->extra_rows != NULL,
-        .meets_surroundings = params->rung && params->rung->rung.meets_tree &&
-                              frame_trace_meets_surroundings(params->scene, params->settings),
+        .meets_surroundings = meets_surroundings,
+        .lights_surroundings =
+            meets_surroundings && frame_trace_lights_surroundings(params->scene, params->settings),
+        .disperses = frame_media_disperse(params->scene, params->settings),
         .has_cube = params->scene->cube.texels != NULL,
         .object_count = params->scene->has_pool ? 0 : params->scene->model.object_count,
     };

@@ -257,7 +257,6 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 static void write_constants(const struct settings *settings, uint32_t *values)
 {
     const struct refract_params *params = settings_of(settings, &refract_settings);
-    values[CONSTANT_REFRACT_COLORS] = params->dispersion > 0.0f ? 3 : 1;
     values[CONSTANT_REFRACT_FRESNEL] = params->fresnel;
     values[CONSTANT_REFRACT_LOOKUP] = params->lookup;
     values[CONSTANT_REFRACT_STEPS] = params->steps;

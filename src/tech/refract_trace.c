@@ -15,7 +15,6 @@
 #include <string.h>
 #include "shaders/embedded.h"
 #include "shaders/refract_trace.h"
-#include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_caustics.h"
 #include "src/tech/ice_normal.h"
@@ -23,7 +22,7 @@
 #include "src/tech/row_builder.h"
 #include "src/tech/surface.h"
 
-static rg_record_fn record;
+static rg_record_fn record_objects;
 static technique_rows_fn color_rows, layer_rows;
 
 const struct rg_image trace_media = {
@@ -169,9 +168,11 @@ static const struct refract_rung rung = {
 static struct rg_technique make_row(const struct technique_choice *choice,
                                     struct row_builder *builder, bool is_layers)
 {
-    static const struct rg_shader *const frags[2][2] = {
-        { &refract_trace_frag, &refract_trace_aov_frag },
-        { &refract_trace_rays_frag, &refract_trace_rays_aov_frag },
+    static const struct rg_shader *const frags[2][2][2] = {
+        { { &refract_trace_frag, &refract_trace_aov_frag },
+          { &refract_trace_colors_frag, &refract_trace_colors_aov_frag } },
+        { { &refract_trace_rays_frag, &refract_trace_rays_aov_frag },
+          { &refract_trace_rays_colors_frag, &refract_trace_rays_colors_aov_frag } },
     };
     const struct rg_use *const uses[] = {
         tree_uses,
@@ -186,8 +187,8 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     row->name = row_builder_name(builder, refract_trace.name, is_layers ? "layers" : "color");
     row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     row->vert = &refract_seen_vert;
-    row->frag = frags[choice->meets_surroundings][is_layers];
-    row->record = record;
+    row->frag = frags[choice->meets_surroundings][choice->disperses][is_layers];
+    row->record = choice->lights_surroundings ? frame_draw_screen : record_objects;
     return (struct rg_technique){ refract_trace.name, row, 1 };
 }
 
@@ -203,11 +204,9 @@ static struct rg_technique layer_rows(const struct technique_choice *choice,
     return make_row(choice, builder, true);
 }
 
-static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
+static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct ground_params *ground = settings_of(frame->settings, &ground_settings);
-    if (ground->light == GROUND_OPEN) /* else surroundings are shaded everywhere */
-        rg_cmd_scissor(cmd, frame->object_area);
+    rg_cmd_scissor(cmd, frame->object_area);
     rg_cmd_draw(cmd, 3);
 }
 

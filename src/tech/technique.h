@@ -33,17 +33,19 @@ struct technique_choice {
     const struct settings *settings;
     enum technique_purpose purpose;
     const struct technique
-        *rung;               /* NULL is allowed in a pool and for other purposes than pictures */
-    bool is_convex;          /* the object is known to be convex */
-    bool has_pool;           /* the scene is a pool of water */
-    bool has_materials;      /* surroundings have materials (scene.material_rows) */
-    bool is_dressed;         /* the rung draws tints and textures of objects; with has_materials */
-    bool is_wide;            /* the rung's maps reach beyond the picture (ice_normal.h) */
-    bool has_extras;         /* surroundings have scene.extra_rows */
-    bool has_cube;           /* the scene has an environment cube of its own */
-    bool keeps_depth;        /* the objects are drawn again, over the finished picture */
-    bool meets_surroundings; /* rays meet the surroundings' triangles: see refract_trace.h */
-    uint32_t object_count;   /* refractive objects, each drawn by rows of its own; 0 means 1 */
+        *rung;                /* NULL is allowed in a pool and for other purposes than pictures */
+    bool is_convex;           /* the object is known to be convex */
+    bool has_pool;            /* the scene is a pool of water */
+    bool has_materials;       /* surroundings have materials (scene.material_rows) */
+    bool is_dressed;          /* the rung draws tints and textures of objects; with has_materials */
+    bool is_wide;             /* the rung's maps reach beyond the picture (ice_normal.h) */
+    bool has_extras;          /* surroundings have scene.extra_rows */
+    bool has_cube;            /* the scene has an environment cube of its own */
+    bool keeps_depth;         /* the objects are drawn again, over the finished picture */
+    bool meets_surroundings;  /* rays meet the surroundings' triangles: see refract_trace.h */
+    bool lights_surroundings; /* and light them: then they are shaded, too, all over the picture */
+    bool disperses;           /* a medium does: each colour has a path of its own */
+    uint32_t object_count;    /* refractive objects, each drawn by rows of its own; 0 means 1 */
 };
 
 /* When in a frame a part of a technique is drawn. Within a phase the parts are drawn in the order
