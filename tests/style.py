@@ -28,6 +28,13 @@ TEXT = (*CODE, '.md', '.txt', '.json', '.html', '.supp')
 SHELL_NAMES = ('run',)  # files without a suffix
 TEXT_NAMES = (*SHELL_NAMES, 'LICENSE', '.clang-format', '.clang-tidy', '.gitignore')
 
+# What the frame and the renderer know of techniques and shaders: nothing that is of a single one.
+OF_ALL_TECHNIQUES = (
+    'src/tech/frame.h', 'src/tech/frame_media.h', 'src/tech/layer.h', 'src/tech/row_builder.h',
+    'src/tech/technique.h', 'src/tech/techniques.h', 'shaders/constants.h', 'shaders/globals.h',
+    'shaders/lit.h', 'shaders/mesh.h', 'shaders/sky.h',
+)
+
 # What a file may include begins with one of these; the longest folder that fits the file counts.
 MAY_INCLUDE = {
     'graph/': ('graph/rg',),
@@ -47,11 +54,12 @@ MAY_INCLUDE = {
     'src/scene/import/': ('src/scene/', 'src/reader/', 'src/image/', 'src/base/', 'shaders/'),
     'src/reader/': ('src/reader/', 'src/image/', 'src/base/'),
     'src/tech/': ('src/tech/', 'src/settings/', 'src/scene/camera.h', 'src/scene/mesh.h',
-                  'src/scene/scene.h', 'shaders/', 'graph/rg.h', 'graph/rg_cmd.h'),
-    'src/frame/': ('src/frame/', 'src/tech/', 'src/scene/', 'src/settings/', 'src/base/',
-                   'shaders/', 'graph/rg.h', 'graph/rg_cmd.h'),
-    'src/render/': ('src/render/', 'src/frame/', 'src/tech/', 'src/scene/', 'src/settings/',
-                    'src/image/', 'src/gpu/', 'src/base/', 'shaders/', 'graph/'),
+                  'src/scene/scene.h', 'src/scene/material_rows.h', 'src/scene/surface_light.h',
+                  'shaders/', 'graph/rg.h', 'graph/rg_cmd.h'),
+    'src/frame/': ('src/frame/', *OF_ALL_TECHNIQUES, 'src/scene/', 'src/settings/', 'src/base/',
+                   'graph/rg.h', 'graph/rg_cmd.h'),
+    'src/render/': ('src/render/', 'src/frame/', *OF_ALL_TECHNIQUES, 'src/scene/', 'src/settings/',
+                    'src/image/', 'src/gpu/', 'src/base/', 'graph/'),
     'src/reference/': ('src/reference/', 'src/render/', 'src/frame/', 'src/tech/', 'src/scene/',
                        'src/settings/', 'src/image/', 'src/base/', 'shaders/'),
     'src/profile/': ('src/profile/', 'src/render/', 'src/image/', 'src/gpu/', 'src/base/',
@@ -297,6 +305,10 @@ SAMPLES = (
     ('src/image/a.c', '#include "src/scene/mesh.h"\n', 'may not include "src/scene/mesh.h"'),
     ('src/metric/a.c', '#include "src/frame/frames.h"\n', 'may not include "src/frame/frames.h"'),
     ('src/gpu/a.c', '#include "src/tech/a.h"\n', 'may not include "src/tech/a.h"'),
+    ('src/frame/a.c', '#include "src/tech/over.h"\n', 'may not include "src/tech/over.h"'),
+    ('src/render/a.c', '#include "src/tech/bump.h"\n', 'may not include "src/tech/bump.h"'),
+    ('src/render/a.c', '#include "shaders/bump.h"\n', 'may not include "shaders/bump.h"'),
+    ('src/frame/a.c', '#include "src/tech/technique.h"\n', None),
     ('src/render/renderer.c', '#include "src/app/app.h"\n', 'may not include "src/app/app.h"'),
     ('src/app/a.c', '#include "src/app/app.h"\n#include "src/render/renderer.h"\n', None),
     ('src/tech/a.c', '#include "b.h"\n', 'does not start from the root'),

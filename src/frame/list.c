@@ -14,8 +14,6 @@
 #include "src/scene/scene.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
-#include "src/tech/pool.h"
-#include "src/tech/refract.h"
 #include "src/tech/techniques.h"
 
 /* Of automatic faces of the environment cube, texels. */
@@ -268,18 +266,13 @@ bool frame_draws_cube(const struct settings *settings, const struct scene *scene
 struct settings frame_settings(const struct settings *settings, const struct scene *scene)
 {
     struct settings own = *settings;
-    settings_put(&own, settings_row(&pool_settings, offsetof(struct pool_params, water)),
-                 scene->has_pool);
     settings_put(&own, settings_row(&env_cube_settings, offsetof(struct env_cube_params, dynamic)),
                  frame_draws_cube(settings, scene));
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if ((*t)->follow_scene)
+            (*t)->follow_scene(&own, scene);
+    }
     return own;
-}
-
-static void settle(struct settings *settings, size_t offset, uint32_t automatic, uint32_t value)
-{
-    const struct setting *row = settings_row(&refract_settings, offset);
-    if (settings_get(settings, row) >= automatic)
-        settings_put(settings, row, value);
 }
 
 uint32_t frame_face_size(const struct settings *settings, uint32_t height)
@@ -295,11 +288,10 @@ struct settings frame_settle(const struct settings *settings, const struct techn
                              uint32_t height)
 {
     struct settings own = *settings;
-    const bool is_printed = rung && rung->rung.is_as_printed;
-    settle(&own, offsetof(struct refract_params, fresnel), REFRACT_FRESNEL_AUTO,
-           is_printed ? REFRACT_FRESNEL_PAPER : REFRACT_FRESNEL_EXACT);
-    settle(&own, offsetof(struct refract_params, lookup), REFRACT_LOOKUP_AUTO,
-           is_printed ? REFRACT_LOOKUP_INFINITE : REFRACT_LOOKUP_DISTANCE);
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if ((*t)->settle)
+            (*t)->settle(&own, rung);
+    }
     settings_put(&own, settings_row(&env_cube_settings, offsetof(struct env_cube_params, size)),
                  frame_face_size(settings, height));
     return own;

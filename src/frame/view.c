@@ -5,12 +5,9 @@
 #include <string.h>
 #include "shaders/lit.h"
 #include "shaders/sky.h"
-#include "src/frame/media.h"
-#include "src/frame/trace.h"
 #include "src/scene/material_rows.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/caustics.h"
-#include "src/tech/over.h"
+#include "src/tech/frame_media.h"
 #include "src/tech/techniques.h"
 
 /* Margins of frame_view_reach(): rays begin a little outside of the sphere (refract_inside.glsl);
@@ -219,34 +216,36 @@ VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals
     return area;
 }
 
-/* The panorama's sun. */
-static void place_environment_sun(const struct frame_view *view, struct globals *g)
+/* The panorama's sun, whose disc has that radius. */
+static void place_environment_sun(const struct frame_view *view, float radius, struct globals *g)
 {
     const struct env_params *params = settings_of(view->settings, &env_settings);
-    const struct caustics_params *light = settings_of(view->settings, &caustics_settings);
     const struct environment *environment = &view->scene->environment;
     const struct environment_sun *sun = &environment->sun;
     const bool is_own = params->sun == ENV_SUN_OWN;
     g->sun_light = glms_vec3_zero();
-    g->sun_spread = 0.25f * radians(light->sun);
+    g->sun_spread = 0.5f * radius;
     if (params->sun == ENV_SUN_NONE || !(is_own || glms_vec3_max(sun->light) > 0.0f))
         return;
     g->sun_light = glms_vec3_scale(is_own ? glms_vec3_one() : sun->light, params->sun_strength);
-    g->sun_radius = 0.5f * radians(light->sun);
+    g->sun_radius = radius;
     g->sun_dir = is_own ? environment_direction(params->sun_azimuth, params->sun_elevation)
                         : glms_vec3_rotate(sun->dir, environment->turn * 6.28318531f,
                                            (vec3s){ { 0.0f, 1.0f, 0.0f } });
 }
 
-/* The sun as a light: that of the built-in sky, or of the panorama. */
+/* The sun as a light: that of the built-in sky, or of the panorama. Techniques have set the radius
+ * that its disc has if there is one. */
 static void place_sun(const struct frame_view *view, struct globals *g)
 {
     const enum scene_background background = view->scene->background;
+    const float radius = g->sun_radius;
+    g->sun_radius = 0.0f;
     g->sun_spread = LIT_SUN_SPREAD;
     if (background == SCENE_SKY || view->scene->has_pool)
         g->sun_light = glms_vec3_scale(SKY_SUN_COLOR, g->sky_strength * g->sun_strength);
     else if (background == SCENE_ENVIRONMENT)
-        place_environment_sun(view, g);
+        place_environment_sun(view, radius, g);
 }
 
 /* Spaces the lights evenly on a circle around the object, which rotates with time. */
@@ -319,7 +318,6 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         .lod_bias = view->lod_bias,
         .sample_share = view->light_jitter.x + 0.5f,
     };
-    place_sun(view, &g);
     frame_turn(view, center, view->time, &g.world_from_object, &g.world_from_movers);
     fit_depth(view, &g);
     place_lights(view, &g);
@@ -327,6 +325,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
         if ((*technique)->write_globals)
             (*technique)->write_globals(view, &g);
     }
+    place_sun(view, &g);
     take_medium(view, 0, &g);
     return g;
 }
@@ -341,6 +340,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [SCENE_ENVIRONMENT] = GLOBALS_ENVIRONMENT,
     };
     const struct light_params *light = settings_of(settings, &light_settings);
+    const struct technique_subject subject = { scene, settings, rung };
     struct frame_constants constants = { {
         [CONSTANT_BACKGROUND] = backgrounds[scene->background],
         [CONSTANT_TEXTURED] = scene->model.textures.count + scene->model.numbers.count > 0,
@@ -349,8 +349,6 @@ struct frame_constants frame_view_constants(const struct scene *scene,
         [CONSTANT_LIGHTS] = light->count,
         [CONSTANT_OBJECTS] = scene->model.object_count > 1,
         [CONSTANT_REFRACT_COLORS] = frame_media_disperse(scene, settings) ? 3 : 1,
-        [CONSTANT_OVER] = over_layers(settings, rung),
-        [CONSTANT_TRACE] = frame_trace_constant(scene, settings),
         [CONSTANT_HIDDEN] = scene->is_hidden,
         [CONSTANT_SCENE_LIGHTS] = scene->light_rows ? scene->model.light_count : 0,
     } };
@@ -358,7 +356,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
            sizeof(scene->environment.turn));
     for (const struct technique *const *technique = techniques; *technique; technique++) {
         if ((*technique)->write_constants)
-            (*technique)->write_constants(settings, constants.values);
+            (*technique)->write_constants(&subject, constants.values);
     }
     return constants;
 }

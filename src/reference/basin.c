@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "shaders/wave.h"
-#include "src/frame/media.h"
+#include "src/tech/frame_media.h"
 #include "src/tech/pool.h"
 
 enum {

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/frame/media.h"
+#include "src/tech/frame_media.h"
 
 /* Embree passes the context of a ray on to the filters. */
 struct context {

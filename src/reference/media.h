@@ -7,7 +7,7 @@
 #ifndef FIRN_REFERENCE_MEDIA_H
 #define FIRN_REFERENCE_MEDIA_H
 
-#include "src/frame/media.h"
+#include "src/tech/frame_media.h"
 
 #define MEDIA_NOTHING UINT32_MAX /* no object */
 

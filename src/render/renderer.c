@@ -12,7 +12,6 @@
 #include "src/frame/cube.h"
 #include "src/frame/lens.h"
 #include "src/frame/plan.h"
-#include "src/frame/trace.h"
 #include "src/frame/view.h"
 #include "src/image/half.h"
 #include "src/render/accumulate.h"
@@ -280,11 +279,6 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         .stays = r->stays,
     };
     const struct globals globals = frame_view_globals(&view, &frame.view);
-    struct trace_frame trace;
-    if (renderer_meets_tree(&r->params)) {
-        frame_trace_fill(&trace, &view, &globals);
-        view.trace = &trace;
-    }
     for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
         frame.faces[face] = frame_view_face(&view, face);
     const VkExtent2D size = frame_exec->frame->plan->view;

@@ -1,13 +1,9 @@
 /* request.c: what the renderer's plans draw and read back. */
 #include "src/render/request.h"
-#include "src/frame/media.h"
-#include "src/frame/trace.h"
 #include "src/frame/view.h"
 #include "src/scene/scene.h"
-#include "src/tech/bump.h"
-#include "src/tech/cracks.h"
-#include "src/tech/refract.h"
-#include "src/tech/refract_bounce.h"
+#include "src/tech/frame_media.h"
+#include "src/tech/technique.h"
 
 void renderer_see(struct renderer_params *params, const struct camera *camera)
 {
@@ -38,47 +34,30 @@ struct tiling renderer_tiling(const struct renderer_params *params)
     };
 }
 
-/* Whether the rung has a way to show the tints and textures that objects have; not with bumps. */
-static bool is_dressed(const struct renderer_params *params)
-{
-    const struct refract_rung *rung = params->rung ? params->rung->rung.rows : NULL;
-    return rung && rung->dress_frag && scene_has_dress(params->scene) &&
-           !bump.is_on(params->settings);
-}
-
-bool renderer_is_wide(const struct renderer_params *params)
-{
-    const struct refract_rung *rung = params->rung ? params->rung->rung.rows : NULL;
-    const struct cracks_params *cracks_of = settings_of(params->settings, &cracks_settings);
-    const struct refract_bounce_params *bounce =
-        settings_of(params->settings, &refract_bounce_settings);
-    return rung && rung->wide_uses && params->is_beyond && !params->scene->has_pool &&
-           params->scene->model.object_count == 1 && !is_dressed(params) &&
-           cracks_of->refract == CRACKS_REFRACT_OFF && bounce->margin;
-}
-
 static struct technique_choice choose(const struct renderer_params *params,
                                       enum technique_purpose purpose)
 {
-    const bool meets_surroundings = params->rung && params->rung->rung.meets_tree &&
-                                    frame_trace_meets_surroundings(params->scene, params->settings);
-    return (struct technique_choice){
+    struct technique_choice choice = {
         .settings = params->settings,
         .purpose = purpose,
         .rung = params->rung,
         .is_convex = params->scene->is_convex,
         .has_pool = params->scene->has_pool,
         .has_materials = params->scene->material_rows != NULL,
-        .is_dressed = is_dressed(params),
-        .is_wide = purpose == TECHNIQUE_PICTURE && renderer_is_wide(params),
+        .is_beyond = purpose == TECHNIQUE_PICTURE && params->is_beyond,
         .has_extras = params->scene->extra_rows != NULL,
-        .meets_surroundings = meets_surroundings,
-        .lights_surroundings =
-            meets_surroundings && frame_trace_lights_surroundings(params->scene, params->settings),
         .disperses = frame_media_disperse(params->scene, params->settings),
         .has_cube = params->scene->cube.texels != NULL,
         .object_count = params->scene->has_pool ? 0 : params->scene->model.object_count,
     };
+    if (params->rung && params->rung->rung.choose)
+        params->rung->rung.choose(&choice, params->scene);
+    return choice;
+}
+
+bool renderer_is_wide(const struct renderer_params *params)
+{
+    return choose(params, TECHNIQUE_PICTURE).is_wide;
 }
 
 struct frame_request renderer_picture_request(const struct renderer_params *params)

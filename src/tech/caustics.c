@@ -296,6 +296,13 @@ bool caustics_are_lit(const struct settings *settings)
     return params->method != CAUSTICS_NONE;
 }
 
+/* Whoever places a sun that has a disc takes its size from here. */
+static void write_globals(const struct frame_view *view, struct globals *g)
+{
+    const struct caustics_params *params = settings_of(view->settings, &caustics_settings);
+    g->sun_radius = 0.5f * params->sun * 0.01745329252f;
+}
+
 static const struct frame_layer layers[] = {
     {
         .name = "caustics",
@@ -314,4 +321,5 @@ const struct technique caustics = {
     .settings = { &caustics_settings },
     .parts = { { PHASE_DEPTHS, SCENE_OF_POOL, .rows = make_rows } },
     .layers = layers,
+    .write_globals = write_globals,
 };

@@ -12,7 +12,6 @@
 #include "src/settings/settings.h"
 
 struct technique;
-struct trace_frame;
 struct window_frame;
 
 /* What a frame shows, and how; for functions that compute uniform data. */
@@ -28,8 +27,7 @@ struct frame_view {
     vec2s tile;             /* of an interleaved tile: offset of its pixels, in pixels of the
                                picture, from the middle of each block of all tiles' pixels */
     uint32_t sample;        /* of the picture, from 0 */
-    const struct trace_frame *trace; /* for the rung that meets the scene's tree */
-    float lod_bias; /* of an interleaved tile: -log2 of the distance of its pixels in the
+    float lod_bias;         /* of an interleaved tile: -log2 of the distance of its pixels in the
                                picture; else 0 */
     mat4s clip_from_world_earlier; /* of the frame before */
 };

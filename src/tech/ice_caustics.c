@@ -382,9 +382,10 @@ static const struct technique_upload uploads[] = {
     { 0 },
 };
 
-static void write_constants(const struct settings *settings, uint32_t *values)
+static void write_constants(const struct technique_subject *subject, uint32_t *values)
 {
-    const struct ice_caustics_params *params = settings_of(settings, &ice_caustics_settings);
+    const struct ice_caustics_params *params =
+        settings_of(subject->settings, &ice_caustics_settings);
     values[CONSTANT_ICE_SHADOW] = params->shadow;
 }
 

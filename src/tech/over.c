@@ -5,10 +5,10 @@
  * The shader always has the same bindings; those of techniques that are off are bound to the
  * highlights and not read.
  */
-#include "src/tech/over.h"
-#include <string.h>
-#include "shaders/embedded.h"
 #include "shaders/over.h"
+#include <string.h>
+#include "shaders/constants.h"
+#include "shaders/embedded.h"
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/cracks.h"
@@ -38,7 +38,8 @@ static const struct rg_pass passes[] = {
     },
 };
 
-uint32_t over_layers(const struct settings *settings, const struct technique *rung)
+/* Returns CONSTANT_OVER: bits of the layers that are drawn beside a rung. */
+static uint32_t layers_of(const struct settings *settings, const struct technique *rung)
 {
     const bool meets = rung && rung->rung.meets_tree;
     return (surface.is_on(settings) ? OVER_HAS_HIGHLIGHT : 0u) |
@@ -50,7 +51,7 @@ uint32_t over_layers(const struct settings *settings, const struct technique *ru
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
-    const uint32_t found = over_layers(choice->settings, choice->rung);
+    const uint32_t found = layers_of(choice->settings, choice->rung);
     struct rg_use changed[sizeof(uses) / sizeof(uses[0])];
     struct rg_pass *rows = row_builder_rows(builder, passes, 1);
     if (!found || !rows)
@@ -72,8 +73,14 @@ static void record_area(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
+static void write_constants(const struct technique_subject *subject, uint32_t *values)
+{
+    values[CONSTANT_OVER] = layers_of(subject->settings, subject->rung);
+}
+
 const struct technique over = {
     .name = "over",
     .help = "air, bubbles, cracks and highlights over the picture of the ice",
     .parts = { { PHASE_COMPOSITE, .rows = make_rows } },
+    .write_constants = write_constants,
 };

@@ -5,6 +5,7 @@
  * Fry 1997) at 650, 550 and 450 nm.
  */
 #include "src/tech/pool.h"
+#include "src/tech/frame.h"
 #include "src/tech/refract.h"
 
 struct water_push pool_push_of(const struct settings *settings)
@@ -96,8 +97,15 @@ static const struct setting pool_rows[] = {
 
 const struct setting_group pool_settings = SETTING_GROUP("pool", pool_rows, struct pool_params);
 
+static void follow_scene(struct settings *settings, const struct scene *scene)
+{
+    settings_put(settings, settings_row(&pool_settings, offsetof(struct pool_params, water)),
+                 scene->has_pool);
+}
+
 const struct technique pool = {
     .name = "pool",
     .help = "waves and ground of a pool",
     .settings = { &pool_settings, &water_settings },
+    .follow_scene = follow_scene,
 };

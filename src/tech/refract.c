@@ -1,5 +1,6 @@
 /* refract.c: rows, layers and settings of all refraction rungs. */
 #include "src/tech/refract.h"
+#include <assert.h>
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
 #include "src/tech/bump.h"
@@ -107,6 +108,12 @@ static bool shows_bumps(const struct technique_choice *choice)
     return choice->rung->rung.rows->bump_frag && bump.is_on(choice->settings);
 }
 
+void refract_choose(struct technique_choice *choice, const struct scene *scene)
+{
+    choice->is_dressed = choice->rung->rung.rows->dress_frag && scene_has_dress(scene) &&
+                         !bump.is_on(choice->settings);
+}
+
 /* Makes a row draw front faces, with eq. 4 at the vertices. */
 static void draw_faces(struct rg_pass *row, const struct refract_rung *rung, bool bumped)
 {
@@ -122,6 +129,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     const struct technique *technique = choice->rung;
     const struct refract_rung *rung = technique->rung.rows;
     const bool bumped = shows_bumps(choice);
+    assert(technique->rung.choose || !rung->dress_frag);
     const struct rg_use *const uses[] = {
         technique->rung.by_pixel ? pixel_uses : face_uses,
         technique->rung.by_pixel && is_layers ? scene_uses : NULL,
@@ -254,9 +262,25 @@ static void write_globals(const struct frame_view *view, struct globals *g)
     g->refract_crossfade = params->crossfade;
 }
 
-static void write_constants(const struct settings *settings, uint32_t *values)
+static void settle_row(struct settings *settings, size_t offset, uint32_t automatic, uint32_t value)
 {
-    const struct refract_params *params = settings_of(settings, &refract_settings);
+    const struct setting *row = settings_row(&refract_settings, offset);
+    if (settings_get(settings, row) >= automatic)
+        settings_put(settings, row, value);
+}
+
+static void settle(struct settings *settings, const struct technique *rung)
+{
+    const bool is_printed = rung && rung->rung.is_as_printed;
+    settle_row(settings, offsetof(struct refract_params, fresnel), REFRACT_FRESNEL_AUTO,
+               is_printed ? REFRACT_FRESNEL_PAPER : REFRACT_FRESNEL_EXACT);
+    settle_row(settings, offsetof(struct refract_params, lookup), REFRACT_LOOKUP_AUTO,
+               is_printed ? REFRACT_LOOKUP_INFINITE : REFRACT_LOOKUP_DISTANCE);
+}
+
+static void write_constants(const struct technique_subject *subject, uint32_t *values)
+{
+    const struct refract_params *params = settings_of(subject->settings, &refract_settings);
     values[CONSTANT_REFRACT_FRESNEL] = params->fresnel;
     values[CONSTANT_REFRACT_LOOKUP] = params->lookup;
     values[CONSTANT_REFRACT_STEPS] = params->steps;
@@ -325,6 +349,7 @@ const struct technique refract = {
     .help = "settings and layers shared by all refraction rungs",
     .settings = { &refract_settings },
     .layers = layers,
+    .settle = settle,
     .write_globals = write_globals,
     .write_constants = write_constants,
 };

@@ -47,6 +47,10 @@ struct refract_rung {
     rg_record_fn *record;           /* NULL: frame_draw_object() */
 };
 
+/* What a rung of this kind chooses: it draws tints and textures of objects if it has a shader for
+ * them, but not with bumps. */
+void refract_choose(struct technique_choice *choice, const struct scene *scene);
+
 /* A rung's parts of a frame. The picture's row is drawn before the background, so that the depth
  * test rejects hidden background; the layers' row after it, since surroundings may hide the
  * object. */

@@ -61,5 +61,5 @@ const struct technique refract_blend = {
     .help = "front and back normals blended so that both refractions add up",
     .settings = { &refract_blend_settings },
     .parts = REFRACT_PARTS,
-    .rung = { .name = "blend", .rows = &rung },
+    .rung = { .name = "blend", .rows = &rung, .choose = refract_choose },
 };

@@ -15,6 +15,7 @@
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_bounce.h"
+#include "src/tech/cracks.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
@@ -116,9 +117,21 @@ static const struct setting rows[] = {
 const struct setting_group refract_bounce_settings =
     SETTING_GROUP("refract_bounce", rows, struct refract_bounce_params);
 
-static void write_constants(const struct settings *settings, uint32_t *values)
+/* The wider maps are of the faces alone, without textures and cracks. */
+static void choose(struct technique_choice *choice, const struct scene *scene)
 {
-    const struct refract_bounce_params *params = settings_of(settings, &refract_bounce_settings);
+    const struct refract_bounce_params *params =
+        settings_of(choice->settings, &refract_bounce_settings);
+    const struct cracks_params *cracks_of = settings_of(choice->settings, &cracks_settings);
+    refract_choose(choice, scene);
+    choice->is_wide = params->margin && choice->is_beyond && choice->object_count == 1 &&
+                      !choice->is_dressed && cracks_of->refract == CRACKS_REFRACT_OFF;
+}
+
+static void write_constants(const struct technique_subject *subject, uint32_t *values)
+{
+    const struct refract_bounce_params *params =
+        settings_of(subject->settings, &refract_bounce_settings);
     values[CONSTANT_REFRACT_EXITS] = params->exits;
 }
 
@@ -140,5 +153,5 @@ const struct technique refract_bounce = {
     .parts = REFRACT_PARTS,
     .write_constants = write_constants,
     .write_globals = write_globals,
-    .rung = { .name = "bounce", .rows = &rung, .by_pixel = true },
+    .rung = { .name = "bounce", .rows = &rung, .by_pixel = true, .choose = choose },
 };

@@ -30,5 +30,5 @@ const struct technique refract_one_sided = {
     .name = "refract_one_sided",
     .help = "refraction at the front face alone",
     .parts = REFRACT_PARTS,
-    .rung = { .name = "one-sided", .rows = &rung },
+    .rung = { .name = "one-sided", .rows = &rung, .choose = refract_choose },
 };

@@ -64,5 +64,5 @@ const struct technique refract_paper = {
     .help = "front and back normals blended into one (Seipel and Nivfors 2006)",
     .settings = { &refract_paper_settings },
     .parts = REFRACT_PARTS,
-    .rung = { .name = "paper", .rows = &rung, .is_as_printed = true },
+    .rung = { .name = "paper", .rows = &rung, .choose = refract_choose, .is_as_printed = true },
 };

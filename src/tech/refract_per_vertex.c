@@ -30,5 +30,5 @@ const struct technique refract_per_vertex = {
     .name = "refract_per_vertex",
     .help = "refraction at the front face alone, with directions computed at the vertices",
     .parts = REFRACT_PARTS,
-    .rung = { .name = "per-vertex", .rows = &rung },
+    .rung = { .name = "per-vertex", .rows = &rung, .choose = refract_choose },
 };

@@ -71,5 +71,5 @@ const struct technique refract_search = {
     .help = "two refractions, the exit searched among the back faces",
     .settings = { &refract_search_settings },
     .parts = REFRACT_PARTS,
-    .rung = { .name = "search", .rows = &rung },
+    .rung = { .name = "search", .rows = &rung, .choose = refract_choose },
 };

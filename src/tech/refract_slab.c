@@ -32,5 +32,5 @@ const struct technique refract_slab = {
     .name = "refract_slab",
     .help = "pane parallel to the front face, which offsets light without changing its direction",
     .parts = REFRACT_PARTS,
-    .rung = { .name = "slab", .rows = &rung },
+    .rung = { .name = "slab", .rows = &rung, .choose = refract_choose },
 };

@@ -32,5 +32,5 @@ const struct technique refract_sphere = {
     .name = "refract_sphere",
     .help = "two refractions, as in a sphere that touches the front face",
     .parts = REFRACT_PARTS,
-    .rung = { .name = "sphere", .rows = &rung },
+    .rung = { .name = "sphere", .rows = &rung, .choose = refract_choose },
 };

@@ -36,5 +36,6 @@ const struct technique refract_wyman = {
     .name = "refract_wyman",
     .help = "two refractions, the exit estimated from two thicknesses (Wyman 2005)",
     .parts = REFRACT_PARTS,
-    .rung = { .name = "wyman", .rows = &rung, .reach = 3.0f }, /* lookups go a diameter further */
+    /* lookups go a diameter further */
+    .rung = { .name = "wyman", .rows = &rung, .choose = refract_choose, .reach = 3.0f },
 };

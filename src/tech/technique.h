@@ -33,19 +33,21 @@ struct technique_choice {
     const struct settings *settings;
     enum technique_purpose purpose;
     const struct technique
-        *rung;                /* NULL is allowed in a pool and for other purposes than pictures */
-    bool is_convex;           /* the object is known to be convex */
-    bool has_pool;            /* the scene is a pool of water */
-    bool has_materials;       /* surroundings have materials (scene.material_rows) */
-    bool is_dressed;          /* the rung draws tints and textures of objects; with has_materials */
-    bool is_wide;             /* the rung's maps reach beyond the picture (ice_normal.h) */
-    bool has_extras;          /* surroundings have scene.extra_rows */
-    bool has_cube;            /* the scene has an environment cube of its own */
-    bool keeps_depth;         /* the objects are drawn again, over the finished picture */
-    bool meets_surroundings;  /* rays meet the surroundings' triangles: see refract_trace.h */
+        *rung;             /* NULL is allowed in a pool and for other purposes than pictures */
+    bool is_convex;        /* the object is known to be convex */
+    bool has_pool;         /* the scene is a pool of water */
+    bool has_materials;    /* surroundings have materials (scene.material_rows) */
+    bool has_extras;       /* surroundings have scene.extra_rows */
+    bool has_cube;         /* the scene has an environment cube of its own */
+    bool keeps_depth;      /* the objects are drawn again, over the finished picture */
+    bool disperses;        /* a medium does: each colour has a path of its own */
+    bool is_beyond;        /* the object may reach beyond the edges of the picture */
+    uint32_t object_count; /* refractive objects, each drawn by rows of its own; 0 means 1 */
+    /* Of the rung (technique_rung.choose): */
+    bool is_dressed;          /* it draws tints and textures of objects */
+    bool is_wide;             /* its maps reach beyond the picture (ice_normal.h) */
+    bool meets_surroundings;  /* its rays meet the surroundings' triangles */
     bool lights_surroundings; /* and light them: then they are shaded, too, all over the picture */
-    bool disperses;           /* a medium does: each colour has a path of its own */
-    uint32_t object_count;    /* refractive objects, each drawn by rows of its own; 0 means 1 */
 };
 
 /* When in a frame a part of a technique is drawn. Within a phase the parts are drawn in the order
@@ -97,6 +99,8 @@ struct technique_rung {
     bool is_as_printed; /* automatic settings have the paper's values, in place of exact ones */
     bool is_whole;      /* its rows draw all refractive objects at once */
     bool meets_tree;    /* it reads the tree of the scene's triangles (scene.tree) */
+    /* Sets what a choice, of which the rest is known, has of its rung; may be NULL. */
+    void (*choose)(struct technique_choice *choice, const struct scene *scene);
 };
 
 /* A buffer that the host fills in every frame whose plan has it. */
@@ -131,6 +135,13 @@ struct technique_import {
     struct technique_bytes (*find_bytes)(const struct scene *scene);
 };
 
+/* What the plans and the constants of a scene's frames depend on. */
+struct technique_subject {
+    const struct scene *scene;
+    const struct settings *settings; /* of frame_settle() */
+    const struct technique *rung;    /* NULL: one that meets no tree */
+};
+
 enum {
     TECHNIQUE_PART_COUNT = 4,
     TECHNIQUE_GROUP_COUNT = 2,
@@ -155,11 +166,15 @@ struct technique {
     const struct technique_import *imports; /* may be NULL */
     /* Returns the mesh that frame_draw_mesh() draws; may be NULL. */
     const struct mesh *(*mesh)(const struct scene *scene);
+    /* Puts what the scene decides in place of the technique's settings; may be NULL. */
+    void (*follow_scene)(struct settings *settings, const struct scene *scene);
+    /* Puts the rung's own values in place of `auto`; `rung` may be NULL. The hook may be NULL. */
+    void (*settle)(struct settings *settings, const struct technique *rung);
     /* Fills the technique's members of struct globals; may be NULL. */
     void (*write_globals)(const struct frame_view *view, struct globals *globals);
     /* Fills the technique's specialization constants, indexed by their ids (shaders/constants.h);
      * may be NULL. */
-    void (*write_constants)(const struct settings *settings, uint32_t *values);
+    void (*write_constants)(const struct technique_subject *subject, uint32_t *values);
 };
 
 #endif

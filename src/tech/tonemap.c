@@ -66,9 +66,9 @@ static const struct setting rows[] = {
 
 const struct setting_group tonemap_settings = SETTING_GROUP("tonemap", rows, struct tonemap_params);
 
-static void write_constants(const struct settings *settings, uint32_t *values)
+static void write_constants(const struct technique_subject *subject, uint32_t *values)
 {
-    const struct tonemap_params *params = settings_of(settings, &tonemap_settings);
+    const struct tonemap_params *params = settings_of(subject->settings, &tonemap_settings);
     values[CONSTANT_TONEMAP_CURVE] = params->curve;
 }
 

@@ -1,5 +1,5 @@
-/* media.c: indices and absorption of a scene's objects. */
-#include "src/frame/media.h"
+/* frame_media.c: indices and absorption of a scene's objects. */
+#include "src/tech/frame_media.h"
 #include "src/tech/absorb.h"
 #include "src/tech/refract.h"
 

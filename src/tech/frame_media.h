@@ -1,6 +1,6 @@
-/* media.h: the media of a scene's objects, where settings override what materials say. */
-#ifndef FIRN_FRAME_MEDIA_H
-#define FIRN_FRAME_MEDIA_H
+/* frame_media.h: the media of a scene's objects, where settings override what materials say. */
+#ifndef FIRN_TECH_FRAME_MEDIA_H
+#define FIRN_TECH_FRAME_MEDIA_H
 
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
