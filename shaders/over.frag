@@ -17,19 +17,25 @@ void cover(vec4 upper)
     color = upper + (1.0 - upper.a) * color;
 }
 
+vec4 here(sampler2D layer)
+{
+    if ((constant_over & OVER_IS_SMALL) != 0u)
+        return textureLod(layer, gl_FragCoord.xy / vec2(textureSize(highlights, 0)), 0.0);
+    return texelFetch(layer, ivec2(gl_FragCoord.xy), 0);
+}
+
 void main()
 {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float highlight = texelFetch(highlights, pixel, 0).r;
+    float highlight = texelFetch(highlights, ivec2(gl_FragCoord.xy), 0).r;
     if (highlight < 0.0)
         discard;
     color = vec4(0.0);
     if ((constant_over & OVER_HAS_AIR) != 0u)
-        color = vec4(light, 1.0) * texelFetch(air, pixel, 0).r;
+        color = vec4(light, 1.0) * here(air).r;
     if ((constant_over & OVER_HAS_BUBBLES) != 0u)
-        cover(texelFetch(bubbles, pixel, 0));
+        cover(here(bubbles));
     if ((constant_over & OVER_HAS_CRACKS) != 0u)
-        cover(texelFetch(cracks, pixel, 0));
+        cover(here(cracks));
     if ((constant_over & OVER_HAS_HIGHLIGHT) != 0u)
         color.rgb += highlight; /* added, without cover */
 }

@@ -1,4 +1,4 @@
-/* over.h: shared by over.c and over.{vert,frag}. */
+/* over.h: shared by over.c, over.{vert,frag}, target_scale.c and over_whole.frag. */
 #ifndef SHADERS_OVER_H
 #define SHADERS_OVER_H
 #include "abi.h"
@@ -9,10 +9,14 @@
 #define OVER_CRACKS      4
 #define OVER_ENVIRONMENT 5 /* equirectangular picture */
 
-/* CONSTANT_OVER: a bit for each image to blend. */
+#define OVER_SMALL 1 /* the image that over_whole.frag enlarges */
+
+/* CONSTANT_OVER: a bit for each image to blend; IS_SMALL: those but highlights are smaller than the
+ * picture. */
 #define OVER_HAS_HIGHLIGHT (1u << OVER_HIGHLIGHT)
 #define OVER_HAS_AIR       (1u << OVER_AIR)
 #define OVER_HAS_BUBBLES   (1u << OVER_BUBBLES)
 #define OVER_HAS_CRACKS    (1u << OVER_CRACKS)
+#define OVER_IS_SMALL      (1u << 5)
 
 #endif

@@ -57,8 +57,12 @@ static bool add_phase(struct frame_list *list, const struct technique_choice *ch
             const struct technique_part *part = &(*t)->parts[p];
             if (part->phase != phase || (!part->rows && !part->graph.passes))
                 continue;
-            list->parts[list->count] = make(*t, part, choice, &list->builder);
-            list->count += list->parts[list->count].pass_count > 0;
+            struct rg_technique *made = &list->parts[list->count];
+            *made = make(*t, part, choice, &list->builder);
+            if (!made->pass_count)
+                continue;
+            made[1] = target_scale_apply(&list->small, choice, phase, made);
+            list->count += made[1].pass_count ? 2 : 1;
         }
     }
     return !list->builder.failed;
@@ -239,9 +243,10 @@ static bool add_all(struct frame_list *list, const struct technique_choice *choi
 enum status frame_list_init(struct frame_list *list, const struct technique_choice *choice)
 {
     const size_t object_count = choice->object_count > 1 ? 2 * (size_t)choice->object_count : 1;
-    *list = (struct frame_list){ 0 };
-    list->parts =
-        calloc(techniques_count * TECHNIQUE_PART_COUNT * object_count + 1, sizeof(*list->parts));
+    *list = (struct frame_list){ .small.builder = &list->builder };
+    /* target.scale at most doubles them. */
+    list->parts = calloc(2 * techniques_count * TECHNIQUE_PART_COUNT * object_count + 1,
+                         sizeof(*list->parts));
     list->objects = calloc(object_count, sizeof(*list->objects));
     if (list->parts && list->objects && add_all(list, choice))
         return STATUS_OK;

@@ -3,6 +3,7 @@
 #define FIRN_FRAME_LIST_H
 
 #include "src/base/status.h"
+#include "src/frame/target_scale.h"
 #include "src/tech/row_builder.h"
 #include "src/tech/technique.h"
 
@@ -21,6 +22,7 @@ struct frame_list {
     struct frame_list_object *objects; /* two for each object; empty for a single one */
     size_t object_count;
     struct row_builder builder;
+    struct small_images small;
 };
 
 /* Fills *list. Logs and returns STATUS_TRY_AGAIN when out of memory; *list is then {0}. */

@@ -288,3 +288,21 @@ static const struct setting lens_rows[] = {
 };
 
 const struct setting_group lens_settings = SETTING_GROUP("lens", lens_rows, struct lens_params);
+
+static const struct setting target_rows[] = {
+    {
+        .name = "target.scale",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct target_params, scale),
+        .initial = 1,
+        .min = 0.125,
+        .max = 1,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help =
+            "size of the images of cracks, air and bubbles, and of the depths that confine them "
+            "to the ice, relative to the picture: faster and coarser below 1",
+    },
+};
+
+const struct setting_group target_settings =
+    SETTING_GROUP("target", target_rows, struct target_params);

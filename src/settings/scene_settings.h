@@ -80,8 +80,13 @@ struct ground_params {
     uint32_t light; /* enum ground_light */
 };
 
+/* Of what is drawn before the picture and blended over it. */
+struct target_params {
+    float scale; /* of the view: the size of images of what is in the ice */
+};
+
 extern const struct setting_group object_settings, landscape_settings, sky_settings, env_settings,
     texture_settings, motion_settings, light_settings, env_cube_settings, ground_settings,
-    lens_settings;
+    lens_settings, target_settings;
 
 #endif

@@ -9,6 +9,7 @@
 #include <string.h>
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
 #include "src/tech/cracks.h"
@@ -42,10 +43,12 @@ static const struct rg_pass passes[] = {
 static uint32_t layers_of(const struct settings *settings, const struct technique *rung)
 {
     const bool meets = rung && rung->rung.meets_tree;
+    const struct target_params *target = settings_of(settings, &target_settings);
     return (surface.is_on(settings) ? OVER_HAS_HIGHLIGHT : 0u) |
            (air.is_on(settings) ? OVER_HAS_AIR : 0u) |
            (bubbles.is_on(settings) && !meets ? OVER_HAS_BUBBLES : 0u) |
-           (cracks_are_in_ice(settings) && !meets ? OVER_HAS_CRACKS : 0u);
+           (cracks_are_in_ice(settings) && !meets ? OVER_HAS_CRACKS : 0u) |
+           (target->scale < 1.0f ? OVER_IS_SMALL : 0u);
 }
 
 static struct rg_technique make_rows(const struct technique_choice *choice,
@@ -54,7 +57,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     const uint32_t found = layers_of(choice->settings, choice->rung);
     struct rg_use changed[sizeof(uses) / sizeof(uses[0])];
     struct rg_pass *rows = row_builder_rows(builder, passes, 1);
-    if (!found || !rows)
+    if (!(found & ~OVER_IS_SMALL) || !rows)
         return (struct rg_technique){ 0 };
     memcpy(changed, uses, sizeof(uses));
     for (struct rg_use *use = changed; use->access; use++) {

@@ -102,6 +102,22 @@ class Layers(Case):
             self.assertAlmostEqual(at(0, 0)[4], 4 * math.sin(math.radians(9)), delta=0.02)
 
 
+class Small(Case):
+    def test_target_scale(self):
+        """Air at half the size is where it was; what the ice refracts stays, bit by bit."""
+        found = []
+        for scale in ('1', '0.5'):
+            self.succeed('render', 'ice-cube', '-r', 'paper', '--size', '96x72', '-q', '--set',
+                         f'target.scale={scale}', '--set', 'air.size=0.1', '--set',
+                         'air.frequency=2', '--aov', 'air,refraction', '-o', 'a.exr')
+            found.append(Exr((self.folder / 'a.exr').read_bytes()).read_planes(
+                ('air.A', 'refraction.G')))
+        self.assertEqual(found[0]['refraction.G'], found[1]['refraction.G'])
+        whole, small = found[0]['air.A'], found[1]['air.A']
+        self.assertLess(sum(abs(a - b) for a, b in zip(whole, small)), 0.2 * sum(whole))
+        self.assertNotEqual(whole, small)
+
+
 if __name__ == '__main__':
     if '--without' in sys.argv:
         sys.argv.remove('--without')

@@ -40,7 +40,8 @@ class Tiles(Tiled):
                 ('2x2', 4, ()),
                 ('3x1', 3, ('--samples', '2')),
                 ('2x3', 6, ('--size', '97x63', '-r', 'paper')),
-                ('1x2', 2, ('--samples', '2', '--aov', 'all', '-r', 'wyman')),
+                ('1x2', 2, ('--samples', '2', '--aov', 'all', '-r', 'wyman', '--set',
+                            'target.scale=0.5')),
                 ('2x1', 2, ('--set', 'cracks.refract=normals', '--set', 'bump.strength=0.5'))):
             with self.subTest(tiles=tiles, more=more):
                 self.compare(tiles, count, *more)

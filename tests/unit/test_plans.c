@@ -60,7 +60,7 @@ static const struct golden goldens[] = {
 enum {
     LIST_COUNT = sizeof(goldens) / sizeof(goldens[0]),
     GOLDEN_COUNT = LIST_COUNT + FEATURE_COUNT,
-    OTHER_COUNT = 4, /* tests without a golden file */
+    OTHER_COUNT = 5, /* tests without a golden file */
 };
 
 /* `settings` is for the request, and gets the golden's. */
@@ -333,6 +333,44 @@ static void test_no_cracks_no_passes(void **state)
     }
 }
 
+/* Returns the width of an image in a plan, texels; 0: there is none. */
+static uint32_t width_of(const struct rg_plan *plan, const char *name)
+{
+    for (uint32_t i = 0; i < plan->image_count; i++) {
+        if (!strcmp(plan->images[i].image->name, name))
+            return plan->images[i].extent.width;
+    }
+    return 0;
+}
+
+/* What is in the ice is drawn at a fraction of the picture and nothing of it at the picture's size,
+ * but for layers, which are always of that size. */
+static void test_small_targets(void **state)
+{
+    (void)state;
+    static const char *const small[] = { "ice_depth.front.small",   "ice_depth.back.small",
+                                         "ice_interval.near.small", "air.cover.small",
+                                         "bubbles.color.small",     "cracks.color.small" };
+    static const char *const whole[] = { "ice_depth.front", "ice_depth.back", "ice_interval.near",
+                                         "air.cover",       "bubbles.color",  "cracks.color" };
+    for (size_t layers = 0; layers < 2; layers++) {
+        const struct golden paper = { .rung = "paper",
+                                      .layers = layers,
+                                      .setting = "target.scale=0.25" };
+        struct settings settings;
+        struct frame_request request = request_of(&paper, &settings);
+        struct frame_plan plan;
+        request.view = (VkExtent2D){ 66, 64 };
+        assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
+        for (size_t i = 0; i < sizeof(small) / sizeof(small[0]); i++) {
+            assert_int_equal(width_of(plan.plan, small[i]), 17);
+            assert_int_equal(width_of(plan.plan, whole[i]), layers ? 66 : 0);
+        }
+        assert_int_equal(width_of(plan.plan, "ice_normal.back"), 66);
+        frame_plan_finish(&plan);
+    }
+}
+
 static struct golden golden_of(const struct feature *feature)
 {
     return (struct golden){ .name = feature->name, .feature = feature };
@@ -346,6 +384,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_one_sided_draws_no_back_normals),
         cmocka_unit_test(test_what_is_off_is_not_there),
         cmocka_unit_test(test_no_cracks_no_passes),
+        cmocka_unit_test(test_small_targets),
     };
     if (argc < 2) {
         fprintf(stderr, "usage: %s FOLDER [--update]\n", argv[0]);

@@ -82,6 +82,7 @@ static const struct {
     { UI_QUALITY, "env_cube.dynamic" },
     { UI_QUALITY, "refract_bounce.count" },
     { UI_QUALITY, "texture.anisotropy" },
+    { UI_QUALITY, "target.scale" },
     { UI_WATER, "pool.water" },
     { UI_WATER, "pool.ice" },
     { UI_WATER, "water.height" },

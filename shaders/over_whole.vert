@@ -1,0 +1,12 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+layout(location = 0) out vec2 uv;
+
+/* A triangle that covers the picture. */
+void main()
+{
+    vec2 corner = vec2(gl_VertexIndex == 1 ? 2.0 : 0.0, gl_VertexIndex == 2 ? 2.0 : 0.0);
+    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
+    uv = corner;
+}

@@ -1,0 +1,154 @@
+/*
+ * target_scale.c: draws what is in the ice at a fraction of the view.
+ *
+ * Seipel and Nivfors 2006, section 4: depths, cracks and air have targets of 512 x 512 texels for a
+ * window of 1024 x 768; section 5: the resolution of these textures is one of two factors of the
+ * cost. The normals of the back faces have the window's size there, and always here.
+ */
+#include "src/frame/target_scale.h"
+#include "shaders/embedded.h"
+#include "shaders/over.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/frame.h"
+
+/* An image at a fraction of the view; the builder owns it. */
+struct small_image {
+    const struct rg_image *whole;
+    struct rg_image image;
+    struct small_image *next;
+};
+
+static const struct rg_image *find(const struct small_images *small, const struct rg_image *whole)
+{
+    const struct small_image *at = small->first;
+    while (at && at->whole != whole)
+        at = at->next;
+    return at ? &at->image : NULL;
+}
+
+static const struct rg_image *make(struct small_images *small, const struct rg_image *whole,
+                                   float scale)
+{
+    const struct rg_image *found = find(small, whole);
+    if (found)
+        return found;
+    struct small_image *made = row_builder_alloc(small->builder, sizeof(*made));
+    if (!made)
+        return NULL;
+    *made = (struct small_image){ whole, *whole, small->first };
+    made->image.name = row_builder_name(small->builder, whole->name, "small");
+    made->image.scale = scale;
+    small->first = made;
+    return &made->image;
+}
+
+/* ---- rows ---- */
+
+/* Makes a row read small images where there are any: the texel of its own pixel if it draws small
+ * images, too, else between texels. */
+static void read_small(struct small_images *small, struct rg_pass *row, bool is_small)
+{
+    struct rg_use *uses = row_builder_own_uses(small->builder, row->uses);
+    for (struct rg_use *use = uses; use && use->access; use++) {
+        const struct rg_image *found = use->image ? find(small, use->image) : NULL;
+        if (!found)
+            continue;
+        use->image = found;
+        use->same_texel = use->same_texel && is_small;
+        if (!is_small)
+            use->sampler = &frame_linear;
+    }
+    row->uses = uses;
+}
+
+/* Makes a row draw small images. */
+static void draw_small(struct small_images *small, struct rg_pass *row, float scale)
+{
+    struct rg_target *colors = row_builder_targets(small->builder, row->color, row->color_count);
+    for (uint32_t c = 0; colors && c < row->color_count; c++)
+        colors[c].image = make(small, colors[c].image, scale);
+    row->color = colors;
+    if (row->depth.image)
+        row->depth.image = make(small, row->depth.image, scale);
+    read_small(small, row, true);
+}
+
+/* A row that makes an image of the view's size from a small one. */
+static struct rg_pass enlarge(struct small_images *small, const struct rg_image *whole)
+{
+    const struct rg_use read[] = {
+        { .image = find(small, whole),
+          .access = RG_SAMPLED,
+          .binding = OVER_SMALL,
+          .sampler = &frame_linear },
+        { 0 },
+    };
+    const struct rg_target target = { whole, RG_LOAD_DISCARD };
+    return (struct rg_pass){
+        .name = row_builder_name(small->builder, whole->name, "whole"),
+        .color = row_builder_target(small->builder, target),
+        .color_count = 1,
+        .uses = row_builder_uses(small->builder, (const struct rg_use *const[]){ read }, 1),
+        .vert = &over_whole_vert,
+        .frag = &over_whole_frag,
+        .record = frame_draw_screen,
+    };
+}
+
+/* ---- parts ---- */
+
+/* Returns rows that draw the part's depths again, at a fraction of the view. */
+static struct rg_technique draw_depths_again(struct small_images *small,
+                                             const struct rg_technique *part, float scale)
+{
+    struct rg_pass *rows = row_builder_rows(small->builder, part->passes, part->pass_count);
+    size_t count = 0;
+    for (size_t i = 0; rows && i < part->pass_count; i++) {
+        if (part->passes[i].color_count)
+            continue; /* a layer */
+        rows[count] = part->passes[i];
+        rows[count].name = row_builder_name(small->builder, rows[count].name, "small");
+        draw_small(small, &rows[count++], scale);
+    }
+    return (struct rg_technique){ part->name, rows, count };
+}
+
+/* Inclusions are blended into an empty image; a row that does not blend makes a layer of one. */
+static void change_inclusions(struct small_images *small, struct rg_technique *part, float scale)
+{
+    struct rg_pass *rows = row_builder_alloc(small->builder, 2 * part->pass_count * sizeof(*rows));
+    size_t count = 0;
+    for (size_t i = 0; i < part->pass_count && !small->builder->failed; i++) {
+        rows[count++] = part->passes[i];
+        if (!part->passes[i].color->blend)
+            continue;
+        draw_small(small, &rows[count - 1], scale);
+        rows[count++] = enlarge(small, part->passes[i].color->image);
+    }
+    *part = (struct rg_technique){ part->name, rows, count };
+}
+
+static void change_readers(struct small_images *small, struct rg_technique *part)
+{
+    struct rg_pass *rows = row_builder_rows(small->builder, part->passes, part->pass_count);
+    for (size_t i = 0; rows && i < part->pass_count; i++)
+        read_small(small, &rows[i], false);
+    part->passes = rows;
+}
+
+struct rg_technique target_scale_apply(struct small_images *small,
+                                       const struct technique_choice *choice,
+                                       enum technique_phase phase, struct rg_technique *part)
+{
+    const struct target_params *params = settings_of(choice->settings, &target_settings);
+    struct rg_technique more = { 0 };
+    if (params->scale >= 1.0f || choice->has_pool || small->builder->failed)
+        return more;
+    if (phase == PHASE_DEPTHS)
+        more = draw_depths_again(small, part, params->scale);
+    else if (phase == PHASE_INCLUSIONS)
+        change_inclusions(small, part, params->scale);
+    else if (phase == PHASE_COMPOSITE)
+        change_readers(small, part);
+    return more;
+}
