@@ -3,8 +3,8 @@
 #define FIRN_FRAME_LIST_H
 
 #include "src/base/status.h"
-#include "src/frame/target_scale.h"
 #include "src/tech/row_builder.h"
+#include "src/tech/target_scale.h"
 #include "src/tech/technique.h"
 
 /* Rows that draw one of several objects: in each frame another one, since the farthest is first. */

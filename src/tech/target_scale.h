@@ -1,6 +1,6 @@
 /* target_scale.h: draws what is in the ice at a fraction of the view. */
-#ifndef FIRN_FRAME_TARGET_SCALE_H
-#define FIRN_FRAME_TARGET_SCALE_H
+#ifndef FIRN_TECH_TARGET_SCALE_H
+#define FIRN_TECH_TARGET_SCALE_H
 
 #include "src/tech/row_builder.h"
 #include "src/tech/technique.h"

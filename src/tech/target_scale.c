@@ -5,7 +5,7 @@
  * window of 1024 x 768; section 5: the resolution of these textures is one of two factors of the
  * cost. The normals of the back faces have the window's size there, and always here.
  */
-#include "src/frame/target_scale.h"
+#include "src/tech/target_scale.h"
 #include "shaders/embedded.h"
 #include "shaders/over.h"
 #include "src/settings/scene_settings.h"
