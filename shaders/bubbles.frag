@@ -32,7 +32,7 @@ void main()
     if (!ice_clip_keeps(clip.z / clip.w))
         discard;
 
-    float eta = 1.0 / frame.eta; /* from ice to air */
+    float eta = frame.outside_in_air / frame.eta; /* from ice to air */
     vec3 outward = aside / max(length(aside), 1e-30);
     float share = optics_fresnel(e, (hit - eye_to_center) / radius, eta);
     vec3 reflected = bubble_turn(e, outward, bubble_reflected(b));

@@ -16,7 +16,7 @@ void main()
         return;
     }
     crack_point c = crack_here();
-    float share = optics_gap(c.e, c.n, 1.0 / frame.eta);
+    float share = optics_gap(c.e, c.n, frame.outside_in_air / frame.eta);
     float shine = crack_highlight(c);
     float over = min(shine, 1.0);
     vec3 mirrored = share * texture(env_cube, pose_object_normal(optics_reflect(c.e, c.n))).rgb;

@@ -34,6 +34,7 @@ struct globals {
     float bump_strength;     /* factor on the slopes of the ice's bump map */
     float bump_scale;        /* tiles of the bump map per metre, or per unit of uv */
     vec3s etas;              /* refractive index outside / inside, for red, green, blue */
+    float outside_in_air;    /* refractive index around the objects / that of air */
     vec3s absorb;            /* absorption coefficients of the object, 1 / metre */
     float refract_crossfade; /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
     ABI_STRUCT(surface_params) surface;

@@ -160,7 +160,7 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
             if (trace_has(TRACE_HAS_MEDIA))
                 eta = trace_medium(trace.ice, TRACE_IOR)[channel] /
                       trace_medium(0u, TRACE_IOR)[channel];
-            c = trace_inclusion_at(way, hit, n, eta);
+            c = trace_inclusion_at(way, hit, n, frame.outside_in_air * eta);
         }
     }
     return c;

@@ -291,6 +291,13 @@ static void warn_of_settings(const struct app_picture *picture)
         log_warning("%s: no effect with --refraction trace", words);
 }
 
+static void warn_of_outside(const struct app_scene *given, const struct scene *scene)
+{
+    if (scene->has_pool && given->is_set[settings_index(settings_find("refract.outside"))] &&
+        !given->quiet)
+        log_warning("refract.outside: no effect in a pool, where water and air are around the ice");
+}
+
 /* Names the shadows that a rung leaves out where a file's surroundings are lit. */
 static void warn_of_ground(const struct app_picture *picture, const struct scene *scene)
 {
@@ -323,6 +330,7 @@ void app_choose_rung(struct app_picture *picture, const struct scene *scene,
         log_warning("air.model=medium: drawn as planes; --refraction reference draws a medium");
     warn_of_bubbles(picture, scene);
     warn_of_settings(picture);
+    warn_of_outside(&picture->scene, scene);
 }
 
 /* Whoever made a file may not have meant it to be ice. */

@@ -274,6 +274,7 @@ static void take_medium(const struct frame_view *view, uint32_t object, struct g
     for (int c = 0; c < 3; c++)
         g->etas.raw[c] = outside.ior[c] / medium.ior[c];
     g->eta = g->etas.y;
+    g->outside_in_air = outside.ior[1] / frame_media_air(scene);
     g->absorb = medium.absorption;
 }
 

@@ -155,7 +155,7 @@ const struct frame_medium *branch_surface(const struct tracing *tracing,
                                           const struct meeting *meeting)
 {
     const bool is_gap = meeting->hit.part == BVH_CRACKS;
-    return tracing_medium(tracing, is_gap ? tracing->media->outside : meeting->hit.object);
+    return tracing_medium(tracing, is_gap ? tracing->media->bubble : meeting->hit.object);
 }
 
 /* Finds what the surface is at a point that light has met. */

@@ -14,6 +14,8 @@ bool media_init(struct media *media, const struct scene *scene, const struct set
         media->is_dispersive |= media->all[i].ior[0] != media->all[i].ior[2];
     }
     media->all[media->bubble] = media->all[media->outside];
+    for (int c = 0; c < 3; c++)
+        media->all[media->bubble].ior[c] = frame_media_air(scene);
     media->all[media->bubble].rank = UINT32_MAX;
     return true;
 }
@@ -37,8 +39,9 @@ uint32_t media_top(const struct media *media, const struct media_set *set, uint3
 
 bool media_are_alike(const struct media *media, uint32_t a, uint32_t b)
 {
-    return a == b || (a == media->outside && b == media->bubble) ||
-           (a == media->bubble && b == media->outside);
+    const bool are_air =
+        (a == media->outside && b == media->bubble) || (a == media->bubble && b == media->outside);
+    return a == b || (are_air && media->all[a].ior[0] == media->all[b].ior[0]);
 }
 
 /* Returns the object's place in the set, or the number of its objects. */

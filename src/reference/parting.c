@@ -70,7 +70,7 @@ static struct parting part_gap(const struct tracing *tracing, vec3s dir,
     const struct bvh_hit *hit = &meeting->hit;
     const double eta =
         (double)tracing_medium(tracing, hit->object)->ior[meeting->channel] /
-        (double)tracing_medium(tracing, tracing->media->outside)->ior[meeting->channel];
+        (double)tracing_medium(tracing, tracing->media->bubble)->ior[meeting->channel];
     const float side = parting_dot(dir, hit->facet) < 0.0 ? 1.0f : -1.0f;
     const vec3s facet = glms_vec3_scale(hit->facet, side);
     vec3s n = glms_vec3_scale(inclusions_crack_normal(tracing->inclusions, &hit->surface), side);

@@ -40,6 +40,20 @@ static struct frame_medium medium_of(const struct material *material, bool has_o
     return medium;
 }
 
+float frame_media_air(const struct scene *scene)
+{
+    /* glTF's outside is empty; the paper's is air. */
+    return frame_media_are_bare(scene) ? REFRACT_IOR_AIR : 1.0f;
+}
+
+/* Returns the index of what is around the objects. */
+static float outside_of(const struct scene *scene, const struct settings *settings)
+{
+    const float outside = refract_outside(scene, settings);
+    const bool is_set = outside < REFRACT_IOR_AIR || outside > REFRACT_IOR_AIR;
+    return is_set ? outside : frame_media_air(scene);
+}
+
 uint32_t frame_media_count(const struct scene *scene)
 {
     return (scene->model.object_count ? scene->model.object_count : 1) + 1;
@@ -75,8 +89,7 @@ struct frame_medium frame_medium_at(const struct scene *scene, const struct sett
     const bool is_bare = frame_media_are_bare(scene);
     struct frame_medium medium = { .tint = glms_vec3_one() };
     if (index + 1 == frame_media_count(scene)) {
-        /* glTF's outside is empty; the paper's is air. */
-        spread(medium.ior, is_bare ? REFRACT_IOR_AIR : 1.0f, 0.0f);
+        spread(medium.ior, outside_of(scene, settings), 0.0f);
     } else if (is_bare) {
         medium = bare(refract, absorption);
     } else {

@@ -25,6 +25,9 @@ struct frame_medium {
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index);
 
+/* Returns the refractive index of air, of which bubbles and cracks are full. */
+float frame_media_air(const struct scene *scene);
+
 /* Returns whether settings decide the materials of the scene's objects. */
 bool frame_media_are_bare(const struct scene *scene);
 

@@ -199,6 +199,16 @@ static const struct setting rows[] = {
         .help = "refractive index of the object; --material sets it, too",
     },
     {
+        .name = "refract.outside",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_params, outside),
+        .initial = 1.0003,
+        .min = 1.0,
+        .max = 4.0,
+        .help = "refractive index around the objects, such as 1.333 for water; bubbles and cracks "
+                "are full of air in any case (1.0003 is 1 around files with materials)",
+    },
+    {
         .name = "refract.dispersion",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_params, dispersion),
@@ -250,15 +260,22 @@ static const struct setting rows[] = {
 
 const struct setting_group refract_settings = SETTING_GROUP("refract", rows, struct refract_params);
 
+float refract_outside(const struct scene *scene, const struct settings *settings)
+{
+    const struct refract_params *params = settings_of(settings, &refract_settings);
+    return scene->has_pool ? REFRACT_IOR_AIR : params->outside;
+}
+
 /* KHR_materials_dispersion: the index of red is n - h and of blue n + h, where h = (n - 1) 0.025
  * dispersion. */
 static void write_globals(const struct frame_view *view, struct globals *g)
 {
     const struct refract_params *params = settings_of(view->settings, &refract_settings);
     float half = (params->ior - 1.0f) * 0.025f * params->dispersion;
-    g->eta = REFRACT_IOR_AIR / params->ior;
-    g->etas = (vec3s){ { REFRACT_IOR_AIR / (params->ior - half), g->eta,
-                         REFRACT_IOR_AIR / (params->ior + half) } };
+    const float outside = refract_outside(view->scene, view->settings);
+    g->eta = outside / params->ior;
+    g->etas = (vec3s){ { outside / (params->ior - half), g->eta, outside / (params->ior + half) } };
+    g->outside_in_air = outside / REFRACT_IOR_AIR;
     g->refract_crossfade = params->crossfade;
 }
 

@@ -22,6 +22,7 @@ extern const struct setting_group refract_settings;
 
 struct refract_params {
     float ior;        /* refractive index of the object, for green */
+    float outside;    /* of what is around it; REFRACT_IOR_AIR: 1 around files with materials */
     float dispersion; /* 20 / Abbe number, as in KHR_materials_dispersion; 0: none */
     uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ...; frame_settle() replaces AUTO, here and in: */
     float crossfade;  /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
@@ -31,6 +32,9 @@ struct refract_params {
 
 /* Refractive index of air (The Cg Tutorial; Seipel and Nivfors 2006, eq. 2). */
 #define REFRACT_IOR_AIR 1.0003f
+
+/* Returns the refractive index around the objects: refract.outside, but that of air in a pool. */
+float refract_outside(const struct scene *scene, const struct settings *settings);
 
 /* How a rung draws the object; refract_color_rows() and refract_layer_rows() make its rows. */
 struct refract_rung {

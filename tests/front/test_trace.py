@@ -87,6 +87,15 @@ class Trace(Case):
         planes = self.planes(words[0], *WHITE, *SIZE, '--size', '8x6', *words[1:], **how)
         return sum(planes['G'][i] for i in (19, 20, 27, 28)) / 4
 
+    def test_another_medium_around(self):
+        """A ball that bends light apart; and bubbles of air in water without a surface."""
+        sphere = ('sphere', *SIZE, *SMALL_CUBE, '--set')
+        for rung, limit in (('bounce', 0.02), ('trace', 0.001)):
+            self.check(limit, *sphere, 'refract.ior=1.3', '--set', 'refract.outside=1.5',
+                       rung=('-r', rung))
+        self.check(0.001, *sphere, 'refract.ior=1.34', '--set', 'refract.outside=1.333', '--set',
+                   'bubbles.count=3', '--set', 'bubbles.size=0.3')
+
     def test_light_on_surroundings(self):
         """A floor under a black box in even light, against the box's share of the hemisphere; in
         light that passes glass."""

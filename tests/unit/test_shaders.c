@@ -24,7 +24,7 @@ struct field {
 struct shared {
     const char *name;
     size_t size;
-    struct field fields[32];
+    struct field fields[40];
 };
 
 /* All of shaders/x.h: made by shared_structs.py. */

@@ -21,6 +21,7 @@ static const struct {
     { UI_OBJECT, "motion.objects" },
     { UI_OBJECT, "object.triangles" },
     { UI_MATERIAL, "refract.ior" },
+    { UI_MATERIAL, "refract.outside" },
     { UI_MATERIAL, "refract.dispersion" },
     { UI_MATERIAL, "absorb.red" },
     { UI_MATERIAL, "absorb.green" },
