@@ -78,6 +78,7 @@ struct resource {
     uint32_t item;                       /* index into compiler.owners, or RG_NONE */
     uint32_t acquired_at;                /* the pass before which it takes over its memory */
     uint32_t last_barrier;               /* index of the newest barrier, or RG_NONE */
+    struct cell cell[];                  /* room for one, which is `cells` if there is only one */
 };
 
 struct access {

@@ -30,6 +30,12 @@ static bool is_in_range(const struct resource *r, const VkImageSubresourceRange 
            range->layerCount <= r->all.layerCount - range->baseArrayLayer;
 }
 
+static bool is_all(const struct resource *r, const VkImageSubresourceRange *range)
+{
+    return r->cell_count == 1 && range->aspectMask == r->all.aspectMask && !range->baseMipLevel &&
+           !range->baseArrayLayer && range->levelCount == 1 && range->layerCount == 1;
+}
+
 /* Makes the next access, which counts after keep_access(). NULL: memory is short. */
 static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
                                   VkPipelineStageFlags2 stages)
@@ -39,11 +45,13 @@ static struct access *next_access(struct compiler *c, struct resource *r, enum r
     return rg_access_init(&c->accesses[c->access_count], r, kind, stages);
 }
 
-/* Finds the cells of the next access's range. Returns false, and adds a fault, if the resource has
- * not all of them. */
+/* Finds the cells of the next access's range; it has those of the whole resource so far. Returns
+ * false, and adds a fault, if the resource has not all of them. */
 static bool find_cells(struct compiler *c, struct access *a)
 {
     const VkImageSubresourceRange *range = &a->range;
+    if (is_all(a->resource, range))
+        return true;
     bool fits = is_in_range(a->resource, range);
     rg_fault_if(c, !fits, RG_ERROR_RANGE, a->resource->name,
                 "name a mip, layer and aspect that the image has");
@@ -95,7 +103,9 @@ static uint32_t mip_side(uint32_t side, uint32_t mip)
 static void check_extent(struct compiler *c, const struct resource *r, uint32_t mip)
 {
     VkExtent2D *pass = &c->pass->extent;
-    VkExtent2D extent = { mip_side(r->extent.width, mip), mip_side(r->extent.height, mip) };
+    VkExtent2D extent = r->extent;
+    if (mip)
+        extent = (VkExtent2D){ mip_side(extent.width, mip), mip_side(extent.height, mip) };
     if (c->access_count == c->passes[c->pass_count].first_access && !c->target_samples)
         *pass = extent;
     rg_fault_if(c, extent.width != pass->width || extent.height != pass->height,

@@ -43,32 +43,32 @@ void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
     *map = grown;
 }
 
-/* Whether there is room for one more key. */
-static bool has_room(struct arena *arena, struct map *map)
+static bool is_full(const struct map *map)
 {
-    if (map->count >= map->mask / 4 * 3)
-        rg_map_expect(arena, map, map->mask);
-    return !arena->failed;
+    return map->count >= map->mask / 4 * 3;
 }
 
-void **rg_map_value(struct arena *arena, struct map *map, const void *address)
+void **rg_map_add(struct arena *arena, struct map *map, struct map_slot *slot, const void *address)
 {
-    if (!has_room(arena, map))
+    if (is_full(map)) {
+        rg_map_expect(arena, map, map->mask);
+        slot = rg_map_find(map, address);
+    }
+    if (arena->failed)
         return NULL;
-    struct map_slot *slot = rg_map_find(map, address);
-    map->count += !slot->key;
+    map->count++;
     slot->key = address;
     return &slot->value;
 }
 
 bool rg_map_has_text(struct arena *arena, struct map *map, const char *text)
 {
-    if (!has_room(arena, map))
-        return false;
-    uint32_t hash = hash_text(text);
+    const uint32_t hash = hash_text(text);
+    if (is_full(map))
+        rg_map_expect(arena, map, map->mask);
     struct map_slot *slot = find_text(map, text, hash);
-    if (slot->key)
-        return true;
+    if (slot->key || arena->failed)
+        return slot->key != NULL;
     map->count++;
     slot->key = text;
     slot->hash = hash;

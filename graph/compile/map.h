@@ -36,8 +36,17 @@ static inline struct map_slot *rg_map_find(const struct map *map, const void *ad
 /* Makes room for `count` keys. */
 void rg_map_expect(struct arena *arena, struct map *map, uint32_t count);
 
-/* Returns where the value of an address is; a new one has the value NULL. NULL: memory is short. */
-void **rg_map_value(struct arena *arena, struct map *map, const void *address);
+/* Puts an address, which the map does not have, into the empty slot where it would be. Returns as
+ * rg_map_value(). */
+void **rg_map_add(struct arena *arena, struct map *map, struct map_slot *slot, const void *address);
+
+/* Returns where the value of an address is; a new one has the value NULL. NULL: memory is short.
+ * The map has slots. */
+static inline void **rg_map_value(struct arena *arena, struct map *map, const void *address)
+{
+    struct map_slot *slot = rg_map_find(map, address);
+    return slot->key ? &slot->value : rg_map_add(arena, map, slot, address);
+}
 
 /* Adds a text to a map of texts. Returns whether it was there before. */
 bool rg_map_has_text(struct arena *arena, struct map *map, const char *text);

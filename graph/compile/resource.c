@@ -39,7 +39,8 @@ static void size_image(struct resource *r, const struct rg_image *image, const s
 {
     r->format = rg_format_info(image->format);
     r->extent = extent_of(c->params, image, c->params->view);
-    r->max_extent = extent_of(c->params, image, c->max_view);
+    r->max_extent =
+        c->params->max_view.width ? extent_of(c->params, image, c->max_view) : r->extent;
     r->depth = image->depth ? image->depth : 1;
     r->all.aspectMask = r->format ? r->format->aspects : VK_IMAGE_ASPECT_COLOR_BIT;
     r->all.layerCount = image->layers ? image->layers : image->cube ? 6 : 1;
@@ -97,7 +98,7 @@ static void add_cells(struct compiler *c, struct resource *r, const struct rg_im
     bool upload = r->buffer && r->buffer->memory == RG_MEMORY_UPLOAD;
     bool filled = upload || r->persistent || (import && import->access != RG_ACCESS_NONE);
     r->cell_count = (uint32_t)count;
-    r->cells = ARENA_ARRAY(c->arena, struct cell, count);
+    r->cells = count == 1 ? r->cell : ARENA_ARRAY(c->arena, struct cell, count);
     for (uint32_t i = 0; r->cells && i < count; i++)
         r->cells[i] = (struct cell){
             .visible = upload ? RG_VISIBLE_TO_ALL : 0, /* a submit shows all of it to all */
@@ -122,7 +123,7 @@ static void check_name(struct compiler *c, struct resource *r)
 static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
                                      const struct rg_buffer *buffer, const struct rg_import *import)
 {
-    struct resource *r = ARENA_ARRAY(c->arena, struct resource, 1);
+    struct resource *r = rg_arena_alloc(c->arena, 1, sizeof(struct resource) + sizeof(struct cell));
     if (!ARENA_ROOM(c->arena, c->resources, c->resource_count, c->resource_room,
                     c->row_count * 2) ||
         !r)
@@ -169,23 +170,14 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
     return c->arena->failed ? NULL : r;
 }
 
-/* Adds one that is not in the map. */
-__attribute__((noinline)) static struct resource *
-add_used(struct compiler *c, const struct rg_image *image, const struct rg_buffer *buffer)
-{
-    const void *address = image ? (const void *)image : (const void *)buffer;
-    void **value = rg_map_value(c->arena, &c->by_address, address);
-    if (value)
-        *value = add_resource(c, image, buffer, NULL);
-    return value ? *value : NULL;
-}
-
 struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
                                 const struct rg_buffer *buffer)
 {
     const void *address = image ? (const void *)image : (const void *)buffer;
-    const struct map_slot *known = rg_map_find(&c->by_address, address);
-    return known->value ? known->value : add_used(c, image, buffer);
+    void **value = rg_map_value(c->arena, &c->by_address, address);
+    if (value && !*value)
+        *value = add_resource(c, image, buffer, NULL);
+    return value ? *value : NULL;
 }
 
 /* ---- imports and outputs ---- */
