@@ -78,7 +78,7 @@ static enum status run_frame(struct profile_job *job)
 {
     struct profile profile = { 0 };
     bool is_slower = false;
-    enum status status = profile_job_measure(job, &job->o.picture, &profile);
+    enum status status = profile_job_measure(job, &job->o.picture, &profile, 1);
     if (status == STATUS_OK)
         status = write_reports(job, &profile);
     if (status == STATUS_OK && profile_job_has_table(&job->o.profile))
@@ -116,7 +116,7 @@ static enum status run_sweep(struct profile_job *job)
         job->progress.frame = i;
         status = sweep_options_at(&job->sweep, i, &job->o.picture, &picture);
         if (status == STATUS_OK)
-            status = profile_job_measure(job, &picture, &job->sweep.points[i]);
+            status = profile_job_measure(job, &picture, &job->sweep.points[i], 1);
     }
     if (status == STATUS_OK && profile_job_has_table(&job->o.profile))
         status = profile_sweep_table(&job->sweep, stdout);

@@ -94,43 +94,66 @@ static enum status describe(struct profile *p, const struct app_picture *picture
     describe_material(p, given);
     if (p->scene && p->command && describe_settings(p, &settings))
         return STATUS_OK;
-    log_error("out of memory");
     profile_finish(p);
-    return STATUS_TRY_AGAIN;
+    return log_out_of_memory(NULL);
 }
 
-enum status profile_job_measure(struct profile_job *job, const struct app_picture *picture,
-                                struct profile *profile)
+/* A picture, while it is measured. */
+struct subject {
+    struct app_picture picture;
+    struct scene scene;
+};
+
+/* Loads the scene and fills the request, which points to the subject. */
+static enum status prepare(struct profile_job *job, struct subject *subject,
+                           struct profile_request *request)
 {
     const struct app_profile *o = &job->o.profile;
-    struct app_picture p = *picture;
-    struct scene scene = { 0 };
-    struct profile_request request = {
+    struct app_picture *p = &subject->picture;
+    *request = (struct profile_request){
         .clock = &job->clock,
         .warmup = o->warmup,
         .run_count = o->run_count,
         .capture = o->capture ? job->capture : NULL,
         .time_step = o->time_step,
     };
-    *profile = (struct profile){ 0 };
-    enum status status = app_load_scene(&scene, &p.scene);
+    enum status status = app_load_scene(&subject->scene, &p->scene);
     if (status == STATUS_OK)
-        status = app_camera(&request.camera, &scene, &p);
+        status = app_camera(&request->camera, &subject->scene, p);
     if (status == STATUS_OK)
-        app_choose_rung(&p, &scene, &request.camera);
+        app_choose_rung(p, &subject->scene, &request->camera);
     if (status == STATUS_OK && !job->gpu.device)
         status = open_device(job);
     if (status == STATUS_OK) {
-        const struct motion_params *motion = settings_of(&p.scene.settings, &motion_settings);
-        request.time = (double)motion->time;
-        request.renderer = app_renderer_params(&p, &job->gpu, &scene);
-        renderer_see(&request.renderer, &request.camera);
-        status = profile_measure(profile, &request, show_progress, job);
+        const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
+        request->time = (double)motion->time;
+        request->renderer = app_renderer_params(p, &job->gpu, &subject->scene);
+        renderer_see(&request->renderer, &request->camera);
+    }
+    return status;
+}
+
+enum status profile_job_measure(struct profile_job *job, const struct app_picture *pictures,
+                                struct profile *profiles, uint32_t count)
+{
+    struct subject *subjects = calloc(count, sizeof(*subjects));
+    struct profile_request *requests = calloc(count, sizeof(*requests));
+    const struct profile_run run = { requests, profiles, count, show_progress, job };
+    enum status status = subjects && requests ? STATUS_OK : log_out_of_memory(NULL);
+    for (uint32_t i = 0; i < count && status == STATUS_OK; i++) {
+        subjects[i].picture = pictures[i];
+        status = prepare(job, &subjects[i], &requests[i]);
+    }
+    if (status == STATUS_OK) {
+        status = profile_measure(&run);
         progress_clear(&job->progress);
     }
-    if (status == STATUS_OK)
-        status = describe(profile, &p, &scene, job->o.run.words);
-    scene_finish(&scene);
+    for (uint32_t i = 0; i < count && status == STATUS_OK; i++)
+        status = describe(&profiles[i], &subjects[i].picture, &subjects[i].scene, job->o.run.words);
+    for (uint32_t i = 0; i < count && subjects; i++)
+        scene_finish(&subjects[i].scene);
+    free(requests);
+    free(subjects);
     return status;
 }
 

@@ -17,9 +17,11 @@ struct profile_job {
     char capture[MEASURE_PATH_SIZE];
 };
 
-/* Measures a picture, the job's or another. On failure *profile is {0}. */
-MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_picture *picture,
-                                         struct profile *profile);
+/* Measures pictures in turn: each run of all before the next one. The profiles are {0}; after a
+ * failure they may be anything that profile_finish() takes. */
+MUST_USE enum status profile_job_measure(struct profile_job *job,
+                                         const struct app_picture *pictures,
+                                         struct profile *profiles, uint32_t count);
 
 /* Writes the reports of job->sweep that the options name, and flushes what tables came before. */
 MUST_USE enum status profile_job_write_sweep(const struct profile_job *job);

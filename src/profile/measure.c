@@ -13,8 +13,6 @@ struct measure {
     struct profile *profile;
     struct renderer *renderer;
     const struct rg_plan *plan;
-    profile_progress_fn *progress;
-    void *user;
 };
 
 static double ms(uint64_t ns)
@@ -220,11 +218,11 @@ static enum status capture(struct measure *m)
     return status == STATUS_OK ? ended : status;
 }
 
-static enum status run_all(struct measure *m)
+/* Draws what precedes the runs: the first frame, that of the counts, and the captured one. */
+static enum status begin(struct measure *m)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
     const struct rg_measure counts = { RG_CLOCK_NONE, true };
-    const uint32_t all = m->request->warmup + m->request->run_count;
     double frame_ms;
     enum status status = draw(m, m->request->time, &nothing, &m->profile->first_frame);
     if (status == STATUS_OK && m->profile->has_statistics) {
@@ -233,11 +231,18 @@ static enum status run_all(struct measure *m)
         if (status == STATUS_OK)
             keep_counts(m->profile, &times);
     }
-    if (status == STATUS_OK && m->request->capture)
-        status = capture(m);
-    for (uint32_t i = 0; i < all && status == STATUS_OK; i++) {
-        status = run_once(m, i);
-        if (status == STATUS_OK && m->progress && !m->progress(m->user, i + 1, all))
+    return status == STATUS_OK && m->request->capture ? capture(m) : status;
+}
+
+/* Each run is drawn by all, one after another. */
+static enum status run_all(struct measure *all, const struct profile_run *run)
+{
+    const uint32_t run_count = all->request->warmup + all->request->run_count;
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < run_count * run->count && status == STATUS_OK; i++) {
+        status = run_once(&all[i % run->count], i / run->count);
+        if (status == STATUS_OK && run->progress &&
+            !run->progress(run->user, i + 1, run_count * run->count))
             status = STATUS_FAILED;
     }
     return status;
@@ -271,22 +276,26 @@ static enum status open_renderer(struct measure *m)
     return status == STATUS_OK ? describe_memory(p, m->plan) : status;
 }
 
-enum status profile_measure(struct profile *profile, const struct profile_request *request,
-                            profile_progress_fn *progress, void *user)
+enum status profile_measure(const struct profile_run *run)
 {
-    struct measure m = {
-        .request = request,
-        .profile = profile,
-        .progress = progress,
-        .user = user,
-    };
-    *profile = (struct profile){ 0 };
-    describe(profile, request);
-    enum status status = open_renderer(&m);
+    struct measure *all = calloc(run->count, sizeof(*all));
+    enum status status = all ? STATUS_OK : log_out_of_memory(NULL);
+    for (uint32_t i = 0; i < run->count; i++)
+        run->profiles[i] = (struct profile){ 0 };
+    for (uint32_t i = 0; i < run->count && status == STATUS_OK; i++) {
+        all[i] = (struct measure){ .request = &run->requests[i], .profile = &run->profiles[i] };
+        describe(all[i].profile, all[i].request);
+        status = open_renderer(&all[i]);
+        if (status == STATUS_OK)
+            status = begin(&all[i]);
+    }
     if (status == STATUS_OK)
-        status = run_all(&m);
-    renderer_destroy(m.renderer);
-    if (status != STATUS_OK)
-        profile_finish(profile);
+        status = run_all(all, run);
+    for (uint32_t i = 0; i < run->count && all; i++) {
+        renderer_destroy(all[i].renderer);
+        if (status != STATUS_OK)
+            profile_finish(&run->profiles[i]);
+    }
+    free(all);
     return status;
 }

@@ -30,11 +30,20 @@ struct profile_request {
  * STATUS_FAILED and logs nothing. */
 typedef bool profile_progress_fn(void *user, uint32_t done, uint32_t all);
 
+/* What is measured together. */
+struct profile_run {
+    const struct profile_request *requests; /* with equal `warmup` and `run_count` */
+    struct profile *profiles;               /* for the results */
+    uint32_t count;                         /* of both; from 1 */
+    profile_progress_fn *progress;          /* may be NULL; counts the runs of all */
+    void *user;
+};
+
 /*
- * Creates a renderer, draws, and fills *profile, except for command, scene, material and settings,
- * which the caller fills. `progress` may be NULL. On failure *profile is {0}.
+ * Creates a renderer for each request, draws each run by all renderers, one after another, so that
+ * other load of the machine affects all equally, and fills the profiles, except for command, scene,
+ * material and settings, which the caller fills. On failure all profiles are {0}.
  */
-MUST_USE enum status profile_measure(struct profile *profile, const struct profile_request *request,
-                                     profile_progress_fn *progress, void *user);
+MUST_USE enum status profile_measure(const struct profile_run *run);
 
 #endif

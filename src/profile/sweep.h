@@ -23,12 +23,43 @@ struct profile_parameter {
     uint32_t value_count;
 };
 
+/* Two points of a sweep, and what somebody has said of them. */
+struct profile_contrast {
+    const char *where, *what, *said; /* "figure 6", what differs, "about -26 %" */
+    uint32_t before, after;          /* points */
+    struct profile_ratio rate;       /* frame rate after / before: profile_contrast_all() */
+    double p;                        /* Mann-Whitney, after Holm's correction for all contrasts */
+};
+
+enum {
+    PROFILE_FIGURE_SERIES = 2,
+    PROFILE_FIGURE_COLUMNS = 3
+};
+
+/* A chart of frame rates: a curve or bars for each series, over columns. */
+struct profile_figure {
+    const char *title, *axis; /* "Figure 6: ...", what the columns are */
+    bool is_bars;
+    const char *columns[PROFILE_FIGURE_COLUMNS];
+    const char *series[PROFILE_FIGURE_SERIES]; /* the second may be NULL */
+    uint32_t points[PROFILE_FIGURE_SERIES][PROFILE_FIGURE_COLUMNS];
+    uint32_t column_count;
+};
+
 struct profile_sweep {
     struct profile_parameter parameters[PROFILE_SWEEP_PARAMETERS];
     uint32_t parameter_count;
     struct profile *points; /* one for each combination; the last parameter changes fastest */
     uint32_t point_count;
+    struct profile_contrast *contrasts; /* borrowed, as is: */
+    uint32_t contrast_count;
+    const struct profile_figure *figures;
+    uint32_t figure_count;
 };
+
+/* Computes `rate` and `p` of all contrasts, of frames that were not measured pass by pass. Logs and
+ * returns STATUS_TRY_AGAIN when out of memory. */
+MUST_USE enum status profile_contrast_all(struct profile_sweep *sweep);
 
 /*
  * Adds a parameter, "name=a,b,c", and allocates the points, all {0}. The name is that of a setting,

@@ -47,8 +47,8 @@ def print_page(folder, name, *arguments):
     return path
 
 
-def data_of(path):
-    text = re.search(r'id="profile">(.*?)</script>', path.read_text('utf-8'), re.S)[1]
+def data_of(path, place='profile'):
+    text = re.search(rf'id="{place}">(.*?)</script>', path.read_text('utf-8'), re.S)[1]
     return json.loads(text)
 
 
@@ -350,6 +350,23 @@ class Drawings(Page):
                 self.assertAlmostEqual(width, count * column, delta=2)
                 self.assertAlmostEqual(y - area[1], resident['offset'] / size * area[3], delta=2)
                 self.assertAlmostEqual(height, resident['size'] / size * area[3], delta=3)
+
+    def test_figures(self):
+        """A curve through the dots of each series; bars as high as their frame rates."""
+        self.open('sweep1')
+        self.assertTrue(self.run_js("document.getElementById('figures').hidden"))
+        points = data_of(self.pages['sweep2'], 'sweep-data')['points']
+        self.open('sweep2')
+        self.assertEqual(self.texts('#figures h3'), ['Figure 6', 'Figure 7'])
+        self.assertEqual(len(self.boxes('#figures .series')), 2)
+        dots = self.boxes('#figures circle')
+        self.assertEqual(len(dots), 4)
+        self.assertAlmostEqual(dots[0][1], dots[3][1], delta=0.5)  # one point, in both series
+        rates = [1000 / point['profile']['plain']['summary']['median'] for point in points[:2]]
+        heights = [box[3] for box in self.boxes('#figures rect.block')]
+        self.assertAlmostEqual(heights[0] / heights[1], rates[0] / rates[1], delta=0.02)
+        self.assertEqual(self.texts('#contrasts tbody th'), ['figure 6'])
+        self.assertIn('may be noise', self.texts('#contrasts td')[3])
 
     def test_sweep(self):
         self.open('sample')

@@ -73,23 +73,27 @@ static enum status measure(struct gpu *gpu, enum rg_clock clock, struct progress
     const struct profile_clock by = { .clock = clock, .reason = "it is said so" };
     struct scene scene = { 0 };
     assert_int_equal(scene_load(&scene, &(struct scene_params){ .name = "sphere" }), STATUS_OK);
-    const enum status status =
-        profile_measure(profile,
-                        &(struct profile_request){
-                            .renderer = { .gpu = gpu,
-                                          .scene = &scene,
-                                          .settings = &settings,
-                                          .rung = techniques_rung(0),
-                                          .width = SIDE,
-                                          .height = SIDE },
-                            .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
-                            .clock = &by,
-                            .warmup = WARMUP,
-                            .run_count = RUNS,
-                            .time = 1,
-                            .time_step = 0.5,
-                        },
-                        count_runs, progress);
+    const enum status status = profile_measure(&(struct profile_run){
+        .requests =
+            &(struct profile_request){
+                .renderer = { .gpu = gpu,
+                              .scene = &scene,
+                              .settings = &settings,
+                              .rung = techniques_rung(0),
+                              .width = SIDE,
+                              .height = SIDE },
+                .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
+                .clock = &by,
+                .warmup = WARMUP,
+                .run_count = RUNS,
+                .time = 1,
+                .time_step = 0.5,
+            },
+        .profiles = profile,
+        .count = 1,
+        .progress = count_runs,
+        .user = progress,
+    });
     scene_finish(&scene);
     return status;
 }

@@ -3,7 +3,8 @@
  *
  * print-profile-page [PROFILE.json [NAME=VALUE,...]...]; without a file, of the profile made by
  * hand. With parameters, of a sweep, too, whose points are that profile again, but the third row
- * takes 0.1 ms times the square root of the last parameter (of 1 where it is less or no number).
+ * takes 0.1 ms times the square root of the last parameter (of 1 where it is less or no number);
+ * with several parameters, of charts, too.
  */
 #include <math.h>
 #include <stdio.h>
@@ -35,8 +36,29 @@ static void make_sweep(struct profile_sweep *sweep, const char *path, char **par
     }
 }
 
+static const struct profile_figure figures[] = {
+    {
+        .title = "Figure 6",
+        .axis = "of the parameter",
+        .columns = { "least", "next" },
+        .series = { "plain", "full" },
+        .points = { { 0, 1 }, { 1, 0 } },
+        .column_count = 2,
+    },
+    {
+        .title = "Figure 7",
+        .axis = "of the parameter",
+        .is_bars = true,
+        .columns = { "least", "next" },
+        .series = { "plain" },
+        .points = { { 0, 1 } },
+        .column_count = 2,
+    },
+};
+
 int main(int argc, char **argv)
 {
+    struct profile_contrast contrast = { "figure 6", "full ice", "about -26 %", 0, 1 };
     struct profile profile = { 0 };
     struct profile_sweep sweep = { 0 };
     char *page = NULL;
@@ -48,6 +70,13 @@ int main(int argc, char **argv)
         profile_sample(&profile, 1);
     if (argc > 2)
         make_sweep(&sweep, argv[1], argv + 2);
+    if (argc > 3) { /* several parameters: charts, too */
+        sweep.figures = figures;
+        sweep.figure_count = sizeof(figures) / sizeof(figures[0]);
+        sweep.contrasts = &contrast;
+        sweep.contrast_count = 1;
+        assert_int_equal(profile_contrast_all(&sweep), STATUS_OK);
+    }
     if (status == STATUS_OK)
         status = profile_write_html(&profile, argc > 2 ? &sweep : NULL, &page, &size);
     if (status == STATUS_OK && fwrite(page, 1, size, stdout) != size)

@@ -73,6 +73,7 @@ function drawAll() {
     drawFrames();
     drawTimeline(focusedBlock());
     drawMemory();
+    drawFigures();
     drawSweep();
 }
 
@@ -111,6 +112,7 @@ startFrames();
 startTimeline();
 startMemory();
 startSweep();
+startFigures();
 drawRows();
 drawAll();
 listenForTips();
