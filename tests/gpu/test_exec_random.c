@@ -41,6 +41,8 @@ enum seen {
     ARRAYS,
     VOLUMES,
     MASKED,  /* targets */
+    STENCIL, /* passes */
+    INSTANCES,
     SKIPPED, /* passes, in some frame */
     COMPARED,
     SEEN_COUNT,
@@ -64,6 +66,8 @@ static const char *const seen_names[SEEN_COUNT] = {
     [ARRAYS] = "second elements of arrays",
     [VOLUMES] = "images of three dimensions",
     [MASKED] = "targets of which channels stay",
+    [STENCIL] = "passes with a stencil test",
+    [INSTANCES] = "passes with a word of each instance",
     [SKIPPED] = "passes skipped",
     [COMPARED] = "words compared",
 };
@@ -111,6 +115,8 @@ static void count_plan(uint32_t *seen, const struct rg_plan *plan)
         seen[RASTER + pass->pass->kind]++;
         seen[REPEATED] += pass->repetition > 0;
         seen[CONDITIONAL] += pass->pass->when != NULL;
+        seen[STENCIL] += pass->pass->stencil != NULL;
+        seen[INSTANCES] += pass->pass->vertices != NULL;
         for (uint32_t i = 0; i < pass->color_count; i++) {
             count_target(seen, &pass->color[i]);
             seen[MASKED] += pass->pass->color[i].blend_state != NULL;

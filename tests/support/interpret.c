@@ -5,73 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tests/support/interpret_format.h"
+
 enum {
     GARBAGE = 0xa5,
     ALL_CHANNELS = 0xf,
 };
-
-/* ---- formats ---- */
-
-struct channels {
-    uint32_t count, bits;
-};
-
-static struct channels channels_of(VkFormat format)
-{
-    switch ((int)format) {
-    case VK_FORMAT_R32_UINT:
-    case VK_FORMAT_D32_SFLOAT:
-        return (struct channels){ 1, 32 };
-    case VK_FORMAT_R32G32_UINT:
-        return (struct channels){ 2, 32 };
-    case VK_FORMAT_R8G8B8A8_UINT:
-        return (struct channels){ 4, 8 };
-    case VK_FORMAT_R16G16B16A16_UINT:
-        return (struct channels){ 4, 16 };
-    case VK_FORMAT_R32G32B32A32_UINT:
-        return (struct channels){ 4, 32 };
-    default:
-        assert(false);
-        return (struct channels){ 0, 0 };
-    }
-}
-
-static uint32_t mask_of(VkFormat format)
-{
-    return UINT32_MAX >> (32 - channels_of(format).bits);
-}
-
-static uint32_t texel_size(VkFormat format)
-{
-    const struct channels channels = channels_of(format);
-    return channels.count * channels.bits / 8;
-}
-
-/* What a format lacks reads as 0, 0, 1. */
-static void store(uint32_t *texel, VkFormat format, const uint32_t value[4])
-{
-    static const uint32_t missing[4] = { 0, 0, 0, 1 };
-    const uint32_t count = channels_of(format).count;
-    for (uint32_t i = 0; i < 4; i++)
-        texel[i] = i < count ? value[i] & mask_of(format) : missing[i];
-}
-
-/* Bytes, the lowest first. */
-static void decode(uint32_t *texel, VkFormat format, const unsigned char *bytes)
-{
-    const struct channels channels = channels_of(format);
-    uint32_t value[4] = { 0 };
-    for (uint32_t i = 0; i < channels.count * channels.bits / 8; i++)
-        value[i * 8 / channels.bits] |= (uint32_t)bytes[i] << i * 8 % channels.bits;
-    store(texel, format, value);
-}
-
-static void encode(unsigned char *bytes, VkFormat format, const uint32_t *texel)
-{
-    const struct channels channels = channels_of(format);
-    for (uint32_t i = 0; i < channels.count * channels.bits / 8; i++)
-        bytes[i] = (unsigned char)(texel[i * 8 / channels.bits] >> i * 8 % channels.bits);
-}
 
 /* ---- where things are ---- */
 
@@ -184,10 +123,10 @@ struct random_push interpret_push(const struct rg_frame *frame, const struct rg_
         .depth = row->depth,
     };
     for (uint32_t i = 0; i < RANDOM_TARGETS && i < pass->color_count && pass->color[i].image; i++)
-        push.masks[i] = mask_of(pass->color[i].image->format);
+        push.masks[i] = interpret_format_mask(pass->color[i].image->format);
     if (pass->kind == RG_COMPUTE) {
         const struct rg_image *image = interpret_written(pass)->image;
-        push.masks[0] = image ? mask_of(image->format) : UINT32_MAX;
+        push.masks[0] = image ? interpret_format_mask(image->format) : UINT32_MAX;
     }
     return push;
 }
@@ -200,6 +139,7 @@ struct running {
     const struct rg_pass *pass;
     uint32_t repetition;
     struct random_push push;
+    uint32_t instance;
 };
 
 static uint32_t fold(uint32_t sum, const uint32_t texel[4])
@@ -258,10 +198,14 @@ static uint32_t inputs(const struct running *run, const uint32_t at[3])
     for (uint32_t binding = 0; binding < RANDOM_BINDING_COUNT; binding++) {
         for (const struct rg_use *use = run->pass->uses; use->access; use++) {
             const struct rg_access_info *info = rg_access_info(use->access);
-            if (use->binding == binding && use->access != RG_INDIRECT && info->reads_content)
+            if (use->binding == binding && use->access >= RG_SAMPLED && use->access <= RG_UNIFORM &&
+                info->reads_content)
                 sum = input(run, use, at, sum);
         }
     }
+    const struct rg_use *instances = interpret_use(run->pass, RG_VERTEX);
+    if (instances)
+        sum = random_mix(sum, interpret_words(run->in, instances->buffer)[run->instance]);
     return sum;
 }
 
@@ -272,7 +216,7 @@ static void output(uint32_t *texel, VkFormat format, uint32_t sum, uint32_t targ
     uint32_t value[4];
     for (uint32_t i = 0; i < 4; i++)
         value[i] = mask >> i & 1 ? random_mix(sum, 4 * target + i) : texel[i];
-    store(texel, format, value);
+    interpret_format_store(texel, format, value);
 }
 
 /* Words of the parameters of an indirect draw or dispatch; NULL if it is none. */
@@ -324,27 +268,51 @@ static void load(const struct bound *bound, const struct rg_target *target,
         return;
     for (uint32_t i = 0; i < area.width * area.height; i++) {
         const uint32_t at[3] = { i % area.width, i / area.width, 0 };
-        store(bound_texel(bound, at), bound->format, value);
+        interpret_format_store(bound_texel(bound, at), bound->format, value);
     }
+}
+
+static bool compares(VkCompareOp compare, float reference, float with)
+{
+    /* the constants are sets of these outcomes */
+    const unsigned outcome = reference < with   ? VK_COMPARE_OP_LESS
+                             : reference > with ? VK_COMPARE_OP_GREATER
+                                                : VK_COMPARE_OP_EQUAL;
+    return (unsigned)compare & outcome;
+}
+
+static void change_stencil(uint32_t *stencil, VkStencilOp op, const VkStencilOpState *state)
+{
+    uint32_t changed = *stencil;
+    if (op == VK_STENCIL_OP_REPLACE)
+        changed = state->reference;
+    else if (op == VK_STENCIL_OP_INCREMENT_AND_WRAP)
+        changed = *stencil + 1;
+    else
+        assert(op == VK_STENCIL_OP_KEEP);
+    *stencil = ((*stencil & ~state->writeMask) | (changed & state->writeMask)) & 0xff;
 }
 
 static bool test_depth(const struct running *run, const struct bound *depth, const uint32_t at[3])
 {
     const struct rg_pass *pass = run->pass;
-    /* the constants are sets of these outcomes */
-    const unsigned passes =
-        pass->depth_compare ? (unsigned)pass->depth_compare : VK_COMPARE_OP_LESS_OR_EQUAL;
+    const VkStencilOpState *stencil = pass->stencil ? &pass->stencil->front : NULL;
     uint32_t *texel = bound_texel(depth, at);
     float old;
     memcpy(&old, texel, sizeof(old));
-    const unsigned outcome = run->push.depth < old   ? VK_COMPARE_OP_LESS
-                             : run->push.depth > old ? VK_COMPARE_OP_GREATER
-                                                     : VK_COMPARE_OP_EQUAL;
-    if (!(passes & outcome))
+    if (stencil && !compares(stencil->compareOp, (float)(stencil->reference & stencil->compareMask),
+                             (float)(texel[1] & stencil->compareMask))) {
+        change_stencil(&texel[1], stencil->failOp, stencil);
         return false;
-    if (!pass->depth_read_only)
+    }
+    const bool passes =
+        compares(pass->depth_compare ? pass->depth_compare : VK_COMPARE_OP_LESS_OR_EQUAL,
+                 run->push.depth, old);
+    if (stencil)
+        change_stencil(&texel[1], passes ? stencil->passOp : stencil->depthFailOp, stencil);
+    if (passes && !pass->depth_read_only)
         memcpy(texel, &run->push.depth, sizeof(old));
-    return true;
+    return passes;
 }
 
 static void draw_texel(const struct running *run, const struct bound *targets, const uint32_t at[3])
@@ -360,7 +328,7 @@ static void draw_texel(const struct running *run, const struct bound *targets, c
     }
 }
 
-static void run_raster(const struct running *run)
+static void run_raster(struct running *run)
 {
     const struct rg_pass *pass = run->pass;
     struct bound targets[RG_COLOR_COUNT + 1] = { 0 };
@@ -375,13 +343,15 @@ static void run_raster(const struct running *run)
         area = at_mip(targets[i].image->all, targets[i].mip);
         load(&targets[i], target, area);
     }
+    const struct interpret_row *row = &run->in->tables->rows[pass - run->in->tables->passes];
     const uint32_t *draw = arguments(run, INTERPRET_DRAW);
-    if (draw && !draw[1]) /* no instance */
-        return;
-    for (uint32_t y = run->push.from[1]; y < run->push.to[1] && y < area.height; y++) {
-        for (uint32_t x = run->push.from[0]; x < run->push.to[0] && x < area.width; x++) {
-            const uint32_t at[3] = { x, y, 0 };
-            draw_texel(run, targets, at);
+    const uint32_t instance_count = draw ? draw[1] : row->instance_count;
+    for (run->instance = 0; run->instance < instance_count; run->instance++) {
+        for (uint32_t y = run->push.from[1]; y < run->push.to[1] && y < area.height; y++) {
+            for (uint32_t x = run->push.from[0]; x < run->push.to[0] && x < area.width; x++) {
+                const uint32_t at[3] = { x, y, 0 };
+                draw_texel(run, targets, at);
+            }
         }
     }
 }
@@ -406,7 +376,7 @@ static uint32_t smaller(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-static void run_compute(const struct running *run)
+static void run_compute(struct running *run)
 {
     const struct rg_use *to = interpret_written(run->pass);
     struct interpret_part part = { .layer_count = 1, .height = 1 };
@@ -437,7 +407,7 @@ static void copy_texels(const struct running *run, const struct rg_use *use, uns
     const struct interpret_part part =
         interpret_part(run->in->tables, run->pass, run->repetition, use);
     const struct interpret_image *image = image_of(run->in, use->image);
-    const uint32_t size = texel_size(use->image->format);
+    const uint32_t size = interpret_format_size(use->image->format);
     for (uint32_t i = 0; i < part.width * part.height * part.layer_count; i++) {
         const uint32_t at[3] = {
             i % part.width,
@@ -446,9 +416,9 @@ static void copy_texels(const struct running *run, const struct rg_use *use, uns
         };
         uint32_t *texel = interpret_texel(image, part.mip, at);
         if (to_image)
-            decode(texel, use->image->format, bytes + (size_t)i * size);
+            interpret_format_decode(texel, use->image->format, bytes + (size_t)i * size);
         else
-            encode(bytes + (size_t)i * size, use->image->format, texel);
+            interpret_format_encode(bytes + (size_t)i * size, use->image->format, texel);
     }
 }
 
@@ -470,7 +440,7 @@ static void copy_image(const struct running *run, const struct rg_use *from,
     }
 }
 
-static void run_copy(const struct running *run)
+static void run_copy(struct running *run)
 {
     const struct interpret_row *row = &run->in->tables->rows[run->pass - run->in->tables->passes];
     const struct rg_use *from = interpret_use(run->pass, RG_COPY_SRC);
@@ -511,7 +481,7 @@ static uint32_t repetitions(const struct interpret_tables *tables, const struct 
 
 void interpret_frame(struct interpret *in, const struct rg_frame *frame)
 {
-    static void (*const kinds[])(const struct running *) = {
+    static void (*const kinds[])(struct running *) = {
         [RG_RASTER] = run_raster,
         [RG_COMPUTE] = run_compute,
         [RG_TRANSFER] = run_copy,
@@ -549,7 +519,8 @@ bool interpret_init(struct interpret *in, const struct interpret_tables *tables)
         image->all = whole_image(tables, &tables->images[i]);
         image->texels = calloc(texel_count(image), sizeof(*image->texels));
         for (size_t k = 0; k < texel_count(image) && image->texels; k++)
-            store(image->texels[k], tables->images[i].format, (const uint32_t[4]){ 0 });
+            interpret_format_store(image->texels[k], tables->images[i].format,
+                                   (const uint32_t[4]){ 0 });
         good = good && image->texels;
     }
     for (uint32_t i = 0; i < tables->buffer_count && in->words; i++) {

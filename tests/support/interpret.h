@@ -23,6 +23,7 @@ struct interpret_row {
     uint32_t salt, shift;
     uint32_t from[2], to[2];         /* texels (words) written; `to` may lie outside */
     float depth;                     /* of the triangle */
+    uint32_t instance_count;         /* of it, unless it is drawn indirectly */
     uint32_t src_offset, dst_offset; /* bytes, of copies from and to buffers */
     uint32_t size;                   /* bytes, of copies between buffers */
 };
@@ -53,7 +54,8 @@ struct interpret_part {
 
 struct interpret_image {
     struct interpret_part all;
-    uint32_t (*texels)[4]; /* as shaders read them; depth: the float's bits */
+    uint32_t (*texels)[4]; /* as shaders read them; depth: the float's bits, then
+                              the stencil */
 };
 
 struct interpret {

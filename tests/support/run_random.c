@@ -60,13 +60,14 @@ static void draw_image(struct run_random_tables *t, uint32_t index)
         VK_FORMAT_R32_UINT,          VK_FORMAT_R32_UINT,          VK_FORMAT_R32_UINT,
         VK_FORMAT_R32_UINT,          VK_FORMAT_R32G32B32A32_UINT, VK_FORMAT_R32G32B32A32_UINT,
         VK_FORMAT_R32G32B32A32_UINT, VK_FORMAT_R16G16B16A16_UINT, VK_FORMAT_R8G8B8A8_UINT,
-        VK_FORMAT_R32G32_UINT,       VK_FORMAT_D32_SFLOAT,        VK_FORMAT_D32_SFLOAT,
+        VK_FORMAT_R32G32_UINT,       VK_FORMAT_D32_SFLOAT,        VK_FORMAT_D32_SFLOAT_S8_UINT,
     };
     struct rg_image *image = &t->images[index];
     struct run_random_known *known = &t->known[index];
     run_random_name(t, 'i', index, &image->name);
     image->format = formats[run_random_below(t, sizeof(formats) / sizeof(formats[0]))];
-    known->depth = image->format == VK_FORMAT_D32_SFLOAT;
+    known->stencil = image->format == VK_FORMAT_D32_SFLOAT_S8_UINT;
+    known->depth = known->stencil || image->format == VK_FORMAT_D32_SFLOAT;
     known->writable = true;
     known->volume = !known->depth && run_random_chance(t, 15);
     if (known->volume) {
@@ -133,7 +134,7 @@ void run_random_fill(const struct run_random *graph, const struct rg_buffer *buf
     if (index)
         return;
     const VkDispatchIndirectCommand dispatch = { 1 + words[0] % 3, words[1] % 4, 1 + words[2] % 2 };
-    const VkDrawIndirectCommand draw = { .vertexCount = 3, .instanceCount = words[3] % 2 };
+    const VkDrawIndirectCommand draw = { .vertexCount = 3, .instanceCount = words[3] % 3 };
     words[0] = dispatch.x;
     words[1] = dispatch.y;
     words[2] = dispatch.z;

@@ -1,7 +1,7 @@
 /* run_random_copy.c: random transfer passes. */
 #include "tests/support/run_random_private.h"
 
-/* Bytes of what one repetition copies: one mip of some layers. */
+/* Bytes of what one repetition copies: one mip of some layers; of depth without its stencil. */
 static uint32_t copy_size(const struct run_random_tables *t, uint32_t image, struct rg_range range)
 {
     const struct run_random_known *known = &t->known[image];
@@ -11,7 +11,7 @@ static uint32_t copy_size(const struct run_random_tables *t, uint32_t image, str
                                           : run_random_covered(t, image, range).layer_count;
     return run_random_mip_size(known->width, range.mip) *
            run_random_mip_size(known->height, range.mip) * layers *
-           rg_format_info(t->images[image].format)->size;
+           (known->stencil ? 4 : rg_format_info(t->images[image].format)->size);
 }
 
 static uint32_t buffer_size(const struct run_random_tables *t, uint32_t buffer)
@@ -48,11 +48,19 @@ static bool add_read_image(struct run_random_tables *t, uint32_t image, struct r
     return true;
 }
 
+/* A part that is copied to a buffer. */
+static struct rg_range copied_range(struct run_random_tables *t, uint32_t image)
+{
+    struct rg_range range = run_random_range(t, image);
+    range.mip_count = 1;
+    range.aspect = t->known[image].stencil ? VK_IMAGE_ASPECT_DEPTH_BIT : 0;
+    return range;
+}
+
 static bool copy_image_to_buffer(struct run_random_tables *t)
 {
     const uint32_t image = run_random_image(t);
-    struct rg_range range = run_random_range(t, image);
-    range.mip_count = 1;
+    const struct rg_range range = copied_range(t, image);
     return add_read_image(t, image, range) &&
            add_written_buffer(t, run_random_buffer(t), copy_size(t, image, range));
 }
@@ -134,10 +142,9 @@ void run_random_draw_output(struct run_random_tables *t)
 {
     const uint32_t buffer = run_random_buffer(t);
     const uint32_t image = run_random_image(t);
-    struct rg_range range = run_random_range(t, image);
+    const struct rg_range range = copied_range(t, image);
     uint32_t size = buffer_size(t, buffer);
     (void)run_random_begin(t, RG_TRANSFER);
-    range.mip_count = 1;
     if (run_random_chance(t, 20)) {
         if (!run_random_claim(t, buffer, (struct rg_range){ 0 }, RG_COPY_SRC))
             return;

@@ -32,7 +32,7 @@ enum {
 /* What is known of an image or buffer; a buffer has one layer and mip. */
 struct run_random_known {
     uint32_t layers, mips, width, height;
-    bool depth, writable;
+    bool depth, stencil, writable;
     bool volume; /* of three dimensions */
     uint8_t filled[CELLS];
 };
@@ -103,6 +103,10 @@ struct rg_use *run_random_use(struct run_random_tables *t, uint32_t resource, en
                               struct rg_range range);
 
 uint32_t run_random_mip_size(uint32_t size, uint32_t mip);
+
+/* run_random_stencil.c: perhaps gives the row a stencil test; in any case one that overwrites what
+ * begins undefined. */
+void run_random_stencil(struct run_random_tables *t, struct rg_pass *pass);
 
 /* run_random_copy.c: the same for transfer passes, and for one into a new readback buffer. */
 void run_random_draw_copy(struct run_random_tables *t);

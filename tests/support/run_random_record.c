@@ -25,8 +25,8 @@ static void spoil_targets(struct rg_cmd *cmd, const struct rg_plan_pass *plan)
     if (plan->depth.image != RG_NONE && plan->depth.store == VK_ATTACHMENT_STORE_OP_DONT_CARE &&
         !plan->pass->depth_read_only)
         clears[count++] = (VkClearAttachment){
-            .aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT,
-            .clearValue.depthStencil.depth = 0.375F,
+            .aspectMask = rg_format_info(plan->pass->depth.image->format)->aspects,
+            .clearValue.depthStencil = { 0.375F, 0x5e },
         };
     const VkClearRect all = { .rect.extent = plan->extent, .layerCount = 1 };
     if (count)
@@ -41,7 +41,9 @@ static uint32_t smaller(uint32_t a, uint32_t b)
 static void draw(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct random_push push = interpret_push(frame, rg_cmd_pass(cmd));
-    const struct rg_use *indirect = interpret_use(rg_cmd_pass(cmd), RG_INDIRECT);
+    const struct rg_pass *pass = rg_cmd_pass(cmd);
+    const struct rg_use *indirect = interpret_use(pass, RG_INDIRECT);
+    const struct rg_use *instances = interpret_use(pass, RG_VERTEX);
     const VkExtent2D extent = rg_cmd_extent(cmd);
     const uint32_t left = smaller(push.from[0], extent.width);
     const uint32_t top = smaller(push.from[1], extent.height);
@@ -52,10 +54,15 @@ static void draw(struct rg_cmd *cmd, const struct rg_frame *frame)
     };
     rg_cmd_push(cmd, &push, sizeof(push));
     vkCmdSetScissor(rg_cmd_vulkan(cmd), 0, 1, &part);
+    if (instances)
+        vkCmdBindVertexBuffers(rg_cmd_vulkan(cmd), 0, 1,
+                               &(VkBuffer){ rg_cmd_buffer(cmd, instances->buffer) },
+                               &(VkDeviceSize){ 0 });
     if (indirect)
         rg_cmd_draw_indirect(cmd, indirect->buffer, INTERPRET_DRAW);
     else
-        rg_cmd_draw(cmd, 3);
+        rg_cmd_draw_instances(cmd, 3,
+                              frame->tables->rows[pass - frame->tables->passes].instance_count);
     spoil_targets(cmd, plan_pass(cmd, frame));
 }
 

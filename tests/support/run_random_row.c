@@ -14,6 +14,7 @@ struct program {
     bool texels;     /* buffers are seen as texels */
     bool volume;     /* images are of three dimensions */
     bool changes;    /* what it writes it reads, too */
+    bool instances;  /* each instance has a word of its own */
 };
 
 /* Of the storage images that are read. */
@@ -29,6 +30,8 @@ static const struct program raster_programs[] = {
     { &random_flat_three_frag, .targets = 3 },
     { &random_fetch_three_frag, .targets = 3, .sampled = 1 },
     { &random_array_frag, .targets = 1, .sampled = 2, .array = true },
+    { &random_instances_frag, .targets = 1, .uniform = true, .instances = true },
+    { &random_instances_two_frag, .targets = 2, .sampled = 1, .instances = true },
 };
 
 static const struct program compute_programs[] = {
@@ -170,6 +173,7 @@ struct rg_pass *run_random_begin(struct run_random_tables *t, enum rg_kind kind)
         .salt = run_random_below(t, UINT32_MAX),
         .shift = run_random_below(t, 16),
         .to = { UINT32_MAX, UINT32_MAX },
+        .instance_count = 1,
     };
     t->claim_count = t->use_count = 0;
     t->repetitions = 1;
@@ -283,6 +287,8 @@ static bool draw_inputs(struct run_random_tables *t, const struct program *progr
                 draw_buffer_input(t, program->texels ? RG_SAMPLED : RG_STORAGE_READ, RANDOM_READ);
     if (program->uniform)
         drawn = drawn && draw_buffer_input(t, RG_UNIFORM, RANDOM_UNIFORM);
+    if (program->instances)
+        drawn = drawn && draw_buffer_input(t, RG_VERTEX, 0);
     return drawn;
 }
 
@@ -365,23 +371,19 @@ static bool draw_compute(struct run_random_tables *t)
     use->texels = program->texels;
     if (partial)
         draw_part(t);
-    if (!draw_inputs(t, program))
-        return false;
-    return true;
+    return draw_inputs(t, program);
 }
 
 /* ---- raster ---- */
 
-static const float depths[] = { 0, 0.25F, 0.5F, 0.75F, 1 };
-
 static float draw_depth(struct run_random_tables *t)
 {
-    return depths[run_random_below(t, sizeof(depths) / sizeof(depths[0]))];
+    return (float)run_random_below(t, 5) * 0.25F;
 }
 
 static VkClearValue draw_clear(struct run_random_tables *t, bool depth)
 {
-    VkClearValue clear = { .depthStencil.depth = depth ? draw_depth(t) : 0 };
+    VkClearValue clear = { .depthStencil = { depth ? draw_depth(t) : 0, run_random_below(t, 4) } };
     for (uint32_t i = 0; i < 4 && !depth; i++)
         clear.color.uint32[i] = run_random_below(t, 256);
     return clear;
@@ -446,6 +448,13 @@ static bool add_target(struct run_random_tables *t, uint32_t image, struct rg_ta
         place->blend_state = &masks[run_random_below(t, 2)];
     return true;
 }
+
+static const struct rg_vertex_layout word_of_instance = {
+    .stride = sizeof(uint32_t),
+    .attribute_count = 1,
+    .attributes = &(const VkVertexInputAttributeDescription){ .format = VK_FORMAT_R32_UINT },
+    .rate = VK_VERTEX_INPUT_RATE_INSTANCE,
+};
 
 /* More targets, of the size of the first. Returns the number of colours. */
 static uint32_t draw_other_targets(struct run_random_tables *t, uint32_t first_image, bool whole)
@@ -535,11 +544,15 @@ static bool draw_raster(struct run_random_tables *t)
     pass->depth_compare = whole ? VK_COMPARE_OP_ALWAYS : (VkCompareOp)run_random_below(t, 8);
     pass->vert = &random_vert;
     pass->push_size = sizeof(struct random_push);
+    run_random_stencil(t, pass);
     if (!whole)
         draw_part(t);
     if (colors) {
         const struct program *program = draw_raster_program(t, colors);
         pass->frag = program->shader;
+        pass->vert = program->instances ? &random_instances_vert : &random_vert;
+        pass->vertices = program->instances ? &word_of_instance : NULL;
+        t->rows[t->pass_count].instance_count = program->instances ? 2 : 1;
         if (!draw_inputs(t, program))
             return false;
     }

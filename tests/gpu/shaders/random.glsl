@@ -40,6 +40,9 @@ layout(binding = RANDOM_UNIFORM, scalar) uniform Uniform
     uint uniform_words[RANDOM_UNIFORM_WORDS];
 };
 #endif
+#ifdef INSTANCES
+layout(location = 0) flat in uint word_of_instance;
+#endif
 
 uint fold(uint sum, uvec4 texel)
 {
@@ -86,6 +89,9 @@ uint inputs(uvec3 at)
 #endif
 #ifdef UNIFORM
     sum = random_mix(sum, uniform_words[(at.x + at.y) % RANDOM_UNIFORM_WORDS]);
+#endif
+#ifdef INSTANCES
+    sum = random_mix(sum, word_of_instance);
 #endif
     return sum;
 }
