@@ -84,6 +84,8 @@ static void print_surroundings(FILE *out, const struct app_scene *scene)
         fprintf(out, " env-exposure=%.9g", (double)scene->env_exposure);
     if (scene->surroundings)
         fprintf(out, " surroundings=%s", scene->surroundings);
+    if (scene->cracks)
+        fprintf(out, " cracks=%s", scene->cracks);
     if (scene->background.is_given)
         print_vector(out, "background", scene->background.value);
     if (scene->no_background)

@@ -291,6 +291,13 @@ static void warn_of_settings(const struct app_picture *picture)
         log_warning("%s: no effect with --refraction trace", words);
 }
 
+static void warn_of_cracks(const struct app_scene *given, const struct scene *scene)
+{
+    if (given->cracks && !scene->cracks.index_count && !given->quiet)
+        log_warning("--cracks: no effect, since there are no cracks here%s",
+                    scene->has_pool ? ": the scene is a pool" : "; --set cracks.count=N");
+}
+
 static void warn_of_outside(const struct app_scene *given, const struct scene *scene)
 {
     if (scene->has_pool && given->is_set[settings_index(settings_find("refract.outside"))] &&
@@ -330,6 +337,7 @@ void app_choose_rung(struct app_picture *picture, const struct scene *scene,
         log_warning("air.model=medium: drawn as planes; --refraction reference draws a medium");
     warn_of_bubbles(picture, scene);
     warn_of_settings(picture);
+    warn_of_cracks(&picture->scene, scene);
     warn_of_outside(&picture->scene, scene);
 }
 
@@ -430,7 +438,8 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
         .has_depth = air_is_medium(&given->settings),
         .bubbles = { holes->count, holes->seed, holes->size, holes->shape, holes->stretch },
         .bump = bump.is_on(&given->settings) || frost.is_on(&given->settings) ? maps : NULL,
-        .cracks = { sheets->count, sheets->seed, sheets->clip == CRACKS_CLIP_PRECUT },
+        .cracks = { sheets->count, sheets->seed, sheets->clip == CRACKS_CLIP_PRECUT,
+                    given->cracks },
         .decode = &given->reader,
         .pool = { pool->size, pool->depth, pool->ice },
         .later = true,

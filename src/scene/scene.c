@@ -222,6 +222,38 @@ static enum status add_surroundings(struct scene *scene, const struct scene_para
     return status;
 }
 
+/* Moves the crack of a file into the unit ball. */
+static void fit_sheet(struct mesh *sheet)
+{
+    const struct box box = mesh_box(sheet);
+    const float scale = 2.0f / fmaxf(box_diagonal(box), 1e-30f);
+    for (uint32_t i = 0; i < sheet->vertex_count; i++) {
+        struct mesh_vertex *v = &sheet->vertices[i];
+        v->position = glms_vec3_scale(glms_vec3_sub(v->position, box_center(box)), scale);
+    }
+}
+
+static enum status load_cracks(struct scene *scene, const struct scene_params *params)
+{
+    struct model model = { 0 };
+    if (!params->cracks.file)
+        return STATUS_OK;
+    enum status status =
+        decode_model(&model, params->cracks.file, MODEL_SURROUNDINGS, NULL, params->decode);
+    const struct mesh *found = &model.surroundings;
+    if (status == STATUS_OK &&
+        (!found->index_count || found->index_count / 3 > SCENE_CRACK_TRIANGLES)) {
+        log_error("%s: expected 1 to %d triangles of a crack, got %u", params->cracks.file,
+                  SCENE_CRACK_TRIANGLES, found->index_count / 3);
+        status = STATUS_DATA;
+    }
+    if (status == STATUS_OK && !mesh_append(&scene->crack_sheet, found))
+        status = log_out_of_memory("cracks");
+    fit_sheet(&scene->crack_sheet);
+    model_finish(&model);
+    return status;
+}
+
 static enum status load_background(struct scene *scene, const struct scene_params *params)
 {
     scene->is_hidden = params->is_hidden;
@@ -287,7 +319,8 @@ enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cr
     const struct mesh *object = &scene->model.object;
     struct solid solid = { 0 };
     mesh_finish(&scene->cracks);
-    bool done = generate_cracks(&scene->cracks, scene->box, cracks->count, cracks->seed);
+    bool done = generate_cracks(&scene->cracks, scene->box, cracks->count, cracks->seed,
+                                &scene->crack_sheet);
     if (done && cracks->count && cracks->cut) {
         done = solid_init(&solid, object) &&
                solid_cut(&solid, &scene->cracks, box_diagonal(scene->box) / 128.0f);
@@ -329,6 +362,8 @@ static enum status fill_object(struct scene *scene, const struct scene_params *p
         status = add_air(scene, &params->air);
     if (status == STATUS_OK && params->bubbles.count)
         status = add_bubbles(scene, &params->bubbles);
+    if (status == STATUS_OK)
+        status = load_cracks(scene, params);
     if (status == STATUS_OK)
         status = scene_make_cracks(scene, &params->cracks);
     return status;
@@ -493,6 +528,7 @@ void scene_finish(struct scene *scene)
     free(scene->air_layers.texels);
     free(scene->bubbles.all);
     mesh_finish(&scene->cracks);
+    mesh_finish(&scene->crack_sheet);
     *scene = (struct scene){ 0 };
 }
 

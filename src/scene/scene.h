@@ -48,6 +48,7 @@ struct scene {
     struct box around;            /* for refract.lookup=box: the box that a model names, or that of
                                    * the surroundings without moving objects; {0}: none */
     struct mesh cracks;           /* in the object's space; may be empty */
+    struct mesh crack_sheet;      /* a crack of a file, in the unit ball; empty: they are made */
     struct mesh air;              /* planes of air in the object's space; may be empty */
     struct air_layers air_layers; /* textures of the planes of air */
     struct depth_field depth;     /* of the object; {0}: nobody has asked for it */
@@ -62,7 +63,12 @@ struct scene {
 struct scene_cracks {
     uint32_t count; /* 0: none */
     uint32_t seed;
-    bool cut; /* clip them to the object, which must be closed */
+    bool cut;         /* clip them to the object, which must be closed */
+    const char *file; /* model of a crack, read by scene_load(); NULL: they are made */
+};
+
+enum {
+    SCENE_CRACK_TRIANGLES = 65536, /* of a file's crack, at most */
 };
 
 struct scene_params {

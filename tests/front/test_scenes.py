@@ -7,7 +7,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 import test_features as features  # noqa: E402
-from case import DATA, NO_DRIVER, PLAIN, USAGE, Case, long, main  # noqa: E402
+from case import CRACKED, DATA, NO_DRIVER, PLAIN, USAGE, Case, long, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass, with_nodes  # noqa: E402
 
@@ -93,6 +93,26 @@ class Scenes(Case):
         said = self.passes(*words)[1]
         self.assertRegex(said, r'\Afirn: warning: .*cracks.* 2 .*\nfirn: warning: .*frost.*\n'
                                r'firn: note: .*\n\Z')
+
+    def test_own_cracks(self):
+        """A crack of a file, far from its origin, is as large as a built-in one."""
+        (self.folder / 'crack.obj').write_text('v 90 0 0\nv 99 0 0\nv 90 9 0\nv 99 9 1\n'
+                                               'f 1 2 3\nf 2 4 3\n')
+        shares = []
+        for more in ((), ('--cracks', 'crack.obj')):
+            self.succeed('render', 'ice-cube', *CRACKED, '--size', '64x48', '--set',
+                         'cracks.surface=on', '--aov', 'cracks', '-o', 'a.exr', '-q', *more)
+            exr = Exr((self.folder / 'a.exr').read_bytes())
+            shares.append(sum(exr.read_planes(['cracks.A'])['cracks.A']))
+        self.assertNotEqual(*shares)
+        self.assertTrue(0.5 < shares[1] / shares[0] < 2, shares)
+        self.assertIn('crack.obj', exr.text('firn/settings'))
+        (self.folder / 'flat.obj').write_text('v 0 0 0\n')
+        self.refuse(DATA, 'render', 'ice-cube', '--cracks', 'flat.obj', '-o', 'a.exr',
+                    names=('flat.obj',))
+        done = self.succeed('render', 'pool', *PLAIN, '--size', '8x6', '--cracks', 'crack.obj',
+                            '-o', 'a.exr')
+        self.assertIn(b'--cracks: no effect', done.stderr)
 
     def test_each_object_has_rows(self):
         passes, _ = self.passes('two.gltf', '-r', 'bounce')

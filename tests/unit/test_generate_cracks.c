@@ -11,7 +11,7 @@ static const struct box box = { { { 3, -2, 7 } }, { { 5, 0, 8 } } };
 static void generate(struct mesh *mesh, uint32_t count, uint32_t seed)
 {
     *mesh = (struct mesh){ 0 };
-    assert_true(generate_cracks(mesh, box, count, seed));
+    assert_true(generate_cracks(mesh, box, count, seed, &(struct mesh){ 0 }));
 }
 
 static bool is_same(const struct mesh *a, const struct mesh *b, uint32_t vertex_count)
@@ -116,12 +116,37 @@ static void test_shapes(void **state)
     mesh_finish(&mesh);
 }
 
+/* Copies of somebody's own sheet, about as large as the box, at the places of the others. */
+static void test_own_sheet(void **state)
+{
+    (void)state;
+    struct mesh sheet, mesh;
+    assert_true(mesh_init(&sheet, 3, 3));
+    for (uint32_t i = 0; i < 3; i++) {
+        sheet.vertices[i].position.raw[i] = 1;
+        sheet.vertices[i].normal.y = 1;
+        sheet.indices[i] = i;
+    }
+    assert_true(generate_cracks(&mesh, box, 4, 7, &sheet));
+    assert_int_equal(mesh.vertex_count, 12);
+    assert_int_equal(mesh.index_count, 12);
+    const float half = box_diagonal(box) / 2;
+    for (uint32_t i = 0; i < 12; i += 3) {
+        const float side =
+            glms_vec3_distance(mesh.vertices[i].position, mesh.vertices[i + 1].position);
+        assert_true(side > 0.64f * sqrtf(2) * half && side < 0.96f * sqrtf(2) * half);
+    }
+    mesh_finish(&mesh);
+    mesh_finish(&sheet);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_seeds),
         cmocka_unit_test(test_counts),
         cmocka_unit_test(test_shapes),
+        cmocka_unit_test(test_own_sheet),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -210,6 +210,8 @@ static const struct option options[] = {
       "exposure of the --env file, stops, -16 to 16 (0)" },
     { "Scene", "surroundings", 0, "FILE", SCENES, INPUT(picture.scene.surroundings),
       "model file that surrounds the object (the scene's own surroundings)" },
+    { "Scene", "cracks", 0, "FILE", SCENES, INPUT(picture.scene.cracks),
+      "model file of a crack, which cracks.count copies at random places are of" },
     { "Scene", "background", 0, "R,G,B", SCENES, SCENE(option_background),
       "constant colour instead of the sky, linear; or none: alpha 0 behind surfaces" },
     { "Camera", "camera", 0, "NAME|N", PICTURES, TEXT(picture.camera),

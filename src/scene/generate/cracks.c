@@ -127,17 +127,18 @@ static bool add_crack(struct mesh *mesh, const struct mesh *sheet, struct box bo
     return true;
 }
 
-bool generate_cracks(struct mesh *mesh, struct box box, uint32_t count, uint32_t seed)
+bool generate_cracks(struct mesh *mesh, struct box box, uint32_t count, uint32_t seed,
+                     const struct mesh *own)
 {
     struct mesh sheets[MODEL_COUNT] = { 0 };
     uint32_t wanted = count < CRACKS_MAX ? count : CRACKS_MAX;
     bool done = true;
     *mesh = (struct mesh){ 0 };
     for (uint32_t i = 0; i < MODEL_COUNT && done; i++)
-        done = make_sheet(&sheets[i], i);
+        done = own->index_count || make_sheet(&sheets[i], i);
     for (uint32_t i = 0; i < wanted && done; i++) {
         uint32_t state = noise_hash(noise_hash(seed) ^ i); /* independent of `count` */
-        done = add_crack(mesh, &sheets[i % MODEL_COUNT], box, &state);
+        done = add_crack(mesh, own->index_count ? own : &sheets[i % MODEL_COUNT], box, &state);
     }
     for (uint32_t i = 0; i < MODEL_COUNT; i++)
         mesh_finish(&sheets[i]);

@@ -144,8 +144,10 @@ bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
 /*
  * Sheets for cracks in an object that fills a box: `count` of them (at most CRACKS_MAX), about as
  * large as the box, near its centre, open, curved, irregular, partly outside of it. For one seed,
- * a smaller count gives the first sheets of a larger one.
+ * a smaller count gives the first sheets of a larger one. If `own` is not empty, all are copies of
+ * it, which is in the unit ball.
  */
-bool generate_cracks(struct mesh *mesh, struct box box, uint32_t count, uint32_t seed);
+bool generate_cracks(struct mesh *mesh, struct box box, uint32_t count, uint32_t seed,
+                     const struct mesh *own);
 
 #endif

@@ -170,6 +170,7 @@ static void print(FILE *out, const struct ui_command *c)
     print_number(out, "env-rotate", p->scene.env_rotate);
     print_number(out, "env-exposure", p->scene.env_exposure);
     print_name(out, "surroundings", p->scene.surroundings);
+    print_name(out, "cracks", p->scene.cracks);
     print_given(out, "background", &p->scene.background);
     print_name(out, "background", p->scene.no_background ? "none" : NULL);
     print_camera(out, c);
