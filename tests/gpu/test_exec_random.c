@@ -14,6 +14,7 @@
 
 #include "tests/support/lavapipe.h"
 #include "tests/support/run_random.h"
+#include "tests/support/whole_device.h"
 
 enum {
     SEEDS = 200,
@@ -43,6 +44,8 @@ enum seen {
     MASKED,  /* targets */
     STENCIL, /* passes */
     INSTANCES,
+    COUNTED,
+    OWN,
     SKIPPED, /* passes, in some frame */
     COMPARED,
     SEEN_COUNT,
@@ -68,6 +71,8 @@ static const char *const seen_names[SEEN_COUNT] = {
     [MASKED] = "targets of which channels stay",
     [STENCIL] = "passes with a stencil test",
     [INSTANCES] = "passes with a word of each instance",
+    [COUNTED] = "counted draws",
+    [OWN] = "passes with a set of the program's own",
     [SKIPPED] = "passes skipped",
     [COMPARED] = "words compared",
 };
@@ -106,7 +111,8 @@ static void count_target(uint32_t *seen, const struct rg_plan_target *target)
     seen[UNNEEDED] += target->store == VK_ATTACHMENT_STORE_OP_DONT_CARE;
 }
 
-static void count_plan(uint32_t *seen, const struct rg_plan *plan)
+static void count_plan(uint32_t *seen, const struct rg_plan *plan,
+                       const struct interpret_tables *tables)
 {
     seen[CULLED] += plan->culled_count;
     seen[SHARED] += plan->memory_used < plan->memory_without_aliasing;
@@ -115,6 +121,10 @@ static void count_plan(uint32_t *seen, const struct rg_plan *plan)
         seen[RASTER + pass->pass->kind]++;
         seen[REPEATED] += pass->repetition > 0;
         seen[CONDITIONAL] += pass->pass->when != NULL;
+        seen[OWN] += pass->pass->set != NULL;
+        seen[COUNTED] += pass->pass->kind == RG_RASTER &&
+                         tables->rows[pass->pass - tables->passes].is_counted &&
+                         interpret_use(pass->pass, RG_INDIRECT);
         seen[STENCIL] += pass->pass->stencil != NULL;
         seen[INSTANCES] += pass->pass->vertices != NULL;
         for (uint32_t i = 0; i < pass->color_count; i++) {
@@ -140,7 +150,13 @@ static void count_plan(uint32_t *seen, const struct rg_plan *plan)
 
 /* ---- frames ---- */
 
+struct device {
+    struct gpu gpu;
+    struct own_set own;
+};
+
 struct fixture {
+    const struct device *device;
     struct run_random graph;
     struct run run;
     struct rg_plan plan; /* run.plan with these: */
@@ -154,7 +170,7 @@ struct fixture {
 
 static struct rg_frame frame_of(const struct fixture *f, uint32_t number)
 {
-    return (struct rg_frame){ number, &f->graph.tables, &f->plan };
+    return (struct rg_frame){ number, &f->graph.tables, &f->plan, f->device->own.set };
 }
 
 /* Works a frame out, keeps its outputs, and gives the device the same uploads. */
@@ -222,15 +238,18 @@ static void run_frames(struct fixture *f)
     }
 }
 
-static bool run_seed(struct gpu *gpu, uint32_t seed, uint32_t *seen, bool print)
+static bool run_seed(const struct gpu *gpu, struct device *device, uint32_t seed, uint32_t *seen,
+                     bool print)
 {
-    struct fixture f = { .seen = seen, .good = true };
+    const struct rg_exec_set sets[] = { { &run_random_own, device->own.layout } };
+    struct fixture f = { .device = device, .seen = seen, .good = true };
     const uint32_t message_count = gpu->message_count;
     assert_true(run_random_init(&f.graph, seed, FEATURES));
-    run_compile(&f.run, gpu, &f.graph.params);
+    f.graph.params.sets = sets;
+    run_compile(&f.run, &device->gpu, &f.graph.params);
     if (print)
         rg_dump(f.run.plan, stdout);
-    count_plan(seen, f.run.plan);
+    count_plan(seen, f.run.plan, &f.graph.tables);
     f.plan = *f.run.plan;
     f.colors = calloc(f.run.plan->color_count + 1, sizeof(*f.colors));
     assert_non_null(f.colors);
@@ -252,12 +271,28 @@ static bool run_seed(struct gpu *gpu, uint32_t seed, uint32_t *seen, bool print)
     return f.good;
 }
 
+/* With every feature, for counted draws. */
+static void open_device(struct device *device, const struct gpu *gpu)
+{
+    whole_device_open(&device->gpu, gpu);
+    own_set_make(&device->own, &device->gpu, interpret_own, sizeof(interpret_own));
+}
+
+static void close_device(struct device *device)
+{
+    own_set_free(&device->own, &device->gpu);
+    whole_device_close(&device->gpu);
+}
+
 static void random_graphs_leave_what_their_tables_say(void **state)
 {
     uint32_t seen[SEEN_COUNT] = { 0 };
     uint32_t bad = 0;
+    struct device device;
+    open_device(&device, *state);
     for (uint32_t seed = 0; seed < SEEDS; seed++)
-        bad += !run_seed(*state, seed, seen, false);
+        bad += !run_seed(*state, &device, seed, seen, false);
+    close_device(&device);
     assert_int_equal(bad, 0);
     for (uint32_t i = 0; i < SEEN_COUNT; i++) {
         print_message("%s: %u\n", seen_names[i], seen[i]);
@@ -271,7 +306,10 @@ static int run_one(uint32_t seed)
     uint32_t seen[SEEN_COUNT] = { 0 };
     if (lavapipe_open(&gpu))
         return EXIT_FAILURE;
-    const bool good = run_seed(gpu, seed, seen, true);
+    struct device device;
+    open_device(&device, gpu);
+    const bool good = run_seed(gpu, &device, seed, seen, true);
+    close_device(&device);
     return lavapipe_close(&gpu) || !good ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 

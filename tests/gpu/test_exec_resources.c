@@ -10,90 +10,11 @@
 
 #include "tests/support/feature.h"
 #include "tests/support/lavapipe.h"
+#include "tests/support/whole_device.h"
 
 enum {
     SEED = 20,
 };
-
-/* ---- a device with all features ---- */
-
-struct all_features {
-    VkPhysicalDeviceFeatures2 core;
-    VkPhysicalDeviceVulkan11Features v11;
-    VkPhysicalDeviceVulkan12Features v12;
-    VkPhysicalDeviceVulkan13Features v13;
-    VkPhysicalDeviceAccelerationStructureFeaturesKHR structures;
-    VkPhysicalDeviceRayQueryFeaturesKHR queries;
-};
-
-static const char *const ray_extensions[] = {
-    VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
-    VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
-    VK_KHR_RAY_QUERY_EXTENSION_NAME,
-};
-
-enum {
-    RAY_EXTENSION_COUNT = sizeof(ray_extensions) / sizeof(ray_extensions[0])
-};
-
-static bool has_rays(const struct gpu *gpu)
-{
-    VkExtensionProperties list[512];
-    uint32_t count = 512, found = 0;
-    assert_true(vkEnumerateDeviceExtensionProperties(gpu->physical, NULL, &count, list) >= 0);
-    for (uint32_t i = 0; i < count * RAY_EXTENSION_COUNT; i++)
-        found += !strcmp(list[i / RAY_EXTENSION_COUNT].extensionName,
-                         ray_extensions[i % RAY_EXTENSION_COUNT]);
-    return found == RAY_EXTENSION_COUNT;
-}
-
-/* `own` is like `gpu`, with another device; it ends with close_device(). */
-static void open_device(struct gpu *own, const struct gpu *gpu)
-{
-    struct all_features f = {
-        .core = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &f.v11 },
-        .v11 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES, .pNext = &f.v12 },
-        .v12 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, .pNext = &f.v13 },
-        .v13 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES },
-        .structures = { .sType =
-                            VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR,
-                        .pNext = &f.queries },
-        .queries = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR },
-    };
-    const bool rays = has_rays(gpu);
-    const VkDeviceQueueCreateInfo queue = {
-        .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-        .queueFamilyIndex = gpu->queue_family,
-        .queueCount = 1,
-        .pQueuePriorities = &(float){ 1 },
-    };
-    const VkDeviceCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
-        .pNext = &f.core,
-        .queueCreateInfoCount = 1,
-        .pQueueCreateInfos = &queue,
-        .enabledExtensionCount = rays ? RAY_EXTENSION_COUNT : 0,
-        .ppEnabledExtensionNames = ray_extensions,
-    };
-    const VkCommandPoolCreateInfo pool = {
-        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-        .queueFamilyIndex = gpu->queue_family,
-    };
-    f.v13.pNext = rays ? &f.structures : NULL;
-    vkGetPhysicalDeviceFeatures2(gpu->physical, &f.core);
-    *own = *gpu;
-    own->pipeline_cache = VK_NULL_HANDLE;
-    assert_int_equal(vkCreateDevice(gpu->physical, &info, NULL, &own->device), VK_SUCCESS);
-    assert_int_equal(vkCreateCommandPool(own->device, &pool, NULL, &own->pool), VK_SUCCESS);
-    vkGetDeviceQueue(own->device, own->queue_family, 0, &own->queue);
-}
-
-static void close_device(const struct gpu *own)
-{
-    vkDestroyCommandPool(own->device, own->pool, NULL);
-    vkDestroyDevice(own->device, NULL);
-}
 
 /* Runs a frame of a feature whose rows read the seed. */
 static void run_seeded(struct run *run, const struct rg_frame *frame)
@@ -144,65 +65,7 @@ static void volume_is_stored_and_sampled(void **state)
 
 /* ---- an array, and a set of the program's own ---- */
 
-struct own_set {
-    VkDescriptorSetLayout layout;
-    VkDescriptorPool pool;
-    VkDescriptorSet set;
-    struct gpu_buffer factors;
-};
-
 static const uint32_t factors[] = { 5, 1, 100, 10000 };
-
-static void make_set(struct own_set *own, struct gpu *gpu)
-{
-    const VkDescriptorSetLayoutBinding binding = {
-        .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-        .descriptorCount = 1,
-        .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT,
-    };
-    const VkDescriptorSetLayoutCreateInfo layout = {
-        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-        .bindingCount = 1,
-        .pBindings = &binding,
-    };
-    const VkDescriptorPoolCreateInfo pool = {
-        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
-        .maxSets = 1,
-        .poolSizeCount = 1,
-        .pPoolSizes = &(VkDescriptorPoolSize){ VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1 },
-    };
-    assert_int_equal(gpu_buffer_create(gpu, &own->factors, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                       factors, sizeof(factors), "factors"),
-                     STATUS_OK);
-    assert_int_equal(vkCreateDescriptorSetLayout(gpu->device, &layout, NULL, &own->layout),
-                     VK_SUCCESS);
-    assert_int_equal(vkCreateDescriptorPool(gpu->device, &pool, NULL, &own->pool), VK_SUCCESS);
-    assert_int_equal(
-        vkAllocateDescriptorSets(gpu->device,
-                                 &(VkDescriptorSetAllocateInfo){
-                                     .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
-                                     .descriptorPool = own->pool,
-                                     .descriptorSetCount = 1,
-                                     .pSetLayouts = &own->layout,
-                                 },
-                                 &own->set),
-        VK_SUCCESS);
-    const VkWriteDescriptorSet write = {
-        .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-        .dstSet = own->set,
-        .descriptorCount = 1,
-        .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-        .pBufferInfo = &(VkDescriptorBufferInfo){ own->factors.buffer, 0, VK_WHOLE_SIZE },
-    };
-    vkUpdateDescriptorSets(gpu->device, 1, &write, 0, NULL);
-}
-
-static void free_set(struct own_set *own, struct gpu *gpu)
-{
-    vkDestroyDescriptorPool(gpu->device, own->pool, NULL);
-    vkDestroyDescriptorSetLayout(gpu->device, own->layout, NULL);
-    gpu_buffer_destroy(gpu, &own->factors);
-}
 
 static void check_sums(struct run *run)
 {
@@ -218,8 +81,8 @@ static void array_is_read_and_own_set_bound(void **state)
 {
     struct gpu gpu;
     struct own_set own;
-    open_device(&gpu, *state);
-    make_set(&own, &gpu);
+    whole_device_open(&gpu, *state);
+    own_set_make(&own, &gpu, factors, sizeof(factors));
     const struct rg_exec_set sets[] = { { &feature_array_set, own.layout } };
     const struct rg_frame frame = {
         .rows = feature_array.params.technique.passes,
@@ -238,8 +101,8 @@ static void array_is_read_and_own_set_bound(void **state)
         check_sums(&run);
         run_close(&run);
     }
-    free_set(&own, &gpu);
-    close_device(&gpu);
+    own_set_free(&own, &gpu);
+    whole_device_close(&gpu);
 }
 
 static void layout_of_a_set_is_missed(void **state)
@@ -293,7 +156,7 @@ static void draws_are_counted(void **state)
 {
     struct gpu gpu;
     struct gpu_buffer buffers[2];
-    open_device(&gpu, *state);
+    whole_device_open(&gpu, *state);
     const struct rg_frame frame = { .mesh = square(&gpu, buffers) };
     for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
         const struct run_params params = run_way(&feature_count.params, way);
@@ -309,7 +172,7 @@ static void draws_are_counted(void **state)
     }
     gpu_buffer_destroy(&gpu, &buffers[0]);
     gpu_buffer_destroy(&gpu, &buffers[1]);
-    close_device(&gpu);
+    whole_device_close(&gpu);
 }
 
 /* ---- acceleration structures ---- */
@@ -318,11 +181,11 @@ static void rays_meet_what_was_built(void **state)
 {
     static const vec3s triangle[] = { { { 0, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 0, 0 } } };
     struct gpu gpu;
-    if (!has_rays(*state)) {
+    if (!whole_device_has_rays(*state)) {
         print_message("skipped: the device has no acceleration structures and ray queries\n");
         skip();
     }
-    open_device(&gpu, *state);
+    whole_device_open(&gpu, *state);
     for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
         const struct run_params params = run_way(&feature_structure.params, way);
         struct run run;
@@ -341,7 +204,7 @@ static void rays_meet_what_was_built(void **state)
         }
         run_close(&run);
     }
-    close_device(&gpu);
+    whole_device_close(&gpu);
 }
 
 /* Without a device the plan is the same, so it can be compiled here. */
@@ -350,7 +213,7 @@ static void devices_without_rays_are_told(void **state)
     struct run_params params = feature_structure.params;
     struct run run;
     params.no_device = true;
-    if (has_rays(*state))
+    if (whole_device_has_rays(*state))
         skip();
     run_compile(&run, *state, &params);
     assert_int_equal(run_create(&run, run.plan), VK_ERROR_FEATURE_NOT_PRESENT);

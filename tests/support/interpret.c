@@ -12,6 +12,8 @@ enum {
     ALL_CHANNELS = 0xf,
 };
 
+const uint32_t interpret_own[RANDOM_OWN_WORDS] = { 7, 70, 700, 7000 };
+
 /* ---- where things are ---- */
 
 static uint32_t at_least_one(uint32_t size)
@@ -203,6 +205,8 @@ static uint32_t inputs(const struct running *run, const uint32_t at[3])
                 sum = input(run, use, at, sum);
         }
     }
+    if (run->pass->set)
+        sum = random_mix(sum, interpret_own[(at[0] + 2 * at[1]) % RANDOM_OWN_WORDS]);
     const struct rg_use *instances = interpret_use(run->pass, RG_VERTEX);
     if (instances)
         sum = random_mix(sum, interpret_words(run->in, instances->buffer)[run->instance]);
@@ -328,6 +332,28 @@ static void draw_texel(const struct running *run, const struct bound *targets, c
     }
 }
 
+static void draw_instances(struct running *run, const struct bound *targets,
+                           struct interpret_part area, uint32_t count)
+{
+    for (run->instance = 0; run->instance < count; run->instance++) {
+        for (uint32_t y = run->push.from[1]; y < run->push.to[1] && y < area.height; y++) {
+            for (uint32_t x = run->push.from[0]; x < run->push.to[0] && x < area.width; x++) {
+                const uint32_t at[3] = { x, y, 0 };
+                draw_texel(run, targets, at);
+            }
+        }
+    }
+}
+
+static void draw_counted(struct running *run, const struct bound *targets,
+                         struct interpret_part area, const uint32_t *draw)
+{
+    const uint32_t count = *arguments(run, INTERPRET_COUNT);
+    for (uint32_t i = 0; i < count && i < INTERPRET_DRAW_COUNT; i++)
+        draw_instances(run, targets, area,
+                       draw[i * sizeof(VkDrawIndirectCommand) / sizeof(uint32_t) + 1]);
+}
+
 static void run_raster(struct running *run)
 {
     const struct rg_pass *pass = run->pass;
@@ -345,15 +371,12 @@ static void run_raster(struct running *run)
     }
     const struct interpret_row *row = &run->in->tables->rows[pass - run->in->tables->passes];
     const uint32_t *draw = arguments(run, INTERPRET_DRAW);
-    const uint32_t instance_count = draw ? draw[1] : row->instance_count;
-    for (run->instance = 0; run->instance < instance_count; run->instance++) {
-        for (uint32_t y = run->push.from[1]; y < run->push.to[1] && y < area.height; y++) {
-            for (uint32_t x = run->push.from[0]; x < run->push.to[0] && x < area.width; x++) {
-                const uint32_t at[3] = { x, y, 0 };
-                draw_texel(run, targets, at);
-            }
-        }
-    }
+    if (!draw)
+        draw_instances(run, targets, area, row->instance_count);
+    else if (!row->is_counted)
+        draw_instances(run, targets, area, draw[1]);
+    else
+        draw_counted(run, targets, area, draw);
 }
 
 /* ---- compute ---- */

@@ -14,8 +14,10 @@
 
 enum {
     INTERPRET_DISPATCH = 0, /* offset of a VkDispatchIndirectCommand in a buffer for RG_INDIRECT */
-    INTERPRET_DRAW = 16,    /* of a VkDrawIndirectCommand */
-    INTERPRET_ARGUMENTS_SIZE = INTERPRET_DRAW + sizeof(VkDrawIndirectCommand),
+    INTERPRET_DRAW = 16,    /* of the VkDrawIndirectCommands */
+    INTERPRET_DRAW_COUNT = 2,
+    INTERPRET_COUNT = 48, /* of the uint32_t that is the number of counted draws, or more */
+    INTERPRET_ARGUMENTS_SIZE = INTERPRET_COUNT + sizeof(uint32_t),
 };
 
 /* What a row's record function needs besides the row. */
@@ -24,6 +26,7 @@ struct interpret_row {
     uint32_t from[2], to[2];         /* texels (words) written; `to` may lie outside */
     float depth;                     /* of the triangle */
     uint32_t instance_count;         /* of it, unless it is drawn indirectly */
+    bool is_counted;                 /* so many indirect draws as the device has counted, not one */
     uint32_t src_offset, dst_offset; /* bytes, of copies from and to buffers */
     uint32_t size;                   /* bytes, of copies between buffers */
 };
@@ -43,7 +46,10 @@ struct rg_frame {
     uint32_t number;
     const struct interpret_tables *tables;
     const struct rg_plan *plan; /* that is recorded */
+    VkDescriptorSet own;        /* with these words, which rows with a set read */
 };
+
+extern const uint32_t interpret_own[RANDOM_OWN_WORDS];
 
 /* A range of an image in one repetition of a row. */
 struct interpret_part {

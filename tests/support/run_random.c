@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "tests/support/run_random_private.h"
 
@@ -134,14 +135,15 @@ void run_random_fill(const struct run_random *graph, const struct rg_buffer *buf
     if (index)
         return;
     const VkDispatchIndirectCommand dispatch = { 1 + words[0] % 3, words[1] % 4, 1 + words[2] % 2 };
-    const VkDrawIndirectCommand draw = { .vertexCount = 3, .instanceCount = words[3] % 3 };
+    const uint32_t instances[INTERPRET_DRAW_COUNT] = { words[3] % 3, words[4] % 3 };
     words[0] = dispatch.x;
     words[1] = dispatch.y;
     words[2] = dispatch.z;
-    words[INTERPRET_DRAW / 4] = draw.vertexCount;
-    words[INTERPRET_DRAW / 4 + 1] = draw.instanceCount;
-    words[INTERPRET_DRAW / 4 + 2] = draw.firstVertex;
-    words[INTERPRET_DRAW / 4 + 3] = draw.firstInstance;
+    for (uint32_t i = 0; i < INTERPRET_DRAW_COUNT; i++) {
+        const VkDrawIndirectCommand draw = { .vertexCount = 3, .instanceCount = instances[i] };
+        memcpy((char *)words + INTERPRET_DRAW + i * sizeof(draw), &draw, sizeof(draw));
+    }
+    words[INTERPRET_COUNT / 4] %= INTERPRET_DRAW_COUNT + 2;
 }
 
 static void draw_rows(struct run_random_tables *t)

@@ -11,6 +11,9 @@
 #include "tests/support/interpret.h"
 #include "tests/support/run_graph.h"
 
+/* The set that some rows name; struct rg_frame has it. */
+extern const struct rg_set run_random_own;
+
 /* Features of the graph that the tables may use. */
 enum {
     RUN_RANDOM_HISTORY = 1 << 0,    /* persistent images and buffers */

@@ -40,8 +40,9 @@ static uint32_t smaller(uint32_t a, uint32_t b)
 
 static void draw(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct random_push push = interpret_push(frame, rg_cmd_pass(cmd));
     const struct rg_pass *pass = rg_cmd_pass(cmd);
+    const struct interpret_row *row = &frame->tables->rows[pass - frame->tables->passes];
+    const struct random_push push = interpret_push(frame, pass);
     const struct rg_use *indirect = interpret_use(pass, RG_INDIRECT);
     const struct rg_use *instances = interpret_use(pass, RG_VERTEX);
     const VkExtent2D extent = rg_cmd_extent(cmd);
@@ -58,11 +59,14 @@ static void draw(struct rg_cmd *cmd, const struct rg_frame *frame)
         vkCmdBindVertexBuffers(rg_cmd_vulkan(cmd), 0, 1,
                                &(VkBuffer){ rg_cmd_buffer(cmd, instances->buffer) },
                                &(VkDeviceSize){ 0 });
-    if (indirect)
+    if (indirect && row->is_counted)
+        rg_cmd_draw_indirect_count(
+            cmd, &(struct rg_indirect_count){ indirect->buffer, INTERPRET_DRAW, indirect->buffer,
+                                              INTERPRET_COUNT, INTERPRET_DRAW_COUNT });
+    else if (indirect)
         rg_cmd_draw_indirect(cmd, indirect->buffer, INTERPRET_DRAW);
     else
-        rg_cmd_draw_instances(cmd, 3,
-                              frame->tables->rows[pass - frame->tables->passes].instance_count);
+        rg_cmd_draw_instances(cmd, 3, row->instance_count);
     spoil_targets(cmd, plan_pass(cmd, frame));
 }
 
@@ -133,5 +137,7 @@ void run_random_record(struct rg_cmd *cmd, const struct rg_frame *frame)
         [RG_COMPUTE] = dispatch,
         [RG_TRANSFER] = copy,
     };
+    if (rg_cmd_pass(cmd)->set)
+        rg_cmd_bind_set(cmd, frame->own);
     kinds[rg_cmd_pass(cmd)->kind](cmd, frame);
 }

@@ -15,6 +15,7 @@ struct program {
     bool volume;     /* images are of three dimensions */
     bool changes;    /* what it writes it reads, too */
     bool instances;  /* each instance has a word of its own */
+    bool own;        /* it reads the program's own set */
 };
 
 /* Of the storage images that are read. */
@@ -32,6 +33,7 @@ static const struct program raster_programs[] = {
     { &random_array_frag, .targets = 1, .sampled = 2, .array = true },
     { &random_instances_frag, .targets = 1, .uniform = true, .instances = true },
     { &random_instances_two_frag, .targets = 2, .sampled = 1, .instances = true },
+    { &random_own_frag, .targets = 1, .sampled = 1, .own = true },
 };
 
 static const struct program compute_programs[] = {
@@ -41,6 +43,7 @@ static const struct program compute_programs[] = {
       .read = true },
     { &random_image_change_comp, .stored = VK_FORMAT_R32_UINT, .sampled = 1, .changes = true },
     { &random_list_comp, .uniform = true },
+    { &random_list_own_comp, .uniform = true, .own = true },
     { &random_list_fetch_comp, .sampled = 1 },
     { &random_list_change_comp, .read = true, .changes = true },
     { &random_list_load_comp, .loaded = true },
@@ -52,6 +55,8 @@ static const struct program compute_programs[] = {
       .volume = true },
     { &random_list_volume_comp, .sampled = 1, .volume = true },
 };
+
+const struct rg_set run_random_own = { "own" };
 
 static bool is_even(const struct rg_frame *frame, uint32_t repetition)
 {
@@ -276,6 +281,7 @@ static bool draw_buffer_input(struct run_random_tables *t, enum rg_access access
 static bool draw_inputs(struct run_random_tables *t, const struct program *program)
 {
     bool drawn = true;
+    t->passes[t->pass_count].set = program->own ? &run_random_own : NULL;
     for (uint32_t i = 0; i < program->sampled && drawn; i++)
         drawn =
             draw_image_input(t, RG_SAMPLED, (uint16_t)(RANDOM_SAMPLED + (program->array ? 0 : i)),
@@ -304,6 +310,7 @@ static void draw_part(struct run_random_tables *t)
     if (run_random_chance(t, 40) &&
         run_random_claim(t, arguments, (struct rg_range){ 0 }, RG_INDIRECT))
         run_random_use(t, arguments, RG_INDIRECT, (struct rg_range){ 0 });
+    row->is_counted = run_random_chance(t, 50);
 }
 
 /* ---- compute ---- */

@@ -40,6 +40,12 @@ layout(binding = RANDOM_UNIFORM, scalar) uniform Uniform
     uint uniform_words[RANDOM_UNIFORM_WORDS];
 };
 #endif
+#ifdef OWN
+layout(set = 1, binding = 0, scalar) readonly buffer Own
+{
+    uint own_words[RANDOM_OWN_WORDS];
+};
+#endif
 #ifdef INSTANCES
 layout(location = 0) flat in uint word_of_instance;
 #endif
@@ -89,6 +95,9 @@ uint inputs(uvec3 at)
 #endif
 #ifdef UNIFORM
     sum = random_mix(sum, uniform_words[(at.x + at.y) % RANDOM_UNIFORM_WORDS]);
+#endif
+#ifdef OWN
+    sum = random_mix(sum, own_words[(at.x + 2 * at.y) % RANDOM_OWN_WORDS]);
 #endif
 #ifdef INSTANCES
     sum = random_mix(sum, word_of_instance);

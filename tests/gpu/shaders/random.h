@@ -13,6 +13,7 @@
 #define RANDOM_BINDING_COUNT 7
 
 #define RANDOM_UNIFORM_WORDS 4
+#define RANDOM_OWN_WORDS     4 /* of a buffer in a descriptor set of the program's own */
 #define RANDOM_TARGETS       3
 #define RANDOM_GROUP         4 /* a workgroup's width and height */
 
