@@ -41,7 +41,8 @@ enum seen {
     TEXELS, /* uses */
     ARRAYS,
     VOLUMES,
-    MASKED,  /* targets */
+    MASKED, /* targets */
+    BLENDED,
     STENCIL, /* passes */
     INSTANCES,
     COUNTED,
@@ -69,6 +70,7 @@ static const char *const seen_names[SEEN_COUNT] = {
     [ARRAYS] = "second elements of arrays",
     [VOLUMES] = "images of three dimensions",
     [MASKED] = "targets of which channels stay",
+    [BLENDED] = "targets that are blended with",
     [STENCIL] = "passes with a stencil test",
     [INSTANCES] = "passes with a word of each instance",
     [COUNTED] = "counted draws",
@@ -129,7 +131,11 @@ static void count_plan(uint32_t *seen, const struct rg_plan *plan,
         seen[INSTANCES] += pass->pass->vertices != NULL;
         for (uint32_t i = 0; i < pass->color_count; i++) {
             count_target(seen, &pass->color[i]);
-            seen[MASKED] += pass->pass->color[i].blend_state != NULL;
+            const struct rg_target *target = &pass->pass->color[i];
+            const bool blends =
+                target->blend || (target->blend_state && target->blend_state->blendEnable);
+            seen[BLENDED] += blends;
+            seen[MASKED] += target->blend_state && !blends;
         }
         if (pass->depth.image == RG_NONE)
             continue;

@@ -319,6 +319,22 @@ static bool test_depth(const struct running *run, const struct bound *depth, con
     return passes;
 }
 
+/* One channel, by the ways of blending that random tables have. */
+static void blend(uint32_t *texel, uint32_t sum, const struct rg_target *target)
+{
+    const VkPipelineColorBlendAttachmentState *state = target->blend_state;
+    float value = (float)random_small(sum);
+    float old;
+    memcpy(&old, texel, sizeof(old));
+    if (target->blend == RG_BLEND_ADD)
+        value += old;
+    else if (state && state->colorBlendOp == VK_BLEND_OP_REVERSE_SUBTRACT)
+        value = old - value;
+    else if (state && state->colorBlendOp == VK_BLEND_OP_MAX)
+        value = old > value ? old : value;
+    memcpy(texel, &value, sizeof(value));
+}
+
 static void draw_texel(const struct running *run, const struct bound *targets, const uint32_t at[3])
 {
     const struct bound *depth = &targets[RG_COLOR_COUNT];
@@ -327,9 +343,18 @@ static void draw_texel(const struct running *run, const struct bound *targets, c
     const uint32_t sum = inputs(run, at);
     for (uint32_t i = 0; i < RG_COLOR_COUNT && targets[i].image; i++) {
         const VkPipelineColorBlendAttachmentState *state = run->pass->color[i].blend_state;
+        if (targets[i].format == VK_FORMAT_R32_SFLOAT) {
+            blend(bound_texel(&targets[i], at), sum, &run->pass->color[i]);
+            continue;
+        }
         output(bound_texel(&targets[i], at), targets[i].format, sum, i,
                state ? state->colorWriteMask : ALL_CHANNELS);
     }
+}
+
+static uint32_t smaller(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
 }
 
 static void draw_instances(struct running *run, const struct bound *targets,
@@ -343,15 +368,6 @@ static void draw_instances(struct running *run, const struct bound *targets,
             }
         }
     }
-}
-
-static void draw_counted(struct running *run, const struct bound *targets,
-                         struct interpret_part area, const uint32_t *draw)
-{
-    const uint32_t count = *arguments(run, INTERPRET_COUNT);
-    for (uint32_t i = 0; i < count && i < INTERPRET_DRAW_COUNT; i++)
-        draw_instances(run, targets, area,
-                       draw[i * sizeof(VkDrawIndirectCommand) / sizeof(uint32_t) + 1]);
 }
 
 static void run_raster(struct running *run)
@@ -371,12 +387,13 @@ static void run_raster(struct running *run)
     }
     const struct interpret_row *row = &run->in->tables->rows[pass - run->in->tables->passes];
     const uint32_t *draw = arguments(run, INTERPRET_DRAW);
-    if (!draw)
-        draw_instances(run, targets, area, row->instance_count);
-    else if (!row->is_counted)
-        draw_instances(run, targets, area, draw[1]);
-    else
-        draw_counted(run, targets, area, draw);
+    uint32_t draw_count = 1;
+    if (draw && row->is_counted)
+        draw_count = smaller(*arguments(run, INTERPRET_COUNT), INTERPRET_DRAW_COUNT);
+    for (uint32_t i = 0; i < draw_count; i++) {
+        const size_t at = i * sizeof(VkDrawIndirectCommand) / sizeof(*draw);
+        draw_instances(run, targets, area, draw ? draw[at + 1] : row->instance_count);
+    }
 }
 
 /* ---- compute ---- */
@@ -392,11 +409,6 @@ static void run_thread(const struct running *run, const struct rg_use *to,
     } else {
         interpret_words(run->in, to->buffer)[at[0]] = random_mix(sum, 0);
     }
-}
-
-static uint32_t smaller(uint32_t a, uint32_t b)
-{
-    return a < b ? a : b;
 }
 
 static void run_compute(struct running *run)

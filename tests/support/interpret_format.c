@@ -11,6 +11,7 @@ static struct channels channels_of(VkFormat format)
 {
     switch ((int)format) {
     case VK_FORMAT_R32_UINT:
+    case VK_FORMAT_R32_SFLOAT:
     case VK_FORMAT_D32_SFLOAT:
     case VK_FORMAT_D32_SFLOAT_S8_UINT:
         return (struct channels){ 1, 32 };

@@ -62,6 +62,7 @@ static void draw_image(struct run_random_tables *t, uint32_t index)
         VK_FORMAT_R32_UINT,          VK_FORMAT_R32G32B32A32_UINT, VK_FORMAT_R32G32B32A32_UINT,
         VK_FORMAT_R32G32B32A32_UINT, VK_FORMAT_R16G16B16A16_UINT, VK_FORMAT_R8G8B8A8_UINT,
         VK_FORMAT_R32G32_UINT,       VK_FORMAT_D32_SFLOAT,        VK_FORMAT_D32_SFLOAT_S8_UINT,
+        VK_FORMAT_R32_SFLOAT,
     };
     struct rg_image *image = &t->images[index];
     struct run_random_known *known = &t->known[index];
@@ -75,6 +76,7 @@ static void draw_image(struct run_random_tables *t, uint32_t index)
         image->format = VK_FORMAT_R32_UINT;
         image->depth = 1 + run_random_below(t, 5);
     }
+    known->sum = image->format == VK_FORMAT_R32_SFLOAT;
     image->array = !known->depth && !known->volume;
     draw_size(t, image);
     known->layers = known->mips = 1;

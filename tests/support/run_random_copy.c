@@ -71,7 +71,7 @@ static bool copy_buffer_to_image(struct run_random_tables *t)
     const uint32_t buffer = run_random_buffer(t);
     const struct rg_range range = run_random_written_range(t, image);
     const uint32_t size = copy_size(t, image, range);
-    if (t->known[image].depth || size > buffer_size(t, buffer) ||
+    if (t->known[image].depth || t->known[image].sum || size > buffer_size(t, buffer) ||
         !run_random_claim(t, buffer, (struct rg_range){ 0 }, RG_COPY_SRC) ||
         !run_random_claim(t, image, range, RG_COPY_DST))
         return false;

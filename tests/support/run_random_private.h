@@ -34,6 +34,7 @@ struct run_random_known {
     uint32_t layers, mips, width, height;
     bool depth, stencil, writable;
     bool volume; /* of three dimensions */
+    bool sum;    /* of small numbers, as floats: only blended and copied */
     uint8_t filled[CELLS];
 };
 
@@ -104,9 +105,12 @@ struct rg_use *run_random_use(struct run_random_tables *t, uint32_t resource, en
 
 uint32_t run_random_mip_size(uint32_t size, uint32_t mip);
 
-/* run_random_stencil.c: perhaps gives the row a stencil test; in any case one that overwrites what
- * begins undefined. */
-void run_random_stencil(struct run_random_tables *t, struct rg_pass *pass);
+/* run_random_state.c: perhaps blends with what a target keeps, or keeps some of its channels. */
+void run_random_blend(struct run_random_tables *t, struct rg_target *target, bool sum);
+
+/* Perhaps gives the row a stencil test: in any case one that overwrites what begins undefined; and
+ * no other if the row draws all of its images. */
+void run_random_stencil(struct run_random_tables *t, struct rg_pass *pass, bool whole);
 
 /* run_random_copy.c: the same for transfer passes, and for one into a new readback buffer. */
 void run_random_draw_copy(struct run_random_tables *t);

@@ -16,6 +16,7 @@ struct program {
     bool changes;    /* what it writes it reads, too */
     bool instances;  /* each instance has a word of its own */
     bool own;        /* it reads the program's own set */
+    bool sums;       /* its target is an image of sums */
 };
 
 /* Of the storage images that are read. */
@@ -34,6 +35,7 @@ static const struct program raster_programs[] = {
     { &random_instances_frag, .targets = 1, .uniform = true, .instances = true },
     { &random_instances_two_frag, .targets = 2, .sampled = 1, .instances = true },
     { &random_own_frag, .targets = 1, .sampled = 1, .own = true },
+    { &random_sums_frag, .targets = 1, .uniform = true, .sums = true },
 };
 
 static const struct program compute_programs[] = {
@@ -254,7 +256,7 @@ static bool draw_image_input(struct run_random_tables *t, enum rg_access access,
         struct rg_range range = run_random_range(t, image);
         if (access == RG_STORAGE_READ)
             range.mip_count = 1;
-        if (t->known[image].depth || t->known[image].volume != volume ||
+        if (t->known[image].depth || t->known[image].sum || t->known[image].volume != volume ||
             (access == RG_STORAGE_READ && t->images[image].format != loaded_format) ||
             !run_random_claim(t, image, range, access))
             continue;
@@ -388,10 +390,14 @@ static float draw_depth(struct run_random_tables *t)
     return (float)run_random_below(t, 5) * 0.25F;
 }
 
-static VkClearValue draw_clear(struct run_random_tables *t, bool depth)
+static VkClearValue draw_clear(struct run_random_tables *t, const struct run_random_known *known)
 {
-    VkClearValue clear = { .depthStencil = { depth ? draw_depth(t) : 0, run_random_below(t, 4) } };
-    for (uint32_t i = 0; i < 4 && !depth; i++)
+    VkClearValue clear = { .color.uint32 = { 0 } };
+    if (known->depth)
+        clear.depthStencil = (VkClearDepthStencilValue){ draw_depth(t), run_random_below(t, 4) };
+    else if (known->sum)
+        clear.color.float32[0] = (float)run_random_below(t, 256);
+    for (uint32_t i = 0; i < 4 && !known->depth && !known->sum; i++)
         clear.color.uint32[i] = run_random_below(t, 256);
     return clear;
 }
@@ -418,12 +424,6 @@ static bool fits(const struct run_random_tables *t, uint32_t first_image,
     return true;
 }
 
-/* Whole numbers are not blended, but some of their channels may stay. */
-static const VkPipelineColorBlendAttachmentState masks[] = {
-    { .colorWriteMask = VK_COLOR_COMPONENT_R_BIT },
-    { .colorWriteMask = VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_A_BIT },
-};
-
 static bool add_target(struct run_random_tables *t, uint32_t image, struct rg_target *place,
                        struct rg_target target, bool whole)
 {
@@ -446,13 +446,13 @@ static bool add_target(struct run_random_tables *t, uint32_t image, struct rg_ta
         return false;
     *place = target;
     place->image = &t->images[image];
-    place->clear = draw_clear(t, known->depth);
+    place->clear = draw_clear(t, known);
     place->load = keeps                               ? RG_LOAD_KEEP
                   : whole && run_random_chance(t, 60) ? RG_LOAD_DISCARD
                                                       : RG_LOAD_CLEAR;
     pass->depth_read_only = pass->depth_read_only || tests;
-    if (!known->depth && place->load != RG_LOAD_DISCARD && run_random_chance(t, 25))
-        place->blend_state = &masks[run_random_below(t, 2)];
+    if (!known->depth && place->load != RG_LOAD_DISCARD)
+        run_random_blend(t, place, known->sum);
     return true;
 }
 
@@ -468,7 +468,9 @@ static uint32_t draw_other_targets(struct run_random_tables *t, uint32_t first_i
 {
     struct rg_pass *pass = &t->passes[t->pass_count];
     const struct rg_target *first = pass->color[0].image ? &pass->color[0] : &pass->depth;
-    const uint32_t wanted = first == &pass->depth ? 0 : 1 + run_random_below(t, RANDOM_TARGETS);
+    const uint32_t wanted = first == &pass->depth       ? 0
+                            : t->known[first_image].sum ? 1
+                                                        : 1 + run_random_below(t, RANDOM_TARGETS);
     const bool depth = run_random_chance(t, 40);
     uint32_t colors = first == &pass->depth ? 0 : 1;
     for (uint32_t tries = 0; tries < 16; tries++) {
@@ -479,7 +481,7 @@ static uint32_t draw_other_targets(struct run_random_tables *t, uint32_t first_i
             .layer = run_random_below(t, known->layers),
         };
         struct rg_target *place = known->depth ? &pass->depth : &t->targets[t->pass_count][colors];
-        if ((known->depth ? !depth || place->image : colors >= wanted) ||
+        if (known->sum || (known->depth ? !depth || place->image : colors >= wanted) ||
             target.mip >= known->mips || !fits(t, first_image, first, image, &target))
             continue;
         if (add_target(t, image, place, target, whole) && !known->depth)
@@ -488,11 +490,12 @@ static uint32_t draw_other_targets(struct run_random_tables *t, uint32_t first_i
     return colors;
 }
 
-static const struct program *draw_raster_program(struct run_random_tables *t, uint32_t targets)
+static const struct program *draw_raster_program(struct run_random_tables *t, uint32_t targets,
+                                                 bool sums)
 {
     const uint32_t count = sizeof(raster_programs) / sizeof(raster_programs[0]);
     const struct program *program = &raster_programs[run_random_below(t, count)];
-    while (program->targets != targets)
+    while (program->targets != targets || program->sums != sums)
         program = &raster_programs[run_random_below(t, count)];
     return program;
 }
@@ -504,7 +507,7 @@ static bool draw_mip_chain(struct run_random_tables *t)
     const uint32_t image = run_random_image(t);
     const struct run_random_known *known = &t->known[image];
     struct rg_range range = { .mip_count = 1, .layer_count = 1, .each = true };
-    if (known->mips < 2 || known->depth || known->volume)
+    if (known->mips < 2 || known->depth || known->volume || known->sum)
         return false;
     range.layer = run_random_below(t, known->layers);
     run_random_condition(t, pass);
@@ -551,11 +554,11 @@ static bool draw_raster(struct run_random_tables *t)
     pass->depth_compare = whole ? VK_COMPARE_OP_ALWAYS : (VkCompareOp)run_random_below(t, 8);
     pass->vert = &random_vert;
     pass->push_size = sizeof(struct random_push);
-    run_random_stencil(t, pass);
+    run_random_stencil(t, pass, whole);
     if (!whole)
         draw_part(t);
     if (colors) {
-        const struct program *program = draw_raster_program(t, colors);
+        const struct program *program = draw_raster_program(t, colors, known->sum);
         pass->frag = program->shader;
         pass->vert = program->instances ? &random_instances_vert : &random_vert;
         pass->vertices = program->instances ? &word_of_instance : NULL;

@@ -37,6 +37,12 @@ RANDOM_FUNCTION uint32_t random_mix(uint32_t sum, uint32_t word)
     return sum ^ (sum >> 15);
 }
 
+/* A whole number so small that many of them are added exactly. */
+RANDOM_FUNCTION uint32_t random_small(uint32_t sum)
+{
+    return random_mix(sum, 0) & 255u;
+}
+
 /* Which word of a buffer belongs to a texel; to be taken modulo the count of words. */
 RANDOM_FUNCTION uint32_t random_word(uint32_t x, uint32_t y, uint32_t layer)
 {
