@@ -54,7 +54,8 @@ struct app_vector {
 struct app_scene {
     const char *name; /* SCENE; NULL: it is missing */
     const char *environment, *surroundings, *material;
-    const char *cracks; /* model file of a crack; NULL: cracks are made */
+    const char *cracks;                 /* model file of a crack; NULL: cracks are made */
+    const char *bump, *bump_mask, *air; /* pictures; NULL: the same */
     struct node_material node_materials[APP_NODE_COUNT];
     uint32_t node_material_count;
     const char *animation;        /* of the model file, or "none"; NULL: its first one, if any */

@@ -84,8 +84,14 @@ static void print_surroundings(FILE *out, const struct app_scene *scene)
         fprintf(out, " env-exposure=%.9g", (double)scene->env_exposure);
     if (scene->surroundings)
         fprintf(out, " surroundings=%s", scene->surroundings);
-    if (scene->cracks)
-        fprintf(out, " cracks=%s", scene->cracks);
+    const char *const files[][2] = { { "cracks", scene->cracks },
+                                     { "bump", scene->bump },
+                                     { "bump-mask", scene->bump_mask },
+                                     { "air", scene->air } };
+    for (size_t i = 0; i < sizeof(files) / sizeof(files[0]); i++) {
+        if (files[i][1])
+            fprintf(out, " %s=%s", files[i][0], files[i][1]);
+    }
     if (scene->background.is_given)
         print_vector(out, "background", scene->background.value);
     if (scene->no_background)

@@ -291,11 +291,27 @@ static void warn_of_settings(const struct app_picture *picture)
         log_warning("%s: no effect with --refraction trace", words);
 }
 
-static void warn_of_cracks(const struct app_scene *given, const struct scene *scene)
+/* Names files of what is not there, or is not drawn so. */
+static void warn_of_files(const struct app_picture *picture, const struct scene *scene)
 {
-    if (given->cracks && !scene->cracks.index_count && !given->quiet)
-        log_warning("--cracks: no effect, since there are no cracks here%s",
-                    scene->has_pool ? ": the scene is a pool" : "; --set cracks.count=N");
+    const struct app_scene *given = &picture->scene;
+    const bool is_uneven = bump.is_on(&given->settings) && !picture->rung->rung.meets_tree;
+
+    const struct {
+        const char *option, *file;
+        bool has_effect;
+    } files[] = {
+        { "--cracks", given->cracks, scene->cracks.index_count > 0 },
+        { "--air", given->air, scene->air.index_count > 0 },
+        { "--bump", given->bump, is_uneven && !scene->has_pool },
+        { "--bump-mask", given->bump_mask, is_uneven && !scene->has_pool },
+    };
+
+    for (size_t i = 0; i < sizeof(files) / sizeof(files[0]) && !given->quiet; i++) {
+        if (files[i].file && !files[i].has_effect)
+            log_warning("%s: no effect, since this picture has nothing of the kind",
+                        files[i].option);
+    }
 }
 
 static void warn_of_outside(const struct app_scene *given, const struct scene *scene)
@@ -337,7 +353,7 @@ void app_choose_rung(struct app_picture *picture, const struct scene *scene,
         log_warning("air.model=medium: drawn as planes; --refraction reference draws a medium");
     warn_of_bubbles(picture, scene);
     warn_of_settings(picture);
-    warn_of_cracks(&picture->scene, scene);
+    warn_of_files(picture, scene);
     warn_of_outside(&picture->scene, scene);
 }
 
@@ -440,6 +456,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
         .bump = bump.is_on(&given->settings) || frost.is_on(&given->settings) ? maps : NULL,
         .cracks = { sheets->count, sheets->seed, sheets->clip == CRACKS_CLIP_PRECUT,
                     given->cracks },
+        .pictures = { given->bump, given->bump_mask, given->air },
         .decode = &given->reader,
         .pool = { pool->size, pool->depth, pool->ice },
         .later = true,

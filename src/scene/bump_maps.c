@@ -134,7 +134,7 @@ static void make_slopes(uint16_t *texels, const float *heights)
     double sum = 0;
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
         sum += (double)glms_vec2_norm2(slope(heights, i % SIZE, i / SIZE));
-    float scale = (float)sqrt(SIZE * SIZE / sum);
+    float scale = sum > 0 ? (float)sqrt(SIZE * SIZE / sum) : 0; /* heights may be flat */
     for (uint32_t i = 0; i < SIZE * SIZE; i++) {
         vec2s s = glms_vec2_scale(slope(heights, i % SIZE, i / SIZE), scale);
         texels[4 * i + 0] = half_from_float(s.x);
@@ -188,12 +188,14 @@ static void make(struct bump_maps *maps, const struct bump_maps_params *params, 
     add_field(field, lattice, wave, 3, 0.8F, seed + 1);
     add_field(field, lattice, wave, 11, 0.14F, seed + 2);
     add_field(field, lattice, wave, 29, 0.025F, seed + 3);
-    make_slopes(maps->texels, field);
+    make_slopes(maps->texels, params->heights ? params->heights : field);
     memset(field, 0, field_size);
     add_field(field, lattice, wave, 4, 0.8F, seed + 4);
     add_field(field, lattice, wave, 9, 0.35F, seed + 5);
     add_field(field, lattice, wave, 23, 0.12F, seed + 6);
     make_smooth(maps->texels, field, params->smooth);
+    for (uint32_t i = 0; i < SIZE * SIZE && params->smoothness; i++)
+        maps->texels[4 * i + 2] = to_share(params->smoothness[i]);
     memset(field, 0, field_size);
     add_field(field, lattice, wave, 31, 0.6F, seed + 7);
     add_field(field, lattice, wave, 64, 0.5F, seed + 8);

@@ -27,6 +27,8 @@ struct bump_maps {
 struct bump_maps_params {
     float smooth; /* share of the surface that is smooth */
     uint32_t seed;
+    const float *heights;    /* of BUMP_MAPS_SIZE rows, in place of the field; NULL: it is made */
+    const float *smoothness; /* likewise, 0 to 1, in place of `smooth`; NULL: it is made */
 };
 
 /* Makes the texture. Returns false when out of memory; *maps is then {0}. */

@@ -9,6 +9,7 @@
 #include "src/base/suggest.h"
 #include "src/scene/asset.h"
 #include "src/scene/generate/generate.h"
+#include "src/scene/import/grey.h"
 #include "src/scene/material_rows.h"
 #include "src/scene/solid.h"
 #include "src/scene/surface_light.h"
@@ -333,9 +334,14 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
 {
     if (scene->has_pool)
         return NULL;
-    if (params->bump && !bump_maps_init(&scene->bump, params->bump))
+    struct bump_maps_params maps = params->bump ? *params->bump : (struct bump_maps_params){ 0 };
+    struct generate_air air = params->air;
+    maps.heights = scene->heights;
+    maps.smoothness = scene->smoothness;
+    air.cover = scene->air_cover;
+    if (params->bump && !bump_maps_init(&scene->bump, &maps))
         return "maps of the surface";
-    if (params->air.count && !generate_air_layers(&scene->air_layers, &params->air))
+    if (air.count && !generate_air_layers(&scene->air_layers, &air))
         return "air";
     if (params->has_depth && !depth_field_init(&scene->depth, &scene->model.object))
         return "depths below the surface";
@@ -352,12 +358,36 @@ static void size_textures(struct scene *scene, const struct scene_params *params
                                                  .count = GENERATE_AIR_LAYER_COUNT };
 }
 
+static enum status read_pictures(struct scene *scene, const struct scene_params *params)
+{
+    const struct {
+        const char *path;
+        float **greys;
+        uint32_t side;
+        bool is_share;
+    } wanted[] = {
+        { params->pictures.heights, &scene->heights, BUMP_MAPS_SIZE, false },
+        { params->pictures.smoothness, &scene->smoothness, BUMP_MAPS_SIZE, true },
+        { params->pictures.air, &scene->air_cover, GENERATE_AIR_LAYER_SIZE, true },
+    };
+    enum status status = STATUS_OK;
+    for (size_t i = 0; i < sizeof(wanted) / sizeof(wanted[0]) && status == STATUS_OK; i++) {
+        if (wanted[i].path)
+            status = grey_read(wanted[i].greys, wanted[i].side, wanted[i].is_share, wanted[i].path,
+                               params->decode);
+    }
+    return status;
+}
+
 /* Makes the inclusions and the surface of the object. */
 static enum status fill_object(struct scene *scene, const struct scene_params *params)
 {
+    enum status status = read_pictures(scene, params);
+    if (status != STATUS_OK)
+        return status;
     size_textures(scene, params);
     const char *lacking = params->later ? NULL : scene_fill(scene, params);
-    enum status status = lacking ? log_out_of_memory(lacking) : STATUS_OK;
+    status = lacking ? log_out_of_memory(lacking) : STATUS_OK;
     if (status == STATUS_OK && params->air.count)
         status = add_air(scene, &params->air);
     if (status == STATUS_OK && params->bubbles.count)
@@ -529,6 +559,9 @@ void scene_finish(struct scene *scene)
     free(scene->bubbles.all);
     mesh_finish(&scene->cracks);
     mesh_finish(&scene->crack_sheet);
+    free(scene->heights);
+    free(scene->smoothness);
+    free(scene->air_cover);
     *scene = (struct scene){ 0 };
 }
 

@@ -51,6 +51,8 @@ struct scene {
     struct mesh crack_sheet;      /* a crack of a file, in the unit ball; empty: they are made */
     struct mesh air;              /* planes of air in the object's space; may be empty */
     struct air_layers air_layers; /* textures of the planes of air */
+    float *heights, *smoothness;  /* of bump_maps_params, from files; NULL: they are made */
+    float *air_cover;             /* of generate_air, likewise */
     struct depth_field depth;     /* of the object; {0}: nobody has asked for it */
     struct bubbles bubbles;       /* in the object's space */
     struct tree *tree;            /* of the model's triangles; empty until scene_need_tree() */
@@ -65,6 +67,11 @@ struct scene_cracks {
     uint32_t seed;
     bool cut;         /* clip them to the object, which must be closed */
     const char *file; /* model of a crack, read by scene_load(); NULL: they are made */
+};
+
+/* Pictures in place of what is made of the object's surface, and of the air in it; NULL: none. */
+struct scene_pictures {
+    const char *heights, *smoothness, *air;
 };
 
 enum {
@@ -95,6 +102,7 @@ struct scene_params {
     struct generate_bubbles bubbles;     /* count 0: none */
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
     struct scene_cracks cracks;
+    struct scene_pictures pictures;
     const struct reader_params
         *decode;               /* how a child process reads the files; NULL: this one does */
     struct generate_pool pool; /* of the scene `pool` */

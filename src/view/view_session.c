@@ -35,7 +35,8 @@ void view_apply_session(const struct session *session, struct app_picture *state
     scene->env_exposure = session->environment ? session->env_exposure : 0.0f;
     scene->settings = session->state.settings;
     memset(scene->is_set, true, sizeof(scene->is_set)); /* all is in the settings */
-    scene->animation = scene->surroundings = scene->material = scene->cracks = NULL;
+    scene->animation = scene->surroundings = scene->material = NULL;
+    scene->cracks = scene->bump = scene->bump_mask = scene->air = NULL;
     scene->node_material_count = 0;
     scene->background.is_given = false;
     state->rung = session->state.rung;
@@ -124,6 +125,9 @@ static const char *left_out(const struct view *v)
     const struct app_scene *s = &v->picture->state.scene;
     return s->surroundings                       ? "--surroundings"
            : s->cracks                           ? "--cracks"
+           : s->bump                             ? "--bump"
+           : s->bump_mask                        ? "--bump-mask"
+           : s->air                              ? "--air"
            : s->animation                        ? "--animation"
            : s->node_material_count              ? "--material NODE=..."
            : s->background.is_given              ? "--background"

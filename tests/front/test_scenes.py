@@ -7,8 +7,9 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 import test_features as features  # noqa: E402
-from case import CRACKED, DATA, NO_DRIVER, PLAIN, USAGE, Case, long, main  # noqa: E402
-from exr_file import Exr  # noqa: E402
+from case import (CRACKED, DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL_CUBE, USAGE, Case,  # noqa: E402
+                  long, main)
+from exr_file import Exr, write_exr  # noqa: E402
 from gltf_file import boxes, glass, with_nodes  # noqa: E402
 
 # Extensions of Khronos' registry (July 2026) that are not drawn, by what of a file may have them.
@@ -113,6 +114,38 @@ class Scenes(Case):
         done = self.succeed('render', 'pool', *PLAIN, '--size', '8x6', '--cracks', 'crack.obj',
                             '-o', 'a.exr')
         self.assertIn(b'--cracks: no effect', done.stderr)
+
+    def test_own_pictures(self):
+        """Flat heights, and a mask that is white, are no bumps; waves are some. Air is where its
+        picture is white."""
+        def write(name, *rows):
+            texels = [value for row in rows for value in row]
+            (self.folder / name).write_bytes(
+                write_exr((len(rows[0]), len(rows)), {'Y': texels}))
+
+        def draw(*words):
+            self.succeed('render', 'ice-cube', '-r', 'paper', *SMALL_CUBE, '--size', '48x36', '-q',
+                         '--set', 'cracks.count=0', '--set', 'bubbles.count=0', '--set',
+                         'air.haze=0', '--set', 'air.count=1', '--aov', 'air', '-o', 'a.exr',
+                         *words)
+            exr = Exr((self.folder / 'a.exr').read_bytes())
+            return exr.read_planes(['G'])['G'], sum(exr.read_planes(['air.A'])['air.A'])
+
+        write('flat.exr', (7, 7), (7, 7))
+        write('waves.exr', (0, 90, 0, 90))
+        write('white.exr', (1,))
+        write('middle.exr', (0, 0, 0), (0, 1, 0), (0, 0, 0))
+        even, none = draw('--bump', 'flat.exr', '--set', 'air.strength=0')
+        self.assertEqual(none, 0)
+        for words in (('--set', 'bump.strength=0'),
+                      ('--bump', 'waves.exr', '--bump-mask', 'white.exr')):
+            self.assertEqual(draw('--set', 'air.strength=0', *words)[0], even)
+        self.assertNotEqual(draw('--set', 'air.strength=0', '--bump', 'waves.exr')[0], even)
+        covers = [draw('--air', name)[1] for name in ('middle.exr', 'white.exr')]
+        self.assertTrue(0 < covers[0] < 0.7 * covers[1], covers)
+        for name in ('a.obj', 'none.png'):
+            self.refuse(NO_INPUT if name[0] == 'n' else DATA, 'render', 'ice-cube', '--bump', name,
+                        '-o', 'b.exr', names=(name,))
 
     def test_each_object_has_rows(self):
         passes, _ = self.passes('two.gltf', '-r', 'bounce')

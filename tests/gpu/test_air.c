@@ -42,7 +42,7 @@ static void density_rises_towards_the_middle(void **state)
     open_scene(&scene, "sphere", 19, 1);
     struct picture_stage stage;
     const struct picture_request first = request_of(&scene, 0, 0);
-    picture_open(&stage, *state, &first);
+    picture_begin(&stage, *state, &first);
     for (size_t v = 0; v < 3; v++) {
         const struct picture_request request = request_of(&scene, views[v][0], views[v][1]);
         struct render_result result = picture_take(&stage, &request);
@@ -65,7 +65,7 @@ static void density_rises_towards_the_middle(void **state)
         assert_true(sums[0] > 0.3 && sums[0] < 0.95);
         render_result_finish(&result);
     }
-    picture_close(&stage);
+    picture_end(&stage);
     scene_finish(&scene);
 }
 
@@ -152,12 +152,12 @@ static void fades_edge_on(void **state)
     open_scene(&scene, "sphere", 1, 1);
     set_plane(&scene, 0);
     const struct picture_request request = request_of(&scene, 0, 0);
-    picture_open(&stage, *state, &request);
+    picture_begin(&stage, *state, &request);
     const float before = seen_at(&stage, 0);
     assert_true(before > 0.2F);
     CHECK_NEAR(seen_at(&stage, 180), before, 0.05);
     assert_true(seen_at(&stage, 87) < 0.3F * before);
-    picture_close(&stage);
+    picture_end(&stage);
     scene_finish(&scene);
 }
 

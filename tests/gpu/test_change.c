@@ -64,7 +64,7 @@ static void changed_renderers_draw_as_new_ones(void **state)
             .display = wishes[i].display,
         };
         if (i == 0)
-            picture_open(&stage, *state, &request);
+            picture_begin(&stage, *state, &request);
         else
             picture_change(&stage, &request);
         struct render_result changed = picture_take(&stage, &request);
@@ -73,7 +73,7 @@ static void changed_renderers_draw_as_new_ones(void **state)
         render_result_finish(&changed);
         render_result_finish(&fresh);
     }
-    picture_close(&stage);
+    picture_end(&stage);
     scene_finish(&scene);
 }
 

@@ -297,11 +297,11 @@ static void test_cracks_turn_with_the_ice(void **state)
     crack(&scene, 2, 3, false);
     struct picture_request request = request_of(&scene, &interval);
     struct picture_stage stage;
-    picture_open(&stage, *state, &request);
+    picture_begin(&stage, *state, &request);
     struct render_result still = picture_take(&stage, &request);
     request.time = 2;
     struct render_result a = picture_take(&stage, &request);
-    picture_close(&stage);
+    picture_end(&stage);
     crack(&scene, 2, 3, true);
     request.settings = &precut;
     struct render_result b = picture_render(*state, &request);

@@ -88,9 +88,9 @@ static struct shown draw(struct gpu *gpu, const struct scene *scene, const char 
     const struct settings settings = set_all(assignments);
     const struct picture_request request = request_of(scene, rung, &settings);
     struct picture_stage stage;
-    picture_open(&stage, gpu, &request);
+    picture_begin(&stage, gpu, &request);
     const struct shown s = take(&stage, &request);
-    picture_close(&stage);
+    picture_end(&stage);
     return s;
 }
 
@@ -229,7 +229,7 @@ static void boxes_of_the_settings(void **state)
     const struct settings settings = set_all(automatic);
     struct picture_request request = request_of(&scene, "search", &settings);
     struct picture_stage stage;
-    picture_open(&stage, *state, &request);
+    picture_begin(&stage, *state, &request);
     struct shown near = take(&stage, &request);
     check_same(&far, &near, false);
     for (int i = 0; i < (int)(sizeof(boxes) / sizeof(boxes[0])); i++) {
@@ -240,7 +240,7 @@ static void boxes_of_the_settings(void **state)
         check_same(&s, &far, i >= as_infinite);
         render_result_finish(&s.result);
     }
-    picture_close(&stage);
+    picture_end(&stage);
     scene.around = (struct box){ 0 }; /* nothing around it */
     struct shown none = draw(*state, &scene, "search", automatic);
     check_same(&none, &far, true);

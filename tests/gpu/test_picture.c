@@ -205,7 +205,7 @@ static void environment_stands_still_behind(void **state)
         .height = 49,
     };
     struct picture_stage stage;
-    picture_open(&stage, *state, &request);
+    picture_begin(&stage, *state, &request);
     for (size_t t = 0; t < sizeof(targets) / sizeof(targets[0]); t++) {
         request.camera.target = targets[t];
         struct render_result result = picture_take(&stage, &request);
@@ -218,7 +218,7 @@ static void environment_stands_still_behind(void **state)
         }
         render_result_finish(&result);
     }
-    picture_close(&stage);
+    picture_end(&stage);
     scene_finish(&scene);
 }
 
@@ -453,14 +453,14 @@ static void renderer_forgets_earlier_views(void **state)
     other_side.time = 5;
     struct picture_stage stage;
     struct render_result first = picture_render(*state, &request);
-    picture_open(&stage, *state, &request);
+    picture_begin(&stage, *state, &request);
     struct render_result again = picture_take(&stage, &other_side);
     render_result_finish(&again);
     again = picture_take(&stage, &request);
     check_same(&request, &first, &again);
     render_result_finish(&again);
     render_result_finish(&first);
-    picture_close(&stage);
+    picture_end(&stage);
     scene_finish(&scene);
 }
 

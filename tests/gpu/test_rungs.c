@@ -60,9 +60,9 @@ static struct rung_picture draw(struct gpu *gpu, const struct scene *scene, cons
 {
     const struct picture_request request = request_of(scene, rung, settings, size);
     struct picture_stage stage;
-    picture_open(&stage, gpu, &request);
+    picture_begin(&stage, gpu, &request);
     const struct rung_picture p = take(&stage, &request);
-    picture_close(&stage);
+    picture_end(&stage);
     return p;
 }
 
@@ -468,7 +468,7 @@ static void check_colours(struct gpu *gpu, const struct scene *scene, const char
     struct picture_request request = request_of(scene, rung, &first, 96);
     struct rung_picture all = draw(gpu, scene, rung, &settings, 96);
     struct picture_stage stage;
-    picture_open(&stage, gpu, &request);
+    picture_begin(&stage, gpu, &request);
     for (int channel = 0; channel < 3; channel++) {
         const struct settings one = set_all(alone[channel]);
         request.settings = &one;
@@ -484,7 +484,7 @@ static void check_colours(struct gpu *gpu, const struct scene *scene, const char
         assert_true(differ <= p.pixel_count / 500); /* at a limit of total reflection */
         finish(&p);
     }
-    picture_close(&stage);
+    picture_end(&stage);
     finish(&all);
 }
 

@@ -45,8 +45,8 @@ static struct renderer_params params_for(struct picture_stage *stage,
     return params;
 }
 
-void picture_open(struct picture_stage *stage, struct gpu *gpu,
-                  const struct picture_request *request)
+void picture_begin(struct picture_stage *stage, struct gpu *gpu,
+                   const struct picture_request *request)
 {
     *stage = (struct picture_stage){ .gpu = gpu };
     const struct renderer_params params = params_for(stage, request);
@@ -88,7 +88,7 @@ struct render_result picture_take(struct picture_stage *stage,
     return result;
 }
 
-void picture_close(struct picture_stage *stage)
+void picture_end(struct picture_stage *stage)
 {
     renderer_destroy(stage->renderer);
     assert_int_equal(stage->gpu->message_count, 0);
@@ -98,9 +98,9 @@ void picture_close(struct picture_stage *stage)
 struct render_result picture_render(struct gpu *gpu, const struct picture_request *request)
 {
     struct picture_stage stage;
-    picture_open(&stage, gpu, request);
+    picture_begin(&stage, gpu, request);
     const struct render_result result = picture_take(&stage, request);
-    picture_close(&stage);
+    picture_end(&stage);
     return result;
 }
 

@@ -41,13 +41,13 @@ struct picture_stage {
     struct renderer *renderer;
 };
 
-void picture_open(struct picture_stage *stage, struct gpu *gpu,
-                  const struct picture_request *request);
+void picture_begin(struct picture_stage *stage, struct gpu *gpu,
+                   const struct picture_request *request);
 struct render_result picture_take(struct picture_stage *stage,
                                   const struct picture_request *request);
 /* The same renderer for another request of the same scene, whatever it asks for. */
 void picture_change(struct picture_stage *stage, const struct picture_request *request);
-void picture_close(struct picture_stage *stage);
+void picture_end(struct picture_stage *stage);
 
 /* The defaults but for smooth ice and no lights, with one setting changed: "refract.ior=1.5". */
 struct settings picture_settings(const char *assignment);

@@ -15,7 +15,8 @@ enum {
 static struct bump_maps maps_of(double share, uint32_t seed)
 {
     struct bump_maps maps;
-    assert_true(bump_maps_init(&maps, &(struct bump_maps_params){ (float)share, seed }));
+    assert_true(
+        bump_maps_init(&maps, &(struct bump_maps_params){ (float)share, seed, NULL, NULL }));
     assert_int_equal(maps.size, SIZE);
     return maps;
 }

@@ -82,6 +82,8 @@ struct generate_air {
     uint32_t count, seed; /* number of planes, from 1 to GENERATE_AIR_MAX */
     float size;           /* diameter of the largest bubbles, in diagonals of the object's box */
     float frequency;      /* of the largest bubbles along that diagonal */
+    const float *cover;   /* of GENERATE_AIR_LAYER_SIZE rows, 0 to 1: opacity of bubbles in all
+                             layers; NULL: they are drawn */
 };
 
 enum {

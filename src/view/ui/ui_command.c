@@ -171,6 +171,9 @@ static void print(FILE *out, const struct ui_command *c)
     print_number(out, "env-exposure", p->scene.env_exposure);
     print_name(out, "surroundings", p->scene.surroundings);
     print_name(out, "cracks", p->scene.cracks);
+    print_name(out, "bump", p->scene.bump);
+    print_name(out, "bump-mask", p->scene.bump_mask);
+    print_name(out, "air", p->scene.air);
     print_given(out, "background", &p->scene.background);
     print_name(out, "background", p->scene.no_background ? "none" : NULL);
     print_camera(out, c);
