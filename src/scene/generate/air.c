@@ -161,7 +161,7 @@ bool generate_air_layers(struct air_layers *layers, const struct generate_air *a
     for (uint32_t layer = 0; layer < LAYER_COUNT; layer++) {
         uint8_t *texels = &layers->texels[layer * layer_size];
         struct random random = random_begin(air->seed, GENERATE_AIR_MAX + layer);
-        for (size_t i = 0; air->cover && i < LAYER_SIZE * LAYER_SIZE; i++)
+        for (size_t i = 0; air->cover && i < layer_size / 2; i++)
             texels[2 * i] = (uint8_t)(255 * air->cover[i]);
         for (int octave = 0; octave < OCTAVES && !air->cover; octave++)
             draw_bubbles(texels, ldexpf(air->frequency, octave), ldexpf(air->size, -octave),
