@@ -386,6 +386,12 @@ void rg_add_boundary(struct compiler *c);
 /* Returns the mip levels of a whole chain; `depth` is 1 or more. */
 uint32_t rg_full_chain(VkExtent2D extent, uint32_t depth);
 
+/* Returns a side of a mip; any mip may be asked for. */
+static inline uint32_t rg_mip_side(uint32_t side, uint32_t mip)
+{
+    return mip < 32 && side >> mip ? side >> mip : 1;
+}
+
 /* Returns the resource of an image or a buffer; a new one is sized and checked. NULL: memory is
  * short. */
 struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,

@@ -95,17 +95,12 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
 
 /* ---- targets ---- */
 
-static uint32_t mip_side(uint32_t side, uint32_t mip)
-{
-    return mip < 32 && side >> mip ? side >> mip : 1;
-}
-
 static void check_extent(struct compiler *c, const struct resource *r, uint32_t mip)
 {
     VkExtent2D *pass = &c->pass->extent;
     VkExtent2D extent = r->extent;
     if (mip)
-        extent = (VkExtent2D){ mip_side(extent.width, mip), mip_side(extent.height, mip) };
+        extent = (VkExtent2D){ rg_mip_side(extent.width, mip), rg_mip_side(extent.height, mip) };
     if (c->access_count == c->passes[c->pass_count].first_access && !c->target_samples)
         *pass = extent;
     rg_fault_if(c, extent.width != pass->width || extent.height != pass->height,

@@ -135,12 +135,9 @@ static void check_samples(struct compiler *c, const struct rg_plan_image *image)
 static VkDeviceSize estimate_image(const struct rg_plan_image *image)
 {
     VkDeviceSize texels = 0;
-    for (uint32_t mip = 0; mip < image->mips; mip++) {
-        VkDeviceSize width = image->extent.width >> mip;
-        VkDeviceSize height = image->extent.height >> mip;
-        VkDeviceSize depth = image->depth >> mip;
-        texels += (width ? width : 1) * (height ? height : 1) * (depth ? depth : 1);
-    }
+    for (uint32_t mip = 0; mip < image->mips; mip++)
+        texels += (VkDeviceSize)rg_mip_side(image->extent.width, mip) *
+                  rg_mip_side(image->extent.height, mip) * rg_mip_side(image->depth, mip);
     return texels * image->layers * image->samples * rg_format_info(image->image->format)->size;
 }
 
