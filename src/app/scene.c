@@ -291,11 +291,14 @@ static void warn_of_settings(const struct app_picture *picture)
         log_warning("%s: no effect with --refraction trace", words);
 }
 
-/* Names files of what is not there, or is not drawn so. */
+/* Names files, and a size, of what is not there, or is not drawn so. */
 static void warn_of_files(const struct app_picture *picture, const struct scene *scene)
 {
     const struct app_scene *given = &picture->scene;
-    const bool is_uneven = bump.is_on(&given->settings) && !picture->rung->rung.meets_tree;
+    const bool meets_tree = picture->rung->rung.meets_tree;
+    const bool is_uneven = bump.is_on(&given->settings) && !meets_tree;
+    const bool has_more = (scene->bubbles.count || scene->cracks.index_count) && !meets_tree;
+    const bool is_scaled = given->is_set[settings_index(settings_find("target.scale"))];
 
     const struct {
         const char *option, *file;
@@ -303,6 +306,8 @@ static void warn_of_files(const struct app_picture *picture, const struct scene 
     } files[] = {
         { "--cracks", given->cracks, scene->cracks.index_count > 0 },
         { "--air", given->air, scene->air.index_count > 0 },
+        { "target.scale", is_scaled ? given->name : NULL,
+          picture->rung->rung.rows && (scene->air.index_count || has_more) },
         { "--bump", given->bump, is_uneven && !scene->has_pool },
         { "--bump-mask", given->bump_mask, is_uneven && !scene->has_pool },
     };

@@ -114,6 +114,10 @@ class Scenes(Case):
         done = self.succeed('render', 'pool', *PLAIN, '--size', '8x6', '--cracks', 'crack.obj',
                             '-o', 'a.exr')
         self.assertIn(b'--cracks: no effect', done.stderr)
+        for rung in ('trace', 'reference'):
+            done = self.succeed('render', 'ice-cube', '-r', rung, '--plain', '--size', '8x6',
+                                '--set', 'target.scale=0.5', '-o', 'a.exr')
+            self.assertIn(b'target.scale: no effect', done.stderr)
 
     def test_own_pictures(self):
         """Flat heights, and a mask that is white, are no bumps; waves are some. Air is where its
