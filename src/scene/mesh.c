@@ -234,14 +234,21 @@ static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s
     return bits >> 22 & (SHELL_COUNT - 1);
 }
 
-bool mesh_sort_by_distance(struct mesh *mesh, vec3s from)
+bool mesh_sort_by_distance(struct mesh *mesh, vec3s from, struct mesh_order *order)
 {
     uint32_t next[SHELL_COUNT + 1] = { 0 }; /* index of the next triangle of each shell */
+    if (order)
+        *order = (struct mesh_order){ 0 };
     if (mesh->index_count == 0)
         return true;
     uint32_t *sorted = malloc(mesh->index_count * sizeof(*sorted));
-    if (!sorted)
+    uint32_t *former = order && sorted ? malloc(mesh->index_count / 3 * sizeof(*former)) : NULL;
+    if (!sorted || (order && !former)) {
+        free(sorted);
         return false;
+    }
+    if (order)
+        *order = (struct mesh_order){ former, mesh->index_count / 3 };
     for (uint32_t i = 0; i < mesh->index_count; i += 3)
         next[shell_of(mesh, mesh->indices + i, from) + 1] += 3;
     for (uint32_t shell = 0; shell < SHELL_COUNT; shell++)
@@ -249,6 +256,8 @@ bool mesh_sort_by_distance(struct mesh *mesh, vec3s from)
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         uint32_t *to = &next[shell_of(mesh, mesh->indices + i, from)];
         memcpy(sorted + *to, mesh->indices + i, 3 * sizeof(*sorted));
+        if (former)
+            former[*to / 3] = i / 3;
         *to += 3;
     }
     free(mesh->indices);

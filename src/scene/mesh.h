@@ -96,12 +96,19 @@ void mesh_make_normals(struct mesh *mesh);
 #define MESH_CONVEX_MAX (1u << 24)
 bool mesh_is_convex(const struct mesh *mesh);
 
+/* Where each of the first triangles of a mesh was before they were sorted. */
+struct mesh_order {
+    uint32_t *all;
+    uint32_t count;
+};
+
 /*
  * Sorts the triangles by distance from a point, nearest first, so that a depth test rejects most
  * fragments that are hidden from there. Distances are quantised to shells, each less than a quarter
- * larger than the last, in which the order is kept, for vertex caches. Returns false when out of
- * memory; *mesh is then unchanged.
+ * larger than the last, in which the order is kept, for vertex caches. *order, unless it is NULL,
+ * gets an array that the caller frees. Returns false when out of memory; *mesh is then unchanged,
+ * and *order is {0}.
  */
-bool mesh_sort_by_distance(struct mesh *mesh, vec3s from);
+bool mesh_sort_by_distance(struct mesh *mesh, vec3s from, struct mesh_order *order);
 
 #endif

@@ -462,10 +462,22 @@ static enum status add_surfaces(struct scene *scene)
     return add_extras(scene);
 }
 
-static enum status make_place_for_tree(struct scene *scene)
+static enum status make_place_for_tree(struct scene *scene, const struct scene *before)
 {
+    const bool is_first = scene->model.animation && !(before && before->rest);
     scene->tree = calloc(1, sizeof(*scene->tree));
-    return scene->tree ? STATUS_OK : log_out_of_memory(NULL);
+    scene->rest = is_first ? tree_rest_create() : NULL;
+    return scene->tree && (scene->rest || !is_first) ? STATUS_OK : log_out_of_memory(NULL);
+}
+
+/* Takes what the poses have in common from the one before; the first one is the model at rest. */
+static void take_rest(struct scene *scene, struct scene *before)
+{
+    if (!before->rest || scene->rest)
+        return;
+    scene->rest = before->rest;
+    before->rest = NULL;
+    tree_rest_take(scene->rest, &before->model, &before->sorted);
 }
 
 /* Of two scenes that have an environment, and the light of it if both have it, one owns them. */
@@ -490,6 +502,15 @@ static enum status load_surroundings(struct scene *scene, const struct scene_par
     return is_bare && scene->background == SCENE_SKY ? add_landscape(scene, params) : STATUS_OK;
 }
 
+/* The environment cube is drawn from the middle of the object, and cameras are often near it. */
+static enum status sort_surroundings(struct scene *scene)
+{
+    struct mesh_order *sorted = scene->model.animation ? &scene->sorted : NULL;
+    return mesh_sort_by_distance(&scene->model.surroundings, box_center(scene->box), sorted)
+               ? STATUS_OK
+               : log_out_of_memory("surroundings");
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *given)
 {
     struct scene_params own = *given;
@@ -512,10 +533,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (status == STATUS_OK)
         status = load_surroundings(scene, params);
     scene->around = scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);
-    /* The environment cube is drawn from this point, and cameras are often near it. */
-    if (status == STATUS_OK &&
-        !mesh_sort_by_distance(&scene->model.surroundings, box_center(scene->box)))
-        status = log_out_of_memory("surroundings");
+    if (status == STATUS_OK)
+        status = sort_surroundings(scene);
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
     if (status == STATUS_OK && !scene->has_pool)
@@ -523,7 +542,9 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (status == STATUS_OK && has_object && !scene->has_pool)
         status = fill_object(scene, params);
     if (status == STATUS_OK)
-        status = make_place_for_tree(scene);
+        status = make_place_for_tree(scene, params->before);
+    if (status == STATUS_OK && params->before)
+        take_rest(scene, params->before);
     if (params->before && params->environment)
         forget_environment(status == STATUS_OK ? params->before : scene, params->before);
     if (status != STATUS_OK)
@@ -533,9 +554,14 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
 
 enum status scene_need_tree(const struct scene *scene)
 {
-    const struct tree_inclusions inclusions = { &scene->cracks, &scene->bubbles };
-    return scene->tree->nodes.all ? STATUS_OK
-                                  : tree_init(scene->tree, &scene->model, &inclusions, 0);
+    const struct tree_params params = {
+        .model = &scene->model,
+        .sorted = scene->sorted,
+        .cracks = &scene->cracks,
+        .bubbles = &scene->bubbles,
+        .rest = scene->rest,
+    };
+    return scene->tree->nodes.all ? STATUS_OK : tree_init(scene->tree, &params);
 }
 
 void scene_finish(struct scene *scene)
@@ -543,6 +569,8 @@ void scene_finish(struct scene *scene)
     if (scene->tree)
         tree_finish(scene->tree);
     free(scene->tree);
+    tree_rest_destroy(scene->rest);
+    free(scene->sorted.all);
     model_finish(&scene->model);
     environment_finish(&scene->environment);
     environment_finish(&scene->cube);

@@ -56,6 +56,8 @@ struct scene {
     struct depth_field depth;     /* of the object; {0}: nobody has asked for it */
     struct bubbles bubbles;       /* in the object's space */
     struct tree *tree;            /* of the model's triangles; empty until scene_need_tree() */
+    struct tree_rest *rest;       /* of an animated model, at time 0; NULL: it is not animated */
+    struct mesh_order sorted;     /* of the surroundings, if the model is animated */
     float settled_ior;            /* the value of refract.ior that comes from the model; 0: none */
     bool has_pool;                /* the scene is a pool, with the object, if any, in it */
     bool is_convex;               /* the object is known to be convex: mesh_is_convex() */
@@ -84,8 +86,8 @@ struct scene_params {
     const char *environment;  /* asset, or image file of the background or of a cube; NULL: none */
     float environment_turn;   /* of a picture of the background: environment.turn */
     float environment_exposure; /* of the file, stops */
-    struct scene *before; /* another pose of the same scene, which gives away its environment and
-                             the light of it; NULL: they are read */
+    struct scene *before; /* another pose of the same scene, which gives away its environment, the
+                             light of it, and `rest`; NULL: they are read */
     const struct place *place; /* of the model file; NULL: as it is */
     struct model_pose pose;    /* of the model file; its objects are those of: */
     const struct node_material *node_materials;

@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/scene/tree_build.h"
+#include "src/scene/tree_shape.h"
 
 static uint32_t bits(float x)
 {
@@ -42,61 +42,14 @@ static void put(uint32_t to[static 4], const float *xyz, uint32_t last)
 
 /* ---- triangles ---- */
 
-/* A part of the scene while its tree is made. */
-struct part {
-    const struct model *model;
-    const struct mesh *mesh;
-    const struct bubbles *bubbles; /* NULL: none; they count as triangles after the mesh's */
-    uint32_t *triangles;           /* of the mesh */
-    uint32_t count;
-    bool is_object, is_inclusion;
-};
-
-static uint32_t triangle_count(const struct part *part)
-{
-    return part->mesh ? part->mesh->index_count / 3 : 0;
-}
-
-/* Returns a triangle's bubble, or NULL. */
-static const struct bubble *bubble_of(const struct part *part, uint32_t triangle)
-{
-    const uint32_t count = triangle_count(part);
-    return triangle < count || !part->bubbles ? NULL : &part->bubbles->all[triangle - count];
-}
-
-static const struct mesh_vertex *corner(const struct part *part, uint32_t triangle, uint32_t k)
-{
-    return &part->mesh->vertices[part->mesh->indices[(size_t)triangle * 3 + k]];
-}
-
-static struct tree_box box_of(const struct part *part, uint32_t triangle)
-{
-    struct tree_box box;
-    const struct bubble *bubble = bubble_of(part, triangle);
-    const struct box around = bubble ? bubble_box(bubble) : (struct box){ 0 };
-    for (int k = 0; k < 3 && bubble; k++) {
-        const float room = 1e-4f * (around.max.raw[k] - around.min.raw[k]);
-        box.low[k] = around.min.raw[k] - room;
-        box.high[k] = around.max.raw[k] + room;
-    }
-    for (int k = 0; k < 3 && !bubble; k++) {
-        const float a = corner(part, triangle, 0)->position.raw[k];
-        const float b = corner(part, triangle, 1)->position.raw[k];
-        const float c = corner(part, triangle, 2)->position.raw[k];
-        box.low[k] = fminf(a, fminf(b, c));
-        box.high[k] = fmaxf(a, fmaxf(b, c));
-    }
-    return box;
-}
-
 /* The map of a triangle; one without an area has rows of zeros, and is never met. */
-static void put_triangle(struct tree_words *words, const struct part *part, uint32_t triangle)
+static void put_triangle(struct tree_words *words, const struct tree_part *part, uint32_t triangle)
 {
-    const float *p = corner(part, triangle, 0)->position.raw;
+    const float *p = tree_corner(part, triangle, 0)->position.raw;
     double sides[2][3], n[3], square = 0.0;
     for (int k = 0; k < 3; k++) {
-        sides[0][k] = (double)corner(part, triangle, 1)->position.raw[k] - (double)p[k];
-        sides[1][k] = (double)corner(part, triangle, 2)->position.raw[k] - (double)p[k];
+        sides[0][k] = (double)tree_corner(part, triangle, 1)->position.raw[k] - (double)p[k];
+        sides[1][k] = (double)tree_corner(part, triangle, 2)->position.raw[k] - (double)p[k];
     }
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -126,7 +79,7 @@ static void put_bubble(struct tree_words *words, const struct bubble *bubble)
     put(words->all[words->count++], zero, bits(bubble->radius));
 }
 
-static uint32_t rank_of(const struct part *part, uint32_t triangle)
+static uint32_t rank_of(const struct tree_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
     if (!part->is_object)
@@ -137,7 +90,7 @@ static uint32_t rank_of(const struct part *part, uint32_t triangle)
 }
 
 /* Returns the material of an object's triangle, or NULL: settings decide. */
-static const struct material *material_of(const struct part *part, uint32_t triangle)
+static const struct material *material_of(const struct tree_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
     if (!part->is_object || !model->object_count || !model->material_count)
@@ -149,9 +102,9 @@ static const struct material *material_of(const struct part *part, uint32_t tria
 }
 
 /* Options may have given an object another material than its vertices have. */
-static uint32_t material_bits(const struct part *part, uint32_t triangle)
+static uint32_t material_bits(const struct tree_part *part, uint32_t triangle)
 {
-    const uint32_t bits = corner(part, triangle, 0)->material;
+    const uint32_t bits = tree_corner(part, triangle, 0)->material;
     const struct material *material = material_of(part, triangle);
     if (!material)
         return bits;
@@ -161,7 +114,7 @@ static uint32_t material_bits(const struct part *part, uint32_t triangle)
 
 /* Whether a hit may ask for the colours and coordinates of the triangle's corners: opaque ones show
  * them, and objects do that have textures, or are not wholly transmissive. */
-static bool has_surface(const struct part *part, uint32_t triangle)
+static bool has_surface(const struct tree_part *part, uint32_t triangle)
 {
     if (part->is_inclusion)
         return false;
@@ -170,7 +123,7 @@ static bool has_surface(const struct part *part, uint32_t triangle)
            (material && (material->transmission < 1.0f || material_is_dressed(material)));
 }
 
-static void put_extras(struct tree_words *words, const struct part *part, uint32_t triangle)
+static void put_extras(struct tree_words *words, const struct tree_part *part, uint32_t triangle)
 {
     float uv[8] = { 0.0f };
     for (uint32_t k = 0; k < 3; k++) {
@@ -183,13 +136,13 @@ static void put_extras(struct tree_words *words, const struct part *part, uint32
     put(words->all[words->count++], &uv[4], 0);
 }
 
-static void put_surface(struct tree_words *words, const struct part *part, uint32_t triangle)
+static void put_surface(struct tree_words *words, const struct tree_part *part, uint32_t triangle)
 {
     float uv[6];
     for (uint32_t k = 0; k < 3; k++)
-        memcpy(&uv[2 * (size_t)k], corner(part, triangle, k)->uv.raw, 2 * sizeof(*uv));
+        memcpy(&uv[2 * (size_t)k], tree_corner(part, triangle, k)->uv.raw, 2 * sizeof(*uv));
     for (uint32_t k = 0; k < 3; k++)
-        put(words->all[words->count++], corner(part, triangle, k)->color.raw, bits(uv[k]));
+        put(words->all[words->count++], tree_corner(part, triangle, k)->color.raw, bits(uv[k]));
     put(words->all[words->count++], &uv[3], bits(part->mesh->extras ? 1.0f : 0.0f));
     if (part->mesh->extras)
         put_extras(words, part, triangle);
@@ -262,8 +215,8 @@ static uint32_t packed(const struct cone *cone)
 /* A tree while it is laid out. */
 struct layout {
     struct tree *tree;
-    const struct tree_draft *draft;
-    uint32_t first; /* triangle of the tree for the draft's first one */
+    const struct tree_shape *shape;
+    uint32_t first; /* triangle of the tree for the part's first one */
     float room;     /* by which boxes are enlarged: their planes are computed with rounding */
     bool has_cones;
 };
@@ -275,12 +228,12 @@ static void lay_child(struct layout *layout, uint32_t word, uint32_t at, uint32_
                       struct cone *cone)
 {
     struct tree *tree = layout->tree;
-    const struct tree_node *node = &layout->draft->nodes[at];
+    const struct tree_node *node = &layout->shape->draft.nodes[at];
     const uint32_t first = layout->first + node->first;
     struct cone own;
     uint32_t child;
     float low[3], high[3];
-    if (node->second) {
+    if (node->children[0]) {
         child = lay_node(layout, at, depth, &own);
     } else {
         child = TREE_LEAF | first << 3 | node->count;
@@ -300,11 +253,12 @@ static uint32_t lay_node(struct layout *layout, uint32_t at, uint32_t depth, str
 {
     struct tree *tree = layout->tree;
     const uint32_t word = tree->nodes.count;
+    const struct tree_node *node = &layout->shape->draft.nodes[at];
     tree->nodes.count += TREE_NODE_WORDS;
     tree->depth = depth > tree->depth ? depth : tree->depth;
     *cone = (struct cone){ .angle = -1.0 };
-    lay_child(layout, word, at + 1, depth + 1, cone);
-    lay_child(layout, word + 2, layout->draft->nodes[at].second, depth + 1, cone);
+    lay_child(layout, word, node->children[0], depth + 1, cone);
+    lay_child(layout, word + 2, node->children[1], depth + 1, cone);
     return word / TREE_NODE_WORDS;
 }
 
@@ -314,11 +268,12 @@ static uint32_t lay_tree(struct layout *layout)
     static const float nowhere[2][3] = { { 2e30f, 2e30f, 2e30f }, { 2e30f, 2e30f, 2e30f } };
     struct tree *tree = layout->tree;
     struct cone cone = { .angle = -1.0 };
-    if (layout->draft->nodes[0].second)
-        return lay_node(layout, 0, 1, &cone);
+    const uint32_t root = layout->shape->root;
+    if (layout->shape->draft.nodes[root].children[0])
+        return lay_node(layout, root, 1, &cone);
     const uint32_t word = tree->nodes.count;
     tree->nodes.count += TREE_NODE_WORDS;
-    lay_child(layout, word, 0, 1, &cone);
+    lay_child(layout, word, root, 1, &cone);
     put(tree->nodes.all[word + 2], nowhere[0], TREE_LEAF);
     put(tree->nodes.all[word + 3], nowhere[1], TREE_CONE_OPEN);
     return word / TREE_NODE_WORDS;
@@ -326,79 +281,11 @@ static uint32_t lay_tree(struct layout *layout)
 
 static uint32_t count_inner(const struct tree_draft *draft, uint32_t at)
 {
-    const struct tree_node *node = &draft->nodes[at];
-    return node->second ? 1 + count_inner(draft, at + 1) + count_inner(draft, node->second) : 0;
+    const uint32_t *children = draft->nodes[at].children;
+    return children[0] ? 1 + count_inner(draft, children[0]) + count_inner(draft, children[1]) : 0;
 }
 
 /* ---- a scene ---- */
-
-/* Returns a number for a directed side of a triangle; -0 and 0 are the same place. */
-static uint64_t side_number(const float *a, const float *b)
-{
-    uint64_t hash = 0x9e3779b97f4a7c15u;
-    for (int k = 0; k < 6; k++) {
-        const float x = k < 3 ? a[k] : b[k - 3];
-        hash = (hash ^ bits(x + 0.0f)) * 0xff51afd7ed558ccdu;
-        hash ^= hash >> 29;
-    }
-    return hash * 0xc4ceb9fe1a85ec53u ^ hash >> 32;
-}
-
-/* Sides that meet their like, reversed, cancel each other. */
-static bool is_closed(const struct part *part)
-{
-    uint64_t sum = 0;
-    for (uint32_t i = 0; i < triangle_count(part); i++) {
-        for (uint32_t k = 0; k < 3; k++) {
-            const float *a = corner(part, i, k)->position.raw;
-            const float *b = corner(part, i, (k + 1) % 3)->position.raw;
-            sum += side_number(a, b) - side_number(b, a);
-        }
-    }
-    return sum == 0;
-}
-
-static bool list_triangles(struct part *part, bool moves)
-{
-    const uint32_t count = triangle_count(part) + (part->bubbles ? part->bubbles->count : 0);
-    part->triangles = malloc((count + (size_t)1) * sizeof(uint32_t));
-    for (uint32_t i = 0; part->triangles && i < count; i++) {
-        const bool is_mover =
-            !part->is_object && !part->is_inclusion && corner(part, i, 0)->material & MESH_MOVES;
-        if (is_mover == moves)
-            part->triangles[part->count++] = i;
-    }
-    return part->triangles;
-}
-
-/* Finds the order and the nodes of a part's triangles. */
-static bool draft_part(struct tree_draft *draft, const struct part *part, uint32_t threads)
-{
-    *draft = (struct tree_draft){
-        .boxes = malloc((part->count + (size_t)1) * sizeof(*draft->boxes)),
-        .order = malloc((part->count + (size_t)1) * sizeof(*draft->order)),
-        .nodes = malloc((2 * (size_t)part->count + 1) * sizeof(*draft->nodes)),
-        .count = part->count,
-    };
-    if (!draft->boxes || !draft->order || !draft->nodes)
-        return false;
-    for (uint32_t i = 0; i < part->count; i++) {
-        draft->boxes[i] = box_of(part, part->triangles[i]);
-        draft->order[i] = i;
-    }
-    if (part->count)
-        tree_build(draft, threads);
-    free(draft->boxes);
-    draft->boxes = NULL;
-    return true;
-}
-
-static void finish_draft(struct tree_draft *draft)
-{
-    free(draft->boxes);
-    free(draft->order);
-    free(draft->nodes);
-}
 
 static float room_of(const struct tree_box *box)
 {
@@ -408,9 +295,10 @@ static float room_of(const struct tree_box *box)
     return 4e-7f * most;
 }
 
-static void count_words(struct tree *tree, const struct part *part, const struct tree_draft *draft)
+static void count_words(struct tree *tree, const struct tree_part *part,
+                        const struct tree_shape *shape)
 {
-    const uint32_t inner = part->count ? count_inner(draft, 0) : 0;
+    const uint32_t inner = part->count ? count_inner(&shape->draft, shape->root) : 0;
     uint32_t surfaces = 0;
     for (uint32_t i = 0; i < part->count; i++)
         surfaces += has_surface(part, part->triangles[i]);
@@ -423,19 +311,19 @@ static void count_words(struct tree *tree, const struct part *part, const struct
 }
 
 /* Writes a part's words; those of surfaces are behind the corners of all parts. */
-static void lay_part(struct tree *tree, uint32_t index, const struct part *part,
-                     const struct tree_draft *draft)
+static void lay_part(struct tree *tree, uint32_t index, const struct tree_part *part,
+                     const struct tree_shape *shape)
 {
     struct layout layout = { .tree = tree,
-                             .draft = draft,
+                             .shape = shape,
                              .first = tree->triangles.count / TREE_TRIANGLE_WORDS,
                              .has_cones = part->is_object };
     size_t word = (size_t)layout.first * TREE_CORNER_WORDS;
     tree->roots[index] = TREE_NOTHING;
     for (uint32_t i = 0; i < part->count; i++) {
-        const uint32_t triangle = part->triangles[draft->order[i]];
-        if (bubble_of(part, triangle)) {
-            put_bubble(&tree->triangles, bubble_of(part, triangle));
+        const uint32_t triangle = part->triangles[shape->draft.order[i]];
+        if (tree_bubble(part, triangle)) {
+            put_bubble(&tree->triangles, tree_bubble(part, triangle));
             word += TREE_CORNER_WORDS;
             continue;
         }
@@ -444,13 +332,13 @@ static void lay_part(struct tree *tree, uint32_t index, const struct part *part,
                                    is_shown ? tree->corners.count : 0 };
         put_triangle(&tree->triangles, part, triangle);
         for (uint32_t k = 0; k < 3; k++)
-            put(tree->corners.all[word++], corner(part, triangle, k)->normal.raw, last[k]);
+            put(tree->corners.all[word++], tree_corner(part, triangle, k)->normal.raw, last[k]);
         if (is_shown)
             put_surface(&tree->corners, part, triangle);
     }
     if (!part->count)
         return;
-    layout.room = room_of(&draft->nodes[0].box);
+    layout.room = room_of(&shape->draft.nodes[shape->root].box);
     tree->roots[index] = lay_tree(&layout);
 }
 
@@ -478,23 +366,55 @@ static bool lay_media(struct tree *tree, const struct model *model)
     return media;
 }
 
-static bool make(struct tree *tree, struct part *parts, struct tree_draft *drafts, uint32_t threads)
+/* Makes the trees of all parts. Those of poses come from the model at rest; of inclusions, of which
+ * each pose has its own, they are always new. */
+static bool shape_parts(struct tree_shape *shapes, const struct tree_part *parts,
+                        const struct tree_params *params, struct tree_work *work)
+{
+    struct tree_rest *rest = params->rest;
+    struct tree_part rest_parts[TREE_PART_COUNT] = { 0 };
+    const bool is_posed = rest && rest->is_known;
+    bool done = true;
+    if (is_posed) {
+        const struct tree_params at_rest = { .model = &rest->model, .sorted = rest->sorted };
+        done = tree_parts_init(rest_parts, &at_rest, true);
+    }
+    for (uint32_t i = 0; i < TREE_PART_COUNT && done; i++) {
+        struct tree_shape *at_rest = is_posed && i != TREE_INCLUSIONS ? &rest->shapes[i] : NULL;
+        if (at_rest && !at_rest->draft.nodes)
+            done = tree_shape_make(at_rest, &rest_parts[i], work) && tree_shape_pack(at_rest);
+        if (done && at_rest)
+            done = tree_shape_pose(&shapes[i], &parts[i], at_rest, &rest_parts[i], work);
+        else if (done)
+            done = tree_shape_make(&shapes[i], &parts[i], work);
+    }
+    tree_parts_finish(rest_parts);
+    return done;
+}
+
+static bool make(struct tree *tree, const struct tree_part *parts, const struct tree_shape *shapes)
+{
+    for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
+        count_words(tree, &parts[i], &shapes[i]);
+    tree->corners.count += media_words(tree);
+    if (!reserve(&tree->nodes) || !reserve(&tree->triangles) || !reserve(&tree->corners))
+        return false;
+    tree->corners.count = tree->triangle_count * TREE_CORNER_WORDS;
+    for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
+        lay_part(tree, i, &parts[i], &shapes[i]);
+    return !media_words(tree) || lay_media(tree, parts[TREE_OBJECTS].model);
+}
+
+/* Keeps the shapes of a model at rest for its poses. */
+static bool keep_shapes(struct tree_rest *rest, struct tree_shape *shapes)
 {
     bool done = true;
-    for (uint32_t i = 0; i < TREE_PART_COUNT && done; i++) {
-        done = list_triangles(&parts[i], i == TREE_MOVERS) &&
-               draft_part(&drafts[i], &parts[i], threads);
-        if (done)
-            count_words(tree, &parts[i], &drafts[i]);
+    for (uint32_t i = 0; i < TREE_PART_COUNT && i != TREE_INCLUSIONS && done; i++) {
+        tree_shape_finish(&rest->shapes[i]); /* of another tree_init() */
+        rest->shapes[i] = shapes[i];
+        shapes[i] = (struct tree_shape){ 0 };
+        done = tree_shape_pack(&rest->shapes[i]);
     }
-    tree->corners.count += media_words(tree);
-    done = done && reserve(&tree->nodes) && reserve(&tree->triangles) && reserve(&tree->corners);
-    if (done)
-        tree->corners.count = tree->triangle_count * TREE_CORNER_WORDS;
-    for (uint32_t i = 0; i < TREE_PART_COUNT && done; i++)
-        lay_part(tree, i, &parts[i], &drafts[i]);
-    if (done && media_words(tree))
-        done = lay_media(tree, parts[TREE_OBJECTS].model);
     return done;
 }
 
@@ -514,33 +434,39 @@ static bool is_too_large(const struct model *model)
     return count > TREE_TRIANGLES_MAX || model->object_count > TREE_SHELLS_MAX;
 }
 
-enum status tree_init(struct tree *tree, const struct model *model,
-                      const struct tree_inclusions *inclusions, uint32_t threads)
+/* Builds and lays out the trees. Returns false when out of memory. */
+static bool build(struct tree *tree, const struct tree_params *params)
+{
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    struct tree_work work = { .threads = params->threads ? params->threads
+                                         : cores > 0     ? (uint32_t)cores
+                                                         : 1 };
+    struct tree_part parts[TREE_PART_COUNT] = { 0 };
+    struct tree_shape shapes[TREE_PART_COUNT] = { 0 };
+    bool done = tree_parts_init(parts, params, params->rest != NULL) &&
+                shape_parts(shapes, parts, params, &work) && make(tree, parts, shapes);
+    if (done && params->rest && !params->rest->is_known)
+        done = keep_shapes(params->rest, shapes);
+    tree->is_closed = done && tree_part_is_closed(&parts[TREE_OBJECTS]);
+    tree->built = work.built;
+    tree->shared = work.shared;
+    tree->fitted = work.fitted;
+    for (int i = 0; i < TREE_PART_COUNT; i++)
+        tree_shape_finish(&shapes[i]);
+    tree_parts_finish(parts);
+    return done;
+}
+
+enum status tree_init(struct tree *tree, const struct tree_params *params)
 {
     const double start = clock_ms();
-    struct part parts[TREE_PART_COUNT] = {
-        [TREE_OBJECTS] = { .model = model, .mesh = &model->object, .is_object = true },
-        [TREE_SURROUNDINGS] = { .model = model, .mesh = &model->surroundings },
-        [TREE_MOVERS] = { .model = model, .mesh = &model->surroundings },
-        [TREE_INCLUSIONS] = { .model = model,
-                              .mesh = inclusions ? inclusions->cracks : NULL,
-                              .bubbles = inclusions ? inclusions->bubbles : NULL,
-                              .is_inclusion = true },
-    };
-    struct tree_draft drafts[TREE_PART_COUNT] = { 0 };
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    const struct model *model = params->model;
     *tree = (struct tree){ .shells = model->object_count ? model->object_count : 1 };
     if (is_too_large(model)) {
         *tree = (struct tree){ 0 };
         return STATUS_DATA;
     }
-    const bool done =
-        make(tree, parts, drafts, threads ? threads : (uint32_t)(cores > 0 ? cores : 1));
-    for (int i = 0; i < TREE_PART_COUNT; i++) {
-        free(parts[i].triangles);
-        finish_draft(&drafts[i]);
-    }
-    if (!done) {
+    if (!build(tree, params)) {
         tree_finish(tree);
         return log_out_of_memory("the scene's triangles");
     }
@@ -552,9 +478,54 @@ enum status tree_init(struct tree *tree, const struct model *model,
         tree_finish(tree);
         return STATUS_DATA;
     }
-    tree->is_closed = is_closed(&parts[TREE_OBJECTS]);
     tree->ms = clock_ms() - start;
     return STATUS_OK;
+}
+
+struct tree_rest *tree_rest_create(void)
+{
+    struct tree_rest *rest = calloc(1, sizeof(*rest));
+    if (rest)
+        rest->shapes = calloc(TREE_PART_COUNT, sizeof(*rest->shapes));
+    if (rest && !rest->shapes) {
+        free(rest);
+        return NULL;
+    }
+    return rest;
+}
+
+void tree_rest_take(struct tree_rest *rest, struct model *model, struct mesh_order *sorted)
+{
+    if (rest->is_known)
+        return;
+    rest->is_known = true;
+    rest->sorted = *sorted;
+    rest->model = (struct model){
+        .object = model->object,
+        .surroundings = model->surroundings,
+        .objects = model->objects,
+        .object_count = model->object_count,
+        .opaque_starts = model->opaque_starts,
+        .opaque_count = model->opaque_count,
+    };
+    model->object = (struct mesh){ 0 };
+    model->surroundings = (struct mesh){ 0 };
+    model->objects = NULL;
+    model->object_count = 0;
+    model->opaque_starts = NULL;
+    *sorted = (struct mesh_order){ 0 };
+}
+
+void tree_rest_destroy(struct tree_rest *rest)
+{
+    if (!rest)
+        return;
+    for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
+        tree_shape_finish(&rest->shapes[i]);
+    model_finish(&rest->model);
+    free(rest->sorted.all);
+    free(rest->shapes);
+    free(rest);
 }
 
 void tree_finish(struct tree *tree)

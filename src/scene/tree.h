@@ -1,10 +1,11 @@
 /*
  * tree.h: a scene's triangles in trees of boxes, in the layout that shaders read.
  *
- * Binary trees by the surface area heuristic (Wald 2007, On fast Construction of SAH-based Bounding
- * Volume Hierarchies), one for each part of the scene that moves as a whole. Everything lies in
- * words of four 32-bit numbers (shaders/tree.h). The same scene gives the same words for any number
- * of threads.
+ * Binary trees by the surface area heuristic (Wald 2007, On fast Construction of SAH-based
+ * Bounding Volume Hierarchies), one for each part of the scene that moves as a whole; of a model
+ * that has poses, it has the trees of all objects below one of their boxes. Everything lies in
+ * words of four 32-bit numbers (shaders/tree.h). The same scene gives the same words for any
+ * number of threads.
  *
  * Ownership:     a tree owns its words; tree_finish() frees them; a {0} tree is fine, and empty.
  * Thread-safety: several threads may call tree_meet() at the same time.
@@ -33,22 +34,50 @@ struct tree {
     uint32_t depth;                  /* most nodes on a way from a root; at most TREE_DEPTH_MAX */
     bool is_closed; /* each side of a triangle of the objects is that of another one, reversed */
     double ms;      /* time that tree_init() took */
+    uint32_t built, shared,
+        fitted; /* trees of objects: built by tree_init(); those of alike objects
+                                       that it built; kept from the model at rest */
 };
 
-/* What is in the ice; borrowed, both may be NULL. */
-struct tree_inclusions {
-    const struct mesh *cracks;
-    const struct bubbles *bubbles;
+struct tree_shape;
+
+/*
+ * What the poses of a model have in common: the model at rest, and the shapes of its objects'
+ * trees. In a pose a tree keeps its shape, and its boxes are fitted to the triangles; so the words
+ * of a pose do not depend on the poses before. Objects that are alike share a shape. Objects that
+ * are not moved, turned or scaled evenly, but deformed, get a new tree once theirs costs rays half
+ * as much again as at rest.
+ */
+struct tree_rest {
+    struct model model;        /* its meshes, objects and opaque_starts alone */
+    struct mesh_order sorted;  /* of its surroundings */
+    bool is_known;             /* false: the first tree_init() has the model at rest itself */
+    struct tree_shape *shapes; /* of the parts; found by the first tree_init() */
+};
+
+struct tree_rest *tree_rest_create(void); /* NULL: out of memory */
+void tree_rest_destroy(struct tree_rest *rest);
+
+/* Takes the model at rest, unless it is known: its meshes, objects and opaque_starts, which *model
+ * then lacks, and *sorted. */
+void tree_rest_take(struct tree_rest *rest, struct model *model, struct mesh_order *sorted);
+
+/* All is borrowed, and what is not the model may be NULL or 0. */
+struct tree_params {
+    const struct model *model;     /* its objects have ranks */
+    struct mesh_order sorted;      /* of its surroundings */
+    const struct mesh *cracks;     /* in the ice */
+    const struct bubbles *bubbles; /* in the ice */
+    struct tree_rest *rest;        /* of a model that has poses; NULL: one tree for all objects */
+    uint32_t threads;              /* at most; 0: one for each core */
 };
 
 /*
- * Builds the trees of a model whose objects have ranks. `threads` is a limit; 0 means one for each
- * core. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA for more than
- * TREE_TRIANGLES_MAX triangles, TREE_SHELLS_MAX
- * objects, or TREE_MEDIA_MAX materials of them; *tree is then {0}.
+ * Builds the trees of a model. Logs and returns STATUS_TRY_AGAIN when out of memory, or
+ * STATUS_DATA for more than TREE_TRIANGLES_MAX triangles, TREE_SHELLS_MAX objects, or
+ * TREE_MEDIA_MAX materials of them; *tree is then {0}.
  */
-MUST_USE enum status tree_init(struct tree *tree, const struct model *model,
-                               const struct tree_inclusions *inclusions, uint32_t threads);
+MUST_USE enum status tree_init(struct tree *tree, const struct tree_params *params);
 
 void tree_finish(struct tree *tree);
 

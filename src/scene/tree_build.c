@@ -128,27 +128,32 @@ static uint32_t part(struct tree_draft *draft, const struct tree_node *node,
     return i - node->first;
 }
 
-/* Whether halves of so many triangles have leaves within the depth that is left. */
-static bool has_room(uint32_t count, uint32_t left)
+uint32_t tree_levels(uint32_t count, uint32_t leaf_max)
 {
     uint32_t needed = 0;
-    while (count > TREE_LEAF_MAX) {
+    while (count > leaf_max) {
         count = (count + 1) / 2;
         needed++;
     }
-    return needed + 1 < left;
+    return needed;
+}
+
+/* Whether halves of so many triangles have leaves within the depth that is left. */
+static bool has_room(const struct tree_draft *draft, uint32_t count, uint32_t left)
+{
+    return tree_levels(count, draft->leaf_max) + 1 < left;
 }
 
 /* Parts a node's triangles; returns how many the first child has, 0: it is a leaf. */
 static uint32_t split(struct tree_draft *draft, const struct tree_node *node, uint32_t left)
 {
     struct bins bins;
-    const bool may_end = node->count <= TREE_LEAF_MAX;
+    const bool may_end = node->count <= draft->leaf_max;
     const float area = area_of(&node->box);
     struct cut cut = { may_end ? ((float)node->count - NODE_COST) * area : FLT_MAX, -1, 0 };
     if (node->count < 2)
         return 0;
-    if (has_room(node->count, left)) {
+    if (has_room(draft, node->count, left)) {
         fill_bins(&bins, draft, node);
         for (int axis = 0; axis < 3; axis++) {
             if (bins.scale[axis] > 0.0f)
@@ -174,7 +179,7 @@ static void *grow(void *user)
     struct tree_draft *draft = branch->draft;
     struct tree_node *node = &draft->nodes[branch->at];
     pthread_t thread;
-    *node = (struct tree_node){ nowhere(), branch->first, branch->count, 0 };
+    *node = (struct tree_node){ nowhere(), branch->first, branch->count, { 0, 0 } };
     for (uint32_t i = node->first; i < node->first + node->count; i++)
         enclose(&node->box, &draft->boxes[draft->order[i]]);
     const uint32_t count = split(draft, node, branch->left);
@@ -182,9 +187,12 @@ static void *grow(void *user)
         return NULL;
     const uint32_t rest = node->count - count;
     const uint32_t forks = branch->forks ? branch->forks - 1 : 0;
-    node->second = branch->at + 2 * count;
-    struct branch a = { draft, branch->at + 1, node->first, count, branch->left - 1, forks };
-    struct branch b = { draft, node->second, node->first + count, rest, branch->left - 1, forks };
+    node->children[0] = branch->at + 1;
+    node->children[1] = branch->at + 2 * count;
+    struct branch a = { draft, node->children[0], node->first, count, branch->left - 1, forks };
+    struct branch b = {
+        draft, node->children[1], node->first + count, rest, branch->left - 1, forks
+    };
     const bool is_beside = branch->forks && count >= PARALLEL_MIN && rest >= PARALLEL_MIN &&
                            !pthread_create(&thread, NULL, grow, &a);
     (void)grow(&b);
@@ -195,10 +203,39 @@ static void *grow(void *user)
     return NULL;
 }
 
-void tree_build(struct tree_draft *draft, uint32_t threads)
+void tree_build(struct tree_draft *draft, const struct tree_range *range, uint32_t left,
+                uint32_t threads)
 {
     /* Halves are rarely equal, so there are more of them than threads. */
     const uint32_t forks = threads < 2 ? 0 : threads < 4 ? 3 : 5;
-    struct branch all = { draft, 0, 0, draft->count, TREE_DEPTH_MAX, forks };
+    struct branch all = { draft, range->root, range->first, range->count, left, forks };
     (void)grow(&all);
+}
+
+void tree_refit(struct tree_draft *draft, uint32_t at)
+{
+    struct tree_node *node = &draft->nodes[at];
+    node->box = nowhere();
+    for (uint32_t i = 0; !node->children[0] && i < node->count; i++)
+        enclose(&node->box, &draft->boxes[draft->order[node->first + i]]);
+    for (uint32_t i = 0; node->children[0] && i < 2; i++) {
+        tree_refit(draft, node->children[i]);
+        enclose(&node->box, &draft->nodes[node->children[i]].box);
+    }
+}
+
+static double sum_cost(const struct tree_draft *draft, uint32_t at)
+{
+    const struct tree_node *node = &draft->nodes[at];
+    const double area = (double)area_of(&node->box);
+    if (!node->children[0])
+        return area * (double)node->count;
+    return area * (double)NODE_COST + sum_cost(draft, node->children[0]) +
+           sum_cost(draft, node->children[1]);
+}
+
+double tree_cost(const struct tree_draft *draft, uint32_t at)
+{
+    const double area = (double)area_of(&draft->nodes[at].box);
+    return area > 0.0 ? sum_cost(draft, at) / area : 0.0;
 }

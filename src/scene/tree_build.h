@@ -1,4 +1,4 @@
-/* tree_build.h: how tree.c finds the boxes of a tree, before their layout. */
+/* tree_build.h: how trees of triangles find their boxes, before their layout. */
 #ifndef FIRN_SCENE_TREE_BUILD_H
 #define FIRN_SCENE_TREE_BUILD_H
 
@@ -13,22 +13,39 @@ struct tree_box {
     float low[3], high[3];
 };
 
-/* A node of n triangles is followed by those of its first child, whose place is the next one, and
- * of its second: 2 n - 1 places are enough for all of them. */
 struct tree_node {
     struct tree_box box;
     uint32_t first, count; /* triangles in `order` */
-    uint32_t second;       /* place of the second child; 0: a leaf */
+    uint32_t children[2];  /* places; 0: a leaf */
 };
 
 struct tree_draft {
-    struct tree_box *boxes;  /* of the triangles */
-    uint32_t *order;         /* triangles, in the order of the leaves */
-    struct tree_node *nodes; /* the first one is the root */
-    uint32_t count;          /* triangles */
+    struct tree_box *boxes; /* of the triangles */
+    uint32_t *order;        /* triangles, in the order of the leaves */
+    struct tree_node
+        *nodes;        /* those of n triangles take at most 2 n - 1 places from their root on */
+    uint32_t leaf_max; /* triangles of a leaf */
 };
 
-/* Fills nodes and order, whose content may be any order. */
-void tree_build(struct tree_draft *draft, uint32_t threads);
+/* Triangles in `order` that have a tree of their own, and the place of its root. */
+struct tree_range {
+    uint32_t first, count; /* not 0 */
+    uint32_t root;
+};
+
+/* Returns how many nodes a way has to a leaf if each node halves its triangles. */
+uint32_t tree_levels(uint32_t count, uint32_t leaf_max);
+
+/* Fills the nodes and the order of a range, which may be any; ways have at most `left` nodes, which
+ * are more than tree_levels(). */
+void tree_build(struct tree_draft *draft, const struct tree_range *range, uint32_t left,
+                uint32_t threads);
+
+/* Fits the boxes of the nodes at a place and below to those of the triangles. */
+void tree_refit(struct tree_draft *draft, uint32_t at);
+
+/* Returns the cost of a ray through the nodes at a place and below, in tests of triangles, if it
+ * meets the first box (surface area heuristic). */
+double tree_cost(const struct tree_draft *draft, uint32_t at);
 
 #endif

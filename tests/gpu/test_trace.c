@@ -189,7 +189,8 @@ static void rays_meet_the_same(void **state)
         struct model model = { 0 };
         struct tree tree;
         assert_true(generators[g](&model.object, 3000));
-        assert_int_equal(tree_init(&tree, &model, NULL, 2), STATUS_OK);
+        assert_int_equal(tree_init(&tree, &(struct tree_params){ .model = &model, .threads = 2 }),
+                         STATUS_OK);
         compare(*state, &tree, false);
         if (tree.is_closed)
             compare(*state, &tree, true);

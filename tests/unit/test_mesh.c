@@ -206,11 +206,11 @@ static void test_sort_by_distance(void **state)
         mesh.vertices[i].position.raw[i % 2] = distances[i / 3] + more;
         mesh.indices[i] = i;
     }
-    assert_true(mesh_sort_by_distance(&mesh, from));
+    assert_true(mesh_sort_by_distance(&mesh, from, NULL));
     for (uint32_t i = 0; i < 3 * COUNT; i++)
         assert_int_equal(mesh.indices[i], 3 * order[i / 3] + i % 3);
     mesh_finish(&mesh);
-    assert_true(mesh_sort_by_distance(&mesh, from));
+    assert_true(mesh_sort_by_distance(&mesh, from, NULL));
 }
 
 int main(void)

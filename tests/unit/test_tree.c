@@ -2,6 +2,7 @@
 #include <cglm/struct.h>
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "src/scene/generate/generate.h"
@@ -57,7 +58,8 @@ static void compare(const struct model *model, const struct mesh *mesh, uint32_t
 {
     struct tree tree;
     uint32_t seed = 1, met = 0;
-    assert_int_equal(tree_init(&tree, model, NULL, 2), STATUS_OK);
+    assert_int_equal(tree_init(&tree, &(struct tree_params){ .model = model, .threads = 2 }),
+                     STATUS_OK);
     for (int i = 0; i < 2000; i++) {
         const vec3s origin = pick_point(&seed, i % 3 ? 3.0f : 0.7f);
         const vec3s to = pick_point(&seed, 1.0f);
@@ -102,8 +104,10 @@ static void test_threads(void **state)
     struct model model = { 0 };
     struct tree one, many;
     assert_true(generate_teapot(&model.object, 60000));
-    assert_int_equal(tree_init(&one, &model, NULL, 1), STATUS_OK);
-    assert_int_equal(tree_init(&many, &model, NULL, 8), STATUS_OK);
+    assert_int_equal(tree_init(&one, &(struct tree_params){ .model = &model, .threads = 1 }),
+                     STATUS_OK);
+    assert_int_equal(tree_init(&many, &(struct tree_params){ .model = &model, .threads = 8 }),
+                     STATUS_OK);
     assert_true(one.triangle_count > 50000);
     assert_int_equal(one.nodes.count, many.nodes.count);
     assert_memory_equal(one.nodes.all, many.nodes.all, one.nodes.count * sizeof(*one.nodes.all));
@@ -133,7 +137,8 @@ static void test_depth(void **state)
             model.object.vertices[i].position =
                 (vec3s){ { size * (float)(i % 3 == 1), size * (float)(i % 3 == 2), size } };
         }
-        assert_int_equal(tree_init(&tree, &model, NULL, 2), STATUS_OK);
+        assert_int_equal(tree_init(&tree, &(struct tree_params){ .model = &model, .threads = 2 }),
+                         STATUS_OK);
         assert_true(tree.depth > 5 && tree.depth <= TREE_DEPTH_MAX);
         const struct tree_ray ray = {
             { { 0.0f, 0.0f, 5.0f } }, { { 0.0f, 0.0f, -1.0f } }, 0.0, TREE_NOTHING
@@ -169,7 +174,8 @@ static void test_shells(void **state)
     }
     model.objects = objects;
     model.object_count = 3;
-    assert_int_equal(tree_init(&tree, &model, NULL, 2), STATUS_OK);
+    assert_int_equal(tree_init(&tree, &(struct tree_params){ .model = &model, .threads = 2 }),
+                     STATUS_OK);
     assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.01f, 0.02f, 0.0f } }).words[0], 3);
     assert_int_equal(tree_immerse(&tree, (vec3s){ { 0.7f, 0.02f, 0.0f } }).words[0], 1);
     assert_int_equal(tree_immerse(&tree, (vec3s){ { 4.0f, -0.7f, 0.0f } }).words[0], 4);
@@ -206,7 +212,8 @@ static void test_many_shells(void **state)
     }
     model.objects = objects;
     model.materials = materials;
-    assert_int_equal(tree_init(&tree, &model, NULL, 2), STATUS_OK);
+    assert_int_equal(tree_init(&tree, &(struct tree_params){ .model = &model, .threads = 2 }),
+                     STATUS_OK);
     for (uint32_t i = 0; i < COUNT; i++)
         assert_int_equal(tree_medium(&tree, i + 1), i % 3 + 1);
     assert_int_equal(tree_medium(&tree, 0), 0);
@@ -227,6 +234,154 @@ static void test_many_shells(void **state)
     mesh_finish(&model.object);
 }
 
+/* ---- poses ---- */
+
+enum {
+    MOVING = 50,
+    TRIANGLES = 100, /* of each */
+};
+
+/* Fifty cubes of ice, turned and in other places at each time; a cube beyond `kept` is broken into
+ * triangles that are strewn about. */
+static void pose(struct model *model, float time, uint32_t kept)
+{
+    uint32_t seed = 7;
+    *model = (struct model){ .object_count = MOVING };
+    model->objects = calloc(MOVING, sizeof(*model->objects));
+    assert_non_null(model->objects);
+    for (uint32_t i = 0; i < MOVING; i++) {
+        struct mesh cube = { 0 };
+        assert_true(generate_ice_cube(&cube, TRIANGLES));
+        const vec3s axis = glms_vec3_normalize(pick_point(&seed, 1.0f));
+        const mat4s turn = glms_rotate(glms_mat4_identity(), time * (float)(i + 1), axis);
+        const vec3s place = { { 4.0f * (float)i, time, 0.1f * time * (float)(i % 3) } };
+        for (uint32_t v = 0; v < cube.vertex_count; v++) {
+            vec3s *p = &cube.vertices[v].position;
+            *p = i < kept ? *p : pick_point(&seed, 1.0f);
+            *p = glms_vec3_add(glms_mat4_mulv3(turn, *p, 1.0f), place);
+        }
+        model->objects[i] = (struct object){ .first_index = model->object.index_count,
+                                             .index_count = cube.index_count,
+                                             .rank = i + 1 };
+        assert_true(mesh_append(&model->object, &cube));
+        mesh_finish(&cube);
+    }
+}
+
+/* Begins what poses have in common, as a scene does. */
+static struct tree_rest *begin(void)
+{
+    struct tree_rest *rest = tree_rest_create();
+    assert_non_null(rest);
+    pose(&rest->model, 0.0f, MOVING);
+    rest->is_known = true;
+    return rest;
+}
+
+static struct tree grow(const struct model *model, struct tree_rest *rest)
+{
+    struct tree tree;
+    const struct tree_params params = { .model = model, .rest = rest, .threads = 1 };
+    assert_int_equal(tree_init(&tree, &params), STATUS_OK);
+    assert_int_equal(tree.built + tree.shared + tree.fitted > 0, 1);
+    return tree;
+}
+
+static void check_same(const struct tree_words *a, const struct tree_words *b)
+{
+    assert_int_equal(a->count, b->count);
+    assert_memory_equal(a->all, b->all, a->count * sizeof(*a->all));
+}
+
+static void check_same_trees(const struct tree *a, const struct tree *b)
+{
+    check_same(&a->nodes, &b->nodes);
+    check_same(&a->triangles, &b->triangles);
+    check_same(&a->corners, &b->corners);
+}
+
+static void check_rays(const struct tree *tree, const struct mesh *mesh)
+{
+    uint32_t seed = 3, met = 0;
+    for (int i = 0; i < 200; i++) {
+        const float x = 4.0f * (float)(i % MOVING);
+        const vec3s origin = { { x + pick(&seed), 20.0f, pick(&seed) } };
+        const struct tree_ray ray = { origin, { { 0.0f, -1.0f, 0.0f } }, 0.0, TREE_NOTHING };
+        const double expected = meet_all(mesh, origin, ray.dir);
+        struct tree_hit hit;
+        assert_int_equal(tree_meet(tree, TREE_OBJECTS, &ray, &hit), expected < DBL_MAX);
+        if (expected < DBL_MAX)
+            CHECK_NEAR(hit.t, expected, 1e-4);
+        met += expected < DBL_MAX;
+    }
+    assert_true(met > 50);
+}
+
+/* A tree is built for one cube, and none for those that are moved; one pose after others, or alone,
+ * has the same words. */
+static void test_poses(void **state)
+{
+    (void)state;
+    struct tree_rest *rest = tree_rest_create(), *other = begin();
+    struct model model;
+    struct tree before, tree, fresh;
+    pose(&model, 0.0f, MOVING);
+    before = grow(&model, rest);
+    assert_int_equal(before.built, 1);
+    assert_int_equal(before.shared, MOVING - 1);
+    rest->model = model;
+    rest->is_known = true;
+    for (int i = 1; i < 4; i++) {
+        pose(&model, (float)i, MOVING);
+        tree = grow(&model, rest);
+        assert_int_equal(tree.built, 0);
+        assert_int_equal(tree.fitted, MOVING);
+        assert_true(tree.depth <= TREE_DEPTH_MAX);
+        check_rays(&tree, &model.object);
+        if (i == 3) {
+            fresh = grow(&model, other);
+            assert_int_equal(fresh.built, 1);
+            check_same_trees(&tree, &fresh);
+            tree_finish(&fresh);
+        }
+        tree_finish(&tree);
+        model_finish(&model);
+    }
+    pose(&model, 0.0f, MOVING);
+    tree = grow(&model, rest); /* back at rest */
+    check_same_trees(&tree, &before);
+    tree_finish(&tree);
+    tree_finish(&before);
+    model_finish(&model);
+    tree_rest_destroy(rest);
+    tree_rest_destroy(other);
+}
+
+/* Trees of objects that fall apart are built anew. */
+static void test_deformed(void **state)
+{
+    (void)state;
+    struct tree_rest *rest = begin(), *other = begin();
+    struct model model;
+    struct tree tree, fresh;
+    pose(&model, 1.0f, MOVING);
+    tree = grow(&model, rest);
+    tree_finish(&tree);
+    model_finish(&model);
+    pose(&model, 2.0f, MOVING - 3);
+    tree = grow(&model, rest);
+    assert_int_equal(tree.built, 3);
+    assert_int_equal(tree.fitted, MOVING - 3);
+    check_rays(&tree, &model.object);
+    fresh = grow(&model, other);
+    check_same_trees(&tree, &fresh);
+    tree_finish(&fresh);
+    tree_finish(&tree);
+    model_finish(&model);
+    tree_rest_destroy(rest);
+    tree_rest_destroy(other);
+}
+
 static void test_nothing(void **state)
 {
     (void)state;
@@ -234,7 +389,8 @@ static void test_nothing(void **state)
     const struct tree_ray ray = { .dir = { { 0.0f, 0.0f, 1.0f } }, .from = TREE_NOTHING };
     struct tree tree;
     struct tree_hit hit;
-    assert_int_equal(tree_init(&tree, &model, NULL, 1), STATUS_OK);
+    assert_int_equal(tree_init(&tree, &(struct tree_params){ .model = &model, .threads = 1 }),
+                     STATUS_OK);
     for (uint32_t part = 0; part < TREE_PART_COUNT; part++)
         assert_false(tree_meet(&tree, part, &ray, &hit));
     assert_int_equal(tree_immerse(&tree, ray.origin).words[0], 0);
@@ -248,6 +404,7 @@ int main(void)
         cmocka_unit_test(test_hits),        cmocka_unit_test(test_threads),
         cmocka_unit_test(test_depth),       cmocka_unit_test(test_shells),
         cmocka_unit_test(test_many_shells), cmocka_unit_test(test_nothing),
+        cmocka_unit_test(test_poses),       cmocka_unit_test(test_deformed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

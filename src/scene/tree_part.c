@@ -1,0 +1,160 @@
+/* tree_part.c: which triangles a tree has. */
+#include "src/scene/tree_part.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static uint32_t triangle_count(const struct tree_part *part)
+{
+    return part->mesh ? part->mesh->index_count / 3 : 0;
+}
+
+const struct bubble *tree_bubble(const struct tree_part *part, uint32_t triangle)
+{
+    const uint32_t count = triangle_count(part);
+    return triangle < count || !part->bubbles ? NULL : &part->bubbles->all[triangle - count];
+}
+
+const struct mesh_vertex *tree_corner(const struct tree_part *part, uint32_t triangle, uint32_t k)
+{
+    return &part->mesh->vertices[part->mesh->indices[(size_t)triangle * 3 + k]];
+}
+
+struct tree_box tree_box_of(const struct tree_part *part, uint32_t triangle)
+{
+    struct tree_box box;
+    const struct bubble *bubble = tree_bubble(part, triangle);
+    const struct box around = bubble ? bubble_box(bubble) : (struct box){ 0 };
+    for (int k = 0; k < 3 && bubble; k++) {
+        const float room = 1e-4f * (around.max.raw[k] - around.min.raw[k]);
+        box.low[k] = around.min.raw[k] - room;
+        box.high[k] = around.max.raw[k] + room;
+    }
+    for (int k = 0; k < 3 && !bubble; k++) {
+        const float a = tree_corner(part, triangle, 0)->position.raw[k];
+        const float b = tree_corner(part, triangle, 1)->position.raw[k];
+        const float c = tree_corner(part, triangle, 2)->position.raw[k];
+        box.low[k] = fminf(a, fminf(b, c));
+        box.high[k] = fmaxf(a, fmaxf(b, c));
+    }
+    return box;
+}
+
+/* ---- lists ---- */
+
+/* Returns the places of the mesh's triangles in the order of the file, or NULL. */
+static uint32_t *find_places(const struct tree_part *part, const struct mesh_order *sorted)
+{
+    const uint32_t count = triangle_count(part) + (part->bubbles ? part->bubbles->count : 0);
+    uint32_t *places = calloc(count + (size_t)1, sizeof(*places));
+    for (uint32_t i = 0; places && i < count; i++)
+        places[i] = i;
+    for (uint32_t i = 0; places && sorted && i < sorted->count; i++)
+        places[sorted->all[i]] = i;
+    return places;
+}
+
+/* Returns a number of the object that a triangle is of. */
+static uint32_t owner_of(const struct tree_part *part, uint32_t triangle)
+{
+    const struct model *model = part->model;
+    if (part->is_inclusion)
+        return 0;
+    if (!part->is_object)
+        return model_opaque_find(model, part->mesh->indices[(size_t)triangle * 3]);
+    if (!model->object_count)
+        return 0;
+    return (uint32_t)(object_of_index(model->objects, model->object_count, triangle * 3) -
+                      model->objects);
+}
+
+/* Begins a group where the object changes. */
+static bool list_groups(struct tree_part *part, bool by_objects)
+{
+    uint32_t last = 0;
+    part->firsts = malloc((part->count + (size_t)2) * sizeof(*part->firsts));
+    for (uint32_t i = 0; part->firsts && i < part->count; i++) {
+        const uint32_t owner = by_objects ? owner_of(part, part->triangles[i]) : 0;
+        if (i == 0 || owner != last)
+            part->firsts[part->group_count++] = i;
+        last = owner;
+    }
+    if (part->firsts)
+        part->firsts[part->group_count] = part->count;
+    return part->firsts;
+}
+
+static bool list(struct tree_part *part, const struct mesh_order *sorted, bool moves)
+{
+    const uint32_t count = triangle_count(part) + (part->bubbles ? part->bubbles->count : 0);
+    part->triangles = find_places(part, sorted);
+    for (uint32_t i = 0; part->triangles && i < count; i++) {
+        const uint32_t at = part->triangles[i];
+        const bool is_mover = !part->is_object && !part->is_inclusion &&
+                              tree_corner(part, at, 0)->material & MESH_MOVES;
+        if (is_mover == moves)
+            part->triangles[part->count++] = at;
+    }
+    return part->triangles;
+}
+
+bool tree_parts_init(struct tree_part parts[static TREE_PART_COUNT],
+                     const struct tree_params *params, bool by_objects)
+{
+    const struct model *model = params->model;
+    const struct tree_part all[TREE_PART_COUNT] = {
+        [TREE_OBJECTS] = { .model = model, .mesh = &model->object, .is_object = true },
+        [TREE_SURROUNDINGS] = { .model = model, .mesh = &model->surroundings },
+        [TREE_MOVERS] = { .model = model, .mesh = &model->surroundings },
+        [TREE_INCLUSIONS] = { .model = model,
+                              .mesh = params->cracks,
+                              .bubbles = params->bubbles,
+                              .is_inclusion = true },
+    };
+    bool done = true;
+    memcpy(parts, all, sizeof(all));
+    for (uint32_t i = 0; i < TREE_PART_COUNT && done; i++) {
+        const bool is_around = i == TREE_SURROUNDINGS || i == TREE_MOVERS;
+        done = list(&parts[i], is_around ? &params->sorted : NULL, i == TREE_MOVERS) &&
+               list_groups(&parts[i], by_objects);
+    }
+    return done;
+}
+
+void tree_parts_finish(struct tree_part parts[static TREE_PART_COUNT])
+{
+    for (int i = 0; i < TREE_PART_COUNT; i++) {
+        free(parts[i].triangles);
+        free(parts[i].firsts);
+    }
+}
+
+/* ---- closed shells ---- */
+
+/* Returns a number for a directed side of a triangle; -0 and 0 are the same place. */
+static uint64_t side_number(const float *a, const float *b)
+{
+    uint64_t hash = 0x9e3779b97f4a7c15u;
+    for (int k = 0; k < 6; k++) {
+        const float x = (k < 3 ? a[k] : b[k - 3]) + 0.0f;
+        uint32_t bits;
+        memcpy(&bits, &x, sizeof(bits));
+        hash = (hash ^ bits) * 0xff51afd7ed558ccdu;
+        hash ^= hash >> 29;
+    }
+    return hash * 0xc4ceb9fe1a85ec53u ^ hash >> 32;
+}
+
+/* Sides that meet their like, reversed, cancel each other. */
+bool tree_part_is_closed(const struct tree_part *part)
+{
+    uint64_t sum = 0;
+    for (uint32_t i = 0; i < triangle_count(part); i++) {
+        for (uint32_t k = 0; k < 3; k++) {
+            const float *a = tree_corner(part, i, k)->position.raw;
+            const float *b = tree_corner(part, i, (k + 1) % 3)->position.raw;
+            sum += side_number(a, b) - side_number(b, a);
+        }
+    }
+    return sum == 0;
+}

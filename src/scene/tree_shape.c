@@ -1,0 +1,376 @@
+/* tree_shape.c: trees of groups of triangles, made, shared, and kept from pose to pose. */
+#include "src/scene/tree_shape.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    LEVELS_FREE = 4, /* that the tree of groups may have beyond those it needs */
+    KNOWN_MAX = 64,  /* groups of as many triangles with which a group is compared */
+};
+
+/* ---- groups that are alike ---- */
+
+/* Three corners of a group, far from each other, and the lengths to see what was moved. */
+struct anchor {
+    uint32_t corners[3];
+    double length;
+};
+
+/* The axes of three points: a is along the first one. */
+struct frame {
+    double origin[3], axes[3][3], length;
+    bool is_flat; /* they are on a line */
+};
+
+static const float *place_of(const struct tree_part *part, uint32_t first, uint32_t corner)
+{
+    const uint32_t triangle = part->triangles[first + corner / 3];
+    return tree_corner(part, triangle, corner % 3)->position.raw;
+}
+
+static void cross(const double *a, const double *b, double *to)
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void between(const float *a, const float *b, double *to)
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = (double)b[k] - (double)a[k];
+}
+
+/* Returns the length of v, and makes it 1. */
+static double normalise(double *v)
+{
+    const double length = sqrt(dot(v, v));
+    for (int k = 0; k < 3 && length > 0.0; k++)
+        v[k] /= length;
+    return length;
+}
+
+/* Finds a corner far from the first one, and one far from the line through both. */
+static struct anchor find_anchor(const struct tree_part *part, uint32_t first, uint32_t count)
+{
+    struct anchor anchor = { { 0 }, 0.0 };
+    const float *origin = place_of(part, first, 0);
+    double along[3] = { 0 }, most = 0.0;
+    for (uint32_t i = 0; i < 3 * count; i++) {
+        double v[3];
+        between(origin, place_of(part, first, i), v);
+        if (dot(v, v) > anchor.length) {
+            anchor.length = dot(v, v);
+            anchor.corners[1] = i;
+            memcpy(along, v, sizeof(along));
+        }
+    }
+    for (uint32_t i = 0; i < 3 * count; i++) {
+        double v[3], aside[3];
+        between(origin, place_of(part, first, i), v);
+        cross(along, v, aside);
+        if (dot(aside, aside) > most) {
+            most = dot(aside, aside);
+            anchor.corners[2] = i;
+        }
+    }
+    return anchor;
+}
+
+static struct frame frame_of(const struct tree_part *part, uint32_t first,
+                             const struct anchor *anchor)
+{
+    struct frame frame;
+    double aside[3];
+    const float *origin = place_of(part, first, anchor->corners[0]);
+    for (int k = 0; k < 3; k++)
+        frame.origin[k] = (double)origin[k];
+    between(origin, place_of(part, first, anchor->corners[1]), frame.axes[0]);
+    between(origin, place_of(part, first, anchor->corners[2]), aside);
+    frame.length = normalise(frame.axes[0]);
+    cross(frame.axes[0], aside, frame.axes[2]);
+    frame.is_flat = !(normalise(frame.axes[2]) > 1e-6 * frame.length);
+    cross(frame.axes[2], frame.axes[0], frame.axes[1]);
+    return frame;
+}
+
+/* Triangles of a part, in the order of the file. */
+struct group {
+    const struct tree_part *part;
+    uint32_t first, count;
+};
+
+/* Whether a group is another one, moved, turned and scaled evenly: to the rounding of files. */
+static bool is_alike(const struct group *known, const struct anchor *anchor,
+                     const struct group *group)
+{
+    const struct frame a = frame_of(known->part, known->first, anchor);
+    const struct frame b = frame_of(group->part, group->first, anchor);
+    if (a.is_flat || b.is_flat || known->count != group->count)
+        return false;
+    for (uint32_t i = 0; i < 3 * group->count; i++) {
+        const float *from = place_of(known->part, known->first, i);
+        const float *to = place_of(group->part, group->first, i);
+        double v[3], room = 1e-4 * b.length, error = 0.0;
+        for (int k = 0; k < 3; k++)
+            v[k] = (double)from[k] - a.origin[k];
+        for (int k = 0; k < 3; k++) {
+            double moved = b.origin[k];
+            for (int axis = 0; axis < 3; axis++)
+                moved += dot(v, a.axes[axis]) * b.length / a.length * b.axes[axis][k];
+            error = fmax(error, fabs(moved - (double)to[k]));
+            room = fmax(room, 1e-6 * fabs((double)to[k]));
+        }
+        if (!(error <= room))
+            return false;
+    }
+    return true;
+}
+
+/* ---- arrays ---- */
+
+static bool allocate(struct tree_shape *shape, const struct tree_part *part, uint32_t group_count,
+                     uint32_t places)
+{
+    *shape = (struct tree_shape){
+        .draft = { .boxes = malloc((part->count + (size_t)1) * sizeof(*shape->draft.boxes)),
+                   .order = malloc((part->count + (size_t)1) * sizeof(*shape->draft.order)),
+                   .nodes = malloc((places + (size_t)1) * sizeof(*shape->draft.nodes)),
+                   .leaf_max = TREE_LEAF_MAX },
+        .groups = malloc((group_count + (size_t)1) * sizeof(*shape->groups)),
+        .count = part->count,
+        .group_count = group_count,
+    };
+    if (!shape->draft.boxes || !shape->draft.order || !shape->draft.nodes || !shape->groups)
+        return false;
+    for (uint32_t i = 0; i < part->count; i++) {
+        shape->draft.boxes[i] = tree_box_of(part, part->triangles[i]);
+        shape->draft.order[i] = i;
+    }
+    return true;
+}
+
+static void free_boxes(struct tree_shape *shape)
+{
+    free(shape->draft.boxes);
+    shape->draft.boxes = NULL;
+}
+
+void tree_shape_finish(struct tree_shape *shape)
+{
+    free_boxes(shape);
+    free(shape->draft.order);
+    free(shape->draft.nodes);
+    free(shape->groups);
+    *shape = (struct tree_shape){ 0 };
+}
+
+/* Copies the nodes at a place and below, for triangles that are `shift` farther, to the next
+ * places. */
+static uint32_t copy_nodes(struct tree_node *to, uint32_t *next, const struct tree_node *from,
+                           uint32_t at, uint32_t shift)
+{
+    const uint32_t place = (*next)++;
+    to[place] = from[at];
+    to[place].first += shift;
+    for (int i = 0; i < 2 && from[at].children[0]; i++)
+        to[place].children[i] = copy_nodes(to, next, from, from[at].children[i], shift);
+    return place;
+}
+
+/* ---- the tree of groups ---- */
+
+/* Makes nodes above those of the groups. */
+static bool join(struct tree_shape *shape)
+{
+    const uint32_t count = shape->group_count;
+    struct tree_draft top = {
+        .boxes = malloc((count + (size_t)1) * sizeof(*top.boxes)),
+        .order = malloc((count + (size_t)1) * sizeof(*top.order)),
+        .nodes = malloc((2 * (size_t)count + 1) * sizeof(*top.nodes)),
+        .leaf_max = 1,
+    };
+    const bool done = top.boxes && top.order && top.nodes;
+    for (uint32_t i = 0; i < count && done; i++) {
+        top.boxes[i] = shape->draft.nodes[shape->groups[i].root].box;
+        top.order[i] = i;
+    }
+    const struct tree_range all = { 0, count, 0 };
+    if (done && count > 1)
+        tree_build(&top, &all, TREE_DEPTH_MAX - shape->depth, 1);
+    for (uint32_t i = 0; i < 2 * count - 1 && done && count > 1; i++) {
+        struct tree_node *node = &shape->draft.nodes[shape->node_count + i];
+        *node = top.nodes[i];
+        for (int k = 0; k < 2 && node->children[0]; k++) {
+            const struct tree_node *child = &top.nodes[node->children[k]];
+            node->children[k] = child->children[0] ? shape->node_count + node->children[k]
+                                                   : shape->groups[top.order[child->first]].root;
+        }
+    }
+    shape->root = count > 1 ? shape->node_count : count ? shape->groups[0].root : 0;
+    shape->node_count += count > 1 ? 2 * count - 1 : 0;
+    free(top.boxes);
+    free(top.order);
+    free(top.nodes);
+    return done;
+}
+
+/* Decides which groups have trees of their own: none if the way to a triangle would be too long. */
+static uint32_t decide_depth(const struct tree_part *part, uint32_t *group_count)
+{
+    const uint32_t above =
+        part->group_count > 1 ? tree_levels(part->group_count, 1) + LEVELS_FREE : 0;
+    bool fits = above < TREE_DEPTH_MAX;
+    for (uint32_t i = 0; i < part->group_count && fits; i++) {
+        const uint32_t count = part->firsts[i + 1] - part->firsts[i];
+        fits = tree_levels(count, TREE_LEAF_MAX) + 1 < TREE_DEPTH_MAX - above;
+    }
+    *group_count = fits ? part->group_count : 1;
+    return fits ? TREE_DEPTH_MAX - above : TREE_DEPTH_MAX;
+}
+
+/* ---- at rest ---- */
+
+/* Groups whose trees were built, to be shared by those that are alike. */
+struct known {
+    uint32_t groups[KNOWN_MAX];
+    struct anchor anchors[KNOWN_MAX];
+    uint32_t count;
+};
+
+/* Gives a group the tree of one that is alike, if there is any. */
+static bool share(struct tree_shape *shape, const struct tree_part *part, const struct known *known,
+                  struct tree_range *range)
+{
+    const uint32_t end = known->count < KNOWN_MAX ? known->count : KNOWN_MAX;
+    const struct group group = { part, range->first, range->count };
+    for (uint32_t i = 0; i < end; i++) {
+        const struct tree_range *other = &shape->groups[known->groups[i]];
+        const struct group model = { part, other->first, other->count };
+        if (other->count != range->count || !is_alike(&model, &known->anchors[i], &group))
+            continue;
+        const uint32_t shift = range->first - other->first;
+        uint32_t next = range->root;
+        (void)copy_nodes(shape->draft.nodes, &next, shape->draft.nodes, other->root, shift);
+        for (uint32_t k = 0; k < range->count; k++)
+            shape->draft.order[range->first + k] = shape->draft.order[other->first + k] + shift;
+        tree_refit(&shape->draft, range->root);
+        return true;
+    }
+    return false;
+}
+
+/* Makes the trees of all groups. */
+static void make_groups(struct tree_shape *shape, const struct tree_part *part,
+                        struct tree_work *work)
+{
+    struct known known = { .count = 0 };
+    for (uint32_t i = 0; i < shape->group_count; i++) {
+        struct tree_range *range = &shape->groups[i];
+        const bool is_one = shape->group_count == 1;
+        const uint32_t first = is_one ? 0 : part->firsts[i];
+        const uint32_t end = is_one ? part->count : part->firsts[i + 1];
+        *range = (struct tree_range){ first, end - first, 2 * first + 1 };
+        if (share(shape, part, &known, range)) {
+            work->shared++;
+            continue;
+        }
+        tree_build(&shape->draft, range, shape->depth, work->threads);
+        work->built++;
+        if (is_one)
+            continue;
+        const uint32_t slot = known.count++ % KNOWN_MAX;
+        known.groups[slot] = i;
+        known.anchors[slot] = find_anchor(part, range->first, range->count);
+    }
+}
+
+bool tree_shape_make(struct tree_shape *shape, const struct tree_part *part, struct tree_work *work)
+{
+    uint32_t group_count;
+    const uint32_t depth = decide_depth(part, &group_count);
+    group_count = part->count ? group_count : 0;
+    if (!allocate(shape, part, group_count, 2 * part->count + 1 + 2 * group_count))
+        return false;
+    shape->depth = depth;
+    shape->node_count = 2 * part->count + 1;
+    make_groups(shape, part, work);
+    const bool done = join(shape);
+    free_boxes(shape);
+    return done;
+}
+
+bool tree_shape_pack(struct tree_shape *shape)
+{
+    uint32_t next = 1;
+    struct tree_node *nodes = malloc((shape->node_count + (size_t)1) * sizeof(*nodes));
+    if (!nodes)
+        return false;
+    for (uint32_t i = 0; i < shape->group_count; i++) {
+        struct tree_range *range = &shape->groups[i];
+        range->root = copy_nodes(nodes, &next, shape->draft.nodes, range->root, 0);
+    }
+    free(shape->draft.nodes);
+    shape->node_count = next;
+    shape->draft.nodes = realloc(nodes, next * sizeof(*nodes));
+    shape->draft.nodes = shape->draft.nodes ? shape->draft.nodes : nodes;
+    return true;
+}
+
+/* ---- poses ---- */
+
+static bool has_groups_of(const struct tree_part *part, const struct tree_part *rest)
+{
+    return part->count == rest->count && part->group_count == rest->group_count &&
+           !memcmp(part->firsts, rest->firsts, (part->group_count + (size_t)1) * sizeof(uint32_t));
+}
+
+/* Whether the tree of a group at rest is not good for what the group has become. */
+static bool is_worn(const struct tree_shape *shape, const struct tree_part *part,
+                    const struct tree_shape *rest, const struct tree_part *rest_part,
+                    uint32_t index)
+{
+    const struct tree_range *range = &rest->groups[index];
+    const double before = tree_cost(&rest->draft, range->root);
+    if (!(tree_cost(&shape->draft, shape->groups[index].root) > TREE_GROWTH_MAX * before))
+        return false;
+    const struct group known = { rest_part, range->first, range->count };
+    const struct group group = { part, range->first, range->count };
+    const struct anchor anchor = find_anchor(rest_part, range->first, range->count);
+    return !is_alike(&known, &anchor, &group);
+}
+
+bool tree_shape_pose(struct tree_shape *shape, const struct tree_part *part,
+                     const struct tree_shape *rest, const struct tree_part *rest_part,
+                     struct tree_work *work)
+{
+    const uint32_t group_count = rest->group_count;
+    if (!has_groups_of(part, rest_part))
+        return tree_shape_make(shape, part, work);
+    if (!allocate(shape, part, group_count, rest->node_count + 2 * (part->count + group_count)))
+        return false;
+    shape->depth = rest->depth;
+    shape->node_count = rest->node_count + 2 * part->count;
+    memcpy(shape->draft.order, rest->draft.order, part->count * sizeof(*rest->draft.order));
+    memcpy(shape->draft.nodes, rest->draft.nodes, rest->node_count * sizeof(*rest->draft.nodes));
+    memcpy(shape->groups, rest->groups, group_count * sizeof(*rest->groups));
+    for (uint32_t i = 0; i < group_count; i++) {
+        struct tree_range *range = &shape->groups[i];
+        tree_refit(&shape->draft, range->root);
+        if (!is_worn(shape, part, rest, rest_part, i)) {
+            work->fitted++;
+            continue;
+        }
+        range->root = rest->node_count + 2 * range->first;
+        tree_build(&shape->draft, range, shape->depth, work->threads);
+        work->built++;
+    }
+    const bool done = join(shape);
+    free_boxes(shape);
+    return done;
+}
