@@ -12,7 +12,6 @@
 
 struct overlay_push {
     vec2s clip_from_pixel; /* scale; the top left pixel's corner is (-1, -1) */
-    uint32_t encodes;      /* see present_push */
 };
 
 #endif

@@ -85,7 +85,7 @@ MUST_USE enum status renderer_bake(const struct renderer_params *params, float t
                                    struct image *image);
 
 /*
- * For renderers with params.refines.
+ * For renderers with params.refines; the first one also for those with params.scales.
  *
  * renderer_set_view() makes the next pictures smaller, at most as large as params say; it makes no
  * memory and no pipelines, but renderer_picture() is another image. renderer_refine() draws a

@@ -24,14 +24,15 @@ struct renderer_params {
     bool interleaved;       /* tiles are interleaved: see renderer_shot */
     uint32_t samples;       /* per pixel; 0 means 1 */
     enum pixel_filter filter;
-    uint32_t layers; /* bit i: techniques_layer(i), if the settings switch it on */
-    bool linear;     /* return the beauty in render_result.image */
-    bool display;    /* return the tonemapped picture in render_result.rgba */
-    bool keep;       /* keep the tonemapped last sample on the device: renderer_picture() */
-    bool refines;    /* with keep: renderer_refine() and renderer_set_view() may be called */
-    bool measured;   /* renderer_measure() may be called */
-    bool warm_up;    /* compile shaders on several cores: warm_up.h */
-    enum rg_sharing sharing;       /* which transient images may share memory */
+    uint32_t layers;         /* bit i: techniques_layer(i), if the settings switch it on */
+    bool linear;             /* return the beauty in render_result.image */
+    bool display;            /* return the tonemapped picture in render_result.rgba */
+    bool keep;               /* keep the tonemapped last sample on the device: renderer_picture() */
+    bool scales;             /* with keep: renderer_set_view() may be called */
+    bool refines;            /* the same, and renderer_refine() */
+    bool measured;           /* renderer_measure() may be called */
+    bool warm_up;            /* compile shaders on several cores: warm_up.h */
+    enum rg_sharing sharing; /* which transient images may share memory */
     rg_replace_shader_fn *replace; /* passed on in rg_exec_params, with replace_user */
     void *replace_user;
 };

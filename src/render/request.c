@@ -63,6 +63,7 @@ bool renderer_is_wide(const struct renderer_params *params)
 struct frame_request renderer_picture_request(const struct renderer_params *params)
 {
     const bool many = params->samples > 1 || params->refines;
+    const bool scales = params->scales || params->refines;
     const struct tiling tiling = renderer_tiling(params);
     struct frame_request request = {
         .choice = choose(params, TECHNIQUE_PICTURE),
@@ -70,8 +71,7 @@ struct frame_request renderer_picture_request(const struct renderer_params *para
         .face_size = params->face_size,
         .view = { params->width, params->height },
         .layers = params->layers,
-        .max_view =
-            params->refines ? (VkExtent2D){ params->width, params->height } : (VkExtent2D){ 0 },
+        .max_view = scales ? (VkExtent2D){ params->width, params->height } : (VkExtent2D){ 0 },
         .beauty = params->linear || params->refines || (params->display && many),
         .display = params->display && !many,
         .keep_display = params->keep,

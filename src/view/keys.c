@@ -273,6 +273,12 @@ static const struct {
         .label = "false colours",
         .help = "show the picture or layer in false colours, or as it is",
     },
+    [VIEW_QUICK] = {
+        .characters = "mM",
+        .name = "M",
+        .label = "movements as drafts, or in full",
+        .help = "draw movements as drafts, which is faster, or with all that the picture has",
+    },
     [VIEW_FULLSCREEN] = {
         .keys = { GLFW_KEY_F11 },
         .characters = "fF",

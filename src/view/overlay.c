@@ -87,7 +87,6 @@ static void record_parts(struct rg_cmd *cmd, const struct rg_frame *frame)
     const VkExtent2D extent = rg_cmd_extent(cmd);
     const struct overlay_push push = {
         .clip_from_pixel = { { 2.0f / (float)extent.width, 2.0f / (float)extent.height } },
-        .encodes = frame->window->present.encodes,
     };
     const struct rg_mesh mesh = {
         .vertices = rg_cmd_buffer(cmd, &overlay_vertices),

@@ -57,8 +57,10 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
 
 static void forget_renderers(struct picture *p)
 {
+    quick_finish(&p->quick);
     renderer_destroy(p->renderer);
     renderer_destroy(p->right);
+    p->shows_quick = false;
     p->renderer = NULL;
     p->right = NULL;
 }
@@ -183,7 +185,8 @@ bool picture_is_outgrown(struct picture *p)
 static void forget_right(struct picture *p)
 {
     renderer_destroy(p->right);
-    p->right = NULL;
+    renderer_destroy(p->quick.right);
+    p->right = p->quick.right = NULL;
 }
 
 /* On failure there are none. */
@@ -204,7 +207,7 @@ static enum status fit_renderers(struct picture *p)
     }
     p->is_wide = are_wide(p);
     p->version++;
-    p->shows_mean = false;
+    p->shows_mean = p->shows_quick = false;
     p->view = (VkExtent2D){ p->state.width, p->state.height };
     return STATUS_OK;
 }
@@ -283,13 +286,42 @@ enum status picture_draw(struct picture *p, const struct renderer_shot *shot)
     return status;
 }
 
+static struct quick_params quick_params(struct picture *p)
+{
+    return (struct quick_params){
+        .left = picture_params(p),
+        .right = picture_right_params(p),
+        .is_split = p->state.split != NULL,
+        .version = p->version,
+    };
+}
+
+bool picture_wants_quick(const struct picture *p)
+{
+    const struct quick *q = &p->quick;
+    return !q->left && !q->is_off && !q->failed && p->refines && p->renderer &&
+           !p->scene.model.animation;
+}
+
+enum status picture_make_quick(struct picture *p, const struct renderer_shot *shot)
+{
+    const struct quick_params params = quick_params(p);
+    return quick_make(&p->quick, &params, shot);
+}
+
 enum status picture_draw_part(struct picture *p, const struct renderer_shot *shot, VkExtent2D view)
 {
-    enum status status = renderer_set_view(p->renderer, view);
-    if (status == STATUS_OK && p->right)
-        status = renderer_set_view(p->right, view);
+    const struct quick_params params = quick_params(p);
+    enum status status = p->quick.is_off ? STATUS_OK : quick_follow(&p->quick, &params);
     p->view = view;
     p->shows_mean = false;
+    p->shows_quick = p->quick.left && !p->quick.is_off;
+    if (status == STATUS_OK && p->shows_quick)
+        return quick_draw(&p->quick, shot, view);
+    if (status == STATUS_OK)
+        status = renderer_set_view(p->renderer, view);
+    if (status == STATUS_OK && p->right)
+        status = renderer_set_view(p->right, view);
     return status == STATUS_OK ? picture_draw(p, shot) : status;
 }
 
@@ -307,6 +339,7 @@ enum status picture_resolve(struct picture *p, uint32_t sample_count)
     if (status == STATUS_OK && p->right)
         status = renderer_resolve(p->right, sample_count);
     p->shows_mean = true;
+    p->shows_quick = false;
     p->view = (VkExtent2D){ p->state.width, p->state.height };
     return status;
 }
@@ -328,9 +361,16 @@ static double passes_of(const struct renderer *renderer)
     return (double)end * 1e-9;
 }
 
+const struct renderer *picture_renderer(const struct picture *p, bool right)
+{
+    if (p->shows_quick)
+        return right ? p->quick.right : p->quick.left;
+    return right ? p->right : p->renderer;
+}
+
 double picture_passes(const struct picture *p)
 {
-    return passes_of(p->renderer) + passes_of(p->right);
+    return passes_of(picture_renderer(p, false)) + passes_of(picture_renderer(p, true));
 }
 
 static VkImage image_of(const struct picture *p, const struct renderer *renderer)
@@ -342,14 +382,15 @@ VkImage picture_right(const struct picture *p)
 {
     if (p->instead)
         return p->instead;
-    return p->shows_still && p->still ? p->still : image_of(p, p->right ? p->right : p->renderer);
+    const bool right = picture_renderer(p, true);
+    return p->shows_still && p->still ? p->still : image_of(p, picture_renderer(p, right));
 }
 
 VkImage picture_left(const struct picture *p)
 {
     if (p->flipped)
         return picture_right(p);
-    return p->instead ? p->instead : image_of(p, p->renderer);
+    return p->instead ? p->instead : image_of(p, picture_renderer(p, false));
 }
 
 VkExtent2D picture_right_extent(const struct picture *p)
@@ -428,6 +469,7 @@ static enum status replace(struct picture **picture, const struct app_picture *s
         next->has_right_settings = (*picture)->has_right_settings;
         next->right_settings = (*picture)->right_settings;
         next->shows_still = (*picture)->shows_still;
+        next->quick.is_off = (*picture)->quick.is_off;
         next->flipped = (*picture)->flipped;
     }
     if (status == STATUS_OK && drawn)

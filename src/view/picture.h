@@ -14,6 +14,7 @@
 #include "src/app/app.h"
 #include "src/render/renderer.h"
 #include "src/render/uploaded_scene.h"
+#include "src/view/quick.h"
 
 /* A scene, and that on the device. */
 struct picture_scene {
@@ -34,6 +35,8 @@ struct picture {
     struct camera first_camera; /* where it was */
     struct renderer *renderer;  /* NULL until picture_resize() */
     struct renderer *right;     /* of state.split; NULL without */
+    struct quick quick;         /* for movements */
+    bool shows_quick;           /* picture_left() and picture_right() are those of `quick` */
     bool has_right_settings;    /* else they are those on the left: */
     struct settings right_settings;
     struct picture_scene *right_scene; /* that those shape; NULL: the one on the left */
@@ -116,12 +119,21 @@ MUST_USE enum status picture_pose(struct picture *picture, float time);
 MUST_USE enum status picture_draw(struct picture *picture, const struct renderer_shot *shot);
 MUST_USE enum status picture_wait(struct picture *picture);
 
-/* The same of what renderer.h has for renderers that refine; picture_draw() draws in `view`. */
+/* Draws one that moves, in a size up to its own: by what is quick, if there is such a thing. */
 MUST_USE enum status picture_draw_part(struct picture *picture, const struct renderer_shot *shot,
                                        VkExtent2D view);
+
+/* Whether that is still to be made, and makes it: quick_make(). */
+bool picture_wants_quick(const struct picture *picture);
+MUST_USE enum status picture_make_quick(struct picture *picture, const struct renderer_shot *shot);
+
+/* What renderer.h has for renderers that refine. */
 MUST_USE enum status picture_refine(struct picture *picture, const struct renderer_shot *shot,
                                     uint32_t sample);
 MUST_USE enum status picture_resolve(struct picture *picture, uint32_t sample_count);
+
+/* The renderers of what is shown; right: NULL without one. */
+const struct renderer *picture_renderer(const struct picture *picture, bool right);
 
 double picture_passes(const struct picture *picture); /* of the last frame that ended, seconds */
 VkImage picture_left(const struct picture *picture);

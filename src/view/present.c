@@ -7,8 +7,8 @@
 #include "src/tech/frame.h"
 #include "src/tech/tonemap.h"
 
-static rg_record_fn record_screen, record_right;
-static rg_when_fn is_split;
+static rg_record_fn record_surround, record_left, record_right;
+static rg_when_fn is_exact, is_scaled, is_split, is_split_scaled;
 
 const struct rg_image present_window = {
     .name = "present.window",
@@ -20,47 +20,109 @@ const struct rg_image present_right = {
     .format = VK_FORMAT_R8G8B8A8_UNORM,
 };
 
+#define PICTURE(picture) \
+    RG_USES({ .image = &(picture), \
+              .access = RG_SAMPLED, \
+              .binding = PRESENT_PICTURE, \
+              .sampler = &frame_linear })
+
 static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
     {
-        .name = "present.screen",
+        .name = "present.surround",
         .color = RG_TARGETS({ &present_window, RG_LOAD_DISCARD }),
-        .uses = RG_USES({ .image = &frame_display,
-                          .access = RG_SAMPLED,
-                          .binding = PRESENT_PICTURE,
-                          .sampler = &frame_linear }),
-        .vert = &present_vert,
+        .vert = &screen_vert,
+        .frag = &present_surround_frag,
+        .push_size = sizeof(struct present_push),
+        .record = record_surround,
+    },
+    {
+        .name = "present.screen",
+        .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
+        .uses = PICTURE(frame_display),
+        .vert = &screen_vert,
         .frag = &present_frag,
         .push_size = sizeof(struct present_push),
-        .record = record_screen,
+        .record = record_left,
+        .when = is_exact,
+    },
+    {
+        .name = "present.scaled",
+        .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
+        .uses = PICTURE(frame_display),
+        .vert = &screen_vert,
+        .frag = &present_scaled_frag,
+        .push_size = sizeof(struct present_push),
+        .record = record_left,
+        .when = is_scaled,
     },
     {
         .name = "present.split",
         .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
-        .uses = RG_USES({ .image = &present_right,
-                          .access = RG_SAMPLED,
-                          .binding = PRESENT_PICTURE,
-                          .sampler = &frame_linear }),
-        .vert = &present_vert,
+        .uses = PICTURE(present_right),
+        .vert = &screen_vert,
         .frag = &present_frag,
         .push_size = sizeof(struct present_push),
         .record = record_right,
         .when = is_split,
     },
+    {
+        .name = "present.split_scaled",
+        .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
+        .uses = PICTURE(present_right),
+        .vert = &screen_vert,
+        .frag = &present_scaled_frag,
+        .push_size = sizeof(struct present_push),
+        .record = record_right,
+        .when = is_split_scaled,
+    },
 };
 
-static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
+static bool has_line(const struct rg_frame *frame)
 {
-    struct present_push push = frame->window->present;
-    push.line = PRESENT_NO_LINE;
-    push.left = -1.0f;
+    return frame->window->present.line != PRESENT_NO_LINE;
+}
+
+static void fill(struct rg_cmd *cmd, VkRect2D place, uint32_t color)
+{
+    const struct present_push push = { .surround = color };
+    if (!place.extent.width || !place.extent.height)
+        return;
+    rg_cmd_scissor(cmd, place);
     rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw(cmd, 3);
 }
 
-static bool is_split(const struct rg_frame *frame, uint32_t repetition)
+/* All that the picture does not cover. */
+static void record_surround(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    (void)repetition;
-    return frame->window->present.line != PRESENT_NO_LINE;
+    const struct window_frame *w = frame->window;
+    const struct layout *l = &w->layout;
+    const VkExtent2D room = l->picture.extent;
+    fill(cmd, l->bar, w->panel);
+    fill(cmd, l->panel, w->panel);
+    fill(cmd, l->strip, w->panel);
+    fill(cmd, l->status, w->panel);
+    if (room.width != w->present.width || room.height != w->present.height)
+        fill(cmd, l->picture, w->present.surround);
+}
+
+/* Draws columns of the shown picture. */
+static void record(struct rg_cmd *cmd, const struct present_push *push, uint32_t from, uint32_t to)
+{
+    if (from >= to)
+        return;
+    rg_cmd_scissor(cmd, (VkRect2D){ { (int32_t)(push->x + from), (int32_t)push->y },
+                                    { to - from, push->height } });
+    rg_cmd_push(cmd, push, sizeof(*push));
+    rg_cmd_draw(cmd, 3);
+}
+
+static void record_left(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    struct present_push push = frame->window->present;
+    const uint32_t to = push.line < push.width ? push.line : push.width;
+    push.line = PRESENT_NO_LINE;
+    record(cmd, &push, 0, to);
 }
 
 static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -68,9 +130,36 @@ static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
     struct present_push push = frame->window->present;
     push.texel_columns = frame->window->right_columns;
     push.texel_rows = frame->window->right_rows;
-    push.left = 2.0f * (float)(push.x + push.line) / (float)rg_cmd_extent(cmd).width - 1.0f;
-    rg_cmd_push(cmd, &push, sizeof(push));
-    rg_cmd_draw(cmd, 3);
+    record(cmd, &push, push.line, push.width);
+}
+
+static bool has_size(const struct rg_frame *frame, uint32_t columns, uint32_t rows)
+{
+    return frame->window->present.width == columns && frame->window->present.height == rows;
+}
+
+static bool is_exact(const struct rg_frame *frame, uint32_t repetition)
+{
+    const struct present_push *p = &frame->window->present;
+    (void)repetition;
+    return has_size(frame, p->texel_columns, p->texel_rows);
+}
+
+static bool is_scaled(const struct rg_frame *frame, uint32_t repetition)
+{
+    return !is_exact(frame, repetition);
+}
+
+static bool is_split(const struct rg_frame *frame, uint32_t repetition)
+{
+    const struct window_frame *w = frame->window;
+    (void)repetition;
+    return has_line(frame) && has_size(frame, w->right_columns, w->right_rows);
+}
+
+static bool is_split_scaled(const struct rg_frame *frame, uint32_t repetition)
+{
+    return has_line(frame) && !is_split(frame, repetition);
 }
 
 const struct technique present = {
@@ -90,6 +179,7 @@ struct present_push present_fit(VkRect2D view, VkExtent2D picture, double divide
     push.y = (uint32_t)view.offset.y + (room.height - push.height) / 2;
     push.texel_columns = picture.width;
     push.texel_rows = picture.height;
+    push.part = (vec2s){ { 1.0f / (float)push.width, 1.0f / (float)push.height } };
     if (divider >= 0.0)
         push.line = (uint32_t)(divider * push.width + 0.5);
     return push;

@@ -11,18 +11,21 @@
 #define FIRN_VIEW_PRESENT_H
 #include "shaders/present.h"
 #include "src/tech/technique.h"
+#include "src/view/layout.h"
 
 struct overlay_list;
 
 /* What the techniques of a window read: rg_frame.window. */
 struct window_frame {
-    struct present_push present;        /* but for the edge, which each pass has its own */
+    struct present_push present;
+    struct layout layout;               /* what `present.surround` and `panel` are behind */
+    uint32_t panel;                     /* colour behind panels, 0xRRGGBB, sRGB-encoded */
     const struct overlay_list *overlay; /* src/view/overlay_list.h; NULL: nothing lies over it */
     uint32_t right_columns, right_rows; /* of the right picture, texels */
 };
 
 enum {
-    PRESENT_PASS_COUNT = 2,
+    PRESENT_PASS_COUNT = 5,
 };
 
 /* Points into itself: must not move. */

@@ -136,8 +136,12 @@ static enum status realise(struct screen *s, const struct screen_picture *pictur
         },
         [IMPORT_FONT] = { .image = s->font ? s->font->image : VK_NULL_HANDLE },
     };
+    const uint32_t encodes = s->swapchain.encodes;
+    const VkSpecializationMapEntry entry = { PRESENT_ENCODES, 0, sizeof(encodes) };
+    const VkSpecializationInfo constants = { 1, &entry, sizeof(encodes), &encodes };
     VkResult result;
     struct rg_exec_params params = screen_exec_params(s->gpu, plan);
+    params.constants = &constants;
     params.frames_in_flight = GPU_SWAPCHAIN_SLOT_COUNT;
     params.imports = objects;
     params.import_count = import_count(s);
@@ -210,17 +214,12 @@ enum status screen_begin(struct screen *s, bool *ready)
     return status;
 }
 
-enum status screen_end(struct screen *s, const struct present_push *shown,
-                       const struct overlay_list *list)
+enum status screen_end(struct screen *s, const struct window_frame *shown)
 {
     const struct gpu_swapchain *chain = &s->swapchain;
-    struct window_frame window = {
-        .present = *shown,
-        .overlay = list,
-        .right_columns = s->shown.right_extent.width,
-        .right_rows = s->shown.right_extent.height,
-    };
-    window.present.encodes = chain->encodes;
+    struct window_frame window = *shown;
+    window.right_columns = s->shown.right_extent.width;
+    window.right_rows = s->shown.right_extent.height;
     const struct rg_frame frame = { .window = &window };
     const struct rg_exec_external_sync sync = {
         .image_index = s->index,

@@ -64,11 +64,9 @@ void screen_disconnect(struct screen *screen);
 /* *ready is false if there is no image: fit it and begin again. */
 MUST_USE enum status screen_begin(struct screen *screen, bool *ready);
 
-/* `shown`: where, and as in present_fit(). `list`, with
- * the screen's buffers overlay_vertices and overlay_indices, is what lies over the picture; NULL:
- * nothing. */
-MUST_USE enum status screen_end(struct screen *screen, const struct present_push *shown,
-                                const struct overlay_list *list);
+/* `overlay` of the frame, with the screen's buffers overlay_vertices and overlay_indices, is what
+ * lies over the picture; its right_columns and right_rows are the screen's. */
+MUST_USE enum status screen_end(struct screen *screen, const struct window_frame *shown);
 
 /* Until no frame reads the picture any more. */
 MUST_USE enum status screen_wait(struct screen *screen);

@@ -306,6 +306,16 @@ static enum status draw_picture(struct view *v)
     return v->picture->refines ? view_refine_draw(v, &shot) : picture_draw(v->picture, &shot);
 }
 
+struct window_frame view_window(const struct view *v, const struct overlay_list *list)
+{
+    return (struct window_frame){
+        .present = v->place,
+        .layout = v->layout,
+        .panel = theme_at(v->theme)->panel,
+        .overlay = list,
+    };
+}
+
 /* The picture, and what lies over it. */
 static enum status draw(struct view *v, bool *ready)
 {
@@ -330,9 +340,8 @@ static enum status draw(struct view *v, bool *ready)
     const bool divided = picture_is_split(p) && !p->flipped && !v->compare.differs;
     v->place = present_fit(v->layout.picture, picture_extent(p), divided ? p->divider : -1.0);
     v->place.surround = theme_at(v->theme)->surround;
-    if (status == STATUS_OK)
-        status = screen_end(&v->screen, &v->place, list);
-    return status;
+    const struct window_frame window = view_window(v, list);
+    return screen_end(&v->screen, &window);
 }
 
 /* What the options name was opened, too; a program's window keeps nothing. */
@@ -364,11 +373,11 @@ static void count_frame(struct view *v)
     struct rg_times times[3] = { rg_exec_times(v->screen.exec) };
     uint32_t count = 1;
     if (v->redrawn)
-        times[count++] = renderer_times(p->renderer);
-    if (v->redrawn && p->right)
-        times[count++] = renderer_times(p->right);
+        times[count++] = renderer_times(picture_renderer(p, false));
+    if (v->redrawn && picture_renderer(p, true))
+        times[count++] = renderer_times(picture_renderer(p, true));
     view_costs_frame(c, times, count, v->screen.waited);
-    if (p->refines && (v->redrawn || v->refine.shown == 1))
+    if (p->refines && (v->redrawn || v->refine.is_whole || v->refine.shown == 1))
         view_costs_picture(c, v->redrawn);
     if (v->redrawn && p->refines && c->last.frame > 0.0)
         moving_add(&v->refine.moving, c->last.frame - c->last.limit, picture_passes(p));

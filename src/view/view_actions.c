@@ -266,6 +266,11 @@ static void change_picture(struct view *v, enum view_action action)
         view_expose(v, action == VIEW_BRIGHTER ? key_stops : -key_stops);
     } else if (action == VIEW_UNDO || action == VIEW_REDO) {
         view_undo(v, action == VIEW_REDO);
+    } else if (action == VIEW_QUICK) {
+        struct quick *quick = &v->picture->quick;
+        quick->is_off = !quick->is_off;
+        ui_say(v->ui, quick->is_off ? "movements have all that the picture has"
+                                    : "movements are drawn as drafts");
     } else if (action == VIEW_FALSE_COLORS) {
         v->look_wanted.false_color = !v->look_wanted.false_color;
     }

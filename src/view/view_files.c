@@ -17,7 +17,8 @@ enum {
 static enum status shoot_all(struct view *v, const char *path)
 {
     struct render_result drawn = { 0 };
-    enum status status = ui_shot(&v->screen, v->picture, &v->place, v->ui, &drawn.rgba);
+    const struct window_frame window = view_window(v, NULL);
+    enum status status = ui_shot(&v->screen, v->picture, &window, v->ui, &drawn.rgba);
     if (status == STATUS_OK)
         status = picture_write_drawn(v->picture, v->shown, path, &drawn, v->screen.swapchain.extent,
                                      &v->stop);

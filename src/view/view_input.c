@@ -37,6 +37,8 @@ static void drag(struct view *v, const struct window_input *input)
         view_slide(v, input->divider);
     if (input->pressed || input->wheel != 0.0 || input->action_count)
         v->refine.at_once = false;
+    if (input->pressed)
+        v->refine.moved_at = clock_seconds(); /* no sample begins just before a movement */
     v->refine.at_once = v->refine.at_once || input->released;
     view_costs_hand(&v->costs, input->moved_at, input->released_at);
     v->dragged = v->dragged || has_moved(&input->turn);

@@ -81,6 +81,9 @@ void view_fail(struct view *view, const char *what); /* in the line below the pi
 void view_show_ui(struct view *view, bool shown);
 void view_lay_out(struct view *view, VkExtent2D size); /* of the window */
 
+/* What the window shows, with a list of what lies over the picture; NULL: nothing. */
+struct window_frame view_window(const struct view *view, const struct overlay_list *list);
+
 /* ---- view_actions.c: what actions do ---- */
 
 void view_act(struct view *view, enum view_action action);

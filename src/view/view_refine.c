@@ -4,9 +4,11 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/view/view_internal.h"
+#include "src/view/worker.h"
 
 static const double rest_seconds = 0.12; /* without a movement, until samples are drawn */
 static const double show_seconds = 0.25; /* between means, after the first few */
+static const double soon_seconds = 0.15; /* a first sample that takes longer has a forerunner */
 
 enum {
     FIRST_COUNT = 8, /* samples until then: 1, 2, 4 and 8 are shown */
@@ -66,7 +68,7 @@ double view_refine_wait(const struct view *v)
     if (!refines(v) || !r->has_seen || r->count >= r->goal)
         return -1.0;
     const double left = r->moved_at + rest_seconds - clock_seconds();
-    return r->count || r->at_once || left < 0.0 ? 0.0 : left;
+    return r->at_once || left < 0.0 ? 0.0 : left;
 }
 
 double view_refine_left(const struct view *v)
@@ -99,20 +101,59 @@ static enum status resolve(struct view *v)
     return status;
 }
 
-enum status view_refine_step(struct view *v, bool *drew)
+static struct renderer_shot shot_seen(const struct view *v)
+{
+    return (struct renderer_shot){ .camera = v->refine.seen.camera, .time = v->refine.seen.time };
+}
+
+static enum status make_quick(void *user)
+{
+    struct view *v = user;
+    const struct renderer_shot shot = shot_seen(v);
+    return picture_make_quick(v->picture, &shot);
+}
+
+/* A sample takes long: until there is one, what a movement has in full size is shown. */
+static enum status draw_whole(struct view *v)
+{
+    const struct renderer_shot shot = shot_seen(v);
+    const struct app_picture *p = &v->picture->state;
+    enum status status = screen_wait(&v->screen);
+    if (status == STATUS_OK)
+        status = picture_draw_part(v->picture, &shot, (VkExtent2D){ p->width, p->height });
+    v->refine.is_whole = v->changed = true;
+    return status;
+}
+
+/* What comes before samples of this picture, or of the movement after it. *drew: something did. */
+static enum status prepare(struct view *v, bool *drew)
 {
     struct view_refine *r = &v->refine;
-    const double wait = view_refine_wait(v);
-    *drew = wait >= 0.0 && !(wait > 0.0) && is_seen(v);
-    if (!*drew)
-        return STATUS_OK;
-    const double start = clock_seconds();
-    const struct renderer_shot shot = { .camera = r->seen.camera, .time = r->seen.time };
-    if (!r->count && picture_is_outgrown(v->picture)) {
+    struct picture *p = v->picture;
+    *drew = true;
+    const bool is_first = !(r->moved_at > 0.0);
+    if ((r->shown || is_first) && picture_wants_quick(p)) {
+        const enum status status = worker_run(&v->window, make_quick, v);
+        moving_begin(&r->moving, 4.0 * p->quick.seconds);
+        r->learned = p->version;
+        return status;
+    }
+    if (!r->count && picture_is_outgrown(p)) {
         screen_disconnect(&v->screen);
         v->changed = true; /* other renderers draw from the beginning */
-        return picture_remake(v->picture);
+        return picture_remake(p);
     }
+    if (!r->count && !r->is_whole && p->shows_quick && r->sample > soon_seconds)
+        return draw_whole(v);
+    *drew = false;
+    return STATUS_OK;
+}
+
+static enum status draw_sample(struct view *v)
+{
+    struct view_refine *r = &v->refine;
+    const double start = clock_seconds();
+    const struct renderer_shot shot = shot_seen(v);
     enum status status = r->count ? STATUS_OK : screen_wait(&v->screen);
     if (status == STATUS_OK)
         status = picture_refine(v->picture, &shot, r->count);
@@ -120,11 +161,27 @@ enum status view_refine_step(struct view *v, bool *drew)
         noise_add(&r->noise, renderer_sums(v->picture->renderer), r->count);
     r->begun_at = r->count ? r->begun_at : start;
     r->count++;
+    r->sample = clock_seconds() - start;
     if (status == STATUS_OK && is_to_be_shown(r))
         status = resolve(v);
-    moving_begin(&r->moving, picture_passes(v->picture));
+    if (r->learned != v->picture->version)
+        moving_begin(&r->moving, picture_passes(v->picture));
     view_costs_rest(&v->costs, start);
     return status;
+}
+
+enum status view_refine_step(struct view *v, bool *drew)
+{
+    const double wait = view_refine_wait(v);
+    const bool is_due = wait >= 0.0 && !(wait > 0.0);
+    *drew = false;
+    if (!refines(v) || !is_seen(v) || (wait > 0.0))
+        return STATUS_OK;
+    const enum status status = prepare(v, drew);
+    if (status != STATUS_OK || *drew || !is_due)
+        return status;
+    *drew = true;
+    return draw_sample(v);
 }
 
 enum status view_refine_draw(struct view *v, const struct renderer_shot *shot)
@@ -137,6 +194,7 @@ enum status view_refine_draw(struct view *v, const struct renderer_shot *shot)
         return r->count && has_other_exposure(v) ? resolve(v) : STATUS_OK;
     if (!r->moving.k)
         moving_begin(&r->moving, 0.0);
+    r->learned = v->picture->version;
     const bool first = !r->has_seen;
     const uint32_t k = first ? MOVING_MOST : r->moving.k;
     const VkExtent2D view = { moving_part(p->state.width, k), moving_part(p->state.height, k) };
@@ -147,6 +205,7 @@ enum status view_refine_draw(struct view *v, const struct renderer_shot *shot)
     r->seen = now;
     r->has_seen = true;
     r->count = r->shown = 0;
+    r->is_whole = false;
     r->moved_at = first ? 0.0 : clock_seconds();
     v->redrawn = true;
     return status;

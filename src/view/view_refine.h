@@ -30,11 +30,14 @@ struct view_refine {
     uint32_t count, goal; /* samples drawn; at rest: all */
     uint32_t shown;       /* samples of the picture that is shown; 0: of a movement */
     struct noise noise;   /* of the left picture */
+    bool is_whole;        /* a movement's last picture has been drawn in full size */
     double begun_at;      /* seconds; sample 0 */
-    double moved_at;      /* seconds; of the last picture of a movement */
+    double sample;        /* seconds that one takes */
+    double moved_at;      /* seconds; of the last picture of a movement, or a hand on the mouse */
     double shown_at;      /* seconds; of the last mean */
     bool at_once;         /* a hand has let go: nothing to wait for */
     struct moving moving;
+    uint64_t learned; /* version of the picture from whose movements `moving` is */
 };
 
 #endif

@@ -43,7 +43,6 @@ static void set_colors(const theme &t)
         { ImGuiCol_Text, t.text },
         { ImGuiCol_TextDisabled, t.dim },
         { ImGuiCol_WindowBg, t.panel },
-        { ImGuiCol_ChildBg, t.panel },
         { ImGuiCol_PopupBg, t.panel },
         { ImGuiCol_Border, t.border },
         { ImGuiCol_FrameBg, t.raised },

@@ -101,9 +101,9 @@ struct imgui_place {
 };
 
 enum imgui_panel {
-    IMGUI_DOCKED,   /* has room for all there is in it */
-    IMGUI_SCROLLED, /* docked, and scrolls */
-    IMGUI_OVER,     /* over all others, with a border; a line of text in it has the keys */
+    IMGUI_DOCKED, /* beside the picture; what is behind it is drawn by `present` */
+    IMGUI_LABEL,  /* over the picture */
+    IMGUI_OVER,   /* over all others, with a border; a line of text in it has the keys */
 };
 
 /* `place`: pixels. Nothing of it may show; end it all the same. */

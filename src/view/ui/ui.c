@@ -260,7 +260,7 @@ bool ui_hear(void *user, const struct window_event *event)
 
 /* ---- a frame ---- */
 
-static void add_times(struct ui_times *sums, struct renderer *renderer)
+static void add_times(struct ui_times *sums, const struct renderer *renderer)
 {
     if (!renderer)
         return;
@@ -271,8 +271,8 @@ static void add_times(struct ui_times *sums, struct renderer *renderer)
 static void measure(struct ui *ui, const struct ui_view *view)
 {
     ui_pace_add(&ui->pace, &view->pace);
-    add_times(&ui->frame_times, view->picture->renderer);
-    add_times(&ui->right_times, view->picture->right);
+    add_times(&ui->frame_times, picture_renderer(view->picture, false));
+    add_times(&ui->right_times, picture_renderer(view->picture, true));
     if (view->screen->exec) {
         const struct rg_times times = rg_exec_times(view->screen->exec);
         ui_times_add(&ui->window_times, view->screen->plan, &times);

@@ -258,8 +258,9 @@ static void times_tab(const struct ui *ui, const struct ui_view *view)
 static void plan_tab(const struct ui_view *view)
 {
     imgui_scroll_begin("plan");
-    if (view->picture->renderer)
-        ui_plan_panel(renderer_frame(view->picture->renderer));
+    const struct renderer *renderer = picture_renderer(view->picture, false);
+    if (renderer)
+        ui_plan_panel(renderer_frame(renderer));
     imgui_scroll_end();
 }
 
@@ -342,7 +343,7 @@ static void name_side(struct ui *ui, const struct ui_view *view, const char *nam
         width,
         height,
     };
-    imgui_panel_begin(ui->imgui, is_right ? "right" : "left", place, IMGUI_DOCKED);
+    imgui_panel_begin(ui->imgui, is_right ? "right" : "left", place, IMGUI_LABEL);
     imgui_text_cut(name, imgui_room());
     imgui_name(name);
     imgui_panel_end();

@@ -24,7 +24,7 @@ static const struct rg_buffer pixels = {
 struct shot {
     const struct screen *screen;
     const struct picture *picture;
-    const struct present_push *shown;
+    const struct window_frame *shown;
     struct present_tables present;
     struct overlay_tables overlay;
     struct rg_use uses[3];
@@ -63,7 +63,7 @@ static enum status compile(struct shot *s, const struct gpu_image *font,
         &s->overlay.technique,
         &s->readback,
     };
-    const VkExtent2D picture = { s->shown->texel_columns, s->shown->texel_rows };
+    const VkExtent2D picture = { s->shown->present.texel_columns, s->shown->present.texel_rows };
     const struct rg_import imports[IMPORT_COUNT] = {
         [IMPORT_PICTURE] = { .image = &frame_display, .access = RG_SAMPLED, .extent = picture },
         [IMPORT_RIGHT] = { .image = &present_right,
@@ -116,13 +116,11 @@ static enum status draw(struct shot *s, struct ui *ui, size_t size, uint8_t **rg
     enum status status = gpu_status(rg_exec_begin(s->exec, &slot));
     if (status != STATUS_OK)
         return status;
-    const struct window_frame window = {
-        .present = *s->shown,
-        .right_columns = picture_right_extent(s->picture).width,
-        .right_rows = picture_right_extent(s->picture).height,
-        .overlay = ui_take(ui, rg_exec_mapped(s->exec, &overlay_vertices, slot),
-                           rg_exec_mapped(s->exec, &overlay_indices, slot)),
-    };
+    struct window_frame window = *s->shown;
+    window.right_columns = picture_right_extent(s->picture).width;
+    window.right_rows = picture_right_extent(s->picture).height;
+    window.overlay = ui_take(ui, rg_exec_mapped(s->exec, &overlay_vertices, slot),
+                             rg_exec_mapped(s->exec, &overlay_indices, slot));
     const struct rg_frame frame = { .window = &window };
     status = gpu_status(rg_exec_submit(s->exec, &frame));
     if (status == STATUS_OK)
@@ -138,7 +136,7 @@ static enum status draw(struct shot *s, struct ui *ui, size_t size, uint8_t **rg
 }
 
 enum status ui_shot(const struct screen *screen, const struct picture *picture,
-                    const struct present_push *shown, struct ui *ui, uint8_t **rgba)
+                    const struct window_frame *shown, struct ui *ui, uint8_t **rgba)
 {
     const struct rg_vulkan vulkan = frame_exec_vulkan(screen->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);

@@ -9,6 +9,6 @@
 /* *rgba: malloc'd, of the screen's size; the caller frees it. The picture is what the screen shows.
  * Logs; *rgba is then NULL. */
 MUST_USE enum status ui_shot(const struct screen *screen, const struct picture *picture,
-                             const struct present_push *shown, struct ui *ui, uint8_t **rgba);
+                             const struct window_frame *shown, struct ui *ui, uint8_t **rgba);
 
 #endif

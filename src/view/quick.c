@@ -1,0 +1,158 @@
+/* quick.c: renderers for movements. */
+#include "src/view/quick.h"
+#include <string.h>
+#include "src/base/clock.h"
+#include "src/settings/quality.h"
+
+/* What a movement has less than a draft. */
+static const struct {
+    const char *setting;
+    double value;
+    bool is_bare; /* only where it would be too slow else */
+} rows[] = {
+    { "ice_interval.count", 1.0, false }, /* cracks end behind the first part of the ice */
+    { "refract_bounce.margin", 0.0, false },
+    { "air.count", 0.0, true }, /* the scene keeps its own */
+    { "cracks.count", 0.0, true },
+};
+
+static const VkExtent2D small = { 32, 24 }; /* enough for a driver to compile */
+static const double most_seconds = 0.018;   /* of a picture in half the size, for 30 a second */
+
+/* ---- settings ---- */
+
+/* Whether a row has the value of a level of quality. */
+static bool is_of_level(const struct settings *settings, const struct quality_row *row)
+{
+    for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
+        struct settings own = *settings;
+        quality_put(&own, row, level);
+        if (!memcmp(&own, settings, sizeof(own)))
+            return true;
+    }
+    return false;
+}
+
+struct settings quick_settings(const struct settings *settings, bool is_bare)
+{
+    struct settings quick = *settings;
+    for (const struct quality_row *row = quality_rows; row->setting; row++) {
+        if (is_of_level(settings, row))
+            quality_put(&quick, row, 0);
+    }
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        if (is_bare || !rows[i].is_bare)
+            settings_put(&quick, settings_find(rows[i].setting), rows[i].value);
+    }
+    return quick;
+}
+
+/* ---- renderers ---- */
+
+void quick_finish(struct quick *q)
+{
+    renderer_destroy(q->left);
+    renderer_destroy(q->right);
+    *q = (struct quick){ .is_off = q->is_off };
+}
+
+static enum status fit(struct renderer **renderer, struct renderer_params params)
+{
+    params.keep = params.scales = params.measured = true;
+    if (*renderer)
+        return renderer_change(*renderer, &params);
+    const enum status status = renderer_create(renderer, &params);
+    if (status == STATUS_OK)
+        renderer_measure(*renderer, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
+    return status;
+}
+
+static enum status fit_all(struct quick *q, const struct quick_params *p)
+{
+    struct renderer_params left = p->left;
+    struct renderer_params right = p->right;
+    left.settings = &q->settings;
+    right.settings = &q->right_settings;
+    q->version = p->version;
+    enum status status = fit(&q->left, left);
+    if (status == STATUS_OK && p->is_split)
+        status = fit(&q->right, right);
+    return status;
+}
+
+/* What the picture has now; whether it takes other plans. */
+static bool take_settings(struct quick *q, const struct quick_params *p)
+{
+    const struct settings left = q->settings;
+    const struct settings right = q->right_settings;
+    q->settings = quick_settings(p->left.settings, q->is_bare);
+    q->right_settings = quick_settings(p->right.settings, q->is_bare);
+    return settings_changed(&left, &q->settings) >= SETTING_AFFECTS_PLAN ||
+           (p->is_split && settings_changed(&right, &q->right_settings) >= SETTING_AFFECTS_PLAN);
+}
+
+/* Without memory for them a movement is drawn with what there is. */
+static enum status give_up(struct quick *q, enum status status)
+{
+    quick_finish(q);
+    q->failed = true;
+    return status == STATUS_TRY_AGAIN ? STATUS_OK : status;
+}
+
+/* Draws what nobody sees; q->seconds: how long it took. */
+static enum status try(struct quick *q, const struct renderer_shot *shot, VkExtent2D view)
+{
+    const double start = clock_seconds();
+    enum status status = quick_draw(q, shot, view);
+    if (status == STATUS_OK)
+        status = renderer_wait(q->left);
+    if (status == STATUS_OK && q->right)
+        status = renderer_wait(q->right);
+    q->seconds = clock_seconds() - start;
+    return status;
+}
+
+static enum status make(struct quick *q, const struct quick_params *p,
+                        const struct renderer_shot *shot, bool is_bare)
+{
+    const VkExtent2D half = { p->left.width / 2 + 1, p->left.height / 2 + 1 };
+    q->is_bare = is_bare;
+    (void)take_settings(q, p);
+    enum status status = fit_all(q, p);
+    if (status == STATUS_OK)
+        status = try(q, shot, small);
+    if (status == STATUS_OK) /* its memory is touched for the first time */
+        status = try(q, shot, half);
+    if (status == STATUS_OK)
+        status = try(q, shot, half);
+    return status;
+}
+
+enum status quick_make(struct quick *q, const struct quick_params *p,
+                       const struct renderer_shot *shot)
+{
+    enum status status = make(q, p, shot, false);
+    if (status == STATUS_OK && q->seconds > most_seconds)
+        status = make(q, p, shot, true);
+    return status == STATUS_OK ? status : give_up(q, status);
+}
+
+enum status quick_follow(struct quick *q, const struct quick_params *p)
+{
+    if (!q->left || (!take_settings(q, p) && q->version == p->version))
+        return STATUS_OK;
+    const enum status status = fit_all(q, p);
+    return status == STATUS_OK ? status : give_up(q, status);
+}
+
+enum status quick_draw(struct quick *q, const struct renderer_shot *shot, VkExtent2D view)
+{
+    enum status status = renderer_set_view(q->left, view);
+    if (status == STATUS_OK && q->right)
+        status = renderer_set_view(q->right, view);
+    if (status == STATUS_OK)
+        status = renderer_draw(q->left, shot);
+    if (status == STATUS_OK && q->right)
+        status = renderer_draw(q->right, shot);
+    return status;
+}
