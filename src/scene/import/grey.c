@@ -7,6 +7,9 @@
 #include "src/image/srgb.h"
 #include "src/reader/picture_reader.h"
 
+/* The largest number of a half float: sums and slopes of such greys stay finite. */
+#define GREY_MAX 65504.0f
+
 /* A picture's greys, of its own size. */
 struct grey_picture {
     float *texels;
@@ -32,7 +35,7 @@ static enum status mix(struct grey_picture *grey, const struct image *image, con
     const size_t length = strlen(path), count = (size_t)image->width * image->height;
     const bool is_png = length > 4 && !strcmp(path + length - 4, ".png");
     const float *planes[3];
-    bool is_finite = true;
+    bool is_usual = true;
     if (!find_planes(image, planes)) {
         log_error("%s: expected the channels R, G and B, or a single one", path);
         return STATUS_DATA;
@@ -43,11 +46,11 @@ static enum status mix(struct grey_picture *grey, const struct image *image, con
     for (size_t i = 0; i < count; i++) {
         const float mean = (planes[0][i] + planes[1][i] + planes[2][i]) / 3.0f;
         grey->texels[i] = is_png ? srgb_encode(mean) : mean;
-        is_finite &= isfinite(mean) != 0;
+        is_usual &= fabsf(mean) <= GREY_MAX; /* NaN is not */
     }
-    if (is_finite)
+    if (is_usual)
         return STATUS_OK;
-    log_error("%s: has infinite numbers, or what is no number", path);
+    log_error("%s: expected numbers from -%.0f to %.0f", path, (double)GREY_MAX, (double)GREY_MAX);
     return STATUS_DATA;
 }
 
