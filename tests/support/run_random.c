@@ -189,6 +189,7 @@ bool run_random_init(struct run_random *graph, uint64_t seed, unsigned features)
         draw_image(t, i);
     draw_buffers(t);
     t->local = run_random_chance(t, 60);
+    t->is_counted = run_random_chance(t, 50);
     draw_rows(t);
     graph->tables = (struct interpret_tables){
         .passes = t->passes,

@@ -59,6 +59,9 @@ struct run_random_tables {
     struct run_random_known known[RESOURCES];
     uint32_t image_count, buffer_count, pass_count, output_count, wanted_count;
     bool local; /* rows use images near each other, so that lives are short */
+    /* All indirect draws are counted, or none: after a counted one, lavapipe (Mesa 22.3) takes its
+     * count for the limit of the others in the command buffer. */
+    bool is_counted;
     uint32_t last_written;
     unsigned features;
     /* of the row being drawn: */

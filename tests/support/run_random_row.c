@@ -312,7 +312,7 @@ static void draw_part(struct run_random_tables *t)
     if (run_random_chance(t, 40) &&
         run_random_claim(t, arguments, (struct rg_range){ 0 }, RG_INDIRECT))
         run_random_use(t, arguments, RG_INDIRECT, (struct rg_range){ 0 });
-    row->is_counted = run_random_chance(t, 50);
+    row->is_counted = t->is_counted;
 }
 
 /* ---- compute ---- */
