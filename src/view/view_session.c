@@ -123,16 +123,27 @@ static char *whole_name(const char *name)
 static const char *left_out(const struct view *v)
 {
     const struct app_scene *s = &v->picture->state.scene;
-    return s->surroundings                       ? "--surroundings"
-           : s->cracks                           ? "--cracks"
-           : s->bump                             ? "--bump"
-           : s->bump_mask                        ? "--bump-mask"
-           : s->air                              ? "--air"
-           : s->animation                        ? "--animation"
-           : s->node_material_count              ? "--material NODE=..."
-           : s->background.is_given              ? "--background"
-           : v->compare.other == VIEW_OTHER_FILE ? "the picture on the right"
-                                                 : NULL;
+
+    const struct {
+        bool is_there;
+        const char *name;
+    } all[] = {
+        { s->surroundings, "--surroundings" },
+        { s->cracks, "--cracks" },
+        { s->bump, "--bump" },
+        { s->bump_mask, "--bump-mask" },
+        { s->air, "--air" },
+        { s->animation, "--animation" },
+        { s->node_material_count, "--material NODE=..." },
+        { s->background.is_given, "--background" },
+        { v->compare.other == VIEW_OTHER_FILE, "the picture on the right" },
+    };
+
+    for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++) {
+        if (all[i].is_there)
+            return all[i].name;
+    }
+    return NULL;
 }
 
 static char *print(const struct view *v, const char *scene, const char *environment, size_t *size)
