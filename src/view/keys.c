@@ -277,7 +277,8 @@ static const struct {
         .characters = "mM",
         .name = "M",
         .label = "movements as drafts, or in full",
-        .help = "draw movements as drafts, which is faster, or with all that the picture has",
+        .help = "draw movements small and as drafts, so that they are fluid, or in full size and "
+                "quality",
     },
     [VIEW_FULLSCREEN] = {
         .keys = { GLFW_KEY_F11 },

@@ -28,7 +28,7 @@ struct quick {
     uint64_t version; /* of the picture that they were made for */
     bool is_bare;     /* without cracks and air */
     double seconds;   /* that a picture of half the size took when they were made */
-    bool is_off;      /* movements have all that the picture has */
+    bool is_off;      /* movements have all that the picture has, and its size */
     bool failed;      /* there was no memory for them */
 };
 

@@ -379,7 +379,7 @@ static void count_frame(struct view *v)
     view_costs_frame(c, times, count, v->screen.waited);
     if (p->refines && (v->redrawn || v->refine.is_whole || v->refine.shown == 1))
         view_costs_picture(c, v->redrawn);
-    if (v->redrawn && p->refines && c->last.frame > 0.0)
+    if (v->redrawn && p->refines && !p->quick.is_off && c->last.frame > 0.0)
         moving_add(&v->refine.moving, c->last.frame - c->last.limit, picture_passes(p));
     if (c->frame_count == 1) {
         remember(v);

@@ -269,8 +269,8 @@ static void change_picture(struct view *v, enum view_action action)
     } else if (action == VIEW_QUICK) {
         struct quick *quick = &v->picture->quick;
         quick->is_off = !quick->is_off;
-        ui_say(v->ui, quick->is_off ? "movements have all that the picture has"
-                                    : "movements are drawn as drafts");
+        ui_say(v->ui, quick->is_off ? "movements have full size and quality"
+                                    : "movements are drawn small and as drafts");
     } else if (action == VIEW_FALSE_COLORS) {
         v->look_wanted.false_color = !v->look_wanted.false_color;
     }

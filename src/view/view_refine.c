@@ -134,8 +134,10 @@ static enum status prepare(struct view *v, bool *drew)
     const bool is_first = !(r->moved_at > 0.0);
     if ((r->shown || is_first) && picture_wants_quick(p)) {
         const enum status status = worker_run(&v->window, make_quick, v);
-        moving_begin(&r->moving, 4.0 * p->quick.seconds);
-        r->learned = p->version;
+        if (p->quick.left) {
+            moving_begin(&r->moving, 4.0 * p->quick.seconds);
+            r->learned = p->version;
+        }
         return status;
     }
     if (!r->count && picture_is_outgrown(p)) {
@@ -196,7 +198,7 @@ enum status view_refine_draw(struct view *v, const struct renderer_shot *shot)
         moving_begin(&r->moving, 0.0);
     r->learned = v->picture->version;
     const bool first = !r->has_seen;
-    const uint32_t k = first ? MOVING_MOST : r->moving.k;
+    const uint32_t k = first || p->quick.is_off ? MOVING_MOST : r->moving.k;
     const VkExtent2D view = { moving_part(p->state.width, k), moving_part(p->state.height, k) };
     const bool other = view.width != p->view.width || view.height != p->view.height;
     enum status status = other ? screen_wait(&v->screen) : STATUS_OK;

@@ -1,4 +1,6 @@
 """test_view_still.py: the window's picture gets better while nothing moves. Usage: see case.py."""
+import itertools
+import re
 import shlex
 import sys
 
@@ -78,6 +80,21 @@ class Still(PanelsCase):
                    act=lambda: self.click(window, 'as it is'))
         self.close(window)
 
+    def drag_until(self, window, start, what, happens):
+        """Of each size of a movement that the line below the picture shows. All there were."""
+        sizes = set()
+        step = itertools.cycle((8, -8))
+
+        def look():
+            found = [re.fullmatch(r'(\d+×\d+)  [\d.]+ ms: .*', label) for label in self.labels()]
+            sizes.update(match[1] for match in found if match)
+            return any(map(happens, sizes))
+        self.desktop.do('mousemove', '--window', window, *start, 'mousedown', 1)
+        wait_until(what, look, self.words, again=0, act=lambda: self.desktop.do(
+            'mousemove_relative', '--', next(step), 0))
+        self.desktop.do('mouseup', 1)
+        return sizes
+
     @unsanitized
     def test_samples_are_those_of_render(self):
         """At first, and whatever happened in between; then nothing is drawn any more."""
@@ -87,7 +104,10 @@ class Still(PanelsCase):
         self.desktop.do('mousemove', '--window', window, *self.place('refract.ior'))
         self.desktop.do('mousemove', '--window', window, *self.BESIDE)
         self.assertEqual(self.picture_of(self.at_rest(window), 610, 0, 36, 360, 340), first)
-        self.move(window, self.BESIDE, (130, 210), (160, 230))
+        self.press_until(window, 'm', 'what it does', lambda: self.label('movements have full'))
+        self.assertEqual(self.drag_until(window, (130, 210), 'full size', bool), {'360×340'})
+        self.press_until(window, 'm', 'what it does', lambda: self.label('movements are drawn'))
+        self.drag_until(window, self.BESIDE, 'a smaller picture', lambda size: size != '360×340')
         turned = self.expect(window, '--eye')
         self.assertNotEqual(turned, first)
         self.wait_for_command(window, 'tonemap.exposure=', act=lambda: self.drag_row(

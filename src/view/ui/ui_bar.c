@@ -156,6 +156,7 @@ void ui_status(const struct ui *ui, const struct ui_view *view)
         imgui_tip(words);
     imgui_same_line(room - width + 10.0f * imgui_scale());
     imgui_text_dim(pace);
+    imgui_name(pace);
     snprintf(text, sizeof(text),
              "%.1f frames per second, limited by %s: device time %.1f ms; the host waits %.1f ms "
              "for the screen and %.1f ms for --fps-limit",
