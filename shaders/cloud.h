@@ -3,7 +3,7 @@
  *
  * Ice freezes from its surface inwards, and pushes air ahead: the rim is clear, and what freezes
  * last is white. The density depends on the depth below the surface, relative to the greatest in
- * the object, which a texture of CLOUD_SIZE texels a side has (src/scene/depth_field.h).
+ * the object; textures of CLOUD_SIZE texels a side have it (src/scene/clouds.h).
  */
 #ifndef SHADERS_CLOUD_H
 #define SHADERS_CLOUD_H
@@ -12,12 +12,18 @@
 #define CLOUD_SIZE 64
 
 #define CLOUD_RIM  0.18f /* relative depth to which ice is clear */
-#define CLOUD_CORE 0.42f /* relative depth from which it is as dense as at the middle */
+#define CLOUD_VEIL 0.42f /* relative depth at which a veil is complete */
+#define CLOUD_CORE 0.55f /* relative depth at which the white core begins */
+#define CLOUD_MILK 0.9f  /* relative depth at which it is complete */
+
+#define CLOUD_VEIL_SHARE 0.25f /* density of the veil as a share of the core's */
 
 /* Returns the density at a relative depth, 0 to 1, as a share of the greatest. */
 ABI_FUNCTION float cloud_share(float depth)
 {
-    return glm_smoothstep(CLOUD_RIM, CLOUD_CORE, depth);
+    float core = glm_smoothstep(CLOUD_CORE, CLOUD_MILK, depth);
+    return glm_smoothstep(CLOUD_RIM, CLOUD_VEIL, depth) *
+           (CLOUD_VEIL_SHARE + (1.0f - CLOUD_VEIL_SHARE) * core);
 }
 
 #endif

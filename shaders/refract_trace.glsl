@@ -166,16 +166,6 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
     return c;
 }
 
-/* Absorbs light on a straight part. */
-vec3 trace_absorbed(trace_way way, float t)
-{
-    vec3 absorption = refract_frame.absorb;
-    if (trace_has(TRACE_HAS_MEDIA))
-        absorption = trace_medium(trace_top(way.inside), TRACE_ABSORB).rgb;
-    bool absorbs = trace_is_inside(way.inside) && !way.is_in_bubble;
-    return absorbs ? way.weight * exp(-absorption * t) : way.weight;
-}
-
 /* Makes a way go on from a surface. */
 trace_way trace_leave(trace_way way, trace_hit hit, trace_cross c, vec3 dir, bool is_through)
 {
@@ -291,6 +281,7 @@ bool trace_is_parted(vec3 weight)
     return has_room && most > 0.0 && (is_first || most > least);
 }
 
+#include "trace_cloud.glsl"
 #ifdef TRACE_RAYS
 #include "trace_ground.glsl"
 #endif
@@ -459,6 +450,7 @@ bool trace_step(trace_hit hit, trace_cross c)
 {
     if (hit.t < 1e30) {
         way.weight = trace_absorbed(way, hit.t);
+        way.weight *= trace_cloud_passed(hit.t);
         seen.path += is_main && trace_is_inside(way.inside) && !is_first ? hit.t : 0.0;
     }
     way.left--;

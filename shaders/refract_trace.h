@@ -10,6 +10,7 @@
 #define TRACE_NODES     13 /* the words of tree.h */
 #define TRACE_TRIANGLES 14
 #define TRACE_CORNERS   15
+#define TRACE_CLOUDS    16 /* densities, CLOUD_SIZE layers each; with TRACE_RAYS */
 
 #define TRACE_OUT_MEDIA 5 /* of the layers' pass, besides those of refract.h */
 
@@ -30,27 +31,40 @@
 #define TRACE_HAS_INCLUSIONS 8192  /* bubbles or cracks in the first object */
 #define TRACE_HAS_SHAPES     16384 /* some bubble is no sphere */
 #define TRACE_HAS_GROUND     32768 /* light on surroundings is traced; with TRACE_RAYS */
+#define TRACE_HAS_CLOUD      65536 /* some ice is cloudy; with TRACE_RAYS */
 
 /* The texels of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* of red, green and blue light; roughness */
 #define TRACE_ABSORB 1 /* 1 / metre; shine */
-#define TRACE_TINT   2 /* of light that passes the surface; 1: thin */
+#define TRACE_TINT   2 /* of light that passes the surface; 1: thin, below 0: -1 - its cloud */
 #define TRACE_MEDIUM 3
+
+#define TRACE_CLOUDS_MAX 8
+
+/* Ice that scatters light (cloud.h), in the space of the objects. */
+struct trace_cloud {
+    vec3s low;         /* of the box of its texels */
+    float extinction;  /* 1 / metre, where it is densest */
+    vec3s texels_each; /* texels a metre */
+    float first_layer;
+};
 
 /* What a frame needs, besides struct globals; written once a frame. */
 struct trace_frame {
     vec4s media[(TREE_MEDIA_MAX + 1) * TRACE_MEDIUM]; /* by medium; the first one is outside */
-    vec4s guide;                                      /* as of ground.h */
-    uint32_t roots[TREE_PART_COUNT + 1];              /* TREE_NOTHING: no such part */
-    uint32_t inside[TREE_NESTED_MAX / 2];             /* struct tree_shells of the eye */
-    uint32_t media_at;                                /* struct tree */
-    uint32_t sample_index;                            /* of the picture, from 0 */
-    uint32_t ice;          /* rank of the object that has the inclusions */
-    uint32_t is_in_bubble; /* 1: the eye is */
-    float crack_slope;     /* of the roughness of cracks; 0: they are smooth */
-    float branch;          /* share of a path's light that is followed apart */
-    float hair;            /* metres: how near a ray's origin may be to a face by rounding alone */
-    uint32_t one;          /* 1: compilers must not know */
+    ABI_STRUCT(trace_cloud) clouds[TRACE_CLOUDS_MAX];
+    vec4s guide;                          /* as of ground.h */
+    uint32_t roots[TREE_PART_COUNT + 1];  /* TREE_NOTHING: no such part */
+    uint32_t inside[TREE_NESTED_MAX / 2]; /* struct tree_shells of the eye */
+    uint32_t media_at;                    /* struct tree */
+    uint32_t sample_index;                /* of the picture, from 0 */
+    uint32_t ice;                         /* rank of the object that has the inclusions */
+    uint32_t is_in_bubble;                /* 1: the eye is */
+    float crack_slope;                    /* of the roughness of cracks; 0: they are smooth */
+    float branch;                         /* share of a path's light that is followed apart */
+    float hair;         /* metres: how near a ray's origin may be to a face by rounding alone */
+    float cloud_cosine; /* mean, of the angle by which clouds turn light */
+    uint32_t one;       /* 1: compilers must not know */
 };
 
 #endif

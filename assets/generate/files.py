@@ -9,11 +9,12 @@ VOLUME, UNLIT = 'KHR_materials_volume', 'KHR_materials_unlit'
 FLOAT, USHORT, UINT = 5126, 5123, 5125
 
 
-def glass(name, ior, priority, thickness, tint=(1, 1, 1), distance=1):
-    """A clear medium: white light keeps `tint` of itself after `distance`; both in metres."""
+def glass(name, ior, priority, thickness, tint=(1, 1, 1), distance=1, cloud=0):
+    """A clear medium: white light keeps `tint` of itself after `distance`; both in metres. `cloud`:
+    how often a cloudy core scatters light that crosses it."""
     return {
         'name': name,
-        'extras': {'priority': priority},
+        'extras': {'priority': priority, **({'cloud': cloud} if cloud else {})},
         'pbrMetallicRoughness': {'roughnessFactor': 0, 'metallicFactor': 0},
         'extensions': {
             TRANSMISSION: {'transmissionFactor': 1},

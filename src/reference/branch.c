@@ -5,7 +5,6 @@
 #include "src/reference/microfacet.h"
 
 enum {
-    CLOUDED = 0,             /* the object that has the inclusions */
     SCATTERINGS_MAX = 65536, /* of a branch */
     SURFACES_MAX = 4096,     /* of a path */
     PATH_SEED = 5,           /* what seeds are hashed with for random numbers of their own */
@@ -102,28 +101,52 @@ static void pass(const struct tracing *tracing, struct branch *b, const struct b
     b->ray.from = BVH_NOWHERE;
 }
 
+/* Returns the cloud that a branch is in, or NULL. */
+static const struct cloud *cloud_around(const struct tracing *tracing, const struct branch *b)
+{
+    for (uint32_t i = 0; i < tracing->cloud_count; i++) {
+        if (branch_is_in(tracing, b, tracing->clouds[i].object))
+            return &tracing->clouds[i];
+    }
+    return NULL;
+}
+
 bool branch_is_in_cloud(const struct tracing *tracing, const struct branch *b)
 {
-    return tracing->cloud.most > 0.0f && branch_is_in(tracing, b, CLOUDED);
+    return cloud_around(tracing, b) != NULL;
+}
+
+/* Returns the light of the sun that a cloud scatters at a point into a direction against it. The
+ * sun's light has come straight, as if the ice's surface did not refract it. */
+static vec3s sun_scattered(const struct tracing *tracing, const struct cloud *cloud, vec3s point,
+                           vec3s dir)
+{
+    const struct globals *g = tracing->radiance->globals;
+    if (!(glms_vec3_max(g->sun_light) > 0.0f))
+        return glms_vec3_zero();
+    const float passing = expf(-cloud_sun_depth(cloud, point, g->sun_dir));
+    const float turned = 0.25f * cloud_phase(cloud, glms_vec3_dot(dir, g->sun_dir));
+    return glms_vec3_scale(g->sun_light, passing * turned);
 }
 
 /* Lets clouds scatter a branch before it has gone so far. Returns whether they do. */
 static bool scatter(const struct tracing *tracing, struct branch *b, float length)
 {
-    const struct cloud *cloud = &tracing->cloud;
+    const struct cloud *cloud = cloud_around(tracing, b);
     const struct cloud_way way = { b->ray.origin, b->ray.dir, length };
     float distance;
-    if (!branch_is_in_cloud(tracing, b) ||
-        !cloud_scatters(cloud, &way, tracing->sample, microfacet_hash(b->seed, PATH_SEED),
-                        &distance))
+    if (!cloud || !cloud_scatters(cloud, &way, tracing->sample, microfacet_hash(b->seed, PATH_SEED),
+                                  &distance))
         return false;
     b->met |= REFERENCE_MET_AIR;
     if (b->is_straight)
         return false;
     const vec2s at = microfacet_point(tracing->sample, microfacet_hash(b->seed, TURN_SEED));
+    const vec3s point = glms_vec3_muladds(b->ray.dir, distance, b->ray.origin);
     b->weight = absorbed(tracing, b, distance);
+    b->air = glms_vec3_muladd(b->weight, sun_scattered(tracing, cloud, point, b->ray.dir), b->air);
     b->ray = (struct bvh_ray){
-        .origin = glms_vec3_muladds(b->ray.dir, distance, b->ray.origin),
+        .origin = point,
         .dir = cloud_turned(cloud, b->ray.dir, at),
         .from = BVH_NOWHERE,
     };

@@ -10,7 +10,7 @@ struct branch {
     struct bvh_ray ray;
     struct media_set inside; /* the objects that the ray is in */
     vec3s weight;
-    vec3s air;        /* light that planes of air have added since its last surface */
+    vec3s air;        /* light that air has added since its last surface */
     uint32_t bounces; /* surfaces that it has met */
     uint32_t seed;    /* of the random numbers at its next surface */
     uint32_t scatterings;

@@ -2,27 +2,51 @@
 #include "src/reference/cloud.h"
 #include <cglm/struct.h>
 #include <math.h>
-#include "shaders/cloud.h"
 #include "src/reference/microfacet.h"
 #include "src/tech/air.h"
+#include "src/tech/frame_media.h"
 
-struct cloud cloud_of(const struct radiance *radiance, const struct settings *settings)
+enum {
+    SUN_STEPS = 32, /* towards the sun */
+};
+
+struct cloud cloud_of(const struct radiance *radiance, const struct settings *settings,
+                      uint32_t index)
 {
     const struct air_params *params = settings_of(settings, &air_settings);
-    const struct depth_field *field = &radiance->scene->depth;
-    const vec3s sides = glms_vec3_sub(field->box.max, field->box.min);
-    struct cloud cloud = { .field = field, .anisotropy = params->anisotropy };
-    if (!air_is_medium(settings) || !(field->most > 0.0f))
-        return cloud;
-    cloud.object_from_world = glms_mat4_inv(radiance->globals->world_from_object);
-    cloud.most = params->density / glms_vec3_max(sides);
-    return cloud;
+    const struct clouds *fields = &radiance->scene->clouds;
+    return (struct cloud){
+        .fields = fields,
+        .index = index,
+        .object = fields->all[index].object,
+        .object_from_world = glms_mat4_inv(radiance->globals->world_from_object),
+        .most = frame_cloud_most(radiance->scene, settings, index),
+        .anisotropy = params->anisotropy,
+    };
 }
 
 float cloud_density(const struct cloud *cloud, vec3s point)
 {
     const vec3s at = glms_mat4_mulv3(cloud->object_from_world, point, 1.0f);
-    return cloud->most * cloud_share(depth_field_at(cloud->field, at));
+    return cloud->most * clouds_at(cloud->fields, cloud->index, at);
+}
+
+float cloud_sun_depth(const struct cloud *cloud, vec3s point, vec3s to_sun)
+{
+    const struct box box = cloud->fields->all[cloud->index].box;
+    const float step = box_diagonal(box) / SUN_STEPS;
+    float sum = 0.0f;
+    for (int i = 0; i < SUN_STEPS; i++)
+        sum +=
+            step * cloud_density(cloud, glms_vec3_muladds(to_sun, step * ((float)i + 0.5f), point));
+    return sum;
+}
+
+float cloud_phase(const struct cloud *cloud, float cosine)
+{
+    const float g = cloud->anisotropy;
+    const float base = 1.0f + g * g - 2.0f * g * cosine;
+    return (1.0f - g * g) / (base * sqrtf(base));
 }
 
 bool cloud_scatters(const struct cloud *cloud, const struct cloud_way *way, uint32_t sample,

@@ -418,6 +418,8 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
 
 vec3s radiance_open(const struct radiance *radiance, vec3s dir)
 {
+    if (radiance->scene->background == SCENE_ENVIRONMENT)
+        return pictured(radiance, dir);
     return glossy_light(radiance, dir, 0.0f);
 }
 

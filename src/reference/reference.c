@@ -382,12 +382,11 @@ static struct tracing tracing_of(const struct job *job)
         settings_of(job->reference->request.settings, &reference_settings);
     const struct ground_params *ground =
         settings_of(job->reference->request.settings, &ground_settings);
-    return (struct tracing){
+    struct tracing tracing = {
         .bvh = &job->bvh,
         .radiance = &job->radiance,
         .media = &job->media,
         .inclusions = &job->inclusions,
-        .cloud = cloud_of(&job->radiance, job->reference->request.settings),
         .basin = job->reference->request.scene->has_pool ? &job->basin : NULL,
         .earlier = &job->earlier,
         .has_layers = job->reference->request.layers != 0,
@@ -396,6 +395,12 @@ static struct tracing tracing_of(const struct job *job)
                                      job->radiance.scene->surface_light),
         .params = *params,
     };
+    for (uint32_t i = 0; i < job->radiance.scene->clouds.count; i++) {
+        const struct cloud cloud = cloud_of(&job->radiance, job->reference->request.settings, i);
+        if (cloud.most > 0.0f)
+            tracing.clouds[tracing.cloud_count++] = cloud;
+    }
+    return tracing;
 }
 
 /* Who is asked whether to go on, before there are tiles. */

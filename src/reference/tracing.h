@@ -19,7 +19,8 @@ struct tracing {
     const struct radiance *radiance;
     const struct media *media;
     const struct inclusions *inclusions;
-    struct cloud cloud;
+    struct cloud clouds[CLOUDS_MAX]; /* those that scatter anything */
+    uint32_t cloud_count;
     const struct basin *basin;     /* NULL: the scene is no pool */
     const struct photons *photons; /* NULL: the sun shines everywhere, and is not refracted */
     const struct first_surface_earlier *earlier; /* for layers; NULL: nothing moves */

@@ -72,8 +72,9 @@ static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hi
 {
     *ways = (struct ground_ways){ .count = 0 };
     if (!hit) {
-        const vec3s sky = b->is_gathered ? radiance_open(tracing->radiance, b->ray.dir)
-                                         : radiance_sky(tracing->radiance, b->ray.dir);
+        const bool is_open = b->is_gathered || b->scatterings > 0;
+        const vec3s sky = is_open ? radiance_open(tracing->radiance, b->ray.dir)
+                                  : radiance_sky(tracing->radiance, b->ray.dir);
         sum->light = glms_vec3_muladd(b->weight, sky, sum->light);
         return false;
     }

@@ -219,12 +219,26 @@ static void measure(struct depth_field *field, const struct work *work)
         field->texels[i] /= field->most;
 }
 
+/* Returns the box of the triangles, of which there are some. */
+static struct box box_of(const struct mesh *mesh)
+{
+    const vec3s first = mesh->vertices[mesh->indices[0]].position;
+    struct box box = { first, first };
+    for (uint32_t i = 1; i < mesh->index_count; i++) {
+        const vec3s corner = mesh->vertices[mesh->indices[i]].position;
+        box.min = glms_vec3_minv(box.min, corner);
+        box.max = glms_vec3_maxv(box.max, corner);
+    }
+    return box;
+}
+
 bool depth_field_init(struct depth_field *field, const struct mesh *mesh)
 {
-    struct work work = { .mesh = mesh, .box = mesh_box(mesh) };
-    *field = (struct depth_field){ .box = work.box };
+    *field = (struct depth_field){ 0 };
     if (!mesh->index_count)
         return true;
+    struct work work = { .mesh = mesh, .box = box_of(mesh) };
+    field->box = work.box;
     for (int k = 0; k < 3; k++) {
         const float side = work.box.max.raw[k] - work.box.min.raw[k];
         work.cell.raw[k] = fmaxf(side, 1e-6f * box_diagonal(work.box)) / SIZE;

@@ -80,6 +80,7 @@ bool material_clamp(struct material *m)
     is_changed |= clamp(&m->ior, 1.0f, 4.0f, 1.5f);
     is_changed |= clamp(&m->dispersion, 0.0f, 10.0f, 0.0f);
     is_changed |= clamp(&m->attenuation_distance, 0.0f, FLT_MAX, 0.0f);
+    is_changed |= clamp(&m->cloud, 0.0f, MATERIAL_CLOUD_MAX, 0.0f);
     return is_changed;
 }
 

@@ -10,6 +10,8 @@ enum {
     MATERIAL_NAME_SIZE = 64, /* bytes of a name, with its end; longer ones are cut */
 };
 
+#define MATERIAL_CLOUD_MAX 1000.0f
+
 /* The bits of material.flags. */
 enum {
     MATERIAL_IS_BARE = 1,      /* of a file without materials, or built in: settings decide */
@@ -77,15 +79,16 @@ struct material {
     float dispersion;           /* 20 / Abbe number, 0 to 10 */
     vec3s attenuation_color;    /* 0 to 1 */
     float attenuation_distance; /* metres; 0: the medium is clear */
-    int32_t priority;           /* where media overlap, the greatest one is there */
-    float metallic;             /* 0 to 1; glTF's default is 1, and that of others 0 */
-    float alpha;                /* 0 to 1 */
-    float alpha_cutoff;         /* of a cutout: less alpha is a hole; 0 to 1 */
-    vec3s emission;             /* radiance, 0 to 65504; its strength is part of it */
-    float normal_scale;         /* of x and y of the normal's texture; within 65504 */
-    float occlusion_strength;   /* 0 to 1 */
-    float specular;             /* 0 to 1; strength of the reflection of what is no metal */
-    vec3s specular_color;       /* 0 to 65504; its colour at normal incidence */
+    float cloud; /* scatterings of light across the object where it is cloudiest; 0: it is clear */
+    int32_t priority;         /* where media overlap, the greatest one is there */
+    float metallic;           /* 0 to 1; glTF's default is 1, and that of others 0 */
+    float alpha;              /* 0 to 1 */
+    float alpha_cutoff;       /* of a cutout: less alpha is a hole; 0 to 1 */
+    vec3s emission;           /* radiance, 0 to 65504; its strength is part of it */
+    float normal_scale;       /* of x and y of the normal's texture; within 65504 */
+    float occlusion_strength; /* 0 to 1 */
+    float specular;           /* 0 to 1; strength of the reflection of what is no metal */
+    vec3s specular_color;     /* 0 to 65504; its colour at normal incidence */
     struct material_texture textures[MATERIAL_TEXTURE_COUNT];
 };
 

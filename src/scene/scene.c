@@ -343,8 +343,8 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
         return "maps of the surface";
     if (air.count && !generate_air_layers(&scene->air_layers, &air))
         return "air";
-    if (params->has_depth && !depth_field_init(&scene->depth, &scene->model.object))
-        return "depths below the surface";
+    if (!clouds_fill(&scene->clouds, &scene->model))
+        return "clouds";
     return NULL;
 }
 
@@ -415,49 +415,28 @@ static enum status add_extras(struct scene *scene)
     return scene->extra_rows ? STATUS_OK : log_out_of_memory("texture coordinates");
 }
 
-bool scene_has_lit_object(const struct scene *scene)
-{
-    const struct model *model = &scene->model;
-    for (uint32_t i = 0; i < model->object_count; i++) {
-        const struct material *m = &model->materials[model->objects[i].material];
-        if (!(m->flags & MATERIAL_IS_BARE) &&
-            (m->transmission < 1.0f || m->textures[MATERIAL_TRANSMISSION].layer))
-            return true;
-    }
-    return false;
-}
-
-bool scene_has_dress(const struct scene *scene)
-{
-    const struct model *model = &scene->model;
-    for (uint32_t i = 0; i < model->object_count && !scene->has_pool; i++) {
-        const struct material *m = &model->materials[model->objects[i].material];
-        if (!(m->flags & MATERIAL_IS_BARE) && (m->transmission < 1.0f || material_is_dressed(m) ||
-                                               !glms_vec3_eqv(m->base_color, glms_vec3_one())))
-            return true;
-    }
-    return false;
-}
-
 /* Makes what shaders need of surfaces that are not plain. */
 static enum status add_surfaces(struct scene *scene)
 {
     const bool is_lit =
         material_rows_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene);
     const bool has_lights = is_lit && scene->model.light_count > 0;
+    const bool needs_light =
+        (is_lit || scene->clouds.count) && scene->background == SCENE_ENVIRONMENT;
     const bool is_lit_otherwise = has_lights || (is_lit && scene->background != SCENE_SKY);
+    if (needs_light && !scene->surface_light)
+        scene->surface_light = surface_light_make(&scene->environment);
+    if (needs_light && !scene->surface_light)
+        return log_out_of_memory("light of the environment");
     if (!is_lit_otherwise && !material_rows_has_rich(&scene->model) && !scene_has_dress(scene))
         return STATUS_OK;
     scene->material_rows = material_rows_make(&scene->model);
     scene->surface_split = surface_split_make();
-    const bool needs_light = is_lit && scene->background == SCENE_ENVIRONMENT;
-    if (needs_light && !scene->surface_light)
-        scene->surface_light = surface_light_make(&scene->environment);
     if (has_lights)
         scene->light_rows = light_rows_make(scene->model.lights, scene->model.light_count);
     const bool done =
         scene->material_rows && scene->surface_split && (scene->light_rows || !has_lights);
-    if (!done || (needs_light && !scene->surface_light))
+    if (!done)
         return log_out_of_memory("materials");
     return add_extras(scene);
 }
@@ -537,6 +516,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = sort_surroundings(scene);
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
+    if (status == STATUS_OK && has_object && !scene->has_pool)
+        scene->clouds = clouds_find(&scene->model, params->has_cloud);
     if (status == STATUS_OK && !scene->has_pool)
         status = add_surfaces(scene);
     if (status == STATUS_OK && has_object && !scene->has_pool)
@@ -581,7 +562,7 @@ void scene_finish(struct scene *scene)
     free(scene->surface_split);
     free(scene->surface_light);
     bump_maps_finish(&scene->bump);
-    depth_field_finish(&scene->depth);
+    clouds_finish(&scene->clouds);
     mesh_finish(&scene->air);
     free(scene->air_layers.texels);
     free(scene->bubbles.all);

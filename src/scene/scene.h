@@ -7,7 +7,7 @@
 #define FIRN_SCENE_SCENE_H
 
 #include "src/scene/bump_maps.h"
-#include "src/scene/depth_field.h"
+#include "src/scene/clouds.h"
 #include "src/scene/environment.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/import/decode.h"
@@ -53,7 +53,7 @@ struct scene {
     struct air_layers air_layers; /* textures of the planes of air */
     float *heights, *smoothness;  /* of bump_maps_params, from files; NULL: they are made */
     float *air_cover;             /* of generate_air, likewise */
-    struct depth_field depth;     /* of the object; {0}: nobody has asked for it */
+    struct clouds clouds;         /* in the space of the mesh of all objects */
     struct bubbles bubbles;       /* in the object's space */
     struct tree *tree;            /* of the model's triangles; empty until scene_need_tree() */
     struct tree_rest *rest;       /* of an animated model, at time 0; NULL: it is not animated */
@@ -100,7 +100,7 @@ struct scene_params {
     bool flat;                           /* a level floor instead of the landscape */
     uint32_t mover_count;                /* objects that move around the object */
     struct generate_air air;             /* count 0: none */
-    bool has_depth;                      /* make scene.depth */
+    bool has_cloud;                      /* the first object has one, as settings say */
     struct generate_bubbles bubbles;     /* count 0: none */
     const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
     struct scene_cracks cracks;

@@ -167,7 +167,8 @@ static const struct setting rows[] = {
         .max = AIR_MEDIUM,
         .choices = models,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "planes, or a medium that scatters light, which only the reference draws",
+        .help =
+            "planes, or a cloud, a medium that scatters light, which trace and the reference draw",
     },
     {
         .name = "air.density",
@@ -178,13 +179,21 @@ static const struct setting rows[] = {
         .help = "medium: scatterings across the object's width, where the air is densest",
     },
     {
+        .name = "air.clouds",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct air_params, clouds),
+        .initial = 1,
+        .max = 100,
+        .help = "factor on the clouds in the materials of files (extras.cloud); 0: none",
+    },
+    {
         .name = "air.anisotropy",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct air_params, anisotropy),
         .initial = 0.71,
         .min = -0.95,
         .max = 0.95,
-        .help = "medium: mean cosine of the angle by which light is scattered",
+        .help = "clouds: mean cosine of the angle by which light is scattered",
     },
 };
 

@@ -20,7 +20,7 @@ extern const struct setting_group air_settings;
 
 enum air_model {
     AIR_PLANES, /* textures on planes */
-    AIR_MEDIUM, /* light is scattered at random: the reference alone draws it */
+    AIR_MEDIUM, /* a cloud that scatters light: trace and the reference draw it */
 };
 
 struct air_params {
@@ -31,7 +31,8 @@ struct air_params {
     float haze;           /* opacity of a plane's haze at most */
     uint32_t model;       /* enum air_model */
     float density;        /* of a medium: extinction where it is densest, by the object's width */
-    float anisotropy;     /* of a medium: mean cosine of the angle by which light is turned */
+    float clouds;         /* factor on material.cloud */
+    float anisotropy;     /* of all clouds: mean cosine of the angle by which light is turned */
 };
 
 #endif

@@ -45,7 +45,7 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
     const bool meets = rung && rung->rung.meets_tree;
     const struct target_params *target = settings_of(settings, &target_settings);
     return (surface.is_on(settings) ? OVER_HAS_HIGHLIGHT : 0u) |
-           (air.is_on(settings) ? OVER_HAS_AIR : 0u) |
+           (air.is_on(settings) && !(meets && air_is_medium(settings)) ? OVER_HAS_AIR : 0u) |
            (bubbles.is_on(settings) && !meets ? OVER_HAS_BUBBLES : 0u) |
            (cracks_are_in_ice(settings) && !meets ? OVER_HAS_CRACKS : 0u) |
            (target->scale < 1.0f ? OVER_IS_SMALL : 0u);

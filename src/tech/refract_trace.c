@@ -14,12 +14,14 @@
 #include "src/tech/refract_trace.h"
 #include <math.h>
 #include <string.h>
+#include "shaders/cloud.h"
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_trace.h"
 #include "src/scene/material_rows.h"
 #include "src/scene/surface_light.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/air.h"
 #include "src/tech/cracks.h"
 #include "src/tech/frame.h"
 #include "src/tech/frame_media.h"
@@ -89,6 +91,8 @@ static uint32_t features(const struct scene *scene, const struct settings *setti
     }
     bits |= ice_caustics.is_on(settings) ? TRACE_HAS_SUN : 0;
     bits |= lights_surroundings(scene, settings) ? TRACE_HAS_GROUND : 0;
+    for (uint32_t i = 0; i < scene->clouds.count; i++)
+        bits |= frame_cloud_most(scene, settings, i) > 0.0f ? TRACE_HAS_CLOUD : 0;
     bits |= scene->material_rows ? TRACE_HAS_MATERIALS : 0;
     bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
     if (fabsf(motion->ice) > 0.0f || fabsf(motion->objects) > 0.0f)
@@ -107,8 +111,9 @@ static bool is_near(const struct mesh *mesh, vec3s point, float reach)
 }
 
 /* Returns whether rays that leave the objects meet the triangles around them, as trace.surroundings
- * says. With `auto` they do if there are several objects, one that is not wholly transmissive or
- * has textures, or a corner of the surroundings within two radii of the object's middle. */
+ * says. With `auto` they do if there are several objects, one that is cloudy, not wholly
+ * transmissive or has textures, or a corner of the surroundings within two radii of the object's
+ * middle. */
 static bool meets_surroundings(const struct scene *scene, const struct settings *settings)
 {
     const struct trace_params *params = settings_of(settings, &trace_settings);
@@ -117,7 +122,7 @@ static bool meets_surroundings(const struct scene *scene, const struct settings 
         return params->surroundings == TRACE_RAYS;
     if (lights_surroundings(scene, settings))
         return true;
-    if (features(scene, settings) & (TRACE_HAS_SHINE | TRACE_HAS_DRESS))
+    if (features(scene, settings) & (TRACE_HAS_SHINE | TRACE_HAS_DRESS | TRACE_HAS_CLOUD))
         return true;
     return object_count(scene) > 1 ||
            is_near(&model->surroundings, box_center(scene->box), box_diagonal(scene->box));
@@ -161,7 +166,32 @@ static struct technique_bytes find_corners(const struct scene *scene)
     return scene->tree ? bytes_of(&scene->tree->corners) : (struct technique_bytes){ 0 };
 }
 
+static const struct rg_image clouds = {
+    .name = "refract_trace.clouds",
+    .format = VK_FORMAT_R8_UNORM,
+    .width = 1,
+    .height = 1,
+    .array = true,
+};
+
+static struct technique_texels find_clouds(const struct scene *scene)
+{
+    const struct clouds *found = &scene->clouds;
+    if (!found->count)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = found->texels,
+        .width = CLOUD_SIZE,
+        .height = CLOUD_SIZE,
+        .layers = CLOUD_SIZE * found->count,
+        .no_mips = true,
+    };
+}
+
+static const uint8_t clear = 0;
+
 static const struct technique_import imports[] = {
+    { &clouds, find_clouds, &clear },
     { .buffer = &nodes, .find_bytes = find_nodes },
     { .buffer = &triangles, .find_bytes = find_triangles },
     { .buffer = &corners, .find_bytes = find_corners },
@@ -181,6 +211,27 @@ static void fill_medium(vec4s *texels, const struct frame_medium *medium)
     texels[TRACE_TINT] = with(medium->tint, medium->is_thin ? 1.0f : 0.0f);
 }
 
+static void fill_clouds(struct trace_frame *trace, const struct frame_view *view)
+{
+    const struct scene *scene = view->scene;
+    const vec3s texels = { { CLOUD_SIZE, CLOUD_SIZE, CLOUD_SIZE } };
+    for (uint32_t i = 0; i < scene->clouds.count; i++) {
+        const struct cloud_field *cloud = &scene->clouds.all[i];
+        const struct frame_medium medium = frame_medium_at(scene, view->settings, cloud->object);
+        const vec3s sides = glms_vec3_sub(cloud->box.max, cloud->box.min);
+        const float most = frame_cloud_most(scene, view->settings, i);
+        const size_t at = (size_t)tree_medium(scene->tree, medium.rank) * TRACE_MEDIUM;
+        trace->clouds[i] = (struct trace_cloud){
+            .low = cloud->box.min,
+            .extinction = most,
+            .texels_each = glms_vec3_div(texels, sides),
+            .first_layer = (float)(CLOUD_SIZE * i),
+        };
+        if (most > 0.0f)
+            trace->media[at + TRACE_TINT].w = -1.0f - (float)i;
+    }
+}
+
 static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
 {
     for (uint32_t i = 0; i < bubbles->count; i++) {
@@ -197,6 +248,7 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
     const struct trace_params *params = settings_of(view->settings, &trace_settings);
     const struct tree *tree = view->scene->tree;
     const struct cracks_params *cracks_of = settings_of(view->settings, &cracks_settings);
+    const struct air_params *air_of = settings_of(view->settings, &air_settings);
     *trace = (struct trace_frame){
         .sample_index = view->sample,
         .branch = params->branch,
@@ -204,6 +256,7 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
         .one = 1,
         .ice = view->scene->model.object_count ? view->scene->model.objects[0].rank : 1,
         .crack_slope = cracks_of->look.bump,
+        .cloud_cosine = air_of->anisotropy,
         .media_at = tree->media,
     };
     if (lights_surroundings(view->scene, view->settings))
@@ -214,6 +267,7 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
         const struct frame_medium medium = frame_medium_at(view->scene, view->settings, i);
         fill_medium(&trace->media[(size_t)tree_medium(tree, medium.rank) * TRACE_MEDIUM], &medium);
     }
+    fill_clouds(trace, view);
     const mat4s object_from_world = glms_mat4_inv(globals->world_from_object);
     const vec3s eye = glms_mat4_mulv3(object_from_world, view->camera.eye, 1.0f);
     const struct tree_shells inside = tree_immerse(tree, eye);
@@ -267,7 +321,10 @@ static const struct rg_use scene_uses[] = {
 static const struct rg_sampler repeated = { .linear = true, .repeat_u = true, .repeat_v = true };
 static const struct rg_sampler around = { .linear = true, .repeat_u = true };
 
+static const struct rg_sampler linear = { .linear = true };
+
 static const struct rg_use surface_uses[] = {
+    FRAME_SAMPLE(clouds, TRACE_CLOUDS, .sampler = &linear),
     FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &repeated),
     FRAME_SAMPLE(frame_numbers, BACKGROUND_NUMBERS, .sampler = &repeated),
     FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL),

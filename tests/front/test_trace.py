@@ -141,6 +141,23 @@ class Trace(Case):
         light = self.planes('teapot', *WHITE, *SIZE, '-r', 'trace')
         self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
 
+    def test_clouds(self):
+        """Those of trace are an estimate, without noise, of what the reference traces."""
+        cloudy = glass(1.31, extras={'cloud': 8})
+        self.write('cloudy.gltf', (cloudy, [0, 0, 0], 1), (cloudy, [0.3, 0, 2.2], 0.5))
+        light = self.planes('cloudy.gltf', *WHITE, *SIZE, '-r', 'trace')
+        self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
+        lit = ('cloudy.gltf', '--env', 'alps', *SIZE)
+        found = self.planes(*lit, '-r', 'trace')
+        clear = self.planes(*lit, '-r', 'trace', '--set', 'air.clouds=0')
+        truth = self.planes(*lit, '-r', 'reference', '--samples', 16, env=NO_DRIVER)
+        objects = [i for i, share in enumerate(truth['fresnel.Z']) if share > 0]
+        for name in 'RGB':
+            light, before, expected = (sum(planes[name][i] for i in objects) / len(objects)
+                                       for planes in (found, clear, truth))
+            self.assertAlmostEqual(light, expected, delta=0.035)  # twice what noise leaves
+            self.assertGreater(expected, before + 0.1)
+
     @long
     def test_no_light_is_made(self):
         """What is opaque or absorbs takes light, and so do rough surfaces, whose light is scattered

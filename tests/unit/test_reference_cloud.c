@@ -9,6 +9,7 @@
 #include "shaders/cloud.h"
 #include "src/reference/cloud.h"
 #include "src/reference/microfacet.h"
+#include "src/scene/depth_field.h"
 #include "tests/support/check.h"
 #include "tests/support/picture.h"
 #include "tests/support/seen.h"
@@ -17,7 +18,7 @@ enum {
     SAMPLES = 1 << 14,
 };
 
-static struct depth_field ball_depth;
+static struct clouds ball_clouds;
 
 /* ---- depths ---- */
 
@@ -76,47 +77,65 @@ static void test_depth_in_ring(void **state)
 
 /* ---- what passes, and what is turned ---- */
 
-/* A ball, whose depths all tests share. */
+/* A ball, whose cloud all tests share. */
 static struct scene cloudy_ball(void)
 {
     struct scene scene = picture_sphere_scene(glms_vec3_zero(), 8000);
-    scene.depth = ball_depth;
+    scene.clouds = ball_clouds;
     return scene;
 }
 
 static void finish(struct scene *scene)
 {
-    scene->depth = (struct depth_field){ 0 };
+    scene->clouds = (struct clouds){ 0 };
     scene_finish(scene);
 }
 
-static int make_depth(void **state)
+static int make_clouds(void **state)
 {
     struct scene scene = picture_sphere_scene(glms_vec3_zero(), 8000);
-    const bool done = depth_field_init(&ball_depth, &scene.model.object);
     (void)state;
+    ball_clouds = clouds_find(&scene.model, true);
+    const bool done = clouds_fill(&ball_clouds, &scene.model);
     scene_finish(&scene);
     return done ? 0 : -1;
 }
 
-static int finish_depth(void **state)
+static int finish_clouds(void **state)
 {
     (void)state;
-    depth_field_finish(&ball_depth);
+    clouds_finish(&ball_clouds);
     return 0;
 }
 
-/* The share of light that crosses a ball at a distance from the middle: exp of the extinction,
- * summed along the way. */
-static double passing(double density, double besides)
+/* The rim is clear, and the middle densest; between them there are needles. */
+static void test_densities(void **state)
 {
-    const double half = sqrt(1 - besides * besides);
+    double least = 1, most = 0;
+    (void)state;
+    CHECK_NEAR(clouds_at(&ball_clouds, 0, glms_vec3_zero()), 1, 0.03);
+    CHECK_NEAR(clouds_at(&ball_clouds, 0, (vec3s){ { 2, 0, 0 } }), 0, 0);
+    for (int i = 0; i < 300; i++) {
+        const double up = 2 * (i + 0.5) / 300 - 1, turn = 2.4 * i, flat = sqrt(1 - up * up);
+        const vec3s dir = { { (float)(flat * cos(turn)), (float)up, (float)(flat * sin(turn)) } };
+        const double there = (double)clouds_at(&ball_clouds, 0, glms_vec3_scale(dir, 0.5F));
+        CHECK_NEAR(clouds_at(&ball_clouds, 0, glms_vec3_scale(dir, 0.9F)), 0, 0);
+        least = fmin(least, there);
+        most = fmax(most, there);
+    }
+    CHECK_NEAR(least, 0, 0.01);
+    CHECK_NEAR(most, CLOUD_VEIL_SHARE, 0.03);
+}
+
+/* The share of light that crosses a ball in `object_from_world` along z, from a point on: exp of
+ * the extinction, summed along the way. */
+static double passing(double density, mat4s object_from_world, vec3s from)
+{
     double sum = 0;
     for (int i = 0; i < 2000; i++) {
-        const double z = half * (2 * (i + 0.5) / 2000 - 1);
-        const double u = 1 - sqrt(besides * besides + z * z);
-        const double t = fmin(fmax((u - 0.18) / (0.42 - 0.18), 0), 1);
-        sum += t * t * (3 - 2 * t) * 2 * half / 2000;
+        const vec3s to = { { from.x, from.y, from.z - 4 * ((float)i + 0.5F) / 2000 } };
+        sum += (double)clouds_at(&ball_clouds, 0, glms_mat4_mulv3(object_from_world, to, 1)) * 4 /
+               2000;
     }
     return exp(-density * sum);
 }
@@ -132,11 +151,11 @@ static void test_passing(void **state)
             glms_rotate(glms_translate_make((vec3s){ { 5, 0, 0 } }), 1.2F, (vec3s){ { 0, 1, 0 } }),
     };
     const struct radiance radiance = radiance_of(&scene, &globals);
-    const struct cloud cloud = cloud_of(&radiance, &settings);
+    const struct cloud cloud = cloud_of(&radiance, &settings, 0);
     for (int i = 0; i < 4; i++) {
         const float besides = 0.22F * (float)i;
-        const double expected = passing(1.5, (double)besides);
         const struct cloud_way way = { { { 5 + besides, 0, 2 } }, { { 0, 0, -1 } }, 4 };
+        const double expected = passing(1.5, cloud.object_from_world, way.from);
         int count = 0;
         float distance;
         for (uint32_t s = 0; s < SAMPLES; s++)
@@ -216,7 +235,8 @@ static void test_light_behind(void **state)
     assert_true(mesh_append(&scene.model.surroundings, &lamp));
     mesh_finish(&lamp);
     struct render_result result = picture_of(&scene, &settings, 0.1F, 64, 0);
-    CHECK_NEAR(mean_of(&result, "R"), passing(1.5, 0), 0.015);
+    CHECK_NEAR(mean_of(&result, "R"), passing(1.5, glms_mat4_identity(), (vec3s){ { 0, 0, 2 } }),
+               0.015);
     render_result_finish(&result);
     finish(&scene);
 }
@@ -292,9 +312,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_depth_in_ball), cmocka_unit_test(test_depth_in_ring),
-        cmocka_unit_test(test_passing),       cmocka_unit_test(test_turning),
-        cmocka_unit_test(test_light_behind),  cmocka_unit_test(test_white_furnace),
-        cmocka_unit_test(test_threads),       cmocka_unit_test(test_eye_inside),
+        cmocka_unit_test(test_densities),     cmocka_unit_test(test_passing),
+        cmocka_unit_test(test_turning),       cmocka_unit_test(test_light_behind),
+        cmocka_unit_test(test_white_furnace), cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_eye_inside),
     };
-    return cmocka_run_group_tests(tests, make_depth, finish_depth);
+    return cmocka_run_group_tests(tests, make_clouds, finish_clouds);
 }

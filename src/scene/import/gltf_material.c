@@ -96,6 +96,20 @@ static void read_priority(const struct gltf_object *object, struct material *m)
     }
 }
 
+/* How cloudy ice is: "extras": { "cloud": 6 }, scatterings of light across the object. */
+static void read_cloud(const struct gltf_object *object, struct material *m)
+{
+    const json_t *cloud = json_object_get(json_object_get(object->json, "extras"), "cloud");
+    const double value = json_number_value(cloud);
+    if (!cloud)
+        return;
+    if (json_is_number(cloud) && value >= 0 && value <= (double)MATERIAL_CLOUD_MAX)
+        m->cloud = (float)value;
+    else
+        (void)gltf_fault(object, "extras.cloud: expected a number from 0 to %g",
+                         (double)MATERIAL_CLOUD_MAX);
+}
+
 static bool has_picture(const struct gltf_texture *texture)
 {
     return texture->image != gltf_none;
@@ -142,6 +156,7 @@ static void read_material(struct gltf *gltf, uint32_t index)
     gltf_material_textures(&object, material);
     check_clear(&object, material);
     read_priority(&object, &material->material);
+    read_cloud(&object, &material->material);
     vec3s color = material->material.base_color;
     gltf->import->clamped_materials += model_color_clamp(&color, false);
     material->material.base_color = color;

@@ -51,7 +51,7 @@ struct environment_head {
     struct environment_sun sun;
 };
 
-_Static_assert(sizeof(struct material) == 528, "no padding");
+_Static_assert(sizeof(struct material) == 532, "no padding");
 _Static_assert(sizeof(struct object) == 108, "no padding");
 _Static_assert(sizeof(struct model_camera) == 120, "no padding");
 _Static_assert(sizeof(struct light) == 120, "no padding");

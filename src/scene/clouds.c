@@ -1,0 +1,117 @@
+/* clouds.c: densities of clouds, by the depth below an object's surface. */
+#include "src/scene/clouds.h"
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include "shaders/cloud.h"
+#include "src/scene/depth_field.h"
+#include "src/scene/generate/noise.h"
+
+enum {
+    SIZE = CLOUD_SIZE,
+    COUNT = SIZE * SIZE * SIZE,
+};
+
+/* Returns how dense needles are that grow towards the middle of the box, in which `place` is from
+ * -1 to 1: rows of bubbles that follow the way the ice grew, 0 to 1. */
+static float needles(vec3s place, float depth)
+{
+    const vec3s way = glms_vec3_scale(glms_vec3_normalize(place), 7.0f);
+    const float fine = noise_value(glms_vec3_scale(way, 2.3f), 17);
+    const float noise =
+        0.6f * noise_value(way, 5) + 0.5f * fine + 0.3f * noise_fractal(place, 2, 9);
+    const float needle = glm_smoothstep(-0.35f, 0.5f, noise);
+    return glm_lerp(needle, 1.0f, glm_smoothstep(CLOUD_CORE, 1.0f, depth));
+}
+
+/* Returns a texel's density, 0 to 1, `depth` that of the field there. */
+static float density_at(uint32_t texel, float depth)
+{
+    const uint32_t at[3] = { texel % SIZE, texel / SIZE % SIZE, texel / SIZE / SIZE };
+    vec3s place;
+    for (int k = 0; k < 3; k++)
+        place.raw[k] = 2.0f * ((float)at[k] + 0.5f) / SIZE - 1.0f;
+    return depth > CLOUD_RIM ? cloud_share(depth) * needles(place, depth) : 0.0f;
+}
+
+struct clouds clouds_find(const struct model *model, bool is_asked)
+{
+    struct clouds clouds = { 0 };
+    if (!model->object_count && is_asked && model->object.index_count)
+        clouds.all[clouds.count++] = (struct cloud_field){ .box = mesh_box(&model->object) };
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        const struct cloud_field cloud = {
+            .object = i,
+            .density = model->materials[object->material].cloud,
+            .box = object->box,
+        };
+        if (!(cloud.density > 0.0f) && !(is_asked && i == 0))
+            continue;
+        if (clouds.count < CLOUDS_MAX)
+            clouds.all[clouds.count++] = cloud;
+        else
+            clouds.left_out++;
+    }
+    return clouds;
+}
+
+/* Returns the triangles of a cloud's object. */
+static struct mesh part_of(const struct model *model, const struct cloud_field *cloud)
+{
+    struct mesh part = model->object;
+    if (model->object_count) {
+        part.indices += model->objects[cloud->object].first_index;
+        part.index_count = model->objects[cloud->object].index_count;
+    }
+    return part;
+}
+
+bool clouds_fill(struct clouds *clouds, const struct model *model)
+{
+    clouds->texels = clouds->count ? malloc((size_t)COUNT * clouds->count) : NULL;
+    if (clouds->count && !clouds->texels)
+        return false;
+    for (uint32_t i = 0; i < clouds->count; i++) {
+        const struct mesh part = part_of(model, &clouds->all[i]);
+        struct depth_field depth;
+        if (!depth_field_init(&depth, &part))
+            return false;
+        uint8_t *texels = &clouds->texels[(size_t)COUNT * i];
+        for (uint32_t k = 0; k < COUNT; k++)
+            texels[k] = (uint8_t)(255.0f * density_at(k, depth.texels[k]) + 0.5f);
+        clouds->all[i].box = depth.box;
+        depth_field_finish(&depth);
+    }
+    return true;
+}
+
+void clouds_finish(struct clouds *clouds)
+{
+    free(clouds->texels);
+    *clouds = (struct clouds){ 0 };
+}
+
+float clouds_at(const struct clouds *clouds, uint32_t index, vec3s point)
+{
+    const struct box *box = &clouds->all[index].box;
+    const uint8_t *texels = &clouds->texels[(size_t)COUNT * index];
+    uint32_t lower[3];
+    float share[3], sum = 0.0f;
+    for (int k = 0; k < 3; k++) {
+        const float at = (point.raw[k] - box->min.raw[k]) / (box->max.raw[k] - box->min.raw[k]);
+        if (!(at >= 0.0f && at <= 1.0f))
+            return 0.0f;
+        const float texel = glm_clamp(at * SIZE - 0.5f, 0.0f, SIZE - 1.0f);
+        lower[k] = (uint32_t)fminf(texel, SIZE - 2.0f);
+        share[k] = texel - (float)lower[k];
+    }
+    for (uint32_t i = 0; i < 8; i++) {
+        const uint32_t x = lower[0] + (i & 1), y = lower[1] + (i >> 1 & 1), z = lower[2] + (i >> 2);
+        const float weight = (i & 1 ? share[0] : 1.0f - share[0]) *
+                             (i >> 1 & 1 ? share[1] : 1.0f - share[1]) *
+                             (i >> 2 ? share[2] : 1.0f - share[2]);
+        sum += weight * (float)texels[(z * SIZE + y) * SIZE + x];
+    }
+    return sum / 255.0f;
+}

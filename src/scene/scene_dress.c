@@ -1,0 +1,27 @@
+/* scene_dress.c: whether objects of a scene are more than clear and white. */
+#include <cglm/struct.h>
+#include "src/scene/scene.h"
+
+bool scene_has_lit_object(const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct material *m = &model->materials[model->objects[i].material];
+        if (!(m->flags & MATERIAL_IS_BARE) &&
+            (m->transmission < 1.0f || m->textures[MATERIAL_TRANSMISSION].layer))
+            return true;
+    }
+    return false;
+}
+
+bool scene_has_dress(const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    for (uint32_t i = 0; i < model->object_count && !scene->has_pool; i++) {
+        const struct material *m = &model->materials[model->objects[i].material];
+        if (!(m->flags & MATERIAL_IS_BARE) && (m->transmission < 1.0f || material_is_dressed(m) ||
+                                               !glms_vec3_eqv(m->base_color, glms_vec3_one())))
+            return true;
+    }
+    return false;
+}
