@@ -415,9 +415,12 @@ static enum status add_extras(struct scene *scene)
     return scene->extra_rows ? STATUS_OK : log_out_of_memory("texture coordinates");
 }
 
-/* Makes what shaders need of surfaces that are not plain. */
-static enum status add_surfaces(struct scene *scene)
+/* Makes what shaders need of surfaces that are not plain, and finds the clouds below them, which
+ * see the same light. */
+static enum status add_surfaces(struct scene *scene, bool has_cloud)
 {
+    if (scene->model.object.index_count)
+        scene->clouds = clouds_find(&scene->model, has_cloud);
     const bool is_lit =
         material_rows_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene);
     const bool has_lights = is_lit && scene->model.light_count > 0;
@@ -516,10 +519,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = sort_surroundings(scene);
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
-    if (status == STATUS_OK && has_object && !scene->has_pool)
-        scene->clouds = clouds_find(&scene->model, params->has_cloud);
     if (status == STATUS_OK && !scene->has_pool)
-        status = add_surfaces(scene);
+        status = add_surfaces(scene, params->has_cloud);
     if (status == STATUS_OK && has_object && !scene->has_pool)
         status = fill_object(scene, params);
     if (status == STATUS_OK)
