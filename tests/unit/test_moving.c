@@ -1,5 +1,7 @@
-/* test_moving.c: the size of a moving picture follows what frames cost. */
+/* test_moving.c: a moving picture is a draft, whose size follows what frames cost. */
+#include "src/settings/quality.h"
 #include "src/view/moving.h"
+#include "src/view/quick.h"
 #include "tests/support/check.h"
 
 /* Frames of a picture that takes `passes` seconds in full size, and `rest` for all else. */
@@ -76,6 +78,32 @@ static void parts_are_even_and_never_empty(void **state)
     }
 }
 
+static double value_of(const struct settings *settings, const char *name)
+{
+    return settings_get(settings, settings_find(name));
+}
+
+static void movements_are_drafts(void **state)
+{
+    struct settings settings = settings_default();
+    (void)state;
+    for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
+        for (const struct quality_row *row = quality_rows; row->setting; row++)
+            quality_put(&settings, row, level);
+        struct settings quick = quick_settings(&settings, false);
+        assert_int_equal(quality_of(&quick), 0);
+        assert_true(value_of(&quick, "cracks.count") == value_of(&settings, "cracks.count"));
+        quick = quick_settings(&settings, true);
+        assert_true(value_of(&quick, "cracks.count") == 0.0);
+        assert_true(value_of(&quick, "air.count") == 0.0);
+    }
+    /* what no level has, somebody has chosen */
+    settings_put(&settings, settings_find("env_cube.size"), 333.0);
+    const struct settings quick = quick_settings(&settings, true);
+    assert_true(value_of(&quick, "env_cube.size") == 333.0);
+    assert_int_equal(quality_of(&quick), QUALITY_COUNT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -83,6 +111,7 @@ int main(void)
         cmocka_unit_test(late_frames_are_smaller_at_once),
         cmocka_unit_test(early_frames_are_larger_after_a_while),
         cmocka_unit_test(parts_are_even_and_never_empty),
+        cmocka_unit_test(movements_are_drafts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
