@@ -183,6 +183,8 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     slide(w, x);
     if (!held)
         return;
+    if (hypot(x - w->pressed_x, y - w->pressed_y) >= pair_reach)
+        w->pressed_at = 0.0; /* a movement is no click */
     if (!(w->input.moved_at > 0.0))
         w->input.moved_at = clock_seconds();
     dragged(w)->x += dx;
