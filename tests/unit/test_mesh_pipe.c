@@ -430,6 +430,7 @@ static void materials_are_checked(void **state)
         offsetof(struct material, thickness),
         offsetof(struct material, ior),
         offsetof(struct material, dispersion),
+        offsetof(struct material, cloud),
         offsetof(struct material, attenuation_color),
         offsetof(struct material, attenuation_distance),
         offsetof(struct material, metallic),

@@ -291,6 +291,7 @@ static bool is_material(const struct material *m)
            is_color(m->attenuation_color, false) && is_from(m->roughness, 0, 1) &&
            is_from(m->transmission, 0, 1) && is_from(m->thickness, 0, MODEL_COORDINATE_MAX) &&
            is_from(m->ior, 1, 4) && is_from(m->dispersion, 0, 10) &&
+           is_from(m->cloud, 0, MATERIAL_CLOUD_MAX) &&
            is_from(m->attenuation_distance, 0, FLT_MAX) && is_surface(m);
 }
 
