@@ -35,7 +35,7 @@ static enum status mix(struct grey_picture *grey, const struct image *image, con
     const size_t length = strlen(path), count = (size_t)image->width * image->height;
     const bool is_png = length > 4 && !strcmp(path + length - 4, ".png");
     const float *planes[3];
-    bool is_usual = true;
+    bool is_in_range = true;
     if (!find_planes(image, planes)) {
         log_error("%s: expected the channels R, G and B, or a single one", path);
         return STATUS_DATA;
@@ -46,9 +46,9 @@ static enum status mix(struct grey_picture *grey, const struct image *image, con
     for (size_t i = 0; i < count; i++) {
         const float mean = (planes[0][i] + planes[1][i] + planes[2][i]) / 3.0f;
         grey->texels[i] = is_png ? srgb_encode(mean) : mean;
-        is_usual &= fabsf(mean) <= GREY_MAX; /* NaN is not */
+        is_in_range &= fabsf(mean) <= GREY_MAX; /* NaN is not */
     }
-    if (is_usual)
+    if (is_in_range)
         return STATUS_OK;
     log_error("%s: expected numbers from -%.0f to %.0f", path, (double)GREY_MAX, (double)GREY_MAX);
     return STATUS_DATA;
