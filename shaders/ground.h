@@ -4,12 +4,11 @@
 #define SHADERS_GROUND_H
 #include "abi_math.h"
 
-#define GROUND_MATT_WAYS 2 /* of the matt base, in each sample */
+#define GROUND_MATT_WAYS 2 /* of the matt base, in each sample; every second one is guided */
 
-/* What seeds are hashed with for random numbers of their own; of the first two, those of the matt
- * base, as many as there are ways. */
+/* What seeds are hashed with for random numbers of their own; of the first, that of the matt base,
+ * as many as there are ways. */
 #define GROUND_MATT_SEED   20u
-#define GROUND_GUIDE_SEED  30u
 #define GROUND_GLOSSY_SEED 40u
 #define GROUND_SUN_SEED    41u
 #define GROUND_WAY_SEED    42u
@@ -42,14 +41,14 @@ ABI_FUNCTION vec3s ground_matt_dir(vec3s n, vec2s at)
     return glms_vec3_normalize(glms_vec3_add(glms_vec3_scale(n, 1.0001f), ground_sphere(at)));
 }
 
-/* Returns a direction from a matt surface: half of them lead into a cone from which most light
- * comes. `guide`: its axis, unit, and the cosine of its angle; (0, 0, 0, 1): there is none. `pick`
- * is from 0 to 1. */
-ABI_FUNCTION vec3s ground_dir(vec3s n, vec4s guide, float pick, vec2s at)
+/* Returns the direction of a way from a matt surface: guided ones lead into a cone from which most
+ * light comes. `guide`: its axis, unit, and the cosine of its angle; (0, 0, 0, 1): there is none.
+ */
+ABI_FUNCTION vec3s ground_dir(vec3s n, vec4s guide, uint32_t way, vec2s at)
 {
     vec3s axis = ABI_VEC3(guide.x, guide.y, guide.z);
     float z = guide.w + (1.0f - guide.w) * at.x;
-    if (guide.w >= 1.0f || pick < 0.5f)
+    if (guide.w >= 1.0f || way % 2u == 0u)
         return ground_matt_dir(n, at);
     return ground_around(axis, z, at.y);
 }

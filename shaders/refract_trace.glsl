@@ -55,6 +55,7 @@ struct trace_way {
     int left;   /* straight parts that it may still have */
     bool is_in_bubble;
     bool is_gathered; /* it brings light to surroundings (trace_ground.glsl) */
+    float open;       /* times its weight, if nothing was in its way */
 };
 
 struct trace_seen {
@@ -218,7 +219,7 @@ void trace_begin(vec3 eye, vec3 e)
     uint seed = microfacet_hash(uint(gl_FragCoord.x), uint(gl_FragCoord.y));
     bool is_in_bubble = trace_has(TRACE_HAS_INCLUSIONS) && trace.is_in_bubble != 0u;
     way = trace_way(eye, e, vec3(1.0), trace_eye_inside(), -1, side, 1e30, seed, 0.0,
-                    trace_length_max, is_in_bubble, false);
+                    trace_length_max, is_in_bubble, false, 1.0);
     for (int i = 0; i < trace_waits_max; i++)
         later[i] = way;
     waits = 0;
@@ -382,6 +383,7 @@ bool trace_cross_surface(trace_hit hit, trace_cross c)
     way = trace_leave(way, hit, c, is_total ? p.reflected : p.refracted, !is_total);
     way.weight = is_total ? back : through;
     way.kind = is_mirror ? 1.0 : way.kind;
+    way.open = 1.0;
     seen.exit = is_main ? way.dir : seen.exit;
     is_main = is_main && trace_is_inside(way.inside) && !is_mirror;
     is_first = false;
@@ -412,7 +414,8 @@ bool trace_arrive(trace_hit hit)
             /* the background is drawn over the picture, so a pane before objects hides nothing */
             passing = passing > 0.0 ? 1.0 : 0.0;
         } else {
-            trace_add(way.weight * light, way.kind);
+            float open = hit.triangle < 0 ? way.open : 1.0;
+            trace_add(open * way.weight * light, way.kind);
             seen.is_object = true;
         }
         if (is_shaded && !is_first)

@@ -3,10 +3,10 @@
  * or mirror it.
  *
  * What a lit surface makes of a sky that nothing hides is shared out, in each sample, to rays from
- * its matt base, as the sky is bright in their directions, and one of its reflection. Each brings
- * its part as much brighter or darker as what it finds is than the sky there: where the way is
- * free, exactly its part, so that only what is in the way makes noise. It is no mean but a ratio of
- * two: in the deep shadow of a small lamp it is a little too bright. The reference has the mean.
+ * its matt base, as the sky is bright in their directions, and one of its reflection. A ray that
+ * reaches the sky straight brings its part, exactly; so only what is in the way makes noise. What
+ * other rays find counts as much as it does in the mean of all rays. A part is a ratio, no mean:
+ * where a small lamp is hidden and the rest is not, it is too bright. The reference has the mean.
  * At the end of such a ray, surroundings show themselves as if nothing were in the way of their
  * light, and the sun's disc is not seen: the sun is a light of its own, which surroundings hide.
  */
@@ -16,8 +16,8 @@
 #include "lib/microfacet.glsl"
 #include "trace_surface.glsl"
 
-const int ground_holes_max = 8; /* in the way of the sun */
-const float ground_least = 0.7; /* of its mean, the least light by which one is divided */
+const int ground_holes_max = 8;  /* in the way of the sun */
+const float ground_least = 1e-6; /* light by which one is divided */
 
 /* Returns the radiance of the sky without the sun's disc. */
 vec3 ground_sky(vec3 dir)
@@ -52,16 +52,26 @@ float ground_sun(trace_hit from, vec3 point, uint seed)
     return passing;
 }
 
-/* Lets a way go from a surface, with a weight for what it finds. It is in the same media as the way
- * that is followed. */
-void ground_put(trace_hit hit, vec3 dir, vec3 weight)
+/* Returns by how much the sky in some directions counts, so that it makes what all of it makes.
+ * What of that is a matter of hue goes into the weight, unless it is much. */
+float ground_open(vec3 some, vec3 all, inout vec3 weight)
+{
+    some = max(some, ground_least);
+    float open = dot(all, vec3(1.0)) / dot(some, vec3(1.0));
+    weight *= clamp(all / (some * max(open, ground_least)), 0.5, 2.0);
+    return open;
+}
+
+/* Lets a way go from a surface, with a weight for what it finds, and by how much more it counts if
+ * that is the sky, straight. It is in the same media as the way that is followed. */
+void ground_put(trace_hit hit, vec3 dir, vec3 weight, float open)
 {
     vec3 facet = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
     facet = trace_posed(facet, hit.part);
     bool is_below = dot(dir, facet) * dot(way.dir, facet) >= 0.0;
     float most = max(weight.r, max(weight.g, weight.b));
     if (most <= trace_branch_min || waits >= trace_waits_max || is_below) {
-        trace_add(weight * ground_sky(dir), way.kind);
+        trace_add(open * weight * ground_sky(dir), way.kind);
         return;
     }
     trace_way other = way;
@@ -73,6 +83,7 @@ void ground_put(trace_hit hit, vec3 dir, vec3 weight)
     other.reach = 1e30;
     other.seed = microfacet_hash(way.seed, GROUND_WAY_SEED);
     other.is_gathered = true;
+    other.open = open;
     trace_put(other);
 }
 
@@ -91,23 +102,21 @@ void ground_gather(trace_hit hit, vec3 weight)
     float counts[GROUND_MATT_WAYS];
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++) {
-        float pick = ground_point(GROUND_GUIDE_SEED + i).x;
-        dirs[i] = ground_dir(shares.normal, trace.guide, pick, ground_point(GROUND_MATT_SEED + i));
+        dirs[i] = ground_dir(shares.normal, trace.guide, i, ground_point(GROUND_MATT_SEED + i));
         counts[i] = ground_weight(shares.normal, trace.guide, dirs[i]);
         sum += counts[i] * ground_sky(dirs[i]);
     }
-    vec3 least = ground_least * float(GROUND_MATT_WAYS) * shares.on_matt + 1e-6;
-    vec3 matt = weight * shares.matt * shares.on_matt / max(sum, least);
+    vec3 matt = weight * shares.matt / float(GROUND_MATT_WAYS);
+    float open = ground_open(sum, float(GROUND_MATT_WAYS) * shares.on_matt, matt);
     for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++)
-        ground_put(hit, dirs[i], matt * counts[i]);
+        ground_put(hit, dirs[i], matt * counts[i], open);
     vec3 h = microfacet_sample(shares.normal, way.dir, shares.roughness,
                                ground_point(GROUND_GLOSSY_SEED));
-    vec3 dir = reflect(way.dir, h), sky = ground_sky(dir);
-    vec3 glossy = weight * shares.glossy * shares.mirrored;
-    glossy /= max(sky, ground_least * shares.mirrored + 1e-6);
-    ground_put(hit, dir, glossy);
+    vec3 dir = reflect(way.dir, h), sky = ground_sky(dir), glossy = weight * shares.glossy;
+    float open_glossy = ground_open(sky, shares.mirrored, glossy);
+    ground_put(hit, dir, glossy, open_glossy);
     /* What is brought where the way is free has been added already. */
-    trace_add(-matt * sum - glossy * sky, way.kind);
+    trace_add(-open * matt * sum - open_glossy * glossy * sky, way.kind);
 }
 
 /* Makes surroundings that are seen straight what the pixel shows. */

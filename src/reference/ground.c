@@ -54,8 +54,7 @@ struct ground_ways ground_gather(const struct tracing *tracing, const struct bra
     const vec3s matt = glms_vec3_scale(glms_vec3_mul(weight, shares.matt), 1.0f / GROUND_MATT_WAYS);
     for (uint32_t i = 0; i < GROUND_MATT_WAYS; i++) {
         const vec3s dir =
-            ground_dir(n, tracing->guide, random_point(tracing, b->seed, GROUND_GUIDE_SEED + i).x,
-                       random_point(tracing, b->seed, GROUND_MATT_SEED + i));
+            ground_dir(n, tracing->guide, i, random_point(tracing, b->seed, GROUND_MATT_SEED + i));
         put(tracing, b, hit, dir, glms_vec3_scale(matt, ground_weight(n, tracing->guide, dir)),
             &ways);
     }
