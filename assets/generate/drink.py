@@ -11,7 +11,7 @@ BASE, FLOOR, HEIGHT = 0.0002, 0.0105, 0.09  # heights of the glass: foot, inner 
 FOOT, RIM, WALL = 0.0335, 0.0395, 0.0024  # radii outside, and how thick the wall is at the rim
 LEVEL = 0.066  # of the water
 GLASS = glass('glass', 1.5, 3, 0.0024, (0.93, 0.97, 0.95), 0.1)
-ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1)
+ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=6)
 WATER = glass('water', 1.333, 1, 0.07, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
 # Where each cube is, how it is turned, and its half widths.
@@ -21,7 +21,7 @@ CUBES = (
     ((-0.0071, 0.0335, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
 )
 STRAW = ((-0.0195, 0.0137, 0.0), (0.0375, 0.1341, -0.036), 0.0026)  # foot, top, radius
-DROPS = (1500, 0.0002, 0.0011)  # that are tried; least and greatest radius
+DROPS = (1300, 0.00028, 0.0012)  # that are tried; least and greatest radius
 TRACKS = 9  # of drops that ran down
 
 
@@ -92,20 +92,30 @@ def straw():
 
 
 def cubes():
-    return [ice(half, 26, 40 + 13 * i, exponent=5, waves=0.0005, bulge=0.045)
+    return [ice(half, 30, 40 + 13 * i, exponent=6, waves=0.0008, cell=0.0055, bulge=0.05)
             .placed(turned(*turn), at) for i, (at, turn, half) in enumerate(CUBES)]
 
 
+def clinging(cube, pick):
+    """Places on a cube below the water, from which bubbles hang."""
+    wet = [(p, n) for p, n in zip(cube.points, cube.normals) if p[1] < LEVEL - 0.003]
+    for _ in range(45):
+        at, normal = pick.choice(wet)
+        radius = 0.00018 + 0.0005 * pick.random() ** 3
+        yield add(at, scale(normal, 0.9 * radius)), (0, 1, 0), radius, radius
+
+
 def bubbles():
-    """Worms and eggs in the cubes, and beads on the inside of the glass and on its floor."""
+    """Worms and eggs in the cubes, and beads on them, on the inside of the glass and its floor."""
     beads = []
-    for i, (at, turn, half) in enumerate(CUBES):
+    pick = random.Random(77)
+    for i, ((at, turn, half), cube) in enumerate(zip(CUBES, cubes())):
         matrix = turned(*turn)
-        for where, along, radius, length, sides in worms(half, 170, 260, 900 + i):
+        for where, along, radius, length, sides in worms(half, 220, 260, 900 + i):
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
             beads.append((add(where, at), along, radius, length, sides))
-    pick = random.Random(77)
+        beads += clinging(cube, pick)
     for _ in range(60):
         y = FLOOR + 0.007 + (LEVEL - FLOOR - 0.011) * pick.random()
         angle, radius = pick.uniform(0, 2 * math.pi), 0.0002 + 0.0005 * pick.random() ** 2

@@ -339,17 +339,33 @@ def beads_mesh(beads):
     return mesh
 
 
-def crack(radius, seed, gap=0.00006, bend=9.0, rings=6, segments=30):
-    """A bent sheet of air, lobed, thin towards its rim, square to the y axis."""
+def crack(radius, seed, gap=0.00006, bend=9.0, rings=12, segments=42):
+    """
+    A bent sheet of air, lobed, thin towards its rim, square to the y axis: with faint arcs, and
+    uneven where it ended.
+    """
     pick = random.Random(seed)
     turn, lobes = pick.uniform(0, 6), pick.uniform(0, 6)
+
+    def height(x, z):
+        r = math.hypot(x, z)
+        share = r / radius
+        wide, fine = ((x / size, seed, z / size) for size in (0.55 * radius, 0.16 * radius))
+        return (bend * r * r + radius * (0.035 * noise(wide, seed) +
+                                         0.016 * smoothstep(0.3, 1, share) * noise(fine, seed) +
+                                         0.0022 * share * math.sin(36 * share + wide[0])))
+
+    def normal(x, z):
+        d = 0.01 * radius
+        return unit((height(x - d, z) - height(x + d, z), 2 * d,
+                     height(x, z - d) - height(x, z + d)))
 
     def point(share, k, side):
         a = 2 * math.pi * k / segments
         r = radius * share * (0.9 + 0.2 * math.cos(a - turn) + 0.14 * math.cos(3 * a - lobes) +
                               0.07 * math.cos(5 * a + lobes))
-        return (r * math.cos(a), bend * r * r + side * gap / 2 * math.sqrt(1 - share * share),
-                -r * math.sin(a))
+        x, z = r * math.cos(a), -r * math.sin(a)
+        return (x, height(x, z) + side * gap / 2 * math.sqrt(1 - share * share), z)
 
     points = [point(1, k, 0) for k in range(segments)]
     signs, faces = [1] * segments, []
@@ -369,8 +385,7 @@ def crack(radius, seed, gap=0.00006, bend=9.0, rings=6, segments=30):
         faces += quads if side > 0 else [(a, c, b) for a, b, c in quads]
         signs += [side] * (len(points) - len(signs))
     # Each side is a smooth sheet: the thin rim is no part of its normal.
-    return Mesh(points, faces, [unit((-2 * bend * x * s, s, -2 * bend * z * s))
-                                for s, (x, _, z) in zip(signs, points)])
+    return Mesh(points, faces, [scale(normal(x, z), s) for s, (x, _, z) in zip(signs, points)])
 
 
 def sheet(corner, across, along, columns, rows):

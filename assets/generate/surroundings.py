@@ -54,8 +54,8 @@ def wood(seed, width=192, height=512):
             value = 16 + 19 * late * (0.5 + ((whole * 37) % 11) / 11) + tone + 9 * a[x] + 10 * b[x]
             row.append(63 if edge < 2 else int(min(max(value, 0), 63)))
         rows.append(row)
-    colors = png(rows, ramp([(.66, .49, .33), (.53, .37, .24), (.40, .26, .16), (.19, .12, .08)]))
-    return colors, png(rows, ramp([(1, .34, 0), (1, .5, 0), (1, .62, 0)]))
+    colors = png(rows, ramp([(.75, .57, .40), (.63, .45, .29), (.49, .32, .19), (.29, .18, .11)]))
+    return colors, png(rows, ramp([(1, .26, 0), (1, .4, 0), (1, .52, 0)]))
 
 
 def slate(seed, side=256):

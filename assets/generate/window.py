@@ -8,12 +8,12 @@ from studio import HEIGHT, WIDTH, lamp
 # A window's middle: azimuth to the right of -Z and elevation, degrees; half width and half height
 # of a pane as tangents of angles; panes across and up; radiance; colour
 WINDOWS = (
-    (-56, 31, 0.135, 0.165, 2, 2, 9.5, (1.0, 0.93, 0.82)),
-    (71, 24, 0.085, 0.185, 2, 2, 3.4, (0.74, 0.86, 1.0)),
+    (-68, 33, 0.2, 0.2, 2, 3, 5.2, (1.0, 0.95, 0.87)),
+    (72, 29, 0.3, 0.56, 1, 1, 2.8, (0.8, 0.9, 1.0)),
     (-163, 33, 0.22, 0.13, 1, 1, 1.7, (1.0, 0.96, 0.9)),
 )
 BAR = 0.012  # half of a bar between panes
-GLOW = (-6, 11, (0.5, 0.36, 0.23))  # the lit wall: azimuth and elevation, degrees; radiance
+GLOW = (-2, 7, (0.62, 0.5, 0.34))  # the lit wall: azimuth and elevation, degrees; radiance
 
 
 def walls():
@@ -25,11 +25,11 @@ def walls():
         low = smoothstep(-40, -12, height)
         room = mix((0.03, 0.024, 0.02), (0.062, 0.055, 0.048), low)
         room = mix(room, (0.1, 0.094, 0.086), smoothstep(30, 75, height))
-        tall = math.exp(-((height - elevation) / 34) ** 2) * low
+        tall = math.exp(-((height - elevation) / 20) ** 2) * low
         row = [[], [], []]
         for x in range(WIDTH):
             aside = ((x + 0.5) / WIDTH * 360 - 180) - azimuth
-            share = tall * math.exp(-(aside / 46) ** 2)
+            share = tall * (0.3 * math.exp(-(aside / 50) ** 2) + 0.7 * math.exp(-(aside / 15) ** 2))
             for channel, value in zip(row, room):
                 channel.append(value)
             for channel, value in zip(row, scale(color, share)):
