@@ -266,6 +266,15 @@ typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
  */
 typedef bool rg_when_fn(const struct rg_frame *frame, uint32_t repetition);
 
+/*
+ * Returns the texels of the targets that a raster pass draws in a frame. Draws are cut off at the
+ * rectangle's edges, and RG_LOAD_CLEAR fills it alone; what is outside stays if it is kept, and is
+ * undefined otherwise. If no texel of the targets is inside, the pass is left out as with
+ * rg_when_fn. It is asked once for each recording of each pass; only rg_cmd_pass(),
+ * rg_cmd_repetition() and rg_cmd_extent() may be called with `cmd`.
+ */
+typedef VkRect2D rg_area_fn(const struct rg_cmd *cmd, const struct rg_frame *frame);
+
 /* A row: a pass, or several repetitions of it. */
 struct rg_pass {
     const char *name;              /* unique among passes; shown in dumps, captures and messages */
@@ -285,6 +294,7 @@ struct rg_pass {
     uint32_t push_size;           /* bytes of push constants, for all stages: a multiple of 4 */
     rg_record_fn *record;         /* required */
     rg_when_fn *when;             /* the condition; NULL: the pass runs in every frame */
+    rg_area_fn *area;             /* of a raster pass: what it draws; NULL: all of its targets */
     bool depth_read_only;         /* the depth target is tested and not written, its stencil too */
     struct rg_depth_bias depth_bias;  /* {0}: none */
     const struct rg_stencil *stencil; /* borrowed; NULL: no stencil test */

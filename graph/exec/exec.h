@@ -133,7 +133,8 @@ struct rg_cmd {
     const struct rg_plan_pass *plan_pass;
     const struct exec_pass *pass;
     VkCommandBuffer commands;
-    bool warm_up; /* each draw becomes one triangle, outside of the targets */
+    VkRect2D area; /* what a raster pass draws */
+    bool warm_up;  /* each draw becomes one triangle, outside of the targets */
 };
 
 /* ---- objects.c: calls that may fail, and what they make ---- */
@@ -248,7 +249,7 @@ VkResult rg_time_finish(struct rg_exec *exec, uint32_t index, uint64_t wait_star
 VkResult rg_exec_make_coverage(struct rg_exec *exec);
 /* Whether a pass draws or copies only a part of its targets now. */
 bool rg_exec_is_limited(const struct rg_cmd *cmd);
-VkRect2D rg_exec_area(const struct rg_cmd *cmd);         /* what the pass draws */
+VkRect2D rg_exec_area(const struct rg_cmd *cmd);         /* what the region leaves of the pass */
 VkRect2D rg_exec_within(VkRect2D inner, VkRect2D outer); /* the common part */
 
 /* warm_up.c: the triangle of an executor made with `warm_up_only` */

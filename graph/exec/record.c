@@ -100,7 +100,7 @@ static void begin_rendering(const struct rg_cmd *cmd)
     bool has_stencil = has_depth && images[plan->depth.image].aspects & VK_IMAGE_ASPECT_STENCIL_BIT;
     const VkRenderingInfo info = {
         .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-        .renderArea = rg_exec_area(cmd),
+        .renderArea = cmd->area,
         .layerCount = 1,
         .colorAttachmentCount = color_count,
         .pColorAttachments = attachments,
@@ -121,7 +121,7 @@ static void begin_render_pass(const struct rg_cmd *cmd)
         .sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO,
         .renderPass = cmd->pass->render_pass,
         .framebuffer = cmd->exec->image_set->targets[cmd->index].framebuffer,
-        .renderArea = rg_exec_area(cmd),
+        .renderArea = cmd->area,
         .clearValueCount = plan->color_count + 1,
         .pClearValues = clears,
     };
@@ -149,7 +149,7 @@ static void bind(const struct rg_cmd *cmd)
         .maxDepth = 1.0f,
     };
     cmd->exec->vk.CmdSetViewport(cmd->commands, 0, 1, &viewport);
-    const VkRect2D area = cmd->warm_up ? (VkRect2D){ 0 } : rg_exec_area(cmd);
+    const VkRect2D area = cmd->warm_up ? (VkRect2D){ 0 } : cmd->area;
     cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &area);
 }
 
@@ -166,6 +166,19 @@ void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
         cmd->exec->vk.CmdEndRenderPass(cmd->commands);
     else if (raster)
         cmd->exec->vk.CmdEndRendering(cmd->commands);
+}
+
+/* Whether the pass draws something in the frame; fills cmd->area. */
+static bool is_drawn(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct rg_pass *row = cmd->plan_pass->pass;
+    if (row->when && !row->when(frame, cmd->plan_pass->repetition))
+        return false;
+    cmd->area = rg_exec_area(cmd);
+    if (!row->area)
+        return true;
+    cmd->area = rg_exec_within(row->area(cmd, frame), cmd->area);
+    return cmd->area.extent.width && cmd->area.extent.height;
 }
 
 static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer commands,
@@ -188,7 +201,7 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
     rg_time_begin_pass(exec, commands, index);
     rg_exec_record_batch(exec, commands, cmd.plan_pass->first_barrier,
                          cmd.plan_pass->barrier_count);
-    if (!row->when || row->when(frame, cmd.plan_pass->repetition))
+    if (is_drawn(&cmd, frame))
         rg_exec_record_work(&cmd, frame);
     rg_time_end_pass(exec, commands, index);
     if (exec->vk.CmdEndDebugUtilsLabelEXT)
@@ -300,7 +313,7 @@ void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh)
 
 void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle)
 {
-    const VkRect2D both = rg_exec_within(rectangle, rg_exec_area(cmd));
+    const VkRect2D both = rg_exec_within(rectangle, cmd->area);
     if (!cmd->warm_up)
         cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &both);
 }

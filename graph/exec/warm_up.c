@@ -64,6 +64,7 @@ VkResult rg_exec_warm_up(struct rg_exec *exec, const struct rg_frame *frame, uin
         .plan_pass = &exec->plan->passes[pass],
         .pass = &exec->passes[pass],
         .commands = slot->commands,
+        .area = { .extent = exec->plan->passes[pass].extent },
         .warm_up = true,
     };
     const struct rg_pass *row = cmd.plan_pass->pass;

@@ -253,12 +253,109 @@ static void scissors_stay_inside(void **state)
     run_close(&run);
 }
 
+/* ---- areas of rows ---- */
+
+static const struct rg_image board = COLOR_IMAGE("board");
+static const struct rg_image spot = COLOR_IMAGE("spot");
+static const struct rg_buffer board_out = COLOR_BUFFER("board out");
+static const struct rg_buffer spot_out = COLOR_BUFFER("spot out");
+static const VkRect2D spot_area = { { 1, 3 }, { 4, 2 } };
+
+static VkRect2D area_of_spot(const struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)cmd;
+    (void)frame;
+    return spot_area;
+}
+
+static VkRect2D area_beyond(const struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)frame;
+    return (VkRect2D){ { (int32_t)rg_cmd_extent(cmd).width, 2 }, { 3, 3 } };
+}
+
+static void record_never(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)cmd;
+    (void)frame;
+    fail();
+}
+
+static const struct rg_pass area_rows[] = {
+    { .name = "board", CLEAR(board), PAINTED },
+    {
+        .name = "on board",
+        .color = RG_TARGETS({ &board, RG_LOAD_KEEP }),
+        .area = area_of_spot,
+        PAINTED,
+    },
+    {
+        .name = "beyond",
+        .color = RG_TARGETS({ &board, RG_LOAD_KEEP }),
+        .area = area_beyond,
+        PAINTED_BY(record_never, &paint_frag),
+    },
+    { .name = "spot", CLEAR(spot), .area = area_of_spot, PAINTED },
+    RUN_READ("read board", board, board_out),
+    RUN_READ("read spot", spot, spot_out),
+};
+
+/* Row by row, of the texels of `seen`. */
+static void check_board(struct run *run, VkRect2D seen)
+{
+    for (uint32_t i = 0; i < seen.extent.width * seen.extent.height; i++) {
+        const uint32_t x = (uint32_t)seen.offset.x + i % seen.extent.width;
+        const uint32_t y = (uint32_t)seen.offset.y + i / seen.extent.width;
+        const vec4s half = x < 4 ? painted_color(5, 6, 7, 8) : painted_color(1, 2, 3, 4);
+        const bool is_on_spot = is_inside(spot_area, x, y);
+        painted_check(run, &board_out, i, is_on_spot ? painted_color(9, 9, 9, 9) : half);
+        if (is_on_spot)
+            painted_check(run, &spot_out, i, half);
+    }
+}
+
+/* Rows draw in their areas, clear nothing beside them, and are left out where there are none. */
+static void areas_of_rows(void **state)
+{
+    static const struct paint_push area_paints[] = {
+        HALF,
+        { .color = { { 9, 9, 9, 9 } }, ALL },
+        { ALL },
+        HALF,
+    };
+    static const VkRect2D whole = WHOLE, part = PART, both = { { 2, 4 }, { 3, 1 } };
+    const struct run_params all = {
+        .technique = RG_TECHNIQUE("test", area_rows),
+        .outputs = { &board_out, &spot_out },
+    };
+    const struct rg_frame frame = { .rows = area_rows, .paints = area_paints };
+    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+        const struct run_params params = run_way(&all, way);
+        struct run run;
+        open_noted(&run, *state, &params);
+        for (int is_part = 0; is_part < 2; is_part++) {
+            const VkRect2D seen = is_part ? part : whole, spot_seen = is_part ? both : spot_area;
+            if (is_part)
+                rg_exec_set_region(run.exec, &(struct rg_exec_region){ part, part });
+            noted.count = 0;
+            run_frame(&run, &frame);
+            assert_int_equal(noted.count, 3);
+            assert_memory_equal(&noted.areas[0], &seen, sizeof(seen));
+            assert_memory_equal(&noted.areas[1], &spot_seen, sizeof(spot_seen));
+            assert_memory_equal(&noted.areas[2], &spot_seen, sizeof(spot_seen));
+            check_board(&run, seen);
+        }
+        run_close(&run);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         ON_DEVICE(only_a_region),
         ON_DEVICE(all_without_it),
         ON_DEVICE(scissors_stay_inside),
+        ON_DEVICE(areas_of_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

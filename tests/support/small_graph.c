@@ -13,6 +13,13 @@ void small_graph_record(struct rg_cmd *cmd, const struct rg_frame *frame)
     (void)frame;
 }
 
+VkRect2D small_graph_area(const struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)cmd;
+    (void)frame;
+    return (VkRect2D){ 0 };
+}
+
 struct rg_plan *small_graph_compile(const struct small_graph *graph)
 {
     const struct rg_technique technique = { "tech", graph->passes, graph->pass_count };

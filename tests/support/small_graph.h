@@ -13,6 +13,7 @@ enum {
 
 extern const struct rg_shader small_graph_shader; /* of no words */
 rg_record_fn small_graph_record;
+rg_area_fn small_graph_area;
 
 /* Rows that lack nothing but what the dots say: targets, or uses. */
 #define DRAW(title, ...) \
