@@ -103,7 +103,11 @@ static const struct rg_use *uses_with(struct row_builder *builder, const struct 
  * uniform buffer, and names with a suffix where the table's own are taken. */
 static bool own_parts(struct frame_list *list, size_t first, uint32_t place, bool again)
 {
-    struct frame_list_object object = { globals_at(list, place), .place = place };
+    struct frame_list_object object = {
+        .globals = globals_at(list, place),
+        .place = place,
+        .of_layers = again,
+    };
     char suffix[24];
     snprintf(suffix, sizeof(suffix), again ? "%u.layers" : "%u", place);
     for (size_t i = first; i < list->count; i++)
@@ -137,6 +141,7 @@ static bool add_objects(struct frame_list *list, const struct technique_choice *
     own.keeps_depth = again;
     for (uint32_t place = 0; place < choice->object_count && done; place++) {
         const size_t first = list->count;
+        own.is_limited = place && !again;
         done = add_phase(list, &own, PHASE_DEPTHS) && add_phase(list, &own, PHASE_NORMALS) &&
                add_phase(list, &own, again ? PHASE_LAYERS : PHASE_REFRACTION) &&
                own_parts(list, first, place, again);
@@ -166,6 +171,19 @@ static bool touches(const struct rg_pass *row, const struct rg_image *image)
     return found;
 }
 
+/* Whether rows that belong to no object use an image. */
+static bool is_used_elsewhere(const struct frame_list *list, const struct rg_image *image)
+{
+    for (size_t i = 0; i < list->count; i++) {
+        const struct rg_technique *part = &list->parts[i];
+        for (size_t p = 0; p < part->pass_count && !owner(list, part->passes); p++) {
+            if (touches(&part->passes[p], image))
+                return true;
+        }
+    }
+    return false;
+}
+
 static bool reads(const struct frame_list_object *object, const struct rg_image *image)
 {
     for (size_t r = 0; r < object->row_count; r++) {
@@ -178,28 +196,32 @@ static bool reads(const struct frame_list_object *object, const struct rg_image 
 }
 
 /* Whether an image is of all objects, and no map of the one that is being drawn: the picture, its
- * depth, a layer, or what other rows have a use for and the object's own do not read. */
+ * depth, a layer that is drawn, or what other rows have a use for and the object's own do not read.
+ */
 static bool is_common(const struct frame_list *list, const struct frame_list_object *object,
                       const struct rg_image *image)
 {
     const struct frame_layer *layer;
     if (image == &frame_color || image == &frame_depth)
         return true;
-    for (size_t i = 0; (layer = techniques_layer(i)); i++) {
+    for (size_t i = 0; object->of_layers && (layer = techniques_layer(i)); i++) {
         if (layer->image == image)
             return true;
     }
-    for (size_t i = 0; i < list->count && !reads(object, image); i++) {
-        const struct rg_technique *part = &list->parts[i];
-        for (size_t p = 0; p < part->pass_count && !owner(list, part->passes); p++) {
-            if (touches(&part->passes[p], image))
-                return true;
-        }
-    }
-    return false;
+    return !reads(object, image) && is_used_elsewhere(list, image);
 }
 
-/* Makes a row keep what is common. */
+/* Whether a target need not be drawn beside the object: its content stays there, or none looks. */
+static bool is_local(const struct frame_list *list, const struct rg_target *target)
+{
+    const struct rg_image *image = target->image;
+    const bool is_of_view = !image || !(image->width || image->scale > 0.0f);
+    return is_of_view &&
+           (!image || target->load == RG_LOAD_KEEP || !is_used_elsewhere(list, image));
+}
+
+/* Makes a row keep what is common, and draw no more of the object's maps than is looked up, so that
+ * many small objects cost no more than a few large ones. */
 static void keep_in_row(struct frame_list *list, const struct frame_list_object *object,
                         struct rg_pass *row)
 {
@@ -211,6 +233,11 @@ static void keep_in_row(struct frame_list *list, const struct frame_list_object 
     row->color = color;
     if (row->depth.image && is_common(list, object, row->depth.image))
         row->depth.load = RG_LOAD_KEEP;
+    bool are_local = is_local(list, &row->depth);
+    for (uint32_t c = 0; color && c < row->color_count; c++)
+        are_local = are_local && is_local(list, &color[c]);
+    if (are_local)
+        row->area = frame_object_reach;
 }
 
 /* Makes the rows of all objects but the first keep what is common. */

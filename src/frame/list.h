@@ -13,6 +13,7 @@ struct frame_list_object {
     struct rg_pass *rows;
     size_t row_count;
     uint32_t place; /* of the object among all, ordered by distance, farthest first */
+    bool of_layers; /* they draw it again, for layers */
 };
 
 /* The parts and objects point to memory of the builder, so they live as long as the list. */

@@ -62,10 +62,13 @@ static void sort(struct frame_object_distance *order, const struct frame_view *v
 
 void frame_objects_place(struct frame_objects *objects, const struct frame_exec *frame_exec,
                          uint32_t slot, const struct frame_view *view,
-                         const struct globals *globals, bool looks_everywhere)
+                         const struct globals *globals, float reach)
 {
     const struct frame_list *list = &frame_exec->frame->list;
     const VkExtent2D size = frame_exec->frame->plan->view;
+    struct frame_view drawn = *view; /* with the pixels of an interleaved tile */
+    drawn.width = size.width;
+    drawn.height = size.height;
     if (!objects->count)
         return;
     sort(objects->order, view, globals);
@@ -84,9 +87,10 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
             .index_count = object->index_count,
             .area = frame_view_box_area(view, &own, object->box, size, 0.0f),
             .lookup_area = { .extent = size },
+            .reach = frame_view_reach(&drawn, &own, reach),
         };
         /* The first one resets the maps everywhere, because they may be layers. */
-        if (!looks_everywhere && rows->place)
+        if (!(reach > 0.0f) && rows->place)
             objects->all[i].lookup_area =
                 frame_view_box_area(view, &own, object->box, size, LOOKUP_ROOM);
     }

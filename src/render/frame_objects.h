@@ -18,10 +18,10 @@ MUST_USE enum status frame_objects_init(struct frame_objects *objects,
                                         const struct frame_list *list, const struct scene *scene);
 void frame_objects_finish(struct frame_objects *objects);
 
-/* Chooses an object for each place, and writes the uniform data of a frame's slot. If
- * `looks_everywhere`, rungs look up faces in the whole view. */
+/* Chooses an object for each place, and writes the uniform data of a frame's slot. `reach` is the
+ * rung's (src/tech/technique.h). */
 void frame_objects_place(struct frame_objects *objects, const struct frame_exec *frame_exec,
                          uint32_t slot, const struct frame_view *view,
-                         const struct globals *globals, bool looks_everywhere);
+                         const struct globals *globals, float reach);
 
 #endif

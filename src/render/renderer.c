@@ -291,7 +291,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         write_uploads(&view, &globals, frame_exec->exec, *slot);
         if (frame_exec == &r->picture) {
             frame_objects_place(&r->objects, frame_exec, *slot, &view, &globals,
-                                r->params.rung && r->params.rung->rung.reach > 0.0f);
+                                r->params.rung ? r->params.rung->rung.reach : 0.0f);
             limit(r, &view, &globals);
         }
         result = rg_exec_submit(frame_exec->exec, &frame);

@@ -192,6 +192,11 @@ VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *fram
     return object ? object->area : frame->object_area;
 }
 
+VkRect2D frame_object_reach(const struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    return object_of(cmd, frame)->reach;
+}
+
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct frame_object *object = object_of(cmd, frame);

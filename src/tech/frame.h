@@ -45,6 +45,7 @@ struct frame_object {
     size_t row_count;
     uint32_t first_index, index_count; /* its triangles in the mesh of all objects */
     VkRect2D area, lookup_area;        /* as those of struct rg_frame */
+    VkRect2D reach;                    /* pixels of the view that its rays may look up */
 };
 
 /*
@@ -128,6 +129,9 @@ VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *fram
 
 /* The refractive object of the scene that a row draws; the scene must have listed its objects. */
 const struct object *frame_object_of(const struct rg_cmd *cmd, const struct rg_frame *frame);
+
+/* The area of a row that draws one of several objects: where its rays may look it up. */
+VkRect2D frame_object_reach(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
 /* Record functions of rows without push constants: they draw the row's object, a triangle that
  * covers the picture (screen.vert), and that triangle within lookup_area. */

@@ -218,6 +218,16 @@ static bool keeps_depth(const struct technique_choice *choice)
     return choice->has_pool || choice->keeps_depth || (are_many && !choice->rung->rung.by_pixel);
 }
 
+/* Makes a row of faces reset the normals itself: in the small area of limited rows a clear costs
+ * less than a pass. */
+static void clear_normals(struct row_builder *builder, struct rg_pass *row)
+{
+    struct rg_target *color = row_builder_targets(builder, row->color, row->color_count);
+    if (color)
+        color->load = RG_LOAD_CLEAR;
+    row->color = color;
+}
+
 /* In a pool the rows are drawn after the background, keep its depth, and show no bumps. */
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
@@ -236,6 +246,13 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     }
     if (keeps_depth(choice))
         rows[FRONT_ROW].depth.image = &front_test;
+    if (choice->is_limited) {
+        clear_normals(builder, &rows[BACK_ROW]);
+        clear_normals(builder, &rows[FRONT_ROW]);
+        rows[0] = rows[BACK_ROW];
+        rows[1] = rows[FRONT_ROW];
+        return (struct rg_technique){ "ice_normal", rows, 2 };
+    }
     return (struct rg_technique){ "ice_normal", rows, count };
 }
 

@@ -40,6 +40,7 @@ struct technique_choice {
     bool has_extras;       /* surroundings have scene.extra_rows */
     bool has_cube;         /* the scene has an environment cube of its own */
     bool keeps_depth;      /* the objects are drawn again, over the finished picture */
+    bool is_limited;       /* rows draw where rays look up one of the objects, and no farther */
     bool disperses;        /* a medium does: each colour has a path of its own */
     bool is_beyond;        /* the object may reach beyond the edges of the picture */
     uint32_t object_count; /* refractive objects, each drawn by rows of its own; 0 means 1 */

@@ -60,7 +60,7 @@ static const struct golden goldens[] = {
 enum {
     LIST_COUNT = sizeof(goldens) / sizeof(goldens[0]),
     GOLDEN_COUNT = LIST_COUNT + FEATURE_COUNT,
-    OTHER_COUNT = 5, /* tests without a golden file */
+    OTHER_COUNT = 6, /* tests without a golden file */
 };
 
 /* `settings` is for the request, and gets the golden's. */
@@ -311,6 +311,46 @@ static void test_what_is_off_is_not_there(void **state)
     assert_int_equal(check_inside("bubbles.count=0", true, false), all - 2);
 }
 
+struct objects_cost {
+    uint32_t whole, limited; /* passes that draw all over the picture; or where an object is */
+    VkDeviceSize memory;
+};
+
+static struct objects_cost cost_of(const char *rung, uint32_t objects)
+{
+    const struct golden golden = { .rung = rung, .objects = objects };
+    struct settings settings;
+    struct frame_request request = request_of(&golden, &settings);
+    struct frame_plan plan;
+    assert_int_equal(settings_set(&settings, "air.count=0"), STATUS_OK);
+    assert_int_equal(settings_set(&settings, "bubbles.count=0"), STATUS_OK);
+    assert_int_equal(settings_set(&settings, "cracks.count=0"), STATUS_OK);
+    assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
+    struct objects_cost cost = { .memory = plan.plan->memory_used };
+    for (uint32_t i = 0; i < plan.plan->pass_count; i++)
+        ++*(plan.plan->passes[i].pass->area ? &cost.limited : &cost.whole);
+    frame_plan_finish(&plan);
+    return cost;
+}
+
+/* More objects cost no more memory, and no pass that draws where they are not. */
+static void test_objects_draw_where_they_are(void **state)
+{
+    (void)state;
+    const struct technique *rung;
+    for (size_t r = 0; (rung = techniques_rung(r)); r++) {
+        const struct objects_cost two = cost_of(rung->rung.name, 2);
+        const uint32_t each = two.limited;
+        assert_true(each || rung->rung.is_whole);
+        for (uint32_t count = 5; count <= 50; count *= 10) {
+            const struct objects_cost more = cost_of(rung->rung.name, count);
+            assert_int_equal(more.whole, two.whole);
+            assert_int_equal(more.limited, (count - 1) * each);
+            assert_int_equal(more.memory, two.memory);
+        }
+    }
+}
+
 /* Without cracks nothing of them is drawn. Nothing looks for what is inside then, or in what is
  * convex. */
 static void test_no_cracks_no_passes(void **state)
@@ -385,6 +425,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_what_is_off_is_not_there),
         cmocka_unit_test(test_no_cracks_no_passes),
         cmocka_unit_test(test_small_targets),
+        cmocka_unit_test(test_objects_draw_where_they_are),
     };
     if (argc < 2) {
         fprintf(stderr, "usage: %s FOLDER [--update]\n", argv[0]);
