@@ -9,6 +9,7 @@
  * where a small lamp is hidden and the rest is not, it is too bright. The reference has the mean.
  * At the end of such a ray, surroundings show themselves as if nothing were in the way of their
  * light, and the sun's disc is not seen: the sun is a light of its own, which surroundings hide.
+ * Its mirror image in them is blurred: few rays find a sharp one, and those show as sparkles.
  */
 #ifndef TRACE_GROUND_GLSL
 #define TRACE_GROUND_GLSL
@@ -17,6 +18,7 @@
 #include "trace_surface.glsl"
 
 const int ground_holes_max = 8;  /* in the way of the sun */
+const float ground_blur = 0.25;  /* the least width of a distribution that mirrors the sun */
 const float ground_least = 1e-6; /* light by which one is divided */
 
 /* Returns the radiance of the sky without the sun's disc. */
@@ -140,8 +142,10 @@ vec3 trace_end(trace_way way, trace_hit hit, out float passing)
     passing = 0.0;
     while (turns > 0) {
         turns -= int(trace.one);
-        if (trace_has(TRACE_HAS_GROUND))
+        if (trace_has(TRACE_HAS_GROUND)) {
             sun_share = ground_sun(hit, way.origin + hit.t * way.dir, way.seed);
+            sun_spread = way.is_gathered ? ground_blur : 0.0;
+        }
         light = trace_surface(trace_point_of(hit, way.origin, way.dir), way.dir, false, passing);
     }
     return light;

@@ -27,8 +27,9 @@ struct trace_shares {
     bool is_lit;
 };
 
-trace_shares shares;   /* of the surface that trace_surface() was last asked for */
-float sun_share = 1.0; /* of the sun's light that it receives (trace_ground.glsl) */
+trace_shares shares;    /* of the surface that trace_surface() was last asked for */
+float sun_share = 1.0;  /* of the sun's light that it receives (trace_ground.glsl) */
+float sun_spread = 0.0; /* least width of the distribution that mirrors the sun there */
 
 /* Reads what few vertices have; `side_1` and `side_2` become those of the coordinates of the normal
  * texture. */
@@ -210,7 +211,7 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
                           s.roughness, true);
     vec3 through;
     vec3 sun = trace_sun(p.position, false, through) *
-               lit_by_light(s, n, -dir, frame.sun_dir, frame.sun_spread);
+               lit_by_light(s, n, -dir, frame.sun_dir, max(frame.sun_spread, sun_spread));
     return around * unhidden + sun + lit_by_lights(s, p.position, n, -dir) + glow;
 }
 

@@ -13,7 +13,7 @@ const struct asset assets[] = {
         .file = "drink.glb",
         .kind = ASSET_SCENE,
         .environment = "window",
-        .settings = { "ground.light=traced", "tonemap.exposure=0.25" },
+        .settings = { "light.count=0", "ground.light=traced", "tonemap.exposure=0.25" },
         .help = "tumbler of water with three ice cubes and a straw",
     },
     {
@@ -33,8 +33,8 @@ const struct asset assets[] = {
         .file = "slate.glb",
         .kind = ASSET_SCENE,
         .environment = "alps",
-        .settings = { "ice_caustics.light=sun", "ground.light=traced", "lens.f_stop=40",
-                      "tonemap.exposure=0.8" },
+        .settings = { "light.count=0", "ice_caustics.light=sun", "ground.light=traced",
+                      "lens.f_stop=120", "tonemap.exposure=0.8" },
         .help = "melting block of ice on wet slate, before mountains",
     },
     {
