@@ -3,9 +3,9 @@
  * settings of --quality draft, and fewer still (quick_settings()); where that is too slow in half
  * the size, without cracks and air, too.
  *
- * They are made once the picture is still, so the first movement finds them, and follow its
- * settings, size and rungs when they are drawn with. Animated models have none: each pose is
- * another scene.
+ * They are made after the first picture, or once it is still, so the first movement finds them, and
+ * follow its settings, size and rungs when they are drawn with. A picture that takes no longer than
+ * a frame may needs none. Animated models have none: each pose is another scene.
  *
  * Errors: logged once where found.
  */

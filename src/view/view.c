@@ -421,7 +421,7 @@ static enum status run_frame(struct view *v)
     count_frame(v);
     if (v->shoot && !(v->resize_at > 0.0))
         view_shoot(v);
-    return STATUS_OK;
+    return v->costs.frame_count == 1 ? view_refine_begin(v) : STATUS_OK;
 }
 
 /* All that a first frame waits for: the renderers, and the driver, which compiles when it draws. */

@@ -174,6 +174,9 @@ void view_save_session(struct view *view);
 
 /* ---- view_refine.c: movement and rest ---- */
 
+/* After the first picture: makes what movements are drawn with, if it takes long. */
+MUST_USE enum status view_refine_begin(struct view *view);
+
 /* Draws the picture as it is now if it is another one: small, and shows it. */
 MUST_USE enum status view_refine_draw(struct view *view, const struct renderer_shot *shot);
 

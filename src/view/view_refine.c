@@ -113,6 +113,35 @@ static enum status make_quick(void *user)
     return picture_make_quick(v->picture, &shot);
 }
 
+/* Whether movements are fluid as the picture is: what was drawn of it last, in full size, took no
+ * longer than a frame may. */
+static bool is_fluid(const struct picture *p)
+{
+    struct moving moving;
+    moving_begin(&moving, picture_passes(p));
+    return moving.passes > 0.0 && moving.k == MOVING_MOST;
+}
+
+static enum status begin_quick(struct view *v)
+{
+    const double start = clock_seconds();
+    const struct picture *p = v->picture;
+    const enum status status = worker_run(&v->window, make_quick, v);
+    if (p->quick.left)
+        moving_begin(&v->refine.moving, 4.0 * p->quick.seconds);
+    view_costs_rest(&v->costs, start);
+    return status;
+}
+
+enum status view_refine_begin(struct view *v)
+{
+    struct picture *p = v->picture;
+    if (!picture_wants_quick(p))
+        return STATUS_OK;
+    const enum status status = picture_wait(p);
+    return status == STATUS_OK && !is_fluid(p) ? begin_quick(v) : status;
+}
+
 /* A sample takes long: until there is one, what a movement has in full size is shown. */
 static enum status draw_whole(struct view *v)
 {
@@ -131,21 +160,15 @@ static enum status prepare(struct view *v, bool *drew)
     struct view_refine *r = &v->refine;
     struct picture *p = v->picture;
     *drew = true;
-    const bool is_first = !(r->moved_at > 0.0);
-    if ((r->shown || is_first) && picture_wants_quick(p)) {
-        const enum status status = worker_run(&v->window, make_quick, v);
-        if (p->quick.left) {
-            moving_begin(&r->moving, 4.0 * p->quick.seconds);
-            r->learned = p->version;
-        }
-        return status;
-    }
+    if (r->count == 1 && picture_wants_quick(p) && !is_fluid(p))
+        return begin_quick(v);
     if (!r->count && picture_is_outgrown(p)) {
         screen_disconnect(&v->screen);
         v->changed = true; /* other renderers draw from the beginning */
         return picture_remake(p);
     }
-    if (!r->count && !r->is_whole && p->shows_quick && r->sample > soon_seconds)
+    const bool is_soon = r->sample > 0.0 && r->sample <= soon_seconds;
+    if (!r->count && !r->is_whole && p->shows_quick && !is_soon)
         return draw_whole(v);
     *drew = false;
     return STATUS_OK;
@@ -166,8 +189,6 @@ static enum status draw_sample(struct view *v)
     r->sample = clock_seconds() - start;
     if (status == STATUS_OK && is_to_be_shown(r))
         status = resolve(v);
-    if (r->learned != v->picture->version)
-        moving_begin(&r->moving, picture_passes(v->picture));
     view_costs_rest(&v->costs, start);
     return status;
 }
@@ -196,7 +217,6 @@ enum status view_refine_draw(struct view *v, const struct renderer_shot *shot)
         return r->count && has_other_exposure(v) ? resolve(v) : STATUS_OK;
     if (!r->moving.k)
         moving_begin(&r->moving, 0.0);
-    r->learned = v->picture->version;
     const bool first = !r->has_seen;
     const uint32_t k = first || p->quick.is_off ? MOVING_MOST : r->moving.k;
     const VkExtent2D view = { moving_part(p->state.width, k), moving_part(p->state.height, k) };

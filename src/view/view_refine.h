@@ -32,12 +32,11 @@ struct view_refine {
     struct noise noise;   /* of the left picture */
     bool is_whole;        /* a movement's last picture has been drawn in full size */
     double begun_at;      /* seconds; sample 0 */
-    double sample;        /* seconds that one takes */
+    double sample;        /* seconds that one takes; 0: none has been drawn */
     double moved_at;      /* seconds; of the last picture of a movement, or a hand on the mouse */
     double shown_at;      /* seconds; of the last mean */
     bool at_once;         /* a hand has let go: nothing to wait for */
     struct moving moving;
-    uint64_t learned; /* version of the picture from whose movements `moving` is */
 };
 
 #endif
