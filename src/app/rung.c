@@ -14,6 +14,7 @@
 #include "src/tech/bump.h"
 #include "src/tech/cracks.h"
 #include "src/tech/frame_media.h"
+#include "src/tech/refract.h"
 #include "src/tech/refract_bounce.h"
 #include "src/tech/refract_trace.h"
 #include "src/tech/surface.h"
@@ -176,8 +177,15 @@ static bool can_trace(const struct model *model)
     return is_few && model->object_count <= TREE_SHELLS_MAX && indices / 3 <= TREE_TRIANGLES_MAX;
 }
 
-/* Names settings that somebody has given and that rays do not know: they meet smooth surfaces, and
- * cracks as gaps. */
+/* Whether a rung shows bumps. Rays on the device meet smooth surfaces; the reference, which has no
+ * rows, shows them. */
+static bool draws_bumps(const struct technique_rung *rung)
+{
+    return !rung->rows || (!rung->meets_tree && (rung->by_pixel || rung->rows->bump_frag));
+}
+
+/* Names settings that somebody has given and that the rung does not know: bumps, or, of rays, what
+ * cracks are but gaps. */
 static void warn_of_settings(const struct app_picture *picture)
 {
     static const struct {
@@ -191,12 +199,14 @@ static void warn_of_settings(const struct app_picture *picture)
     char words[120] = "";
     for (size_t i = 0; i < sizeof(unknown) / sizeof(unknown[0]); i++) {
         const size_t used = strlen(words);
+        const bool is_left_out = unknown[i].of == &bump ? !draws_bumps(&picture->rung->rung)
+                                                        : picture->rung->rung.meets_tree;
         if (given->is_set[settings_index(settings_find(unknown[i].name))] &&
-            unknown[i].of->is_on(&given->settings))
+            unknown[i].of->is_on(&given->settings) && is_left_out)
             snprintf(&words[used], sizeof(words) - used, "%s%s", used ? ", " : "", unknown[i].name);
     }
-    if (words[0] && picture->rung->rung.meets_tree && !given->quiet)
-        log_warning("%s: no effect with --refraction trace", words);
+    if (words[0] && !given->quiet)
+        log_warning("%s: no effect with --refraction %s", words, picture->rung->rung.name);
 }
 
 /* Names files, and a size, of what is not there, or is not drawn so. */
@@ -204,7 +214,7 @@ static void warn_of_files(const struct app_picture *picture, const struct scene 
 {
     const struct app_scene *given = &picture->scene;
     const bool meets_tree = picture->rung->rung.meets_tree;
-    const bool is_uneven = bump.is_on(&given->settings) && !meets_tree;
+    const bool is_uneven = bump.is_on(&given->settings) && draws_bumps(&picture->rung->rung);
     const bool has_more = (scene->bubbles.count || scene->cracks.index_count) && !meets_tree;
     const bool is_scaled = given->is_set[settings_index(settings_find("target.scale"))];
 

@@ -147,6 +147,11 @@ class Scenes(Case):
         self.assertNotEqual(draw('--set', 'air.strength=0', '--bump', 'waves.exr')[0], even)
         covers = [draw('--air', name)[1] for name in ('middle.exr', 'white.exr')]
         self.assertTrue(0 < covers[0] < 0.7 * covers[1], covers)
+        for rung, is_said in (('bounce', False), ('per-vertex', True)):
+            said = self.succeed('render', 'ice-cube', *PLAIN, '-r', rung, '--size', '8x6', '--bump',
+                                'waves.exr', '--set', 'bump.strength=1', '-o', 'a.exr').stderr
+            self.assertEqual((b'--bump: no effect' in said, b'bump.strength: no effect' in said),
+                             (is_said, is_said))
         for name in ('a.obj', 'none.png'):
             self.refuse(NO_INPUT if name[0] == 'n' else DATA, 'render', 'ice-cube', '--bump', name,
                         '-o', 'b.exr', names=(name,))
