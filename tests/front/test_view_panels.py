@@ -10,9 +10,12 @@ from test_view import CHECKED, TRIANGLES, WindowCase, png_pixels, png_size  # no
 
 
 class PanelsCase(WindowCase):
-    """Hands that know where controls are."""
+    """Hands that know where controls are. All is half as large as it is first: a quarter of the
+    pixels, of which a frame's time is."""
 
-    BESIDE = (100, 200)  # in the picture
+    PICTURE, WINDOW, BAR = (180, 170), (305, 201), 18  # pixels; the bar is above the picture
+    SIZES = ('--size', '180x170', '--ui-scale', '0.5', '--overlay', 'on', '--ui-dump', 'ui')
+    BESIDE = (50, 100)  # in the picture
 
     def env(self):
         return {**super().env(), 'XDG_DATA_HOME': str(self.folder / 'data'),
@@ -28,8 +31,7 @@ class PanelsCase(WindowCase):
         return self.folder / 'clipboard'
 
     def start_with_panels(self, *arguments, scene='sphere', title=None, plain=CRACKED):
-        return self.start(scene, '--size', '360x340', '--overlay', 'on', '--ui-dump', 'ui',
-                          *arguments, title=title, plain=plain)
+        return self.start(scene, *self.SIZES, *arguments, title=title, plain=plain)
 
     def control(self, label):
         """Left, top, width, height of what a hand can use, pixels; None: it does not show."""
@@ -112,7 +114,7 @@ class Panels(PanelsCase):
                 act=lambda row=row, places=places: self.drag_row(window, row, *places))
         self.assertNotIn('--eye', command)  # nothing of this was for the camera
         command = self.wait_for_command(
-            window, '--eye', act=lambda: self.move(window, self.BESIDE, (120, 220), (130, 240)))
+            window, '--eye', act=lambda: self.move(window, self.BESIDE, (60, 110), (65, 120)))
         shown = self.shoot(window, 2)
         self.assertNotEqual(png_pixels(shown), png_pixels(first))
         words = shlex.split(command)
@@ -171,7 +173,7 @@ class Panels(PanelsCase):
         self.press_until(window, 'P', 'the screenshot of all', path.exists)
         self.assertNotIn('firn-0002.exr', self.files())
         self.assertNotEqual(png_pixels(path), png_pixels(alone))
-        self.assertEqual((png_size(alone), png_size(path)), ((360, 340), (610, 402)))
+        self.assertEqual((png_size(alone), png_size(path)), (self.PICTURE, self.WINDOW))
         self.press_until(window, 'h', 'no panels', lambda: self.desktop.pixels(window) ==
                          png_pixels(self.shoot_next(window)))
         hidden = self.desktop.pixels(window)
@@ -182,11 +184,12 @@ class Panels(PanelsCase):
         """Its pixels beside the panels are those of its file; the window has room for them."""
         window = self.start_with_panels()
         shot = self.shoot(window, 1)
-        self.assertEqual(png_size(shot), (360, 340))
+        self.assertEqual(png_size(shot), self.PICTURE)
         left, top, width, _ = self.control('search')
         wait_until('the picture beside the panels', lambda: self.picture_of(
-            self.desktop.pixels(window), 360 + 250, 0, 36, 360, 340) == png_pixels(shot))
-        self.assertGreater(left, 360)
+            self.desktop.pixels(window), self.WINDOW[0], 0, self.BAR, *self.PICTURE) == png_pixels(
+                shot))
+        self.assertGreater(left, self.PICTURE[0])
         self.press_until(window, 'Tab', 'a picture as large as the window',
                          lambda: len(self.desktop.pixels(window)) ==
                          len(png_pixels(self.shoot_next(window))))
@@ -204,12 +207,12 @@ class Panels(PanelsCase):
         self.close(window)
 
     def test_buttons(self):
-        window = self.start_with_panels('--size', '640x560')
+        window = self.start_with_panels('--size', '320x280')
         self.find('sphere', act=lambda: self.click(window, 'Play'))
         self.find('sphere, paused', act=lambda: self.click(window, 'Pause'))
         first = self.shoot(window, 1)
         self.wait_for_command(window, '--eye',
-                              act=lambda: self.move(window, (500, 200), (520, 220), (540, 210)))
+                              act=lambda: self.move(window, (250, 100), (260, 110), (270, 105)))
         self.wait_for_command(window, without='--eye', act=lambda: self.press(window, 'r'))
         row = 'bump.strength'  # not as it is by default
         self.wait_for_command(window, without=row, act=lambda: self.click(window, f'reset {row}'))
@@ -282,7 +285,7 @@ class Panels(PanelsCase):
         wait_until('a small picture', small.exists, self.words, act=lambda: self.find_and_choose(
             window, 'save the picture, 64x48'))
         self.assertEqual(png_size(small), (64, 48))
-        point = (180, 230)
+        point = (90, 115)
         command = self.wait_for_command(window, '--target', act=lambda: self.desktop.do(
             'mousemove', '--window', window, *point, 'click', '--repeat', 2, '--delay', 20, 1))
         target = command.partition('--target ')[2].split()[0].split(',')
@@ -293,7 +296,7 @@ class Panels(PanelsCase):
             found = [line.split()[5:8] for line in lines if line.split()[4:5] == ['position']]
             return found and max(abs(float(a) - float(b)) for a, b in zip(found[0], target)) < 0.02
         wait_until(f'the point {target}', look, self.words, act=lambda: self.desktop.do(
-            'mousemove', '--window', window, 180, 36 + 170))
+            'mousemove', '--window', window, 90, self.BAR + 85))
         self.press_to_end(window, 'q')
 
     def test_words_about_what_is_below_the_mouse(self):
@@ -322,15 +325,15 @@ class Panels(PanelsCase):
     def test_a_larger_window_shows_the_last_picture(self):
         """At once, scaled: no column of it is of one colour."""
         window = self.start_with_panels('--overlay', 'off')
-        self.desktop.do('windowsize', window, 700, 500)
+        self.desktop.do('windowsize', window, 350, 250)
 
         def look():
             pixels = self.desktop.pixels(window)
-            return len(pixels) == 700 * 500 * 3 and pixels
+            return len(pixels) == 350 * 250 * 3 and pixels
         pixels = wait_until('a larger window', look)
         self.assertNotIn(b'\xff\xff\xff' * 100, pixels)
         for number in range(1, 9):
-            if png_size(self.shoot_next(window)) == (700, 500):
+            if png_size(self.shoot_next(window)) == (350, 250):
                 break
         self.assertLess(number, 8)
         self.close(window)

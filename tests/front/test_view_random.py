@@ -59,7 +59,7 @@ class Random(PanelsCase):
     def act(self, rng, window):
         """Something that is done with a mouse, as words for xdotool."""
         def place():
-            return 'mousemove', '--window', window, rng.randrange(610), rng.randrange(402)
+            return 'mousemove', '--window', window, rng.randrange(305), rng.randrange(201)
         button = rng.choice((1, 1, 1, 3))
         return rng.choice((
             (*place(), 'click', 1), (*place(), 'click', '--repeat', 2, '--delay', 20, 1),

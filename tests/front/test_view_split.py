@@ -96,20 +96,19 @@ class Split(WindowCase):
 
 class Sides(PanelsCase):
     """A and B are anything: a state, the reference, a picture. One window, so that it is cheap."""
-    ROWS = 300  # below them are the names of both
+    COLUMNS, ROWS = 80, 150  # of a side; below them are the names of both
 
-    def half(self, pixels, width, left, right):
-        top, first = (36, 190) if right else (36, 0)
-        if not left:
-            top = 0
-        return self.picture_of(pixels, width, first, top, 165, self.ROWS)
+    def half(self, pixels, width, top, right):
+        return self.picture_of(pixels, width, right * (self.PICTURE[0] - self.COLUMNS - 5), top,
+                               self.COLUMNS, self.ROWS)
 
     def expect_sides(self, window, *files, act=None):
         """Each half is that of a file, but for the columns around the divider."""
-        want = [self.half(png_pixels(file), 360, False, right) for right, file in enumerate(files)]
+        want = [self.half(png_pixels(file), self.PICTURE[0], 0, right)
+                for right, file in enumerate(files)]
         wait_until('both sides', lambda: [
-            self.half(self.desktop.pixels(window), 610, True, right) for right in (0, 1)] == want,
-            self.words, act=act)
+            self.half(self.desktop.pixels(window), self.WINDOW[0], self.BAR, right)
+            for right in (0, 1)] == want, self.words, act=act)
 
     def render_command(self, command, name, *more):
         words = shlex.split(command)[1:]
@@ -147,8 +146,7 @@ class Sides(PanelsCase):
         bad.write_text(path.read_text().replace('\nrung=', '\nrung=gone'))
         self.refuse(DATA, 'view', '--session', bad, names=['bad.firn:', 'rung'],
                            env=self.env())
-        window = self.start(None, '--size', '360x340', '--overlay', 'on', '--ui-dump', 'ui',
-                            '--samples', 2, '--session', path, plain=(),
+        window = self.start(None, *self.SIZES, '--samples', 2, '--session', path, plain=(),
                             title=r'sphere, (.*) \| \1, paused')
         self.expect_sides(window, *sides)
         self.assertTrue(self.desktop.drop(window, bad))
@@ -160,7 +158,7 @@ class Sides(PanelsCase):
         """One movement is one step of undo."""
         def drag():
             self.desktop.do('keydown', 'ctrl')
-            self.move(window, self.BESIDE, (130, 200), (160, 210))
+            self.move(window, self.BESIDE, (65, 100), (80, 105))
             self.desktop.do('keyup', 'ctrl')
         self.wait_for_command(window, 'sky.sun_azimuth=', act=drag)
         self.wait_for_command(window, without='sun_azimuth',
@@ -184,8 +182,7 @@ class FirstMinutes(PanelsCase):
         model = self.folder / 'shape.obj'
         model.write_text(TRIANGLES)
         copied = self.xclip()
-        window = self.start_with_panels('--size', '480x400', '--ui-scale', 0.5, '--samples', 1,
-                                        plain=PLAIN)
+        window = self.start_with_panels('--size', '480x400', '--samples', 1, plain=PLAIN)
         picture = wait_until('a picture', lambda: self.at_rest(window))  # nothing has to be done
 
         def key(name):
