@@ -248,9 +248,9 @@ static enum status load_cracks(struct scene *scene, const struct scene_params *p
                   SCENE_CRACK_TRIANGLES, found->index_count / 3);
         status = STATUS_DATA;
     }
-    if (status == STATUS_OK && !mesh_append(&scene->crack_sheet, found))
+    if (status == STATUS_OK && !mesh_append(&scene->files.crack_sheet, found))
         status = log_out_of_memory("cracks");
-    fit_sheet(&scene->crack_sheet);
+    fit_sheet(&scene->files.crack_sheet);
     model_finish(&model);
     return status;
 }
@@ -321,7 +321,7 @@ enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cr
     struct solid solid = { 0 };
     mesh_finish(&scene->cracks);
     bool done = generate_cracks(&scene->cracks, scene->box, cracks->count, cracks->seed,
-                                &scene->crack_sheet);
+                                &scene->files.crack_sheet);
     if (done && cracks->count && cracks->cut) {
         done = solid_init(&solid, object) &&
                solid_cut(&solid, &scene->cracks, box_diagonal(scene->box) / 128.0f);
@@ -336,9 +336,9 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
         return NULL;
     struct bump_maps_params maps = params->bump ? *params->bump : (struct bump_maps_params){ 0 };
     struct generate_air air = params->air;
-    maps.heights = scene->heights;
-    maps.smoothness = scene->smoothness;
-    air.cover = scene->air_cover;
+    maps.heights = scene->files.heights;
+    maps.smoothness = scene->files.smoothness;
+    air.cover = scene->files.air_cover;
     if (params->bump && !bump_maps_init(&scene->bump, &maps))
         return "maps of the surface";
     if (air.count && !generate_air_layers(&scene->air_layers, &air))
@@ -366,9 +366,9 @@ static enum status read_pictures(struct scene *scene, const struct scene_params 
         uint32_t side;
         bool is_share;
     } wanted[] = {
-        { params->pictures.heights, &scene->heights, BUMP_MAPS_SIZE, false },
-        { params->pictures.smoothness, &scene->smoothness, BUMP_MAPS_SIZE, true },
-        { params->pictures.air, &scene->air_cover, GENERATE_AIR_LAYER_SIZE, true },
+        { params->pictures.heights, &scene->files.heights, BUMP_MAPS_SIZE, false },
+        { params->pictures.smoothness, &scene->files.smoothness, BUMP_MAPS_SIZE, true },
+        { params->pictures.air, &scene->files.air_cover, GENERATE_AIR_LAYER_SIZE, true },
     };
     enum status status = STATUS_OK;
     for (size_t i = 0; i < sizeof(wanted) / sizeof(wanted[0]) && status == STATUS_OK; i++) {
@@ -382,9 +382,11 @@ static enum status read_pictures(struct scene *scene, const struct scene_params 
 /* Makes the inclusions and the surface of the object. */
 static enum status fill_object(struct scene *scene, const struct scene_params *params)
 {
-    enum status status = read_pictures(scene, params);
+    enum status status = params->before ? STATUS_OK : read_pictures(scene, params);
     if (status != STATUS_OK)
         return status;
+    if (params->before)
+        scene->files = params->before->files;
     size_textures(scene, params);
     const char *lacking = params->later ? NULL : scene_fill(scene, params);
     status = lacking ? log_out_of_memory(lacking) : STATUS_OK;
@@ -392,7 +394,7 @@ static enum status fill_object(struct scene *scene, const struct scene_params *p
         status = add_air(scene, &params->air);
     if (status == STATUS_OK && params->bubbles.count)
         status = add_bubbles(scene, &params->bubbles);
-    if (status == STATUS_OK)
+    if (status == STATUS_OK && !params->before)
         status = load_cracks(scene, params);
     if (status == STATUS_OK)
         status = scene_make_cracks(scene, &params->cracks);
@@ -527,8 +529,11 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = make_place_for_tree(scene, params->before);
     if (status == STATUS_OK && params->before)
         take_rest(scene, params->before);
+    struct scene *other = status == STATUS_OK ? params->before : scene;
     if (params->before && params->environment)
-        forget_environment(status == STATUS_OK ? params->before : scene, params->before);
+        forget_environment(other, params->before);
+    if (params->before)
+        other->files = (struct scene_files){ 0 };
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;
@@ -568,10 +573,10 @@ void scene_finish(struct scene *scene)
     free(scene->air_layers.texels);
     free(scene->bubbles.all);
     mesh_finish(&scene->cracks);
-    mesh_finish(&scene->crack_sheet);
-    free(scene->heights);
-    free(scene->smoothness);
-    free(scene->air_cover);
+    mesh_finish(&scene->files.crack_sheet);
+    free(scene->files.heights);
+    free(scene->files.smoothness);
+    free(scene->files.air_cover);
     *scene = (struct scene){ 0 };
 }
 

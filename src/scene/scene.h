@@ -22,6 +22,13 @@ enum scene_background {
     SCENE_ENVIRONMENT,
 };
 
+/* What is read from files in place of what is made; empty: it is made. */
+struct scene_files {
+    float *heights, *smoothness; /* of bump_maps_params */
+    float *air_cover;            /* of generate_air */
+    struct mesh crack_sheet;     /* a crack, in the unit ball */
+};
+
 struct scene {
     struct model model; /* its objects have ranks */
     enum scene_background background;
@@ -48,19 +55,17 @@ struct scene {
     struct box around;            /* for refract.lookup=box: the box that a model names, or that of
                                    * the surroundings without moving objects; {0}: none */
     struct mesh cracks;           /* in the object's space; may be empty */
-    struct mesh crack_sheet;      /* a crack of a file, in the unit ball; empty: they are made */
     struct mesh air;              /* planes of air in the object's space; may be empty */
     struct air_layers air_layers; /* textures of the planes of air */
-    float *heights, *smoothness;  /* of bump_maps_params, from files; NULL: they are made */
-    float *air_cover;             /* of generate_air, likewise */
-    struct clouds clouds;         /* in the space of the mesh of all objects */
-    struct bubbles bubbles;       /* in the object's space */
-    struct tree *tree;            /* of the model's triangles; empty until scene_need_tree() */
-    struct tree_rest *rest;       /* of an animated model, at time 0; NULL: it is not animated */
-    struct mesh_order sorted;     /* of the surroundings, if the model is animated */
-    float settled_ior;            /* the value of refract.ior that comes from the model; 0: none */
-    bool has_pool;                /* the scene is a pool, with the object, if any, in it */
-    bool is_convex;               /* the object is known to be convex: mesh_is_convex() */
+    struct scene_files files;
+    struct clouds clouds;     /* in the space of the mesh of all objects */
+    struct bubbles bubbles;   /* in the object's space */
+    struct tree *tree;        /* of the model's triangles; empty until scene_need_tree() */
+    struct tree_rest *rest;   /* of an animated model, at time 0; NULL: it is not animated */
+    struct mesh_order sorted; /* of the surroundings, if the model is animated */
+    float settled_ior;        /* the value of refract.ior that comes from the model; 0: none */
+    bool has_pool;            /* the scene is a pool, with the object, if any, in it */
+    bool is_convex;           /* the object is known to be convex: mesh_is_convex() */
 };
 
 /* Cracks inside the object. */
@@ -87,7 +92,7 @@ struct scene_params {
     float environment_turn;   /* of a picture of the background: environment.turn */
     float environment_exposure; /* of the file, stops */
     struct scene *before; /* another pose of the same scene, which gives away its environment, the
-                             light of it, and `rest`; NULL: they are read */
+                             light of it, `files`, and `rest`; NULL: they are read */
     const struct place *place; /* of the model file; NULL: as it is */
     struct model_pose pose;    /* of the model file; its objects are those of: */
     const struct node_material *node_materials;

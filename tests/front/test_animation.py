@@ -1,10 +1,12 @@
 """test_animation.py: animations of model files, in sequences and alone. Usage: see case.py."""
 import json
+import subprocess
 import sys
+import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_DRIVER, USAGE, Case, long, main  # noqa: E402
-from exr_file import Exr  # noqa: E402
+from case import DATA, NO_DRIVER, USAGE, Case, environment, long, main  # noqa: E402
+from exr_file import Exr, write_exr  # noqa: E402
 from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
 SMALL = ('--size', '32x24', '-q')
@@ -75,6 +77,22 @@ class Animation(Case):
                         '--fov', '45.836624', '--animation', 'none', env=NO_DRIVER)
         far = max(abs(a - b) for a, b in zip(eye['G'], frames[2]['G']))
         self.assertLess(far, 0.05)
+
+    def test_files_are_read_once(self):
+        """Pictures and cracks of files, which vanish while there are poses to come."""
+        files = [self.folder / name for name in ('waves.exr', 'crack.obj')]
+        files[0].write_bytes(write_exr((4, 1), {'Y': [0, 90, 0, 90]}))
+        files[1].write_text('v -1 -1 0\nv 1 -1 0\nv 0 1 0.2\nf 1 2 3\n')
+        words = ('render', 'a.gltf', '--material', 'ice', *TRACED, '--size', '8x6', '-q', '--bump',
+                 files[0], '--cracks', files[1], '--frames', '0-4', '-o', '#.exr',
+                 '--set', 'air.count=0', '--set', 'bubbles.count=0')
+        with subprocess.Popen([Case.program, *words], cwd=self.folder,
+                              env=environment(NO_DRIVER)) as process:
+            while process.poll() is None and not (self.folder / '0.exr').exists():
+                time.sleep(0.001)
+            for file in files:
+                file.unlink()
+            self.assertEqual(process.wait(), 0)
 
     def test_sixty_frames(self):
         """A whole sequence and its parts: the same bytes, and each frame is another picture."""

@@ -497,7 +497,7 @@ static struct scene whole_scene(void)
     assert_true(generate_ice_cube(&scene.model.object, 1200));
     scene.box = mesh_box(&scene.model.object);
     assert_true(generate_bubbles(&scene.bubbles, &scene.model.object, &bubbles));
-    assert_true(generate_cracks(&scene.cracks, scene.box, 3, 1, &scene.crack_sheet));
+    assert_true(generate_cracks(&scene.cracks, scene.box, 3, 1, &scene.files.crack_sheet));
     assert_true(generate_air_planes(&scene.air, scene.box, &planes));
     assert_true(generate_air_layers(&scene.air_layers, &planes));
     assert_true(bump_maps_init(&scene.bump, &bumps));
