@@ -206,10 +206,18 @@ class Panels(PanelsCase):
             shown.add(self.desktop.pixels(window))
         self.close(window)
 
+    def time(self, window):
+        """Of the scene, seconds, as the command says it."""
+        return float(self.command(window).partition('motion.time=')[2].split()[0])
+
     def test_buttons(self):
         window = self.start_with_panels('--size', '320x280')
         self.find('sphere', act=lambda: self.click(window, 'Play'))
         self.find('sphere, paused', act=lambda: self.click(window, 'Pause'))
+        before = self.time(window)
+        for key, later in (('period', True), ('comma', False)):  # a frame on, a frame back
+            self.press_until(window, key, key, lambda later=later:
+                             (self.time(window) > before) == later)
         first = self.shoot(window, 1)
         self.wait_for_command(window, '--eye',
                               act=lambda: self.move(window, (250, 100), (260, 110), (270, 105)))

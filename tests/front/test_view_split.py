@@ -156,11 +156,16 @@ class Sides(PanelsCase):
 
     def drag_light(self, window):
         """One movement is one step of undo."""
-        def drag():
-            self.desktop.do('keydown', 'ctrl')
+        def drag(*held):
+            for key in held:
+                self.desktop.do('keydown', key)
             self.move(window, self.BESIDE, (65, 100), (80, 105))
-            self.desktop.do('keyup', 'ctrl')
-        self.wait_for_command(window, 'sky.sun_azimuth=', act=drag)
+            for key in held:
+                self.desktop.do('keyup', key)
+        self.wait_for_command(window, 'sky.sun_elevation=', act=lambda: drag('ctrl', 'shift'))
+        self.wait_for_command(window, without='sun_', act=lambda: self.press(window, 'ctrl+z'))
+        self.wait_for_command(window, 'sky.sun_azimuth=', without='sun_elevation',
+                              act=lambda: drag('ctrl'))
         self.wait_for_command(window, without='sun_azimuth',
                               act=lambda: self.press(window, 'ctrl+z'))
         self.wait_for_command(window, 'sky.sun_azimuth=',
