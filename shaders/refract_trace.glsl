@@ -110,6 +110,7 @@ struct trace_cross {
 };
 
 #include "trace_inclusions.glsl"
+#include "trace_next.glsl"
 
 trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
 {
@@ -473,13 +474,6 @@ bool trace_step(trace_hit hit, trace_cross c)
     if (!crosses)
         is_over = !trace_arrive(hit);
     return is_over;
-}
-
-trace_start trace_start_of(trace_way way)
-{
-    bool is_in_ice = trace_is_inside(way.inside) && trace_top(way.inside) == trace.ice;
-    return trace_start(way.origin, way.dir, way.side, way.reach, way.from, way.is_in_bubble,
-                       is_in_ice || way.is_in_bubble);
 }
 
 void trace_pixel(vec3 eye, vec3 e, int channel)

@@ -65,6 +65,7 @@ struct trace_frame {
     float hair;         /* metres: how near a ray's origin may be to a face by rounding alone */
     float cloud_cosine; /* mean, of the angle by which clouds turn light */
     uint32_t one;       /* 1: compilers must not know */
+    uint32_t is_apart;  /* 1: nothing that is around the objects is in a box around them */
 };
 
 #endif

@@ -37,7 +37,7 @@ float ground_sun(trace_hit from, vec3 point, uint seed)
     float passing = 1.0;
     int turns = frame.sun_light == vec3(0.0) ? 0 : ground_holes_max;
     while (turns > 0) {
-        trace_start start = trace_start(point, dir, 0.0, 1e30, hit.triangle, false, false);
+        trace_start start = trace_start(point, dir, 0.0, 1e30, hit.triangle, false, 0u);
         hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
         for (int part = TREE_SURROUNDINGS; part <= TREE_MOVERS; part++)
             if (trace.roots[part] != TREE_NOTHING)

@@ -40,7 +40,8 @@ struct trace_start {
     vec3 origin, dir;
     float side, reach;
     int from; /* as of trace_ray */
-    bool is_in_bubble, meets_inclusions;
+    bool is_in_bubble;
+    uint parts; /* that it meets, a bit each */
 };
 
 struct trace_hit {
@@ -227,7 +228,8 @@ void trace_meet_posed(trace_start start, int part, bool is_active, inout trace_h
     trace_meet_part(ray, is_active ? int(trace.roots[part]) : trace_nothing, part, hit);
 }
 
-/* Meets all parts; a ray that is not active meets nothing. */
+/* Meets the parts that a ray is to meet; one that is not active meets nothing. In an object whose
+ * surface it meets it can meet no surroundings before, if these are apart. */
 trace_hit trace_meet(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
@@ -237,8 +239,11 @@ trace_hit trace_meet(trace_start start, bool is_active)
     const int step = TREE_INCLUSIONS, last_around = TREE_OBJECTS;
 #endif
     int last = trace_has(TRACE_HAS_INCLUSIONS) ? TREE_INCLUSIONS : last_around;
+    bool is_apart = trace.is_apart != 0u && start.side > 0.0;
     for (int part = TREE_OBJECTS; part <= last; part += step) {
-        bool is_met = part != TREE_INCLUSIONS || start.meets_inclusions;
+        bool is_met = (start.parts >> part & 1u) != 0u;
+        if (part == TREE_SURROUNDINGS || part == TREE_MOVERS)
+            is_met = is_met && !(is_apart && hit.triangle >= 0);
         if (trace.roots[part] != TREE_NOTHING)
             trace_meet_posed(start, part, is_active && is_met, hit);
     }

@@ -33,6 +33,7 @@ struct tree {
     uint32_t media;                  /* among the corners: the word of rank 0, or 0 */
     uint32_t depth;                  /* most nodes on a way from a root; at most TREE_DEPTH_MAX */
     bool is_closed; /* each side of a triangle of the objects is that of another one, reversed */
+    bool is_apart;  /* no box around a triangle of the surroundings meets that around the objects */
     double ms;      /* time that tree_init() took */
     uint32_t built, shared,
         fitted; /* trees of objects: built by tree_init(); those of alike objects

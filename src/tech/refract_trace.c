@@ -73,10 +73,15 @@ static bool lights_surroundings(const struct scene *scene, const struct settings
     return ground->light == GROUND_TRACED && material_rows_has_lit(&scene->model.surroundings);
 }
 
+static bool has_motion(const struct settings *settings)
+{
+    const struct motion_params *motion = settings_of(settings, &motion_settings);
+    return fabsf(motion->ice) > 0.0f || fabsf(motion->objects) > 0.0f;
+}
+
 /* Returns CONSTANT_TRACE. */
 static uint32_t features(const struct scene *scene, const struct settings *settings)
 {
-    const struct motion_params *motion = settings_of(settings, &motion_settings);
     const struct model *model = &scene->model;
     const uint32_t count = object_count(scene);
     uint32_t bits = objects_constant(scene, settings);
@@ -95,8 +100,7 @@ static uint32_t features(const struct scene *scene, const struct settings *setti
         bits |= frame_cloud_most(scene, settings, i) > 0.0f ? TRACE_HAS_CLOUD : 0;
     bits |= scene->material_rows ? TRACE_HAS_MATERIALS : 0;
     bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
-    if (fabsf(motion->ice) > 0.0f || fabsf(motion->objects) > 0.0f)
-        bits |= TRACE_HAS_MOTION;
+    bits |= has_motion(settings) ? TRACE_HAS_MOTION : 0;
     return bits;
 }
 
@@ -258,6 +262,7 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
         .crack_slope = cracks_of->look.bump,
         .cloud_cosine = air_of->anisotropy,
         .media_at = tree->media,
+        .is_apart = tree->is_apart && !has_motion(view->settings),
     };
     if (lights_surroundings(view->scene, view->settings))
         trace->guide = surface_light_guide(&view->scene->environment, view->scene->surface_light);

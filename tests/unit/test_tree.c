@@ -382,6 +382,29 @@ static void test_deformed(void **state)
     tree_rest_destroy(other);
 }
 
+/* Surroundings are apart where none is in the box around the objects, be it at rest or not. */
+static void test_apart(void **state)
+{
+    (void)state;
+    struct model model = { 0 };
+    assert_true(generate_sphere(&model.object, 100));
+    assert_true(generate_sphere(&model.surroundings, 100));
+    const float shifts[] = { 0.0f, 1.5f, 3.0f };
+    for (int i = 0; i < 6; i++) {
+        struct tree tree;
+        for (uint32_t k = 0; k < model.surroundings.vertex_count; k++) {
+            struct mesh_vertex *vertex = &model.surroundings.vertices[k];
+            vertex->position.x = model.object.vertices[k].position.x + shifts[i % 3];
+            vertex->material = i < 3 ? 0 : MESH_MOVES;
+        }
+        const struct tree_params params = { .model = &model, .threads = 1 };
+        assert_int_equal(tree_init(&tree, &params), STATUS_OK);
+        assert_int_equal(tree.is_apart, i % 3 == 2);
+        tree_finish(&tree);
+    }
+    model_finish(&model);
+}
+
 static void test_nothing(void **state)
 {
     (void)state;
@@ -405,6 +428,7 @@ int main(void)
         cmocka_unit_test(test_depth),       cmocka_unit_test(test_shells),
         cmocka_unit_test(test_many_shells), cmocka_unit_test(test_nothing),
         cmocka_unit_test(test_poses),       cmocka_unit_test(test_deformed),
+        cmocka_unit_test(test_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
