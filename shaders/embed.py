@@ -1,13 +1,15 @@
 """embed.py: SPIR-V files to one C file of `const struct rg_shader` and its header.
 
+The assembler includes the modules: for a compiler, they would be half a million numbers to parse.
+
 Usage: embed.py C_FILE HEADER MODULE... [-- ORIGIN...]
 
 Each is named as its file, with '_' for '.'; all of them are in <stem>_all, which ends at NULL.
 <stem>_origins, in the same order, tells what each was compiled from: ORIGIN is a GLSL file and
 flags of the compiler, with spaces between.
 """
+import hashlib
 import pathlib
-import struct
 import sys
 
 
@@ -28,12 +30,15 @@ stem = pathlib.Path(header_path).stem
 source = f'#include "{stem}.h"\n#include <stddef.h>\n'
 header = f'#ifndef {stem.upper()}_H\n#define {stem.upper()}_H\n#include "graph/rg.h"\n'
 for name, module in zip(names, modules):
-    data = pathlib.Path(module).read_bytes()
-    words = struct.unpack(f'<{len(data) // 4}I', data)
-    rows = (', '.join(f'0x{w:08x}' for w in words[i:i + 8]) for i in range(0, len(words), 8))
-    source += f'\nstatic const uint32_t {name}_words[] = {{\n    '
-    source += ',\n    '.join(rows) + ',\n};\n'
-    source += f'const struct rg_shader {name} = {{ "{name}", {name}_words, {len(words)} }};\n'
+    path = pathlib.Path(module).resolve()
+    data = path.read_bytes()
+    sum_ = hashlib.sha1(data).hexdigest()  # has C compiled again when the module changes
+    source += f'''
+__asm__(".pushsection .rodata\\n.globl {name}_words\\n.hidden {name}_words\\n"
+        ".balign 4\\n{name}_words: .incbin \\"{path}\\" /* {sum_} */\\n.popsection\\n");
+extern const uint32_t {name}_words[];
+const struct rg_shader {name} = {{ "{name}", {name}_words, {len(data) // 4} }};
+'''
     header += f'extern const struct rg_shader {name};\n'
 source += f'\nconst struct rg_shader *const {stem}_all[] = {{\n    '
 source += ',\n    '.join([*(f'&{name}' for name in names), 'NULL']) + ',\n};\n'
