@@ -19,7 +19,7 @@ TILE = 0.042  # metres after which the stone's grain repeats
 WAVES = ((7, 10, 0.00009), (19, 27, 0.00005), (61, 83, 0.00003), (128, 128, 0.00002))
 LEDGE = 0.00022  # height of its ledges
 STEP = 0.0008  # height of a layer of the stone
-FILM = 0.0013  # thickness of the puddle
+FILM = 0.0009  # thickness of the puddle
 EYE, TARGET, ANGLE = (0.0056, 0.0226, -0.104), (-0.0012, 0.0186, 0), 27
 # Shallow pools: where, half widths, turn, seed.
 POOLS = (((-0.044, 0.02), (0.017, 0.008), 0.3, 1), ((0.05, 0.034), (0.022, 0.007), -0.2, 2),
@@ -199,8 +199,8 @@ def grain():
 # ---- water and ice ----
 
 def shell(outline, level, thick, rim, center=(0, 0)):
-    """Water with a round rim, that ends below the stone; outline(angle) is a place on its edge."""
-    rings, segments = 12, 112
+    """Water with a flat rim, that ends below the stone; outline(angle) is a place on its edge."""
+    rings, segments = 12, 168
     points, faces = [(center[0], level + thick, center[1])], []
     edge = [outline(2 * math.pi * k / segments) for k in range(segments)]
     for ring in range(1, rings + 1):
@@ -208,7 +208,7 @@ def shell(outline, level, thick, rim, center=(0, 0)):
         for x, z in edge:
             inward = min(math.hypot(x, z) * (1 - share) / rim, 1)
             points.append((center[0] + x * share,
-                           level + thick * math.sqrt(1 - (1 - inward) ** 2.6),
+                           level + thick * (1 - (1 - inward) ** 2.2),
                            center[1] + z * share))
     points += [(center[0] + 0.97 * x, level - 0.0012, center[1] + 0.97 * z) for x, z in edge]
     points.append((center[0], level - 0.0012, center[1]))
@@ -227,13 +227,14 @@ def shell(outline, level, thick, rim, center=(0, 0)):
 def puddle(angle):
     out = 1 + 0.13 * math.cos(angle - 2.6) + 0.08 * math.cos(2 * angle + 0.7)
     out += 0.075 * rough(3 + 1.6 * math.cos(angle), 3 + 1.6 * math.sin(angle), 61)
-    out += 0.045 * rough(6 + 5 * math.cos(angle), 6 + 5 * math.sin(angle), 62)
+    out += 0.06 * rough(6 + 5 * math.cos(angle), 6 + 5 * math.sin(angle), 62)
+    out += 0.022 * rough(14 + 13 * math.cos(angle), 14 + 13 * math.sin(angle), 63)
     return 0.0236 * out * math.cos(angle), -0.0236 * out * math.sin(angle)
 
 
 def water():
     """The puddle around the ice, and the pools."""
-    mesh = shell(puddle, 0, FILM, 0.0034)
+    mesh = shell(puddle, 0, FILM, 0.0046)
     for pool in POOLS:
         center, (across, along), turn, _ = pool
         c, s = math.cos(turn), math.sin(turn)
