@@ -305,7 +305,9 @@ static enum status open_reference(struct job *job, const struct renderer_params 
         .display = params->display,
     };
     char names[REFERENCE_NAMES_SIZE];
-    fill_scene(job);
+    if (!job->is_filled)
+        fill_scene(job);
+    job->is_filled = true;
     if (job->lacking)
         return app_fill_failed(job->lacking);
     enum status status = reference_create(&job->reference, &request);
