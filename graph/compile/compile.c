@@ -10,10 +10,9 @@ struct owned_plan {
 /* Makes room for about as much as the tables hold, so that little is copied as it grows. */
 static void expect(struct compiler *c)
 {
-    c->resource_names.of_texts = c->pass_names.of_texts = true;
-    rg_map_expect(c->arena, &c->by_address, c->row_count * 2);
-    rg_map_expect(c->arena, &c->resource_names, c->row_count * 2);
-    rg_map_expect(c->arena, &c->pass_names, c->row_count);
+    rg_map_expect(c->arena, &c->by_address, c->row_count + c->row_count / 2);
+    rg_texts_expect(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
+    rg_texts_expect(c->arena, &c->pass_names, c->row_count);
 }
 
 static bool failed(const struct compiler *c)

@@ -25,7 +25,7 @@ enum {
     ACCESS_READS = 1 << 0,       /* needs the content that earlier passes left */
     ACCESS_WRITES = 1 << 1,      /* leaves content for later passes */
     ACCESS_OVERWRITES = 1 << 2,  /* nothing of the earlier content of the range remains */
-    ACCESS_NEEDED = 1 << 3,      /* of a target: a later pass or an output needs what it writes */
+    ACCESS_NEEDED = 1 << 3,      /* a later pass or an output needs what it writes */
     ACCESS_CONDITIONAL = 1 << 4, /* does not happen in every frame */
     ACCESS_TEXELS = 1 << 5,      /* of a buffer, through a view with its format */
 };
@@ -131,7 +131,7 @@ struct compiler {
     uint32_t boundary_count;   /* resources up to the last import or output */
     uint32_t persistent_count; /* resources that are persistent */
     struct map by_address;     /* of rg_image or rg_buffer: struct resource */
-    struct map resource_names, pass_names;
+    struct text_set resource_names, pass_names;
     struct map
         provided; /* images that rows write or imports provide; only if a use has a fallback */
 

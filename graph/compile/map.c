@@ -1,10 +1,53 @@
-/* map.c: a hash map in an arena. */
+/* map.c: a hash map of addresses and a set of texts, in an arena. */
 #include "graph/compile/map.h"
 #include <string.h>
 
 enum {
-    FIRST_MASK = 63
+    FIRST_MASK = 31
 };
+
+static uint32_t room_of(uint32_t mask)
+{
+    return mask / 4 * 3;
+}
+
+static uint32_t mask_for(uint32_t count)
+{
+    uint32_t mask = FIRST_MASK;
+    while (room_of(mask) < count)
+        mask = mask * 2 + 1;
+    return mask;
+}
+
+/* ---- addresses ---- */
+
+void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
+{
+    struct map grown = { .mask = mask_for(count), .count = map->count };
+    grown.slots = ARENA_ZEROED(arena, struct map_slot, (size_t)grown.mask + 1);
+    if (!grown.slots)
+        return;
+    for (uint32_t i = 0; map->slots && i <= map->mask; i++) {
+        if (map->slots[i].key)
+            *rg_map_find(&grown, map->slots[i].key) = map->slots[i];
+    }
+    *map = grown;
+}
+
+void **rg_map_add(struct arena *arena, struct map *map, struct map_slot *slot, const void *address)
+{
+    if (map->count >= room_of(map->mask)) {
+        rg_map_expect(arena, map, map->mask);
+        slot = rg_map_find(map, address);
+    }
+    if (arena->failed)
+        return NULL;
+    map->count++;
+    slot->key = address;
+    return &slot->value;
+}
+
+/* ---- texts ---- */
 
 /* FNV-1a. */
 static uint32_t hash_text(const char *text)
@@ -16,61 +59,41 @@ static uint32_t hash_text(const char *text)
 }
 
 /* The slot of a text, or the empty one where it would be. */
-static struct map_slot *find_text(const struct map *map, const char *text, uint32_t hash)
+static struct text_slot *find_text(const struct text_set *set, const char *text, uint32_t hash)
 {
-    uint32_t i = hash;
-    for (;; i++) {
-        struct map_slot *slot = &map->slots[i & map->mask];
-        if (!slot->key || (slot->hash == hash && !strcmp(slot->key, text)))
+    for (uint32_t i = hash;; i++) {
+        struct text_slot *slot = &set->slots[i & set->mask];
+        if (!slot->number || (slot->hash == hash && !strcmp(set->texts[slot->number - 1], text)))
             return slot;
     }
 }
 
-void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
+void rg_texts_expect(struct arena *arena, struct text_set *set, uint32_t count)
 {
-    struct map grown = { .mask = FIRST_MASK, .count = map->count, .of_texts = map->of_texts };
-    while (grown.mask / 4 * 3 < count)
-        grown.mask = grown.mask * 2 + 1;
-    grown.slots = ARENA_ZEROED(arena, struct map_slot, (size_t)grown.mask + 1);
-    if (!grown.slots)
+    struct text_set grown = { .mask = mask_for(count), .count = set->count };
+    grown.slots = ARENA_ZEROED(arena, struct text_slot, (size_t)grown.mask + 1);
+    grown.texts = ARENA_ARRAY(arena, const char *, room_of(grown.mask));
+    if (!grown.texts)
         return;
-    for (uint32_t i = 0; map->slots && i <= map->mask; i++) {
-        const struct map_slot *slot = &map->slots[i];
-        if (slot->key)
-            *(map->of_texts ? find_text(&grown, slot->key, slot->hash)
-                            : rg_map_find(&grown, slot->key)) = *slot;
+    if (set->count)
+        memcpy(grown.texts, set->texts, set->count * sizeof(*set->texts));
+    for (uint32_t i = 0; set->slots && i <= set->mask; i++) {
+        const struct text_slot *slot = &set->slots[i];
+        if (slot->number)
+            *find_text(&grown, set->texts[slot->number - 1], slot->hash) = *slot;
     }
-    *map = grown;
+    *set = grown;
 }
 
-static bool is_full(const struct map *map)
-{
-    return map->count >= map->mask / 4 * 3;
-}
-
-void **rg_map_add(struct arena *arena, struct map *map, struct map_slot *slot, const void *address)
-{
-    if (is_full(map)) {
-        rg_map_expect(arena, map, map->mask);
-        slot = rg_map_find(map, address);
-    }
-    if (arena->failed)
-        return NULL;
-    map->count++;
-    slot->key = address;
-    return &slot->value;
-}
-
-bool rg_map_has_text(struct arena *arena, struct map *map, const char *text)
+bool rg_texts_had(struct arena *arena, struct text_set *set, const char *text)
 {
     const uint32_t hash = hash_text(text);
-    if (is_full(map))
-        rg_map_expect(arena, map, map->mask);
-    struct map_slot *slot = find_text(map, text, hash);
-    if (slot->key || arena->failed)
-        return slot->key != NULL;
-    map->count++;
-    slot->key = text;
-    slot->hash = hash;
+    if (set->count >= room_of(set->mask))
+        rg_texts_expect(arena, set, set->mask);
+    struct text_slot *slot = find_text(set, text, hash);
+    if (slot->number || arena->failed)
+        return slot->number;
+    set->texts[set->count++] = text;
+    *slot = (struct text_slot){ hash, set->count };
     return false;
 }

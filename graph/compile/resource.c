@@ -115,7 +115,7 @@ static void check_name(struct compiler *c, struct resource *r)
         rg_fault_of(c, RG_ERROR_NO_NAME, r->name, "give the resource a name");
         return;
     }
-    if (rg_map_has_text(c->arena, &c->resource_names, name))
+    if (rg_texts_had(c->arena, &c->resource_names, name))
         rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each a name of its own");
 }
 
