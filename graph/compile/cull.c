@@ -12,9 +12,11 @@ enum {
     MAX_ROUNDS = 4 /* then all of every persistent resource counts as needed */
 };
 
+/* Cells begin unwanted, so that the first round has only outputs to look at. */
 static void begin_round(struct compiler *c, uint32_t round)
 {
-    for (uint32_t i = 0; i < c->resource_count; i++) {
+    uint32_t count = round ? c->resource_count : c->boundary_count;
+    for (uint32_t i = 0; i < count; i++) {
         const struct resource *r = c->resources[i];
         for (uint32_t k = 0; k < r->cell_count; k++) {
             struct cell *cell = &r->cells[k];
@@ -36,27 +38,28 @@ static bool is_wanted(const struct access *a)
     return false;
 }
 
-/* Notes for earlier passes what a living one does. No access of a pass reads what another one of it
- * overwrites. Targets come first. */
-static void mark_accesses(struct access *first, const struct access *end)
+/* Notes for each access of a pass whether it is needed. Returns whether any is. */
+static bool find_needed(struct access *first, const struct access *end)
 {
-    for (struct access *a = first; a < end && a->kind <= RG_RESOLVE; a++)
-        a->flags = is_wanted(a) ? a->flags | ACCESS_NEEDED : a->flags & ~(uint32_t)ACCESS_NEEDED;
+    bool any = false;
+    for (struct access *a = first; a < end; a++) {
+        bool needed = is_wanted(a);
+        a->flags = needed ? a->flags | ACCESS_NEEDED : a->flags & ~(uint32_t)ACCESS_NEEDED;
+        any = any || needed;
+    }
+    return any;
+}
+
+/* Notes for earlier passes what a living one does. No access of a pass reads what another one of it
+ * overwrites. */
+static void mark_wanted(const struct access *first, const struct access *end)
+{
     for (const struct access *a = first; a < end; a++) {
         if (!(a->flags & (ACCESS_OVERWRITES | ACCESS_READS)))
             continue;
         for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w))
             w.cell->wanted = a->flags & ACCESS_READS;
     }
-}
-
-static bool is_needed(const struct access *first, const struct access *end)
-{
-    for (const struct access *a = end; a-- > first;) { /* most write last */
-        if (is_wanted(a))
-            return true;
-    }
-    return false;
 }
 
 static void cull_round(struct compiler *c)
@@ -66,10 +69,10 @@ static void cull_round(struct compiler *c)
         struct pass *pass = &c->passes[p];
         struct access *first = &c->accesses[pass->first_access];
         const struct access *end = first + pass->access_count;
-        pass->alive = is_needed(first, end);
+        pass->alive = find_needed(first, end);
         if (!pass->alive)
             continue;
-        mark_accesses(first, end);
+        mark_wanted(first, end);
         c->plan->pass_count++;
     }
 }
@@ -78,7 +81,7 @@ static void cull_round(struct compiler *c)
 static bool wants_more(const struct compiler *c)
 {
     bool more = false;
-    for (uint32_t i = 0; i < c->resource_count; i++) {
+    for (uint32_t i = 0; i < c->resource_count && c->persistent_count; i++) {
         const struct resource *r = c->resources[i];
         for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {
             struct cell *cell = &r->cells[k];

@@ -19,12 +19,15 @@ static uint32_t gather(struct compiler *c, struct pack_item *items, uint32_t cou
 {
     uint32_t same = 0;
     uint32_t other_count = 0;
-    struct pack_item *others = ARENA_ARRAY(c->arena, struct pack_item, count);
-    for (uint32_t i = 0; i < count && others; i++) {
-        if (!fits_block(&items[i], block))
+    while (same < count && fits_block(&items[same], block))
+        same++;
+    const uint32_t first_other = same;
+    struct pack_item *others = ARENA_ARRAY(c->arena, struct pack_item, count - first_other);
+    for (uint32_t i = first_other; i < count && others; i++) {
+        if (fits_block(&items[i], block))
+            items[same++] = items[i];
+        else
             others[other_count++] = items[i];
-        else if (same++ < i)
-            items[same - 1] = items[i];
     }
     if (other_count)
         memcpy(&items[same], others, other_count * sizeof(*items));
