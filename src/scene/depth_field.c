@@ -109,7 +109,7 @@ static void offer_near(const struct work *work, uint32_t triangle)
 {
     vec3s corners[3];
     corners_of(work->mesh, triangle, corners);
-    const struct range r = range_of(work, corners, 1);
+    const struct range r = range_of(work, corners, 0);
     for (int z = r.first[2]; z <= r.last[2]; z++) {
         for (int y = r.first[1]; y <= r.last[1]; y++) {
             for (int x = r.first[0]; x <= r.last[0]; x++)
@@ -118,9 +118,11 @@ static void offer_near(const struct work *work, uint32_t triangle)
     }
 }
 
-/* Offers a texel the nearest triangles of the 13 neighbours before it, or after it. */
+/* Offers a texel the nearest triangles of the 13 neighbours before it, or after it: few, for most
+ * have the same. */
 static void offer_neighbours(const struct work *work, int x, int y, int z, int side)
 {
+    uint32_t before = NOWHERE;
     for (int i = 14; i < 27; i++) {
         const int nx = x + side * (i % 3 - 1);
         const int ny = y + side * (i / 3 % 3 - 1);
@@ -128,17 +130,23 @@ static void offer_neighbours(const struct work *work, int x, int y, int z, int s
         if (nx < 0 || ny < 0 || nz < 0 || nx >= SIZE || ny >= SIZE || nz >= SIZE)
             continue;
         const uint32_t nearest = work->nearest[texel_at(nx, ny, nz)];
-        if (nearest != NOWHERE)
+        if (nearest != NOWHERE && nearest != before)
             offer(work, nearest, x, y, z);
+        before = nearest;
     }
 }
 
+/* Hands the nearest triangles on to what is inside: nothing else is asked for its depth. */
 static void sweep(const struct work *work)
 {
-    for (int i = 0; i < COUNT; i++)
-        offer_neighbours(work, i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE, -1);
-    for (int i = COUNT - 1; i >= 0; i--)
-        offer_neighbours(work, i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE, 1);
+    for (int i = 0; i < COUNT; i++) {
+        if (work->windings[i])
+            offer_neighbours(work, i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE, -1);
+    }
+    for (int i = COUNT - 1; i >= 0; i--) {
+        if (work->windings[i])
+            offer_neighbours(work, i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE, 1);
+    }
 }
 
 /* ---- inside ---- */
@@ -183,8 +191,11 @@ static float depth_near(const struct work *work, const int texel[static 3], vec3
     float least = INFINITY;
     for (int i = 0; i < 27; i++) {
         const int x = texel[0] + i % 3 - 1, y = texel[1] + i / 3 % 3 - 1, z = texel[2] + i / 9 - 1;
-        if (x >= 0 && y >= 0 && z >= 0 && x < SIZE && y < SIZE && z < SIZE)
-            least = fminf(least, distance2(work, work->nearest[texel_at(x, y, z)], point));
+        if (x < 0 || y < 0 || z < 0 || x >= SIZE || y >= SIZE || z >= SIZE)
+            continue;
+        const uint32_t nearest = work->nearest[texel_at(x, y, z)];
+        if (nearest != NOWHERE)
+            least = fminf(least, distance2(work, nearest, point));
     }
     return sqrtf(least);
 }
@@ -209,7 +220,8 @@ static void measure(struct depth_field *field, const struct work *work)
 {
     size_t best = 0;
     for (size_t i = 0; i < COUNT; i++) {
-        field->texels[i] = work->windings[i] ? sqrtf(work->distances2[i]) : 0.0f;
+        const bool is_inside = work->windings[i] && work->nearest[i] != NOWHERE;
+        field->texels[i] = is_inside ? sqrtf(work->distances2[i]) : 0.0f;
         best = field->texels[i] > field->texels[best] ? i : best;
     }
     if (!(field->texels[best] > 0.0f))
