@@ -15,7 +15,8 @@ def wait_until(what, happens, words=lambda: '', patience=PATIENCE, act=None, aga
     The first true value of happens(). A failure quotes words(). What act() does is done first, and
     again if it is in vain: on a busy machine a key or a click now and then reaches no window.
     """
-    end = time.monotonic() + patience
+    begin = time.monotonic()
+    end = begin + patience
     next_act = 0.0
     while time.monotonic() < end:
         if act and time.monotonic() > next_act:
@@ -24,7 +25,7 @@ def wait_until(what, happens, words=lambda: '', patience=PATIENCE, act=None, aga
         value = happens()
         if value:
             return value
-        time.sleep(0.02)
+        time.sleep(min(0.02 + (time.monotonic() - begin) / 10, 0.2))  # looking takes time, too
     raise AssertionError(f'{what}: not after {patience:.0f} seconds\n{words()}')
 
 

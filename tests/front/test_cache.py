@@ -3,7 +3,7 @@ import os
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import BARE, Case, main  # noqa: E402
+from case import BARE, PLAIN, Case, main  # noqa: E402
 
 COMMANDS = (('render', 'sphere', *BARE, '-o', 'a.png', '-q'),
             ('profile', 'sphere', *BARE, '--runs', '2', '--warmup', '1', '--clock', 'submits',
@@ -64,7 +64,7 @@ class Cache(Case):
         for size, chosen in (('64x48', {}), ('64x48', {'GALLIVM_PERF': 'nopt'}),
                              ('64x48', {'GALLIVM_PERF': ''}),
                              ('400x400', {'GALLIVM_PERF': ''}), ('400x400', {})):
-            self.succeed('render', 'sphere', '--size', size, '-o', 'a.exr', '-q', env={
+            self.succeed('render', 'sphere', *PLAIN, '--size', size, '-o', 'a.exr', '-q', env={
                 'MESA_SHADER_CACHE_DIR': self.folder / 'mesa', **chosen})
             pictures.append((self.folder / 'a.exr').read_bytes())
             files.append(sum(path.is_file() for path in (self.folder / 'mesa').rglob('*')))

@@ -4,7 +4,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import FLAT, PLAIN, long, main  # noqa: E402
 from desktop import Desktop  # noqa: E402
-from test_device import OLDER, TRY_AGAIN, WINDOW, Fault, LayerCase  # noqa: E402
+from test_device import EVERY_OTHER, OLDER, TRY_AGAIN, WINDOW, Fault, LayerCase  # noqa: E402
 
 WHOLE = ('view', 'sphere', '-r', 'one-sided', '--size', '64x48', '--time-step', '0.1',
          '--frames', '6', '--screenshot', 'a.png')
@@ -27,7 +27,7 @@ class Window(LayerCase):
 
     def test_window(self):
         """An image that is out of date is no failure: the swapchain is made anew."""
-        self.sweep(*VIEW, only=WINDOW, sample=True)
+        self.sweep(*VIEW, only=WINDOW, sample=True, parts=EVERY_OTHER)
 
     def lose(self, command, call, words):
         """Every instance loses its device there. What is said beside the layer's words."""

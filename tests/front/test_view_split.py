@@ -38,7 +38,8 @@ class Split(WindowCase):
         return pixels
 
     def test_files_have_the_pixels_of_render(self):
-        for words in (('--samples', 1, '--aov', 'N'), ('--samples', 3, '--aov', 'N', *PLAIN)):
+        for samples in (1, 3):
+            words = ('--samples', samples, '--aov', 'N', *PLAIN)
             left, right = self.pictures(*words)
             self.view('sphere', *PAPER, '--validate', '--size', SIZE, *words,
                       '--split', 'one-sided', '--frames', 1, '--screenshot', 'a.png',

@@ -11,7 +11,7 @@
 #include "tests/support/picture.h"
 
 enum {
-    SIZE = 256,
+    SIZE = 176,
 };
 
 static const double eta = 1.0003 / 1.3091;

@@ -14,7 +14,7 @@
 #include "tests/support/tiles.h"
 
 enum {
-    SIZE = 320,
+    SIZE = 224,
     PIXELS = SIZE * SIZE,
     HITS_MAX = 64,
     WANTED = 10000, /* fragments to check */
