@@ -81,13 +81,15 @@ float cloud_of_sun(float cosine, float depth)
     return 0.25 * cloud_phase(cosine, wider) * exp(-(1.0 - g) * depth);
 }
 
-/* Returns the light of what is around, from about a direction, or from everywhere. */
-vec3 cloud_around(vec3 dir, bool is_even)
+/* Returns the light of what is around: a share of what is about a direction, another of what is
+ * everywhere. */
+vec3 cloud_around(vec3 dir, float ahead, float anywhere)
 {
-    vec3 even = 0.5 * (lit_matt(dir) + lit_matt(-dir));
-    if (is_even || constant_background != GLOBALS_ENVIRONMENT)
-        return is_even ? even : lit_matt(dir);
-    return lit_glossy(dir, cloud_roughness, 0.0);
+    vec3 before = lit_matt(dir);
+    vec3 even = 0.5 * (before + lit_matt(-dir));
+    if (constant_background == GLOBALS_ENVIRONMENT)
+        before = lit_glossy(dir, cloud_roughness, 0.0);
+    return ahead * before + anywhere * even;
 }
 
 /* Adds what is scattered into a way on a straight part. Returns the share of its light that goes
@@ -117,8 +119,8 @@ float trace_cloud_passed(float t)
     }
     if (depth > 0.0) {
         float straight = exp(-depth), turned = exp(-(1.0 - trace.cloud_cosine) * depth);
-        vec3 light = (turned - straight) * cloud_around(way.dir, false) +
-                     (1.0 - turned) * cloud_around(way.dir, true) + sun * frame.sun_light;
+        vec3 light = cloud_around(way.dir, turned - straight, 1.0 - turned) +
+                     sun * frame.sun_light;
         trace_add(way.weight * light, way.kind);
     }
     return exp(-depth);
