@@ -119,8 +119,7 @@ float trace_cloud_passed(float t)
     }
     if (depth > 0.0) {
         float straight = exp(-depth), turned = exp(-(1.0 - trace.cloud_cosine) * depth);
-        vec3 light = cloud_around(way.dir, turned - straight, 1.0 - turned) +
-                     sun * frame.sun_light;
+        vec3 light = cloud_around(way.dir, turned - straight, 1.0 - turned) + sun * frame.sun_light;
         trace_add(way.weight * light, way.kind);
     }
     return exp(-depth);
