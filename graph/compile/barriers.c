@@ -11,7 +11,7 @@
  * number for access, until rg_find_owners(); every other one has some.
  */
 #include <assert.h>
-#include "graph/compile/compiler.h"
+#include "graph/compile/cell_state.h"
 
 /* Gives the newest batch to its pass, or to the end of the frame. */
 static void close_batch(struct compiler *c)

@@ -427,14 +427,6 @@ void rg_find_owners(struct compiler *c);
 /* Puts every cell into the state in which a frame finds it. */
 void rg_begin_cells(struct compiler *c);
 
-/* Fills `b` but for resource and range, and *release: the first pass before which the barrier may
- * be. Returns false if the access needs no barrier. */
-bool rg_needs_barrier(const struct cell *s, const struct access *a, struct rg_barrier *b,
-                      uint32_t *release);
-
-/* Changes the state by an access in a pass; `made_visible`: it has just been given a barrier. */
-void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass, bool made_visible);
-
 typedef void rg_history_read_fn(struct compiler *c, const struct cell_walk *w,
                                 const struct access *a);
 
