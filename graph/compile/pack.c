@@ -14,6 +14,7 @@ enum {
     PROMOTIONS = 8,    /* orders beside those of the rules */
     MANY = 512,        /* items beyond which only the first rules are tried, */
     RULES_OF_MANY = 2, /* so many, */
+    FEW = 256,         /* items that are sorted faster without counting bytes */
     LONG_LIFE = 32,    /* and only time order if on average more than so many begin in a life */
 };
 
@@ -65,6 +66,7 @@ struct packing {
     struct span *spans;    /* room for those of all moments */
     VkDeviceSize *offsets; /* of each item, the best so far */
     uint64_t *order;       /* items in the lower half, keys in the upper */
+    uint64_t *sorted;      /* room for the next order */
     uint32_t placed;       /* items that the order at work has placed before it lost or ended */
 };
 
@@ -217,25 +219,54 @@ static uint64_t product_of(const struct rule *rule, const struct pack_item *item
     return bits;
 }
 
-/* Fills p->order: items by falling upper halves of their products. Shell sort, since qsort() may
- * allocate. */
-static void sort(struct packing *p, const struct rule *rule)
+/* Sorts p->order by the byte from bit `shift` on; what has the same byte stays in order. */
+static void sort_by_byte(struct packing *p, unsigned shift)
 {
-    uint64_t *order = p->order;
-    uint32_t gap = 1;
-    while (gap < p->count / 3)
-        gap = gap * 3 + 1;
+    uint32_t places[256] = { 0 };
+    uint32_t sum = 0;
+    uint64_t *from = p->order;
     for (uint32_t i = 0; i < p->count; i++)
-        order[i] = (~product_of(rule, &p->items[i]) & UINT64_MAX << 32) | i;
+        places[from[i] >> shift & 255]++;
+    for (uint32_t i = 0; i < 256; i++) {
+        uint32_t count = places[i];
+        places[i] = sum;
+        sum += count;
+    }
+    for (uint32_t i = 0; i < p->count; i++)
+        p->sorted[places[from[i] >> shift & 255]++] = from[i];
+    p->order = p->sorted;
+    p->sorted = from;
+}
+
+/* Shell sort. */
+static void sort_few(uint64_t *order, uint32_t count)
+{
+    uint32_t gap = 1;
+    while (gap < count / 3)
+        gap = gap * 3 + 1;
     for (; gap; gap /= 3) {
-        for (uint32_t i = gap; i < p->count; i++) {
-            uint64_t moved = order[i];
+        for (uint32_t i = gap; i < count; i++) {
+            const uint64_t moved = order[i];
             uint32_t k = i;
             for (; k >= gap && order[k - gap] > moved; k -= gap)
                 order[k] = order[k - gap];
             order[k] = moved;
         }
     }
+}
+
+/* Fills p->order: items by falling upper halves of their products. No qsort(), which may allocate.
+ */
+static void sort(struct packing *p, const struct rule *rule)
+{
+    for (uint32_t i = 0; i < p->count; i++)
+        p->order[i] = (~product_of(rule, &p->items[i]) & UINT64_MAX << 32) | i;
+    if (p->count <= FEW) {
+        sort_few(p->order, p->count);
+        return;
+    }
+    for (unsigned shift = 32; shift < 64; shift += 8)
+        sort_by_byte(p, shift);
 }
 
 /* Lets the item that reaches highest choose earlier: half as many come before it. */
@@ -352,6 +383,7 @@ struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_
         .moments = ARENA_ARRAY(arena, struct moment, count),
         .offsets = ARENA_ARRAY(arena, VkDeviceSize, count),
         .order = ARENA_ARRAY(arena, uint64_t, count),
+        .sorted = ARENA_ARRAY(arena, uint64_t, count),
     };
     if (arena->failed)
         return result;

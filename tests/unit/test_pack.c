@@ -107,6 +107,32 @@ static void test_many_long_lives(void **state)
     rg_arena_finish(&scratch);
 }
 
+/* Many are sorted in another way than few: small ones that live later change nothing. */
+static void test_many_are_in_the_order_of_few(void **state)
+{
+    enum {
+        FEW = 200,
+        MORE = 400,
+    };
+
+    (void)state;
+    for (uint32_t seed = 1; seed <= 20; seed++) {
+        struct arena scratch = { 0 };
+        struct pack_item few[FEW], more[MORE];
+        make_items(few, FEW, seed);
+        memcpy(more, few, sizeof(few));
+        for (uint32_t i = FEW; i < MORE; i++)
+            more[i] = (struct pack_item){
+                .size = 1, .alignment = 1, .first = i + MORE, .last = i + MORE
+            };
+        rg_pack(&scratch, few, FEW, END, false);
+        rg_pack(&scratch, more, MORE, END, false);
+        for (uint32_t i = 0; i < FEW; i++)
+            assert_int_equal(few[i].offset, more[i].offset);
+        rg_arena_finish(&scratch);
+    }
+}
+
 static void check_bound_is_met(struct pack_item *items, uint32_t count, uint32_t end,
                                VkDeviceSize bound)
 {
@@ -150,6 +176,7 @@ int main(void)
         cmocka_unit_test(test_random_lives),
         cmocka_unit_test(test_without_aliasing_nothing_is_shared),
         cmocka_unit_test(test_many_long_lives),
+        cmocka_unit_test(test_many_are_in_the_order_of_few),
         cmocka_unit_test(test_the_best_rule_wins),
         cmocka_unit_test(test_who_reaches_highest_comes_earlier),
     };
