@@ -275,6 +275,16 @@ typedef bool rg_when_fn(const struct rg_frame *frame, uint32_t repetition);
  */
 typedef VkRect2D rg_area_fn(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
+/*
+ * Returns a further row that a raster pass draws: first the one after its own `row`, then the one
+ * after that; NULL: no more. So many passes over parts of the same targets become one, which waits
+ * once. A further row comes later in the plan. It has the targets, images, shaders and state of the
+ * pass's own, but may have other buffers and loads; those loads do not count, and `area` is that of
+ * the pass. Its own pass must be left out in the frame (`when`, `area`). The graph does not check
+ * that nothing writes what it reads between the two.
+ */
+typedef const struct rg_pass *rg_more_fn(const struct rg_pass *row, const struct rg_frame *frame);
+
 /* A row: a pass, or several repetitions of it. */
 struct rg_pass {
     const char *name;              /* unique among passes; shown in dumps, captures and messages */
@@ -295,6 +305,7 @@ struct rg_pass {
     rg_record_fn *record;         /* required */
     rg_when_fn *when;             /* the condition; NULL: the pass runs in every frame */
     rg_area_fn *area;             /* of a raster pass: what it draws; NULL: all of its targets */
+    rg_more_fn *more;             /* of a raster pass: rows that it draws, too; NULL: none */
     bool depth_read_only;         /* the depth target is tested and not written, its stencil too */
     struct rg_depth_bias depth_bias;  /* {0}: none */
     const struct rg_stencil *stencil; /* borrowed; NULL: no stencil test */

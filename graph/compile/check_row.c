@@ -106,6 +106,8 @@ static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32
                 "only a raster pass has targets");
     rg_fault_if(c, pass->kind != RG_RASTER && pass->area, RG_ERROR_ACCESS, NULL,
                 "only a raster pass has an area");
+    rg_fault_if(c, pass->kind != RG_RASTER && pass->more, RG_ERROR_ACCESS, NULL,
+                "only a raster pass draws further rows");
     rg_fault_if(c, pass->kind == RG_RASTER && !any, RG_ERROR_NO_TARGET, NULL,
                 "name an image in .color or .depth");
     for (uint32_t i = color_count, room = rg_color_room(pass); i < room; i++) {

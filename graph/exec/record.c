@@ -153,6 +153,31 @@ static void bind(const struct rg_cmd *cmd)
     cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &area);
 }
 
+/* Goes on to the same repetition of a row that comes later. */
+static void go_to(struct rg_cmd *cmd, const struct rg_pass *row)
+{
+    const struct rg_plan *plan = cmd->exec->plan;
+    const uint32_t repetition = cmd->plan_pass->repetition;
+    do {
+        cmd->index++;
+        assert(cmd->index < plan->pass_count);
+        cmd->plan_pass = &plan->passes[cmd->index];
+    } while (cmd->plan_pass->pass != row || cmd->plan_pass->repetition != repetition);
+    cmd->pass = &cmd->exec->passes[cmd->index];
+}
+
+/* Records further rows, with their own descriptors, in the pass that has begun. */
+static void record_more(const struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    struct rg_cmd other = *cmd;
+    const struct rg_pass *row = cmd->plan_pass->pass;
+    while (row->more && (row = row->more(row, frame))) {
+        go_to(&other, row);
+        bind(&other);
+        row->record(&other, frame);
+    }
+}
+
 void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     bool raster = cmd->plan_pass->pass->kind == RG_RASTER;
@@ -162,6 +187,8 @@ void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
         begin_rendering(cmd);
     bind(cmd);
     cmd->plan_pass->pass->record(cmd, frame);
+    if (!cmd->warm_up)
+        record_more(cmd, frame);
     if (raster && cmd->pass->render_pass)
         cmd->exec->vk.CmdEndRenderPass(cmd->commands);
     else if (raster)

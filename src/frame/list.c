@@ -236,13 +236,18 @@ static void keep_in_row(struct frame_list *list, const struct frame_list_object 
     bool are_local = is_local(list, &row->depth);
     for (uint32_t c = 0; color && c < row->color_count; c++)
         are_local = are_local && is_local(list, &color[c]);
-    if (are_local)
-        row->area = frame_object_reach;
+    if (!are_local || row->kind != RG_RASTER) {
+        list->are_local = list->are_local && object->of_layers;
+        return;
+    }
+    row->area = frame_object_drawn;
+    row->more = frame_object_more;
 }
 
 /* Makes the rows of all objects but the first keep what is common. */
 static bool keep_common(struct frame_list *list)
 {
+    list->are_local = true;
     for (size_t i = 0; i < list->object_count; i++) {
         const struct frame_list_object *object = &list->objects[i];
         for (size_t r = 0; object->place && r < object->row_count; r++)

@@ -22,6 +22,7 @@ struct frame_list {
     size_t count;
     struct frame_list_object *objects; /* two for each object; empty for a single one */
     size_t object_count;
+    bool are_local; /* the rows of all objects but the first draw only where rays look them up */
     struct row_builder builder;
     struct small_images small;
 };

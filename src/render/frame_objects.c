@@ -60,6 +60,76 @@ static void sort(struct frame_object_distance *order, const struct frame_view *v
     qsort(order, model->object_count, sizeof(*order), farthest_first);
 }
 
+static bool overlap(VkRect2D a, VkRect2D b)
+{
+    return a.offset.x < b.offset.x + (int32_t)b.extent.width &&
+           b.offset.x < a.offset.x + (int32_t)a.extent.width &&
+           a.offset.y < b.offset.y + (int32_t)b.extent.height &&
+           b.offset.y < a.offset.y + (int32_t)a.extent.height;
+}
+
+/* Whether rays through one may look up faces of the other. */
+static bool meet(const struct frame_object *a, const struct frame_object *b)
+{
+    return overlap(a->reach, b->area) || overlap(b->reach, a->area);
+}
+
+/* Returns the rectangle around both. */
+static VkRect2D around(VkRect2D a, VkRect2D b)
+{
+    const int32_t x[2] = { a.offset.x + (int32_t)a.extent.width,
+                           b.offset.x + (int32_t)b.extent.width };
+    const int32_t y[2] = { a.offset.y + (int32_t)a.extent.height,
+                           b.offset.y + (int32_t)b.extent.height };
+    VkRect2D both = a;
+    both.offset.x = a.offset.x < b.offset.x ? a.offset.x : b.offset.x;
+    both.offset.y = a.offset.y < b.offset.y ? a.offset.y : b.offset.y;
+    both.extent.width = (uint32_t)((x[0] > x[1] ? x[0] : x[1]) - both.offset.x);
+    both.extent.height = (uint32_t)((y[0] > y[1] ? y[0] : y[1]) - both.offset.y);
+    return both;
+}
+
+/* Returns the lowest layer for an object that is above all that it covers, and in which it meets
+ * none. */
+static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
+{
+    const struct frame_object *object = &objects[index];
+    uint32_t layer = 1;
+    for (uint32_t i = 1; i < index; i++) {
+        if (objects[i].layer >= layer && overlap(objects[i].area, object->area))
+            layer = objects[i].layer + 1;
+    }
+    for (uint32_t i = 1; i < index; i++) {
+        if (objects[i].layer == layer && meet(&objects[i], object)) {
+            layer++;
+            i = 0;
+        }
+    }
+    return layer;
+}
+
+/* Puts objects of the picture, farthest first, into layers. The passes of the first one of a layer
+ * draw all of it, so that there is one wait for each layer instead of each object. The farthest
+ * object is alone in its layer, since its rows also reset the maps. */
+static void make_layers(struct frame_object *objects, uint32_t count)
+{
+    for (uint32_t i = 1; i < count; i++) {
+        struct frame_object *first = NULL, *last = NULL;
+        objects[i].layer = layer_of(objects, i);
+        for (uint32_t k = 1; k < i; k++) {
+            if (objects[k].layer != objects[i].layer)
+                continue;
+            first = first ? first : &objects[k];
+            last = &objects[k];
+        }
+        if (!first)
+            continue;
+        first->drawn = around(first->drawn, objects[i].reach);
+        last->next = &objects[i];
+        objects[i].drawn = (VkRect2D){ 0 };
+    }
+}
+
 void frame_objects_place(struct frame_objects *objects, const struct frame_exec *frame_exec,
                          uint32_t slot, const struct frame_view *view,
                          const struct globals *globals, float reach)
@@ -89,9 +159,12 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
             .lookup_area = { .extent = size },
             .reach = frame_view_reach(&drawn, &own, reach),
         };
+        objects->all[i].drawn = objects->all[i].reach;
         /* The first one resets the maps everywhere, because they may be layers. */
         if (!(reach > 0.0f) && rows->place)
             objects->all[i].lookup_area =
                 frame_view_box_area(view, &own, object->box, size, LOOKUP_ROOM);
     }
+    if (list->are_local)
+        make_layers(objects->all, view->scene->model.object_count);
 }

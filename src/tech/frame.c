@@ -168,15 +168,19 @@ const struct rg_sampler frame_texture_sampler = {
 };
 
 /* Returns the object that the row draws; NULL if it is not one of several. */
-static const struct frame_object *object_of(const struct rg_cmd *cmd, const struct rg_frame *frame)
+static const struct frame_object *owner(const struct rg_pass *row, const struct rg_frame *frame)
 {
-    const struct rg_pass *row = rg_cmd_pass(cmd);
     for (size_t i = 0; i < frame->object_count; i++) {
         const struct frame_object *object = &frame->objects[i];
         if (row >= object->rows && row < object->rows + object->row_count)
             return object;
     }
     return NULL;
+}
+
+static const struct frame_object *object_of(const struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    return owner(rg_cmd_pass(cmd), frame);
 }
 
 const struct object *frame_object_of(const struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -192,9 +196,15 @@ VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *fram
     return object ? object->area : frame->object_area;
 }
 
-VkRect2D frame_object_reach(const struct rg_cmd *cmd, const struct rg_frame *frame)
+VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    return object_of(cmd, frame)->reach;
+    return object_of(cmd, frame)->drawn;
+}
+
+const struct rg_pass *frame_object_more(const struct rg_pass *row, const struct rg_frame *frame)
+{
+    const struct frame_object *object = owner(row, frame);
+    return object->next ? &object->next->rows[row - object->rows] : NULL;
 }
 
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame)

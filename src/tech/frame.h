@@ -46,6 +46,9 @@ struct frame_object {
     uint32_t first_index, index_count; /* its triangles in the mesh of all objects */
     VkRect2D area, lookup_area;        /* as those of struct rg_frame */
     VkRect2D reach;                    /* pixels of the view that its rays may look up */
+    uint32_t layer;                    /* objects of a layer cannot look each other up */
+    const struct frame_object *next;   /* of its layer: drawn by the same passes; NULL: none */
+    VkRect2D drawn; /* by its rows: the reach of its layer; nothing if another's rows draw it */
 };
 
 /*
@@ -130,8 +133,9 @@ VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *fram
 /* The refractive object of the scene that a row draws; the scene must have listed its objects. */
 const struct object *frame_object_of(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* The area of a row that draws one of several objects: where its rays may look it up. */
-VkRect2D frame_object_reach(const struct rg_cmd *cmd, const struct rg_frame *frame);
+/* The area of a row that draws one of several objects, and the row of the next one of its layer. */
+VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *frame);
+const struct rg_pass *frame_object_more(const struct rg_pass *row, const struct rg_frame *frame);
 
 /* Record functions of rows without push constants: they draw the row's object, a triangle that
  * covers the picture (screen.vert), and that triangle within lookup_area. */

@@ -161,6 +161,18 @@ class Scenes(Case):
         self.assertEqual([name for name in passes if name.startswith('refract')],
                          ['refract_bounce.color', 'refract_bounce.color.1'])
 
+    def test_objects_share_passes_where_none_sees_another(self):
+        """The third box is drawn with the second one, unless it hides some of that."""
+        for place, passes in (([6, 0, 0], 2), ([0.5, 0, 2], 3)):
+            (self.folder / 'a.gltf').write_text(boxes(
+                (glass(), [-4, 0, -2], 1), (glass(), [0, 0, 0], 1), (glass(), place, 1)))
+            done = self.succeed('profile', 'a.gltf', '-r', 'bounce', '--eye', '0,0,20', '--target',
+                                '0,0,0', '--size', '160x96', '-n', '1', '--warmup', '0', '-q',
+                                '--json', '-')
+            drawn = [row for row in json.loads(done.stdout)['rows']
+                     if row['name'].startswith('refract') and row['covered']]
+            self.assertEqual(len(drawn), passes, drawn)
+
     def test_what_a_rung_leaves_out_is_said(self):
         parts = [(glass(), [0, 0, 0], 1), (glass(roughness=0.3), [3, 0, 0], 1),
                  (glass(thickness=0, color=[1, 0, 0]), [6, 0, 0], 1), (glass(1.3), [0, 0, 0], 0.5)]

@@ -117,6 +117,7 @@ static struct {
     VkRect2D rendered; /* of the pass that has begun */
     VkRect2D areas[AREA_COUNT];
     uint32_t count;
+    uint32_t begun; /* passes */
 } noted;
 
 static VKAPI_ATTR void VKAPI_CALL note_scissor(VkCommandBuffer commands, uint32_t first,
@@ -132,6 +133,7 @@ static VKAPI_ATTR void VKAPI_CALL note_rendering(VkCommandBuffer commands,
                                                  const VkRenderingInfo *info)
 {
     noted.rendered = info->renderArea;
+    noted.begun++;
     noted.begin_rendering(commands, info);
 }
 
@@ -140,6 +142,7 @@ static VKAPI_ATTR void VKAPI_CALL note_render_pass(VkCommandBuffer commands,
                                                    VkSubpassContents contents)
 {
     noted.rendered = info->renderArea;
+    noted.begun++;
     noted.begin_render_pass(commands, info, contents);
 }
 
@@ -349,13 +352,65 @@ static void areas_of_rows(void **state)
     }
 }
 
+/* ---- further rows ---- */
+
+static VkRect2D no_area(const struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    (void)cmd;
+    (void)frame;
+    return (VkRect2D){ 0 };
+}
+
+/* All of the table but the copy. */
+static const struct rg_pass *next_row(const struct rg_pass *row, const struct rg_frame *frame)
+{
+    return row < frame->rows + 2 ? row + 1 : NULL;
+}
+
+#define OVER(target) .color = RG_TARGETS({ &(target), RG_LOAD_KEEP })
+static const struct rg_pass further_rows[] = {
+    { .name = "board", CLEAR(board), .more = next_row, PAINTED },
+    { .name = "further", OVER(board), .area = no_area, .more = next_row, PAINTED },
+    { .name = "furthest", OVER(board), .area = no_area, .more = next_row, PAINTED },
+    RUN_READ("read board", board, board_out),
+};
+
+/* A pass draws the rows that it chooses, each by its own record function, within its area. */
+static void further_rows_of_a_pass(void **state)
+{
+    static const struct paint_push further_paints[] = {
+        HALF,
+        { .color = { { 9, 9, 9, 9 } }, .from = { { 0, -1 } }, .to = { { 1, 0 } } },
+        { .color = { { 3, 3, 3, 3 } }, .from = { { 0, 0 } }, .to = { { 1, 1 } } },
+    };
+    const struct run_params all = {
+        .technique = RG_TECHNIQUE("test", further_rows),
+        .outputs = { &board_out },
+    };
+    const struct rg_frame frame = { .rows = further_rows, .paints = further_paints };
+    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+        const struct run_params params = run_way(&all, way);
+        struct run run;
+        open_noted(&run, *state, &params);
+        noted.count = noted.begun = 0;
+        run_frame(&run, &frame);
+        assert_int_equal(noted.begun, 1);
+        assert_int_equal(noted.count, 3);
+        for (uint32_t i = 0; i < 64; i++)
+            painted_check(&run, &board_out, i,
+                          i % 8 < 4 ? painted_color(5, 6, 7, 8)
+                          : i < 32  ? painted_color(9, 9, 9, 9)
+                                    : painted_color(3, 3, 3, 3));
+        run_close(&run);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        ON_DEVICE(only_a_region),
-        ON_DEVICE(all_without_it),
-        ON_DEVICE(scissors_stay_inside),
-        ON_DEVICE(areas_of_rows),
+        ON_DEVICE(only_a_region),          ON_DEVICE(all_without_it),
+        ON_DEVICE(scissors_stay_inside),   ON_DEVICE(areas_of_rows),
+        ON_DEVICE(further_rows_of_a_pass),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

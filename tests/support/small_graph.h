@@ -14,6 +14,7 @@ enum {
 extern const struct rg_shader small_graph_shader; /* of no words */
 rg_record_fn small_graph_record;
 rg_area_fn small_graph_area;
+rg_more_fn small_graph_more;
 
 /* Rows that lack nothing but what the dots say: targets, or uses. */
 #define DRAW(title, ...) \
