@@ -144,7 +144,8 @@ class Mtl(features.Cards):
         self.twin(('illum 7', 'map_Kd a.png', 'map_Ke a.png', 'map_Ns a.png', 'norm a.png'), pbr())
         self.twin(('d .5', 'map_Kd a.png', 'map_Ks a.png'), pbr())
         self.twin(('Tr 1', 'illum 2'), pbr())
-        (self.folder / 'cards.obj').write_text('\n'.join(self.obj))
+        more = ['l 1 2', 'p 1', 'curv 0 1 1 2', 'surf 0 1 0 1 1 2 3', 'curv2 1 2']
+        (self.folder / 'cards.obj').write_text('\n'.join(self.obj + more))
         (self.folder / 'some cards.mtl').write_text('\n'.join(self.mtl))
         done = self.succeed('info', 'cards.obj', '--json')
         self.assertEqual([found['kind'] for found in json.loads(done.stdout)['materials']],
@@ -152,7 +153,18 @@ class Mtl(features.Cards):
         self.assertEqual(done.stderr, b'firn: warning: cards.obj: not drawn of its materials: '
                          b'disp, decal, refl, spectral, aniso, -cc, map_Kd of clear '
                          b'materials, map_Ke of transmissive materials, map_Ks of transmissive '
-                         b'materials, Tr 1 (opaque, as MeshLab means it)\n')
+                         b'materials, Tr 1 (opaque, as MeshLab means it)\n'
+                         b'firn: warning: cards.obj: not drawn: points and lines, '
+                         b'curves and surfaces in free form\n')
+        (self.folder / 'a.ply').write_text(
+            'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n'
+            'property float z\nelement face 1\nproperty list uchar int vertex_indices\n'
+            'property uchar red\nproperty list uchar float texcoord\nelement edge 1\n'
+            'property int vertex1\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 9 2 0 0\n0\n')
+        self.assertEqual(self.succeed('info', 'a.ply').stderr.decode(), ''.join(
+            f'firn: warning: a.ply: not drawn{found}\n'
+            for found in (' of its materials: colours of faces, texture coordinates of faces',
+                          ': points and lines')))
         for line, words in (('Kd red', 'expected three numbers of a colour, got \'red\''),
                             ('Ns nan', 'expected a finite number'),
                             ('map_Kd -s a.png', 'expected options with their values'),

@@ -59,6 +59,8 @@ struct plain {
     struct plain_material *materials;
     uint32_t material_count;
     char undrawn[1024]; /* what of an MTL file is not drawn: "disp, -mm" */
+    bool has_lines;     /* or points, which are not drawn */
+    bool has_free_form; /* curves and surfaces, which are not drawn */
 };
 
 /* Read a file into *plain, which is {0} but for .import; plain_finish() frees it in any case. */

@@ -24,6 +24,11 @@ enum status model_load_plain(struct model_import *import, const char *suffix, st
                     import->path, import->missed);
     if (status == STATUS_OK && plain.undrawn[0])
         log_warning("%s: not drawn of its materials: %s", import->path, plain.undrawn);
+    if (status == STATUS_OK && (plain.has_lines || plain.has_free_form))
+        log_warning("%s: not drawn: %s%s%s", import->path,
+                    plain.has_lines ? "points and lines" : "",
+                    plain.has_lines && plain.has_free_form ? ", " : "",
+                    plain.has_free_form ? "curves and surfaces in free form" : "");
     plain_finish(&plain);
     return status;
 }

@@ -281,6 +281,11 @@ static enum status read_other(struct obj *obj, struct text_scan *line)
     } else if (text_take_word(line, "mtllib")) {
         const struct text_scan name = text_rest(line);
         return mtl_read(obj->plain, &name);
+    } else if (text_take_word(line, "l") || text_take_word(line, "p")) {
+        obj->plain->has_lines = true;
+    } else if (text_take_word(line, "curv") || text_take_word(line, "curv2") ||
+               text_take_word(line, "surf")) {
+        obj->plain->has_free_form = true;
     }
     return STATUS_OK;
 }

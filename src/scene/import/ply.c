@@ -131,6 +131,8 @@ static enum status read_element(struct ply *ply, struct text_scan *line)
         element->kind = KIND_FACE;
     else if (!strcmp(element->name, "tristrips"))
         element->kind = KIND_STRIPS;
+    else if (!strcmp(element->name, "edge") && count > 0)
+        ply->plain->has_lines = true;
     ply->element_count++;
     return STATUS_OK;
 }
@@ -185,6 +187,17 @@ static const struct type *read_type(struct text_scan *line)
     return NULL;
 }
 
+/* Notes what a property says of faces, if it would be seen. */
+static void note(struct plain *plain, struct text_scan *name)
+{
+    const bool is_color = text_take_word(name, "red");
+    const size_t length = strlen(plain->undrawn);
+    if (is_color || text_take_word(name, "texcoord"))
+        (void)snprintf(&plain->undrawn[length], sizeof(plain->undrawn) - length, "%s%s",
+                       length > 0 ? ", " : "",
+                       is_color ? "colours of faces" : "texture coordinates of faces");
+}
+
 static enum status read_property(struct ply *ply, struct text_scan *line)
 {
     const struct text_scan all = text_rest(line);
@@ -199,8 +212,8 @@ static enum status read_property(struct ply *ply, struct text_scan *line)
         return fault(ply, "expected at most 256 properties, each after its element", &all);
     struct element *element = &ply->elements[ply->element_count - 1];
     property.slot = slot_of(element->kind, is_list, line);
-    if (property.slot == SLOT_OTHER && element->kind == KIND_FACE && text_take_word(line, "red"))
-        (void)snprintf(ply->plain->undrawn, sizeof(ply->plain->undrawn), "colours of faces");
+    if (property.slot == SLOT_OTHER && element->kind == KIND_FACE)
+        note(ply->plain, line);
     ply->properties[ply->property_count++] = property;
     element->property_count++;
     return STATUS_OK;
