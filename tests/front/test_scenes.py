@@ -266,6 +266,7 @@ class Scenes(Case):
         self.assertEqual([found['inside_rank'] for found in said['objects']], [0, 1, 0])
         indices = [round(found['ior'], 4) for found in said['materials'] if 'ior' in found]
         self.assertEqual(indices, [1.3, 1.5, 2])
+        self.assertEqual(len(said['materials']), 3)
         self.assertEqual(said['materials'][2]['priority'], -1)
         self.assertEqual(said['surrounding_triangles'], 0)
         text = self.succeed('info', 'three.gltf', env=NO_DRIVER).stdout.decode()

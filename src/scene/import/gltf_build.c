@@ -32,7 +32,19 @@ static bool has_transmission(const struct gltf *gltf)
     return false;
 }
 
-/* The last one is that of primitives that name none. */
+/* Whether primitives name no material, whose own is the last one. */
+static bool has_bare_primitives(const struct gltf *gltf)
+{
+    for (uint32_t i = 0; i < gltf->mesh_count; i++) {
+        for (uint32_t k = 0; k < gltf->meshes[i].count; k++) {
+            if (gltf->meshes[i].primitives[k].material + 1 == gltf->material_count)
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Whether any names one. */
 static bool has_materials(const struct gltf *gltf)
 {
     for (uint32_t i = 0; i < gltf->mesh_count; i++) {
@@ -258,8 +270,8 @@ static enum status list_materials(struct walk *walk)
     model->materials = calloc(gltf->material_count, sizeof(*model->materials));
     if (!model->materials)
         return log_out_of_memory(gltf->path);
-    model->material_count = gltf->material_count;
-    for (uint32_t i = 0; i < gltf->material_count; i++)
+    model->material_count = gltf->material_count - !has_bare_primitives(gltf);
+    for (uint32_t i = 0; i < model->material_count; i++)
         model->materials[i] = gltf->materials[i].material;
     return walk->is_split ? STATUS_OK : model_build_bare_object(&walk->build);
 }
