@@ -5,7 +5,8 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_DRIVER, USAGE, Case, environment, long, main  # noqa: E402
+from case import (DATA, NO_DRIVER, USAGE, Case, environment, long, main,  # noqa: E402
+                  unsanitized)
 from exr_file import Exr, write_exr  # noqa: E402
 from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
@@ -94,6 +95,7 @@ class Animation(Case):
                 file.unlink()
             self.assertEqual(process.wait(), 0)
 
+    @unsanitized
     def test_sixty_frames(self):
         """A whole sequence and its parts: the same bytes, and each frame is another picture."""
         words = ('render', 'a.gltf', '--size', '8x6', '-q', *TRACED, '--background', '0.4,0.5,0.6',

@@ -12,7 +12,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
 import test_features as features  # noqa: E402
-from case import Case, long, main  # noqa: E402
+from case import Case, long, main, unsanitized  # noqa: E402
 from exr_file import Exr, write_exr  # noqa: E402
 from test_features import UV, encode, extended, moved, pbr  # noqa: E402
 
@@ -169,6 +169,7 @@ class Rungs(Clear):
         self.fill()
         self.compare('-r', 'trace', '--set', 'trace.branch=0', '--samples', '4')
 
+    @unsanitized
     def test_maps(self):
         """The rungs that know faces draw smooth solids; what is reflected inside is not matt, and
         its share is that of the middle index."""

@@ -42,6 +42,7 @@ class PixelFilter(Pixels):
 
 
 class Caustics(Pixels):
+    @unsanitized
     def test_noise_falls_with_samples(self):
         """Each sample has photons and directions of its own; those of the first are as ever."""
         pool = ('pool', '--size', '32x24', '-q', '--pixel-filter', 'point', '--aov', 'caustics')
@@ -133,6 +134,7 @@ class Place(Pixels):
             [*lines, 'f 1 2 3', 'f 1 3 4', 'f 1 4 2', 'f 2 4 3', '']))
         return name, '--size', '32x24', *PLAIN, '-q', '--env', 'sky.exr', '--aov', 'P'
 
+    @unsanitized
     def test_as_if_the_file_were_so(self):
         (self.folder / 'sky.exr').write_bytes(write_exr((2, 1), {'Y': [0.5, 1]}))
         plain = self.model('a.obj', lambda *p: p)
@@ -167,6 +169,7 @@ class PngBits(Pixels):
         self.succeed('render', *TINY, *arguments, '-o', 'a.png')
         return Png((self.folder / 'a.png').read_bytes())
 
+    @unsanitized
     def test_16_bits_are_finer(self):
         more = [(), ('--samples', '2'), ('--tiles', '2x1'), ('--show', 'N'),
                 ('--tone-curve', 'agx')]

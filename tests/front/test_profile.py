@@ -8,7 +8,8 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, Case, long, main)
+    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, Case, long, main,
+    unsanitized)
 
 # On a busy machine the test of timestamps is repeated, unless they are not used.
 SUBMITS = ('--clock', 'submits')
@@ -107,6 +108,7 @@ class Baseline(Profile):
         self.assertIn(done.returncode, (0, 1), done.stderr)
         return done.returncode, done.stdout.decode()
 
+    @unsanitized
     def test_against_itself_and_faster(self):
         self.profile('--json', 'a.json', '--runs', '12')
         code, text = self.compare('--set', 'bubbles.count=3')

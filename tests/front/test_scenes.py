@@ -8,7 +8,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 import test_features as features  # noqa: E402
 from case import (CRACKED, DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL_CUBE, USAGE, Case,  # noqa: E402
-                  long, main)
+                  long, main, unsanitized)
 from exr_file import Exr, write_exr  # noqa: E402
 from gltf_file import boxes, glass, with_nodes  # noqa: E402
 
@@ -95,6 +95,7 @@ class Scenes(Case):
         self.assertRegex(said, r'\Afirn: warning: .*cracks.* 2 .*\nfirn: warning: .*frost.*\n'
                                r'firn: note: .*\n\Z')
 
+    @unsanitized
     def test_own_cracks(self):
         """A crack of a file, far from its origin, is as large as a built-in one."""
         (self.folder / 'crack.obj').write_text('v 90 0 0\nv 99 0 0\nv 90 9 0\nv 99 9 1\n'
@@ -408,6 +409,7 @@ class Scenes(Case):
         pixels = list(zip(planes['R'], planes['G'], planes['B']))
         return [pixels[i:i + 64] for i in range(0, len(pixels), 64)]
 
+    @unsanitized
     def test_orthographic(self):
         """4 m are 48 pixels, so boxes of 1 m are 12, near and far; a rung is like the truth."""
         flat = {'type': 'orthographic',

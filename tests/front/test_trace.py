@@ -45,6 +45,7 @@ class Trace(Case):
         self.check(0.028, 'drink', '--env', 'studio', *SIZE, '--set', 'ground.light=open',
                    '--set', 'air.clouds=0')
 
+    @unsanitized
     def test_thin_and_dispersive(self):
         self.write('thin.gltf', (glass(thickness=0, color=[1, 0.5, 0.5]), [0, 0, 0], 1),
                    (glass(1.4), [0.5, 0, -3], 1))
@@ -59,6 +60,7 @@ class Trace(Case):
         self.check(0.004, 'sphere', *SIZE, '--set', 'trace.surroundings=rays',
                    '--set', 'refract.fresnel=exact', '--set', 'motion.count=2')
 
+    @unsanitized
     def test_a_floor_of_two_triangles(self):
         floor = ('v -9 -2 -9', 'v 9 -2 -9', 'v 9 -2 9', 'v -9 -2 9', 'f 1 3 2', 'f 1 4 3')
         (self.folder / 'floor.obj').write_text('\n'.join(floor))
@@ -92,6 +94,7 @@ class Trace(Case):
         planes = self.planes(words[0], *WHITE, *SIZE, '--size', '8x6', *words[1:], **how)
         return sum(planes['G'][i] for i in (19, 20, 27, 28)) / 4
 
+    @unsanitized
     def test_another_medium_around(self):
         """A ball that bends light apart; and bubbles of air in water without a surface."""
         sphere = ('sphere', *SIZE, *SMALL_CUBE, '--set')
@@ -127,6 +130,7 @@ class Trace(Case):
             found = self.ground('sphere', *below, *traced, *rung, '--samples', 16)
             self.assertAlmostEqual(found / white, 1, delta=0.01)
 
+    @unsanitized
     def test_faces_beyond_the_picture(self):
         """What rays of bounce meet beside a picture that the ice fills; tiles meet the same."""
         near = ('ice-cube', *SIZE[:-2], '--orbit', '28,9,1.5', '--set', 'env_cube.size=256')
@@ -146,6 +150,7 @@ class Trace(Case):
         light = self.planes('teapot', *WHITE, *SIZE, '-r', 'trace')
         self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
 
+    @unsanitized
     def test_clouds(self):
         """Those of trace are an estimate, without noise, of what the reference traces."""
         self.write('cloudy.gltf', (glass(1.31, extras={'cloud': 8}), [0, 0, 0], 1))

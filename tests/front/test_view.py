@@ -10,7 +10,7 @@ import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    NO_DEVICE, NO_INPUT, PLAIN, SMALL, USAGE, Case, environment, long, main)
+    NO_DEVICE, NO_INPUT, PLAIN, SMALL, USAGE, Case, environment, long, main, unsanitized)
 from desktop import PATIENCE, Desktop, wait_until  # noqa: E402
 from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
@@ -239,6 +239,7 @@ class Drop(WindowCase):
 
 
 class Automatic(WindowCase):
+    @unsanitized
     def test_the_pixels_are_those_of_render(self):
         for scene, rung in PARITY:
             with self.subTest(scene=scene, rung=rung):

@@ -4,7 +4,7 @@ import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, PLAIN, USAGE, Case, main  # noqa: E402
+from case import DATA, PLAIN, USAGE, Case, main, unsanitized  # noqa: E402
 from desktop import wait_until  # noqa: E402
 from test_view import SIZE, TRIANGLES, WindowCase, png_pixels  # noqa: E402
 from test_view_panels import PanelsCase  # noqa: E402
@@ -79,6 +79,7 @@ class Split(WindowCase):
             'mousemove_relative', '--', -60, 0, 'mouseup', 1))  # beyond the edge
         self.close(window)
 
+    @unsanitized
     def test_the_key(self):
         pictures = self.pictures('--set', 'motion.count=2', *PLAIN, right='trace')
         window = self.start('sphere', *PAPER)
