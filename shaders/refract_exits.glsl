@@ -3,7 +3,9 @@
  *
  * Where a ray inside meets a face it leaves with the share 1 - F of its light, and the share F goes
  * on inside to the next face. So the way inside a body never branches: it is one chain of faces,
- * and each that does not reflect totally is an exit. The last one gets all that remains.
+ * and each that does not reflect totally is an exit. What remains after the last one, or after the
+ * last reflection, would leave in a direction that nobody knows: it sees the mean of the
+ * surroundings. A single exit gets all that remains.
  *
  * Both loops test their limit at the beginning and have another way out at the end. With a single
  * way out at the end, lavapipe gives rays that have left the values of a later iteration (Mesa
@@ -17,6 +19,8 @@ layout(push_constant, scalar) uniform Push
 {
     refract_bounce_params params;
 };
+
+layout(location = REFRACT_SEEN_MEAN) flat in vec3 mean; /* radiance of the surroundings */
 
 #define REFRACT_MARCH params.march
 #include "refract_march.glsl"
@@ -101,13 +105,19 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
         leaving.dir = optics_refract(ray.way.dir, -ray.n, 1.0 / eta);
         if (i == 1u)
             way = leaving;
+        bool is_trapped = ray.faces > space.march.bounces;
         bool is_last = i == constant_refract_exits || ray.faces >= space.march.bounces ||
                        left * ray.share < params.least;
         vec3 seen = refract_transmitted(leaving);
+        float share = is_trapped ? 0.0 : 1.0 - ray.share; /* that leaves here */
+        if (constant_refract_exits == 1u)
+            share = 1.0;
+        float rest = is_last ? 1.0 - share : 0.0;
+        seen = share * seen + rest * mean * exp(-refract_frame.absorb * ray.way.path);
 #ifdef REFRACT_DRESS
         seen *= ray.tint;
 #endif
-        light += left * (is_last ? 1.0 : 1.0 - ray.share) * seen;
+        light += left * seen;
         if (is_last)
             break;
         left *= ray.share;

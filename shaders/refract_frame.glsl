@@ -21,11 +21,11 @@ layout(location = REFRACT_SEEN_FRAME) REFRACT_SEEN_IO RefractFrame
 {
     flat mat4 clip_from_world;
     flat vec3 eye;
-    flat vec3 center;
-    flat float radius;
-    flat vec3 etas;
-    flat vec3 absorb;
-    flat float eta;
+    layout(location = REFRACT_SEEN_FRAME + 4, component = 3) flat float radius;
+    layout(location = REFRACT_SEEN_FRAME + 5) flat vec3 center;
+    layout(location = REFRACT_SEEN_FRAME + 5, component = 3) flat float eta;
+    layout(location = REFRACT_SEEN_FRAME + 6) flat vec3 etas;
+    layout(location = REFRACT_SEEN_FRAME + 7) flat vec3 absorb;
 }
 
 refract_frame;

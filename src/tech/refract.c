@@ -143,7 +143,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     row->name = row_builder_name(builder, technique->name, is_layers ? "layers" : "color");
     row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     if (technique->rung.by_pixel)
-        row->vert = &refract_seen_vert;
+        row->vert = rung->vert ? rung->vert : &refract_seen_vert;
     else
         draw_faces(row, rung, bumped);
     row->frag = is_layers ? rung->layers_frag : rung->frag;

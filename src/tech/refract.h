@@ -43,7 +43,8 @@ struct refract_rung {
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
     /* The same with ice_normal's dress. NULL: the rung draws no tints and textures of objects. */
     const struct rg_shader *dress_frag, *dress_layers_frag;
-    /* NULL: refract.vert, or refract_bump.vert where bumps are shown. */
+    /* NULL: refract.vert, or refract_bump.vert where bumps are shown; refract_seen.vert for rungs
+     * by pixel. */
     const struct rg_shader *vert;
     const struct rg_use *uses;      /* besides frame_globals and the bump map; ends at {0} */
     const struct rg_use *wide_uses; /* replace `uses` if technique_choice.is_wide; NULL: never */

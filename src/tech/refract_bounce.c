@@ -2,8 +2,8 @@
  * refract_bounce.c: light followed inside the ice through total reflections.
  *
  * The ray is searched as in refract_search.c, but among front and back faces, and continued where
- * it is reflected, totally or in part. The last of refract_bounce.exits faces through which it
- * leaves gets all the light that remains; after the last bounce it leaves in its direction.
+ * it is reflected, totally or in part. What remains after refract_bounce.exits faces through which
+ * it leaves, or after the last bounce, sees the mean of the surroundings.
  *
  * Error: as small as that of refract_search.c; on paths with total reflections one or a few degrees
  * on average on convex objects, because small errors grow from bounce to bounce. Of a concave
@@ -22,8 +22,13 @@
 
 static rg_record_fn record_screen;
 
+#define USE_CUBE \
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear, \
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \
+                           VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
+
 static const struct rg_use uses[] = {
-    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    USE_CUBE,
     FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
     FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
@@ -32,7 +37,7 @@ static const struct rg_use uses[] = {
 };
 
 static const struct rg_use wide_uses[] = {
-    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    USE_CUBE,
     FRAME_SAMPLE(ice_normal_wide_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_wide_back_depth, REFRACT_DEPTH_BACK),
     FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
@@ -45,6 +50,7 @@ static const struct refract_rung rung = {
     .layers_frag = &refract_bounce_aov_frag,
     .dress_frag = &refract_bounce_dress_frag,
     .dress_layers_frag = &refract_bounce_dress_aov_frag,
+    .vert = &refract_seen_mean_vert,
     .uses = uses,
     .wide_uses = wide_uses,
     .push_size = sizeof(struct refract_bounce_params),

@@ -131,6 +131,12 @@ class Trace(Case):
             self.assertAlmostEqual(found / white, 1, delta=0.01)
 
     @unsanitized
+    def test_light_that_stays_inside(self):
+        """What bounce does not follow to its exit sees the mean of the surroundings."""
+        self.check(0.066, 'ice-cube', *SIZE, '--size', '96x72', *SMALL_CUBE[:-1],
+                   'env_cube.size=256', '--set', 'refract.ior=2.417', rung=('-r', 'bounce'))
+
+    @unsanitized
     def test_faces_beyond_the_picture(self):
         """What rays of bounce meet beside a picture that the ice fills; tiles meet the same."""
         near = ('ice-cube', *SIZE[:-2], '--orbit', '28,9,1.5', '--set', 'env_cube.size=256')

@@ -17,6 +17,7 @@ enum {
     WIDTH = 80,
     HEIGHT = 48,
     TRIANGLES = 960,
+    HAIRS = 4,
 };
 
 struct ball {
@@ -103,10 +104,12 @@ static struct render_result draw(struct gpu *gpu, const char *rung, uint32_t lay
 
 /* Each half is that of a picture of one ball, in all layers that the rung has; but where the rung
  * looks faces up far from the object, the back faces are those of the object drawn last, and balls
- * of the right half are one further in the list. */
+ * of the right half are one further in the list. A few rays leave a face by a hair, which is one of
+ * their exits then. */
 static void check_halves(const char *rung, const struct image *both, const struct image *one,
                          const struct image *other)
 {
+    size_t by_a_hair = 0;
     const bool looks_far = techniques_find_rung(rung)->rung.reach > 0;
     for (uint32_t p = 0; p < both->plane_count; p++) {
         const char *name = both->planes[p].name;
@@ -119,7 +122,9 @@ static void check_halves(const char *rung, const struct image *both, const struc
             float wanted = halves[of_other][i];
             if (of_other && wanted >= 1 && !strcmp(name, "object.Z"))
                 wanted++;
-            if (!(fabsf(texels[i] - wanted) <= 4e-3F * (1 + fabsf(wanted))))
+            const float off = fabsf(texels[i] - wanted) / (1 + fabsf(wanted));
+            by_a_hair += off > 4e-3F && off <= 1e-2F;
+            if (!(off <= 1e-2F) || by_a_hair > HAIRS)
                 fail_msg("%s at %zu, %zu: %g, alone %g", name, i % WIDTH, i / WIDTH,
                          (double)texels[i], (double)wanted);
         }
