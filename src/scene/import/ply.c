@@ -1,4 +1,5 @@
 /* ply.c: reads the vertices, faces and triangle strips of PLY (Turk 1994). */
+#include <assert.h>
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -266,6 +267,7 @@ static enum status read_header(struct ply *ply, struct text_scan *file)
 
 static double decode(const struct type *type, uint64_t bits)
 {
+    assert(type->size > 0);
     if (type->is_float && type->size == 4) {
         const uint32_t low = (uint32_t)bits;
         float number;
