@@ -68,6 +68,8 @@ static void print_place(FILE *out, const struct app_scene *scene)
         fprintf(out, " scale=%.9g", (double)place->scale);
     if (glms_vec3_norm2(place->rotate_deg) > 0.0f)
         print_vector(out, "rotate", place->rotate_deg);
+    if (scene->material && !scene_find_builtin(scene->name)) /* decides what is an object */
+        fprintf(out, " material=%s", scene->material);
     for (uint32_t i = 0; i < scene->node_material_count; i++)
         fprintf(out, " material=%s", scene->node_materials[i].words);
     if (scene->animation)

@@ -99,7 +99,7 @@ struct scene_params {
     uint32_t node_material_count;
     const vec3s *background;             /* colour; NULL: the sky */
     bool is_hidden;                      /* scene.is_hidden */
-    bool is_one_object;                  /* a model file is, without regard to its materials */
+    bool is_one_object;                  /* a model file is, if nothing in it is transmissive */
     uint32_t object_triangles;           /* of a built-in object; 0: its default */
     uint32_t landscape_triangles;        /* 0: default */
     bool flat;                           /* a level floor instead of the landscape */

@@ -109,6 +109,10 @@ static void test_index_of_refraction(void **state)
     struct fixture f;
     check("sphere --set refract.ior=2.417",
           "firn render sphere --size 320x240 --material diamond -o firn.png");
+    check("a.obj --material ice",
+          "firn render a.obj --size 320x240 --material ice -o firn.png"); /* all of it is */
+    check("a.obj --material ice --set refract.ior=1.7",
+          "firn render a.obj --size 320x240 --material ice --set refract.ior=1.7 -o firn.png");
     start(&f, "sphere --set refract.ior=1.7");
     assert_prints(&f, "firn render sphere --size 320x240 --set refract.ior=1.7 -o firn.png");
     f.scene.model.has_ior = true; /* what the model has by itself need not be said */

@@ -7,6 +7,7 @@
 #include "src/base/log.h"
 #include "src/frame/list.h"
 #include "src/scene/material.h"
+#include "src/scene/scene.h"
 #include "src/tech/refract.h"
 
 static const float leaning = 1e-4f; /* of the picture's axes, from where +Y would put them */
@@ -104,15 +105,25 @@ static void print_setting(FILE *out, const struct settings *settings, const stru
     settings_print(settings, row, out);
 }
 
-/* Unless it is what the model, or firn, has by itself. */
+/* Unless it is what the model, or firn, has by itself. --material decides what of a file is an object,
+ * too. */
 static void print_ior(FILE *out, const struct ui_command *c)
 {
     const struct setting *row =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const struct model *model = &c->scene->model;
     const struct settings defaults = settings_default();
+    const char *material = c->picture->scene.material;
     const double ior = settings_get(&c->picture->scene.settings, row);
-    if (!differ(ior, model->has_ior ? (double)model->ior : settings_get(&defaults, row)))
+    double own = model->has_ior ? (double)model->ior : settings_get(&defaults, row);
+    if (material && !scene_find_builtin(c->picture->scene.name)) {
+        print_name(out, "material", material);
+        own = (double)material_preset_find(material)->ior;
+        if (differ(ior, own))
+            print_setting(out, &c->picture->scene.settings, row);
+        return;
+    }
+    if (!differ(ior, own))
         return;
     for (const struct material_preset *m = material_presets; m->name; m++) {
         if (!differ((double)m->ior, ior)) {
