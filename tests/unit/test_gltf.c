@@ -422,6 +422,24 @@ static void textures_of_materials(void **state)
                               "coordinates\n");
 }
 
+/* A file without materials becomes ice, which has no colours. */
+static void colors_of_ice(void **state)
+{
+    (void)state;
+    static const float corners[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 0 };
+    struct model model;
+    gltf_file_begin();
+    gltf_file_floats(corners, 3, "VEC3");
+    gltf_file_write("'nodes':[{'mesh':0}],'meshes':[{'primitives':[{'attributes':{'POSITION':0,"
+                    "'COLOR_0':0}}]}]");
+    for (int is_asked_for = 0; is_asked_for < 2; is_asked_for++) {
+        const enum model_part part = is_asked_for ? MODEL_OBJECT : MODEL_BY_MATERIALS;
+        assert_int_equal(model_load(&model, "m.gltf", part), STATUS_OK);
+        assert_int_equal(model.undrawn == 0, is_asked_for);
+        model_finish(&model);
+    }
+}
+
 static void extensions_are_named(void **state)
 {
     (void)state;
@@ -457,6 +475,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(materials, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(material_defaults, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(textures_of_materials, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(colors_of_ice, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(extensions_are_named, folder_enter, folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -30,10 +30,10 @@ static struct model load(const char *path, const char *text)
     return load_bytes(path, text, strlen(text));
 }
 
-/* Expects a refusal in one line with some words. */
-static void check_refused(const char *path, const char *text, const char *words)
+/* Expects one line with some words from loading a file. */
+static void check_said(const char *path, const char *text, enum status expected, const char *words)
 {
-    char line[512];
+    char line[2048];
     struct model model;
     write_bytes(path, text, strlen(text));
     fflush(stderr);
@@ -41,16 +41,22 @@ static void check_refused(const char *path, const char *text, const char *words)
     FILE *caught = tmpfile();
     assert_true(kept >= 0 && caught);
     dup2(fileno(caught), STDERR_FILENO);
-    const enum status status = model_load(&model, path, MODEL_OBJECT);
+    const enum status status = model_load(&model, path, MODEL_BY_MATERIALS);
     dup2(kept, STDERR_FILENO);
     close(kept);
     rewind(caught);
     line[fread(line, 1, sizeof(line) - 1, caught)] = '\0';
     fclose(caught);
-    assert_int_equal(status, STATUS_DATA);
+    model_finish(&model);
+    assert_int_equal(status, expected);
     if (!strstr(line, words))
         fail_msg("expected '%s', got: %s", words, line);
     assert_ptr_equal(strchr(line, '\n'), line + strlen(line) - 1);
+}
+
+static void check_refused(const char *path, const char *text, const char *words)
+{
+    check_said(path, text, STATUS_DATA, words);
 }
 
 static vec3s corner(const struct model *model, uint32_t index)
@@ -219,6 +225,36 @@ static void ply_text(void **state)
                2, 1);
 }
 
+static void ply_names_what_it_leaves_out(void **state)
+{
+    (void)state;
+    char text[32 * 256];
+    check_said("a.ply",
+               HEAD("ascii") POINTS
+               "property float quality\nproperty list uchar int ids\nproperty uchar alpha\n"
+               "element face 1\nproperty uchar blue\nproperty list uchar int vertex_indices\n"
+               "property int flags\nproperty uchar red\nelement range 1\nproperty int a\n"
+               "element none 0\nproperty int b\nend_header\n"
+               "0 0 0 7 0 9\n1 0 0 7 1 2 9\n1 1 0 7 0 9\n0 1 0 7 0 9\n1 4 0 1 2 3 2 3\n8\n",
+               STATUS_OK,
+               "a.ply: not drawn: quality of vertices, ids of vertices, alpha of vertices, "
+               "colours of faces, flags of faces, elements 'range'\n");
+    check_said("b.obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", STATUS_OK,
+               "b.obj: not drawn: colours of vertices\n");
+    size_t size = (size_t)snprintf(text, sizeof(text), HEAD("ascii") POINTS);
+    for (int i = 0; i < 200; i++)
+        size += (size_t)snprintf(&text[size], sizeof(text) - size, "property int p%d\n", i);
+    size += (size_t)snprintf(&text[size], sizeof(text) - size, FACES "end_header\n");
+    for (int i = 0; i < 4; i++) {
+        size += (size_t)snprintf(&text[size], sizeof(text) - size, "%d %d 0", i & 1, i / 2);
+        for (int k = 0; k < 200; k++)
+            size += (size_t)snprintf(&text[size], sizeof(text) - size, " 1");
+        text[size++] = '\n';
+    }
+    (void)snprintf(&text[size], sizeof(text) - size, "4 0 1 3 2\n");
+    check_said("a.ply", text, STATUS_OK, "of vertices, ...\n");
+}
+
 static void put(char *to, size_t *size, const void *value, size_t value_size, bool is_big)
 {
     const char *bytes = value; /* of a little-endian machine, as all are that firn supports */
@@ -319,6 +355,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(obj_colors, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(obj_refusals, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(ply_text, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(ply_names_what_it_leaves_out, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(ply_binary, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(ply_refusals, folder_enter, folder_leave),
     };

@@ -44,6 +44,17 @@ static bool has_bare_primitives(const struct gltf *gltf)
     return false;
 }
 
+static bool has_colors(const struct gltf *gltf)
+{
+    for (uint32_t i = 0; i < gltf->mesh_count; i++) {
+        for (uint32_t k = 0; k < gltf->meshes[i].count; k++) {
+            if (gltf->meshes[i].primitives[k].colors)
+                return true;
+        }
+    }
+    return false;
+}
+
 /* Whether any names one. */
 static bool has_materials(const struct gltf *gltf)
 {
@@ -285,6 +296,8 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_part e
                     (everything_is == MODEL_BY_MATERIALS && has_materials(gltf)),
         .is_counting = true,
     };
+    if (everything_is == MODEL_BY_MATERIALS && !walk.is_split && has_colors(gltf))
+        gltf->undrawn |= 1u << GLTF_BARE_COLORS; /* all is ice, though nobody asked */
     model_build_init(&walk.build, gltf->import, model);
     enum status status = find_names(&walk);
     if (status == STATUS_OK)

@@ -31,6 +31,7 @@ static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
     [GLTF_OTHER_SET] = "textures of a third set of coordinates",
     [GLTF_PICTURELESS] = "textures without a picture in a known format",
     [GLTF_UNSMOOTHED] = "edges between texels (magFilter NEAREST)",
+    [GLTF_BARE_COLORS] = "vertex colours of a file without materials",
     [GLTF_ANIMATION] = "animations, but the pose at rest",
     [GLTF_MORE_COLORS] = "vertex colours beyond COLOR_0",
     [GLTF_MORE_JOINTS] = "joints beyond four of a vertex",

@@ -46,6 +46,10 @@ struct plain_part {
     bool has_uvs;
 };
 
+enum {
+    PLAIN_LIST_SIZE = 512,
+};
+
 struct plain {
     struct model_import *import;
     /* Of the vertices, part by part; all but positions may be NULL. */
@@ -58,9 +62,8 @@ struct plain {
     uint32_t part_count;
     struct plain_material *materials;
     uint32_t material_count;
-    char undrawn[1024]; /* what of an MTL file is not drawn: "disp, -mm" */
-    bool has_lines;     /* or points, which are not drawn */
-    bool has_free_form; /* curves and surfaces, which are not drawn */
+    char undrawn_materials[PLAIN_LIST_SIZE]; /* what of an MTL file is not drawn: "disp, -mm" */
+    char undrawn[PLAIN_LIST_SIZE];           /* what else of the files is not drawn */
 };
 
 /* Read a file into *plain, which is {0} but for .import; plain_finish() frees it in any case. */
@@ -69,6 +72,9 @@ MUST_USE enum status ply_read(struct plain *plain);
 
 /* Appends the materials of an MTL file. The folder is the model's. */
 MUST_USE enum status mtl_read(struct plain *plain, const struct text_scan *name);
+
+/* Appends words to a list that commas part, unless it has them; a full list ends in "...". */
+void plain_note(char list[static PLAIN_LIST_SIZE], const char *words);
 
 /* Builds both meshes, objects, materials and textures of a model. */
 MUST_USE enum status plain_build(struct plain *plain, struct model *model,

@@ -44,22 +44,12 @@ static enum status no_memory(const struct mtl *mtl)
     return log_out_of_memory(mtl->path);
 }
 
-/* Notes a word that is not drawn, once. */
+/* Notes a word that is not drawn. */
 static void note(struct mtl *mtl, const struct text_scan *text)
 {
     char word[40];
-    char *list = mtl->plain->undrawn;
-    const size_t length = strlen(list);
     text_show(word, sizeof(word), text);
-    const size_t size = strlen(word);
-    for (const char *at = list; (at = strstr(at, word)); at += size) {
-        const bool begins = at == list || at[-1] == ' ';
-        if (begins && (at[size] == ',' || at[size] == '\0'))
-            return;
-    }
-    if (length + size + 3 < sizeof(mtl->plain->undrawn))
-        (void)snprintf(list + length, sizeof(mtl->plain->undrawn) - length, "%s%s",
-                       length > 0 ? ", " : "", word);
+    plain_note(mtl->plain->undrawn_materials, word);
 }
 
 /* ---- values ---- */

@@ -282,10 +282,10 @@ static enum status read_other(struct obj *obj, struct text_scan *line)
         const struct text_scan name = text_rest(line);
         return mtl_read(obj->plain, &name);
     } else if (text_take_word(line, "l") || text_take_word(line, "p")) {
-        obj->plain->has_lines = true;
+        plain_note(obj->plain->undrawn, "points and lines");
     } else if (text_take_word(line, "curv") || text_take_word(line, "curv2") ||
                text_take_word(line, "surf")) {
-        obj->plain->has_free_form = true;
+        plain_note(obj->plain->undrawn, "curves and surfaces in free form");
     }
     return STATUS_OK;
 }

@@ -114,6 +114,15 @@ static enum status read_form(struct ply *ply, struct text_scan *line)
     return fault(ply, "expected ascii, binary_little_endian or binary_big_endian", &all);
 }
 
+/* Notes an element that is not drawn. */
+static void note_element(struct plain *plain, const char *name)
+{
+    char words[48];
+    const bool is_edge = !strcmp(name, "edge");
+    (void)snprintf(words, sizeof(words), is_edge ? "points and lines" : "elements '%s'", name);
+    plain_note(plain->undrawn, words);
+}
+
 static enum status read_element(struct ply *ply, struct text_scan *line)
 {
     const struct text_scan all = text_rest(line);
@@ -132,8 +141,8 @@ static enum status read_element(struct ply *ply, struct text_scan *line)
         element->kind = KIND_FACE;
     else if (!strcmp(element->name, "tristrips"))
         element->kind = KIND_STRIPS;
-    else if (!strcmp(element->name, "edge") && count > 0)
-        ply->plain->has_lines = true;
+    else if (count > 0)
+        note_element(ply->plain, element->name);
     ply->element_count++;
     return STATUS_OK;
 }
@@ -188,15 +197,28 @@ static const struct type *read_type(struct text_scan *line)
     return NULL;
 }
 
-/* Notes what a property says of faces, if it would be seen. */
-static void note(struct plain *plain, struct text_scan *name)
+/* Notes a property that is not drawn; what is unknown of other elements, they say themselves. */
+static void note_property(struct plain *plain, const struct element *element,
+                          struct text_scan *name)
 {
-    const bool is_color = text_take_word(name, "red");
-    const size_t length = strlen(plain->undrawn);
-    if (is_color || text_take_word(name, "texcoord"))
-        (void)snprintf(&plain->undrawn[length], sizeof(plain->undrawn) - length, "%s%s",
-                       length > 0 ? ", " : "",
-                       is_color ? "colours of faces" : "texture coordinates of faces");
+    static const char *const owners[] = {
+        [KIND_VERTEX] = "vertices",
+        [KIND_FACE] = "faces",
+        [KIND_STRIPS] = "strips",
+    };
+    static const char *const colors[] = { "red", "green", "blue", "alpha" };
+    char word[32], words[64];
+    if (element->kind == KIND_OTHER || element->count == 0)
+        return;
+    const struct text_scan own = text_word(name);
+    text_show(word, sizeof(word), &own);
+    const char *said = word;
+    for (size_t i = 0; i < sizeof(colors) / sizeof(colors[0]) && element->kind == KIND_FACE; i++)
+        said = strcmp(word, colors[i]) ? said : "colours";
+    if (element->kind == KIND_FACE && !strcmp(word, "texcoord"))
+        said = "texture coordinates";
+    (void)snprintf(words, sizeof(words), "%s of %s", said, owners[element->kind]);
+    plain_note(plain->undrawn, words);
 }
 
 static enum status read_property(struct ply *ply, struct text_scan *line)
@@ -213,8 +235,8 @@ static enum status read_property(struct ply *ply, struct text_scan *line)
         return fault(ply, "expected at most 256 properties, each after its element", &all);
     struct element *element = &ply->elements[ply->element_count - 1];
     property.slot = slot_of(element->kind, is_list, line);
-    if (property.slot == SLOT_OTHER && element->kind == KIND_FACE)
-        note(ply->plain, line);
+    if (property.slot == SLOT_OTHER)
+        note_property(ply->plain, element, line);
     ply->properties[ply->property_count++] = property;
     element->property_count++;
     return STATUS_OK;

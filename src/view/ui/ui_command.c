@@ -105,8 +105,8 @@ static void print_setting(FILE *out, const struct settings *settings, const stru
     settings_print(settings, row, out);
 }
 
-/* Unless it is what the model, or firn, has by itself. --material decides what of a file is an object,
- * too. */
+/* Unless it is what the model, or firn, has by itself. --material also decides what of a file is an
+ * object. */
 static void print_ior(FILE *out, const struct ui_command *c)
 {
     const struct setting *row =
