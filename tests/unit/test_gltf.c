@@ -426,10 +426,10 @@ static void textures_of_materials(void **state)
 static void colors_of_ice(void **state)
 {
     (void)state;
-    static const float corners[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 0 };
+    static const float triangle[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 0 };
     struct model model;
     gltf_file_begin();
-    gltf_file_floats(corners, 3, "VEC3");
+    gltf_file_floats(triangle, 3, "VEC3");
     gltf_file_write("'nodes':[{'mesh':0}],'meshes':[{'primitives':[{'attributes':{'POSITION':0,"
                     "'COLOR_0':0}}]}]");
     for (int is_asked_for = 0; is_asked_for < 2; is_asked_for++) {
