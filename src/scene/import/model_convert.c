@@ -28,7 +28,14 @@ static void convert_alpha(uint8_t *texels, size_t count)
     }
 }
 
-/* The product with Ns becomes roughness, in green; blue leaves `metallic` as it is. */
+/* Sets a channel, so that the factor of the texture counts alone. */
+static void fill_channel(uint8_t *texels, size_t count, int channel)
+{
+    for (size_t i = 0; i < count; i++)
+        texels[CHANNELS * i + (size_t)channel] = UINT8_MAX;
+}
+
+/* The product with Ns becomes roughness, in green. */
 static void convert_shininess(uint8_t *texels, size_t count, float exponent)
 {
     uint8_t table[UINT8_MAX + 1];
@@ -39,8 +46,8 @@ static void convert_shininess(uint8_t *texels, size_t count, float exponent)
     for (size_t i = 0; i < count; i++) {
         uint8_t *texel = &texels[CHANNELS * i];
         texel[1] = table[grey_of(texel)];
-        texel[2] = UINT8_MAX;
     }
+    fill_channel(texels, count, 2);
 }
 
 static bool are_normals(const uint8_t *texels, size_t count)
@@ -98,8 +105,14 @@ bool model_picture_convert(uint8_t *texels, int width, int height,
     case MODEL_PICTURE_TO_ALPHA:
         convert_alpha(texels, count);
         break;
-    case MODEL_PICTURE_TO_ROUGHNESS:
+    case MODEL_PICTURE_ROUGHNESS:
+        fill_channel(texels, count, 2);
+        break;
+    case MODEL_PICTURE_NS_TO_ROUGHNESS:
         convert_shininess(texels, count, picture->exponent);
+        break;
+    case MODEL_PICTURE_METALLIC:
+        fill_channel(texels, count, 1);
         break;
     case MODEL_PICTURE_TO_NORMALS:
         return convert_heights(texels, width, height);

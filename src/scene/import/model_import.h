@@ -71,9 +71,11 @@ char *model_file_join(const char *model, const char *name);
 /* What a picture of an MTL file is turned into. */
 enum model_picture_change {
     MODEL_PICTURE_SAME,
-    MODEL_PICTURE_TO_ALPHA,     /* white, with the picture's alpha or grey as alpha */
-    MODEL_PICTURE_TO_ROUGHNESS, /* factors on Ns to roughness, in green */
-    MODEL_PICTURE_TO_NORMALS,   /* heights to normals; normals, which are blue, stay */
+    MODEL_PICTURE_TO_ALPHA,        /* white, with the picture's alpha or grey as alpha */
+    MODEL_PICTURE_ROUGHNESS,       /* roughness in green; the metallic factor is left as it is */
+    MODEL_PICTURE_NS_TO_ROUGHNESS, /* as that, of factors on Ns */
+    MODEL_PICTURE_METALLIC,        /* metallic in blue; the factor of roughness is left as it is */
+    MODEL_PICTURE_TO_NORMALS,      /* heights to normals; normals, which are blue, stay */
 };
 
 /* A picture that becomes a layer: encoded bytes, or if they are NULL, a file. */
@@ -82,10 +84,11 @@ struct model_picture {
     const uint8_t *bytes;
     size_t size;
     char *file;
-    char *alpha; /* a file whose alpha, or if it has none whose grey, replaces that of the
-                       picture; NULL: none */
     enum model_picture_change change;
-    float exponent; /* of MODEL_PICTURE_TO_ROUGHNESS: Ns */
+    float exponent; /* of MODEL_PICTURE_NS_TO_ROUGHNESS */
+    char *other;    /* a file that replaces one channel of the picture, alpha after
+                     * MODEL_PICTURE_TO_ALPHA or blue after MODEL_PICTURE_METALLIC; NULL: none */
+    enum model_picture_change other_change;
 };
 
 /* Loads pictures as layers of one size, of sRGB colours or of numbers. */

@@ -10,13 +10,17 @@ static const enum material_texture_use uses[PLAIN_MAP_COUNT] = {
     [PLAIN_ALPHA] = MATERIAL_BASE_COLOR,
     [PLAIN_SPECULAR] = MATERIAL_SPECULAR_COLOR,
     [PLAIN_EMISSION] = MATERIAL_EMISSION,
+    [PLAIN_ROUGHNESS] = MATERIAL_METALLIC_ROUGHNESS,
     [PLAIN_SHININESS] = MATERIAL_METALLIC_ROUGHNESS,
+    [PLAIN_METALLIC] = MATERIAL_METALLIC_ROUGHNESS,
     [PLAIN_BUMP] = MATERIAL_NORMAL,
 };
 
 static const enum model_picture_change changes[PLAIN_MAP_COUNT] = {
     [PLAIN_ALPHA] = MODEL_PICTURE_TO_ALPHA,
-    [PLAIN_SHININESS] = MODEL_PICTURE_TO_ROUGHNESS,
+    [PLAIN_ROUGHNESS] = MODEL_PICTURE_ROUGHNESS,
+    [PLAIN_SHININESS] = MODEL_PICTURE_NS_TO_ROUGHNESS,
+    [PLAIN_METALLIC] = MODEL_PICTURE_METALLIC,
     [PLAIN_BUMP] = MODEL_PICTURE_TO_NORMALS,
 };
 
@@ -53,7 +57,7 @@ static uint32_t add_picture(const struct plain *plain, struct list *list,
     uint32_t layer = 0;
     while (layer < list->count) {
         const struct model_picture *other = &list->pictures[layer];
-        if (is_same(other->file, wanted->file) && is_same(other->alpha, wanted->alpha) &&
+        if (is_same(other->file, wanted->file) && is_same(other->other, wanted->other) &&
             other->change == wanted->change && !(other->exponent < wanted->exponent) &&
             !(other->exponent > wanted->exponent))
             break;
@@ -64,7 +68,7 @@ static uint32_t add_picture(const struct plain *plain, struct list *list,
         return layer + 1;
     }
     free(wanted->file);
-    free(wanted->alpha);
+    free(wanted->other);
     if (layer < MODEL_TEXTURE_MAX)
         return layer + 1;
     log_error("%s: expected at most %d textures", plain->import->path, MODEL_TEXTURE_MAX);
@@ -92,6 +96,26 @@ const struct plain_map *plain_base_map(const struct plain_material *material)
     return material->maps[PLAIN_ALPHA].file ? &material->maps[PLAIN_ALPHA] : &none;
 }
 
+/* Returns the map whose picture becomes one channel of another one's; the count: none does. */
+static enum plain_map_use other_of(const struct plain_material *material, enum plain_map_use use)
+{
+    enum plain_map_use other = PLAIN_MAP_COUNT;
+    if (use == PLAIN_COLOR)
+        other = PLAIN_ALPHA;
+    else if (use == PLAIN_ROUGHNESS || use == PLAIN_SHININESS)
+        other = PLAIN_METALLIC;
+    return other < PLAIN_MAP_COUNT && material->maps[other].file ? other : PLAIN_MAP_COUNT;
+}
+
+/* A picture of roughness, or of what is metal, counts instead of the number. */
+static void forget_numbers(struct material *m, enum plain_map_use use)
+{
+    if (use == PLAIN_ROUGHNESS)
+        m->roughness = 1;
+    else if (use == PLAIN_METALLIC)
+        m->metallic = 1;
+}
+
 /* Adds the picture of a map and sets the material's texture. */
 static enum status add_map(const struct plain *plain, struct list *list,
                            struct plain_material *material, enum plain_map_use use)
@@ -103,8 +127,13 @@ static enum status add_map(const struct plain *plain, struct list *list,
     if (use == PLAIN_SHININESS)
         picture.exponent = material->exponent;
     picture.file = path_of(plain, map, &status);
-    if (picture.file && use == PLAIN_COLOR && material->maps[PLAIN_ALPHA].file)
-        picture.alpha = path_of(plain, &material->maps[PLAIN_ALPHA], &status);
+    const enum plain_map_use other = other_of(material, use);
+    if (picture.file && other < PLAIN_MAP_COUNT) {
+        picture.other = path_of(plain, &material->maps[other], &status);
+        picture.other_change = changes[other];
+        forget_numbers(&material->material, other);
+    }
+    forget_numbers(&material->material, use);
     picture.name = picture.file;
     if (status != STATUS_OK) {
         free(picture.file);
@@ -148,7 +177,7 @@ static enum status load_kind(struct plain *plain, bool are_numbers, struct textu
             model_picture_load(plain->import->path, list.pictures, list.count, are_numbers, layers);
     for (uint32_t i = 0; i < list.count; i++) {
         free(list.pictures[i].file);
-        free(list.pictures[i].alpha);
+        free(list.pictures[i].other);
     }
     free(list.pictures);
     return status;

@@ -1,4 +1,5 @@
 /* model_picture.c: loads the pictures of a model file as textures of one size. */
+#include <assert.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_resize.h>
 #include <stdio.h>
@@ -145,26 +146,28 @@ static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t 
     return texels;
 }
 
-/* Decodes a layer, and replaces its alpha by that of another picture. */
+/* Decodes a layer, and replaces one channel by that of another picture. */
 static enum status decode_both(const char *path, const struct model_picture *picture,
                                bool are_numbers, uint8_t *layer, uint32_t side)
 {
     const size_t count = (size_t)side * side;
     enum status status = decode(path, picture, are_numbers, layer, side);
-    if (status != STATUS_OK || !picture->alpha)
+    if (status != STATUS_OK || !picture->other)
         return status;
     const struct model_picture other = {
-        .name = picture->alpha,
-        .file = picture->alpha,
-        .change = MODEL_PICTURE_TO_ALPHA,
+        .name = picture->other,
+        .file = picture->other,
+        .change = picture->other_change,
     };
-    uint8_t *alpha = malloc(count * CHANNELS);
-    if (!alpha)
+    assert(count > 0);
+    const size_t channel = picture->other_change == MODEL_PICTURE_TO_ALPHA ? 3 : 2;
+    uint8_t *texels = malloc(count * CHANNELS);
+    if (!texels)
         return log_out_of_memory(path);
-    status = decode(path, &other, true, alpha, side);
-    for (size_t i = 0; i < count && status == STATUS_OK; i++)
-        layer[CHANNELS * i + 3] = alpha[CHANNELS * i + 3];
-    free(alpha);
+    status = decode(path, &other, true, texels, side);
+    for (size_t i = channel; i < count * CHANNELS && status == STATUS_OK; i += CHANNELS)
+        layer[i] = texels[i];
+    free(texels);
     return status;
 }
 

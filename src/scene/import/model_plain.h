@@ -16,7 +16,9 @@ enum plain_map_use {
     PLAIN_ALPHA,     /* map_d: becomes the alpha of map_Kd's picture */
     PLAIN_SPECULAR,  /* map_Ks */
     PLAIN_EMISSION,  /* map_Ke */
+    PLAIN_ROUGHNESS, /* map_Pr: counts instead of map_Ns */
     PLAIN_SHININESS, /* map_Ns: becomes roughness */
+    PLAIN_METALLIC,  /* map_Pm: becomes the blue of that of roughness */
     PLAIN_BUMP,      /* bump, map_bump and norm: heights, which become normals, or normals */
     PLAIN_MAP_COUNT,
 };

@@ -171,10 +171,9 @@ static void make_medium(struct mtl *mtl, struct material *m)
     const float opacity = is_alpha || is_meshlab(mtl) ? 1
                           : mtl->clearness > 0        ? 1 - mtl->clearness
                                                       : mtl->opacity;
-    static const char opaque[] = "Tr 1 (opaque, as MeshLab means it)";
     const bool is_filter = mtl->filter.x < 1 || mtl->filter.y < 1 || mtl->filter.z < 1;
     if (is_meshlab(mtl) && !is_alpha)
-        note(mtl, &(struct text_scan){ opaque, opaque + sizeof(opaque) - 1 });
+        plain_note(mtl->plain->undrawn_materials, "Tr 1 (opaque, as MeshLab means it)");
     if (!(is_glass(mtl) || opacity < 1 || (is_filter && mtl->index > 1)))
         return;
     m->base_color = mtl->filter;
@@ -202,29 +201,37 @@ static void make_surface(const struct mtl *mtl, struct material *m)
         m->specular = 0;
 }
 
+/* Whether two pictures that become one have different coordinates. */
+static bool are_apart(const struct plain_map *a, const struct plain_map *b)
+{
+    bool is_moved = a->is_clamped != b->is_clamped;
+    for (int k = 0; k < 2; k++)
+        is_moved |= fabsf(a->scale[k] - b->scale[k]) > 0 || fabsf(a->offset[k] - b->offset[k]) > 0;
+    return is_moved && a->file && b->file;
+}
+
 /* Notes the pictures that only opaque surfaces show, and what a picture of another's alpha has. */
 static void check_maps(struct mtl *mtl, const struct plain_material *material)
 {
-    static const char alpha[] = "options of map_d";
     static const char *const clear[PLAIN_MAP_COUNT] = {
         [PLAIN_COLOR] = "map_Kd of clear materials",
         [PLAIN_ALPHA] = "map_d of transmissive materials",
         [PLAIN_SPECULAR] = "map_Ks of transmissive materials",
         [PLAIN_EMISSION] = "map_Ke of transmissive materials",
+        [PLAIN_METALLIC] = "map_Pm of transmissive materials",
     };
     const struct plain_map *maps = material->maps;
     const float transmission = material->material.transmission;
     for (int i = 0; i < PLAIN_MAP_COUNT; i++) {
         const bool is_shown = i == PLAIN_COLOR ? transmission < 1 : !(transmission > 0);
         if (maps[i].file && clear[i] && !is_shown)
-            note(mtl, &(struct text_scan){ clear[i], clear[i] + strlen(clear[i]) });
+            plain_note(mtl->plain->undrawn_materials, clear[i]);
     }
-    bool is_moved = false;
-    for (int k = 0; k < 2; k++)
-        is_moved |= fabsf(maps[PLAIN_COLOR].scale[k] - maps[PLAIN_ALPHA].scale[k]) > 0 ||
-                    fabsf(maps[PLAIN_COLOR].offset[k] - maps[PLAIN_ALPHA].offset[k]) > 0;
-    if (is_moved && maps[PLAIN_COLOR].file && maps[PLAIN_ALPHA].file)
-        note(mtl, &(struct text_scan){ alpha, alpha + sizeof(alpha) - 1 });
+    const enum plain_map_use rough = maps[PLAIN_ROUGHNESS].file ? PLAIN_ROUGHNESS : PLAIN_SHININESS;
+    if (are_apart(&maps[PLAIN_COLOR], &maps[PLAIN_ALPHA]))
+        plain_note(mtl->plain->undrawn_materials, "options of map_d");
+    if (are_apart(&maps[rough], &maps[PLAIN_METALLIC]) && !(transmission > 0))
+        plain_note(mtl->plain->undrawn_materials, "options of map_Pm");
 }
 
 /* Completes the material that the last statements have described. */
@@ -316,6 +323,8 @@ static const struct statement statements[] = {
     { "map_Ks", read_map, PLAIN_SPECULAR },
     { "map_Ke", read_map, PLAIN_EMISSION },
     { "map_Ns", read_map, PLAIN_SHININESS },
+    { "map_Pr", read_map, PLAIN_ROUGHNESS },
+    { "map_Pm", read_map, PLAIN_METALLIC },
     { "map_bump", read_map, PLAIN_BUMP },
     { "bump", read_map, PLAIN_BUMP },
     { "norm", read_map, PLAIN_BUMP },
