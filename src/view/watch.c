@@ -246,7 +246,7 @@ enum status watch_create(struct watch **watch, const char *folder, bool quiet)
             folder);
         status = STATUS_NO_INPUT;
     } else if (!watch_compile_is_possible()) {
-        log_error("--watch: cannot run glslangValidator: install glslang-tools, or correct PATH");
+        log_error("--watch: cannot run glslc: install it, or correct PATH");
         status = STATUS_FAILED;
     } else if (pthread_create(&w->thread, NULL, run, w) != 0) {
         log_error("--watch: cannot start a thread");

@@ -1,6 +1,6 @@
 /*
- * watch.h: shaders that are compiled when their files are saved, with glslangValidator as the build
- * does it, and take the place of those that the program has in it.
+ * watch.h: shaders that are compiled when their files are saved, with glslc as the build does it,
+ * and take the place of those that the program has in it.
  *
  * A thread looks at the folder and compiles what has changed, or includes what has changed. All of
  * it takes effect together, and only without an error: until then the shaders before stay. A shader

@@ -1,4 +1,4 @@
-/* watch_compile.c: runs glslangValidator, and looks at what comes of it. */
+/* watch_compile.c: runs glslc, and looks at what comes of it. */
 #include "src/view/watch_compile.h"
 #include <errno.h>
 #include <signal.h>
@@ -21,13 +21,13 @@ enum {
     SPIRV_BINDING = 33,
 };
 
-static const char program[] = "glslangValidator";
-static const char *const flags[] = { WATCH_GLSLANG_FLAGS };
+static const char program[] = "glslc";
+static const char *const flags[] = { WATCH_GLSLC_FLAGS };
 
 enum {
     FLAG_COUNT = sizeof(flags) / sizeof(flags[0]),
     OWN_FLAG_COUNT = sizeof(embedded_origins[0].flags) / sizeof(embedded_origins[0].flags[0]),
-    WORD_COUNT = FLAG_COUNT + OWN_FLAG_COUNT + 5,
+    WORD_COUNT = FLAG_COUNT + OWN_FLAG_COUNT + 6,
 };
 
 /* Its words go to `out`. Returns the exit code; -1: it could not be run, or crashed. */
@@ -61,7 +61,7 @@ static int run(char *const *words, FILE *out)
 
 bool watch_compile_is_possible(void)
 {
-    char name[] = "glslangValidator";
+    char name[] = "glslc";
     char version[] = "--version";
     char *const words[] = { name, version, NULL };
     FILE *out = tmpfile();
@@ -71,17 +71,16 @@ bool watch_compile_is_possible(void)
     return possible;
 }
 
-/* The line that tells most, without its newline. */
+/* Its first error, without the newline. */
 static void find_fault(FILE *out, char message[static WATCH_MESSAGE_SIZE])
 {
-    static const char mark[] = "ERROR: ";
     char line[WATCH_MESSAGE_SIZE];
     rewind(out);
     while (fgets(line, sizeof(line), out)) {
-        if (strncmp(line, mark, sizeof(mark) - 1) != 0)
+        if (!strstr(line, "error: "))
             continue;
         line[strcspn(line, "\n")] = '\0';
-        snprintf(message, WATCH_MESSAGE_SIZE, "%s", line + sizeof(mark) - 1);
+        snprintf(message, WATCH_MESSAGE_SIZE, "%s", line);
         return;
     }
     snprintf(message, WATCH_MESSAGE_SIZE, "%s could not be run, or crashed", program);
@@ -117,6 +116,7 @@ static bool compile_to(struct watch_code *code, const char *folder,
     for (size_t i = 0; origin->flags[i]; i++)
         snprintf(words[count++], PATH_SIZE, "%s", origin->flags[i]);
     snprintf(words[count++], PATH_SIZE, "-I%s", folder);
+    snprintf(words[count++], PATH_SIZE, "-c");
     snprintf(words[count++], PATH_SIZE, "-o");
     snprintf(words[count++], PATH_SIZE, "/dev/fd/%d", fileno(spirv));
     snprintf(words[count++], PATH_SIZE, "%s/%s", folder, origin->file);

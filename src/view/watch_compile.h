@@ -1,4 +1,4 @@
-/* watch_compile.h: GLSL to SPIR-V with glslangValidator, as the build does it. */
+/* watch_compile.h: GLSL to SPIR-V with glslc, as the build does it. */
 #ifndef FIRN_VIEW_WATCH_COMPILE_H
 #define FIRN_VIEW_WATCH_COMPILE_H
 

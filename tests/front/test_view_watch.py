@@ -146,7 +146,7 @@ class Start(Case):
 
     def test_no_compiler(self):
         self.refuse(1, 'view', 'sphere', f'--watch={SHADERS}', env={'PATH': str(self.folder)},
-                    names=['glslangValidator'])
+                    names=['glslc'])
 
 
 if __name__ == '__main__':
