@@ -24,7 +24,8 @@
  * Errors:        VkResult. The log callback gets the call that failed and the name of the pass,
  *                image or buffer that it was for. After a failure only rg_exec_destroy() may be
  *                called.
- * Thread-safety: one thread at a time per executor. The queue is used only by rg_exec_submit(),
+ * Thread-safety: one thread at a time per executor, and for making and destroying those that have
+ *                rg_exec_params.pipelines in common. The queue is used only by rg_exec_submit(),
  *                rg_exec_submit_synced() and rg_exec_warm_up().
  */
 #ifndef RG_EXEC_H
@@ -53,6 +54,19 @@ struct rg_exec_set {
     VkDescriptorSetLayout layout; /* borrowed; it outlives the executor */
 };
 
+/*
+ * Pipelines that executors of one device leave when they are destroyed. One that is made later
+ * takes all of them over: what it draws alike is not compiled again. What neither it nor the next
+ * one needs is freed. It outlives the executors, and is destroyed before the device.
+ */
+struct rg_pipelines;
+
+/* Returns NULL if memory is short. */
+RG_API struct rg_pipelines *rg_pipelines_create(void);
+
+/* NULL is allowed. */
+RG_API void rg_pipelines_destroy(struct rg_pipelines *pipelines);
+
 /* Returns the shader to use in place of one that a table names: the same one, or one with the same
  * interface. What it returns is read until rg_exec_create() returns. */
 typedef const struct rg_shader *rg_replace_shader_fn(void *user, const struct rg_shader *shader);
@@ -70,6 +84,7 @@ struct rg_exec_params {
     VkQueue queue;                        /* for graphics and compute */
     uint32_t queue_family;                /* of the queue */
     VkPipelineCache pipeline_cache;       /* VK_NULL_HANDLE is allowed */
+    struct rg_pipelines *pipelines;       /* of executors that have ended; NULL: none */
     uint32_t frames_in_flight;            /* frames that may be unfinished at once; 0 means 2 */
     const struct rg_exec_import *imports; /* in the order of the compile params' imports; only read
                                              by rg_exec_create() */

@@ -47,7 +47,7 @@ MAY_INCLUDE = {
                       'shaders/'),
     'src/image/': ('src/image/', 'src/base/'),
     'src/metric/': ('src/metric/', 'src/image/', 'src/base/'),
-    'src/gpu/': ('src/gpu/', 'src/base/'),
+    'src/gpu/': ('src/gpu/', 'src/base/', 'graph/'),
     'src/scene/': ('src/scene/', 'src/image/', 'src/base/', 'shaders/'),
     'src/scene/generate/': ('src/scene/generate/', 'src/scene/bubble.h', 'src/scene/mesh.h',
                             'src/scene/solid.h', 'src/scene/hull.h', 'src/scene/mips.h',

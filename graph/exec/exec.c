@@ -135,7 +135,9 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
     struct rg_exec *exec = outcome == VK_SUCCESS ? calloc(1, sizeof(*exec)) : NULL;
     if (exec) {
         *exec = start;
+        rg_exec_take_pipelines(exec);
         outcome = make_all(exec);
+        rg_exec_end_former(exec);
     } else if (outcome == VK_SUCCESS) {
         outcome = rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
     }
@@ -194,8 +196,7 @@ void rg_exec_destroy(struct rg_exec *exec)
         if (exec->slots[i].submitted) /* lost or not, it goes */
             (void)wait_fence(exec, &exec->slots[i]);
     }
-    rg_exec_free_objects(exec, &exec->objects);
-    rg_exec_free_objects(exec, &exec->former);
+    rg_exec_free_objects(exec);
     free(exec);
 }
 

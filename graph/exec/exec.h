@@ -91,7 +91,7 @@ struct rg_exec {
     const struct rg_plan *plan;
     VkDevice device;
     struct exec_objects objects; /* of the plan (objects.c) */
-    struct exec_objects former;  /* while a plan takes the place of another: the rest of it */
+    struct exec_objects former;  /* while a plan takes the place of another: the rest of that */
 
     enum {
         RG_NOT_FOUND,
@@ -193,7 +193,10 @@ void rg_exec_keep(struct rg_exec *exec, VkObjectType type, uint64_t key, uint64_
 /* Frees what the plan has not found, but keeps pipelines for one more plan, which may be the one
  * before: programs switch to and fro. */
 void rg_exec_end_former(struct rg_exec *exec);
-void rg_exec_free_objects(const struct rg_exec *exec, struct exec_objects *list);
+/* As if those of rg_exec_params.pipelines were of a former plan. */
+void rg_exec_take_pipelines(struct rg_exec *exec);
+/* All of them, but for pipelines that others can take. */
+void rg_exec_free_objects(struct rg_exec *exec);
 
 /* ---- the other files, in the order in which an executor is made ---- */
 

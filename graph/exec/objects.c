@@ -2,18 +2,23 @@
  * objects.c: calls that may fail, and the list of what they make, which frees all of it.
  *
  * An object with a key is found again by it: a second one with the same content in one plan, and
- * the one that the former plan had. Keys hold handles of other objects. This is safe, since every
- * object of a list has been made or found with the handles of objects of that list.
+ * the one that the former plan had, or another executor. Keys hold handles of other objects. This
+ * is safe, since every object of a list has been made or found with the handles of objects of that
+ * list, and lists move as a whole.
  */
 #include <stdlib.h>
 #include <string.h>
 #include "graph/exec/exec.h"
 
+enum {
+    UNUSED_MAX = 1, /* of plans that a pipeline is kept without use */
+};
+
 struct exec_object {
     VkObjectType type; /* VK_OBJECT_TYPE_UNKNOWN: memory of the host; MAX_ENUM: taken over */
     uint64_t handle;
-    uint64_t key;  /* RG_NO_KEY: it is unlike any other */
-    bool is_spare; /* the plan does not use it, but the former one did */
+    uint64_t key;    /* RG_NO_KEY: it is unlike any other */
+    uint32_t unused; /* how many plans there have been since one used it */
 };
 
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
@@ -100,7 +105,7 @@ bool rg_exec_find(struct rg_exec *exec, VkObjectType type, uint64_t key, void *h
         exec->found = RG_FOUND_FORMER;
         exec->objects.entries[exec->objects.count++] = *former;
         former->type = VK_OBJECT_TYPE_MAX_ENUM;
-        exec->objects.entries[exec->objects.count - 1].is_spare = false;
+        exec->objects.entries[exec->objects.count - 1].unused = 0;
         found = &exec->objects.entries[exec->objects.count - 1];
     }
     memcpy(handle, &found->handle, size);
@@ -116,7 +121,7 @@ void rg_exec_keep(struct rg_exec *exec, VkObjectType type, uint64_t key, uint64_
         .objectHandle = handle,
         .pObjectName = name,
     };
-    exec->objects.entries[exec->objects.count++] = (struct exec_object){ type, handle, key, false };
+    exec->objects.entries[exec->objects.count++] = (struct exec_object){ type, handle, key, 0 };
     if (name && exec->vk.SetDebugUtilsObjectNameEXT)
         exec->vk.SetDebugUtilsObjectNameEXT(exec->device, &info);
 }
@@ -137,11 +142,12 @@ void *rg_exec_make_array(struct rg_exec *exec, uint64_t key, size_t count, size_
     return array;
 }
 
-static void free_object(const struct rg_exec *exec, const struct exec_object *object)
+static void free_object(const struct rg_functions *vk, VkDevice device,
+                        const struct exec_object *object)
 {
 #define DESTROY(kind, name) \
     if (object->type == VK_OBJECT_TYPE_##kind) \
-        exec->vk.Destroy##name(exec->device, (Vk##name)object->handle, NULL);
+        vk->Destroy##name(device, (Vk##name)object->handle, NULL);
     DESTROY(ACCELERATION_STRUCTURE_KHR, AccelerationStructureKHR)
     DESTROY(BUFFER, Buffer)
     DESTROY(BUFFER_VIEW, BufferView)
@@ -158,15 +164,15 @@ static void free_object(const struct rg_exec *exec, const struct exec_object *ob
     DESTROY(RENDER_PASS, RenderPass)
     DESTROY(SAMPLER, Sampler)
     if (object->type == VK_OBJECT_TYPE_DEVICE_MEMORY)
-        exec->vk.FreeMemory(exec->device, (VkDeviceMemory)object->handle, NULL);
+        vk->FreeMemory(device, (VkDeviceMemory)object->handle, NULL);
     if (object->type == VK_OBJECT_TYPE_UNKNOWN)
         free((void *)(uintptr_t)object->handle);
 }
 
-void rg_exec_free_objects(const struct rg_exec *exec, struct exec_objects *list)
+static void free_objects(const struct rg_functions *vk, VkDevice device, struct exec_objects *list)
 {
     while (list->count)
-        free_object(exec, &list->entries[--list->count]);
+        free_object(vk, device, &list->entries[--list->count]);
     free(list->entries);
     *list = (struct exec_objects){ 0 };
 }
@@ -174,20 +180,70 @@ void rg_exec_free_objects(const struct rg_exec *exec, struct exec_objects *list)
 /* What pipelines are made of, and is not of the size of a view. */
 static bool is_worth_keeping(const struct exec_object *object)
 {
-    return !object->is_spare && (object->type == VK_OBJECT_TYPE_PIPELINE ||
-                                 object->type == VK_OBJECT_TYPE_PIPELINE_LAYOUT ||
-                                 object->type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT);
+    return object->unused <= UNUSED_MAX && (object->type == VK_OBJECT_TYPE_PIPELINE ||
+                                            object->type == VK_OBJECT_TYPE_PIPELINE_LAYOUT ||
+                                            object->type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT);
+}
+
+/* Moves what is worth keeping of a list to the executor's objects, and frees the rest. */
+static void keep_pipelines(struct rg_exec *exec, struct exec_objects *list)
+{
+    for (uint32_t i = 0; i < list->count; i++) {
+        struct exec_object *object = &list->entries[i];
+        if (!is_worth_keeping(object) || rg_exec_make_room(exec) != VK_SUCCESS)
+            continue;
+        exec->objects.entries[exec->objects.count++] = *object;
+        object->type = VK_OBJECT_TYPE_MAX_ENUM;
+    }
+    free_objects(&exec->vk, exec->device, list);
 }
 
 void rg_exec_end_former(struct rg_exec *exec)
 {
-    for (uint32_t i = 0; i < exec->former.count; i++) {
-        struct exec_object *object = &exec->former.entries[i];
-        if (!is_worth_keeping(object) || rg_exec_make_room(exec) != VK_SUCCESS)
-            continue;
-        exec->objects.entries[exec->objects.count++] = *object;
-        exec->objects.entries[exec->objects.count - 1].is_spare = true;
-        object->type = VK_OBJECT_TYPE_MAX_ENUM;
+    for (uint32_t i = 0; i < exec->former.count; i++)
+        exec->former.entries[i].unused++;
+    keep_pipelines(exec, &exec->former);
+}
+
+/* ---- from one executor to another ---- */
+
+struct rg_pipelines {
+    struct rg_functions vk;
+    VkDevice device;
+    struct exec_objects left;
+};
+
+struct rg_pipelines *rg_pipelines_create(void)
+{
+    return calloc(1, sizeof(struct rg_pipelines));
+}
+
+void rg_pipelines_destroy(struct rg_pipelines *pipelines)
+{
+    if (pipelines)
+        free_objects(&pipelines->vk, pipelines->device, &pipelines->left);
+    free(pipelines);
+}
+
+void rg_exec_take_pipelines(struct rg_exec *exec)
+{
+    struct rg_pipelines *pipelines = exec->params.pipelines;
+    if (!pipelines)
+        return;
+    exec->former = pipelines->left;
+    pipelines->left = (struct exec_objects){ 0 };
+}
+
+void rg_exec_free_objects(struct rg_exec *exec)
+{
+    struct rg_pipelines *pipelines = exec->params.pipelines;
+    struct exec_objects own = exec->objects;
+    if (pipelines) {
+        exec->objects = pipelines->left;
+        keep_pipelines(exec, &own);
+        keep_pipelines(exec, &exec->former);
+        *pipelines = (struct rg_pipelines){ exec->vk, exec->device, exec->objects };
     }
-    rg_exec_free_objects(exec, &exec->former);
+    free_objects(&exec->vk, exec->device, &own);
+    free_objects(&exec->vk, exec->device, &exec->former);
 }

@@ -45,12 +45,13 @@ struct gpu {
     VkPhysicalDeviceProperties properties;
     VkPhysicalDeviceMemoryProperties memory;
     VkPipelineCache pipeline_cache;
-    bool no_cache;           /* from the params */
-    VkCommandPool pool;      /* for uploads */
-    bool portability_subset; /* the device has this extension, so it is enabled */
-    float max_anisotropy;    /* of samplers; 0: not supported */
-    bool has_statistics;     /* pipeline statistics and exact occlusion queries */
-    bool validated;          /* the validation layer was found and is enabled */
+    struct rg_pipelines *pipelines; /* of earlier executors; NULL if memory was short */
+    bool no_cache;                  /* from the params */
+    VkCommandPool pool;             /* for uploads */
+    bool portability_subset;        /* the device has this extension, so it is enabled */
+    float max_anisotropy;           /* of samplers; 0: not supported */
+    bool has_statistics;            /* pipeline statistics and exact occlusion queries */
+    bool validated;                 /* the validation layer was found and is enabled */
     VkDebugUtilsMessengerEXT messenger;
     uint32_t message_count; /* warnings and errors of the validation layer so far */
 };

@@ -1,6 +1,7 @@
 /* gpu_device.c: opens and closes a device; lists devices. */
 #include <stdlib.h>
 
+#include "graph/rg_exec.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
@@ -100,6 +101,7 @@ static enum status open_device(struct gpu *gpu)
         return gpu_failed("vkCreateDevice", result);
     }
     vkGetDeviceQueue(gpu->device, gpu->queue_family, 0, &gpu->queue);
+    gpu->pipelines = rg_pipelines_create();
     if (features.core.features.samplerAnisotropy)
         gpu->max_anisotropy = gpu->properties.limits.maxSamplerAnisotropy;
     gpu->has_statistics = features.core.features.pipelineStatisticsQuery &&
@@ -139,6 +141,7 @@ void gpu_destroy(struct gpu *gpu)
         (void)vkDeviceWaitIdle(gpu->device); /* destroyed even if it is lost */
         if (gpu->pipeline_cache && !gpu->no_cache)
             gpu_cache_save(gpu);
+        rg_pipelines_destroy(gpu->pipelines);
         vkDestroyPipelineCache(gpu->device, gpu->pipeline_cache, NULL);
         vkDestroyCommandPool(gpu->device, gpu->pool, NULL);
         vkDestroyDevice(gpu->device, NULL);

@@ -85,6 +85,7 @@ void frame_exec_describe(struct frame_exec_params *described, const struct frame
         .queue = gpu->queue,
         .queue_family = gpu->queue_family,
         .pipeline_cache = gpu->pipeline_cache,
+        .pipelines = gpu->pipelines,
         .import_count = frame_exec->frame->import_count,
         .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
         .frames_in_flight = FRAMES_IN_FLIGHT,

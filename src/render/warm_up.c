@@ -86,6 +86,7 @@ static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exe
     };
     struct rg_exec_params *exec = &warm_up->described.params;
     exec->pipeline_cache = VK_NULL_HANDLE;
+    exec->pipelines = NULL; /* of another device, and another thread */
     exec->frames_in_flight = 1;
     exec->measured = false;
     exec->warm_up_only = true;

@@ -356,6 +356,40 @@ static void nothing_is_left(void **state)
     count_objects(false);
 }
 
+/* From executors that end to those that begin, also where two exist at a time. */
+static void pipelines_go_to_other_executors(void **state)
+{
+    struct rg_pipelines *pipelines = rg_pipelines_create();
+    struct run_params all = changed(0, 8, 8, true);
+    struct run_params fewer = changed(0, 16, 8, false);
+    struct counts nothing = { 0 };
+    struct run run[2];
+    assert_non_null(pipelines);
+    all.pipelines = fewer.pipelines = pipelines;
+    count_objects(true);
+    run_open(&run[0], *state, &all);
+    const int count = made.pipelines;
+    run_open(&run[1], *state, &fewer);
+    assert_int_equal(made.pipelines, 2 * count - 1); /* `other` is the row that it lacks */
+    run_close(&run[0]);
+    run_close(&run[1]);
+    for (int i = 0; i < 3; i++) {
+        made = nothing;
+        run_open(&run[0], *state, i == 1 ? &fewer : &all);
+        assert_int_equal(made.pipelines, 0);
+        check_frame(&run[0], 1);
+        run_close(&run[0]);
+    }
+    run_open(&run[0], *state, &fewer);
+    run_update(&run[0], &fewer);
+    run_close(&run[0]);
+    assert_int_equal(alive.pipelines, count - 1); /* that of `other` has not been used twice */
+    assert_int_equal(alive.Image, 0);
+    rg_pipelines_destroy(pipelines);
+    assert_memory_equal(&alive, &nothing, sizeof(alive));
+    count_objects(false);
+}
+
 static void measured_frames_go_on(void **state)
 {
     struct run_params p = params;
@@ -377,6 +411,7 @@ int main(void)
         ON_DEVICE(content_stays),
         ON_DEVICE(what_is_the_same_stays),
         ON_DEVICE(nothing_is_left),
+        ON_DEVICE(pipelines_go_to_other_executors),
         ON_DEVICE(measured_frames_go_on),
         ON_DEVICE(copy_beyond_a_buffer_is_refused),
         ON_DEVICE(each_missing_feature_is_named),

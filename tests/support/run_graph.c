@@ -93,6 +93,7 @@ static struct rg_exec_params exec_params(struct run *run, const struct rg_plan *
         .queue = run->gpu->queue,
         .queue_family = run->gpu->queue_family,
         .pipeline_cache = run->gpu->pipeline_cache,
+        .pipelines = run->params.pipelines,
         .frames_in_flight = run->params.frames_in_flight,
         .imports = run->params.objects,
         .import_count = run->params.import_count,

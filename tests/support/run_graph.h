@@ -25,6 +25,7 @@ struct run_params {
     size_t import_count;
     const struct rg_exec_set *sets; /* of the program's own; of all rows' the first */
     uint32_t frames_in_flight;
+    struct rg_pipelines *pipelines; /* NULL: none of other executors */
     bool render_passes;
     enum rg_sharing sharing;
     bool no_device; /* to compile for */
