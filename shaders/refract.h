@@ -34,7 +34,7 @@
 /* Outputs of refract_seen.vert. */
 #define REFRACT_VIEW_RAY   0
 #define REFRACT_SEEN_FRAME 1 /* refract_frame.glsl: 1 to 8 */
-#define REFRACT_SEEN_MEAN  9 /* of refract_seen_mean.vert */
+#define REFRACT_SEEN_MEAN  9 /* of refract_seen_mean.vert: radiance, 1 / nearest distance */
 
 /* Outputs of all these vertex shaders, for surface.glsl. */
 #define REFRACT_LIGHTS    11 /* 11 to 14 */

@@ -17,7 +17,17 @@
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
 
+#ifdef REFRACT_EXITS
+layout(location = REFRACT_SEEN_MEAN, component = 3) flat in float cube_nearest; /* 1 / metres */
+#else
+const float cube_nearest = 0.0;
+#endif
+
 const int cube_divisions = 3; /* of the step that went behind a surface */
+
+/* A ray that is farther behind a surface, in its own distance, after these divisions has passed
+ * the surface's edge behind it. What it sees there is hidden from the centre. */
+const float cube_passed = 0.15;
 
 /* Returns how far a place, homogeneous and relative to the centre, is behind what the cube shows:
  * below 0, before it. Along a line this is linear where the surface is flat. The sky hides
@@ -58,17 +68,29 @@ cube_ends cube_find(vec4 from, vec4 to)
     return ends;
 }
 
+/* Returns the first place of a ray that is as far from the centre as the nearest surface. Steps
+ * before it would find nothing, and be missed behind narrow surfaces. */
+vec3 cube_begin(vec3 from_center, vec3 dir)
+{
+    if (cube_nearest <= 0.0)
+        return from_center;
+    float middle = dot(from_center, dir);
+    float room = 1.0 / (cube_nearest * cube_nearest) - dot(from_center, from_center);
+    return room > 0.0 ? from_center + (sqrt(middle * middle + room) - middle) * dir : from_center;
+}
+
 /*
- * Returns the direction in which a ray looks the cube up.
+ * Returns the direction in which a ray looks the cube up. A ray that passes behind a surface looks
+ * beside its edge.
  *
  * Steps are even on the line from the ray's beginning to its end at infinity, as homogeneous
  * points, so that the directions that are tried are about evenly spaced, too.
  */
 vec3 refract_cube_dir(vec3 point, vec3 dir)
 {
-    vec3 from_center = point - frame.cube_center;
-    float scale = max(length(from_center), 0.01 * refract_frame.radius);
-    vec4 from = vec4(from_center, 1.0);
+    vec3 begin = cube_begin(point - frame.cube_center, dir);
+    float scale = max(length(begin), 0.01 * refract_frame.radius);
+    vec4 from = vec4(begin, 1.0);
     vec4 to = vec4(scale * dir, 0.0);
     cube_ends ends = cube_find(from, to);
     if (ends.at_behind <= 0.0) /* the sky */
@@ -84,7 +106,8 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
             ends.at_before = at;
         }
     }
-    return mix(from, to, cube_divide(ends)).xyz;
+    bool is_past = ends.at_behind > cube_passed * (1.0 - ends.behind);
+    return mix(from, to, is_past ? ends.before : cube_divide(ends)).xyz;
 }
 
 vec3 refract_environment(vec3 point, vec3 dir)

@@ -11,22 +11,28 @@ layout(location = REFRACT_VIEW_RAY) out vec3 out_view_ray;
 #ifdef REFRACT_SEEN_WITH_MEAN
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube;
 layout(location = REFRACT_SEEN_MEAN) flat out vec3 out_mean;
+layout(location = REFRACT_SEEN_MEAN, component = 3) flat out float out_nearest; /* 1 / metres */
 
 const uint mean_count = 256u;
 const float mean_golden = 2.39996323; /* radians */
 const float mean_brightest = 16.0;    /* clamps the sun, which most directions miss */
 
-/* Returns the mean radiance of the surroundings, over directions on a spiral around the sphere. */
-vec3 mean_radiance()
+/* Finds the mean radiance of the surroundings and the nearest distance, over directions on a spiral
+ * around the sphere. */
+void mean_find()
 {
     vec3 sum = vec3(0.0);
+    float nearest = 0.0;
     for (uint i = 0u; i < mean_count; i++) {
         float y = 1.0 - (2.0 * float(i) + 1.0) / float(mean_count);
         float turn = mean_golden * float(i);
         vec2 xz = sqrt(1.0 - y * y) * vec2(cos(turn), sin(turn));
-        sum += min(textureLod(env_cube, vec3(xz.x, y, xz.y), 0.0).rgb, vec3(mean_brightest));
+        vec4 seen = textureLod(env_cube, vec3(xz.x, y, xz.y), 0.0);
+        sum += min(seen.rgb, vec3(mean_brightest));
+        nearest = max(nearest, seen.a);
     }
-    return sum / float(mean_count);
+    out_mean = sum / float(mean_count);
+    out_nearest = nearest;
 }
 #endif
 
@@ -40,6 +46,6 @@ void main()
     surface_hand_on();
     refract_frame_hand_on();
 #ifdef REFRACT_SEEN_WITH_MEAN
-    out_mean = mean_radiance();
+    mean_find();
 #endif
 }

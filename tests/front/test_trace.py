@@ -131,6 +131,19 @@ class Trace(Case):
             self.assertAlmostEqual(found / white, 1, delta=0.01)
 
     @unsanitized
+    def test_a_bar_before_the_sky(self):
+        """Behind a ball and beside it: the lookup by distance takes half of the error, or more."""
+        bar = ('v -.25 -6 -4 .1 .05 .02', 'v .25 -6 -4 .1 .05 .02', 'v .25 6 -4 .1 .05 .02',
+               'v -.25 6 -4 .1 .05 .02', 'f 1 2 3', 'f 1 3 4')
+        (self.folder / 'bar.obj').write_text('\n'.join(bar))
+        words = ('sphere', *SIZE, *SMALL_CUBE[:-1], 'env_cube.size=512', '--background',
+                 '.75,.8,.88', '--surroundings', 'bar.obj', '--target', '0,0,0')
+        for eye, share in (('0,0,5', 0.3), ('2,1,4', 0.4)):
+            errors = [self.check(1, *words, '--eye', eye, '--set', f'refract.lookup={lookup}',
+                                 rung=('-r', 'bounce')) for lookup in ('distance', 'infinite')]
+            self.assertLess(errors[0], share * errors[1])
+
+    @unsanitized
     def test_light_that_stays_inside(self):
         """What bounce does not follow to its exit sees the mean of the surroundings."""
         self.check(0.066, 'ice-cube', *SIZE, '--size', '96x72', *SMALL_CUBE[:-1],
