@@ -113,7 +113,9 @@ static bool own_parts(struct frame_list *list, size_t first, uint32_t place, boo
     for (size_t i = first; i < list->count; i++)
         object.row_count += list->parts[i].pass_count;
     object.rows = row_builder_alloc(&list->builder, (object.row_count + 1) * sizeof(*object.rows));
-    if (!object.rows || !object.globals)
+    object.names =
+        row_builder_alloc(&list->builder, (object.row_count + 1) * sizeof(*object.names));
+    if (!object.rows || !object.names || !object.globals)
         return false;
     size_t count = 0;
     for (size_t i = first; i < list->count; i++) {
@@ -125,6 +127,7 @@ static bool own_parts(struct frame_list *list, size_t first, uint32_t place, boo
     }
     for (size_t r = 0; r < count; r++) {
         struct rg_pass *row = &object.rows[r];
+        object.names[r] = again ? row_builder_name(&list->builder, row->name, "layers") : row->name;
         if (place || again)
             row->name = row_builder_name(&list->builder, row->name, suffix);
         row->uses = uses_with(&list->builder, row->uses, object.globals);
@@ -332,4 +335,10 @@ struct settings frame_settle(const struct settings *settings, const struct techn
     settings_put(&own, settings_row(&env_cube_settings, offsetof(struct env_cube_params, size)),
                  frame_face_size(settings, height));
     return own;
+}
+
+const char *frame_list_name(const struct frame_list *list, const struct rg_pass *row)
+{
+    const struct frame_list_object *object = owner(list, row);
+    return object ? object->names[row - object->rows] : row->name;
 }

@@ -11,6 +11,7 @@
 struct frame_list_object {
     const struct rg_buffer *globals; /* replaces frame_globals in the rows */
     struct rg_pass *rows;
+    const char **names; /* of the rows, the same for each object: without its place */
     size_t row_count;
     uint32_t place; /* of the object among all, ordered by distance, farthest first */
     bool of_layers; /* they draw it again, for layers */
@@ -31,6 +32,9 @@ struct frame_list {
 MUST_USE enum status frame_list_init(struct frame_list *list,
                                      const struct technique_choice *choice);
 void frame_list_finish(struct frame_list *list); /* {0} is fine */
+
+/* Returns a row's name, without the place of the object that it draws. */
+const char *frame_list_name(const struct frame_list *list, const struct rg_pass *row);
 
 /* Returns whether each picture's frames draw the environment cube, because it may change. */
 bool frame_draws_cube(const struct settings *settings, const struct scene *scene);

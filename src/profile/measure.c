@@ -32,20 +32,32 @@ static uint64_t target_size(const struct rg_plan *plan, const struct rg_plan_pas
            rg_format_info(image->image->format)->size;
 }
 
-static void describe_pass(const struct rg_plan *plan, uint32_t index, struct profile_row *row)
+/* The rows of several objects are repetitions of one row. */
+static void name_pass(const struct measure *m, uint32_t index, struct profile_row *row)
 {
+    const struct rg_plan *plan = m->plan;
+    const char *name = renderer_row_name(m->renderer, plan->passes[index].pass);
+    snprintf(row->name, sizeof(row->name), "%s", name);
+    for (uint32_t p = 0; p < plan->pass_count; p++) {
+        const bool is_same = !strcmp(renderer_row_name(m->renderer, plan->passes[p].pass), name);
+        row->repetition += is_same && p < index;
+        row->repetition_count += is_same;
+    }
+}
+
+static void describe_pass(const struct measure *m, uint32_t index, struct profile_row *row)
+{
+    const struct rg_plan *plan = m->plan;
+
     static const enum profile_kind kinds[] = {
         [RG_RASTER] = PROFILE_RASTER,
         [RG_COMPUTE] = PROFILE_COMPUTE,
         [RG_TRANSFER] = PROFILE_TRANSFER,
     };
     const struct rg_plan_pass *pass = &plan->passes[index];
-    snprintf(row->name, sizeof(row->name), "%s", pass->pass->name);
+    name_pass(m, index, row);
     snprintf(row->technique, sizeof(row->technique), "%s", pass->technique->name);
     row->kind = kinds[pass->pass->kind];
-    row->repetition = pass->repetition;
-    for (uint32_t p = 0; p < plan->pass_count; p++)
-        row->repetition_count += plan->passes[p].pass == pass->pass;
     row->target_bytes = target_size(plan, pass, &pass->depth);
     for (uint32_t c = 0; c < pass->color_count; c++)
         row->target_bytes += target_size(plan, pass, &pass->color[c]);
@@ -272,7 +284,7 @@ static enum status open_renderer(struct measure *m)
     p->pass_count = m->plan->pass_count;
     status = profile_make_rows(p);
     for (uint32_t i = 0; i < p->pass_count && status == STATUS_OK; i++)
-        describe_pass(m->plan, i, &p->rows[i]);
+        describe_pass(m, i, &p->rows[i]);
     return status == STATUS_OK ? describe_memory(p, m->plan) : status;
 }
 

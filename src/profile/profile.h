@@ -36,7 +36,8 @@ struct profile_row {
     char name[PROFILE_NAME_SIZE];      /* "env_cube.objects", "record", ... */
     char technique[PROFILE_NAME_SIZE]; /* "env_cube"; "" for rows that are no passes */
     enum profile_kind kind;
-    uint32_t repetition, repetition_count; /* of a repeated pass, such as cube faces; else 0 of 1 */
+    uint32_t repetition, repetition_count; /* of a pass that is repeated, for each face of a cube
+                                              or each object; else 0 of 1 */
     uint32_t width, height;                /* of its targets; 0: it has none */
     uint64_t target_bytes;                 /* size of all its targets */
     /* Counted in a separate run of the first run's frame; 0 unless has_statistics: */

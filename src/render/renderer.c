@@ -385,6 +385,11 @@ const struct rg_plan *renderer_frame(const struct renderer *r)
     return r->picture.frame->plan;
 }
 
+const char *renderer_row_name(const struct renderer *r, const struct rg_pass *row)
+{
+    return frame_list_name(&r->picture.frame->list, row);
+}
+
 static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,
                                 struct image *image, renderer_progress_fn *progress, void *user)
 {

@@ -124,6 +124,9 @@ void renderer_measure(struct renderer *renderer, const struct rg_measure *measur
 struct rg_times renderer_times(const struct renderer *renderer);
 const struct rg_plan *renderer_frame(const struct renderer *renderer);
 
+/* Returns the name of a row of that frame, the same for each of several objects. */
+const char *renderer_row_name(const struct renderer *renderer, const struct rg_pass *row);
+
 void renderer_destroy(struct renderer *renderer); /* may be NULL */
 
 void render_result_finish(struct render_result *result);

@@ -10,6 +10,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
     CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, Case, long, main,
     unsanitized)
+from test_scenes import boxes, glass  # noqa: E402
 
 # On a busy machine the test of timestamps is repeated, unless they are not used.
 SUBMITS = ('--clock', 'submits')
@@ -87,6 +88,13 @@ class OneFrame(Profile):
         text = self.profile('--each', *CUBE).stdout.decode()
         for face in range(6):
             self.assertEqual(text.count(f'\nenv_cube.sky [{face}] '), 2)  # times, then counts
+
+    def test_objects_are_added_up(self):
+        (self.folder / 'two.gltf').write_text(boxes((glass(1.5), [-1.5, 0, 0], 1),
+                                                    (glass(2), [1.5, 0, 0], 1)))
+        text = self.succeed('profile', 'two.gltf', *QUICK, '-r', 'bounce').stdout.decode()
+        self.assertIn('\nrefract_bounce.color x2 ', text)
+        self.assertNotIn('color.1', text)
 
     def test_the_clock_that_is_asked_for(self):
         for clock in ('timestamps', 'submits'):

@@ -160,7 +160,7 @@ static const struct option options[] = {
     { "Runs", "baseline", 0, "FILE", APP_PROFILE, INPUT(profile.baseline),
       "profile from --json to compare with; exit code 1 if a pass is slower" },
     { "Reports", "each", 0, NULL, APP_PROFILE, FLAG(profile.each),
-      "one line per repetition of a pass, such as cube faces" },
+      "one line per repetition of a pass, such as cube faces, or per object" },
     { "Reports", "json", 0, "FILE", APP_PROFILE, REPORT(profile.json),
       "JSON report with all samples; - is stdout, which then has no table" },
     { "Reports", "csv", 0, "FILE", APP_PROFILE, REPORT(profile.csv),
