@@ -17,7 +17,7 @@ import zlib
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL, Case, long, main, unsanitized)
+    DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL, Case, long, main)
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -41,6 +41,7 @@ class Generators(Case):
                 self.assertTrue((self.folder / name).read_bytes() == (ASSETS / name).read_bytes(),
                                 'python3 assets/generate/make.py assets makes other bytes')
 
+    @long
     def test_mountains(self):
         """Smaller, and with fewer heights, than those of the asset."""
         path = self.folder / 'a.exr'
@@ -180,7 +181,7 @@ class Studio(Case):
         for words in ('sphere',), ('a.gltf', '--background', '1,1,1'):
             self.assertNotIn(' env=', self.draw(*words)[1])
 
-    @unsanitized
+    @long
     def test_an_asset_in_its_own(self):
         """With its own settings, unless options say otherwise."""
         pixels, words = self.draw('slate')

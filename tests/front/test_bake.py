@@ -9,7 +9,7 @@ import struct
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CANT_CREATE, DATA, NO_INPUT, SMALL, USAGE, Case, main, unsanitized  # noqa: E402
+from case import CANT_CREATE, DATA, NO_INPUT, SMALL, USAGE, Case, long, main  # noqa: E402
 from exr_file import Exr, write_exr  # noqa: E402
 
 SMOOTH = tuple(word for name in ('bump.strength', 'light.count', 'cracks.count', 'air.count',
@@ -82,7 +82,7 @@ class Bake(Case):
             at = face * side * side + side // 2 * side + side // 2
             self.assertAlmostEqual(alpha[at] * distance, 1, delta=2e-3)
 
-    @unsanitized
+    @long
     def test_stands_in_for_what_is_drawn(self):
         for scene, *arguments in (
                 ('room', '--set', 'refract.lookup=box'),

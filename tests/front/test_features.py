@@ -14,7 +14,7 @@ import zlib
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
-from case import Case, main, unsanitized  # noqa: E402
+from case import Case, long, main, unsanitized  # noqa: E402
 from exr_file import Exr, write_exr  # noqa: E402
 
 COLUMNS, ROWS, SIDE, DISTANCE = 8, 7, 8, 400  # SIDE: pixels of a card and the gap around it
@@ -332,7 +332,7 @@ class Surfaces(Cards):
         self.card('two transforms', glow, uv=at(0.25, 0.25), is_=(0, 1, 0))
         self.check_all()
 
-    @unsanitized
+    @long
     def test_two_sets(self):
         """Textures of two sets of coordinates, and tangents, which go before the coordinates."""
         texture = self.scene.texture

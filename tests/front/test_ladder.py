@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ElementTree
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, long, main, unsanitized)
+    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, long, main)
 from exr_file import Exr  # noqa: E402
 from test_show import Png  # noqa: E402
 
@@ -256,7 +256,7 @@ class Furnace(LadderCase):
             self.near(float(mean), 1, 2e-3)
             self.assertEqual(off, '0')
 
-    @unsanitized
+    @long
     def test_what_takes_no_light_shows_1(self):
         self.check('ice-cube')
 

@@ -3,7 +3,8 @@ import math
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_DRIVER, PLAIN, SMALL, SMALL_CUBE, Case, main, unsanitized  # noqa: E402
+from case import (  # noqa: E402
+    DATA, NO_DRIVER, PLAIN, SMALL, SMALL_CUBE, Case, long, main, unsanitized)
 from exr_file import Exr, attribute, write_exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
 
@@ -163,7 +164,7 @@ class Panorama(Case):
                     if rung != 'bounce':  # which looks up the environment cube
                         self.check_light(seen_there['through'], light_there, height)
 
-    @unsanitized
+    @long
     def test_objects_have_shadows(self):
         """The sun is turned with the panorama, from +Z to +X, so the shadow is beside the box."""
         for rung in ('reference', 'bounce', 'trace'):

@@ -5,7 +5,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
-from case import DATA, PLAIN, USAGE, Case, main, unsanitized  # noqa: E402
+from case import DATA, PLAIN, USAGE, Case, long, main, unsanitized  # noqa: E402
 from exr_file import Exr, attribute, write_exr  # noqa: E402
 from png_file import Png  # noqa: E402
 
@@ -42,7 +42,7 @@ class PixelFilter(Pixels):
 
 
 class Caustics(Pixels):
-    @unsanitized
+    @long
     def test_noise_falls_with_samples(self):
         """Each sample has photons and directions of its own; those of the first are as ever."""
         pool = ('pool', '--size', '32x24', '-q', '--pixel-filter', 'point', '--aov', 'caustics')
@@ -238,7 +238,7 @@ class Environment(Pixels):
         cube = ('render', *TINY, '--env', 'cube.exr', '-o', 'a.exr')
         self.refuse(USAGE, *cube, '--env-rotate', '45', names=['--env-rotate', 'cube'])
 
-    @unsanitized
+    @long
     def test_other_chromaticities(self):
         def bake(color, *primaries):
             more = attribute('chromaticities', 'chromaticities', struct.pack('<8f', *primaries)) \

@@ -4,7 +4,7 @@ import sys
 import zlib
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DRIVER, SMALL, USAGE, Case, main, unsanitized  # noqa: E402
+from case import NO_DRIVER, SMALL, USAGE, Case, long, main  # noqa: E402
 
 WIDTH, HEIGHT = 64, 48
 CRACKS = ('--set', 'cracks.count=2', '--set', 'light.count=2')
@@ -113,7 +113,7 @@ class Show(Case):
         levels = [red for red, _, _ in self.show('refraction', *arguments).pixels() if red]
         self.assertEqual(max(set(levels), key=levels.count), 188)
 
-    @unsanitized
+    @long
     def test_every_layer_has_a_picture_of_its_own(self):
         more = (*CRACKS, '--set', 'air.count=3', '--set', 'bubbles.count=30')
         seen = set()

@@ -75,7 +75,7 @@ class Trace(Case):
         self.check(0.02, *words)
         self.assertEqual(*(self.planes(*words, '-r', 'trace') for _ in range(2)))
 
-    @unsanitized
+    @long
     def test_bubbles_and_cracks(self):
         """Met as the reference does, from outside and from inside the ice."""
         inclusions = ('--set', 'bubbles.count=60', '--set', 'bubbles.size=0.1', '--set',
@@ -169,7 +169,7 @@ class Trace(Case):
         light = self.planes('teapot', *WHITE, *SIZE, '-r', 'trace')
         self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
 
-    @unsanitized
+    @long
     def test_clouds(self):
         """Those of trace are an estimate, without noise, of what the reference traces."""
         self.write('cloudy.gltf', (glass(1.31, extras={'cloud': 8}), [0, 0, 0], 1))

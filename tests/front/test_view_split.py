@@ -4,7 +4,7 @@ import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, PLAIN, USAGE, Case, main, unsanitized  # noqa: E402
+from case import DATA, PLAIN, USAGE, Case, long, main, unsanitized  # noqa: E402
 from desktop import wait_until  # noqa: E402
 from test_view import SIZE, TRIANGLES, WindowCase, png_pixels  # noqa: E402
 from test_view_panels import PanelsCase  # noqa: E402
@@ -117,6 +117,7 @@ class Sides(PanelsCase):
         self.succeed(*words[:-1], name, *more)
         return self.folder / name
 
+    @long
     def test_anything_is_compared(self):
         window = self.start_with_panels('--samples', 2)
         first = self.render_command(self.command(window), 'first.png')
@@ -185,6 +186,7 @@ class FirstMinutes(PanelsCase):
         self.assertIsNone(self.process.poll(), self.words())
         wait_until(what, done, self.words, act=acts[-1], again=15)
 
+    @long
     def test_what_it_takes(self):
         model = self.folder / 'shape.obj'
         model.write_text(TRIANGLES)

@@ -5,7 +5,7 @@ import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import SMALL_CUBE, main, unsanitized  # noqa: E402
+from case import SMALL_CUBE, long, main, unsanitized  # noqa: E402
 from desktop import wait_until  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from test_view import png_pixels  # noqa: E402
@@ -129,6 +129,7 @@ class Still(PanelsCase):
         self.expect(window, size=(195, 119))
         self.close(window)
 
+    @long
     def test_movements_that_take_long(self):
         """They are smaller, unless a key says otherwise, and then leave no trace. Where the ice
         leaves the picture, other renderers are made, whose maps reach beyond it."""
