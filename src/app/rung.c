@@ -5,7 +5,6 @@
 #include <string.h>
 #include "shaders/tree.h"
 #include "src/app/app.h"
-#include "src/app/layer_picture.h"
 #include "src/base/log.h"
 #include "src/frame/view.h"
 #include "src/scene/material.h"
@@ -278,17 +277,6 @@ static void warn_of_clouds(const struct app_picture *picture, const struct scene
                     picture->scene.name, CLOUDS_MAX, scene->clouds.left_out);
 }
 
-/* Names the layer from which each object erases what is around it. */
-static void warn_of_layers(const struct app_picture *picture, const struct scene *scene)
-{
-    const struct frame_layer *layer = layer_picture_find("back.N");
-    const bool is_drawn = picture->layers & layer_picture_bit(layer) || picture->show == layer;
-    const struct technique_rung *rung = &picture->rung->rung;
-    if (is_drawn && scene->model.object_count > 1 && rung->rows && !rung->meets_tree)
-        log_warning(
-            "the layer back.N: left out are faces in a rectangle around each nearer object");
-}
-
 void app_choose_rung(struct app_picture *picture, const struct scene *scene,
                      const struct camera *camera)
 {
@@ -311,5 +299,4 @@ void app_choose_rung(struct app_picture *picture, const struct scene *scene,
     warn_of_settings(picture);
     warn_of_files(picture, scene);
     warn_of_outside(&picture->scene, scene);
-    warn_of_layers(picture, scene);
 }

@@ -136,18 +136,21 @@ static bool own_parts(struct frame_list *list, size_t first, uint32_t place, boo
     return !list->builder.failed;
 }
 
-/* Adds the rows of each object: of its picture or, again, of its layers. */
-static bool add_objects(struct frame_list *list, const struct technique_choice *choice, bool again)
+/* Adds the rows of each object that end with those of a phase: of its picture or, again, of its
+ * layers. */
+static bool add_objects(struct frame_list *list, const struct technique_choice *choice,
+                        enum technique_phase last)
 {
     struct technique_choice own = *choice;
+    const bool again = last != PHASE_REFRACTION;
     bool done = true;
     own.keeps_depth = again;
     for (uint32_t place = 0; place < choice->object_count && done; place++) {
         const size_t first = list->count;
         own.is_limited = place && !again;
-        done = add_phase(list, &own, PHASE_DEPTHS) && add_phase(list, &own, PHASE_NORMALS) &&
-               add_phase(list, &own, again ? PHASE_LAYERS : PHASE_REFRACTION) &&
-               own_parts(list, first, place, again);
+        if (last != PHASE_FACES)
+            done = add_phase(list, &own, PHASE_DEPTHS) && add_phase(list, &own, PHASE_NORMALS);
+        done = done && add_phase(list, &own, last) && own_parts(list, first, place, again);
     }
     return done;
 }
@@ -265,11 +268,11 @@ static bool add_all(struct frame_list *list, const struct technique_choice *choi
     bool done = true;
     for (int i = 0; i < PHASE_COUNT && done; i++) {
         const enum technique_phase phase = (enum technique_phase)i;
-        const bool is_own =
-            phase == PHASE_DEPTHS || phase == PHASE_NORMALS || phase == PHASE_REFRACTION;
-        if (are_many && (phase == PHASE_DEPTHS || phase == PHASE_LAYERS))
-            done = add_objects(list, choice, phase == PHASE_LAYERS);
-        else if (!are_many || !is_own)
+        const bool is_before = phase == PHASE_DEPTHS || phase == PHASE_NORMALS;
+        if (are_many &&
+            (phase == PHASE_REFRACTION || phase == PHASE_LAYERS || phase == PHASE_FACES))
+            done = add_objects(list, choice, phase);
+        else if (!are_many || !is_before)
             done = add_phase(list, choice, phase);
     }
     return done && keep_common(list);
@@ -277,7 +280,7 @@ static bool add_all(struct frame_list *list, const struct technique_choice *choi
 
 enum status frame_list_init(struct frame_list *list, const struct technique_choice *choice)
 {
-    const size_t object_count = choice->object_count > 1 ? 2 * (size_t)choice->object_count : 1;
+    const size_t object_count = choice->object_count > 1 ? 3 * (size_t)choice->object_count : 1;
     *list = (struct frame_list){ .small.builder = &list->builder };
     /* target.scale at most doubles them. */
     list->parts = calloc(2 * techniques_count * TECHNIQUE_PART_COUNT * object_count + 1,

@@ -21,7 +21,7 @@ struct frame_list_object {
 struct frame_list {
     struct rg_technique *parts; /* in the order of drawing; owned by the list */
     size_t count;
-    struct frame_list_object *objects; /* two for each object; empty for a single one */
+    struct frame_list_object *objects; /* three for each object; empty for a single one */
     size_t object_count;
     bool are_local; /* the rows of all objects but the first draw only where rays look them up */
     struct row_builder builder;

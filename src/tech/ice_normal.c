@@ -256,6 +256,22 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     return (struct rg_technique){ "ice_normal", rows, count };
 }
 
+/* Rungs look up each object's back faces alone, so that the map has those of the last one at the
+ * end: the layer has all of them, each object's before those of farther ones. */
+static struct rg_technique make_layer(const struct technique_choice *choice,
+                                      struct row_builder *builder)
+{
+    const bool are_many = choice->object_count > 1 && choice->rung && !choice->rung->rung.is_whole;
+    struct rg_pass *row = are_many ? row_builder_rows(builder, &passes[BACK_ROW], 1) : NULL;
+    if (!row)
+        return (struct rg_technique){ 0 };
+    row->name = "ice_normal.all_back";
+    if (choice->is_dressed)
+        dress_row(row, false);
+    clear_normals(builder, row);
+    return (struct rg_technique){ "ice_normal", row, 1 };
+}
+
 static const struct frame_layer layers[] = {
     {
         .name = "back.N",
@@ -270,6 +286,7 @@ static const struct frame_layer layers[] = {
 const struct technique ice_normal = {
     .name = "ice_normal",
     .help = "outward normals and depth of the ice's faces",
-    .parts = { { PHASE_NORMALS, SCENE_OF_ANY, .rows = make_rows } },
+    .parts = { { PHASE_NORMALS, SCENE_OF_ANY, .rows = make_rows },
+               { PHASE_FACES, SCENE_OF_ANY, .rows = make_layer } },
     .layers = layers,
 };

@@ -64,6 +64,7 @@ enum technique_phase {
     PHASE_COMPOSITE,   /* blends the inclusions over the picture */
     PHASE_BACKGROUND,  /* surroundings and sky, where the object does not hide them */
     PHASE_LAYERS,      /* the rung's layers */
+    PHASE_FACES,       /* layers of faces of several objects, whose maps no rung needs any more */
     PHASE_FINISH,      /* drawn over the finished picture: frost, free cracks */
     PHASE_DISPLAY,     /* tone mapping */
     PHASE_COUNT,

@@ -162,12 +162,6 @@ class Scenes(Case):
         self.assertEqual([name for name in passes if name.startswith('refract')],
                          ['refract_bounce.color', 'refract_bounce.color.1'])
 
-    def test_what_a_layer_lacks_is_said(self):
-        for file, count in (('one.gltf', 0), ('two.gltf', 1)):
-            said = self.succeed('render', file, '-r', 'paper', *SMALL, '--aov', 'back.N', '-o',
-                                'a.exr').stderr.decode()
-            self.assertEqual(said.count('the layer back.N: left out'), count, said)
-
     def test_objects_share_passes_where_none_sees_another(self):
         """The third box is drawn with the second one, unless it hides some of that."""
         for place, passes in (([6, 0, 0], 2), ([0.5, 0, 2], 3)):
