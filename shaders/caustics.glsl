@@ -30,7 +30,7 @@ vec2 map_texel_size()
     return map_region().zw / float(CAUSTICS_SIZE);
 }
 
-/* Returns the position of a texel's centre on the floor. */
+/* Returns the position of a texel's centre on the floor's plane. */
 vec2 map_point(ivec2 texel)
 {
     return map_region().xy + (vec2(texel) + 0.5) * map_texel_size();
@@ -71,9 +71,20 @@ vec3 sun_disc(vec2 at)
     return normalize(dir + tan(0.5 * radians(push.caustics.sun)) * (at.x * a + at.y * b));
 }
 
-/* Refracts light from the direction `sun` at the point p of the surface. Returns its position on
- * the floor in xy, and in z its flux, relative to light from the sun's middle through the same area
- * of water at rest. */
+/* Returns the place in the map of light that enters at p and falls `depth` with a slope to the
+ * floor: if it meets a wall that faces the sun, where the wall's light is. */
+vec2 map_place(vec2 p, vec2 slope, float depth)
+{
+    vec2 straight = sun_inside().xy / -sun_inside().z;
+    vec2 side = 0.5 * push.pool.size * sign(straight);
+    vec2 fallen = mix(vec2(depth), (side - p) / slope, greaterThan(slope * straight, vec2(1e-9)));
+    float at = clamp(min(fallen.x, fallen.y), 0.0, depth);
+    return p + at * slope + (depth - at) * straight;
+}
+
+/* Refracts light from the direction `sun` at the point p of the surface. Returns its place in the
+ * map in xy, and in z its flux, relative to light from the sun's middle through the same area
+ * of water at rest; 0 in the shadow of the wave itself or of the rim. */
 vec3 land(vec2 p, vec3 sun)
 {
     vec3 wave = wave_at(push.water, p, frame.time);
@@ -84,7 +95,8 @@ vec3 land(vec2 p, vec3 sun)
     vec3 t = refract(-sun, n, 1.0 / push.water.ior);
     float entering = 1.0 - optics_fresnel(-sun, n, 1.0 / push.water.ior);
     float flux = c / n.z / pool_sun_dir().z * entering / sun_entering();
-    return vec3(p + t.xy / max(-t.z, 0.05) * (push.pool.depth + wave.z), flux);
+    flux = pool_is_lit(vec3(p, wave.z), sun, push.pool.size) ? flux : 0.0;
+    return vec3(map_place(p, t.xy / max(-t.z, 0.05), push.pool.depth + wave.z), flux);
 }
 
 #endif

@@ -16,5 +16,5 @@ void main()
     if (push.caustics.slope == CAUSTICS_PUBLISHED)
         leaving = normalize(sun_dir / sun_dir.z + vec3(wave.xy, 0.0));
     float away = distance(leaving, sun_dir) / radians(push.caustics.glow);
-    raw = pool_is_open(p, push.pool.size) ? exp(-away * away) : 0.0;
+    raw = pool_is_lit(vec3(p, wave.z), sun_dir, push.pool.size) ? exp(-away * away) : 0.0;
 }

@@ -17,19 +17,20 @@ vec2 random(uvec2 texel)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-/* Returns the light along a ray from the floor, if it leaves the surface towards the sun: the
- * cosine at the floor times the transmittance of the surface. `dir` goes up. */
-float gathered(vec2 floor_point, vec3 dir, vec3 sun_dir, float sun_radius)
+/* Returns the light along a ray from the ground, if it leaves the surface towards the sun: the
+ * transmittance of the surface. `dir` goes up. */
+float gathered(vec3 ground, vec3 dir, vec3 sun_dir, float sun_radius)
 {
-    vec2 p = floor_point + dir.xy / dir.z * push.pool.depth;
+    vec2 p = ground.xy - dir.xy / dir.z * ground.z;
     for (int i = 0; i < 2; i++) /* iterations of the intersection with the wave */
-        p = floor_point + dir.xy / dir.z * (push.pool.depth + wave_at(push.water, p, frame.time).z);
-    vec3 n = wave_normal(wave_at(push.water, p, frame.time));
+        p = ground.xy + dir.xy / dir.z * (wave_at(push.water, p, frame.time).z - ground.z);
+    vec3 wave = wave_at(push.water, p, frame.time);
+    vec3 n = wave_normal(wave);
     vec3 leaving = refract(dir, -n, push.water.ior); /* 0 for total reflection */
-    if (!pool_is_open(p, push.pool.size) || dot(dir, n) <= 0.0 ||
+    if (!pool_is_lit(vec3(p, wave.z), sun_dir, push.pool.size) || dot(dir, n) <= 0.0 ||
         distance(leaving, sun_dir) > sun_radius)
         return 0.0;
-    return (1.0 - optics_fresnel(dir, -n, push.water.ior)) * dir.z;
+    return 1.0 - optics_fresnel(dir, -n, push.water.ior);
 }
 
 /* Directions cover the cone evenly, by Roberts' R2 sequence. Radiance in water is that in air times
@@ -37,9 +38,12 @@ float gathered(vec2 floor_point, vec3 dir, vec3 sun_dir, float sun_radius)
 void main()
 {
     uvec2 texel = gl_GlobalInvocationID.xy;
-    vec2 floor_point = map_point(ivec2(texel));
     vec3 a, b;
     vec3 axis = -sun_inside();
+    vec2 place = map_point(ivec2(texel)), facing;
+    float height = caustics_map_height(push.pool, -axis, place, facing);
+    vec3 ground = vec3(place + height / axis.z * axis.xy, height - push.pool.depth);
+    vec3 n = height > 0.0 ? vec3(facing, 0.0) : up;
     square_to(axis, a, b);
     vec3 sun_dir = pool_sun_dir();
     float cone = sin(0.5 * radians(push.caustics.cone));
@@ -52,11 +56,11 @@ void main()
         float angle = 2.0 * pi * u.y;
         vec3 dir =
             (1.0 - rise) * axis + sqrt(rise * (2.0 - rise)) * (cos(angle) * a + sin(angle) * b);
-        if (dir.z > 0.05)
-            sum += gathered(floor_point, dir, sun_dir, 2.0 * sun);
+        if (dir.z > 0.05 && dot(dir, n) > 0.0)
+            sum += gathered(ground, dir, sun_dir, 2.0 * sun) * dot(dir, n);
     }
     float mean = sum / float(push.caustics.directions);
     float spread = push.water.ior * push.water.ior * cone * cone / (sun * sun);
-    float light = mean * spread / (sun_dir.z * sun_entering());
+    float light = mean * spread * axis.z / (dot(axis, n) * sun_dir.z * sun_entering());
     imageStore(raw, ivec2(texel), vec4(light));
 }

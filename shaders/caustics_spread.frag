@@ -6,14 +6,14 @@ layout(set = 0, binding = CAUSTICS_RAW) uniform sampler2D raw;
 
 layout(location = 0) out float light;
 
-/* Returns the offset, in texels, of the image of a point of the sun's disc on the floor below water
- * at rest from the image of its middle. */
-vec2 image_of(vec2 at)
+/* Returns the offset, in texels, of the image of a point of the sun's disc below water at rest from
+ * the image of its middle. `depth` is that of the ground. */
+vec2 image_of(vec2 at, float depth)
 {
     vec3 middle = sun_inside();
     vec3 inside = refract(-sun_disc(at), up, 1.0 / push.water.ior);
     vec2 shift = middle.xy / middle.z - inside.xy / inside.z;
-    return shift * push.pool.depth / map_texel_size();
+    return shift * depth / map_texel_size();
 }
 
 /* Blurs the light of the sun's middle by the image of the whole disc below water at rest, an
@@ -21,7 +21,10 @@ vec2 image_of(vec2 at)
 void main()
 {
     ivec2 center = ivec2(gl_FragCoord.xy);
-    mat2 texels_from_disc = mat2(image_of(vec2(1.0, 0.0)), image_of(vec2(0.0, 1.0)));
+    vec2 facing;
+    float height = caustics_map_height(push.pool, sun_inside(), map_point(center), facing);
+    float depth = push.pool.depth - height;
+    mat2 texels_from_disc = mat2(image_of(vec2(1.0, 0.0), depth), image_of(vec2(0.0, 1.0), depth));
     float radius = max(length(texels_from_disc[0]), length(texels_from_disc[1]));
     if (radius < 0.3) {
         light = texelFetch(raw, center, 0).r;

@@ -1,9 +1,8 @@
 /*
- * caustics_map.glsl: the region of the light map on the floor's plane, in pool coordinates.
+ * caustics_map.glsl: the light map, on the floor's plane, in pool coordinates.
  *
- * The map has all light that enters through the pool's surface, as if there were no walls: light on
- * a wall is looked up behind it, where it would reach the floor. A margin around that region is for
- * light that waves deflect.
+ * Light on a wall is behind it, where the sun's light through water at rest would go on to the
+ * floor. A margin around the map is for light that waves deflect.
  */
 #ifndef LIB_CAUSTICS_MAP_GLSL
 #define LIB_CAUSTICS_MAP_GLSL
@@ -20,6 +19,17 @@ vec4 caustics_map_region(pool_params pool, vec3 inside)
     vec2 lower = min(shift, vec2(0.0)) - room;
     vec2 upper = max(shift, vec2(0.0)) + room;
     return vec4(lower, upper - lower);
+}
+
+/* Returns how high above the floor the light of a place of the map meets a wall: 0 on the floor.
+ * `facing` is the wall's normal. */
+float caustics_map_height(pool_params pool, vec3 inside, vec2 at, out vec2 facing)
+{
+    vec2 slope = inside.xy / -inside.z;
+    vec2 behind = (abs(at) - 0.5 * pool.size) / max(abs(slope), 1e-6);
+    behind = mix(vec2(0.0), behind, greaterThan(at * slope, vec2(0.0)));
+    facing = -sign(slope) * (behind.x > behind.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
+    return clamp(max(behind.x, behind.y), 0.0, pool.depth);
 }
 
 vec2 caustics_map_uv(pool_params pool, vec3 inside, vec2 on_floor)

@@ -45,4 +45,18 @@ bool pool_is_open(vec2 p, float size)
     return max(abs(p.x), abs(p.y)) <= 0.5 * size;
 }
 
+/* Returns whether the rim leaves the way free from a point of the water's surface to the sun. */
+bool pool_is_lit(vec3 at, vec3 sun, float size)
+{
+    float rise = max(POOL_RIM - at.z, 0.0) / sun.z;
+    return pool_is_open(at.xy, size) && pool_is_open(at.xy + rise * sun.xy, size);
+}
+
+/* Returns the share of water at rest that is not in the rim's shadow. */
+float pool_lit_share(vec3 sun, float size)
+{
+    vec2 lit = clamp(1.0 - abs(sun.xy) * POOL_RIM / (sun.z * size), 0.0, 1.0);
+    return lit.x * lit.y;
+}
+
 #endif

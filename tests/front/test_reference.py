@@ -212,18 +212,22 @@ class With(Case):
         self.assertTrue(first == (self.folder / 'a.02.exr').read_bytes())
 
     def test_an_eye_in_the_pool(self):
-        """What the rasteriser draws from below: Snell's window, the mirror around it, the tiles."""
+        """What the rasteriser draws from below: Snell's window, the mirror around it, the tiles,
+        and light on floor and walls."""
         words = ('render', 'pool', '--size', '48x36', '--pixel-filter', 'point', '--samples', 1,
-                 '-q', '--set', 'caustics.method=none', '--fov', 100, '-o', 'a.exr')
-        for eye, target, ice in (('0.3,-0.7,0.4', '0,0,-0.6', 0), ('1.2,-0.5,0.9', '0,-0.3,0', 1)):
-            more = ('--eye', eye, '--target', target, '--set', f'pool.ice={ice}')
+                 '-q', '--fov', 100, '-o', 'a.exr')
+        room, floe = ('0.3,-0.7,0.4', '0,0,-0.6'), ('1.2,-0.5,0.9', '0,-0.3,0')
+        for (eye, target), ice, light, limit in ((room, 0, 'none', 0.02), (floe, 1, 'none', 0.04),
+                                                 (room, 0, 'area', 0.033)):
+            more = ('--eye', eye, '--target', target, '--set', f'pool.ice={ice}',
+                    '--set', f'caustics.method={light}')
             planes = []
             for rung in ((), TRACED):
                 self.succeed(*words, *more, *rung)
                 planes.append(Exr((self.folder / 'a.exr').read_bytes()).read_planes('RGB'))
             pairs = [(a, b) for name in 'RGB' for a, b in zip(planes[0][name], planes[1][name])]
             error = sum(abs(min(a, 1) - min(b, 1)) for a, b in pairs) / len(pairs)
-            self.assertLess(error, 0.02 if not ice else 0.04)
+            self.assertLess(error, limit)
 
     def test_a_pool(self):
         words = ('render', 'pool', '--size', '32x24', *TRACED, '--set', 'reference.photons=5000')
