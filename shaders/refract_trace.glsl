@@ -55,7 +55,8 @@ struct trace_way {
     int left;   /* straight parts that it may still have */
     bool is_in_bubble;
     bool is_gathered; /* it brings light to surroundings (trace_ground.glsl) */
-    float open;       /* times its weight, if nothing was in its way */
+    float open;       /* by how much its end counts if nothing was in its way; 0: an object bent it;
+                         below 0: it came out of one in which it began */
 };
 
 struct trace_seen {
@@ -372,6 +373,7 @@ bool trace_cross_surface(trace_hit hit, trace_cross c)
     vec3 through = trace_through(hit, c, p);
     vec3 back = way.weight * p.fresnel * p.reflected_share;
     bool is_total = p.fresnel >= 1.0 || through == vec3(0.0);
+    way.open = way.open > 0.0 && trace_is_inside(way.inside) ? -1.0 : min(way.open, 0.0);
     trace_note(hit, c, p.fresnel, is_total);
     if (!is_total && trace_is_parted(back)) {
         trace_way other = trace_leave(way, hit, c, p.reflected, false);
@@ -384,7 +386,6 @@ bool trace_cross_surface(trace_hit hit, trace_cross c)
     way = trace_leave(way, hit, c, is_total ? p.reflected : p.refracted, !is_total);
     way.weight = is_total ? back : through;
     way.kind = is_mirror ? 1.0 : way.kind;
-    way.open = 1.0;
     seen.exit = is_main ? way.dir : seen.exit;
     is_main = is_main && trace_is_inside(way.inside) && !is_mirror;
     is_first = false;
@@ -415,7 +416,7 @@ bool trace_arrive(trace_hit hit)
             /* the background is drawn over the picture, so a pane before objects hides nothing */
             passing = passing > 0.0 ? 1.0 : 0.0;
         } else {
-            float open = hit.triangle < 0 ? way.open : 1.0;
+            float open = hit.triangle < 0 && way.open > 0.0 ? way.open : 1.0;
             trace_add(open * way.weight * light, way.kind);
             seen.is_object = true;
         }

@@ -7,6 +7,8 @@
  * reaches the sky straight brings its part, exactly; so only what is in the way makes noise. What
  * other rays find counts as much as it does in the mean of all rays. A part is a ratio, no mean:
  * where a small lamp is hidden and the rest is not, it is too bright. The reference has the mean.
+ * A ray that comes out of water on the ground sees the sky blurred: no open way brings it the light
+ * around the sun, which few rays would find, as sparkles.
  * At the end of such a ray, surroundings show themselves as if nothing were in the way of their
  * light, and the sun's disc is not seen: the sun is a light of its own, which surroundings hide.
  * Its mirror image in them is blurred: few rays find a sharp one, and those show as sparkles.
@@ -135,7 +137,7 @@ void ground_begin(trace_hit hit)
 vec3 trace_end(trace_way way, trace_hit hit, out float passing)
 {
     vec3 light = trace_has(TRACE_HAS_GROUND) && way.is_gathered
-                     ? ground_sky(way.dir)
+                     ? lit_glossy(way.dir, way.open < 0.0 ? 1.0 : 0.0, 0.0)
                      : environment_radiance(environment, way.dir, 0.0);
     bool is_around = hit.part == TREE_SURROUNDINGS || hit.part == TREE_MOVERS;
     int turns = is_around ? int(trace.one) : 0;
