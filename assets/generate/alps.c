@@ -28,7 +28,7 @@ enum {
 
 static const float sun_azimuth = 248.0F, sun_elevation = 22.0F; /* degrees, as firn counts them */
 static const float sun_irradiance = 10.5F;                      /* above the air, each channel */
-static const float turbidity = 4.6F, ground_albedo = 0.3F;
+static const float turbidity = 8.5F, ground_albedo = 0.3F;
 static const float eye_height = 900.0F, lake_height_km = 1.2F; /* over the lake; over the sea */
 static const float planet = 6360e3F;                           /* radius, metres */
 static const float farthest = 52e3F;
@@ -129,14 +129,14 @@ static vec3s ground_albedo_at(const struct ground *g)
     const vec3s meadow = glms_vec3_lerp(color(0.055F, 0.075F, 0.026F), color(0.10F, 0.095F, 0.045F),
                                         glm_clamp(0.5F + patch + 0.5F * fine, 0.0F, 1.0F));
     const vec3s forest = glms_vec3_scale(color(0.022F, 0.034F, 0.017F), 1.0F + 0.6F * fine);
-    const vec3s snow = color(0.86F, 0.88F, 0.91F);
+    const vec3s snow = color(0.81F, 0.83F, 0.87F);
     vec3s c = glms_vec3_lerp(rock, scree, glm_smoothstep(0.70F, 0.80F, level + 0.05F * fine));
     const float grown = glm_smoothstep(0.74F, 0.88F, level + 0.08F * patch + 0.05F * moist) *
                         (1.0F - glm_smoothstep(900.0F, 1500.0F, height + 500.0F * patch));
     c = glms_vec3_lerp(c, meadow, grown);
     const float wooded = glm_smoothstep(-0.05F, 0.12F, alps_noise(x, z, 1500.0F, 6, 53)) *
                          glm_smoothstep(0.60F, 0.75F, level) * glm_smoothstep(8.0F, 40.0F, height) *
-                         (1.0F - glm_smoothstep(560.0F, 820.0F, height + 220.0F * patch));
+                         (1.0F - glm_smoothstep(350.0F, 700.0F, height + 300.0F * patch));
     c = glms_vec3_lerp(c, forest, wooded);
     const float line = 1180.0F + 380.0F * patch - 330.0F * moist;
     const float lying = glm_smoothstep(line - 140.0F, line + 260.0F, height + 90.0F * fine) *

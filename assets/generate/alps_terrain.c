@@ -16,8 +16,8 @@ enum {
     SLIDES = 24
 };
 
-static const float inner_width = 18000.0F, outer_width = 110000.0F; /* metres */
-static const float peak = 3000.0F;                                  /* metres above the lake */
+static const float inner_width = 28000.0F, outer_width = 110000.0F; /* metres */
+static const float peak = 3700.0F;                                  /* metres above the lake */
 static const float repose = 0.80F;                                  /* rise per run of scree */
 
 static uint32_t hash(uint32_t x, uint32_t z, uint32_t seed)
@@ -102,9 +102,11 @@ static float ridged_noise(float x, float z, float wavelength, int octaves, uint3
     return sum;
 }
 
-/* Before water has worn it: a lake in the middle, meadows and hills around it, then mountains. */
-static float first_height(float x, float z)
+/* Before water has worn it: a lake in the middle, meadows and hills around it, then mountains. All
+ * is turned about the eye so that the finest peaks are aside of the sun. */
+static float first_height(float east, float south)
 {
+    const float x = -0.174F * east - 0.985F * south, z = 0.985F * east - 0.174F * south;
     const float from_eye = sqrtf(x * x + z * z);
     const float bend = 900.0F;
     const float wx = x + bend * alps_noise(x, z, 5200.0F, 3, 11);
@@ -112,10 +114,12 @@ static float first_height(float x, float z)
     const float broad = 0.5F + 0.5F * alps_noise(x, z, 9000.0F, 2, 5);
     const float shore = ALPS_LAKE_SHORE * (1.0F + 0.45F * alps_noise(x, z, 700.0F, 3, 3));
     const float land = glm_smoothstep(shore * 0.8F, shore * 1.6F, from_eye);
-    const float mountains = glm_smoothstep(900.0F, 6500.0F, from_eye) * (0.45F + 0.75F * broad);
+    const float mountains = glm_smoothstep(3000.0F, 12500.0F, from_eye) * (0.45F + 0.75F * broad);
     const float rough = 0.65F * ridged_noise(wx, wz, 5600.0F, 8, 23) +
                         0.35F * (0.6F + worn_noise(wx, wz, 4200.0F, 9, 41));
-    const float hills = 40.0F * (0.6F + alps_noise(x, z, 900.0F, 6, 71));
+    const float hills = 40.0F * (0.6F + alps_noise(x, z, 900.0F, 6, 71)) +
+                        650.0F * glm_smoothstep(600.0F, 3000.0F, from_eye) *
+                            (0.75F + worn_noise(wx, wz, 3000.0F, 7, 73));
     return -6.0F + land * (10.0F + hills) + peak * mountains * rough;
 }
 
