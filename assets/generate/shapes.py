@@ -229,9 +229,9 @@ def sphere(radius, n):
     return Mesh([scale(p, radius) for p in normals], faces, normals)
 
 
-def ice(half, n, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03, stretch=1.0):
+def ice(half, n, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03, stretch=1.0, fine=0.35):
     """A block that has begun to melt: rounded, uneven, with shallow hollows, `stretch` as tall as
-    wide."""
+    wide, and smaller ones in them, `fine` as deep."""
     points, faces = cube_grid(n, ease=0.6)
     out = []
     for p in points:
@@ -240,7 +240,7 @@ def ice(half, n, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03, stret
         d = unit(q)
         q = scale(q, 1 + bulge * noise(scale(d, 1.3), seed))
         at = (q[0] / cell, q[1] / cell / stretch, q[2] / cell)
-        depth = waves * (hollows(at, seed + 7) + 0.35 * hollows(scale(at, 2.1), seed + 11))
+        depth = waves * (hollows(at, seed + 7) + fine * hollows(scale(at, 2.1), seed + 11))
         out.append(add(q, scale(d, depth)))
     return Mesh(out, faces)
 
@@ -329,6 +329,29 @@ def worms(half, rows, eggs, seed):
         radius = 0.00005 + 0.00022 * pick.random() ** 4
         along = unit(add(scale(d, -1), tuple(0.3 * pick.gauss(0, 1) for _ in range(3))))
         beads.append((at, along, radius, radius * pick.uniform(1.3, 3), 5))
+    return beads
+
+
+def crowd(half, count, seed):
+    """
+    Small bubbles in clumps around the middle of a block around the origin, where the ice closed
+    last; a few are large, most are small.
+    """
+    pick = random.Random(seed)
+    beads = []
+    while len(beads) < count:
+        spread = 0.3 * pick.random() ** 0.5
+        at = tuple(spread * h * pick.gauss(0, 1) for h in half)
+        if max(abs(v / h) for v, h in zip(at, half)) > 0.72:
+            continue
+        clump = noise(scale(at, 1 / 0.0034), seed) + 0.5 * noise(scale(at, 1 / 0.0015), seed + 1)
+        if clump + 0.15 * pick.gauss(0, 1) < 0.05:
+            continue
+        radius = 1 / math.sqrt(1 / 0.00006 ** 2 +
+                               pick.random() * (1 / 0.0003 ** 2 - 1 / 0.00006 ** 2))
+        along = unit(tuple(pick.gauss(0, 1) for _ in range(3)))
+        sides = 4 if radius < 0.0001 else 6 if radius < 0.00018 else 8
+        beads.append((at, along, radius, radius * pick.uniform(1, 1.35), sides))
     return beads
 
 

@@ -3,8 +3,8 @@ import functools
 import math
 
 from files import Model, glass, png, png_colors
-from shapes import (Mesh, add, beads_mesh, crack, dot, ice, lattice, mix, scale, smooth_normals,
-                    smoothstep, turned, unit, worms)
+from shapes import (Mesh, add, beads_mesh, crack, crowd, dot, ice, lattice, mix, scale,
+                    smooth_normals, smoothstep, turned, unit, worms)
 from surroundings import ramp
 
 HALF = (0.0146, 0.0132, 0.0142)  # of the ice
@@ -16,16 +16,17 @@ COLUMNS, ROWS = 102, 84
 SIDE = 256  # texels of the textures' sides
 TILE = 0.042  # metres after which the stone's grain repeats
 # The grain: waves along x and z in a tile, and their height, metres.
-WAVES = ((7, 10, 0.00009), (19, 27, 0.00005), (61, 83, 0.00003), (128, 128, 0.00002))
+WAVES = ((7, 10, 0.00009), (19, 27, 0.00005), (61, 83, 0.000015), (128, 128, 0.000005))
 LEDGE = 0.00022  # height of its ledges
 STEP = 0.0008  # height of a layer of the stone
 FILM = 0.0009  # thickness of the puddle
+SHEET = (0.037, 0.0003)  # water that has run over the stone: mean radius, how high it stands
 EYE, TARGET, ANGLE = (0.0056, 0.0226, -0.104), (-0.0012, 0.0186, 0), 27
 # Shallow pools: where, half widths, turn, seed.
 POOLS = (((-0.044, 0.02), (0.017, 0.008), 0.3, 1), ((0.05, 0.034), (0.022, 0.007), -0.2, 2),
          ((0.036, -0.03), (0.012, 0.006), 0.2, 3), ((-0.03, -0.045), (0.014, 0.006), -0.4, 4),
          ((-0.075, 0.045), (0.02, 0.008), 0.1, 5), ((0.012, 0.052), (0.016, 0.005), 0.1, 6))
-ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=3.5)
+ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=4)
 WATER = glass('water', 1.333, 1, 0.0013, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
 
@@ -66,6 +67,19 @@ def in_pool(pool, x, z):
     return math.hypot(u, v) / pool_shape(pool, math.atan2(v, u))
 
 
+def sheet_edge(angle):
+    """How far the sheet of water around the ice reaches in a direction."""
+    c, s = math.cos(angle), math.sin(angle)
+    out = 1 + 0.16 * math.cos(2 * angle + 0.5) + 0.12 * math.cos(3 * angle - 1.2)
+    out += 0.2 * rough(4 + 2.3 * c, 4 + 2.3 * s, 64) + 0.14 * rough(9 + 7 * c, 9 + 7 * s, 65)
+    return SHEET[0] * (out + 0.05 * rough(20 + 19 * c, 20 + 19 * s, 66))
+
+
+def in_sheet(x, z):
+    """How far out a place is in the sheet: 1 at its edge."""
+    return math.hypot(x, z) / sheet_edge(math.atan2(z, x))
+
+
 def layers(x, z):
     """Height of the split surface, in layers: even at the ice and in pools, in steps elsewhere."""
     wide = 1.6 * rough(x / 0.05, z / 0.036, 3) + 0.8 * rough(x / 0.017, z / 0.012, 4)
@@ -73,7 +87,7 @@ def layers(x, z):
     whole = math.floor(wide)
     edge = 0.86 + 0.1 * rough(x / 0.002, z / 0.0016, 6)
     step = whole + 0.16 * (wide - whole) + 0.84 * smoothstep(edge, edge + 0.06, wide - whole)
-    return smoothstep(0.024, 0.05, math.hypot(x, 1.1 * z)) * step
+    return smoothstep(1, 1.35, in_sheet(x, z)) * step
 
 
 @functools.lru_cache(maxsize=None)
@@ -83,6 +97,11 @@ def pool_level(pool):
 
 def height(x, z):
     level = STEP * layers(x, z)
+    # The bed of the sheet: uneven, here and there above the water, and higher at its edge.
+    out = in_sheet(x, z)
+    bed = rough(x / 0.009, z / 0.006, 24) + 0.5 * rough(x / 0.0035, z / 0.0027, 25)
+    at_edge = smoothstep(0.45, 0.7, out) * (1 - smoothstep(1.2, 1.5, out))
+    level += 0.00042 * at_edge * (bed + out - 0.1)
     for pool in POOLS:
         level += (pool_level(pool) - level) * (1 - smoothstep(1, 1.5, in_pool(pool, x, z)))
     return level
@@ -90,7 +109,7 @@ def height(x, z):
 
 def wetness(x, z):
     """From 0, dry, to 1, wet through."""
-    near = 1 - smoothstep(0.022, 0.06, math.hypot(x, 0.9 * z))
+    near = 1 - smoothstep(0.75, 1.5, in_sheet(x, z))
     for pool in POOLS:
         near = max(near, 1 - smoothstep(0.9, 2.4, in_pool(pool, x, z)))
     patches = 0.5 * rough(x / 0.03, z / 0.02, 21) + 0.35 * rough(x / 0.009, z / 0.007, 22)
@@ -113,7 +132,7 @@ def tone(x, z):
     """Albedo: blue-grey, darker where wet, here and there of rust."""
     shade = 1 + 0.3 * rough(x / 0.016, z / 0.009, 41) + 0.15 * rough(x / 0.004, z / 0.003, 42)
     rust = smoothstep(0.3, 0.7, rough(x / 0.026, z / 0.02, 43))
-    base = mix((0.19, 0.2, 0.215), (0.24, 0.18, 0.125), 0.6 * rust)
+    base = mix((0.262, 0.255, 0.25), (0.3, 0.24, 0.18), 0.6 * rust)
     return scale(base, shade * (1 - 0.45 * wetness(x, z)))
 
 
@@ -210,8 +229,8 @@ def shell(outline, level, thick, rim, center=(0, 0)):
             points.append((center[0] + x * share,
                            level + thick * (1 - (1 - inward) ** 2.2),
                            center[1] + z * share))
-    points += [(center[0] + 0.97 * x, level - 0.0012, center[1] + 0.97 * z) for x, z in edge]
-    points.append((center[0], level - 0.0012, center[1]))
+    points += [(center[0] + 0.97 * x, level - 0.004, center[1] + 0.97 * z) for x, z in edge]
+    points.append((center[0], level - 0.004, center[1]))
     for k in range(segments):
         n = (k + 1) % segments
         faces.append((0, 1 + k, 1 + n))
@@ -225,16 +244,26 @@ def shell(outline, level, thick, rim, center=(0, 0)):
 
 
 def puddle(angle):
-    out = 1 + 0.13 * math.cos(angle - 2.6) + 0.08 * math.cos(2 * angle + 0.7)
-    out += 0.075 * rough(3 + 1.6 * math.cos(angle), 3 + 1.6 * math.sin(angle), 61)
-    out += 0.06 * rough(6 + 5 * math.cos(angle), 6 + 5 * math.sin(angle), 62)
-    out += 0.022 * rough(14 + 13 * math.cos(angle), 14 + 13 * math.sin(angle), 63)
-    return 0.0236 * out * math.cos(angle), -0.0236 * out * math.sin(angle)
+    """The edge of the puddle: it follows the block, and has crept out further here and there."""
+    c, s = math.cos(angle), math.sin(angle)
+    turn = math.radians(24)
+    across, along = (abs(c * math.cos(turn) + s * math.sin(turn)),
+                     abs(s * math.cos(turn) - c * math.sin(turn)))
+    out = 0.0165 * (across ** 5 + along ** 5) ** -0.2
+    out += 0.0016 * math.cos(angle - 2.6)
+    out += 0.0034 * rough(3 + 1.6 * c, 3 + 1.6 * s, 61) + 0.0024 * rough(6 + 5 * c, 6 + 5 * s, 62)
+    out += 0.0007 * rough(14 + 13 * c, 14 + 13 * s, 63)
+    return out * c, -out * s
 
 
 def water():
-    """The puddle around the ice, and the pools."""
+    """The puddle around the ice, the sheet that has run out of it, and the pools."""
     mesh = shell(puddle, 0, FILM, 0.0046)
+
+    def run_out(angle):
+        out = sheet_edge(-angle)
+        return out * math.cos(angle), -out * math.sin(angle)
+    mesh.join(shell(run_out, 0, SHEET[1], 0.003))
     for pool in POOLS:
         center, (across, along), turn, _ = pool
         c, s = math.cos(turn), math.sin(turn)
@@ -249,7 +278,7 @@ def water():
 
 def block():
     """Flat below, where it has melted onto the stone."""
-    mesh = ice(HALF, 44, 17, exponent=8, waves=0.00075, cell=0.005, bulge=0.04, stretch=1.9)
+    mesh = ice(HALF, 72, 17, exponent=7, waves=0.00048, cell=0.0042, bulge=0.045, stretch=1.15)
     mesh.placed(TURN, MIDDLE)
 
     def pressed(p):
@@ -264,7 +293,7 @@ def block():
 def bubbles():
     """Worms of air in rows along the way the ice grew, and a cloud of eggs where it ended."""
     placed = []
-    for at, along, radius, length, sides in worms(HALF, 240, 1300, 30):
+    for at, along, radius, length, sides in [*worms(HALF, 170, 0, 30), *crowd(HALF, 3200, 31)]:
         at = add(at, (0.0006, 0.0012, 0))
         at, along = (tuple(dot(row, v) for row in TURN) for v in (at, along))
         placed.append((add(at, MIDDLE), along, radius, length, sides))
@@ -290,7 +319,7 @@ def stone(model):
         'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 1,
                                  'baseColorTexture': {'index': tones, 'extensions': transform},
                                  'metallicRoughnessTexture': {'index': model.texture(damp())}},
-        'normalTexture': {'index': normals, 'scale': 0.6, 'extensions': transform},
+        'normalTexture': {'index': normals, 'scale': 0.45, 'extensions': transform},
     }
 
 

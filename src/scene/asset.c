@@ -34,7 +34,7 @@ const struct asset assets[] = {
         .kind = ASSET_SCENE,
         .environment = "alps",
         .settings = { "light.count=0", "ice_caustics.light=sun", "ground.light=traced",
-                      "lens.f_stop=120", "tonemap.exposure=0.8" },
+                      "lens.f_stop=120", "tonemap.exposure=0.9" },
         .help = "melting block of ice on wet slate, before mountains",
     },
     {
