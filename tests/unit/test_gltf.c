@@ -139,7 +139,7 @@ static void whole_numbers_with_a_point(void **state)
 }
 
 /* Compresses both views of the octahedron; `cut` bytes are missing at the end of the first. */
-static void write_meshopt(size_t cut)
+static void write_meshopt(size_t cut, const char *vendor)
 {
     unsigned char packed[512];
     uint32_t wide[24];
@@ -150,22 +150,23 @@ static void write_meshopt(size_t cut)
     const uint32_t first = gltf_file_view(packed, size - cut, "");
     char text[512];
     (void)snprintf(text, sizeof(text),
-                   ",'extensions':{'EXT_meshopt_compression':{'buffer':0,'byteOffset':0,"
+                   ",'extensions':{'%s_meshopt_compression':{'buffer':0,'byteOffset':0,"
                    "'byteLength':%zu,'byteStride':12,'count':6,'mode':'ATTRIBUTES'}}",
-                   size - cut);
+                   vendor, size - cut);
     const uint32_t at = (uint32_t)((size - cut + 3) & ~(size_t)3);
     size = meshopt_encodeIndexBuffer(packed, sizeof(packed), wide, 24);
     gltf_file_accessor(gltf_file_view(packed, 72, text), GLTF_FILE_FLOAT, 6, "VEC3", "");
     assert_int_equal(first, 0);
     const uint32_t after = at + 72;
     (void)snprintf(text, sizeof(text),
-                   ",'extensions':{'EXT_meshopt_compression':{'buffer':0,'byteOffset':%u,"
+                   ",'extensions':{'%s_meshopt_compression':{'buffer':0,'byteOffset':%u,"
                    "'byteLength':%zu,'byteStride':4,'count':24,'mode':'TRIANGLES'}}",
-                   after, size);
+                   vendor, after, size);
     gltf_file_accessor(gltf_file_view(packed, size, text), GLTF_FILE_UNSIGNED_INT, 24, "SCALAR",
                        "");
-    gltf_file_write("'extensionsUsed':['EXT_meshopt_compression'],"
-                    "'extensionsRequired':['EXT_meshopt_compression']," ONE_MESH SOLID "]}]");
+    gltf_file_write("'extensionsUsed':['%s_meshopt_compression'],"
+                    "'extensionsRequired':['%s_meshopt_compression']," ONE_MESH SOLID "]}]",
+                    vendor, vendor);
 }
 
 static int compare(const float *a, const float *b, size_t count)
@@ -215,9 +216,11 @@ static void check_same_triangles(void)
 static void meshopt(void **state)
 {
     (void)state;
-    write_meshopt(0);
+    write_meshopt(0, "EXT");
     check_same_triangles();
-    write_meshopt(9);
+    write_meshopt(0, "KHR");
+    check_same_triangles();
+    write_meshopt(9, "EXT");
     check_refused("EXT_meshopt_compression: the compressed bytes are damaged");
 }
 
@@ -422,6 +425,50 @@ static void textures_of_materials(void **state)
                               "coordinates\n");
 }
 
+static void unread_pictures(void **state)
+{
+    (void)state;
+    static const char ktx[] = "\xabKTX 20\xbb\r\n\x1a\n";
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    FILE *file = fopen("a.ktx2", "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(ktx, 1, sizeof(ktx), file), sizeof(ktx));
+    assert_int_equal(fclose(file), 0);
+    assert_int_equal(gltf_file_material(&model,
+                                        "'pbrMetallicRoughness':{'roughnessFactor':0.5,"
+                                        "'metallicRoughnessTexture':{'index':0}}",
+                                        ",'textures':[{'source':0}],'images':[{'uri':'a.ktx2'}]",
+                                        said),
+                     STATUS_OK);
+    assert_int_equal(model.materials[0].textures[MATERIAL_METALLIC_ROUGHNESS].layer, 0);
+    assert_int_equal(model.numbers.count, 0);
+    CHECK_NEAR(model.materials[0].roughness, 0.5, 0);
+    model_finish(&model);
+    assert_string_equal(said, "firn: warning: m.gltf: not drawn: textures without a picture in a "
+                              "known format\n");
+}
+
+/* Files that need an extension may have buffers without bytes, which nothing else may read. */
+static void buffers_without_bytes(void **state)
+{
+    (void)state;
+    static const float triangle[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 0 };
+    char said[GLTF_FILE_SAID];
+    struct model model;
+    for (int i = 0; i < 2; i++) {
+        gltf_file_begin();
+        gltf_file_floats(triangle, 3, "VEC3");
+        gltf_file_write("'nodes':[{'mesh':0}],'meshes':[{'primitives':[{'attributes':{'POSITION':0}"
+                        "}]}],'buffers':[{'uri':'m.bin','byteLength':36},{'byteLength':36}],"
+                        "'bufferViews':[{'buffer':%d,'byteLength':36}]",
+                        i);
+        assert_int_equal(gltf_file_load(&model, said), i ? STATUS_DATA : STATUS_OK);
+        model_finish(&model);
+    }
+    assert_non_null(strstr(said, "bufferViews[0]: expected bytes within buffers[1] of 0 bytes"));
+}
+
 /* A file without materials becomes ice, which has no colours. */
 static void colors_of_ice(void **state)
 {
@@ -475,6 +522,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(materials, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(material_defaults, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(textures_of_materials, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(unread_pictures, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(buffers_without_bytes, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(colors_of_ice, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(extensions_are_named, folder_enter, folder_leave),
     };

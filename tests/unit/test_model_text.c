@@ -255,6 +255,24 @@ static void ply_names_what_it_leaves_out(void **state)
     check_said("a.ply", text, STATUS_OK, "of vertices, ...\n");
 }
 
+static void mtl_names_unread_pictures(void **state)
+{
+    (void)state;
+    static const char mtl[] = "newmtl a\nNs 30\nmap_Kd a.dds\nmap_Ns a.dds\nmap_Pm a.dds\n";
+    static const char obj[] = "mtllib a.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
+                              "f 1/1 2/1 3/1\n";
+    write_bytes("a.mtl", mtl, strlen(mtl));
+    write_bytes("a.dds", "DDS \174\0\0\0\7\20\0\0", 12);
+    check_said("a.obj", obj, STATUS_OK,
+               "a.obj: not drawn of its materials: pictures in the format DDS\n");
+    struct model model;
+    assert_int_equal(model_load(&model, "a.obj", MODEL_SURROUNDINGS), STATUS_OK);
+    assert_int_equal(model.textures.count + model.numbers.count, 0);
+    CHECK_NEAR(model.materials[0].roughness, 0.5, 1e-6);
+    CHECK_NEAR(model.materials[0].metallic, 0, 0);
+    model_finish(&model);
+}
+
 static void put(char *to, size_t *size, const void *value, size_t value_size, bool is_big)
 {
     const char *bytes = value; /* of a little-endian machine, as all are that firn supports */
@@ -356,6 +374,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(obj_refusals, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(ply_text, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(ply_names_what_it_leaves_out, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(mtl_names_unread_pictures, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(ply_binary, folder_enter, folder_leave),
         cmocka_unit_test_setup_teardown(ply_refusals, folder_enter, folder_leave),
     };

@@ -191,7 +191,7 @@ struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride);
 /* Returns those that the fields buffer, byteOffset and byteLength of an object describe. */
 struct gltf_bytes gltf_view_bytes(const struct gltf_object *object);
 
-/* Decompresses a view by its EXT_meshopt_compression; `view` owns the bytes. */
+/* Decompresses a view by its EXT_ or KHR_meshopt_compression; `view` owns the bytes. */
 void gltf_meshopt_decode(const struct gltf_object *extension, struct gltf_bytes *view);
 
 /* ---- accessors ---- */

@@ -45,7 +45,9 @@ struct gltf_bytes gltf_view_bytes(const struct gltf_object *object)
 struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride)
 {
     const struct gltf_object view = gltf_element(gltf, "bufferViews", index);
-    const struct gltf_object meshopt = gltf_extension(&view, "EXT_meshopt_compression");
+    struct gltf_object meshopt = gltf_extension(&view, "KHR_meshopt_compression");
+    if (!meshopt.json)
+        meshopt = gltf_extension(&view, "EXT_meshopt_compression");
     *stride = (size_t)gltf_count(&view, "byteStride", 0);
     if (*stride > 252)
         (void)gltf_fault(&view, "byteStride: expected at most 252");

@@ -18,6 +18,7 @@ static const struct model_extension supported[] = {
     { "KHR_materials_unlit", MODEL_DRAWN },
     { "KHR_materials_volume", MODEL_APPROXIMATED }, /* without its texture */
     { "KHR_mesh_quantization", MODEL_DRAWN },
+    { "KHR_meshopt_compression", MODEL_DRAWN },
     { "KHR_texture_transform", MODEL_DRAWN },
 };
 

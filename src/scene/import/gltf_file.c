@@ -170,16 +170,14 @@ static enum status parse(struct gltf *gltf, struct gltf_bytes text)
 static enum status read_buffer(struct gltf *gltf, uint32_t index)
 {
     const struct gltf_object object = gltf_element(gltf, "buffers", index);
-    const struct gltf_object meshopt = gltf_extension(&object, "EXT_meshopt_compression");
     const char *uri = gltf_string(&object, "uri", NULL);
     const uint64_t size = gltf_count(&object, "byteLength", 0);
     struct gltf_bytes *buffer = &gltf->buffers[index];
-    if (gltf->status != STATUS_OK || (!uri && gltf_flag(&meshopt, "fallback")))
+    /* What has no bytes is of views that bring theirs, as compressed ones do. */
+    if (gltf->status != STATUS_OK || (!uri && (index > 0 || !gltf->binary.bytes)))
         return gltf->status;
-    if (!uri && index == 0)
+    if (!uri)
         *buffer = gltf->binary;
-    else if (!uri)
-        return gltf_fault(&object, "expected a uri");
     else if (gltf_read_uri(&object, uri, buffer) != STATUS_OK)
         return gltf->status;
     if (size == 0 || buffer->size < size)

@@ -1,4 +1,4 @@
-/* gltf_meshopt.c: buffer views compressed by meshoptimizer (EXT_meshopt_compression). */
+/* gltf_meshopt.c: buffer views compressed by meshoptimizer (EXT_ and KHR_meshopt_compression). */
 #include <meshoptimizer.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,6 +51,13 @@ static bool decode(const struct packed *packed, uint8_t *to)
     return true;
 }
 
+/* Whether the first byte, whose lower half is a version, is of one that the library cannot read. */
+static bool is_later(const struct packed *packed)
+{
+    const unsigned most = is(packed->mode, "ATTRIBUTES") ? 0 : 1;
+    return packed->from.size > 0 && (packed->from.bytes[0] & 15u) > most;
+}
+
 void gltf_meshopt_decode(const struct gltf_object *extension, struct gltf_bytes *view)
 {
     struct gltf *gltf = extension->gltf;
@@ -74,7 +81,10 @@ void gltf_meshopt_decode(const struct gltf_object *extension, struct gltf_bytes 
         (void)gltf_no_memory(gltf);
     } else if (!decode(&packed, bytes)) {
         free(bytes);
-        (void)gltf_fault(extension, "the compressed bytes are damaged");
+        (void)gltf_fault(extension, is_later(&packed)
+                                        ? "compressed by a later version of meshoptimizer than "
+                                          "this program can read; compress it with version 0.18"
+                                        : "the compressed bytes are damaged");
     } else {
         *view = (struct gltf_bytes){ bytes, bytes, packed.count * packed.stride };
     }

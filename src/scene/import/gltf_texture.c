@@ -64,7 +64,20 @@ static enum status add(struct gltf *gltf, struct sources *sources, uint32_t inde
     return gltf->status;
 }
 
-/* Returns the layer of an image, + 1. */
+/* Takes the last picture back if it has a format that cannot be read; returns whether it has. */
+static bool is_left_out(struct gltf *gltf, struct sources *sources)
+{
+    const uint32_t last = sources->count - 1;
+    if (!model_picture_unread(&sources->pictures[last]))
+        return false;
+    gltf->undrawn |= 1u << GLTF_PICTURELESS;
+    free(sources->list[last].owned);
+    free(sources->pictures[last].file);
+    sources->count = last;
+    return true;
+}
+
+/* Returns the layer of an image, + 1; 0 after a fault, or if it is left out. */
 static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t image)
 {
     uint32_t layer = 0;
@@ -75,8 +88,9 @@ static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t 
         (void)gltf_fault(&top, "expected at most %d textures", MODEL_TEXTURE_MAX);
         return 0;
     }
-    if (layer == sources->count)
-        (void)add(gltf, sources, image);
+    if (layer == sources->count &&
+        (add(gltf, sources, image) != STATUS_OK || is_left_out(gltf, sources)))
+        return 0;
     return layer + 1;
 }
 
@@ -87,9 +101,11 @@ static void use(struct gltf *gltf, struct sources *sources, bool are_numbers,
     for (uint32_t i = 0; i < MATERIAL_TEXTURE_COUNT && gltf->status == STATUS_OK; i++) {
         const uint32_t image = material->textures[i].image;
         struct material_texture *texture = &material->material.textures[i];
-        if (image != gltf_none && texture->layer == 0 &&
-            material_texture_is_color(i) != are_numbers)
-            texture->layer = find_layer(gltf, sources, image);
+        if (image == gltf_none || texture->layer > 0 || material_texture_is_color(i) == are_numbers)
+            continue;
+        texture->layer = find_layer(gltf, sources, image);
+        if (texture->layer == 0)
+            material->textures[i].image = gltf_none;
     }
 }
 

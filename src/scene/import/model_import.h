@@ -96,6 +96,10 @@ MUST_USE enum status model_picture_load(const char *path, const struct model_pic
                                         uint32_t count, bool are_numbers,
                                         struct texture_layers *layers);
 
+/* Returns the name of a picture's format if it is a known one that cannot be read, "KTX2", else
+ * NULL. */
+const char *model_picture_unread(const struct model_picture *picture);
+
 /* Changes RGBA texels as the picture says. Returns false when out of memory. */
 MUST_USE bool model_picture_convert(uint8_t *texels, int width, int height,
                                     const struct model_picture *picture);

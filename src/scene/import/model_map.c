@@ -1,4 +1,5 @@
 /* model_map.c: the pictures that an MTL file names, and how vertices' coordinates become theirs. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -110,7 +111,7 @@ static enum plain_map_use other_of(const struct plain_material *material, enum p
 /* A picture of roughness, or of what is metal, counts instead of the number. */
 static void forget_numbers(struct material *m, enum plain_map_use use)
 {
-    if (use == PLAIN_ROUGHNESS)
+    if (use == PLAIN_ROUGHNESS || use == PLAIN_SHININESS)
         m->roughness = 1;
     else if (use == PLAIN_METALLIC)
         m->metallic = 1;
@@ -183,6 +184,26 @@ static enum status load_kind(struct plain *plain, bool are_numbers, struct textu
     return status;
 }
 
+/* Drops the pictures of a material whose format cannot be read. */
+static enum status drop_unread(struct plain *plain, struct plain_material *material)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t use = 0; use < PLAIN_MAP_COUNT && status == STATUS_OK; use++) {
+        struct plain_map *map = &material->maps[use];
+        struct model_picture picture = { .file = map->file ? path_of(plain, map, &status) : NULL };
+        const char *format = picture.file ? model_picture_unread(&picture) : NULL;
+        char words[48];
+        free(picture.file);
+        if (!format)
+            continue;
+        (void)snprintf(words, sizeof(words), "pictures in the format %s", format);
+        plain_note(plain->undrawn_materials, words);
+        free(map->file);
+        map->file = NULL;
+    }
+    return status;
+}
+
 /* Moves the coordinates of a part's vertices to where the base colour's picture wants them. */
 static void move_part(const struct plain *plain, const struct plain_part *part)
 {
@@ -196,10 +217,16 @@ static void move_part(const struct plain *plain, const struct plain_part *part)
 
 enum status plain_load_pictures(struct plain *plain, struct model *model)
 {
-    for (uint32_t i = 0; i < plain->part_count; i++) {
-        if (plain->parts[i].material > 0 && plain->parts[i].has_uvs)
-            move_part(plain, &plain->parts[i]);
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < plain->part_count && status == STATUS_OK; i++) {
+        const struct plain_part *part = &plain->parts[i];
+        if (part->material == 0 || !part->has_uvs)
+            continue;
+        status = drop_unread(plain, &plain->materials[part->material - 1]);
+        if (status == STATUS_OK)
+            move_part(plain, part);
     }
-    const enum status status = load_kind(plain, false, &model->textures);
+    if (status == STATUS_OK)
+        status = load_kind(plain, false, &model->textures);
     return status == STATUS_OK ? load_kind(plain, true, &model->numbers) : status;
 }

@@ -54,6 +54,36 @@ static enum status read_file(const char *path, const struct model_picture *pictu
     return STATUS_OK;
 }
 
+const char *model_picture_unread(const struct model_picture *picture)
+{
+    static const struct {
+        const char *name;
+        uint32_t at, size;
+        const char *magic;
+    } formats[] = {
+        { "KTX2", 0, 7, "\xabKTX 20" }, { "WebP", 8, 4, "WEBP" },       { "DDS", 0, 4, "DDS " },
+        { "AVIF", 4, 8, "ftypavif" },   { "OpenEXR", 0, 4, "v/1\x01" }, { "TIFF", 0, 4, "II*\0" },
+        { "TIFF", 0, 4, "MM\0*" },
+    };
+
+    uint8_t head[12] = { 0 };
+    struct stat info;
+    if (picture->bytes && picture->size >= sizeof(head))
+        memcpy(head, picture->bytes, sizeof(head));
+    if (picture->file && stat(picture->file, &info) == 0 && S_ISREG(info.st_mode)) {
+        FILE *file = fopen(picture->file, "rb");
+        if (file && fread(head, 1, sizeof(head), file) != sizeof(head))
+            memset(head, 0, sizeof(head));
+        if (file)
+            fclose(file);
+    }
+    for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); i++) {
+        if (!memcmp(&head[formats[i].at], formats[i].magic, formats[i].size))
+            return formats[i].name;
+    }
+    return NULL;
+}
+
 /* Opens a picture. The caller frees encoded->owned, even on failure. */
 static enum status open_picture(const char *path, const struct model_picture *picture,
                                 struct encoded *encoded)

@@ -246,9 +246,11 @@ static void end_material(struct mtl *mtl)
     make_surface(mtl, m);
     make_medium(mtl, m);
     m->normal_scale = material->maps[PLAIN_BUMP].file ? material->maps[PLAIN_BUMP].strength : 1;
-    if (material->maps[PLAIN_SHININESS].file && mtl->roughness < 0) {
-        material->exponent = mtl->exponent > 0 ? mtl->exponent : EXPONENT_OF_MAPS;
-        m->roughness = 1;
+    if (mtl->roughness >= 0) { /* counts instead */
+        free(material->maps[PLAIN_SHININESS].file);
+        material->maps[PLAIN_SHININESS].file = NULL;
+    } else if (material->maps[PLAIN_SHININESS].file && !(mtl->exponent > 0)) {
+        material->exponent = EXPONENT_OF_MAPS;
     }
     if (material->maps[PLAIN_ALPHA].file && !(m->transmission > 0))
         m->flags |= MATERIAL_IS_BLENDED;
