@@ -16,7 +16,7 @@ import tempfile
 import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DEVICE, PLAIN, Case, long, main, unsanitized  # noqa: E402
+from case import NO_DEVICE, PLAIN, Case, long, main  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LAYER = ROOT / 'tests/support/fail_layer.c'
@@ -232,7 +232,7 @@ class Device(LayerCase):
                    only=('vkAllocateMemory', 'vkCreateImageView', 'vkCreateRenderPass',
                          'vkCreateFramebuffer', 'vkQueueSubmit2', 'vkWaitForFences'))
 
-    @unsanitized
+    @long
     def test_measured(self):
         self.sweep('profile', 'sphere', '--size', '32x24', *PLAIN, '--runs', '2', '--warmup', '1',
                    '--clock', 'submits', sample=True, most=2,

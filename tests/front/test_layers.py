@@ -4,7 +4,7 @@ import math
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import BARE, Case, main, unsanitized  # noqa: E402
+from case import BARE, Case, long, main  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
@@ -87,7 +87,7 @@ class Layers(Case):
                                (-1.9, -1.9, 'box 3')):
                 self.assertEqual(names[str(int(at(x, y)[0]))], name)
 
-    @unsanitized
+    @long
     def test_motion(self):
         """A box moves by 1 and -2 m a second, at 4 frames a second; at first it rests."""
         for words, place, moved in ((('--set', 'motion.time=0.5'), (2.7, -1.1), [2, 4]),

@@ -120,6 +120,7 @@ class Scenes(Case):
                                 '--set', 'target.scale=0.5', '-o', 'a.exr')
             self.assertIn(b'target.scale: no effect', done.stderr)
 
+    @long
     def test_own_pictures(self):
         """Flat heights, and a mask that is white, are no bumps; waves are some. Air is where its
         picture is white."""
@@ -406,7 +407,7 @@ class Scenes(Case):
         pixels = list(zip(planes['R'], planes['G'], planes['B']))
         return [pixels[i:i + 64] for i in range(0, len(pixels), 64)]
 
-    @unsanitized
+    @long
     def test_orthographic(self):
         """4 m are 48 pixels, so boxes of 1 m are 12, near and far; a rung is like the truth."""
         flat = {'type': 'orthographic',

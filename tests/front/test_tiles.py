@@ -112,7 +112,7 @@ class Interleaved(Tiled):
                      'tiled.png')
         self.assertTrue(Exr(self.read('whole.exr')).pixels == Exr(self.read('tiled.exr')).pixels)
 
-    @unsanitized
+    @long
     def test_near_the_picture_in_one(self):
         """Maps are coarser and numbers round in another way: no pixel is misplaced."""
         for scene, rung, tiles, limit in (('ice-cube', 'bounce', '2x2', 0.03),

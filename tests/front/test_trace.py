@@ -94,7 +94,7 @@ class Trace(Case):
         planes = self.planes(words[0], *WHITE, *SIZE, '--size', '8x6', *words[1:], **how)
         return sum(planes['G'][i] for i in (19, 20, 27, 28)) / 4
 
-    @unsanitized
+    @long
     def test_another_medium_around(self):
         """A ball that bends light apart; and bubbles of air in water without a surface."""
         sphere = ('sphere', *SIZE, *SMALL_CUBE, '--set')
@@ -104,6 +104,7 @@ class Trace(Case):
         self.check(0.001, *sphere, 'refract.ior=1.34', '--set', 'refract.outside=1.333', '--set',
                    'bubbles.count=3', '--set', 'bubbles.size=0.3')
 
+    @long
     def test_light_on_surroundings(self):
         """A floor under a black box in even light, against the box's share of the hemisphere; in
         light that passes glass."""
