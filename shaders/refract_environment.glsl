@@ -17,7 +17,7 @@
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
 
-#ifdef REFRACT_EXITS
+#ifdef REFRACT_NEAREST
 layout(location = REFRACT_SEEN_MEAN, component = 3) flat in float cube_nearest; /* 1 / metres */
 #else
 const float cube_nearest = 0.0;

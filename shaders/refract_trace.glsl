@@ -20,6 +20,7 @@
 #include "trace_dress.glsl"
 #else
 #include "dress.h"
+#define REFRACT_NEAREST
 #include "refract_environment.glsl"
 #endif
 #include "trace_shells.glsl"

@@ -56,6 +56,12 @@ struct refract_rung {
  * them, but not with bumps. */
 void refract_choose(struct technique_choice *choice, const struct scene *scene);
 
+/* The environment cube of rungs with refract_seen_mean.vert. */
+#define REFRACT_USE_SEEN_CUBE \
+    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear, \
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \
+                           VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
+
 /* A rung's parts of a frame. The picture's row is drawn before the background, so that the depth
  * test rejects hidden background; the layers' row after it, since surroundings may hide the
  * object. */

@@ -22,13 +22,8 @@
 
 static rg_record_fn record_screen;
 
-#define USE_CUBE \
-    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear, \
-                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \
-                           VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
-
 static const struct rg_use uses[] = {
-    USE_CUBE,
+    REFRACT_USE_SEEN_CUBE,
     FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
     FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
@@ -37,7 +32,7 @@ static const struct rg_use uses[] = {
 };
 
 static const struct rg_use wide_uses[] = {
-    USE_CUBE,
+    REFRACT_USE_SEEN_CUBE,
     FRAME_SAMPLE(ice_normal_wide_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_wide_back_depth, REFRACT_DEPTH_BACK),
     FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),

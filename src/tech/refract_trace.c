@@ -314,7 +314,7 @@ static const struct rg_use tree_uses[] = {
 static const struct rg_use cube_uses[] = {
     FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
     FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .same_texel = true),
-    FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear),
+    REFRACT_USE_SEEN_CUBE,
     { 0 },
 };
 
@@ -388,7 +388,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
         return (struct rg_technique){ 0 };
     row->name = row_builder_name(builder, refract_trace.name, is_layers ? "layers" : "color");
     row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
-    row->vert = &refract_seen_vert;
+    row->vert = choice->meets_surroundings ? &refract_seen_vert : &refract_seen_mean_vert;
     row->frag = frags[choice->meets_surroundings][choice->disperses][is_layers];
     row->record = choice->lights_surroundings ? frame_draw_screen : record_objects;
     return (struct rg_technique){ refract_trace.name, row, 1 };

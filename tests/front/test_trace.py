@@ -139,9 +139,10 @@ class Trace(Case):
         (self.folder / 'bar.obj').write_text('\n'.join(bar))
         words = ('sphere', *SIZE, *SMALL_CUBE[:-1], 'env_cube.size=512', '--background',
                  '.75,.8,.88', '--surroundings', 'bar.obj', '--target', '0,0,0')
-        for eye, share in (('0,0,5', 0.3), ('2,1,4', 0.4)):
+        for rung, eye, share in (('bounce', '0,0,5', 0.3), ('trace', '0,0,5', 0.3),
+                                 ('bounce', '2,1,4', 0.4)):
             errors = [self.check(1, *words, '--eye', eye, '--set', f'refract.lookup={lookup}',
-                                 rung=('-r', 'bounce')) for lookup in ('distance', 'infinite')]
+                                 rung=('-r', rung)) for lookup in ('distance', 'infinite')]
             self.assertLess(errors[0], share * errors[1])
 
     @unsanitized
