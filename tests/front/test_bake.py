@@ -9,7 +9,8 @@ import struct
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CANT_CREATE, DATA, NO_INPUT, SMALL, USAGE, Case, long, main  # noqa: E402
+from case import (  # noqa: E402
+    CANT_CREATE, DATA, NO_INPUT, SMALL, USAGE, Case, long, main, unsanitized)
 from exr_file import Exr, write_exr  # noqa: E402
 
 SMOOTH = tuple(word for name in ('bump.strength', 'light.count', 'cracks.count', 'air.count',
@@ -55,6 +56,7 @@ class Bake(Case):
         self.assertEqual(piped.stdout, (self.folder / 'env.exr').read_bytes())
         self.assertEqual(piped.stderr, b'')
 
+    @unsanitized
     def test_faces_of_any_size(self):
         """A texel of a coarse cube shows what the four do that it covers, where all is smooth."""
         fine, coarse = (self.planes(self.bake('room', '--size', str(side))) for side in (40, 20))
@@ -102,6 +104,7 @@ class Bake(Case):
                 print(f'{scene}: baked and drawn differ by {worst} at most')
                 self.assertEqual(worst, 0)  # halves, stored as they are
 
+    @unsanitized
     def test_faces_are_where_they_are_told(self):
         (self.folder / 'faces.exr').write_bytes(strip(4))
         for colour, (azimuth, elevation) in zip(COLOURS, ORBITS):

@@ -3,7 +3,7 @@ import os
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import BARE, PLAIN, Case, main  # noqa: E402
+from case import BARE, PLAIN, Case, main, unsanitized  # noqa: E402
 
 COMMANDS = (('render', 'sphere', *BARE, '-o', 'a.png', '-q'),
             ('profile', 'sphere', *BARE, '--runs', '2', '--warmup', '1', '--clock', 'submits',
@@ -23,6 +23,7 @@ class Cache(Case):
             self.assertEqual(self.run_with_cache(*command), '')
             self.assertEqual(len(list(self.cache.iterdir())), 1)
 
+    @unsanitized
     def test_none_is_wanted(self):
         for command in COMMANDS:
             self.assertEqual(self.run_with_cache(*command, '--no-cache'), '')
@@ -57,6 +58,7 @@ class Cache(Case):
                 self.assertEqual(file.read_bytes(), whole)
                 self.assertEqual(self.run_with_cache(*command), '')
 
+    @unsanitized
     def test_what_is_small_is_compiled_in_less_time(self):
         """Mesa keeps what it compiled in less time apart, so that its files tell."""
         files = []

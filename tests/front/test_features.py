@@ -210,6 +210,7 @@ def split(roughness, cosine):
 
 
 class Surfaces(Cards):
+    @unsanitized
     def test_in_even_light(self):
         """White keeps all light; a colour is kept as the formulas say."""
         self.card('white', pbr(), is_=(1, 1, 1))
@@ -251,6 +252,7 @@ class Surfaces(Cards):
             delta = 0.03
         super().check(found, wanted, name, delta)
 
+    @unsanitized
     def test_textures_and_factors(self):
         texture, color = self.scene.texture, (0.2, 0.6, 0.9)
         stored = tuple(round(255 * encode(x)) for x in color) + (255,)

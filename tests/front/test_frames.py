@@ -12,7 +12,8 @@ import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    BARE, CANT_CREATE, FLAT, NO_DEVICE, NO_DRIVER, USAGE, WRITE, Case, environment, main)
+    BARE, CANT_CREATE, FLAT, NO_DEVICE, NO_DRIVER, USAGE, WRITE, Case, environment, main,
+    unsanitized)
 from exr_file import Exr  # noqa: E402
 
 MOVING = ('--set', 'motion.count=3')
@@ -37,6 +38,7 @@ class Frames(Case):
 
 
 class Sequence(Frames):
+    @unsanitized
     def test_frames_are_single_pictures_of_their_time(self):
         more = (*MOVING, '--aov', 'all', '--samples', '2')
         self.draw('0-2', '-o', 'a.####.exr', '-o', 'a.####.png', *more)

@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ElementTree
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, long, main)
+    CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, long, main, unsanitized)
 from exr_file import Exr  # noqa: E402
 from test_show import Png  # noqa: E402
 
@@ -49,6 +49,7 @@ class LadderCase(Case):
 
 
 class Numbers(LadderCase):
+    @unsanitized
     def test_they_are_those_of_diff(self):
         """The same pictures by themselves, compared by another command."""
         said = self.ladder('ice-cube', *SIZE, '--validate', '--rungs', 'paper,bounce', '--runs', 0)
@@ -93,6 +94,7 @@ class Numbers(LadderCase):
             else:
                 self.assertIsNone(rung[f'mae_{cause}'])
 
+    @unsanitized
     def test_with_all_that_ice_has(self):
         """Errors by what the reference's paths meet are those of pictures made one by one."""
         said = self.ladder('ice-cube', *SIZE, '--whole', '--rungs', 'bounce', '--runs', 0,

@@ -89,6 +89,7 @@ class NoBackground(Pixels):
                 self.assertTrue(alpha or after == 0)
         return hidden
 
+    @unsanitized
     def test_coverage(self):
         for words in [(), ('-r', 'bounce'), ('--tiles', '2x1')] + [
                 ('-r', 'reference', '--set', 'motion.count=0')] * HAS_REFERENCE:
@@ -204,6 +205,7 @@ class Environment(Pixels):
         (self.folder / f'{turned}.exr').write_bytes(write_exr((16, 8), planes))
         return '--env', f'{turned}.exr'
 
+    @unsanitized
     def test_turned_as_if_its_columns_were(self):
         for words in [()] + [('-r', 'reference')] * HAS_REFERENCE:
             with self.subTest(words=words):

@@ -5,7 +5,7 @@ Usage: see case.py.
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CANT_CREATE, CRACKED, NO_INPUT, USAGE, Case, main  # noqa: E402
+from case import CANT_CREATE, CRACKED, NO_INPUT, USAGE, Case, main, unsanitized  # noqa: E402
 from test_show import Png  # noqa: E402
 
 WIDTH, HEIGHT = 64, 48
@@ -34,6 +34,7 @@ class Sheet(Case):
     def size_of(self, columns, rows):
         return (MARGIN + columns * (WIDTH + MARGIN), MARGIN + rows * (HEIGHT + LABEL + MARGIN))
 
+    @unsanitized
     def test_every_material(self):
         done = self.succeed('sheet', 'sphere', *SIZE, *CRACKED)
         self.assertEqual(done.stderr, b'sheet.png: 7 pictures of 64x48\n')

@@ -51,6 +51,7 @@ class Trace(Case):
                    (glass(1.4), [0.5, 0, -3], 1))
         self.check(0.004, 'thin.gltf', '--env', 'studio', *SIZE, '--set', 'refract.dispersion=3')
 
+    @unsanitized
     def test_the_eye_inside(self):
         self.check(0.005, 'hollow', '--env', 'studio', *SIZE, *INSIDE)
         self.check(0.02, 'ice-cube', *SIZE[:-2], *SMALL_CUBE[:-1], 'env_cube.size=256', '--eye',

@@ -37,6 +37,7 @@ class Split(WindowCase):
         self.assertNotEqual(*pixels)
         return pixels
 
+    @unsanitized
     def test_files_have_the_pixels_of_render(self):
         for samples in (1, 3):
             words = ('--samples', samples, '--aov', 'N', *PLAIN)

@@ -71,25 +71,30 @@ static char *describe_plan(const struct settings *settings, bool has_pool)
     return text;
 }
 
-static bool same_plan(const struct settings *a, const struct settings *b)
+/* Settings, and their plans without a pool and with one. */
+struct start {
+    struct settings settings;
+    char *plans[2];
+};
+
+static bool same_plan(const struct start *before, const struct settings *settings)
 {
     bool same = true;
-    for (int pool = 0; pool < 2; pool++) {
-        char *before = describe_plan(a, pool), *after = describe_plan(b, pool);
-        same = same && !strcmp(before, after);
-        free(before);
+    for (int pool = 0; pool < 2 && same; pool++) {
+        char *after = describe_plan(settings, pool);
+        same = !strcmp(before->plans[pool], after);
         free(after);
     }
     return same;
 }
 
-static void check_change(const struct setting *row, const struct settings *before, double value)
+static void check_change(const struct setting *row, const struct start *before, double value)
 {
-    struct app_scene a = { .settings = *before }, b = { .settings = *before };
+    struct app_scene a = { .settings = before->settings }, b = a;
     settings_put(&b.settings, row, value);
     const enum setting_effect said = settings_changed(&a.settings, &b.settings);
     enum setting_effect found = SETTING_AFFECTS_FRAME;
-    if (!same_plan(&a.settings, &b.settings))
+    if (!same_plan(before, &b.settings))
         found = SETTING_AFFECTS_PLAN;
     if (!same_scene(&a, &b))
         found = SETTING_AFFECTS_SCENE;
@@ -99,9 +104,9 @@ static void check_change(const struct setting *row, const struct settings *befor
     affected = affected > found ? affected : found;
 }
 
-static void check_row(const struct setting *row, const struct settings *before)
+static void check_row(const struct setting *row, const struct start *before)
 {
-    const double old = settings_get(before, row);
+    const double old = settings_get(&before->settings, row);
     const double step = row->type == SETTING_FLOAT ? (row->max - row->min) / 3 : 1;
     const double values[] = { row->min, old - step, old + step, row->max };
     for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++) {
@@ -119,12 +124,16 @@ static void test_rows_say_what_they_affect(void **state)
     const struct setting_group *group;
     (void)state;
     for (size_t s = 0; s < sizeof(states) / sizeof(states[0]); s++) {
-        struct settings settings = settings_default();
-        assert_int_equal(settings_set(&settings, states[s]), STATUS_OK);
+        struct start before = { .settings = settings_default() };
+        assert_int_equal(settings_set(&before.settings, states[s]), STATUS_OK);
+        for (int pool = 0; pool < 2; pool++)
+            before.plans[pool] = describe_plan(&before.settings, pool);
         for (size_t g = 0; (group = settings_group(g)); g++) {
             for (size_t r = 0; r < group->row_count; r++)
-                check_row(&group->rows[r], &settings);
+                check_row(&group->rows[r], &before);
         }
+        free(before.plans[0]);
+        free(before.plans[1]);
     }
     assert_int_equal(affected, SETTING_AFFECTS_SCENE);
 }
