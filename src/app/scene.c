@@ -20,6 +20,9 @@
 #include "src/tech/surface.h"
 #include "src/tech/techniques.h"
 
+/* From which times the brightness of white on, in powers of two, a file's lights are too much. */
+#define BRIGHT_STOPS 4.0
+
 /* --set over --material over --preset over the model's own index over the default. */
 static void settle_ior(struct app_scene *given, struct scene *scene)
 {
@@ -83,6 +86,26 @@ static void check_lights(const struct app_scene *given, const struct scene *scen
         log_warning("%s: its lights are not seen: they light opaque surfaces that are not unlit, "
                     "and the scene has none",
                     given->name);
+}
+
+/* Other programs write lights in real units, beside which the surroundings are dark. */
+static void note_brightness(const struct app_scene *given, const struct scene *scene)
+{
+    const struct setting *exposure = settings_find("tonemap.exposure");
+    const float radius = 0.5f * box_diagonal(scene->box);
+    float most = 0.0f; /* lux */
+    for (uint32_t i = 0; i < scene->model.light_count && scene->light_rows; i++) {
+        const struct light *light = &scene->model.lights[i];
+        const float distance = glms_vec3_distance(light->position, box_center(scene->box));
+        const float d = light->kind == LIGHT_DIRECTIONAL ? 1.0f : fmaxf(distance, radius);
+        most = fmaxf(most, glms_vec3_max(light->color) * light->intensity / (d * d));
+    }
+    const double stops = log2((double)most / (double)CGLM_PI);
+    if (stops >= BRIGHT_STOPS && !given->quiet && !given->is_preset[settings_index(exposure)] &&
+        !given->is_set[settings_index(exposure)])
+        log_note("%s: its lights make white surfaces shine %.0f times as bright as white; "
+                 "--set tonemap.exposure=%.0f shows them",
+                 given->name, exp2(stops), fmax(-stops, exposure->min));
 }
 
 /* No box is no error: a window's user may be about to say one. */
@@ -316,6 +339,7 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
         settle_ior(given, scene);
         check_box(given, scene);
         check_lights(given, scene);
+        note_brightness(given, scene);
     }
     return status;
 }

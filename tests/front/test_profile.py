@@ -10,7 +10,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
     CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, Case, long, main,
     unsanitized)
-from test_scenes import boxes, glass  # noqa: E402
+from gltf_file import boxes, glass  # noqa: E402
 
 # On a busy machine the test of timestamps is repeated, unless they are not used.
 SUBMITS = ('--clock', 'submits')

@@ -17,7 +17,6 @@ UNKNOWN = {
     '': 'AGI_stk_metadata GODOT_single_root KHR_animation_pointer KHR_interactivity KHR_xmp '
         'KHR_xmp_json_ld MPEG_animation_timing MPEG_media',
     'accessors': 'MPEG_accessor_timed',
-    'bufferViews': 'KHR_meshopt_compression',
     'buffers': 'MPEG_buffer_circular',
     'materials': 'ADOBE_materials_clearcoat_specular ADOBE_materials_clearcoat_tint '
                  'ADOBE_materials_thin_transparency KHR_materials_anisotropy '
@@ -457,6 +456,14 @@ class Scenes(Case):
         text = self.succeed('info', 'lit.gltf', env=NO_DRIVER).stdout.decode()
         self.assertRegex(text, r'(?m)^  lamp 1 +spot +40 candela, .*, at 0,0,5, within 9 m, cone '
                                r'of 0 to 45 degrees$')
+        for lux, words, is_said in ((2049, (), True), (2049, ('-q',), False), (40, (), False),
+                                    (2049, ('--set', 'tonemap.exposure=-9'), False)):
+            (self.folder / 'lit.gltf').write_text(with_nodes(
+                boxes(({}, [0, 0, 0], 1)), nodes[0], extensions={'KHR_lights_punctual': {
+                    'lights': [{'type': 'directional', 'intensity': lux}]}}))
+            said = self.succeed('graph', 'lit.gltf', *words, env=NO_DRIVER).stderr
+            self.assertEqual(b'652 times as bright as white; --set tonemap.exposure=-9' in said,
+                             is_said, said)
 
     def test_what_is_not_drawn_is_listed(self):
         scene = json.loads(boxes((glass(emissiveFactor=[1, 1, 1]), [0, 0, 0], 1)))
