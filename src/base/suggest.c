@@ -35,7 +35,7 @@ static size_t edit_distance(const char *a, const char *b)
 void suggest_offer(struct suggest *suggest, const char *name)
 {
     const size_t length = strlen(suggest->word);
-    if (length >= SUGGEST_NAME_SIZE || strlen(name) >= SUGGEST_NAME_SIZE)
+    if (!name[0] || length >= SUGGEST_NAME_SIZE || strlen(name) >= SUGGEST_NAME_SIZE)
         return;
     const size_t distance = edit_distance(suggest->word, name);
     const bool is_close = (distance <= DISTANCE_MAX && distance < length) ||

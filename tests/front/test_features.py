@@ -282,6 +282,10 @@ class Surfaces(Cards):
         root = math.sqrt(f0)
         self.card('index', extended(pbr((0, 0, 0, 1)), materials_ior={
             'ior': (1 + root) / (1 - root)}), index)
+        quarter = {'materials_specular': {'specularColorFactor': [0.25] * 3}}
+        legacy = self.card('index 3', extended(pbr((0, 0, 0, 1)), materials_ior={'ior': 3}))
+        self.card('index 0', extended(pbr((0, 0, 0, 1)), materials_ior={'ior': 0}, **quarter),
+                  legacy)
         half = self.card('occluded', pbr(occlusionTexture={**texture((102, 9, 9, 9)),
                                                            'strength': 0.5}))
         self.card('occlusion texture', pbr(occlusionTexture=texture((178, 9, 9, 9))), half)

@@ -43,8 +43,10 @@ static void write_moving(const char *interpolation, const float *values, uint32_
                     "'attributes':{'POSITION':0}}]}],'animations':[{'name':'slide','samplers':[{"
                     "'input':1,'output':2,'interpolation':'%s'}],'channels':[{'sampler':0,'target':"
                     "{'node':0,'path':'translation'}}]},{'samplers':[{'input':1,'output':3}],"
-                    "'channels':[{'sampler':0,'target':{'node':0,'path':'rotation'}}]}]",
-                    interpolation);
+                    "'channels':[{'sampler':0,'target':{'node':0,'path':'rotation'}}]},{'samplers':"
+                    "[{'input':1,'output':2,'interpolation':'%s'}],'channels':[{'sampler':0,"
+                    "'target':{'node':0,'path':'scale'}}]}]",
+                    interpolation, interpolation);
 }
 
 static void nodes_move(void **state)
@@ -58,6 +60,8 @@ static void nodes_move(void **state)
     check_corner("0", 9, 0, 4, 8, 0);
     /* half of a quarter turn about +Z */
     check_corner("1", 2, 1, sqrtf(0.5F), sqrtf(0.5F), 7);
+    check_corner("2", 2, 1, 3, 0, 7); /* scaled by 3 and 4 */
+    check_corner("2", 2, 2, 0, 4, 7);
     write_moving("STEP", ends, 2);
     check_corner("slide", 2.9F, 0, 2, 0, 0);
     check_corner("slide", 3, 0, 4, 8, 0);
@@ -89,7 +93,7 @@ static void animations_are_checked(void **state)
     const float ends[6] = { 2, 0, 0, 4, 8, 0 };
     struct model model;
     write_moving("LINEAR", ends, 2);
-    static const char *const names[] = { "slip", "2", "-1", "" };
+    static const char *const names[] = { "slip", "3", "-1", "" };
     for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
         const struct model_pose pose = { .animation = names[i] };
         assert_int_equal(model_load_posed(&model, "m.gltf", MODEL_OBJECT, &pose), STATUS_DATA);
