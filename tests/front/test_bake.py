@@ -10,7 +10,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, DATA, NO_INPUT, SMALL, USAGE, Case, long, main, unsanitized)
+    CANT_CREATE, DATA, NO_INPUT, SMALL, USAGE, Case, long, main)
 from exr_file import Exr, write_exr  # noqa: E402
 
 SMOOTH = tuple(word for name in ('bump.strength', 'light.count', 'cracks.count', 'air.count',
@@ -56,7 +56,7 @@ class Bake(Case):
         self.assertEqual(piped.stdout, (self.folder / 'env.exr').read_bytes())
         self.assertEqual(piped.stderr, b'')
 
-    @unsanitized
+    @long
     def test_faces_of_any_size(self):
         """A texel of a coarse cube shows what the four do that it covers, where all is smooth."""
         fine, coarse = (self.planes(self.bake('room', '--size', str(side))) for side in (40, 20))
@@ -104,7 +104,7 @@ class Bake(Case):
                 print(f'{scene}: baked and drawn differ by {worst} at most')
                 self.assertEqual(worst, 0)  # halves, stored as they are
 
-    @unsanitized
+    @long
     def test_faces_are_where_they_are_told(self):
         (self.folder / 'faces.exr').write_bytes(strip(4))
         for colour, (azimuth, elevation) in zip(COLOURS, ORBITS):

@@ -13,7 +13,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (BARE, CANT_CREATE, NO_DEVICE, PLAIN, WRITE, Case, environment,  # noqa: E402
-                  main)
+                  long, main)
 
 TENT = 'v 0 1 0\nv -1 -1 1\nv 1 -1 1\nv 0 -1 -1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n'
 NOBODY = 65534
@@ -168,6 +168,7 @@ class Environment(Case):
         self.assertEqual(point, ',\n')
         return env
 
+    @long
     def test_a_locale_with_a_decimal_comma(self):
         env = self.german()
         options = ('--set', 'refract_paper.a=0.25', '--fov', '40.5', '--background', '0.1,0.2,.3')

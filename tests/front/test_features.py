@@ -210,7 +210,7 @@ def split(roughness, cosine):
 
 
 class Surfaces(Cards):
-    @unsanitized
+    @long
     def test_in_even_light(self):
         """White keeps all light; a colour is kept as the formulas say."""
         self.card('white', pbr(), is_=(1, 1, 1))

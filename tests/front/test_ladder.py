@@ -94,7 +94,7 @@ class Numbers(LadderCase):
             else:
                 self.assertIsNone(rung[f'mae_{cause}'])
 
-    @unsanitized
+    @long
     def test_with_all_that_ice_has(self):
         """Errors by what the reference's paths meet are those of pictures made one by one."""
         said = self.ladder('ice-cube', *SIZE, '--whole', '--rungs', 'bounce', '--runs', 0,

@@ -94,7 +94,7 @@ class Tiles(Tiled):
 class Interleaved(Tiled):
     """A tile is a small picture of all that the picture shows."""
 
-    @unsanitized
+    @long
     def test_merged_is_what_one_process_draws(self):
         for tiles, count, samples in (('2x2', 4, '1'), ('3x1', 3, '2')):
             with self.subTest(tiles=tiles, samples=samples):
@@ -165,7 +165,7 @@ class Merge(Tiled):
         (self.folder / 'bad.exr').write_bytes(b'no picture')
         self.refuse_merge(DATA, 'tile.1.exr', 'bad.exr', names=['bad.exr'])
 
-    @unsanitized
+    @long
     def test_of_other_pictures(self):
         self.succeed('render', *ICE, '-o', 'whole.exr')
         self.refuse_merge(DATA, 'tile.1.exr', 'whole.exr', names=['whole.exr'])
