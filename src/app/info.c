@@ -2,6 +2,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "src/app/app.h"
 #include "src/app/json_text.h"
 #include "src/base/log.h"
@@ -377,6 +378,12 @@ static json_t *undrawn_of(const struct model *model)
     for (uint32_t i = 0; model_undrawn_name(i) && all; i++) {
         if (model->undrawn & 1u << i)
             all = json_text_append(all, json_string(model_undrawn_name(i)));
+    }
+    for (const char *line = model->undrawn_words; *line && all;) {
+        const size_t length = strcspn(line, "\n");
+        json_t *words = json_stringn(line, length);
+        all = json_text_append(all, words ? words : json_string("?"));
+        line += length + (line[length] == '\n');
     }
     return all;
 }

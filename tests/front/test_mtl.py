@@ -161,6 +161,9 @@ class Mtl(features.Cards):
         done = self.succeed('info', 'cards.obj', '--json')
         self.assertEqual([found['kind'] for found in json.loads(done.stdout)['materials']],
                          ['opaque', 'thin wall', 'opaque', 'thin wall', 'opaque'])
+        self.assertEqual(json.loads(done.stdout)['not_drawn'][-4:], [
+            'map_Ks of transmissive materials', 'Tr 1 (opaque, as MeshLab means it)',
+            'points and lines', 'curves and surfaces in free form'])
         self.assertEqual(done.stderr, b'firn: warning: cards.obj: not drawn of its materials: '
                          b'disp, decal, refl, spectral, aniso, -cc, map_Kd of clear '
                          b'materials, map_Ke of transmissive materials, map_Pm of transmissive '

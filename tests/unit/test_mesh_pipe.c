@@ -37,7 +37,8 @@ enum {
     CAMERAS_AT = MATERIALS_AT + 2 * (int)sizeof(struct material),
     LIGHTS_AT = CAMERAS_AT + 2 * (int)sizeof(struct model_camera),
     EXTENSIONS_AT = LIGHTS_AT + 2 * (int)sizeof(struct light),
-    ANIMATIONS_AT = EXTENSIONS_AT + (int)sizeof(struct model_extension),
+    WORDS_AT = EXTENSIONS_AT + (int)sizeof(struct model_extension),
+    ANIMATIONS_AT = WORDS_AT + MODEL_UNDRAWN_SIZE,
     STARTS_AT = ANIMATIONS_AT + 2 * (int)sizeof(struct model_animation),
 };
 
@@ -106,6 +107,7 @@ static void add_extension(struct model *model)
     model->extension_count = 1;
     model->extensions[0] = (struct model_extension){ "EXT_any", MODEL_IGNORED };
     model->undrawn = 5;
+    strcpy(model->undrawn_words, "disp\nedges\n");
 }
 
 static void add_extras(struct mesh *mesh)
@@ -208,6 +210,7 @@ static void model_comes_through(void **state)
     assert_int_equal(model.extension_count, 1);
     assert_memory_equal(model.extensions, wanted.extensions, sizeof(struct model_extension));
     assert_int_equal(model.undrawn, 5);
+    assert_string_equal(model.undrawn_words, "disp\nedges\n");
     assert_int_equal(model.animation_count, 2);
     assert_int_equal(model.animation, 2);
     assert_memory_equal(model.animations, wanted.animations, 2 * sizeof(struct model_animation));
@@ -337,7 +340,7 @@ static void lights_are_checked(void **state)
 
 static void extensions_are_checked(void **state)
 {
-    char endless[MATERIAL_NAME_SIZE];
+    char endless[MATERIAL_NAME_SIZE], words[MODEL_UNDRAWN_SIZE];
     (void)state;
     memset(endless, 'x', sizeof(endless));
     refuse_word(EXTENSION_COUNT_AT, 257, PIPE_SIZE);
@@ -345,6 +348,8 @@ static void extensions_are_checked(void **state)
     refuse(EXTENSIONS_AT, endless, sizeof(endless), PIPE_NUMBER);
     refuse_word(EXTENSIONS_AT + offsetof(struct model_extension, support), MODEL_SUPPORT_COUNT,
                 PIPE_NUMBER);
+    memset(words, 'x', sizeof(words));
+    refuse(WORDS_AT, words, sizeof(words), PIPE_NUMBER);
 }
 
 static void animations_are_checked(void **state)

@@ -107,6 +107,7 @@ bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *mod
            pipe_write(sink, model->lights, model->light_count * sizeof(*model->lights)) &&
            pipe_write(sink, model->extensions,
                       model->extension_count * sizeof(*model->extensions)) &&
+           pipe_write(sink, model->undrawn_words, sizeof(model->undrawn_words)) &&
            pipe_write(sink, model->animations,
                       model->animation_count * sizeof(*model->animations)) &&
            pipe_write(sink, model->opaque_starts,
@@ -432,13 +433,17 @@ static enum pipe_fault read_extensions(const struct pipe_source *source,
         return PIPE_MEMORY;
     model->extension_count = head->extension_count;
     model->undrawn = head->undrawn;
-    const enum pipe_fault fault = pipe_read(source, model->extensions, size);
+    enum pipe_fault fault = pipe_read(source, model->extensions, size);
     for (uint32_t i = 0; fault == PIPE_OK && i < head->extension_count; i++) {
         const struct model_extension *extension = &model->extensions[i];
         if (!memchr(extension->name, 0, sizeof(extension->name)) ||
             extension->support >= MODEL_SUPPORT_COUNT)
             return PIPE_NUMBER;
     }
+    if (fault == PIPE_OK)
+        fault = pipe_read(source, model->undrawn_words, sizeof(model->undrawn_words));
+    if (fault == PIPE_OK && !memchr(model->undrawn_words, 0, sizeof(model->undrawn_words)))
+        return PIPE_NUMBER;
     return fault;
 }
 

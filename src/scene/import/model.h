@@ -71,6 +71,7 @@ struct model_animation {
 };
 
 #define MODEL_OPAQUE_WIDTH 2048
+#define MODEL_UNDRAWN_SIZE 1024
 
 enum model_support {
     MODEL_DRAWN,
@@ -105,7 +106,9 @@ struct model {
     uint32_t light_count;
     struct model_extension *extensions;
     uint32_t extension_count;
-    uint32_t undrawn; /* bit i: the file has model_undrawn_name(i) */
+    uint32_t undrawn;                       /* bit i: the file has model_undrawn_name(i) */
+    char undrawn_words[MODEL_UNDRAWN_SIZE]; /* what an OBJ or PLY file has that is not drawn, each
+                                             * with a newline at its end */
     struct model_animation *animations;
     uint32_t animation_count;
     uint32_t animation;   /* that poses the model, + 1; 0: it is at rest */

@@ -49,7 +49,7 @@ struct plain_part {
 };
 
 enum {
-    PLAIN_LIST_SIZE = 512,
+    PLAIN_LIST_SIZE = MODEL_UNDRAWN_SIZE / 2,
 };
 
 struct plain {
@@ -64,7 +64,7 @@ struct plain {
     uint32_t part_count;
     struct plain_material *materials;
     uint32_t material_count;
-    char undrawn_materials[PLAIN_LIST_SIZE]; /* what of an MTL file is not drawn: "disp, -mm" */
+    char undrawn_materials[PLAIN_LIST_SIZE]; /* what of an MTL file is not drawn: "disp\n-mm\n" */
     char undrawn[PLAIN_LIST_SIZE];           /* what else of the files is not drawn */
 };
 
@@ -75,7 +75,7 @@ MUST_USE enum status ply_read(struct plain *plain);
 /* Appends the materials of an MTL file. The folder is the model's. */
 MUST_USE enum status mtl_read(struct plain *plain, const struct text_scan *name);
 
-/* Appends words to a list that commas part, unless it has them; a full list ends in "...". */
+/* Appends words and a newline to a list, unless it has them; a full list ends in "...". */
 void plain_note(char list[static PLAIN_LIST_SIZE], const char *words);
 
 /* Builds both meshes, objects, materials and textures of a model. */

@@ -7,9 +7,8 @@
 static bool is_listed(const char *list, const char *words)
 {
     const size_t size = strlen(words);
-    for (const char *at = list; (at = strstr(at, words)); at += size) {
-        const bool begins = at == list || (at - list >= 2 && at[-2] == ',');
-        if (begins && (at[size] == ',' || at[size] == '\0'))
+    for (; *list; list += strcspn(list, "\n") + 1) {
+        if (strcspn(list, "\n") == size && !memcmp(list, words, size))
             return true;
     }
     return false;
@@ -17,14 +16,22 @@ static bool is_listed(const char *list, const char *words)
 
 void plain_note(char list[static PLAIN_LIST_SIZE], const char *words)
 {
-    static const char more[] = ", ...";
-    const size_t length = strlen(list), size = strlen(words) + sizeof(", ");
-    const bool is_full = length > strlen(more) && !strcmp(&list[length - strlen(more)], more);
-    if (is_full || is_listed(list, words))
-        return;
-    const bool has_room = length + size + strlen(more) <= PLAIN_LIST_SIZE;
-    (void)snprintf(&list[length], PLAIN_LIST_SIZE - length, "%s%s",
-                   has_room && length > 0 ? ", " : "", has_room ? words : more);
+    static const char more[] = "...";
+    const size_t length = strlen(list);
+    const bool has_room = length + strlen(words) + sizeof(more) + 2 <= PLAIN_LIST_SIZE;
+    if (!is_listed(list, more) && !is_listed(list, words))
+        (void)snprintf(&list[length], PLAIN_LIST_SIZE - length, "%s\n", has_room ? words : more);
+}
+
+static void warn(const struct model_import *import, const char *of_what, const char *list)
+{
+    char text[2 * PLAIN_LIST_SIZE];
+    size_t length = 0;
+    for (; *list; list += strcspn(list, "\n") + 1)
+        length += (size_t)snprintf(&text[length], sizeof(text) - length, "%s%.*s",
+                                   length > 0 ? ", " : "", (int)strcspn(list, "\n"), list);
+    if (length > 0)
+        log_warning("%s: not drawn%s: %s", import->path, of_what, text);
 }
 
 static enum status refuse_outside(const struct model_import *import)
@@ -48,10 +55,12 @@ enum status model_load_plain(struct model_import *import, const char *suffix, st
     if (status == STATUS_OK && import->missed[0])
         log_warning("%s: refers to %s, which does not exist; its materials are left out",
                     import->path, import->missed);
-    if (status == STATUS_OK && plain.undrawn_materials[0])
-        log_warning("%s: not drawn of its materials: %s", import->path, plain.undrawn_materials);
-    if (status == STATUS_OK && plain.undrawn[0])
-        log_warning("%s: not drawn: %s", import->path, plain.undrawn);
+    if (status == STATUS_OK) {
+        warn(import, " of its materials", plain.undrawn_materials);
+        warn(import, "", plain.undrawn);
+        (void)snprintf(model->undrawn_words, sizeof(model->undrawn_words), "%s%s",
+                       plain.undrawn_materials, plain.undrawn);
+    }
     plain_finish(&plain);
     return status;
 }
