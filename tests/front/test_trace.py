@@ -162,6 +162,12 @@ class Trace(Case):
         self.assertEqual(*(self.planes(*near, '-r', 'bounce', *tiles)
                            for tiles in ((), ('--tiles', '2x2'))))
 
+    @long
+    def test_a_teapot_that_fills_the_picture(self):
+        """Rays of bounce among faces of which some hide others."""
+        self.check(0.034, 'teapot', *SIZE, '--size', '320x240', '--orbit', '28,9,1.1', '--set',
+                   'env_cube.size=512', rung=('-r', 'bounce'))
+
     @unsanitized
     def test_furnace(self):
         self.write('nested.gltf', (glass(1.5), [0, 0, 0], 1), (glass(1.2), [0.1, 0.1, 0], 0.6),
