@@ -149,7 +149,7 @@ class Panels(PanelsCase):
     def test_lists_choose_rungs_and_materials(self):
         first, second, *_ = self.names('rungs')
         material = self.names('materials')[-1]
-        window = self.start_with_panels()
+        window = self.start_with_panels(plain=PLAIN)
         self.wait_for_command(window, f' --material {material} ',
                               act=lambda: self.choose(window, 'material', material))
         for group, row, shown in (('Material', 'material', False),
@@ -252,22 +252,22 @@ class Panels(PanelsCase):
 
     def test_undo_palette_presets_and_next_scenes(self):
         window = self.start_with_panels()
-        self.wait_for_command(window, ' --material glass ',
+        self.wait_for_command(window, 'refract.ior=1.5 ',
                               act=lambda: self.find_and_choose(window, 'material glass'))
-        self.wait_for_command(window, without='--material',
+        self.wait_for_command(window, without='refract.ior',
                               act=lambda: self.press(window, 'ctrl+z'))
-        self.wait_for_command(window, '--material',
+        self.wait_for_command(window, 'refract.ior',
                               act=lambda: self.press(window, 'ctrl+shift+z'))
         self.wait_for_command(window, 'surface.shininess=', act=lambda: self.move(
             window, *[self.place('surface.shininess', part) for part in (0.5, 0.4, 0.3, 0.2)]))
-        self.wait_for_command(window, '--material', without='surface.shininess',
+        self.wait_for_command(window, 'refract.ior', without='surface.shininess',
                               act=lambda: self.press(window, 'ctrl+z'))  # all of the movement
         presets = self.folder / 'data' / 'firn' / 'presets'
         self.press_until(window, 'ctrl+shift+s', 'a preset', lambda: list(presets.glob('*.txt')))
         self.assertIn('refract.ior=1.5\n', (presets / 'preset-0001.txt').read_text())
-        self.wait_for_command(window, without='--material',
+        self.wait_for_command(window, without='refract.ior',
                               act=lambda: self.click(window, 'reset all'))
-        self.wait_for_command(window, '--material glass', 'bump.strength=0', act=lambda:
+        self.wait_for_command(window, 'refract.ior=1.5 ', 'bump.strength=0', act=lambda:
                               self.find_and_choose(window, 'preset preset-0001.txt'))
         self.wait_for_command(window, '--eye', act=lambda: self.press(window, '1'))
         seen = self.desktop.pixels(window)

@@ -1,4 +1,5 @@
 /* The command of a picture, read back by a shell and the parser of options, says the same. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <wordexp.h>
 #include "src/view/ui/ui_command.h"
@@ -107,8 +108,15 @@ static void test_index_of_refraction(void **state)
 {
     (void)state;
     struct fixture f;
-    check("sphere --set refract.ior=2.417",
-          "firn render sphere --size 320x240 --material diamond -o firn.png");
+    static const char plain[] = " --set air.count=0 --set bubbles.count=0 --set cracks.count=0 "
+                                "--set bump.strength=0 -o firn.png";
+    char words[256], expected[256];
+    snprintf(words, sizeof(words), "sphere --set refract.ior=2.417%s", plain);
+    snprintf(expected, sizeof(expected), "firn render sphere --size 320x240 --material diamond%s",
+             plain);
+    check(words, expected);
+    check("sphere --set refract.ior=2.417", /* --material would take the cracks off */
+          "firn render sphere --size 320x240 --set refract.ior=2.417 -o firn.png");
     check("a.obj --material ice",
           "firn render a.obj --size 320x240 --material ice -o firn.png"); /* all of it is */
     check("a.obj --material ice --set refract.ior=1.7",

@@ -9,6 +9,7 @@
 #include "src/scene/material.h"
 #include "src/scene/scene.h"
 #include "src/tech/refract.h"
+#include "src/tech/techniques.h"
 
 static const float leaning = 1e-4f; /* of the picture's axes, from where +Y would put them */
 
@@ -105,6 +106,19 @@ static void print_setting(FILE *out, const struct settings *settings, const stru
     settings_print(settings, row, out);
 }
 
+/* Whether anything is there by itself, so that it is not said, that --material would take off. */
+static bool is_dressed(const struct settings *settings)
+{
+    const struct settings defaults = settings_default();
+    for (const struct technique *const *t = techniques; *t; t++) {
+        const struct setting *row = (*t)->is_of_ice ? &(*t)->settings[0]->rows[0] : NULL;
+        if (row && (*t)->is_on(settings) &&
+            !differ(settings_get(settings, row), settings_get(&defaults, row)))
+            return true;
+    }
+    return false;
+}
+
 /* Unless it is what the model, or firn, has by itself. --material also decides what of a file is an
  * object. */
 static void print_ior(FILE *out, const struct ui_command *c)
@@ -125,7 +139,8 @@ static void print_ior(FILE *out, const struct ui_command *c)
     }
     if (!differ(ior, own))
         return;
-    for (const struct material_preset *m = material_presets; m->name; m++) {
+    const struct material_preset *m = material_presets;
+    for (; m->name && !is_dressed(&c->picture->scene.settings); m++) {
         if (!differ((double)m->ior, ior)) {
             print_name(out, "material", m->name);
             return;
