@@ -21,6 +21,7 @@
 
 const int ground_holes_max = 8;  /* in the way of the sun */
 const float ground_blur = 0.25;  /* the least width of a distribution that mirrors the sun */
+const float ground_bent = 0.5;   /* roughness of the sky as ways see it that an object has bent */
 const float ground_least = 1e-6; /* light by which one is divided */
 
 /* Returns the radiance of the sky without the sun's disc. */
@@ -133,11 +134,17 @@ void ground_begin(trace_hit hit)
     is_main = false;
 }
 
+/* Returns the roughness by which a way sees the sky blurred. */
+float ground_blur_of(trace_way way)
+{
+    return way.open > 0.0 ? 0.0 : way.open < 0.0 ? 1.0 : ground_bent;
+}
+
 /* Returns the light at the end of a way; `passing`: the share of it that goes on. */
 vec3 trace_end(trace_way way, trace_hit hit, out float passing)
 {
     vec3 light = trace_has(TRACE_HAS_GROUND) && way.is_gathered
-                     ? lit_glossy(way.dir, way.open < 0.0 ? 1.0 : 0.0, 0.0)
+                     ? lit_glossy(way.dir, ground_blur_of(way), 0.0)
                      : environment_radiance(environment, way.dir, 0.0);
     bool is_around = hit.part == TREE_SURROUNDINGS || hit.part == TREE_MOVERS;
     int turns = is_around ? int(trace.one) : 0;
