@@ -4,20 +4,20 @@ import random
 
 import surroundings as around
 from files import Model, glass, lit
-from shapes import (Mesh, add, beads_mesh, crack, ice, lathe, mix, noise, rounded, scale,
+from shapes import (Mesh, add, beads_mesh, crack, crowd, ice, lathe, mix, noise, rounded, scale,
                     smooth_normals, smoothstep, sub, tube, turned, unit, with_normals, worms)
 
 BASE, FLOOR, HEIGHT = 0.0002, 0.0105, 0.09  # heights of the glass: foot, inner floor, rim
 FOOT, RIM, WALL = 0.0335, 0.0395, 0.0024  # radii outside, and how thick the wall is at the rim
 LEVEL = 0.066  # of the water
 GLASS = glass('glass', 1.5, 3, 0.0024, (0.93, 0.97, 0.95), 0.1)
-ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=6)
+ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=4)
 WATER = glass('water', 1.333, 1, 0.07, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
 # Where each cube is, how it is turned, and its half widths.
 CUBES = (
-    ((0.0155, 0.0602, 0.0059), (240.2, -2.6, 13), (0.014, 0.0136, 0.014)),
-    ((-0.0131, 0.0608, -0.0045), (162.5, 11.1, 6.3), (0.0139, 0.0137, 0.0142)),
+    ((0.0155, 0.0596, 0.0059), (240.2, -9, 21), (0.014, 0.0136, 0.014)),
+    ((-0.0131, 0.0603, -0.0045), (162.5, 17, -9), (0.0139, 0.0137, 0.0142)),
     ((-0.0071, 0.0335, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
 )
 STRAW = ((-0.0195, 0.0137, 0.0), (0.0375, 0.1341, -0.036), 0.0026)  # foot, top, radius
@@ -92,7 +92,7 @@ def straw():
 
 
 def cubes():
-    return [ice(half, 30, 40 + 13 * i, exponent=6, waves=0.0008, cell=0.0055, bulge=0.05)
+    return [ice(half, 46, 40 + 13 * i, exponent=8, waves=0.00075, cell=0.0045, bulge=0.07)
             .placed(turned(*turn), at) for i, (at, turn, half) in enumerate(CUBES)]
 
 
@@ -111,7 +111,8 @@ def bubbles():
     pick = random.Random(77)
     for i, ((at, turn, half), cube) in enumerate(zip(CUBES, cubes())):
         matrix = turned(*turn)
-        for where, along, radius, length, sides in worms(half, 220, 260, 900 + i):
+        inside = [*worms(half, 150, 900 + i), *crowd(half, 550, 940 + i)]
+        for where, along, radius, length, sides in inside:
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
             beads.append((add(where, at), along, radius, length, sides))

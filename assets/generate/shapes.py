@@ -303,10 +303,10 @@ def bead(at, along, radius, length, n=8):
     return mesh.placed(tuple(zip(side, up, front)), at)
 
 
-def worms(half, rows, eggs, seed):
+def worms(half, rows, seed):
     """
-    Beads of air in a block around the origin: `rows` worms that grew from its faces inwards, side
-    by side, and `eggs` where the ice closed.
+    Long beads of air in a block around the origin: `rows` worms that grew from its faces inwards,
+    side by side.
     """
     pick = random.Random(seed)
     beads = []
@@ -322,13 +322,6 @@ def worms(half, rows, eggs, seed):
         radius = 0.00008 * math.exp(0.35 * pick.gauss(0, 1))
         beads.append((tuple(at), unit(along), radius,
                       min(0.0004 + 0.0011 * pick.expovariate(1), 0.0032), 6))
-    for _ in range(eggs):
-        d = unit([pick.gauss(0, 1) for _ in range(3)])
-        reach = sum(abs(v / h) ** 9 for v, h in zip(d, half)) ** (-1 / 9)
-        at = scale(d, 0.42 * pick.random() ** 0.5 * reach)
-        radius = 0.00005 + 0.00022 * pick.random() ** 4
-        along = unit(add(scale(d, -1), tuple(0.3 * pick.gauss(0, 1) for _ in range(3))))
-        beads.append((at, along, radius, radius * pick.uniform(1.3, 3), 5))
     return beads
 
 

@@ -8,8 +8,8 @@ from studio import HEIGHT, WIDTH, lamp
 # A window's middle: azimuth to the right of -Z and elevation, degrees; half width and half height
 # of a pane as tangents of angles; panes across and up; radiance; colour
 WINDOWS = (
-    (-68, 33, 0.2, 0.2, 2, 3, 5.2, (1.0, 0.95, 0.87)),
-    (72, 29, 0.3, 0.56, 1, 1, 2.8, (0.8, 0.9, 1.0)),
+    (-66, 33, 0.14, 0.2, 2, 3, 6, (1.0, 0.95, 0.87)),
+    (70, 29, 0.17, 0.56, 1, 1, 3.6, (0.8, 0.9, 1.0)),
     (-163, 33, 0.22, 0.13, 1, 1, 1.7, (1.0, 0.96, 0.9)),
 )
 BAR = 0.012  # half of a bar between panes
@@ -23,13 +23,13 @@ def walls():
     for y in range(HEIGHT):
         height = (0.5 - (y + 0.5) / HEIGHT) * 180
         low = smoothstep(-40, -12, height)
-        room = mix((0.03, 0.024, 0.02), (0.062, 0.055, 0.048), low)
+        room = mix((0.03, 0.024, 0.02), (0.044, 0.038, 0.032), low)
         room = mix(room, (0.1, 0.094, 0.086), smoothstep(30, 75, height))
         tall = math.exp(-((height - elevation) / 20) ** 2) * low
         row = [[], [], []]
         for x in range(WIDTH):
             aside = ((x + 0.5) / WIDTH * 360 - 180) - azimuth
-            share = tall * (0.3 * math.exp(-(aside / 50) ** 2) + 0.7 * math.exp(-(aside / 15) ** 2))
+            share = tall * (0.3 * math.exp(-(aside / 32) ** 2) + 0.7 * math.exp(-(aside / 15) ** 2))
             for channel, value in zip(row, room):
                 channel.append(value)
             for channel, value in zip(row, scale(color, share)):
