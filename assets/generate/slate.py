@@ -258,7 +258,7 @@ def puddle(angle):
 
 def water():
     """The puddle around the ice, the sheet that has run out of it, and the pools."""
-    mesh = shell(puddle, 0, FILM, 0.0046)
+    mesh = shell(puddle, 0, FILM, 0.0028)
 
     def run_out(angle):
         out = sheet_edge(-angle)
@@ -278,7 +278,8 @@ def water():
 
 def block():
     """Flat below, where it has melted onto the stone."""
-    mesh = ice(HALF, 72, 17, exponent=7, waves=0.00048, cell=0.0042, bulge=0.045, stretch=1.15)
+    mesh = ice(HALF, 72, 17, exponent=7, waves=0.00033, cell=0.0044, bulge=0.045, stretch=0.85,
+               fine=0.45)
     mesh.placed(TURN, MIDDLE)
 
     def pressed(p):
