@@ -14,6 +14,13 @@ INSIDE = ('--eye', '0.005,0.06,0.03', '--target', '0,0.045,0')  # the ball of ho
 WHITE = ('--background', '1,1,1')
 
 
+def opaque(grey):
+    """A matt material."""
+    return {'pbrMetallicRoughness': {'baseColorFactor': [grey, grey, grey, 1], 'metallicFactor': 0,
+                                     'roughnessFactor': 1},
+            'extensions': {'KHR_materials_specular': {'specularFactor': 0}}}
+
+
 class Trace(Case):
     def planes(self, *words, **how):
         self.succeed('render', *words, '--aov', 'fresnel', '-o', 'a.exr', **how)
@@ -109,11 +116,6 @@ class Trace(Case):
     def test_light_on_surroundings(self):
         """A floor under a black box in even light, against the box's share of the hemisphere; in
         light that passes glass."""
-        matt = {'KHR_materials_specular': {'specularFactor': 0}}
-
-        def opaque(c):
-            return {'pbrMetallicRoughness': {'baseColorFactor': [c, c, c, 1], 'metallicFactor': 0,
-                                             'roughnessFactor': 1}, 'extensions': matt}
         self.write('dark.gltf', (opaque(0.5), [0, -50, 0], 50), (opaque(0), [0, 5, 0], 2),
                    (glass(), [0, 2, -90], 0.9))
         floor = ('v -9 -1 -9', 'v 9 -1 -9', 'v 9 -1 9', 'v -9 -1 9', 'f 1 3 2', 'f 1 4 3')
@@ -131,6 +133,18 @@ class Trace(Case):
             white = self.ground('sphere', *below, *rung)
             found = self.ground('sphere', *below, *traced, *rung, '--samples', 16)
             self.assertAlmostEqual(found / white, 1, delta=0.01)
+
+    @unsanitized
+    def test_light_on_the_floor_of_water(self):
+        """A small lamp in the sky makes no bright dots where few rays find it through the water."""
+        self.write('wet.gltf', (opaque(0.5), [0, -50, 0], 50),
+                   (glass(1.333), [0, -3.7, 0], 4))
+        sky = [8.0 if 8 <= y < 11 and 20 <= x < 23 else 0.1 for y in range(32) for x in range(64)]
+        (self.folder / 'lamp.exr').write_bytes(write_exr((64, 32), {'Y': sky}))
+        planes = self.planes('wet.gltf', '--env', 'lamp.exr', *SIZE, '--eye', '0,9,3', '--target',
+                             '0,0,0', '--fov', 30, '--set', 'ground.light=traced', '-r', 'trace')
+        light = sorted(planes['G'])
+        self.assertLess(light[-1], 8 * light[len(light) // 2])
 
     @unsanitized
     def test_a_bar_before_the_sky(self):
