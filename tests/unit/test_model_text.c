@@ -191,8 +191,9 @@ static void obj_refusals(void **state)
     check_refused("a.obj", SQUARE "f 1 2 x\n", "line 5: expected indices of vertices");
     check_refused("a.obj", SQUARE "f 1 2 0\n", "got '0'");
     check_refused("a.obj", SQUARE "f 1 2 -5\n", "got '-5'");
-    check_refused("a.obj", SQUARE "f 1/2 2/2 3/2\n", "does not exist");
-    check_refused("a.obj", SQUARE "f 1//1 2//1 3//1\n", "does not exist");
+    check_refused("a.obj", SQUARE "f 1/2 2/2 3/2\n",
+                  "of a texture coordinate that does not exist: 2 of 0");
+    check_refused("a.obj", SQUARE "f 1//1 2//1 3//1\n", "of a normal that does not exist: 1 of 0");
     check_refused("a.obj", SQUARE "vn 1 2\n", "three numbers of a normal");
     check_refused("a.obj", SQUARE "f 1 2 3/1/1/1\n", "got '3/1/1/1'");
     check_refused("a.obj", "mtllib ../a.mtl\n" SQUARE "f 1 2 3\n", "within the model's folder");

@@ -332,20 +332,29 @@ static void join_lines(char *text, size_t size)
 
 /* ---- the whole file ---- */
 
+static enum status check_index(const struct obj *obj, uint32_t index, size_t count,
+                               const char *what)
+{
+    if (index < count)
+        return STATUS_OK;
+    log_error("%s: a face has the index of a %s that does not exist: %llu of %zu",
+              obj->plain->import->path, what, index + 1ull, count);
+    return STATUS_DATA;
+}
+
 static enum status check_corners(const struct obj *obj)
 {
     const struct corner *corners = obj->corners.items;
-    for (size_t i = 0; i < obj->corners.count; i++) {
+    enum status status = STATUS_OK;
+    for (size_t i = 0; i < obj->corners.count && status == STATUS_OK; i++) {
         const struct corner *corner = &corners[i];
-        if (corner->position < obj->positions.count &&
-            (corner->uv == none || corner->uv < obj->uvs.count) &&
-            (corner->normal == none || corner->normal < obj->normals.count))
-            continue;
-        log_error("%s: a face has the index of a vertex that does not exist",
-                  obj->plain->import->path);
-        return STATUS_DATA;
+        status = check_index(obj, corner->position, obj->positions.count, "vertex");
+        if (status == STATUS_OK && corner->uv != none)
+            status = check_index(obj, corner->uv, obj->uvs.count, "texture coordinate");
+        if (status == STATUS_OK && corner->normal != none)
+            status = check_index(obj, corner->normal, obj->normals.count, "normal");
     }
-    return STATUS_OK;
+    return status;
 }
 
 static bool allocate(struct obj *obj)
