@@ -112,10 +112,10 @@ def bubbles():
     for i, ((at, turn, half), cube) in enumerate(zip(CUBES, cubes())):
         matrix = turned(*turn)
         inside = [*worms(half, 150, 900 + i), *crowd(half, 550, 940 + i)]
-        for where, along, radius, length, sides in inside:
+        for where, along, *form in inside:
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
-            beads.append((add(where, at), along, radius, length, sides))
+            beads.append((add(where, at), along, *form))
         beads += clinging(cube, pick)
     for _ in range(60):
         y = FLOOR + 0.007 + (LEVEL - FLOOR - 0.011) * pick.random()

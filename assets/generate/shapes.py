@@ -289,24 +289,27 @@ def ring(path, radius, segments):
     return Mesh(mesh.points[:n * segments], faces)
 
 
-def bead(at, along, radius, length, n=8):
-    """An egg of air, half `length` long, pointed towards `along`."""
+def bead(at, along, radius, length, n=8, bend=0.0):
+    """An egg of air, half `length` long, pointed towards `along`; its ends lie `bend` lengths aside
+    of its middle."""
     profile = []
     for i in range(n // 2 + 2):
         a = math.pi * i / (n // 2 + 1) - math.pi / 2
         width = radius * math.cos(a) * (1 - 0.25 * math.sin(a)) if 0 < i < n // 2 + 1 else 0.0
         profile.append((width, length * math.sin(a), None))
     mesh = lathe(with_normals(profile), n)
+    if bend:
+        mesh = Mesh([(x + bend * y * y / length, y, z) for x, y, z in mesh.points], mesh.faces)
     up = unit(along)
     side = unit(cross(up, (0, 0, 1) if abs(up[2]) < 0.9 else (1, 0, 0)))
     front = cross(side, up)
     return mesh.placed(tuple(zip(side, up, front)), at)
 
 
-def worms(half, rows, seed):
+def worms(half, rows, seed, bend=0.0):
     """
     Long beads of air in a block around the origin: `rows` worms that grew from its faces inwards,
-    side by side.
+    side by side; neighbours bend alike, by up to `bend` of their lengths.
     """
     pick = random.Random(seed)
     beads = []
@@ -321,7 +324,8 @@ def worms(half, rows, seed):
         along[axis] = -side
         radius = 0.00008 * math.exp(0.35 * pick.gauss(0, 1))
         beads.append((tuple(at), unit(along), radius,
-                      min(0.0004 + 0.0011 * pick.expovariate(1), 0.0032), 6))
+                      min(0.0004 + 0.0011 * pick.expovariate(1), 0.0032), 6,
+                      bend * noise(scale(at, 1 / 0.005), seed)))
     return beads
 
 

@@ -294,10 +294,10 @@ def block():
 def bubbles():
     """Worms of air in rows along the way the ice grew, and a cloud of eggs where it ended."""
     placed = []
-    for at, along, radius, length, sides in [*worms(HALF, 170, 30), *crowd(HALF, 3200, 31)]:
+    for at, along, *form in [*worms(HALF, 170, 30, bend=0.6), *crowd(HALF, 3200, 31)]:
         at = add(at, (0.0006, 0.0012, 0))
         at, along = (tuple(dot(row, v) for row in TURN) for v in (at, along))
-        placed.append((add(at, MIDDLE), along, radius, length, sides))
+        placed.append((add(at, MIDDLE), along, *form))
     return beads_mesh(placed)
 
 
