@@ -9,7 +9,8 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
 from case import (  # noqa: E402
-    BARE, CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, WRITE, Case, main)
+    BARE, CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, WRITE, Case, main,
+    unsanitized)
 from exr_file import Exr  # noqa: E402
 import plan_dumps  # noqa: E402
 
@@ -378,6 +379,7 @@ class Layers(Case):
         self.assertEqual(set(Exr(self.render('b.exr', '--aov', 'Z,back.N')).channels),
                          {*'RGBA', 'Z', 'back.N.X', 'back.N.Y', 'back.N.Z'})
 
+    @unsanitized
     def test_automatic_settings_are_the_rungs_own(self):
         values = {'bounce': ('exact', 'distance'), 'paper': ('paper', 'infinite')}
         for rung, other in (('bounce', 'paper'), ('paper', 'bounce')):
@@ -420,6 +422,7 @@ class Same(Case):
     def test_again(self):
         self.check()
 
+    @unsanitized
     def test_whatever_the_threads(self):
         self.check(env={'LP_NUM_THREADS': '1'})
         self.check(env={'LP_NUM_THREADS': '2'})

@@ -16,7 +16,8 @@ import unittest
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    BARE, CANT_CREATE, NO_DRIVER, PLAIN, USAGE, WRITE, Case, environment, main)
+    BARE, CANT_CREATE, NO_DRIVER, PLAIN, USAGE, WRITE, Case, environment, main,
+    unsanitized)
 
 
 def take_flag(name):
@@ -230,6 +231,7 @@ class Parallel(Farm):
         return self.firn('farm', 'parallel', *arguments, '--submit', '--hosts', 'dead,alive',
                          env=self.env)
 
+    @unsanitized
     def test_a_dead_host(self):
         alone = self.draw_alone()
         done = self.submit(*TURN)
@@ -243,6 +245,7 @@ class Parallel(Farm):
         self.assertEqual(self.submit(*TURN).returncode, 0)  # nothing is left to do
         self.assertEqual((self.folder / 'hosts.txt').read_text().split(), hosts)
 
+    @unsanitized
     def test_what_has_failed_comes_again(self):
         (self.folder / 'turn.03.exr').mkdir()
         self.refuse(CANT_CREATE, 'farm', 'parallel', *TURN, names=['turn.03.exr'])

@@ -4,7 +4,7 @@ import math
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import BARE, Case, long, main  # noqa: E402
+from case import BARE, Case, long, main, unsanitized  # noqa: E402
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
@@ -96,6 +96,7 @@ class Layers(Case):
                 self.assertEqual(at(*place)[4:6], moved)
                 self.assertEqual(at(-1.9, 0.1)[4:6], [0, 0])
 
+    @unsanitized
     def test_turning(self):
         """The middle of a turning box's front, 0.5 m from the axis, at 8 pixels a metre."""
         for _, at in self.draw('--set', 'motion.fps=10', '--set', 'motion.ice=90', '--set',

@@ -3,7 +3,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_INPUT, USAGE, Case, main  # noqa: E402
+from case import DATA, NO_INPUT, USAGE, Case, main, unsanitized  # noqa: E402
 from exr_file import Exr  # noqa: E402
 
 TINY = ('--size', '16x12', '-q')
@@ -43,6 +43,7 @@ class Preset(Case):
             self.assertEqual(self.settings('--eye', '3,1,2', '--preset', picture), wanted)
             self.assertTrue((self.folder / 'a.exr').read_bytes() == first)
 
+    @unsanitized
     def test_each_of_a_sweep(self):
         few, many = self.write(f'{PLAIN}cracks.count=0'), self.write('cracks.count=x', 'many.txt')
         self.succeed('sheet', 'sphere', *TINY, '--sweep', f'preset={few},{few}', '-o', 'a.png')

@@ -9,7 +9,8 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import DATA, NO_DEVICE, NO_DRIVER, SMALL, USAGE, Case, environment, main  # noqa: E402
+from case import (  # noqa: E402
+    DATA, NO_DEVICE, NO_DRIVER, SMALL, USAGE, Case, environment, main, unsanitized)
 from exr_file import Exr  # noqa: E402
 
 TRACED = ('--refraction', 'reference')
@@ -211,6 +212,7 @@ class With(Case):
         self.assertEqual(said.count('up to date'), 2)
         self.assertTrue(first == (self.folder / 'a.02.exr').read_bytes())
 
+    @unsanitized
     def test_an_eye_in_the_pool(self):
         """What the rasteriser draws from below: Snell's window, the mirror around it, the tiles,
         and light on floor and walls."""
