@@ -51,7 +51,7 @@ struct rg_exec_import {
 /* The layout of a descriptor set of the program's own. */
 struct rg_exec_set {
     const struct rg_set *set;     /* that rows name */
-    VkDescriptorSetLayout layout; /* borrowed; it outlives the executor */
+    VkDescriptorSetLayout layout; /* borrowed; it outlives executor and rg_exec_params.pipelines */
 };
 
 /*

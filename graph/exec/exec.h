@@ -91,7 +91,7 @@ struct rg_exec {
     const struct rg_plan *plan;
     VkDevice device;
     struct exec_objects objects; /* of the plan (objects.c) */
-    struct exec_objects former;  /* while a plan takes the place of another: the rest of that */
+    struct exec_objects former;  /* while a plan is made: what those before it leave */
 
     enum {
         RG_NOT_FOUND,
