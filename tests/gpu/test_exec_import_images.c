@@ -25,7 +25,7 @@ static const struct gpu_window_system windows = { surface_extension, 1, can_pres
 
 static void open_device(struct gpu *gpu)
 {
-    struct gpu_params params = lavapipe_params;
+    struct gpu_params params = lavapipe_params();
     params.windows = &windows;
     lavapipe_environment();
     assert_int_equal(gpu_create(gpu, &params), STATUS_OK);

@@ -217,7 +217,7 @@ static void devices_without_rays_are_told(void **state)
         skip();
     run_compile(&run, *state, &params);
     assert_int_equal(run_create(&run, run.plan), VK_ERROR_FEATURE_NOT_PRESENT);
-    assert_true(run.line_count >= 2); /* of the device, and of the shader */
+    assert_true(run.line_count >= 1); /* of the shader, or of the device, too */
     run_close(&run);
 }
 

@@ -97,7 +97,7 @@ static const struct {
     bool has_path; /* that of a sphere: 2 cos theta_t */
 } at_six_tenths[] = {
     { "paper", 3.285, 0.05, false },     { "per-vertex", 9.582, 0.05, false },
-    { "one-sided", 9.582, 0.05, false }, { "slab", 0, 1e-4, false },
+    { "one-sided", 9.582, 0.05, false }, { "slab", 0, 1e-3, false },
     { "sphere", 19.163, 0.05, true },    { "blend", 21.512, 0.05, false },
     { "wyman", 19.163, 1.5, false },     { "search", 19.163, 0.05, true },
     { "bounce", 19.163, 0.05, true },    { "trace", 19.163, 0.05, true },

@@ -11,7 +11,7 @@
 static const vec3s white = { { 1, 1, 1 } };
 
 /* Relative: a device may round to halves either way. */
-static const double half_step = 1e-3;
+static const double half_step = 1.1e-3;
 
 /* Two metres wide, around the origin, towards +Z. */
 static const struct picture_quad square = {

@@ -13,7 +13,18 @@
 
 #include <cmocka.h>
 
-/* Fails unless |a - b| <= tolerance; NaN fails. */
-#define CHECK_NEAR(a, b, tolerance) assert_true(fabs((double)(a) - (double)(b)) <= (tolerance))
+/* Fails unless |a - b| <= tolerance, and says by how much; NaN fails. */
+#define CHECK_NEAR(a, b, tolerance) \
+    check_is_near((double)(a), (double)(b), (tolerance), #a " is near " #b, __FILE__, __LINE__)
+
+static inline void check_is_near(double a, double b, double tolerance, const char *what,
+                                 const char *file, int line)
+{
+    if (fabs(a - b) <= tolerance)
+        return;
+    print_error("%s: %.9g and %.9g differ by %.3g, allowed are %.3g\n", what, a, b, fabs(a - b),
+                tolerance);
+    _fail(file, line);
+}
 
 #endif

@@ -3,7 +3,16 @@
 #include <assert.h>
 #include <stdlib.h>
 
-const struct gpu_params lavapipe_params = { .device = "llvmpipe", .validate = true };
+static const char *other_device(void)
+{
+    return getenv("FIRN_TEST_DEVICE");
+}
+
+struct gpu_params lavapipe_params(void)
+{
+    const char *device = other_device();
+    return (struct gpu_params){ .device = device ? device : "llvmpipe", .validate = true };
+}
 
 void lavapipe_environment(void)
 {
@@ -11,14 +20,17 @@ void lavapipe_environment(void)
     unsetenv("HOME");
     setenv("VK_LAYER_ENABLES", "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT",
            1);
+    if (!other_device()) /* it is opened in two thirds of the time if no other driver is loaded */
+        setenv("VK_LOADER_DRIVERS_SELECT", "*lvp*", 1);
 }
 
 int lavapipe_open(void **state)
 {
     lavapipe_environment();
     struct gpu *gpu = calloc(1, sizeof(*gpu));
+    const struct gpu_params params = lavapipe_params();
     *state = gpu;
-    return gpu && gpu_create(gpu, &lavapipe_params) == STATUS_OK && gpu->validated ? 0 : -1;
+    return gpu && gpu_create(gpu, &params) == STATUS_OK && gpu->validated ? 0 : -1;
 }
 
 int lavapipe_close(void **state)

@@ -1,6 +1,7 @@
 /*
- * lavapipe.h: opens lavapipe, Mesa's driver for the CPU, with validation, as a device for tests.
- * Without driver or validation layer the tests fail; none is skipped.
+ * lavapipe.h: opens lavapipe, Mesa's driver for the CPU, or the device that $FIRN_TEST_DEVICE
+ * names, with validation, as a device for tests. Without driver or validation layer the tests fail;
+ * none is skipped.
  */
 #ifndef TESTS_LAVAPIPE_H
 #define TESTS_LAVAPIPE_H
@@ -9,7 +10,7 @@
 
 #include "src/gpu/gpu.h"
 
-extern const struct gpu_params lavapipe_params;
+struct gpu_params lavapipe_params(void);
 
 /* No pipeline cache of the user's, and synchronization validation across submissions. */
 void lavapipe_environment(void);

@@ -33,8 +33,9 @@ bool painted_when(const struct rg_frame *frame, uint32_t repetition)
 /* ---- series ---- */
 
 static PFN_vkAllocateMemory allocate_memory;
+static const struct gpu *filled;
 
-/* This driver's memory can all be mapped. As floats every word is 48.6. */
+/* Fills what can be mapped: of lavapipe all. As floats every word is 48.6. */
 static VKAPI_ATTR VkResult VKAPI_CALL allocate_garbage(VkDevice device,
                                                        const VkMemoryAllocateInfo *info,
                                                        const VkAllocationCallbacks *callbacks,
@@ -42,7 +43,8 @@ static VKAPI_ATTR VkResult VKAPI_CALL allocate_garbage(VkDevice device,
 {
     void *bytes;
     VkResult result = allocate_memory(device, info, callbacks, memory);
-    if (result != VK_SUCCESS)
+    if (result != VK_SUCCESS || !(filled->memory.memoryTypes[info->memoryTypeIndex].propertyFlags &
+                                  VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT))
         return result;
     assert_int_equal(vkMapMemory(device, *memory, 0, VK_WHOLE_SIZE, 0, &bytes), VK_SUCCESS);
     memset(bytes, 0x42, (size_t)info->allocationSize);
@@ -55,6 +57,7 @@ void painted_series(struct gpu *gpu, const struct run_params *params,
 {
     struct run run;
     const uint32_t slots = params->frames_in_flight ? params->frames_in_flight : 2;
+    filled = gpu;
     allocate_memory = vkAllocateMemory;
     vkAllocateMemory = allocate_garbage;
     run_open(&run, gpu, params);
