@@ -18,7 +18,8 @@ LISTED = {'rungs': 'rungs', 'aov': 'layers'}
 WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbox', 'immediate'),
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),
          'overlay': ('on', 'off'), 'only': ('heat',), 'sandbox': ('on', 'off'),
-         'pixel-filter': ('box', 'point'), 'png-bits': ('8', '16'), 'up': ('y', 'z')}
+         'pixel-filter': ('blackman-harris', 'box', 'point'), 'png-bits': ('8', '16'),
+         'up': ('y', 'z')}
 FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'html', 'mask',
          'truth', 'screenshot', 'watch', 'preset'}
 CATEGORIES = (*LISTS, 'devices', 'sandbox')

@@ -116,8 +116,8 @@ static bool describe(const struct output *output, bool is_png, char **text)
         fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", p->scene.name,
                 p->rung->rung.name, p->width, p->height,
                 output->samples ? output->samples : p->samples);
-        if (p->filter == PIXEL_FILTER_POINT)
-            fputs(" pixel-filter=point", out);
+        if (p->filter != PIXEL_FILTER_BOX)
+            fprintf(out, " pixel-filter=%s", pixel_filter_names[p->filter]);
         if (p->interleaved) /* other tiles change nothing */
             fprintf(out, " interleaved=%ux%u", p->columns, p->rows);
         if (p->split)

@@ -21,7 +21,7 @@ struct eye eye_of(const struct frame_view *view, enum pixel_filter filter)
 
 struct bvh_ray eye_ray(const struct eye *eye, uint32_t x, uint32_t y, uint32_t sample)
 {
-    const vec2s jitter = accumulate_offset(eye->filter, sample);
+    const vec2s jitter = pixel_filter_offset(eye->filter, sample);
     const struct background_push *push = &eye->push;
     struct frame_view view = eye->view;
     const float right = 2.0f * ((float)x + 0.5f + jitter.x) / (float)view.width - 1.0f;

@@ -3,7 +3,7 @@
 #define FIRN_REFERENCE_EYE_H
 
 #include "src/reference/bvh.h"
-#include "src/render/accumulate.h"
+#include "src/render/pixel_filter.h"
 #include "src/tech/frame.h"
 
 struct eye {

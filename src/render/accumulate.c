@@ -74,20 +74,3 @@ void accumulate_mean(struct image *image, const struct frame_layer *layer, uint3
             plane[i] /= (float)samples;
     }
 }
-
-vec2s accumulate_jitter(uint32_t sample)
-{
-    /* The powers 1 and 2 of 1 / g, where g is the real root of g^3 = g + 1. */
-    const double a[2] = { 0.7548776662466927, 0.5698402909980532 };
-    vec2s jitter;
-    for (int i = 0; i < 2; i++) {
-        double x = 0.5 + sample * a[i];
-        jitter.raw[i] = fminf((float)(x - floor(x) - 0.5), nextafterf(0.5f, 0.0f));
-    }
-    return jitter;
-}
-
-vec2s accumulate_offset(enum pixel_filter filter, uint32_t sample)
-{
-    return filter == PIXEL_FILTER_POINT ? (vec2s){ { 0.0f, 0.0f } } : accumulate_jitter(sample);
-}

@@ -4,11 +4,9 @@
 #ifndef FIRN_RENDER_ACCUMULATE_H
 #define FIRN_RENDER_ACCUMULATE_H
 
-#include <cglm/types-struct.h>
 #include "src/base/status.h"
 #include "src/frame/layers.h"
 #include "src/image/image.h"
-#include "src/render/pixel_filter.h"
 
 /* Adds the planes of a layer, filled with 0, to an image. Returns false when out of memory. */
 bool accumulate_add_planes(struct image *image, const struct frame_layer *layer);
@@ -22,14 +20,5 @@ void accumulate_sample(struct image *image, const struct frame_layer *layer, con
 
 /* Divides an averaged layer's planes by the number of samples. */
 void accumulate_mean(struct image *image, const struct frame_layer *layer, uint32_t samples);
-
-/*
- * Returns the offset of a sample from its pixel's centre, pixels, in [-0.5, 0.5). Sample 0 is the
- * centre; the others follow Roberts' R2 sequence, which covers the pixel evenly at any count.
- */
-vec2s accumulate_jitter(uint32_t sample);
-
-/* Returns the offset at which a filter has a sample of a pixel. */
-vec2s accumulate_offset(enum pixel_filter filter, uint32_t sample);
 
 #endif

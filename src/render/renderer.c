@@ -254,8 +254,8 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         .time = shot->time,
         .width = r->width,
         .height = r->height,
-        .jitter = accumulate_offset(r->params.filter, sample),
-        .light_jitter = accumulate_jitter(sample),
+        .jitter = pixel_filter_offset(r->params.filter, sample),
+        .light_jitter = pixel_filter_jitter(sample),
         .tile = tile_offset(&r->params, shot->tile),
         .lod_bias = renderer_is_interleaved(&r->params)
                         ? -0.5f * log2f((float)(r->params.columns * r->params.rows))

@@ -21,7 +21,7 @@ class Pixels(Case):
 
 
 class PixelFilter(Pixels):
-    def test_point_is_at_the_centre(self):
+    def test_each_has_its_samples(self):
         for more in ((), ('--tiles', '2x1')) + ((('-r', 'reference'),) if HAS_REFERENCE else ()):
             with self.subTest(more=more):
                 one = self.draw(*more)
@@ -29,8 +29,11 @@ class PixelFilter(Pixels):
                 self.assertEqual(point.pixels, one.pixels)
                 box = self.draw('--samples', '2', *more)
                 self.assertNotEqual(box.pixels, one.pixels)
+                wide = self.draw('--samples', '2', '--pixel-filter', 'blackman-harris', *more)
+                self.assertNotIn(wide.pixels, (box.pixels, one.pixels))
+                self.assertIn(' pixel-filter=blackman-harris ', wide.text('firn/settings'))
 
-    def test_only_point_is_recorded(self):
+    def test_all_but_the_box_are_recorded(self):
         self.assertNotIn('pixel-filter', self.draw('--pixel-filter', 'box').text('firn/settings'))
         point = self.draw('--pixel-filter', 'point', '--frames', '3')
         self.assertIn(' pixel-filter=point ', point.text('firn/settings'))
@@ -38,7 +41,7 @@ class PixelFilter(Pixels):
     def test_others_are_refused(self):
         for name in ('', 'Box', 'gauss'):
             self.refuse(USAGE, 'render', *TINY, '--pixel-filter', name,
-                        names=['--pixel-filter', name, 'box or point'])
+                        names=['--pixel-filter', name, 'box, point or blackman-harris'])
 
 
 class Caustics(Pixels):

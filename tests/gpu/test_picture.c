@@ -298,7 +298,7 @@ static void sky_is_above_and_sun_where_it_is_set(void **state)
 /* Where a sample of a pixel looks. */
 static struct vec sample_ray(const struct picture_request *request, size_t i, uint32_t sample)
 {
-    const vec2s jitter = accumulate_jitter(sample);
+    const vec2s jitter = pixel_filter_jitter(sample);
     const size_t column = i % request->width;
     const size_t row = i / request->width;
     return picture_ray(request, (double)column + 0.5 + (double)jitter.x,

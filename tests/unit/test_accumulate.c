@@ -1,4 +1,4 @@
-/* Samples become planes, and lie evenly in their pixel. */
+/* Samples become planes. */
 #include "src/render/accumulate.h"
 
 #include <math.h>
@@ -167,53 +167,12 @@ static void test_layers_of_the_frame(void **state)
     image_finish(&image);
 }
 
-/* ---- where samples lie ---- */
-
-static void test_jitter_stays_in_the_pixel(void **state)
-{
-    (void)state;
-    assert_true(accumulate_jitter(0).x == 0.0f && accumulate_jitter(0).y == 0.0f);
-    for (uint32_t i = 0; i < 100000; i++) {
-        /* small counts, the last ones there are, and those around one that is nearly 0.5 */
-        const vec2s jitters[] = {
-            accumulate_jitter(i),
-            accumulate_jitter(UINT32_MAX - i),
-            accumulate_jitter(7913000 + i),
-        };
-        for (size_t k = 0; k < sizeof(jitters) / sizeof(jitters[0]); k++) {
-            assert_true(jitters[k].x >= -0.5f && jitters[k].x < 0.5f);
-            assert_true(jitters[k].y >= -0.5f && jitters[k].y < 0.5f);
-        }
-    }
-}
-
-/* At any count the samples balance, and each quarter of the pixel has its share. */
-static void test_jitter_is_even(void **state)
-{
-    (void)state;
-    double x = 0.0, y = 0.0;
-    int quarters[4] = { 0 };
-    for (uint32_t i = 0; i < 1024; i++) {
-        vec2s jitter = accumulate_jitter(i);
-        int count = (int)i + 1;
-        x += (double)jitter.x;
-        y += (double)jitter.y;
-        quarters[(jitter.x >= 0.0f) + 2 * (jitter.y >= 0.0f)]++;
-        /* the mean's error falls as 1 / count; of random samples it would fall as its root */
-        assert_true(fabs(x) < 2.5 && fabs(y) < 2.5);
-        for (int q = 0; q < 4; q++)
-            assert_true(abs(quarters[q] * 4 - count) <= 16);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_formats_and_channels),
         cmocka_unit_test(test_layers_side_by_side),
         cmocka_unit_test(test_layers_of_the_frame),
-        cmocka_unit_test(test_jitter_stays_in_the_pixel),
-        cmocka_unit_test(test_jitter_is_even),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

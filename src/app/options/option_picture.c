@@ -175,14 +175,10 @@ enum status option_png_bits(const struct option *option, void *at, const char *v
 
 enum status option_pixel_filter(const struct option *option, void *at, const char *value)
 {
-    static const char *const names[PIXEL_FILTER_COUNT] = {
-        [PIXEL_FILTER_BOX] = "box",
-        [PIXEL_FILTER_POINT] = "point",
-    };
     enum pixel_filter *filter = at;
-    const int i = option_find_word(names, PIXEL_FILTER_COUNT, value);
+    const int i = option_find_word(pixel_filter_names, PIXEL_FILTER_COUNT, value);
     if (i < 0)
-        return option_refuse(option, value, "box or point");
+        return option_refuse(option, value, "box, point or blackman-harris");
     *filter = (enum pixel_filter)i;
     return STATUS_OK;
 }

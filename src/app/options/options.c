@@ -93,7 +93,7 @@ static const struct option options[] = {
       "samples per pixel at rest and in screenshots, 1 to 65536 (64; 1 with --frames)", 1, 65536 },
     { "Output", "pixel-filter", 0, "FILTER", FILES | APP_LADDER | APP_SHEET,
       AT(enum pixel_filter, picture.filter, option_pixel_filter),
-      "samples of a pixel: box (all over it) or point (at its centre) (box)" },
+      "where samples of a pixel are: box (all over it), point or blackman-harris (box)" },
     { "Output", "aov", 0, "LIST", FILES, PICTURE(option_aov),
       "additional EXR layers, separated by commas, or all: firn list layers" },
     { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, PICTURE(option_tiles),

@@ -177,8 +177,8 @@ static void print(FILE *out, const struct ui_command *c)
     fprintf(out, " --size %ux%u", p->width, p->height);
     if (p->samples > 1)
         fprintf(out, " --samples %u", p->samples);
-    if (p->filter == PIXEL_FILTER_POINT)
-        print_name(out, "pixel-filter", "point");
+    if (p->filter != PIXEL_FILTER_BOX)
+        print_name(out, "pixel-filter", pixel_filter_names[p->filter]);
     if (p->is_rung_named)
         print_name(out, "refraction", p->rung->rung.name);
     print_ior(out, c);

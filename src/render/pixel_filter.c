@@ -1,0 +1,59 @@
+/* pixel_filter.c: where the samples of a pixel are. */
+#include "src/render/pixel_filter.h"
+#include <math.h>
+
+static const double pi = 3.14159265358979323846;
+static const double window_radius = 1.5; /* pixels */
+
+const char *const pixel_filter_names[PIXEL_FILTER_COUNT] = {
+    [PIXEL_FILTER_BOX] = "box",
+    [PIXEL_FILTER_POINT] = "point",
+    [PIXEL_FILTER_BLACKMAN_HARRIS] = "blackman-harris",
+};
+
+vec2s pixel_filter_jitter(uint32_t sample)
+{
+    /* The powers 1 and 2 of 1 / g, where g is the real root of g^3 = g + 1. */
+    const double a[2] = { 0.7548776662466927, 0.5698402909980532 };
+    vec2s jitter;
+    for (int i = 0; i < 2; i++) {
+        double x = 0.5 + sample * a[i];
+        jitter.raw[i] = fminf((float)(x - floor(x) - 0.5), nextafterf(0.5f, 0.0f));
+    }
+    return jitter;
+}
+
+/*
+ * Returns where the integral of the window from its middle on is `share` of the whole, radii: in
+ * [-1, 1] for [-0.5, 0.5]. The window is Blackman's and Harris' of four terms (Harris 1978, On the
+ * Use of Windows for Harmonic Analysis with the Discrete Fourier Transform, -92 dB). It falls from
+ * its middle on, so that Newton's steps approach from there and never go too far.
+ */
+static double window_at(double share)
+{
+    const double a[] = { 0.35875, 0.48829, 0.14128, 0.01168 };
+    const double wanted = fabs(share) * 2.0 * a[0];
+    double x = 0.0;
+    for (int step = 0; step < 40; step++) {
+        double sum = a[0] * x - wanted;
+        double height = a[0];
+        for (int k = 1; k < 4; k++) {
+            sum += a[k] * sin(k * pi * x) / (k * pi);
+            height += a[k] * cos(k * pi * x);
+        }
+        if (sum > -1e-7)
+            break;
+        x = fmin(x - sum / height, 1.0);
+    }
+    return copysign(x, share);
+}
+
+vec2s pixel_filter_offset(enum pixel_filter filter, uint32_t sample)
+{
+    vec2s offset = pixel_filter_jitter(sample);
+    if (filter == PIXEL_FILTER_POINT)
+        return (vec2s){ { 0.0f, 0.0f } };
+    for (int i = 0; i < 2 && filter == PIXEL_FILTER_BLACKMAN_HARRIS; i++)
+        offset.raw[i] = (float)(window_radius * window_at((double)offset.raw[i]));
+    return offset;
+}
