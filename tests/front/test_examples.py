@@ -41,6 +41,7 @@ SMALL = {
 # Of what costs most: words of a command, and fewer of the same.
 FEWER = (
     (r'--frames (\d+)-\d+', r'--frames \1-\1'), (r'--samples \d+', '--samples 2'),
+    (r'--quality high', '--quality high --samples 2'),
     (r'--time \d+', '--time 0.1'),
     (r'--sweep size=\S+', '--sweep size=16x16,32x24,48x36'),
     (r'--sweep cracks.count=\S*', '--sweep cracks.count=0,1'),
