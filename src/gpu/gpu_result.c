@@ -7,7 +7,7 @@
 
 #define ROW(value) .result = (value), .name = #value
 
-static const char lost[] = "the device was lost: retry";
+static const char lost[] = "the device was lost: retry; if a frame takes seconds, with --tiles";
 static const char memory[] =
     "out of memory: end other programs, or use --size, --tiles or --interleaved to need less";
 

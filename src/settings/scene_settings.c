@@ -94,8 +94,8 @@ static const struct setting env_rows[] = {
         .offset = offsetof(struct env_params, sun),
         .max = ENV_SUN_NONE,
         .choices = env_suns,
-        .help = "sun of an --env panorama: as its file says, if it does, or by env.sun_azimuth and "
-                "env.sun_elevation",
+        .help = "sun of an --env panorama: the file's, if it has one, one at env.sun_azimuth and "
+                "env.sun_elevation (own), or none",
     },
     {
         .name = "env.sun_strength",
@@ -259,9 +259,8 @@ static const struct setting ground_rows[] = {
         .max = GROUND_TRACED,
         .choices = ground_lights,
         .affects = SETTING_AFFECTS_PLAN,
-        .help =
-            "light on lit surfaces around the objects: as if nothing were in its way, or traced "
-            "to it, past and through what is (rungs trace and reference)",
+        .help = "light on lit surroundings: open, as without objects, or traced past and through "
+                "them (rungs trace and reference)",
     },
 };
 
@@ -274,8 +273,8 @@ static const struct setting lens_rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct lens_params, f_stop),
         .max = 1000,
-        .help = "focal length over the lens's diameter, of a picture 36 mm wide: smaller ones blur "
-                "more, with as many images as --samples (0: all is sharp)",
+        .help = "f-number of the lens, for a picture 36 mm wide; a smaller one blurs more and "
+                "needs more --samples (0: no depth of field)",
     },
     {
         .name = "lens.focus",
@@ -283,7 +282,7 @@ static const struct setting lens_rows[] = {
         .offset = offsetof(struct lens_params, focus),
         .max = 1e6,
         .unit = "metres",
-        .help = "distance of what is in focus, along the camera's axis (0: the objects' middle)",
+        .help = "focus distance along the camera's axis (0: centre of the objects)",
     },
 };
 

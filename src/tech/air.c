@@ -167,8 +167,8 @@ static const struct setting rows[] = {
         .max = AIR_MEDIUM,
         .choices = models,
         .affects = SETTING_AFFECTS_SCENE,
-        .help =
-            "planes, or a cloud, a medium that scatters light, which trace and the reference draw",
+        .help = "model of the air: planes of bubbles, or a medium that scatters light (rungs trace "
+                "and reference)",
     },
     {
         .name = "air.density",
@@ -176,7 +176,8 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, density),
         .initial = 4,
         .max = 1000,
-        .help = "medium: scatterings across the object's width, where the air is densest",
+        .help = "optical depth across the object's width where the air is densest, with "
+                "air.model=medium",
     },
     {
         .name = "air.clouds",
@@ -184,7 +185,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, clouds),
         .initial = 1,
         .max = 100,
-        .help = "factor on the clouds in the materials of files (extras.cloud); 0: none",
+        .help = "factor on the density of clouds in materials of files, extras.cloud (0: none)",
     },
     {
         .name = "air.anisotropy",
@@ -193,7 +194,7 @@ static const struct setting rows[] = {
         .initial = 0.71,
         .min = -0.95,
         .max = 0.95,
-        .help = "clouds: mean cosine of the angle by which light is scattered",
+        .help = "mean cosine of the scattering angle in clouds and with air.model=medium",
     },
 };
 

@@ -119,8 +119,8 @@ static const struct setting rows[] = {
         .max = GENERATE_BUBBLES_SHAPE_COUNT - 1,
         .choices = shape_names,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "spheres, long or flat ellipsoids, capsules or a mixture; only trace and reference "
-                "draw others than spheres",
+        .help = "shape of the bubbles: spheres, long or flat ellipsoids, capsules, or a mixture; "
+                "rungs other than trace and reference draw spheres",
     },
     {
         .name = "bubbles.stretch",
@@ -130,7 +130,7 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 20,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "longest diameter of bubbles that are no spheres, relative to their shortest",
+        .help = "ratio of the longest to the shortest diameter of bubbles other than spheres",
     },
 };
 

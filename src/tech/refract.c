@@ -205,8 +205,9 @@ static const struct setting rows[] = {
         .initial = 1.0003,
         .min = 1.0,
         .max = 4.0,
-        .help = "refractive index around the objects, such as 1.333 for water; bubbles and cracks "
-                "are full of air in any case (1.0003 is 1 around files with materials)",
+        .help =
+            "refractive index of the medium around the objects, such as 1.333 for water; bubbles "
+            "and cracks contain air with any value (1.0003 means 1 for files with materials)",
     },
     {
         .name = "refract.dispersion",

@@ -101,7 +101,7 @@ static const struct setting rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_bounce_params, least),
         .max = 1,
-        .help = "share of a ray's light that is followed to a further exit, at least",
+        .help = "minimum share of a ray's light that is followed to a further exit",
     },
     {
         .name = "refract_bounce.margin",
@@ -110,8 +110,8 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "where one object leaves the picture, rays also meet its faces beyond the edges, "
-                "within a quarter of the picture's sides",
+        .help = "refraction also at faces beyond the picture's edges, up to a quarter of its "
+                "sides, of a scene with one object",
     },
 };
 

@@ -35,9 +35,8 @@ static const struct setting rows[] = {
         .type = SETTING_SWITCH,
         .offset = offsetof(struct reference_params, roulette),
         .max = 1,
-        .help =
-            "rays that would be terminated go on by chance, one way at each surface: no light is "
-            "missing, but there is noise",
+        .help = "Russian roulette instead of termination at reference.cutoff: no light is missing, "
+                "but there is noise",
     },
     {
         .name = "reference.photons",

@@ -428,7 +428,8 @@ static const struct setting rows[] = {
         .offset = offsetof(struct trace_params, branch),
         .initial = 0.03,
         .max = 1,
-        .help = "share of a path's light from which a reflection inside is followed (0: always)",
+        .help = "minimum share of a path's light at which an internal reflection is followed as "
+                "well (0: always)",
     },
     {
         .name = "trace.surroundings",
@@ -437,8 +438,8 @@ static const struct setting rows[] = {
         .max = TRACE_RAYS,
         .choices = surroundings,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "what rays see that leave the objects: the environment cube, or the triangles "
-                "around them",
+        .help = "source of the light of rays that leave the objects: the environment cube, or rays "
+                "to the triangles of the surroundings (auto: by the scene)",
     },
 };
 
