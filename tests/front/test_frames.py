@@ -225,6 +225,7 @@ class Resume(Frames):
                     self.assertTrue(reasons[0].startswith(f'firn: {name}: '), reasons)
         self.check_whole()
 
+    @unsanitized
     def test_other_options(self):
         for other in (('--set', 'tonemap.exposure=1'), ('--set', 'motion.time=1'),
                       ('--size', '48x64'), ('--samples', '2'), ('--refraction', 'one-sided'),

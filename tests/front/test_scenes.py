@@ -59,6 +59,7 @@ class Scenes(Case):
             for name in DRESSING:
                 self.assertEqual(name in found, is_dressed, name)
 
+    @unsanitized
     def test_what_is_in_ice_for_rays_alone_is_said(self):
         words = ('render', 'ice-cube', *SMALL, '--set', 'air.model=medium', '--set',
                  'bubbles.shape=capsule', '-o', 'a.exr')
@@ -221,6 +222,7 @@ class Scenes(Case):
         info = self.succeed('info', name, '--json', env=NO_DRIVER)
         return rungs.pop(), json.loads(info.stdout)['refraction'], said
 
+    @unsanitized
     def test_the_scene_chooses_the_rung(self):
         opaque = {'name': 'core'}
         (self.folder / 'core.gltf').write_text(boxes((glass(), [0, 0, 0], 1),
