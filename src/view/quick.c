@@ -116,11 +116,13 @@ static enum status make(struct quick *q, const struct quick_params *p,
                         const struct renderer_shot *shot, bool is_bare)
 {
     const VkExtent2D half = { p->left.width / 2 + 1, p->left.height / 2 + 1 };
+    const VkExtent2D least = { half.width < small.width ? half.width : small.width,
+                               half.height < small.height ? half.height : small.height };
     q->is_bare = is_bare;
     (void)take_settings(q, p);
     enum status status = fit_all(q, p);
     if (status == STATUS_OK)
-        status = try(q, shot, small);
+        status = try(q, shot, least);
     if (status == STATUS_OK) /* its memory is touched for the first time */
         status = try(q, shot, half);
     if (status == STATUS_OK)

@@ -123,7 +123,7 @@ class WindowCase(Case):
         """As the window manager does it."""
         self.press_to_end(window, 'alt+F4')
         self.assertNotIn('firn: ', self.words())  # nothing went wrong
-        self.assertRegex(self.words(), r'\d+ frames')
+        self.assertRegex(self.words(), r'\d+ frame')
 
 
 class Hands(WindowCase):
@@ -187,6 +187,14 @@ class Hands(WindowCase):
         for number, (width, height) in enumerate(((1, 1), (317, 180), (317, 33)), 1):
             self.desktop.do('windowsize', '--sync', window, width, height)
             self.assertEqual(png_size(self.shoot(window, number)), (width, height))
+        self.close(window)
+
+    def test_a_window_of_few_pixels(self):
+        """Movements get renderers of their own even where the picture is smaller than what these
+        are tried with."""
+        window = self.start('ice-cube', '--size', '8x6', '--set', 'env_cube.always=on', '--set',
+                            'env_cube.size=1024', plain=())
+        self.at_rest(window)
         self.close(window)
 
     def test_minimise_and_restore(self):
