@@ -10,6 +10,7 @@
 
 #include "src/gpu/gpu.h"
 
+/* What gpu_create() opens it by. */
 struct gpu_params lavapipe_params(void);
 
 /* No pipeline cache of the user's, and synchronization validation across submissions. */
