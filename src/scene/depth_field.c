@@ -14,7 +14,7 @@
 enum {
     SIZE = CLOUD_SIZE,
     COUNT = SIZE * SIZE * SIZE,
-    SWEEPS = 2, /* each there and back */
+    SWEEPS = 4, /* forth and back, twice */
 };
 
 #define NOWHERE UINT32_MAX
@@ -24,6 +24,7 @@ struct work {
     struct box box;
     vec3s cell;        /* a texel's sides */
     uint32_t *nearest; /* triangle of each texel, or NOWHERE */
+    uint8_t *changed;  /* the last sweep that found it */
     float *distances2;
     int32_t *windings;
 };
@@ -56,23 +57,26 @@ static float line_distance2(vec3s p, vec3s a, vec3s b)
     return glms_vec3_norm2(glms_vec3_sub(to, glms_vec3_scale(along, glm_clamp(t, 0.0f, 1.0f))));
 }
 
-/* Returns the square of the distance to a triangle. */
+/* Returns the square of the distance to a triangle. What is not above it is nearest to one of the
+ * sides that it is beyond. */
 static float distance2(const struct work *work, uint32_t triangle, vec3s p)
 {
     vec3s c[3];
     corners_of(work->mesh, triangle, c);
     const vec3s n = glms_vec3_cross(glms_vec3_sub(c[1], c[0]), glms_vec3_sub(c[2], c[0]));
-    bool is_above = glms_vec3_norm2(n) > 0.0f;
-    for (int k = 0; k < 3 && is_above; k++) {
-        const vec3s side = glms_vec3_cross(n, glms_vec3_sub(c[(k + 1) % 3], c[k]));
-        is_above = glms_vec3_dot(side, glms_vec3_sub(p, c[k])) >= 0.0f;
+    const float n2 = glms_vec3_norm2(n);
+    float least = INFINITY;
+    for (int k = 0; k < 3; k++) {
+        const vec3s next = c[(k + 1) % 3];
+        const vec3s inwards = glms_vec3_cross(n, glms_vec3_sub(next, c[k]));
+        const bool is_within = glms_vec3_dot(inwards, glms_vec3_sub(p, c[k])) >= 0.0f;
+        if (!is_within || !(n2 > 0.0f))
+            least = fminf(least, line_distance2(p, c[k], next));
     }
-    if (is_above) {
-        const float height = glms_vec3_dot(glms_vec3_sub(p, c[0]), n);
-        return height * height / glms_vec3_norm2(n);
-    }
-    return fminf(line_distance2(p, c[0], c[1]),
-                 fminf(line_distance2(p, c[1], c[2]), line_distance2(p, c[2], c[0])));
+    if (least < INFINITY)
+        return least;
+    const float height = glms_vec3_dot(glms_vec3_sub(p, c[0]), n);
+    return height * height / n2;
 }
 
 static void offer(const struct work *work, uint32_t triangle, int x, int y, int z)
@@ -119,33 +123,45 @@ static void offer_near(const struct work *work, uint32_t triangle)
 }
 
 /* Offers a texel the nearest triangles of the 13 neighbours before it, or after it: few, for most
- * have the same. */
-static void offer_neighbours(const struct work *work, int x, int y, int z, int side)
+ * have the same, and only those that have changed since sweep `since`. */
+static void offer_neighbours(const struct work *work, size_t texel, int side, int since)
 {
-    uint32_t before = NOWHERE;
+    const int x = (int)(texel % SIZE), y = (int)(texel / SIZE % SIZE),
+              z = (int)(texel / SIZE / SIZE);
+    uint32_t offered[13];
+    int count = 0;
     for (int i = 14; i < 27; i++) {
         const int nx = x + side * (i % 3 - 1);
         const int ny = y + side * (i / 3 % 3 - 1);
         const int nz = z + side * (i / 9 - 1);
         if (nx < 0 || ny < 0 || nz < 0 || nx >= SIZE || ny >= SIZE || nz >= SIZE)
             continue;
-        const uint32_t nearest = work->nearest[texel_at(nx, ny, nz)];
-        if (nearest != NOWHERE && nearest != before)
+        const size_t neighbour = texel_at(nx, ny, nz);
+        const uint32_t nearest = work->nearest[neighbour];
+        bool is_new = nearest != NOWHERE && work->changed[neighbour] >= since;
+        for (int k = 0; k < count && is_new; k++)
+            is_new = offered[k] != nearest;
+        if (is_new) {
+            offered[count++] = nearest;
             offer(work, nearest, x, y, z);
-        before = nearest;
+        }
     }
 }
 
-/* Hands the nearest triangles on to what is inside: nothing else is asked for its depth. */
-static void sweep(const struct work *work)
+/* Hands the nearest triangles on to what is inside: nothing else is asked for its depth. What has
+ * not changed since the sweep before has been offered by the one in the same direction. */
+static void sweep(const struct work *work, int number)
 {
-    for (int i = 0; i < COUNT; i++) {
-        if (work->windings[i])
-            offer_neighbours(work, i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE, -1);
-    }
-    for (int i = COUNT - 1; i >= 0; i--) {
-        if (work->windings[i])
-            offer_neighbours(work, i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE, 1);
+    const bool is_forth = number % 2 == 0;
+    const int since = number < 2 ? 0 : number - 1;
+    for (size_t i = 0; i < COUNT; i++) {
+        const size_t texel = is_forth ? i : COUNT - 1 - i;
+        const uint32_t before = work->nearest[texel];
+        if (!work->windings[texel])
+            continue;
+        offer_neighbours(work, texel, is_forth ? -1 : 1, since);
+        if (work->nearest[texel] != before)
+            work->changed[texel] = (uint8_t)number;
     }
 }
 
@@ -256,10 +272,12 @@ bool depth_field_init(struct depth_field *field, const struct mesh *mesh)
         work.cell.raw[k] = fmaxf(side, 1e-6f * box_diagonal(work.box)) / SIZE;
     }
     work.nearest = malloc(COUNT * sizeof(*work.nearest));
+    work.changed = calloc(COUNT, sizeof(*work.changed));
     work.distances2 = malloc(COUNT * sizeof(*work.distances2));
     work.windings = calloc(COUNT, sizeof(*work.windings));
     field->texels = malloc(COUNT * sizeof(*field->texels));
-    const bool done = work.nearest && work.distances2 && work.windings && field->texels;
+    const bool done =
+        work.nearest && work.changed && work.distances2 && work.windings && field->texels;
     for (size_t i = 0; done && i < COUNT; i++) {
         work.nearest[i] = NOWHERE;
         work.distances2[i] = INFINITY;
@@ -269,12 +287,13 @@ bool depth_field_init(struct depth_field *field, const struct mesh *mesh)
         wind(&work, i);
     }
     for (int i = 0; done && i < SWEEPS; i++)
-        sweep(&work);
+        sweep(&work, i);
     if (done)
         measure(field, &work);
     else
         depth_field_finish(field);
     free(work.nearest);
+    free(work.changed);
     free(work.distances2);
     free(work.windings);
     return done;
