@@ -108,6 +108,7 @@ class Animation(Case):
         for i, file in enumerate(files):
             self.assertEqual((self.folder / f'part.{i:02}.exr').read_bytes(), file)
 
+    @unsanitized
     def test_drawn_sequences(self):
         self.check_sequence('a.gltf', '--tiles', '2x1')
 

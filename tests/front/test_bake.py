@@ -10,7 +10,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    CANT_CREATE, DATA, NO_INPUT, SMALL, USAGE, Case, long, main)
+    CANT_CREATE, DATA, NO_INPUT, SMALL, USAGE, Case, long, main, unsanitized)
 from exr_file import Exr, write_exr  # noqa: E402
 
 SMOOTH = tuple(word for name in ('bump.strength', 'light.count', 'cracks.count', 'air.count',
@@ -42,6 +42,7 @@ class Bake(Case):
     def planes(self, exr):
         return exr.read_planes(exr.channels)
 
+    @unsanitized
     def test_six_faces(self):
         done = self.succeed('bake', 'room')
         self.assertEqual(done.stderr, b'env.exr: six faces of 512x512\n')
@@ -127,6 +128,7 @@ class Bake(Case):
             changed += not same
         self.assertGreater(changed, 300)
 
+    @unsanitized
     def test_alpha_says_how_far(self):
         """Without it all is infinitely far away; a near sphere shows other colours."""
         def draw(lookup, *alpha):

@@ -158,6 +158,7 @@ class Clear(Case):
 
 
 class Rungs(Clear):
+    @unsanitized
     def test_reference(self):
         if not features.HAS_REFERENCE:
             self.skipTest('built without Embree')
@@ -192,6 +193,7 @@ class Rungs(Clear):
         for place in range(len(self.names)):
             self.check(found[place], wanted[place], place)
 
+    @unsanitized
     def test_pictures_of_mtl(self):
         if not features.HAS_REFERENCE:
             self.skipTest('built without Embree')

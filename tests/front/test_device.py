@@ -16,7 +16,7 @@ import tempfile
 import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DEVICE, PLAIN, Case, long, main  # noqa: E402
+from case import NO_DEVICE, PLAIN, Case, long, main, unsanitized  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LAYER = ROOT / 'tests/support/fail_layer.c'
@@ -225,6 +225,7 @@ class Device(LayerCase):
     def test_compute(self):
         self.sweep('render', 'pool', *SMALL, only=('vkCreateComputePipelines',))
 
+    @unsanitized
     def test_validated(self):
         """Nothing that the device still uses may be freed, nor anything be left: the layer tells.
         Only under validation there are render passes."""

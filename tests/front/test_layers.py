@@ -56,6 +56,7 @@ class Layers(Case):
                 for found, wanted in zip(pixel[1:], (*color, 0, 0, z)):
                     self.assertAlmostEqual(found, wanted, delta=0.001)
 
+    @unsanitized
     def test_objects_of_one_material(self):
         """Opaque boxes that touch have equal vertices at their common corners, and a number each;
         so have moving objects, and what is around them."""

@@ -9,7 +9,7 @@ import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 import test_features as features  # noqa: E402
-from case import DATA, main  # noqa: E402
+from case import DATA, main, unsanitized  # noqa: E402
 from test_features import UV, encode, extended, moved, pbr  # noqa: E402
 
 NO_LIGHT = {'specularFactor': 0}
@@ -46,6 +46,7 @@ class Mtl(features.Cards):
         for place, name in enumerate(self.names):
             self.check(found[place], wanted[place], name, delta)
 
+    @unsanitized
     def test_values(self):
         matt = extended(pbr((0.2, 0.6, 0.9, 1)), materials_specular=NO_LIGHT)
         self.twin(('Kd .2 .6 .9', 'illum 1'), matt)
@@ -60,6 +61,7 @@ class Mtl(features.Cards):
             materials_emissive_strength={'emissiveStrength': 2}))
         self.compare()
 
+    @unsanitized
     def test_pictures(self):
         texture, color = self.scene.texture, (0.2, 0.6, 0.9)
         stored = tuple(round(255 * encode(x)) for x in color) + (255,)
@@ -101,6 +103,7 @@ class Mtl(features.Cards):
                 'scale': 20}))
         self.compare()
 
+    @unsanitized
     def test_alpha(self):
         white, clear = (255, 255, 255, 255), (255, 255, 255, 102)
         grey = self.picture('grey.png', [(102, 102, 102, 255)])

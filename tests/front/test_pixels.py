@@ -21,6 +21,7 @@ class Pixels(Case):
 
 
 class PixelFilter(Pixels):
+    @unsanitized
     def test_each_has_its_samples(self):
         for more in ((), ('--tiles', '2x1')) + ((('-r', 'reference'),) if HAS_REFERENCE else ()):
             with self.subTest(more=more):

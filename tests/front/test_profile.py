@@ -96,6 +96,7 @@ class OneFrame(Profile):
         self.assertIn('\nrefract_bounce.color x2 ', text)
         self.assertNotIn('color.1', text)
 
+    @unsanitized
     def test_the_clock_that_is_asked_for(self):
         for clock in ('timestamps', 'submits'):
             found = self.json('--clock', clock, '--time-step', '0.5', '--set', 'motion.time=2',

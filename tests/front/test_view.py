@@ -265,6 +265,7 @@ class Automatic(WindowCase):
         self.assertEqual((self.folder / 'a.png').read_bytes(),
                          (self.folder / 'b.png').read_bytes())
 
+    @unsanitized
     def test_animations_play(self):
         """As frames of a sequence; the camera follows that of the file."""
         lens = {'type': 'perspective', 'perspective': {'yfov': 0.8, 'znear': 0.1}}

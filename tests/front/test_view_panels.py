@@ -4,7 +4,7 @@ import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CRACKED, PLAIN, long, main  # noqa: E402
+from case import CRACKED, PLAIN, long, main, unsanitized  # noqa: E402
 from desktop import PATIENCE, wait_until  # noqa: E402
 from test_view import CHECKED, TRIANGLES, WindowCase, png_pixels, png_size  # noqa: E402
 
@@ -101,6 +101,7 @@ class PanelsCase(WindowCase):
 
 
 class Panels(PanelsCase):
+    @unsanitized
     def test_settings_change_by_mouse_and_the_command_draws_the_same(self):
         window = self.start_with_panels('--set', 'cracks.count=3')
         self.assertNotIn('exposure', self.command(window))
@@ -163,6 +164,7 @@ class Panels(PanelsCase):
         self.press_for(window, 'w', 'sphere, paused')
         self.close(window)
 
+    @unsanitized
     def test_only_some_screenshots_have_panels(self):
         copied = self.xclip()
         window = self.start_with_panels()
@@ -250,6 +252,7 @@ class Panels(PanelsCase):
             return
         self.press_until(window, 'Return', 'a choice', lambda: not self.control('palette'))
 
+    @unsanitized
     def test_undo_palette_presets_and_next_scenes(self):
         window = self.start_with_panels()
         self.wait_for_command(window, 'refract.ior=1.5 ',

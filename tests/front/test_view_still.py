@@ -47,6 +47,7 @@ class Still(PanelsCase):
         found = [line.split()[1:] for line in self.labels() if line.split()[:1] == [name]]
         return found[0] if found else []
 
+    @unsanitized
     def test_layers_and_values(self):
         window = self.start_with_panels('--samples', 3, scene='ice-cube')
         words = shlex.split(self.wait_for_command(window, '--samples 3'))[1:-2]
