@@ -15,7 +15,7 @@ layout(location = 0) out vec4 premultiplied;
 
 void main()
 {
-    float alpha = color.a * texture(font, uv).r;
-    vec3 c = encodes != 0 ? srgb_decode(color.rgb) : color.rgb;
-    premultiplied = vec4(c * alpha, alpha);
+    vec4 texel = texture(font, uv) * color;
+    vec3 c = encodes != 0 ? srgb_decode(texel.rgb) : texel.rgb;
+    premultiplied = vec4(c * texel.a, texel.a);
 }

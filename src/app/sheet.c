@@ -10,6 +10,7 @@
 #include "src/image/file.h"
 #include "src/image/png.h"
 #include "src/ladder/canvas.h"
+#include "src/ladder/sheet_grid.h"
 #include "src/render/renderer.h"
 #include "src/render/request.h"
 #include "src/scene/material.h"
@@ -17,10 +18,7 @@
 #include "src/version.h"
 
 enum {
-    COLUMNS = 4, /* of values of one parameter */
     PICTURES_MAX = 64,
-    MARGIN = 8, /* pixels, as are: */
-    ROOM = 150, /* for words of scale 1 */
     GREY = 34,
 };
 
@@ -80,31 +78,25 @@ static enum status check(struct job *job)
 
 /* ---- the sheet ---- */
 
-static uint32_t letter_scale(const struct job *job)
-{
-    return job->o.picture.width >= 2 * ROOM ? 2 : 1;
-}
-
-static uint32_t label_height(const struct job *job)
-{
-    return letter_scale(job) * CANVAS_TEXT_HEIGHT + 4;
-}
-
-/* The values of the last parameter stand in a row, if there are others. */
-static uint32_t columns(const struct job *job)
+/* The values of the last parameter are in a row, if there are others. */
+static struct sheet_grid grid_of(const struct job *job)
 {
     const uint32_t last = job->sweep.parameter_count - 1;
-    if (last > 0)
-        return job->sweep.parameters[last].value_count;
-    return job->sweep.point_count < COLUMNS ? job->sweep.point_count : COLUMNS;
+    const uint32_t count = job->sweep.point_count;
+    return (struct sheet_grid){
+        .columns = last > 0                ? job->sweep.parameters[last].value_count
+                   : count < SHEET_COLUMNS ? count
+                                           : SHEET_COLUMNS,
+        .width = job->o.picture.width,
+        .height = job->o.picture.height,
+    };
 }
 
 static enum status open_canvas(struct job *job)
 {
-    const uint32_t across = columns(job);
-    const uint32_t down = (job->sweep.point_count + across - 1) / across;
-    const uint32_t width = across * (job->o.picture.width + MARGIN) + MARGIN;
-    const uint32_t height = down * (job->o.picture.height + label_height(job) + MARGIN) + MARGIN;
+    const struct sheet_grid grid = grid_of(job);
+    const uint32_t width = sheet_width(&grid);
+    const uint32_t height = sheet_height(&grid, job->sweep.point_count);
     return canvas_init(&job->canvas, width, height, GREY) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
@@ -112,17 +104,17 @@ static enum status open_canvas(struct job *job)
 static void put_picture(struct job *job, uint32_t point, const struct render_result *result)
 {
     const struct canvas picture = { job->o.picture.width, job->o.picture.height, result->rgba };
-    const uint32_t x = MARGIN + point % columns(job) * (job->o.picture.width + MARGIN);
-    const uint32_t y =
-        MARGIN + point / columns(job) * (job->o.picture.height + label_height(job) + MARGIN);
+    const struct sheet_grid grid = grid_of(job);
+    const uint32_t x = sheet_left(&grid, point);
+    const uint32_t y = sheet_top(&grid, point);
     char label[256];
     size_t length = 0;
     for (uint32_t i = 0; i < job->sweep.parameter_count && length < sizeof(label); i++)
         length += (size_t)snprintf(label + length, sizeof(label) - length, "%s%s=%s", i ? " " : "",
                                    job->sweep.parameters[i].name,
                                    profile_sweep_value(&job->sweep, point, i));
-    canvas_write(&job->canvas, x, y, letter_scale(job), label);
-    canvas_put(&job->canvas, x, y + label_height(job), &picture);
+    canvas_write(&job->canvas, x, y, sheet_letter_scale(&grid), label);
+    canvas_put(&job->canvas, x, y + sheet_label_height(&grid), &picture);
 }
 
 static enum status draw(struct job *job, const struct app_picture *p, const struct scene *scene,

@@ -1,5 +1,5 @@
 /*
- * asset.h: model files and panoramas that come with the program, by name.
+ * asset.h: models, panoramas and pictures that come with the program, by name.
  *
  * A file of theirs is looked for in $FIRN_ASSETS, then in ../share/firn from the program's folder,
  * where it is installed, then in assets in the program's folder, where a build puts it.
@@ -13,6 +13,7 @@
 enum asset_kind {
     ASSET_SCENE,
     ASSET_ENVIRONMENT,
+    ASSET_SHEET, /* pictures of `firn sheet`, for the window's panel */
 };
 
 enum {

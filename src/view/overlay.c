@@ -1,5 +1,5 @@
 /*
- * overlay.c: triangles with the texels of a font, blended over the window.
+ * overlay.c: triangles with the texels of a font and of pictures, blended over the window.
  *
  * Colours are blended as they are encoded, as interfaces are designed; where the window encodes
  * what is written, in linear light: half-transparent panels then look a little lighter.
@@ -16,7 +16,7 @@ static rg_record_fn record_parts;
 
 const struct rg_image overlay_font = {
     .name = "overlay.font",
-    .format = VK_FORMAT_R8_UNORM,
+    .format = VK_FORMAT_R8G8B8A8_UNORM,
     .width = 1,
     .height = 1,
 };

@@ -21,7 +21,8 @@ struct overlay_tables {
 
 void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window);
 
-extern const struct rg_image overlay_font;      /* how much of a texel is covered; imported */
+extern const struct rg_image overlay_font;      /* letters (white, A: how much is covered) and
+                                              pictures, sRGB-encoded; imported */
 extern const struct rg_buffer overlay_vertices; /* struct overlay_vertex */
 extern const struct rg_buffer overlay_indices;  /* uint32_t */
 extern const struct technique overlay;          /* over present_window */

@@ -14,7 +14,7 @@ enum {
 
 struct overlay_vertex {
     float x, y;     /* pixels, from the top left corner */
-    float u, v;     /* in the font */
+    float u, v;     /* in the font's image */
     uint32_t color; /* R lowest, A highest; sRGB-encoded, not premultiplied */
 };
 

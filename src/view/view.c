@@ -109,6 +109,8 @@ static enum status load(void *user)
     struct view *v = user;
     if (v->picture)
         return picture_upload(v->picture);
+    if (shows_panels(v->options) || !v->options->view.frame_count)
+        ui_pictures_load(&v->pictures, &v->first.scene.reader);
     return picture_create(&v->picture, &v->gpu, &v->first, v->watch, v->options->run.quiet,
                           !v->options->view.frame_count);
 }
@@ -123,7 +125,7 @@ static enum status open_ui(struct view *v)
 {
     const struct app_options *o = v->options;
     const enum status status =
-        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), o->run.quiet);
+        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), &v->pictures, o->run.quiet);
     if (status != STATUS_OK)
         return status;
     v->window.listen = ui_hear;
@@ -163,6 +165,7 @@ static void finish(struct view *v)
     error_map_finish(&v->compare.map);
     image_finish(&v->compare.file.linear);
     session_finish(&v->session);
+    ui_pictures_finish(&v->pictures);
     picture_destroy(v->picture);
     watch_destroy(v->watch);
     window_finish(&v->window);
@@ -206,6 +209,7 @@ static enum status fit_picture(struct view *v, bool window_is_other)
 {
     const struct picture *p = v->picture;
     const VkExtent2D room = v->layout.picture.extent;
+    char words[RELOAD_SIZE];
     const bool waits = window_is_other && p->renderer && !v->options->view.frame_count;
     if (p->renderer && p->state.width == room.width && p->state.height == room.height) {
         v->resize_at = 0.0;
@@ -219,7 +223,14 @@ static enum status fit_picture(struct view *v, bool window_is_other)
     v->resize_at = 0.0;
     v->changed = true;
     screen_disconnect(&v->screen);
-    return p->renderer ? worker_run(&v->window, resize, v) : resize(v);
+    if (!p->renderer)
+        return resize(v);
+    const double start = clock_seconds();
+    const enum status status = worker_run(&v->window, resize, v);
+    snprintf(words, sizeof(words), "size of the picture %ux%u (the plan, compiled anew in %.0f ms)",
+             room.width, room.height, (clock_seconds() - start) * 1e3);
+    reloads_add(&v->reloads, words);
+    return status;
 }
 
 void view_lay_out(struct view *v, VkExtent2D size)

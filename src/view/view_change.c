@@ -5,9 +5,9 @@
 #include "src/app/options/option_preset.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/base/path.h"
 #include "src/frame/list.h"
 #include "src/image/file.h"
+#include "src/view/drop.h"
 #include "src/view/place.h"
 #include "src/view/recent.h"
 #include "src/view/view_internal.h"
@@ -94,7 +94,7 @@ static void print_cost(const struct view_state *before, const struct view_state 
         snprintf(words, size, " (%s in %.0f ms)", what, seconds * 1e3);
 }
 
-void view_change(struct view *v, const struct view_state *state, uint32_t gesture)
+bool view_change(struct view *v, const struct view_state *state, uint32_t gesture)
 {
     char name[WORDS_SIZE / 2];
     char cost[WORDS_SIZE / 2];
@@ -104,7 +104,7 @@ void view_change(struct view *v, const struct view_state *state, uint32_t gestur
     if (!v->history.count)
         history_add(&v->history, &before, 0);
     if (!view_use(v, state))
-        return;
+        return false;
     const struct view_state now = view_state_now(v);
     history_add(&v->history, &now, gesture);
     const struct view_state *since =
@@ -112,7 +112,10 @@ void view_change(struct view *v, const struct view_state *state, uint32_t gestur
     history_name(since, &now, name, sizeof(name)); /* of all the gesture */
     print_cost(&before, &now, clock_seconds() - start, cost, sizeof(cost));
     snprintf(words, sizeof(words), "%s%s", name, cost);
+    if (*cost)
+        reloads_add(&v->reloads, words);
     ui_say(v->ui, words);
+    return true;
 }
 
 void view_undo(struct view *v, bool again)
@@ -132,15 +135,12 @@ void view_undo(struct view *v, bool again)
         return;
     print_cost(&before, to, clock_seconds() - start, cost, sizeof(cost));
     snprintf(words, sizeof(words), "%s: %s%s", again ? "redo" : "undo", name, cost);
+    if (*cost)
+        reloads_add(&v->reloads, words);
     ui_say(v->ui, words);
 }
 
 /* ---- presets ---- */
-
-static bool is_preset(const char *path)
-{
-    return path_ends_in(path, ".txt") || path_ends_in(path, ".png"); /* a picture of firn */
-}
 
 void view_load_preset(struct view *v, const char *path)
 {
@@ -156,8 +156,9 @@ void view_load_preset(struct view *v, const char *path)
         return;
     }
     state.settings = scene.settings;
-    view_change(v, &state, 0);
-    snprintf(words, sizeof(words), "loaded %s", path);
+    if (!view_change(v, &state, 0))
+        return;
+    snprintf(words, sizeof(words), "settings of %s", path);
     ui_say(v->ui, words);
 }
 
@@ -200,7 +201,15 @@ void view_save_preset(struct view *v)
 struct opening {
     struct view *view;
     const char *path;
+    enum drop drop;
 };
+
+static enum status find_out(void *user)
+{
+    struct opening *opening = user;
+    const struct reader_params *reader = &opening->view->picture->state.scene.reader;
+    return drop_find(opening->path, reader, &opening->drop);
+}
 
 static enum status open_file(void *user)
 {
@@ -209,34 +218,49 @@ static enum status open_file(void *user)
     return picture_load(&opening->view->picture, opening->path, &remade);
 }
 
+static void load(struct view *v, struct opening *opening)
+{
+    const double start = clock_seconds();
+    char words[RELOAD_SIZE];
+    view_say(v, "loading");
+    screen_disconnect(&v->screen);
+    view_compare_stop(v);
+    view_attempt(v);
+    if (worker_run(&v->window, open_file, opening) != STATUS_OK) {
+        view_fail(v, "not opened");
+    } else {
+        snprintf(words, sizeof(words), "%s %s (another scene, made in %.0f ms)",
+                 opening->drop == DROP_ENVIRONMENT ? "around the object:" : "opened", opening->path,
+                 (clock_seconds() - start) * 1e3);
+        reloads_add(&v->reloads, words);
+        ui_say(v->ui, words);
+        recent_add(opening->path);
+    }
+    v->changed = true;
+    view_show_name(v);
+    view_costs_rest(&v->costs, start);
+}
+
 /* A file that cannot be used has been logged; what was there stays. */
 void view_open(struct view *v, const char *path)
 {
-    struct opening opening = { v, path };
+    struct opening opening = { .view = v, .path = path };
     const double start = clock_seconds();
     if (view_compare_takes(v, path)) {
         view_compare_open(v, path);
         return;
     }
-    if (path_ends_in(path, ".firn")) {
-        view_load_session(v, path);
-        return;
-    }
-    if (is_preset(path)) {
-        view_load_preset(v, path);
-        return;
-    }
-    view_say(v, "loading");
-    screen_disconnect(&v->screen);
-    view_compare_stop(v);
     view_attempt(v);
-    if (worker_run(&v->window, open_file, &opening) != STATUS_OK) {
-        view_fail(v, "not opened");
-    } else {
-        ui_say(v->ui, "");
-        recent_add(path);
-    }
-    v->changed = true;
-    view_show_name(v);
+    const enum status status = worker_run(&v->window, find_out, &opening);
     view_costs_rest(&v->costs, start);
+    if (status != STATUS_OK)
+        view_fail(v, "not opened");
+    else if (opening.drop == DROP_SESSION)
+        view_load_session(v, path);
+    else if (opening.drop == DROP_PRESET)
+        view_load_preset(v, path);
+    else if (opening.drop == DROP_PICTURE)
+        view_compare_open(v, path);
+    else
+        load(v, &opening);
 }

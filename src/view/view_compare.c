@@ -160,6 +160,7 @@ void view_compare_open(struct view *v, const char *path)
     struct reading reading = { v, path, { 0 } };
     struct view_state state = view_state_now(v);
     const char *slash = strrchr(path, '/');
+    char words[VIEW_SIDE_SIZE + 64];
     c->awaits_file = false;
     view_attempt(v);
     if (worker_run(&v->window, read_file, &reading) != STATUS_OK) {
@@ -172,7 +173,11 @@ void view_compare_open(struct view *v, const char *path)
     c->file.is_made = c->has_errors = false;
     snprintf(c->file_name, sizeof(c->file_name), "%s", slash ? slash + 1 : path);
     view_compare_choose(v, &state, VIEW_OTHER_FILE);
-    view_change(v, &state, 0);
+    if (!view_change(v, &state, 0))
+        return;
+    snprintf(words, sizeof(words), "compared with %s: D shows differences, W hides it",
+             c->file_name);
+    ui_say(v->ui, words);
 }
 
 /* ---- the truth ---- */

@@ -152,6 +152,7 @@ void view_run_ui(struct view *v, VkExtent2D size)
         .is_new = !v->dragged,
         .layout = &v->layout,
         .history = &v->history,
+        .reloads = &v->reloads,
         .look = &v->look,
         .look_wanted = v->look_wanted,
         .place = &v->place,

@@ -7,6 +7,7 @@
 #include "src/view/history.h"
 #include "src/view/look.h"
 #include "src/view/picture.h"
+#include "src/view/reloads.h"
 #include "src/view/screen.h"
 #include "src/view/session.h"
 #include "src/view/ui/ui.h"
@@ -35,13 +36,15 @@ struct view {
     struct picture *picture;
     struct watch *watch; /* NULL: no shaders are watched */
     struct ui *ui;
-    float ui_scale; /* of the panels; 0: not known yet */
-    uint32_t theme; /* theme_at() */
+    struct ui_pictures pictures; /* for it */
+    float ui_scale;              /* of the panels; 0: not known yet */
+    uint32_t theme;              /* theme_at() */
     struct layout layout;
     struct present_push place; /* of the picture in the frame drawn last */
     VkExtent2D wanted;         /* of the picture; it is shown scaled until it has this size: */
     double resize_at;          /* seconds; 0: it has */
     struct history history;
+    struct reloads reloads;
     struct camera bookmarks[VIEW_BOOKMARK_COUNT];
     bool bookmarked[VIEW_BOOKMARK_COUNT];
     bool dragged;   /* a hand has moved the picture */
@@ -99,7 +102,7 @@ struct view_state view_state_now(const struct view *view);
 bool view_use(struct view *view, const struct view_state *state);
 
 /* The same, and undo takes it back. `gesture`: see history.h. */
-void view_change(struct view *view, const struct view_state *state, uint32_t gesture);
+bool view_change(struct view *view, const struct view_state *state, uint32_t gesture);
 void view_undo(struct view *view, bool again); /* again: redo */
 
 /* Settings from a preset, and to one. */

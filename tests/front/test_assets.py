@@ -7,6 +7,7 @@ import collections
 import importlib
 import json
 import pathlib
+import shlex
 import shutil
 import statistics
 import struct
@@ -20,6 +21,7 @@ from case import (  # noqa: E402
     DATA, NO_DRIVER, NO_INPUT, PLAIN, SMALL, Case, long, main)
 from exr_file import Exr  # noqa: E402
 from gltf_file import boxes, glass  # noqa: E402
+from png_file import Png  # noqa: E402
 
 ASSETS = pathlib.Path(__file__).parents[2] / 'assets'
 sys.path.append(str(ASSETS / 'generate'))
@@ -62,6 +64,31 @@ class Generators(Case):
         text = (ASSETS / 'README.md').read_text(encoding='utf-8')
         for name in FILES:
             self.assertRegex(text, rf'(?m)^\| `{name}` \| .* \| made by `generate/\w+\.(py|c)` ')
+
+
+class Sheets(Case):
+    """Pictures for the window's buttons, of all materials and rungs."""
+
+    def words(self, name):
+        """Of the command that drew it, without the name of its file."""
+        text = Png((ASSETS / f'{name}.png').read_bytes()).chunks['tEXt']
+        return shlex.split(text.partition(b'firn/command\0')[2].partition(b'firn/')[0].decode())
+
+    def test_they_show_all_there_is(self):
+        text = (ASSETS / 'README.md').read_text(encoding='utf-8')
+        for name, what in (('materials', 'material='), ('rungs', 'refraction=')):
+            lines = self.succeed('list', name).stdout.decode().splitlines()
+            names = [line.split()[0] for line in lines if line.startswith('  ')]
+            names = [rung for rung in names if rung != 'reference']  # which no window draws with
+            self.assertIn(what + ','.join(names), self.words(name))
+            self.assertRegex(text, rf'(?m)^\| `{name}.png` \| .* \| drawn by `firn sheet`; MIT \|$')
+
+    @long
+    def test_their_commands_draw_them(self):
+        for name in ('materials', 'rungs'):
+            self.succeed(*self.words(name)[1:-1], f'{name}.png')
+            done = self.succeed('diff', ASSETS / f'{name}.png', f'{name}.png', '--json')
+            self.assertLess(json.loads(done.stdout)['flip']['mean'], 0.005, name)
 
 
 class Shells(Case):

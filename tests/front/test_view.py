@@ -242,7 +242,31 @@ class Drop(WindowCase):
         before = self.desktop.pixels(window)
         self.assertTrue(self.desktop.drop(window, self.folder / 'around.exr'))
         wait_until('another picture', lambda: self.desktop.pixels(window) != before)
+        self.find('sphere, paused')
         self.close(window)
+
+    def test_pictures(self):
+        """What has not the shape of a panorama is compared with; a PNG file that firn wrote has
+        settings, any other is a picture; what can be neither is refused."""
+        self.render('drawn.exr', '--size', '200x150', '-o', 'drawn.png')
+        subprocess.run(['convert', '-size', '200x150', 'xc:#c04020', self.folder / 'red.png'],
+                       check=True)
+        (self.folder / 'photo.jpg').write_bytes(b'\xff\xd8\xff\xe0 a photograph')
+        window = self.start('sphere')
+        self.assertTrue(self.desktop.drop(window, self.folder / 'drawn.exr'))
+        self.find(r'sphere, paper \| picture, paused')
+        self.press_for(window, 'ctrl+z', 'sphere, paused')
+        self.assertTrue(self.desktop.drop(window, self.folder / 'red.png'))
+        self.find(r'sphere, paper \| picture, paused')
+        red = bytes([0xc0, 0x40, 0x20])
+        wait_until('its right half', lambda: self.desktop.pixels(window)[-3:] == red, self.words)
+        self.press_for(window, 'w', 'sphere, paused')
+        self.assertTrue(self.desktop.drop(window, self.folder / 'drawn.png'))
+        self.press_until(window, 'c', 'its settings', lambda: 'cracks.count=0' in self.printed())
+        self.find('sphere, paused')
+        self.assertTrue(self.desktop.drop(window, self.folder / 'photo.jpg'))
+        wait_until('what it is not', lambda: 'photo.jpg' in self.words(), self.words)
+        self.press_to_end(window, 'ctrl+q')
 
 
 class Automatic(WindowCase):

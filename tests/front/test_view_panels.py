@@ -1,5 +1,7 @@
 """test_view_panels.py: tests the panels of the window. Usage: see case.py."""
 import os
+import random
+import re
 import shlex
 import sys
 
@@ -7,6 +9,9 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from case import CRACKED, PLAIN, long, main, unsanitized  # noqa: E402
 from desktop import PATIENCE, wait_until  # noqa: E402
 from test_view import CHECKED, TRIANGLES, WindowCase, png_pixels, png_size  # noqa: E402
+
+
+SURROUND = b'\x14\x17\x1a'  # of the dark theme
 
 
 class PanelsCase(WindowCase):
@@ -50,6 +55,11 @@ class PanelsCase(WindowCase):
         lines = (self.folder / 'ui').read_text().splitlines()
         found = [line.split(' ', 4)[4] for line in lines if line.split(' ', 4)[4].startswith(begin)]
         return found and found[0]
+
+    def said(self, pattern):
+        """All that the window says and that a pattern describes."""
+        lines = (self.folder / 'ui').read_text().splitlines()
+        return [words for line in lines if re.fullmatch(pattern, words := line.split(' ', 4)[4])]
 
     def place(self, label, part=0.5):
         """A point in it, so far from its left."""
@@ -162,7 +172,25 @@ class Panels(PanelsCase):
                   act=lambda: self.choose(window, 'compare with', first))
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
         self.press_for(window, 'w', 'sphere, paused')
+        self.pictures(window)
         self.close(window)
+
+    def pictures(self, window):
+        """In a higher panel rungs have one each, of its own, as materials have."""
+        self.desktop.do('windowsize', '--sync', window, 305, 340)
+        rungs = [name for name in self.names('rungs') if name != 'reference']
+        wait_until('buttons of rungs', lambda: all(map(self.control, rungs)), self.words)
+        shown = self.at_rest(window)
+        self.assertGreater(self.control('paper')[3], 30)  # rows of pixels; a line of text has 15
+        parts = {self.picture_of(shown, 305, left + 4, top + 4, width - 8, 24)
+                 for left, top, width, _ in map(self.control, rungs)}
+        self.assertEqual(len(parts), len(rungs))
+        self.wait_for_command(window, ' --refraction wyman ',
+                              act=lambda: self.click(window, 'wyman'))
+        self.fold(window, 'Quality', 'rung', False)
+        self.fold(window, 'Material', 'material', True)
+        self.wait_for_command(window, ' --material diamond ',
+                              act=lambda: self.click(window, 'diamond'))
 
     @unsanitized
     def test_only_some_screenshots_have_panels(self):
@@ -203,6 +231,14 @@ class Panels(PanelsCase):
             self.press_until(window, key, f'the panel of {key}', lambda: not self.control(gone))
             self.press_until(window, key, 'the settings', lambda: self.control(gone))
         shown = {self.desktop.pixels(window)}
+        self.press_until(window, 'b', 'what costs', lambda: self.label('the last '))
+        self.assertTrue(self.said(r'[\d.]+ MiB of memory, [\d.]+ without aliasing'))
+        self.press(window, 'b')
+        self.wait_for_command(window, 'cracks.count=', act=lambda: self.drag_row(
+            window, 'cracks.count', 0.2, 0.7))
+        self.press(window, 'Escape')
+        self.press_until(window, 'b', 'why a change took long', lambda: self.said(
+            r'cracks.count \d+ -> \d+ \(it shapes the scene, made anew.*'))
         for key in ('F1', 'ctrl+t', 'ctrl+plus'):
             self.press_until(window, key, key, lambda: self.desktop.pixels(window) not in shown)
             shown.add(self.desktop.pixels(window))
@@ -349,6 +385,42 @@ class Panels(PanelsCase):
                 break
         self.assertLess(number, 8)
         self.close(window)
+
+    @long
+    def test_no_frame_is_empty_in_200_resizes(self):
+        """Nothing is ever white; what was in the window stays until its next frame, which shows
+        the last picture, as large as it fits. So few looks, if any, see less of a picture."""
+        rng, size, early = random.Random(1), (300, 200), 0
+        window = self.start_with_panels('--overlay', 'off', '--size', '300x200')
+        self.assertLess(self.share(self.at_rest(window), SURROUND), 0.02)
+        drawn = [size]
+        for number in range(200):
+            size = rng.randrange(120, 700), rng.randrange(90, 560)
+            least = min(self.fit(shape, size) for shape in drawn)
+            drawn = [size] if number % 4 == 3 else [*drawn, size]
+            self.desktop.do('windowsize', '--sync', window, *size)
+
+            def look(size=size, most=0.02 if number % 4 == 3 else 1.02 - least):
+                pixels = self.desktop.pixels(window)
+                self.assertEqual(len(pixels), 3 * size[0] * size[1])
+                self.assertLess(self.share(pixels, b'\xff\xff\xff'), 0.02, size)
+                return self.share(pixels, SURROUND) < most
+            early += number % 4 != 3 and not look()
+            wait_until(f'a picture of {size}', look, self.words)
+        print(f'{early} of 150 first looks came before the next frame')
+        self.close(window)
+
+    @staticmethod
+    def fit(shape, size):
+        """The part of a size that a picture of some shape fills."""
+        scale = min(new / old for old, new in zip(shape, size))
+        return scale * scale * shape[0] * shape[1] / (size[0] * size[1])
+
+    @staticmethod
+    def share(pixels, color):
+        """Of pixels that are of a colour, by every seventh."""
+        some = range(0, len(pixels) // 3, 7)
+        return sum(pixels[3 * i:3 * i + 3] == color for i in some) / len(some)
 
     def shoot_next(self, window):
         """A file that was not there before."""

@@ -1,10 +1,12 @@
 """test_view_random.py: hands that do anything, in any order. Usage: see case.py.
 
-All keys of the table in docs/view.md are pressed equally often, between drags, clicks and the
-wheel, by a seed that FIRN_RANDOM_SEED changes. FIRN_RANDOM_SECONDS=3600 goes on for an hour, and
-then says how often each was pressed and how much memory there was in each quarter, which must not
-grow in all of them. With -Db_sanitize=address it finds what is used after it is gone.
+All keys of the table in docs/view.md are pressed equally often, and the mouse does all that is in
+it equally often between them, by a seed that FIRN_RANDOM_SEED changes. FIRN_RANDOM_SECONDS=3600
+goes on for an hour, FIRN_RANDOM_ROUNDS=100 until each has been pressed so often; then it says how
+often each was and how much memory there was in each quarter, which must not grow in all of them.
+With -Db_sanitize=address it finds what is used after it is gone.
 """
+import collections
 import os
 import pathlib
 import random
@@ -14,14 +16,14 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import main  # noqa: E402
+from case import SMALL, main  # noqa: E402
 from desktop import PATIENCE  # noqa: E402
 from test_view import TRIANGLES  # noqa: E402
 from test_view_panels import PanelsCase  # noqa: E402
 
 SECONDS = float(os.environ.get('FIRN_RANDOM_SECONDS', 0))
 SEED = int(os.environ.get('FIRN_RANDOM_SEED', 1))
-ROUNDS = 1  # of all keys, at least
+ROUNDS = int(os.environ.get('FIRN_RANDOM_ROUNDS', 1))  # of all keys, at least
 LONG = 1200  # seconds; before, caches fill
 MORE = 2048  # KiB in a quarter
 SIGNS = {'+': 'plus', '-': 'minus', '[': 'bracketleft', ']': 'bracketright', '/': 'slash',
@@ -56,15 +58,37 @@ def keys():
 
 
 class Random(PanelsCase):
-    def act(self, rng, window):
+    DROPPED = ('shape.obj', 'around.exr', 'flat.png', 'lines.txt', 'broken.firn')
+    GESTURES = ('click', 'drag', 'right drag', 'Ctrl drag', 'also Shift', 'wheel', 'double click',
+                'rest')
+
+    def act(self, rng, window, gesture):
         """Something that is done with a mouse, as words for xdotool."""
         def place():
             return 'mousemove', '--window', window, rng.randrange(305), rng.randrange(201)
-        button = rng.choice((1, 1, 1, 3))
-        return rng.choice((
-            (*place(), 'click', 1), (*place(), 'click', '--repeat', 2, '--delay', 20, 1),
-            (*place(), 'click', rng.choice((4, 5))), place(),
-            (*place(), 'mousedown', button, *place(), *place(), 'mouseup', button)))
+        button = 3 if gesture == 'right drag' else 1
+        held = {'Ctrl drag': ('ctrl',), 'also Shift': ('ctrl', 'shift')}.get(gesture, ())
+        if gesture == 'rest':
+            return place()
+        if gesture == 'click':
+            return *place(), 'click', 1
+        if gesture == 'double click':
+            return *place(), 'click', '--repeat', 2, '--delay', 20, 1
+        if gesture == 'wheel':
+            return *place(), 'click', rng.choice((4, 5))
+        return (*(word for key in held for word in ('keydown', key)), *place(), 'mousedown', button,
+                *place(), *place(), 'mouseup', button,
+                *(word for key in held for word in ('keyup', key)))
+
+    def write_files(self):
+        """To be dropped: one of each kind, and one that is refused."""
+        (self.folder / 'shape.obj').write_text(TRIANGLES)
+        (self.folder / 'lines.txt').write_text('cracks.count=3\n')
+        (self.folder / 'broken.firn').write_text('nothing')
+        self.render('around.exr', '--size', '32x16')
+        self.succeed('render', 'sphere', *SMALL, '-o', 'drawn.png')
+        subprocess.run(['convert', self.folder / 'drawn.png', '-strip', self.folder / 'flat.png'],
+                       check=True)
 
     def size(self):
         """KiB of it, while it runs."""
@@ -76,19 +100,21 @@ class Random(PanelsCase):
         return int(found[1])
 
     def test_anything(self):
-        table, rng = keys(), random.Random(SEED)
+        table, rng, gestures = keys(), random.Random(SEED), []
         self.assertGreater(len(table), 40)
         self.assertIn('ctrl+shift+4', table)
-        (self.folder / 'shape.obj').write_text(TRIANGLES)
+        self.write_files()
         window = self.start_with_panels('--samples', 2, plain=('--plain', '--set',
                                                                'env_cube.size=64'))
-        begin, rounds, sizes = time.monotonic(), 0, []
+        begin, rounds, sizes, done = time.monotonic(), 0, [], collections.Counter()
         while rounds < ROUNDS or time.monotonic() < begin + SECONDS:
             order = rng.sample(table, len(table))
             for first in range(0, len(order), 12):
                 words = []
                 for key in order[first:first + 12]:
-                    words += ['key', key, *self.act(rng, window)]
+                    gestures = gestures or rng.sample(self.GESTURES, len(self.GESTURES))
+                    done[gestures[-1]] += 1
+                    words += ['key', key, *self.act(rng, window, gestures.pop())]
                 try:
                     self.desktop.do('windowfocus', '--sync', window, *words)
                 except subprocess.CalledProcessError:  # the window is gone
@@ -96,16 +122,20 @@ class Random(PanelsCase):
                 sizes.append((time.monotonic() - begin, self.size()))
             for path in self.folder.glob('firn-*'):
                 path.unlink()
+            name = self.DROPPED[rounds % len(self.DROPPED)]
+            self.desktop.drop(window, self.folder / name)
+            done[f'drop {name}'] += 1
             rounds += 1
         self.desktop.do('keyup', 'shift', 'keyup', 'ctrl', 'key', 'Escape', 'key', 'Escape')
         self.press_to_end(window, 'ctrl+q')
         self.assertNotIn('ERROR', self.words())
-        if SECONDS:
+        if SECONDS or ROUNDS > 1:
             end = sizes[-1][0]
             most = [max(size for when, size in sizes if q - 1 <= 4 * when / end <= q)
                     for q in (1, 2, 3, 4)]
-            print(f'{rounds} times each of {len(table)} keys; {most} KiB in each quarter')
-            if SECONDS >= LONG:
+            print(f'{rounds} times each of {len(table)} keys; {dict(done)}; {most} KiB in each '
+                  'quarter')
+            if end >= LONG:
                 self.assertLess(min(b - a for a, b in zip(most, most[1:])), MORE)
 
 

@@ -1,6 +1,7 @@
 """test_view_split.py: A and B in one window, and what new users want first. Usage: see case.py."""
 import json
 import shlex
+import shutil
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -234,8 +235,15 @@ class FirstMinutes(PanelsCase):
         self.press(window, 'slash')  # a line of text has the keys: Ctrl still acts
         self.press_until(window, 'ctrl+s', 'a session', lambda: self.label('saved /'))
         self.press(window, 'Escape')
+        around = self.folder / 'around.exr'
+        self.render(around.name, '--size', '64x32')
+        self.do('other environment', 1, [lambda: self.desktop.drop(window, around)],
+                lambda: self.label(f'around the object: {around}'[:40]))
         self.do('open my model', 1, [lambda: self.desktop.drop(window, model)],
                 lambda: self.desktop.ask('xdotool', 'search', '--name', 'shape.obj'))
+        shutil.copy(model, self.folder / 'shape2.obj')
+        self.do('next model', 1, [key('Next')],
+                lambda: self.desktop.ask('xdotool', 'search', '--name', 'shape2.obj'))
         self.press_to_end(window, 'ctrl+q')
 
 

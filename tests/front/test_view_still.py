@@ -17,6 +17,7 @@ class Still(PanelsCase):
 
     def setUp(self):
         super().setUp()
+        self.samples = 3
         self.drawn = {}  # pixels by command
         self.beside = self.WINDOW[1] - self.PICTURE[1]  # rows above and below the picture
 
@@ -28,7 +29,8 @@ class Still(PanelsCase):
 
     def expect(self, window, *words, size=PanelsCase.PICTURE):
         """The pixels of the command that the window copies, which has these words."""
-        command = self.wait_for_command(window, f'--size {size[0]}x{size[1]} --samples 3', *words)
+        command = self.wait_for_command(
+            window, f'--size {size[0]}x{size[1]} --samples {self.samples}', *words)
         if command not in self.drawn:
             self.succeed(*shlex.split(command)[1:])
             self.drawn[command] = png_pixels(self.folder / 'firn.png')
@@ -46,6 +48,18 @@ class Still(PanelsCase):
         """Numbers and words that the panel of values has after a name."""
         found = [line.split()[1:] for line in self.labels() if line.split()[:1] == [name]]
         return found[0] if found else []
+
+    def pin(self, window, x, y):
+        """A click keeps the values of a pixel, until another one, elsewhere: else it is double."""
+        def click(x, y):
+            return 'mousemove', '--window', window, x, y + self.BAR, 'click', 1
+        wait_until('a pinned pixel', lambda: self.value('pixel') == [str(x), str(y), 'pinned'],
+                   self.words, act=lambda: self.desktop.do(*click(x, y)))
+        self.desktop.do('mousemove', '--window', window, 3, 3 + self.BAR)
+        self.at_rest(window)
+        self.assertEqual(self.value('pixel'), [str(x), str(y), 'pinned'])
+        wait_until('a pixel that is let go', lambda: self.value('pixel') == ['30', '40'],
+                   self.words, act=lambda: self.desktop.do(*click(30, 40)))
 
     @unsanitized
     def test_layers_and_values(self):
@@ -74,6 +88,7 @@ class Still(PanelsCase):
         self.assertEqual(self.value('material'), ['ice'])
         pixels = png_pixels(self.folder / 'a.png')
         self.assertEqual(list(map(int, self.value('shown'))), list(pixels[at * 3:at * 3 + 3]))
+        self.pin(window, x, y)
         over((3, 3))
         self.assertIn('no surface', self.labels())
         for key, want in (('l', 'z.png'), ('L', 'a.png')):
@@ -105,7 +120,16 @@ class Still(PanelsCase):
     @unsanitized
     def test_samples_are_those_of_render(self):
         """At first, and whatever happened in between; then nothing is drawn any more."""
-        window = self.start_with_panels('--samples', 3, scene='ice-cube')
+        self.check_samples()
+
+    @long
+    def test_64_samples_are_those_of_render(self):
+        """What the window draws by default."""
+        self.samples = 64
+        self.check_samples()
+
+    def check_samples(self):
+        window = self.start_with_panels('--samples', self.samples, scene='ice-cube')
         first = self.expect(window)
         self.desktop.do('mousemove', '--window', window, *self.place('refract.ior'))
         self.desktop.do('mousemove', '--window', window, *self.BESIDE)

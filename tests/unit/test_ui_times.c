@@ -17,7 +17,11 @@ static void add(struct ui_times *times, const char *second_name, uint64_t second
     assert_non_null(rows);
     rows[0].name = "first";
     rows[1].name = name;
-    ui_times_add(times, &plan, &(struct rg_times){ .passes = ends, .pass_count = 2 });
+    const struct rg_times frame = { .passes = ends,
+                                    .pass_count = 2,
+                                    .start = times->frame_count + 1 };
+    ui_times_add(times, &plan, &frame);
+    ui_times_add(times, &plan, &frame); /* a window may look at it twice */
     memset(name, '-', strlen(name));
     free(name); /* as with a plan that is replaced */
     free(rows);
@@ -46,11 +50,30 @@ static void means_follow_slowly_and_begin_anew_with_other_rows(void **state)
     assert_float_equal(times.rows[0].milliseconds, 2.0, 1e-9);
 }
 
+static void frames_stay_when_plans_change(void **state)
+{
+    (void)state;
+    struct ui_times times = { 0 };
+    assert_true(ui_times_frame(&times, 0) < 0.0);
+    add(&times, "second", 4);
+    add(&times, "another", 5);
+    assert_float_equal(ui_times_frame(&times, 0), 7.0, 1e-6);
+    assert_float_equal(ui_times_frame(&times, 1), 6.0, 1e-6);
+    assert_true(ui_times_frame(&times, 2) < 0.0);
+    assert_int_equal(times.frames[0].keys[0], times.frames[1].keys[0]); /* one pass, one colour */
+    assert_int_not_equal(times.frames[0].keys[1], times.frames[1].keys[1]);
+    for (uint32_t i = 0; i < UI_TIMES_FRAME_COUNT; i++)
+        add(&times, "second", 6);
+    assert_float_equal(ui_times_frame(&times, UI_TIMES_FRAME_COUNT - 1), 8.0, 1e-6);
+    assert_true(ui_times_frame(&times, UI_TIMES_FRAME_COUNT) < 0.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(names_outlive_their_plan),
         cmocka_unit_test(means_follow_slowly_and_begin_anew_with_other_rows),
+        cmocka_unit_test(frames_stay_when_plans_change),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

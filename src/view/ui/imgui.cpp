@@ -116,14 +116,45 @@ static bool add_font(const imgui *ui)
            io.Fonts->Build();
 }
 
-static void add_bitmap_font(float scale)
+/* Room for each in the font's image, which is yet to be built. */
+static void add_pictures(imgui *ui)
+{
+    const imgui_pictures &p = ui->pictures;
+    for (uint32_t i = 0; i < p.count; i++)
+        ui->places[i] = ImGui::GetIO().Fonts->AddCustomRectRegular(static_cast<int>(p.width),
+                                                                   static_cast<int>(p.height));
+}
+
+static void add_bitmap_font(imgui *ui, float scale)
 {
     ImFontAtlas *fonts = ImGui::GetIO().Fonts;
     ImFontConfig config;
     fonts->Clear();
+    add_pictures(ui);
     config.SizePixels = static_cast<float>(static_cast<int>(bitmap_text_size * scale));
     fonts->AddFontDefault(&config);
     fonts->Build();
+}
+
+static void copy_pictures(const imgui *ui)
+{
+    ImFontAtlas *fonts = ImGui::GetIO().Fonts;
+    const imgui_pictures &p = ui->pictures;
+    const size_t row = 4 * static_cast<size_t>(p.width);
+    unsigned char *texels;
+    int width;
+    fonts->GetTexDataAsRGBA32(&texels, &width, nullptr);
+    for (uint32_t i = 0; i < p.count; i++) {
+        const ImFontAtlasCustomRect *place = fonts->GetCustomRectByIndex(ui->places[i]);
+        for (size_t y = 0; y < p.height; y++)
+            memcpy(&texels[4 * (static_cast<size_t>(width) * (place->Y + y) + place->X)],
+                   &p.rgba[row * (static_cast<size_t>(p.height) * i + y)], row);
+    }
+}
+
+void imgui_use_pictures(struct imgui *ui, const struct imgui_pictures *pictures)
+{
+    ui->pictures = *pictures;
 }
 
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme)
@@ -132,10 +163,12 @@ bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme)
     ui->look = theme;
     set_look(scale, *theme);
     ImGui::GetIO().Fonts->Clear();
-    if (add_font(ui))
-        return true;
-    add_bitmap_font(scale);
-    return false;
+    add_pictures(ui);
+    const bool found = add_font(ui);
+    if (!found)
+        add_bitmap_font(ui, scale);
+    copy_pictures(ui);
+    return found;
 }
 
 struct imgui *imgui_create(const struct font *font)
@@ -154,7 +187,7 @@ struct imgui *imgui_create(const struct font *font)
         io.KeyMap[keys[k]] = k;
     io.UserData = ui;
     ui->system = *font;
-    add_bitmap_font(1.0f);
+    add_bitmap_font(ui, 1.0f);
     lose_first_focus();
     return ui;
 }
@@ -178,7 +211,7 @@ const uint8_t *imgui_font(const struct imgui *, uint32_t *width, uint32_t *heigh
     unsigned char *texels;
     int w;
     int h;
-    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&texels, &w, &h);
+    ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&texels, &w, &h);
     *width = static_cast<uint32_t>(w);
     *height = static_cast<uint32_t>(h);
     return texels;

@@ -49,6 +49,7 @@ enum imgui_key {
 enum {
     IMGUI_BUTTON_COUNT = 3,     /* left, right, middle */
     IMGUI_CHARACTER_COUNT = 16, /* in a frame */
+    IMGUI_PICTURE_MAX = 64,
 };
 
 /* How hands stand when a frame begins. */
@@ -70,14 +71,24 @@ struct imgui;
  * most one. imgui_rescale() comes next. */
 struct imgui *imgui_create(const struct font *font);
 
+/* Pictures that buttons can show. */
+struct imgui_pictures {
+    const uint8_t *rgba;    /* one after another, rows from the top; sRGB-encoded */
+    uint32_t width, height; /* of each, texels */
+    uint32_t count;         /* at most IMGUI_PICTURE_MAX */
+};
+
+/* They are copied into the font's image by each imgui_rescale(); before, they are not shown. */
+void imgui_use_pictures(struct imgui *ui, const struct imgui_pictures *pictures);
+
 /* All sizes are multiplied by `scale` and all has the theme's colours from now on; the font's image
  * is another one. Between frames. False: the font cannot be read, the built-in one is used. */
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme);
 void imgui_look(struct imgui *ui, const struct theme *theme); /* other colours; between frames */
 void imgui_destroy(struct imgui *ui);                         /* may be NULL */
 
-/* The font's image, a byte a texel: how much is covered. Valid until
- * imgui_rescale() or imgui_destroy(). */
+/* The font's image, RGBA: letters are white with as much alpha as is covered, pictures opaque.
+ * Valid until imgui_rescale() or imgui_destroy(). */
 const uint8_t *imgui_font(const struct imgui *ui, uint32_t *width, uint32_t *height);
 
 void imgui_begin(struct imgui *ui, const struct imgui_input *input);
@@ -146,11 +157,15 @@ void imgui_text_cut_in(const char *text, float width, uint32_t rgb);
 void imgui_align(void);               /* text in this row stands at the height of text in buttons */
 void imgui_warning(const char *text); /* red, in as many lines as it needs */
 void imgui_separator(void);
+void imgui_text_wrapped(const char *text); /* in as many lines as it needs; among imgui_items() */
 bool imgui_button(const char *label);
 bool imgui_small_button(const char *label);
 bool imgui_choice(const char *label, bool chosen); /* a button that is one of several */
 bool imgui_line(const char *label, bool chosen);   /* a button as wide as the panel */
-bool imgui_group(const char *label, bool *open);   /* a heading that opens and closes it: *open */
+
+/* A button that is one of several: a picture above its label. `width`: of the button, pixels. */
+bool imgui_picture(const char *label, uint32_t picture, float width, bool chosen);
+bool imgui_group(const char *label, bool *open); /* a heading that opens and closes it: *open */
 
 /* True if a hand has changed the value. `format` is printf's, of one float or unsigned. */
 bool imgui_checkbox(const char *label, bool *value);

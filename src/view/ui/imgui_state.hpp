@@ -20,6 +20,8 @@ struct imgui {
     unsigned active; /* what a hand has hold of; 0: nothing */
     uint32_t gesture;
     font system; /* path "": the built-in one */
+    imgui_pictures pictures;
+    int places[IMGUI_PICTURE_MAX]; /* of pictures in the font's image, as the library counts them */
 };
 
 inline ImVec4 imgui_state_color(uint32_t rgb)

@@ -6,6 +6,8 @@
 namespace
 {
 
+constexpr float picture_width = 64.0f; /* of a button's picture, pixels at scale 1 */
+
 ImVec2 position(const imgui_place &place)
 {
     return { place.x, place.y };
@@ -257,6 +259,14 @@ void imgui_warning(const char *text)
     ImGui::PopStyleColor();
 }
 
+void imgui_text_wrapped(const char *text)
+{
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    note(text);
+}
+
 void imgui_separator(void)
 {
     ImGui::Separator();
@@ -283,6 +293,50 @@ bool imgui_choice(const char *label, bool chosen)
                           imgui_state_color(chosen ? look->pressed : look->raised));
     const bool pressed = imgui_button(label);
     ImGui::PopStyleColor();
+    return pressed;
+}
+
+/* In the middle of the button that came last, below its upper edge; as wide as it can be. */
+static void put_picture(const imgui *ui, uint32_t picture, const ImVec2 &size)
+{
+    const ImFontAtlas *fonts = ImGui::GetIO().Fonts;
+    const float padding = ImGui::GetStyle().FramePadding.y;
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    const float left = corner.x + (ImGui::GetItemRectSize().x - size.x) / 2.0f;
+    ImVec2 from;
+    ImVec2 to;
+    fonts->CalcCustomRectUV(&fonts->CustomRects[ui->places[picture]], &from, &to);
+    ImGui::GetWindowDrawList()->AddImage(fonts->TexID, ImVec2(left, corner.y + padding),
+                                         ImVec2(left + size.x, corner.y + padding + size.y), from,
+                                         to);
+}
+
+bool imgui_picture(const char *label, uint32_t picture, float width, bool chosen)
+{
+    const imgui *ui = static_cast<const imgui *>(ImGui::GetIO().UserData);
+    const theme *look = imgui_theme();
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const imgui_pictures &all = ui->pictures;
+    const float across = ImMin(picture_width * ui->scale, width - 2.0f * padding.x);
+    const ImVec2 size(across,
+                      across * static_cast<float>(all.height) / static_cast<float>(all.width));
+    const ImVec2 whole(width, size.y + 3.0f * padding.y + ImGui::GetTextLineHeight());
+    ImGui::PushID(label);
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          imgui_state_color(chosen ? look->pressed : look->raised));
+    const bool pressed = ImGui::Button("##picture", whole);
+    ImGui::PopStyleColor();
+    ImGui::PopID();
+    note(label);
+    put_picture(ui, picture, size);
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    const ImVec2 end = ImGui::GetItemRectMax();
+    const ImVec2 from(corner.x + 1.0f, corner.y + size.y + 2.0f * padding.y);
+    ImGui::RenderTextClipped(from, ImVec2(end.x - 1.0f, end.y), label, nullptr, nullptr,
+                             ImVec2(0.5f, 0.0f));
+    if (chosen) /* not by its colour alone */
+        ImGui::GetWindowDrawList()->AddRect(corner, end, imgui_rgba(look->accent),
+                                            ImGui::GetStyle().FrameRounding, 0, 2.0f * ui->scale);
     return pressed;
 }
 

@@ -1,6 +1,7 @@
 /* ui.c: what panels hear, and when they run. */
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -11,21 +12,23 @@ enum {
     SETTLE_COUNT = 3, /* frames after an event until nothing moves any more */
 };
 
+static const float click_reach = 3.0f; /* pixels; farther it is a drag */
+
 /* ---- life ---- */
 
 static enum status make_font(struct ui *ui)
 {
     struct gpu_image_params params = {
         .name = "overlay.font",
-        .format = VK_FORMAT_R8_UNORM,
+        .format = VK_FORMAT_R8G8B8A8_UNORM,
     };
     params.texels = imgui_font(ui->imgui, &params.width, &params.height);
-    params.texels_size = (size_t)params.width * params.height;
+    params.texels_size = 4 * (size_t)params.width * params.height;
     return gpu_image_create(ui->gpu, &ui->font, &params);
 }
 
 enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct theme *theme,
-                      bool quiet)
+                      const struct ui_pictures *pictures, bool quiet)
 {
     struct ui *u = calloc(1, sizeof(*u));
     struct font font;
@@ -34,12 +37,14 @@ enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct
     if (u) {
         u->gpu = gpu;
         u->theme = theme;
+        u->pictures = pictures;
         u->open[UI_MATERIAL] = u->open[UI_INSIDE] = true;
     }
     if (u)
         u->imgui = imgui_create(&font);
     if (!u || !u->imgui)
         return log_out_of_memory(NULL);
+    imgui_use_pictures(u->imgui, &pictures->list);
     const enum status status = ui_rescale(u, scale);
     if (!u->has_font && !quiet)
         log_warning("%s%s: using the built-in bitmap font",
@@ -157,12 +162,26 @@ bool ui_toggle(struct ui *ui, enum view_action action)
 
 /* ---- what hands do ---- */
 
+/* On the picture. While its values are shown a click, which is no drag, keeps those of a pixel, or
+ * lets them go. */
+static void hear_click(struct ui *ui, bool down)
+{
+    const float moved = fabsf(ui->x - ui->press_x) + fabsf(ui->y - ui->press_y);
+    if (down) {
+        ui->press_x = ui->x;
+        ui->press_y = ui->y;
+    } else if (ui->tab == UI_LOOK && moved <= click_reach)
+        ui->pinned = !ui->pinned;
+}
+
 static bool hear_button(struct ui *ui, const struct window_event *event)
 {
     const unsigned bit = 1u << (event->code & 31);
     if (event->down && !ui->buttons)
         ui->grabbed = imgui_covers(ui->imgui, ui->x, ui->y);
     ui->buttons = event->down ? ui->buttons | bit : ui->buttons & ~bit;
+    if (event->code == GLFW_MOUSE_BUTTON_LEFT && !ui->grabbed)
+        hear_click(ui, event->down);
     return ui->grabbed;
 }
 

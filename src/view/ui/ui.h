@@ -12,16 +12,20 @@
 #include "src/view/look.h"
 #include "src/view/overlay_list.h"
 #include "src/view/picture.h"
+#include "src/view/reloads.h"
 #include "src/view/screen.h"
 #include "src/view/ui/theme.h"
 #include "src/view/ui/ui_pace.h"
+#include "src/view/ui/ui_pictures.h"
 #include "src/view/window.h"
 
 struct ui;
 
-/* `scale`: of all sizes. Logs; where there is no font but the built-in one, unless `quiet`. */
+/* `scale`: of all sizes; `pictures` outlive the ui. Logs; where there is no font but the built-in
+ * one, unless `quiet`. */
 MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale,
-                               const struct theme *theme, bool quiet);
+                               const struct theme *theme, const struct ui_pictures *pictures,
+                               bool quiet);
 void ui_destroy(struct ui *ui); /* may be NULL */
 
 window_listen_fn ui_hear; /* user: the ui */
@@ -54,6 +58,7 @@ struct ui_view {
     double now;          /* seconds */
     VkExtent2D size;     /* of the window, pixels */
     const struct history *history;
+    const struct reloads *reloads;
     const struct layout *layout; /* of the window */
     const struct look *look;
     struct look_choice look_wanted;

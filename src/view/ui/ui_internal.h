@@ -33,6 +33,7 @@ struct ui {
     enum ui_tab tab;
     bool open[UI_GROUP_COUNT], more[UI_GROUP_COUNT]; /* groups of settings, and all their rows */
     const struct theme *theme;
+    const struct ui_pictures *pictures;
     bool focus_panel, focus_search; /* in the next frame */
     bool searches;                  /* the last of these was the search */
     bool released;                  /* keys are the picture's again; from the next frame on */
@@ -41,6 +42,8 @@ struct ui {
     float x, y;                     /* of the cursor */
     uint32_t look_x, look_y;        /* the pixel it was over last */
     bool has_looked;                /* it was over one */
+    bool pinned;                    /* a click has chosen that pixel */
+    float press_x, press_y;         /* where the left button went down */
     unsigned buttons;               /* that are down: bit b for button b */
     bool grabbed;                   /* they went down on a panel */
     bool is_full;                   /* has been said */
@@ -63,6 +66,18 @@ void ui_status(const struct ui *ui, const struct ui_view *view);
 /* A list with its name in front, like rows of settings. Returns whether the choice has changed. */
 bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                    const char *tip);
+
+/* A choice of pictures with their names, in as many rows as they need. */
+struct ui_gallery {
+    const char *name;         /* of what is chosen */
+    const char *words;        /* about it, in the line above */
+    const char *const *names; /* of its values */
+    const char *const *tips;  /* what each is */
+    uint32_t first_picture;   /* of the first value; UI_PICTURE_NONE: words alone */
+    uint32_t count;
+};
+
+bool ui_gallery(const struct ui_gallery *gallery, uint32_t *index);
 
 /* The same as buttons in as many lines as they need: one click. */
 bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,

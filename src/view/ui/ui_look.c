@@ -162,12 +162,14 @@ static const char *material_of(const struct picture *p, uint32_t object)
     return NULL;
 }
 
-static void values(const struct ui_view *view, const struct look_values *v, uint32_t x, uint32_t y)
+static void values(const struct ui_view *view, const struct look_values *v, uint32_t x, uint32_t y,
+                   bool pinned)
 {
     char text[160];
     const struct frame_layer *layer = look_layer(view->look->choice.layer);
-    snprintf(text, sizeof(text), "pixel %u %u", x, y);
+    snprintf(text, sizeof(text), "pixel %u %u%s", x, y, pinned ? " pinned" : "");
     imgui_value(text);
+    imgui_tip(pinned ? "a click on the picture lets it go" : "a click on the picture pins it");
     line("colour", v->color, 3, "");
     snprintf(text, sizeof(text), "shown %u %u %u", v->shown[0], v->shown[1], v->shown[2]);
     imgui_value(text);
@@ -215,10 +217,10 @@ void ui_look_panel(struct ui *ui, const struct ui_view *view, struct ui_wish *wi
         return;
     }
     histogram(view->look, ui->theme);
-    if (find_pixel(ui, view, &ui->look_x, &ui->look_y))
+    if (!ui->pinned && find_pixel(ui, view, &ui->look_x, &ui->look_y))
         ui->has_looked = true;
     if (ui->has_looked && look_values(view->look, view->picture, ui->look_x, ui->look_y, &v)) {
-        values(view, &v, ui->look_x, ui->look_y);
+        values(view, &v, ui->look_x, ui->look_y, ui->pinned);
         magnifier(view, ui->look_x, ui->look_y, ui->theme);
     } else {
         imgui_text_dim("point at the picture");

@@ -20,6 +20,7 @@ enum {
 };
 
 static const char panel[] = "settings";
+static const float gallery_panel = 440.0f; /* height of a panel with pictures, at least; scale 1 */
 
 /* ---- the first panel ---- */
 
@@ -34,54 +35,6 @@ static uint32_t name_rungs(const char *names[static RUNG_MAX], uint32_t *count,
         chosen = rung == next ? *count : chosen;
     }
     return chosen;
-}
-
-bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
-                   const char *tip)
-{
-    char id[64];
-    const float x = imgui_room() * 0.46f;
-    imgui_indent(8.0f * imgui_scale());
-    imgui_align();
-    imgui_text_cut(name, x - 14.0f * imgui_scale());
-    imgui_tip(tip);
-    imgui_same_line(x);
-    imgui_next_width(imgui_room());
-    snprintf(id, sizeof(id), "##%s", name);
-    const bool changed = imgui_list(id, names, count, index);
-    imgui_tip(tip);
-    return changed;
-}
-
-bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
-                      const char *tip)
-{
-    const float all = imgui_room();
-    const float gap = 6.0f * imgui_scale();
-    const float x = all * 0.46f;
-    float at = x;
-    bool changed = false;
-    imgui_indent(8.0f * imgui_scale());
-    imgui_align();
-    imgui_text_cut(name, x - 14.0f * imgui_scale());
-    imgui_name(name);
-    imgui_tip(tip);
-    for (uint32_t i = 0; i < count; i++) {
-        const float width = imgui_width(names[i]);
-        const bool fits = !i || at + width <= all;
-        at = fits ? at : x;
-        if (fits)
-            imgui_same_line(at);
-        else
-            imgui_indent(at);
-        at += width + gap;
-        if (imgui_choice(names[i], i == *index)) {
-            changed = i != *index;
-            *index = i;
-        }
-        imgui_tip(tip);
-    }
-    return changed;
 }
 
 const char *ui_environment(uint32_t i)
@@ -158,13 +111,30 @@ static void other_list(const struct ui_view *view, struct ui_wish *wish, const c
                                 : more[chosen - count].other;
 }
 
-static void rung_lists(const struct ui_view *view, struct ui_wish *wish)
+/* Low panels have no room for pictures. */
+static uint32_t picture_if_high(const struct ui *ui, const struct ui_view *view, uint32_t picture)
+{
+    const float height = (float)view->layout->panel.extent.height;
+    return height < gallery_panel * ui->scale ? UI_PICTURE_NONE : picture;
+}
+
+static void rung_lists(const struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     const char *names[RUNG_MAX + 1 + OTHER_COUNT] = { "none" };
+    const char *tips[RUNG_MAX];
     uint32_t count;
     uint32_t left = name_rungs(&names[1], &count, wish->rung);
-    if (ui_named_list("rung", &names[1], count, &left,
-                      "how refraction is approximated; with a divider, to its left")) {
+    for (uint32_t i = 0; i < count; i++)
+        tips[i] = techniques_rung(i)->help;
+    const struct ui_gallery gallery = {
+        .name = "rung",
+        .words = "rung: how refraction is drawn",
+        .names = &names[1],
+        .tips = tips,
+        .first_picture = picture_if_high(ui, view, ui_pictures_rung(ui->pictures, 0)),
+        .count = count,
+    };
+    if (ui_gallery(&gallery, &left)) {
         wish->rung = techniques_rung(left);
         wish->changed = true;
     }
@@ -172,37 +142,47 @@ static void rung_lists(const struct ui_view *view, struct ui_wish *wish)
 }
 
 /* By its index of refraction: glass and plastic are one. */
-static void material_buttons(struct ui_wish *wish)
+static void material_buttons(const struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const double is = settings_get(&wish->settings, ior);
     const char *names[MATERIAL_MAX];
+    const char *tips[MATERIAL_MAX];
     uint32_t count = 0;
     uint32_t chosen = UINT32_MAX;
     for (; material_presets[count].name && count < MATERIAL_MAX; count++) {
         const double difference = (double)material_presets[count].ior - is;
         names[count] = material_presets[count].name;
+        tips[count] = material_presets[count].help;
         if (chosen == UINT32_MAX && !(difference < 0.0 || difference > 0.0))
             chosen = count;
     }
-    if (ui_named_buttons("material", names, count, &chosen,
-                         "material of the object: sets refract.ior")) {
+    const struct ui_gallery gallery = {
+        .name = "material",
+        .words = "material: sets refract.ior",
+        .names = names,
+        .tips = tips,
+        .first_picture = picture_if_high(ui, view, ui_pictures_material(ui->pictures, 0)),
+        .count = count,
+    };
+    if (ui_gallery(&gallery, &chosen)) {
         settings_put(&wish->settings, ior, (double)material_presets[chosen].ior);
         wish->changed = true;
     }
 }
 
 /* What a group has that is no setting. */
-static void lists(enum ui_group group, const struct ui_view *view, struct ui_wish *wish)
+static void lists(const struct ui *ui, enum ui_group group, const struct ui_view *view,
+                  struct ui_wish *wish)
 {
     if (group == UI_MATERIAL)
-        material_buttons(wish);
+        material_buttons(ui, view, wish);
     if (group == UI_LIGHT)
         environment_buttons(view, wish);
     if (group == UI_QUALITY) {
         quality_list(wish);
-        rung_lists(view, wish);
+        rung_lists(ui, view, wish);
     }
 }
 
@@ -212,7 +192,7 @@ static void groups(struct ui *ui, const struct ui_view *view, struct ui_wish *wi
         imgui_id_begin(ui_group_name(g));
         wish->changed = ui_settings_heading(&wish->settings, g, &ui->open[g]) || wish->changed;
         if (ui->open[g]) {
-            lists(g, view, wish);
+            lists(ui, g, view, wish);
             wish->changed = ui_settings_group(&wish->settings, g, &ui->more[g]) || wish->changed;
         }
         imgui_id_end();
@@ -245,9 +225,24 @@ static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_wi
     imgui_scroll_end();
 }
 
+/* What the plan of the picture takes on the device, and why parts were made anew. */
+static void costs(const struct ui_view *view)
+{
+    const struct renderer *renderer = picture_renderer(view->picture, false);
+    const char *words = reloads_at(view->reloads, 0);
+    if (renderer)
+        ui_plan_memory(renderer_frame(renderer));
+    imgui_text_dim(words ? "made anew, and why:" : "nothing was made anew");
+    imgui_tip("changes that took longer than a frame, the newest first; tips of settings say what "
+              "a change costs");
+    for (uint32_t i = 0; (words = reloads_at(view->reloads, i)); i++)
+        imgui_text_wrapped(words);
+}
+
 static void times_tab(const struct ui *ui, const struct ui_view *view)
 {
     imgui_scroll_begin("times");
+    costs(view);
     ui_times_panel("the frame", &ui->frame_times);
     if (view->picture->right)
         ui_times_panel("the right frame", &ui->right_times);

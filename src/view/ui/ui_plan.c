@@ -71,17 +71,22 @@ static void draw_pass(const struct chart *c, uint32_t p)
     imgui_hint(text);
 }
 
+void ui_plan_memory(const struct rg_plan *plan)
+{
+    char text[128];
+    snprintf(text, sizeof(text), "%.1f MiB of memory, %.1f without aliasing",
+             (double)plan->memory_used / mebi, (double)plan->memory_without_aliasing / mebi);
+    imgui_value(text);
+    imgui_tip("images and buffers of the picture's plan, on the device");
+}
+
 static void print_sums(const struct rg_plan *plan)
 {
     char text[256];
     snprintf(text, sizeof(text), "%u passes, %u barriers, %u batches", plan->pass_count,
              plan->barrier_count, plan->batch_count);
     imgui_text(text);
-    snprintf(text, sizeof(text), "%.1f MiB of memory", (double)plan->memory_used / mebi);
-    imgui_text(text);
-    snprintf(text, sizeof(text), "%.1f MiB without aliasing",
-             (double)plan->memory_without_aliasing / mebi);
-    imgui_text(text);
+    ui_plan_memory(plan);
     imgui_text_dim("passes (red: barriers), images");
 }
 

@@ -9,4 +9,7 @@
 
 void ui_plan_panel(const struct rg_plan *plan);
 
+/* A line: the memory that its images and buffers take. */
+void ui_plan_memory(const struct rg_plan *plan);
+
 #endif

@@ -1,10 +1,13 @@
 /* ui_times.c: running means of the passes' times. */
 #include "src/view/ui/ui_times.h"
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "src/view/ui/imgui.h"
 
-static const double share = 0.15; /* of the newest frame in the mean */
+static const double share = 0.15;        /* of the newest frame in the mean */
+static const float strip_height = 64.0f; /* at scale 1 */
 
 static bool is_same_row(const struct rg_plan *plan, uint32_t p)
 {
@@ -16,29 +19,60 @@ static double milliseconds(const struct rg_pass_time *time)
     return (double)(time->end - time->begin) * 1e-6;
 }
 
-void ui_times_add(struct ui_times *times, const struct rg_plan *plan, const struct rg_times *frame)
+uint32_t ui_times_key(const char *name)
 {
-    struct ui_times new = { .row_count = 0 };
-    if (!frame->passes || frame->pass_count != plan->pass_count)
-        return;
+    uint32_t key = 2166136261u; /* FNV-1a */
+    for (; *name; name++)
+        key = (key ^ (unsigned char)*name) * 16777619u;
+    return key;
+}
+
+/* The rows of a plan, with the times of one frame. */
+static void read_rows(struct ui_times *new, const struct rg_plan *plan,
+                      const struct rg_times *frame)
+{
     for (uint32_t p = 0; p < plan->pass_count; p++) {
         if (!is_same_row(plan, p)) {
-            if (new.row_count == UI_TIMES_ROW_COUNT)
+            if (new->row_count == UI_TIMES_ROW_COUNT)
                 break;
-            snprintf(new.rows[new.row_count++].name, sizeof(new.rows->name), "%s",
+            snprintf(new->rows[new->row_count++].name, sizeof(new->rows->name), "%s",
                      plan->passes[p].pass->name);
         }
-        struct ui_times_row *row = &new.rows[new.row_count - 1];
+        struct ui_times_row *row = &new->rows[new->row_count - 1];
         row->repetition_count++;
         row->milliseconds += milliseconds(&frame->passes[p]);
     }
-    for (uint32_t r = 0; r < new.row_count; r++) {
-        const struct ui_times_row *old = &times->rows[r];
-        struct ui_times_row *row = &new.rows[r];
-        if (new.row_count == times->row_count && !strcmp(old->name, row->name))
-            row->milliseconds = old->milliseconds + share * (row->milliseconds - old->milliseconds);
+}
+
+static void keep_frame(struct ui_times *times)
+{
+    struct ui_times_frame *f = &times->frames[times->frame_count++ % UI_TIMES_FRAME_COUNT];
+    f->row_count = times->row_count;
+    for (uint32_t r = 0; r < times->row_count; r++) {
+        f->milliseconds[r] = (float)times->rows[r].milliseconds;
+        f->keys[r] = ui_times_key(times->rows[r].name);
     }
-    *times = new;
+}
+
+void ui_times_add(struct ui_times *times, const struct rg_plan *plan, const struct rg_times *frame)
+{
+    struct ui_times_row old[UI_TIMES_ROW_COUNT];
+    const uint32_t old_count = times->row_count;
+    if (!frame->passes || frame->pass_count != plan->pass_count ||
+        (times->frame_count && frame->start == times->start))
+        return;
+    memcpy(old, times->rows, sizeof(old));
+    memset(times->rows, 0, sizeof(times->rows));
+    times->row_count = 0;
+    times->start = frame->start;
+    read_rows(times, plan, frame);
+    keep_frame(times);
+    for (uint32_t r = 0; r < times->row_count && times->row_count == old_count; r++) {
+        struct ui_times_row *row = &times->rows[r];
+        if (!strcmp(old[r].name, row->name))
+            row->milliseconds =
+                old[r].milliseconds + share * (row->milliseconds - old[r].milliseconds);
+    }
 }
 
 double ui_times_sum(const struct ui_times *times)
@@ -49,6 +83,30 @@ double ui_times_sum(const struct ui_times *times)
     return sum;
 }
 
+/* NULL: there is none. */
+static const struct ui_times_frame *frame_at(const struct ui_times *times, uint32_t ago)
+{
+    if (ago >= times->frame_count || ago >= UI_TIMES_FRAME_COUNT)
+        return NULL;
+    return &times->frames[(times->frame_count - 1 - ago) % UI_TIMES_FRAME_COUNT];
+}
+
+static double sum_of(const struct ui_times_frame *frame)
+{
+    double sum = 0.0;
+    for (uint32_t r = 0; r < frame->row_count; r++)
+        sum += (double)frame->milliseconds[r];
+    return sum;
+}
+
+double ui_times_frame(const struct ui_times *times, uint32_t ago)
+{
+    const struct ui_times_frame *frame = frame_at(times, ago);
+    return frame ? sum_of(frame) : -1.0;
+}
+
+/* ---- panels ---- */
+
 static double longest(const struct ui_times *times)
 {
     double most = 1e-9;
@@ -57,22 +115,112 @@ static double longest(const struct ui_times *times)
     return most;
 }
 
+/* A hue for each key: neighbours in a plan seldom have the same. */
+static uint32_t color_of(uint32_t key)
+{
+    const float around = (float)(key % 1021u) * (6.0f / 1021.0f);
+    const float bright = key >> 16 & 1 ? 220.0f : 170.0f;
+    float rgb[3];
+    for (size_t c = 0; c < 3; c++) {
+        const float at = fabsf(fmodf(around + 2.0f * (float)c, 6.0f) - 3.0f) - 1.0f;
+        rgb[c] = bright * (0.35f + 0.65f * fminf(fmaxf(at, 0.0f), 1.0f));
+    }
+    return IMGUI_RGBA(rgb[0], rgb[1], rgb[2], 255);
+}
+
 static void bar(const struct ui_times_row *row, double most)
 {
     const float width = imgui_room();
     struct imgui_place place = imgui_canvas(width, imgui_line_height());
+    struct imgui_place sign = place;
     char text[128];
     place.width *= (float)(row->milliseconds / most);
     imgui_rectangle(place, imgui_rgba(imgui_theme()->pressed));
+    sign.width = 4.0f * imgui_scale();
+    imgui_rectangle(sign, color_of(ui_times_key(row->name)));
     if (row->repetition_count > 1)
         snprintf(text, sizeof(text), "%s, %u times", row->name, row->repetition_count);
     else
         snprintf(text, sizeof(text), "%s", row->name);
-    imgui_same_line(12.0f * imgui_scale());
-    imgui_text_cut(text, width - 66.0f * imgui_scale());
+    imgui_same_line(14.0f * imgui_scale());
+    imgui_text_cut(text, width - 74.0f * imgui_scale());
     snprintf(text, sizeof(text), "%7.2f", row->milliseconds);
-    imgui_same_line(width - 45.0f * imgui_scale());
+    imgui_same_line(width - 52.0f * imgui_scale());
     imgui_text(text);
+}
+
+/* The pass that takes longest in a frame, if it is one of the newest plan's. */
+static const char *name_longest(const struct ui_times *times, const struct ui_times_frame *frame)
+{
+    uint32_t at = 0;
+    for (uint32_t r = 1; r < frame->row_count; r++)
+        at = frame->milliseconds[r] > frame->milliseconds[at] ? r : at;
+    for (uint32_t r = 0; r < times->row_count; r++) {
+        if (frame->row_count && ui_times_key(times->rows[r].name) == frame->keys[at])
+            return times->rows[r].name;
+    }
+    return "a pass of another plan";
+}
+
+/* What takes longer than the column is high is cut. */
+static void draw_column(const struct ui_times *times, uint32_t ago, struct imgui_place whole,
+                        float scale)
+{
+    const struct ui_times_frame *frame = frame_at(times, ago);
+    struct imgui_place part = whole;
+    char text[160];
+    part.y += part.height;
+    for (uint32_t r = 0; r < frame->row_count; r++) {
+        part.height = fminf(frame->milliseconds[r] * scale, part.y - whole.y);
+        part.y -= part.height;
+        imgui_rectangle(part, color_of(frame->keys[r]));
+    }
+    if (!imgui_is_over(whole))
+        return;
+    imgui_rectangle(whole, IMGUI_RGBA(255, 255, 255, 60));
+    snprintf(text, sizeof(text), "%u frame%s ago: %.2f ms\nmost of it %s", ago, ago == 1 ? "" : "s",
+             sum_of(frame), name_longest(times, frame));
+    imgui_hint(text);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Milliseconds that a column is high: a frame that compiled shaders does not hide the others. */
+static double height_of(const struct ui_times *times, uint32_t count, double most)
+{
+    double sums[UI_TIMES_FRAME_COUNT];
+    for (uint32_t ago = 0; ago < count; ago++)
+        sums[ago] = ui_times_frame(times, ago);
+    qsort(sums, count, sizeof(sums[0]), compare);
+    return fmin(most, 3.0 * sums[count / 2] + 1e-9);
+}
+
+/* The newest frame is at the right edge. */
+static void strip(const struct ui_times *times)
+{
+    const struct imgui_place all = imgui_canvas(imgui_room(), strip_height * imgui_scale());
+    const float step = all.width / UI_TIMES_FRAME_COUNT;
+    double most = 1e-9;
+    char text[96];
+    uint32_t count = 0;
+    for (; frame_at(times, count); count++)
+        most = fmax(most, ui_times_frame(times, count));
+    const double high = height_of(times, count, most);
+    imgui_rectangle(all, imgui_rgba(imgui_theme()->raised));
+    for (uint32_t ago = 0; ago < count; ago++)
+        draw_column(times, ago,
+                    (struct imgui_place){ all.x + all.width - (float)(ago + 1) * step, all.y, step,
+                                          all.height },
+                    all.height / (float)high);
+    snprintf(text, sizeof(text), "the last %u frame%s, up to %.1f ms", count, count == 1 ? "" : "s",
+             most);
+    imgui_text_dim(text);
+    imgui_name(text);
 }
 
 void ui_times_panel(const char *what, const struct ui_times *times)
@@ -83,8 +231,9 @@ void ui_times_panel(const char *what, const struct ui_times *times)
         return;
     }
     snprintf(text, sizeof(text), "%s: %.2f ms", what, ui_times_sum(times));
-    imgui_text_dim(text);
+    imgui_text(text);
     imgui_tip("time on the device, as running means");
+    strip(times);
     for (uint32_t r = 0; r < times->row_count; r++)
         bar(&times->rows[r], longest(times));
 }

@@ -1,0 +1,80 @@
+/* drop.c: files by their names and, where these do not tell, by what is in them. */
+#include "src/view/drop.h"
+#include <string.h>
+#include "src/base/path.h"
+#include "src/reader/picture_reader.h"
+#include "src/scene/asset.h"
+#include "src/scene/panorama.h"
+
+/* Twice as wide as high, or six faces of a cube in a row. */
+static bool has_panorama_shape(const struct image *image)
+{
+    const uint64_t width = image->width;
+    const uint64_t height = image->height;
+    return width == 2 * height || height == 6 * width || width == 6 * height;
+}
+
+/* Whether six faces may be a cross in it. */
+static bool has_cross_shape(const struct image *image)
+{
+    const uint64_t width = image->width;
+    const uint64_t height = image->height;
+    return 3 * width == 4 * height || 4 * width == 3 * height;
+}
+
+/* A cross has nothing but black around it, which all texels must say. */
+static enum status look_for_cross(const char *path, const struct reader_params *reader,
+                                  enum drop *drop)
+{
+    struct image image = { 0 };
+    const enum status status = picture_read(&image, path, reader);
+    if (status == STATUS_OK)
+        *drop = panorama_find(&image) == PANORAMA_NONE ? DROP_PICTURE : DROP_ENVIRONMENT;
+    image_finish(&image);
+    return status;
+}
+
+/* Whether firn wrote it. */
+static enum status look_into_png(const char *path, const struct reader_params *reader,
+                                 enum drop *drop)
+{
+    struct picture_head head;
+    const enum status status = picture_check(&head, path, reader);
+    if (status == STATUS_OK)
+        *drop = picture_head_text(&head, "firn/settings") ? DROP_PRESET : DROP_PICTURE;
+    picture_head_finish(&head);
+    return status;
+}
+
+static enum status look_into_picture(const char *path, const struct reader_params *reader,
+                                     enum drop *drop)
+{
+    struct picture_reader *picture;
+    struct picture_head head;
+    bool may_be_cross = false;
+    const enum status status = picture_open(&picture, path, reader, &head);
+    if (status == STATUS_OK) {
+        *drop = has_panorama_shape(&head.image) ? DROP_ENVIRONMENT : DROP_PICTURE;
+        may_be_cross = has_cross_shape(&head.image) && !picture_head_text(&head, "firn/settings");
+    }
+    picture_close(picture);
+    picture_head_finish(&head);
+    return may_be_cross ? look_for_cross(path, reader, drop) : status;
+}
+
+enum status drop_find(const char *path, const struct reader_params *reader, enum drop *drop)
+{
+    if (asset_is_valley(path) || asset_find(path, ASSET_ENVIRONMENT))
+        *drop = DROP_ENVIRONMENT;
+    else if (path_ends_in(path, ".firn"))
+        *drop = DROP_SESSION;
+    else if (path_ends_in(path, ".txt"))
+        *drop = DROP_PRESET;
+    else if (path_ends_in(path, ".png"))
+        return look_into_png(path, reader, drop);
+    else if (picture_is_named(path))
+        return look_into_picture(path, reader, drop);
+    else
+        *drop = DROP_MODEL;
+    return STATUS_OK;
+}

@@ -1,0 +1,93 @@
+/* ui_gallery.c: values to choose from: a list, buttons, pictures. */
+#include <math.h>
+#include <stdio.h>
+#include "src/view/ui/ui_internal.h"
+
+enum {
+    BUTTON_MAX = 8, /* values without pictures; more are a list */
+};
+
+static const float cell_width = 68.0f; /* of a picture with its margins, at least; at scale 1 */
+static const float cell_gap = 6.0f;
+
+/* What a row begins with; what a hand changes begins at `x`. */
+static void head(const char *name, float x, const char *tip)
+{
+    imgui_indent(8.0f * imgui_scale());
+    imgui_align();
+    imgui_text_cut(name, x - 14.0f * imgui_scale());
+    imgui_tip(tip);
+}
+
+bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
+                   const char *tip)
+{
+    char id[64];
+    const float x = imgui_room() * 0.46f;
+    head(name, x, tip);
+    imgui_same_line(x);
+    imgui_next_width(imgui_room());
+    snprintf(id, sizeof(id), "##%s", name);
+    const bool changed = imgui_list(id, names, count, index);
+    imgui_tip(tip);
+    return changed;
+}
+
+bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
+                      const char *tip)
+{
+    const float all = imgui_room();
+    const float gap = 6.0f * imgui_scale();
+    const float x = all * 0.46f;
+    float at = x;
+    bool changed = false;
+    head(name, x, tip);
+    imgui_name(name);
+    for (uint32_t i = 0; i < count; i++) {
+        const float width = imgui_width(names[i]);
+        const bool fits = !i || at + width <= all;
+        at = fits ? at : x;
+        if (fits)
+            imgui_same_line(at);
+        else
+            imgui_indent(at);
+        at += width + gap;
+        if (imgui_choice(names[i], i == *index)) {
+            changed = i != *index;
+            *index = i;
+        }
+        imgui_tip(tip);
+    }
+    return changed;
+}
+
+bool ui_gallery(const struct ui_gallery *g, uint32_t *index)
+{
+    const float scale = imgui_scale();
+    const float gap = cell_gap * scale;
+    const float margin = 8.0f * scale;
+    const float room = imgui_room() - margin;
+    const float fits = floorf((room + gap) / (cell_width * scale + gap));
+    const uint32_t columns = fits > 1.0f ? (uint32_t)fits : 1;
+    const float width = floorf((room + gap) / (float)columns - gap);
+    bool changed = false;
+    if (g->first_picture == UI_PICTURE_NONE)
+        return g->count > BUTTON_MAX
+                   ? ui_named_list(g->name, g->names, g->count, index, g->words)
+                   : ui_named_buttons(g->name, g->names, g->count, index, g->words);
+    imgui_indent(margin);
+    imgui_text_cut(g->words, room);
+    imgui_name(g->name);
+    for (uint32_t i = 0; i < g->count; i++) {
+        if (i % columns)
+            imgui_same_line(0.0f);
+        else
+            imgui_indent(margin);
+        if (imgui_picture(g->names[i], g->first_picture + i, width, i == *index)) {
+            changed = i != *index;
+            *index = i;
+        }
+        imgui_tip(g->tips[i]);
+    }
+    return changed;
+}
