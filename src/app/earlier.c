@@ -37,7 +37,7 @@ enum status earlier_pose(struct earlier *earlier, struct camera *camera, struct 
     const float before = frame_time_before(&picture->scene.settings, time);
     bool is_changed;
     *earlier = (struct earlier){ 0 };
-    if (!scene->model.animation || !earlier_is_wanted(picture) || !(before < time))
+    if (!scene->is_animated || !earlier_is_wanted(picture) || !(before < time))
         return STATUS_OK;
     enum status status = app_pose_scene(scene, &picture->scene, before, &is_changed);
     if (status == STATUS_OK)

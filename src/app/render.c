@@ -432,7 +432,7 @@ static enum status pose(struct job *job, struct frame *frame)
     struct renderer_shot *shot = &frame->output.shot;
     struct earlier earlier;
     bool is_changed = false;
-    if (!job->scene.model.animation)
+    if (!job->scene.is_animated)
         return STATUS_OK;
     if (job->scene.time < shot->time || job->scene.time > shot->time) {
         renderer_destroy(job->renderer);

@@ -190,6 +190,14 @@ static enum status take_settings(struct app_scene *given)
     return STATUS_OK;
 }
 
+static struct melting melting_of(const struct app_scene *given)
+{
+    const struct ice_params *ice = settings_of(&given->settings, &ice_settings);
+    const struct motion_params *motion = settings_of(&given->settings, &motion_settings);
+    const bool is_ice = given->material && !strcmp(given->material, material_presets[0].name);
+    return (struct melting){ ice->melt, motion->melt, is_ice, given->material && !is_ice };
+}
+
 struct scene_params app_describe_scene(const struct app_scene *given, struct bump_maps_params *maps)
 {
     const struct object_params *object = settings_of(&given->settings, &object_settings);
@@ -220,6 +228,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
         .landscape_triangles = landscape->triangles,
         .flat = landscape->flat,
         .mover_count = motion->count,
+        .melting = melting_of(given),
         .air = { planes->count, planes->seed, planes->size, planes->frequency },
         .has_cloud = air_is_medium(&given->settings),
         .bubbles = { holes->count, holes->seed, holes->size, holes->shape, holes->stretch },
@@ -251,7 +260,7 @@ enum status app_pose_scene(struct scene *scene, const struct app_scene *given, f
 {
     struct bump_maps_params maps;
     struct scene posed;
-    *is_changed = scene->model.animation && (time < scene->time || time > scene->time);
+    *is_changed = scene->is_animated && (time < scene->time || time > scene->time);
     if (!*is_changed)
         return STATUS_OK;
     struct scene_params params = app_describe_scene(given, &maps);

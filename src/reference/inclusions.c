@@ -35,7 +35,8 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
     const struct frost_params *frost_params = settings_of(settings, &frost_settings);
     const bool has_map = radiance->scene->bump.texels != NULL;
     const bool has_bumps = has_map && bump_params->strength > 0.0f;
-    const float frost_amount = has_map ? frost_params->amount : 0.0f;
+    const float frost_amount =
+        has_map ? frost_params->amount * melted_frost(&radiance->scene->melted) : 0.0f;
     return (struct inclusions){
         .radiance = radiance,
         .world_from_object = glms_mat4_pick3(radiance->globals->world_from_object),

@@ -15,8 +15,7 @@ struct contender {
     uint32_t holder;  /* the innermost of them, + 1; 0: none */
 };
 
-/* Returns a mesh that borrows all vertices and the object's triangles. */
-static struct mesh part_of(const struct mesh *mesh, const struct object *object)
+struct mesh object_part(const struct object *object, const struct mesh *mesh)
 {
     return (struct mesh){
         .vertices = mesh->vertices,
@@ -26,11 +25,12 @@ static struct mesh part_of(const struct mesh *mesh, const struct object *object)
     };
 }
 
-static struct box box_of(const struct mesh *part)
+struct box object_box(const struct object *object, const struct mesh *mesh)
 {
+    const struct mesh part = object_part(object, mesh);
     struct box box = { 0 };
-    for (uint32_t i = 0; i < part->index_count; i++) {
-        const vec3s p = part->vertices[part->indices[i]].position;
+    for (uint32_t i = 0; i < part.index_count; i++) {
+        const vec3s p = part.vertices[part.indices[i]].position;
         box.min = i ? glms_vec3_minv(box.min, p) : p;
         box.max = i ? glms_vec3_maxv(box.max, p) : p;
     }
@@ -51,7 +51,7 @@ static bool encloses(const struct solid *shell, const struct mesh *part)
 static bool find_enclosed(struct contender *contenders, const struct object *objects,
                           uint32_t count, const struct mesh *mesh, uint32_t k)
 {
-    const struct mesh shell = part_of(mesh, &objects[k]);
+    const struct mesh shell = object_part(&objects[k], mesh);
     struct solid solid = { 0 };
     bool is_made = false;
     for (uint32_t i = 0; i < count; i++) {
@@ -60,7 +60,7 @@ static bool find_enclosed(struct contender *contenders, const struct object *obj
         if (!is_made && !solid_init(&solid, &shell))
             return false;
         is_made = true;
-        const struct mesh part = part_of(mesh, &objects[i]);
+        const struct mesh part = object_part(&objects[i], mesh);
         if (!encloses(&solid, &part))
             continue;
         const uint32_t holder = contenders[i].holder;
@@ -90,11 +90,10 @@ enum status object_rank_all(struct object *objects, uint32_t count, const struct
     bool done = contenders != NULL;
     for (uint32_t i = 0; done && i < count; i++) {
         const struct material *material = &materials[objects[i].material];
-        const struct mesh part = part_of(mesh, &objects[i]);
         const bool is_stated = material->flags & MATERIAL_HAS_PRIORITY;
         contenders[i].object = i;
         contenders[i].priority = is_stated ? material->priority : INT64_MIN;
-        objects[i].box = box_of(&part);
+        objects[i].box = object_box(&objects[i], mesh);
     }
     for (uint32_t i = 0; done && count > 1 && i < count; i++)
         done = find_enclosed(contenders, objects, count, mesh, i);

@@ -20,6 +20,13 @@ struct object {
     uint32_t holder;   /* rank of the innermost shell that all of this one is inside; 0: none */
 };
 
+/* Returns a mesh that borrows all vertices, and the object's triangles, of the mesh of all
+ * objects. */
+struct mesh object_part(const struct object *object, const struct mesh *mesh);
+
+/* Returns the box of an object's triangles. */
+struct box object_box(const struct object *object, const struct mesh *mesh);
+
 /*
  * Gives the objects their boxes and ranks: a stated priority beats none, and a greater one a lesser
  * one; of others, a shell that lies inside another one beats it; otherwise, the later object does.

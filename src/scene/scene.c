@@ -9,9 +9,7 @@
 #include "src/base/suggest.h"
 #include "src/scene/asset.h"
 #include "src/scene/generate/generate.h"
-#include "src/scene/import/grey.h"
 #include "src/scene/material_rows.h"
-#include "src/scene/solid.h"
 #include "src/scene/surface_light.h"
 
 const struct scene_builtin scene_builtins[] = {
@@ -223,38 +221,6 @@ static enum status add_surroundings(struct scene *scene, const struct scene_para
     return status;
 }
 
-/* Moves the crack of a file into the unit ball. */
-static void fit_sheet(struct mesh *sheet)
-{
-    const struct box box = mesh_box(sheet);
-    const float scale = 2.0f / fmaxf(box_diagonal(box), 1e-30f);
-    for (uint32_t i = 0; i < sheet->vertex_count; i++) {
-        struct mesh_vertex *v = &sheet->vertices[i];
-        v->position = glms_vec3_scale(glms_vec3_sub(v->position, box_center(box)), scale);
-    }
-}
-
-static enum status load_cracks(struct scene *scene, const struct scene_params *params)
-{
-    struct model model = { 0 };
-    if (!params->cracks.file)
-        return STATUS_OK;
-    enum status status =
-        decode_model(&model, params->cracks.file, MODEL_SURROUNDINGS, NULL, params->decode);
-    const struct mesh *found = &model.surroundings;
-    if (status == STATUS_OK &&
-        (!found->index_count || found->index_count / 3 > SCENE_CRACK_TRIANGLES)) {
-        log_error("%s: expected 1 to %d triangles of a crack, got %u", params->cracks.file,
-                  SCENE_CRACK_TRIANGLES, found->index_count / 3);
-        status = STATUS_DATA;
-    }
-    if (status == STATUS_OK && !mesh_append(&scene->files.crack_sheet, found))
-        status = log_out_of_memory("cracks");
-    fit_sheet(&scene->files.crack_sheet);
-    model_finish(&model);
-    return status;
-}
-
 static enum status load_background(struct scene *scene, const struct scene_params *params)
 {
     scene->is_hidden = params->is_hidden;
@@ -300,105 +266,6 @@ static enum status add_movers(struct scene *scene, uint32_t count)
                 mesh_append(&scene->model.surroundings, &movers);
     mesh_finish(&movers);
     return done ? STATUS_OK : log_out_of_memory("moving objects");
-}
-
-static enum status add_air(struct scene *scene, const struct generate_air *air)
-{
-    bool done = generate_air_planes(&scene->air, scene->box, air) &&
-                generate_air_cut(&scene->air, &scene->model.object);
-    return done ? STATUS_OK : log_out_of_memory("air");
-}
-
-static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
-{
-    bool done = generate_bubbles(&scene->bubbles, &scene->model.object, bubbles);
-    return done ? STATUS_OK : log_out_of_memory("bubbles");
-}
-
-enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cracks)
-{
-    const struct mesh *object = &scene->model.object;
-    struct solid solid = { 0 };
-    mesh_finish(&scene->cracks);
-    bool done = generate_cracks(&scene->cracks, scene->box, cracks->count, cracks->seed,
-                                &scene->files.crack_sheet);
-    if (done && cracks->count && cracks->cut) {
-        done = solid_init(&solid, object) &&
-               solid_cut(&solid, &scene->cracks, box_diagonal(scene->box) / 128.0f);
-        solid_finish(&solid);
-    }
-    return done ? STATUS_OK : log_out_of_memory("cracks");
-}
-
-const char *scene_fill(struct scene *scene, const struct scene_params *params)
-{
-    if (scene->has_pool)
-        return NULL;
-    struct bump_maps_params maps = params->bump ? *params->bump : (struct bump_maps_params){ 0 };
-    struct generate_air air = params->air;
-    maps.heights = scene->files.heights;
-    maps.smoothness = scene->files.smoothness;
-    air.cover = scene->files.air_cover;
-    if (params->bump && !bump_maps_init(&scene->bump, &maps))
-        return "maps of the surface";
-    if (air.count && !generate_air_layers(&scene->air_layers, &air))
-        return "air";
-    if (!clouds_fill(&scene->clouds, &scene->model))
-        return "clouds";
-    return NULL;
-}
-
-/* What a plan asks of textures that scene_fill() makes. */
-static void size_textures(struct scene *scene, const struct scene_params *params)
-{
-    if (params->bump)
-        scene->bump.size = BUMP_MAPS_SIZE;
-    if (params->air.count)
-        scene->air_layers = (struct air_layers){ .size = GENERATE_AIR_LAYER_SIZE,
-                                                 .count = GENERATE_AIR_LAYER_COUNT };
-}
-
-static enum status read_pictures(struct scene *scene, const struct scene_params *params)
-{
-    const struct {
-        const char *path;
-        float **greys;
-        uint32_t side;
-        bool is_share;
-    } wanted[] = {
-        { params->pictures.heights, &scene->files.heights, BUMP_MAPS_SIZE, false },
-        { params->pictures.smoothness, &scene->files.smoothness, BUMP_MAPS_SIZE, true },
-        { params->pictures.air, &scene->files.air_cover, GENERATE_AIR_LAYER_SIZE, true },
-    };
-    enum status status = STATUS_OK;
-    for (size_t i = 0; i < sizeof(wanted) / sizeof(wanted[0]) && status == STATUS_OK; i++) {
-        if (wanted[i].path)
-            status = grey_read(wanted[i].greys, wanted[i].side, wanted[i].is_share, wanted[i].path,
-                               params->decode);
-    }
-    return status;
-}
-
-/* Makes the inclusions and the surface of the object. */
-static enum status fill_object(struct scene *scene, const struct scene_params *params)
-{
-    enum status status = params->before ? STATUS_OK : read_pictures(scene, params);
-    if (status != STATUS_OK)
-        return status;
-    if (params->before)
-        scene->files = params->before->files;
-    size_textures(scene, params);
-    const char *lacking = params->later ? NULL : scene_fill(scene, params);
-    status = lacking ? log_out_of_memory(lacking) : STATUS_OK;
-    if (status == STATUS_OK && params->air.count)
-        status = add_air(scene, &params->air);
-    if (status == STATUS_OK && params->bubbles.count)
-        status = add_bubbles(scene, &params->bubbles);
-    if (status == STATUS_OK && !params->before)
-        status = load_cracks(scene, params);
-    if (status == STATUS_OK)
-        status = scene_make_cracks(scene, &params->cracks);
-    return status;
 }
 
 /* Makes the texture of the vertices' extras, if there are any. */
@@ -495,6 +362,23 @@ static enum status sort_surroundings(struct scene *scene)
                : log_out_of_memory("surroundings");
 }
 
+/* Melts the ice, after all that is placed by the whole object's box. */
+static enum status melt(struct scene *scene, const struct scene_params *params)
+{
+    struct model *model = &scene->model;
+    const enum status status =
+        melt_model(model, &params->melting, params->pose.time, &scene->melted);
+    scene->is_animated = model->animation || params->melting.speed > 0.0f;
+    if (status != STATUS_OK || !(scene->melted.share > 0.0f))
+        return status;
+    if (scene->has_pool)
+        scene->floe = mesh_box(&model->object);
+    else
+        scene->box = mesh_box(&model->object);
+    scene->is_convex = mesh_is_convex(&model->object);
+    return status;
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *given)
 {
     struct scene_params own = *given;
@@ -521,10 +405,12 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = sort_surroundings(scene);
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
+    if (status == STATUS_OK)
+        status = melt(scene, params);
     if (status == STATUS_OK && !scene->has_pool)
         status = add_surfaces(scene, params->has_cloud);
     if (status == STATUS_OK && has_object && !scene->has_pool)
-        status = fill_object(scene, params);
+        status = scene_fill_object(scene, params);
     if (status == STATUS_OK)
         status = make_place_for_tree(scene, params->before);
     if (status == STATUS_OK && params->before)
@@ -559,6 +445,7 @@ void scene_finish(struct scene *scene)
     tree_rest_destroy(scene->rest);
     free(scene->sorted.all);
     model_finish(&scene->model);
+    melted_finish(&scene->melted);
     environment_finish(&scene->environment);
     environment_finish(&scene->cube);
     free(scene->material_rows);

@@ -12,6 +12,7 @@
 #include "src/scene/generate/generate.h"
 #include "src/scene/import/decode.h"
 #include "src/scene/import/model.h"
+#include "src/scene/melt.h"
 #include "src/scene/node_material.h"
 #include "src/scene/place.h"
 #include "src/scene/tree.h"
@@ -47,7 +48,7 @@ struct scene {
     struct box box;          /* of the object, or of the pool */
     struct box framed; /* what a camera that nobody places shows: `box`, of an animated model that
                         * at time 0 */
-    float time;        /* that an animated model is posed for, seconds */
+    float time;        /* that an animated scene is posed for, seconds */
     vec4s *earlier;    /* positions of the vertices in the frame before, in rows of
                      * FIRST_SURFACE_WIDTH: objects, then surroundings; NULL: as they are */
     uint32_t earlier_rows;
@@ -58,6 +59,7 @@ struct scene {
     struct mesh air;              /* planes of air in the object's space; may be empty */
     struct air_layers air_layers; /* textures of the planes of air */
     struct scene_files files;
+    struct melted melted;     /* what has melted of the ice; {0}: nothing */
     struct clouds clouds;     /* in the space of the mesh of all objects */
     struct bubbles bubbles;   /* in the object's space */
     struct tree *tree;        /* of the model's triangles; empty until scene_need_tree() */
@@ -65,6 +67,7 @@ struct scene {
     struct mesh_order sorted; /* of the surroundings, if the model is animated */
     float settled_ior;        /* the value of refract.ior that comes from the model; 0: none */
     bool has_pool;            /* the scene is a pool, with the object, if any, in it */
+    bool is_animated;         /* its shapes change in time: the model is animated, or ice melts */
     bool is_convex;           /* the object is known to be convex: mesh_is_convex() */
 };
 
@@ -97,13 +100,14 @@ struct scene_params {
     struct model_pose pose;    /* of the model file; its objects are those of: */
     const struct node_material *node_materials;
     uint32_t node_material_count;
-    const vec3s *background;             /* colour; NULL: the sky */
-    bool is_hidden;                      /* scene.is_hidden */
-    bool is_one_object;                  /* a model file is, if nothing in it is transmissive */
-    uint32_t object_triangles;           /* of a built-in object; 0: its default */
-    uint32_t landscape_triangles;        /* 0: default */
-    bool flat;                           /* a level floor instead of the landscape */
-    uint32_t mover_count;                /* objects that move around the object */
+    const vec3s *background;      /* colour; NULL: the sky */
+    bool is_hidden;               /* scene.is_hidden */
+    bool is_one_object;           /* a model file is, if nothing in it is transmissive */
+    uint32_t object_triangles;    /* of a built-in object; 0: its default */
+    uint32_t landscape_triangles; /* 0: default */
+    bool flat;                    /* a level floor instead of the landscape */
+    uint32_t mover_count;         /* objects that move around the object */
+    struct melting melting;
     struct generate_air air;             /* count 0: none */
     bool has_cloud;                      /* the first object has one, as settings say */
     struct generate_bubbles bubbles;     /* count 0: none */
@@ -147,6 +151,9 @@ MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *
  * an error to report: the caller decides which of the two is printed.
  */
 MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
+
+/* Makes the inclusions and the surface of the object: a part of scene_load(). */
+MUST_USE enum status scene_fill_object(struct scene *scene, const struct scene_params *params);
 
 /* Replaces the cracks of a scene; scene_load() makes them, too. Logs and returns STATUS_TRY_AGAIN
  * when out of memory. */

@@ -17,6 +17,19 @@ static const struct setting object_rows[] = {
 const struct setting_group object_settings =
     SETTING_GROUP("object", object_rows, struct object_params);
 
+static const struct setting ice_rows[] = {
+    {
+        .name = "ice.melt",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct ice_params, melt),
+        .max = 1,
+        .affects = SETTING_AFFECTS_SCENE,
+        .help = "share of the ice's volume that has melted at time 0: rounder, wet, in more water",
+    },
+};
+
+const struct setting_group ice_settings = SETTING_GROUP("ice", ice_rows, struct ice_params);
+
 static const struct setting landscape_rows[] = {
     {
         .name = "landscape.triangles",
@@ -160,6 +173,8 @@ static const struct setting motion_rows[] = {
            .help = "orbit speed of the lights around the ice"),
     MOTION(objects, .initial = 40, .min = -3600, .max = 3600, .unit = "degrees per second",
            .help = "orbit speed of the objects around the ice"),
+    MOTION(melt, .max = 1e3, .affects = SETTING_AFFECTS_SCENE, .unit = "half widths per second",
+           .help = "speed at which the ice's faces retreat as it melts"),
     {
         .name = "motion.count",
         .type = SETTING_COUNT,

@@ -8,6 +8,10 @@ struct object_params {
     uint32_t triangles; /* of a built-in object; 0: its default */
 };
 
+struct ice_params {
+    float melt; /* share of the volume that is lost at time 0 */
+};
+
 struct landscape_params {
     uint32_t triangles; /* 0: its default */
     uint32_t flat;      /* 1: a level floor in its place */
@@ -45,6 +49,7 @@ struct motion_params {
     float ice;      /* degrees a second, about +Y through the object's centre */
     float lights;   /* the same, of the lights */
     float objects;  /* the same, of what moves around it */
+    float melt;     /* retreat of the faces of ice, halves of its width a second */
     uint32_t count; /* of objects that move around it */
 };
 
@@ -85,8 +90,8 @@ struct target_params {
     float scale; /* of the view: the size of images of what is in the ice */
 };
 
-extern const struct setting_group object_settings, landscape_settings, sky_settings, env_settings,
-    texture_settings, motion_settings, light_settings, env_cube_settings, ground_settings,
-    lens_settings, target_settings;
+extern const struct setting_group object_settings, ice_settings, landscape_settings, sky_settings,
+    env_settings, texture_settings, motion_settings, light_settings, env_cube_settings,
+    ground_settings, lens_settings, target_settings;
 
 #endif

@@ -12,9 +12,9 @@
 
 /* Those that belong to no technique come first. */
 static const struct setting_group *const scene_groups[] = {
-    &object_settings,  &landscape_settings, &sky_settings,    &env_settings,
-    &texture_settings, &motion_settings,    &light_settings,  &env_cube_settings,
-    &ground_settings,  &lens_settings,      &target_settings,
+    &object_settings,   &ice_settings,     &landscape_settings, &sky_settings,
+    &env_settings,      &texture_settings, &motion_settings,    &light_settings,
+    &env_cube_settings, &ground_settings,  &lens_settings,      &target_settings,
 };
 
 enum {

@@ -93,8 +93,11 @@ static const struct technique_import imports[] = {
 static void write_globals(const struct frame_view *view, struct globals *g)
 {
     const struct bump_params *params = settings_of(view->settings, &bump_settings);
-    const float width = fmaxf(2.0f * g->radius, 1e-6f);
-    g->bump_strength = params->strength;
+    const struct melted *melted = &view->scene->melted;
+    const float diagonal =
+        melted->share > 0.0f ? box_diagonal(melted->box) : 2.0f * g->radius; /* of the whole ice */
+    const float width = fmaxf(diagonal, 1e-6f);
+    g->bump_strength = params->strength * melted_hollows(melted);
     g->bump_scale = params->mapping == BUMP_UV ? params->scale : params->scale / width;
 }
 

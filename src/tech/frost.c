@@ -87,7 +87,8 @@ static void record_cube(struct rg_cmd *cmd, const struct rg_frame *frame)
 static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct frost_params *params = settings_of(frame->settings, &frost_settings);
-    rg_cmd_push(cmd, &(struct frost_push){ params->amount }, sizeof(struct frost_push));
+    const struct frost_push push = { params->amount * melted_frost(&frame->scene->melted) };
+    rg_cmd_push(cmd, &push, sizeof(push));
     rg_cmd_draw_mesh(cmd, &frame->object);
 }
 

@@ -140,7 +140,7 @@ static enum status make_right_scene(struct picture *p)
     given.settings = p->right_settings;
     given.quiet = true;
     memset(given.is_set, true, sizeof(given.is_set)); /* all is in the settings */
-    if (p->scene.model.animation)
+    if (p->scene.is_animated)
         settings_put(&given.settings, settings_find("motion.time"), (double)p->scene.time);
     enum status status = app_load_scene(&made->scene, &given);
     if (status == STATUS_OK)
@@ -300,7 +300,7 @@ bool picture_wants_quick(const struct picture *p)
 {
     const struct quick *q = &p->quick;
     return !q->left && !q->is_off && !q->failed && p->refines && p->renderer &&
-           !p->scene.model.animation;
+           !p->scene.is_animated;
 }
 
 enum status picture_make_quick(struct picture *p, const struct renderer_shot *shot)
@@ -418,8 +418,10 @@ uint32_t picture_line(const struct picture *p)
 static float pose_time(const struct picture *p, float time)
 {
     const struct model *model = &p->scene.model;
-    return model->animation ? fminf(time, model->animations[model->animation - 1].seconds)
-                            : p->scene.time;
+    const struct motion_params *motion = settings_of(&p->state.scene.settings, &motion_settings);
+    if (model->animation && !(motion->melt > 0.0f))
+        return fminf(time, model->animations[model->animation - 1].seconds);
+    return p->scene.is_animated ? time : p->scene.time;
 }
 
 bool picture_is_posed(const struct picture *p, float time)

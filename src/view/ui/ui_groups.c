@@ -19,6 +19,8 @@ static const struct {
     { UI_OBJECT, "motion.time" },
     { UI_OBJECT, "motion.count" },
     { UI_OBJECT, "motion.objects" },
+    { UI_OBJECT, "ice.melt" },
+    { UI_OBJECT, "motion.melt" },
     { UI_OBJECT, "object.triangles" },
     { UI_MATERIAL, "refract.ior" },
     { UI_MATERIAL, "refract.dispersion" },

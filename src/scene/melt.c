@@ -1,0 +1,341 @@
+/* melt.c: which shells melt, and what follows them. */
+#include "src/scene/melt.h"
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include "src/base/log.h"
+#include "src/scene/depth_field.h"
+#include "src/scene/generate/noise.h"
+#include "src/scene/melt_flow.h"
+#include "src/scene/melt_parts.h"
+#include "src/scene/weld.h"
+
+/* Indices of refraction that are taken for ice, water and air. */
+#define ICE_LEAST  1.3f
+#define ICE_MOST   1.32f
+#define WATER_MOST 1.345f
+#define AIR_MOST   1.1f
+
+#define FROST_GONE   0.03f /* share of the volume after which the surface is wet */
+#define HOLLOW       0.02f /* depth of hollows, in halves of the width */
+#define HOLLOW_CELL  0.36f /* their width */
+#define HOLLOW_FINE  0.45f /* depth of smaller ones in them, relative to them */
+#define HOLLOW_OFTEN 2.1f
+#define HOLLOWS_DUE  0.1f   /* share of the volume after which they are there */
+#define FLOATING     0.917f /* share of floating ice that is below water */
+#define PUDDLE       0.164f /* thickness of spread water, in halves of the ice's width: 2.3 mm */
+#define PUDDLE_LEFT  0.917f /* volume of the water of ice */
+
+/* Returns how deep a point is in round hollows with sharp ridges between them, 0 to 1. */
+static float hollow_at(vec3s at)
+{
+    const vec3s cell = { { floorf(at.x), floorf(at.y), floorf(at.z) } };
+    float nearest2 = 4.0f;
+    for (int i = 0; i < 27; i++) {
+        const int beside[3] = { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 };
+        vec3s other = cell;
+        for (int k = 0; k < 3; k++)
+            other.raw[k] += (float)beside[k];
+        uint32_t hash = 40;
+        for (int k = 0; k < 3; k++)
+            hash = noise_hash(hash ^ (uint32_t)(int32_t)other.raw[k]);
+        vec3s middle;
+        for (int k = 0; k < 3; k++)
+            middle.raw[k] = other.raw[k] + (float)(hash >> 8 * k & 255) / 255.0f;
+        nearest2 = fminf(nearest2, glms_vec3_distance2(at, middle));
+    }
+    return fmaxf(1.0f - nearest2, 0.0f);
+}
+
+float melted_frost(const struct melted *melted)
+{
+    return 1.0f - glm_smoothstep(0.0f, FROST_GONE, melted->share);
+}
+
+float melted_hollows(const struct melted *melted)
+{
+    return 1.0f + 2.0f * melted->share;
+}
+
+/* One shell of ice. */
+struct ice {
+    struct weld weld;
+    struct melt_flow flow;
+    double half; /* of its width, before */
+    struct box before;
+    bool floats;
+    float rise; /* by which it has moved up */
+    float lost; /* share of its volume */
+};
+
+/* Copies the places of the points. Returns false when out of memory. */
+static bool ice_init(struct ice *ice, const struct mesh *mesh, const struct object *object,
+                     bool floats)
+{
+    *ice = (struct ice){ .floats = floats };
+    if (!weld_init(&ice->weld, mesh, object->first_index, object->index_count))
+        return false;
+    ice->flow = (struct melt_flow){
+        .points = calloc(ice->weld.count + (size_t)1, sizeof(*ice->flow.points)),
+        .count = ice->weld.count,
+        .corners = ice->weld.corners,
+        .corner_count = ice->weld.corner_count,
+    };
+    for (uint32_t i = 0; i < mesh->vertex_count && ice->flow.points; i++) {
+        for (int k = 0; k < 3 && ice->weld.points[i] != WELD_NONE; k++)
+            ice->flow.points[ice->weld.points[i]][k] = (double)mesh->vertices[i].position.raw[k];
+    }
+    return ice->flow.points != NULL;
+}
+
+static void ice_finish(struct ice *ice)
+{
+    free(ice->flow.points);
+    weld_finish(&ice->weld);
+}
+
+/* Sets normals of points, weighted by the angles of their triangles. */
+static bool find_normals(const struct melt_flow *flow, vec3s *normals)
+{
+    struct mesh mesh;
+    if (!mesh_init(&mesh, flow->count, flow->corner_count))
+        return false;
+    for (uint32_t i = 0; i < flow->count; i++) {
+        for (int k = 0; k < 3; k++)
+            mesh.vertices[i].position.raw[k] = (float)flow->points[i][k];
+    }
+    for (uint32_t i = 0; i < flow->corner_count; i++)
+        mesh.indices[i] = flow->corners[i];
+    mesh_make_normals(&mesh);
+    for (uint32_t i = 0; i < flow->count; i++)
+        normals[i] = mesh.vertices[i].normal;
+    mesh_finish(&mesh);
+    return true;
+}
+
+static struct box box_of(const struct melt_flow *flow)
+{
+    struct box box = { { { INFINITY, INFINITY, INFINITY } },
+                       { { -INFINITY, -INFINITY, -INFINITY } } };
+    for (uint32_t i = 0; i < flow->count; i++) {
+        for (int k = 0; k < 3; k++) {
+            box.min.raw[k] = fminf(box.min.raw[k], (float)flow->points[i][k]);
+            box.max.raw[k] = fmaxf(box.max.raw[k], (float)flow->points[i][k]);
+        }
+    }
+    return box;
+}
+
+/* Presses hollows into the surface, but not where it stands. */
+static void press(struct ice *ice, const vec3s *normals)
+{
+    const float lost = ice->lost;
+    const struct box box = box_of(&ice->flow);
+    const float cell = HOLLOW_CELL * (float)ice->half;
+    const float depth = HOLLOW * (float)ice->half * (1.0f + 2.0f * lost) *
+                        glm_smoothstep(0.0f, HOLLOWS_DUE, lost) * cbrtf(fmaxf(1.0f - lost, 0.0f));
+    const float foot = fmaxf(0.1f * (box.max.y - box.min.y), 1e-30f);
+    for (uint32_t i = 0; i < ice->flow.count; i++) {
+        double *point = ice->flow.points[i];
+        const vec3s at = { { (float)point[0] / cell, (float)point[1] / cell,
+                             (float)point[2] / cell } };
+        const float sunk =
+            hollow_at(at) + HOLLOW_FINE * hollow_at(glms_vec3_scale(at, HOLLOW_OFTEN));
+        const float above = glm_smoothstep(0.0f, foot, (float)point[1] - box.min.y);
+        for (int k = 0; k < 3; k++)
+            point[k] -= (double)(depth * above * sunk * normals[i].raw[k]);
+    }
+}
+
+/* Returns how far ice moves up so that it stands, or floats, as before. */
+static float rise_of(const struct ice *ice)
+{
+    const struct box after = box_of(&ice->flow);
+    const float share = ice->floats ? FLOATING : 0.0f;
+    return glm_lerp(ice->before.min.y, ice->before.max.y, share) -
+           glm_lerp(after.min.y, after.max.y, share);
+}
+
+/* Puts vertices where the points are, and those of the grown mesh to where it has sunk. */
+static void place(const struct ice *ice, const vec3s *normals, struct mesh *mesh,
+                  struct mesh *grown)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const uint32_t at = ice->weld.points[i];
+        struct mesh_vertex *vertex = &mesh->vertices[i];
+        if (at == WELD_NONE)
+            continue;
+        for (int k = 0; k < 3; k++)
+            vertex->position.raw[k] = (float)ice->flow.points[at][k];
+        vertex->position.y += ice->rise;
+        vertex->normal = normals[at];
+        grown->vertices[i].position.y += ice->rise;
+        if (mesh->extras)
+            mesh->extras[i].tangent = glms_vec3_zero(); /* of the surface as it was */
+    }
+}
+
+/* Melts a shell, and loses `share` of it and `further` (melt_flow_run()). */
+static bool melt_shell(struct ice *ice, struct mesh *mesh, struct mesh *grown, float share,
+                       float further)
+{
+    double lost = 0;
+    vec3s *normals = malloc((ice->flow.count + (size_t)1) * sizeof(*normals));
+    ice->before = box_of(&ice->flow);
+    ice->half = melt_flow_half(&ice->flow);
+    bool done = normals && melt_flow_run(&ice->flow, (double)share, (double)further, &lost) &&
+                find_normals(&ice->flow, normals);
+    ice->lost = (float)lost;
+    if (done) {
+        press(ice, normals);
+        done = find_normals(&ice->flow, normals);
+    }
+    if (done) {
+        ice->rise = rise_of(ice);
+        place(ice, normals, mesh, grown);
+    }
+    free(normals);
+    return done;
+}
+
+static const struct material *material_of(const struct model *model, uint32_t object)
+{
+    return &model->materials[model->objects[object].material];
+}
+
+static bool has_index(const struct model *model, uint32_t object, float least, float most)
+{
+    const struct material *material = material_of(model, object);
+    return !(material->flags & MATERIAL_IS_BARE) && material->ior >= least && material->ior < most;
+}
+
+static bool is_ice(const struct model *model, uint32_t object, const struct melting *melting)
+{
+    const bool is_one = material_of(model, object)->flags & MATERIAL_IS_BARE ||
+                        has_index(model, object, ICE_LEAST, ICE_MOST);
+    return !melting->is_none && (melting->is_all || is_one);
+}
+
+/* Whether the middle of an object is in water. */
+static bool is_floating(const struct model *model, uint32_t object)
+{
+    const vec3s middle = box_center(model->objects[object].box);
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        if (has_index(model, i, ICE_MOST, WATER_MOST) &&
+            object_contains(&model->objects[i], &model->object, middle))
+            return true;
+    }
+    return false;
+}
+
+/* Makes air in the ice, and water below it, follow. */
+static bool follow(struct model *model, const struct mesh *grown, const struct ice *ice,
+                   const struct object *of)
+{
+    struct melt_parts_ice parts = {
+        .object = of,
+        .grown = grown,
+        .half = (float)ice->half,
+        .rise = ice->rise,
+        .spread = sqrtf(PUDDLE_LEFT * ice->lost * 8.0f / (PUDDLE * GLM_PIf)) * (float)ice->half,
+    };
+    bool done = true;
+    for (uint32_t i = 0; i < model->object_count && done; i++) {
+        if (has_index(model, i, 0.0f, AIR_MOST))
+            done = melt_parts_shrink(model, i, &parts);
+        else if (has_index(model, i, ICE_MOST, WATER_MOST))
+            done = melt_parts_spread(model, i, &parts);
+    }
+    melt_parts_finish(&parts);
+    return done;
+}
+
+static bool melt_object(struct model *model, const struct object *object, bool floats,
+                        const struct melting *melting, float time, struct melted *melted)
+{
+    struct ice ice;
+    const bool done = ice_init(&ice, &model->object, object, floats) &&
+                      melt_shell(&ice, &model->object, &melted->grown, melting->share,
+                                 fmaxf(melting->speed * time, 0.0f)) &&
+                      follow(model, &melted->grown, &ice, object);
+    melted->share = melted->share > 0.0f ? melted->share : ice.lost;
+    ice_finish(&ice);
+    return done;
+}
+
+/* A melting surface is wet, and so smooth. */
+static void wet(struct model *model, const struct melting *melting, const struct melted *melted)
+{
+    for (uint32_t k = 0; k < model->material_count; k++) {
+        bool is_of_ice = false;
+        for (uint32_t i = 0; i < model->object_count; i++)
+            is_of_ice = is_of_ice || (model->objects[i].material == k && is_ice(model, i, melting));
+        if (is_of_ice)
+            model->materials[k].roughness *= melted_frost(melted);
+    }
+}
+
+/* Melts all ice; returns false when out of memory. */
+static bool melt_all(struct model *model, const struct melting *melting, float time,
+                     struct melted *melted)
+{
+    struct object whole = { .index_count = model->object.index_count };
+    bool done = mesh_append(&melted->grown, &model->object);
+    if (!model->object_count) /* ice in a pool */
+        done = done && melt_object(model, &whole, true, melting, time, melted);
+    for (uint32_t i = 0; i < model->object_count && done; i++) {
+        if (is_ice(model, i, melting))
+            done = melt_object(model, &model->objects[i], is_floating(model, i), melting, time,
+                               melted);
+    }
+    for (uint32_t i = 0; i < model->object_count; i++)
+        model->objects[i].box = object_box(&model->objects[i], &model->object);
+    melted->box = mesh_box(&melted->grown);
+    wet(model, melting, melted);
+    return done;
+}
+
+enum status melt_model(struct model *model, const struct melting *melting, float time,
+                       struct melted *melted)
+{
+    bool has_ice = !model->object_count && model->object.index_count && !melting->is_none;
+    *melted = (struct melted){ 0 };
+    for (uint32_t i = 0; i < model->object_count; i++)
+        has_ice = has_ice || is_ice(model, i, melting);
+    if (!has_ice && !(time > 0.0f) && (melting->share > 0.0f || melting->speed > 0.0f))
+        log_warning("ice.melt, motion.melt: no effect, since the scene has no ice (an index of "
+                    "refraction from 1.3 to 1.32)");
+    if (!has_ice || !(melting->share > 0.0f || melting->speed * time > 0.0f))
+        return STATUS_OK;
+    if (melt_all(model, melting, time, melted))
+        return STATUS_OK;
+    melted_finish(melted);
+    return log_out_of_memory("melting ice");
+}
+
+bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object)
+{
+    struct depth_field depth;
+    uint32_t left = 0;
+    if (!depth_field_init(&depth, object))
+        return false;
+    for (uint32_t i = 0; i < bubbles->count; i++) {
+        struct bubble *bubble = &bubbles->all[i];
+        const float reach = bubble->radius + fmaxf(bubble->stretch, 0.0f);
+        const float share = melt_parts_depth(&depth, bubble->center) / reach;
+        if (share < 0.05f)
+            continue;
+        bubble->radius *= fminf(share, 1.0f);
+        bubble->stretch *= fminf(share, 1.0f);
+        bubbles->all[left++] = *bubble;
+    }
+    bubbles->count = left;
+    depth_field_finish(&depth);
+    return true;
+}
+
+void melted_finish(struct melted *melted)
+{
+    mesh_finish(&melted->grown);
+    *melted = (struct melted){ 0 };
+}

@@ -1,0 +1,177 @@
+/* melt_parts.c: parts that are connected, and how they move. */
+#include "src/scene/melt_parts.h"
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include "src/scene/weld.h"
+
+/* Depth of its middle, in halves of the ice's width, at which a part begins to shrink; that of
+ * small parts is half their reach. */
+#define SHRINKS_AT 0.06f
+
+/* What is left of a part that is gone: its triangles still have normals. */
+#define LEAST 1e-3f
+
+/* A part of an object. */
+struct part {
+    struct box box;
+    vec3s middle; /* that of its points */
+    float reach;  /* distance of the farthest point from there */
+    uint32_t count;
+};
+
+struct parts {
+    struct weld weld;
+    uint32_t *heads;  /* of each point: another one of its part, or itself */
+    struct part *all; /* of those points that are their own heads */
+};
+
+static uint32_t head_of(uint32_t *heads, uint32_t point)
+{
+    while (heads[point] != point) {
+        heads[point] = heads[heads[point]];
+        point = heads[point];
+    }
+    return point;
+}
+
+static void parts_finish(struct parts *parts)
+{
+    weld_finish(&parts->weld);
+    free(parts->heads);
+    free(parts->all);
+}
+
+/* Returns the part of a vertex, or NULL if the vertex is not of the object. */
+static struct part *part_of(const struct parts *parts, uint32_t vertex)
+{
+    const uint32_t point = parts->weld.points[vertex];
+    return point == WELD_NONE ? NULL : &parts->all[head_of(parts->heads, point)];
+}
+
+static void measure(struct parts *parts, const struct mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        struct part *part = part_of(parts, i);
+        const vec3s p = mesh->vertices[i].position;
+        if (!part)
+            continue;
+        part->box.min = part->count ? glms_vec3_minv(part->box.min, p) : p;
+        part->box.max = part->count ? glms_vec3_maxv(part->box.max, p) : p;
+        part->middle = glms_vec3_add(part->middle, p);
+        part->count++;
+    }
+    for (uint32_t i = 0; i < parts->weld.count; i++) {
+        struct part *part = &parts->all[i];
+        part->middle = glms_vec3_divs(part->middle, fmaxf((float)part->count, 1.0f));
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        struct part *part = part_of(parts, i);
+        if (part)
+            part->reach =
+                fmaxf(part->reach, glms_vec3_distance(part->middle, mesh->vertices[i].position));
+    }
+}
+
+static bool parts_init(struct parts *parts, const struct mesh *mesh, const struct object *object)
+{
+    *parts = (struct parts){ 0 };
+    if (!weld_init(&parts->weld, mesh, object->first_index, object->index_count))
+        return false;
+    parts->heads = malloc((parts->weld.count + (size_t)1) * sizeof(*parts->heads));
+    parts->all = calloc(parts->weld.count + (size_t)1, sizeof(*parts->all));
+    if (!parts->heads || !parts->all) {
+        parts_finish(parts);
+        return false;
+    }
+    for (uint32_t i = 0; i < parts->weld.count; i++)
+        parts->heads[i] = i;
+    for (uint32_t i = 0; i < parts->weld.corner_count; i++) {
+        const uint32_t *corners = parts->weld.corners;
+        const uint32_t next = i % 3 == 2 ? i - 2 : i + 1;
+        parts->heads[head_of(parts->heads, corners[i])] = head_of(parts->heads, corners[next]);
+    }
+    measure(parts, mesh);
+    return true;
+}
+
+float melt_parts_depth(const struct depth_field *field, vec3s point)
+{
+    for (int k = 0; k < 3; k++) {
+        if (!(point.raw[k] > field->box.min.raw[k] && point.raw[k] < field->box.max.raw[k]))
+            return 0.0f;
+    }
+    return field->most * depth_field_at(field, point);
+}
+
+/* Finds how deep the ice is, and was. */
+static bool find_depths(struct melt_parts_ice *ice, const struct mesh *mesh)
+{
+    const struct mesh after = object_part(ice->object, mesh);
+    const struct mesh before = object_part(ice->object, ice->grown);
+    return ice->depth.texels ||
+           (depth_field_init(&ice->depth, &after) && depth_field_init(&ice->depth_before, &before));
+}
+
+bool melt_parts_shrink(struct model *model, uint32_t object, struct melt_parts_ice *ice)
+{
+    struct mesh *mesh = &model->object;
+    struct parts parts;
+    if (!parts_init(&parts, mesh, &model->objects[object]))
+        return false;
+    const bool done = find_depths(ice, mesh);
+    for (uint32_t i = 0; i < mesh->vertex_count && done; i++) {
+        const struct part *part = part_of(&parts, i);
+        if (!part)
+            continue;
+        vec3s middle = part->middle;
+        middle.y += ice->rise;
+        if (!(melt_parts_depth(&ice->depth_before, middle) > 0.0f))
+            continue;
+        const float due = fminf(0.5f * part->reach, SHRINKS_AT * ice->half);
+        const float depth = melt_parts_depth(&ice->depth, middle);
+        const float share = fmaxf(glm_smoothstep(0.0f, due, depth), LEAST);
+        const vec3s from = glms_vec3_sub(mesh->vertices[i].position, part->middle);
+        mesh->vertices[i].position = glms_vec3_muladds(from, share, middle);
+    }
+    parts_finish(&parts);
+    return done;
+}
+
+/* Whether the ice stands on a part of an object, or in it. */
+static bool is_below(const struct part *part, const struct box *ice)
+{
+    const vec3s foot = box_center(*ice);
+    const float hair = 0.02f * (ice->max.y - ice->min.y);
+    return part->count && foot.x > part->box.min.x && foot.x < part->box.max.x &&
+           foot.z > part->box.min.z && foot.z < part->box.max.z && part->box.max.y < foot.y &&
+           part->box.max.y > ice->min.y - hair;
+}
+
+bool melt_parts_spread(struct model *model, uint32_t object, const struct melt_parts_ice *ice)
+{
+    struct mesh *mesh = &model->object;
+    const vec3s foot = box_center(ice->object->box);
+    struct parts parts;
+    if (!parts_init(&parts, mesh, &model->objects[object]))
+        return false;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const struct part *part = part_of(&parts, i);
+        if (!part || !is_below(part, &ice->object->box))
+            continue;
+        const vec3s sides = glms_vec3_sub(part->box.max, part->box.min);
+        const float radius = 0.25f * (sides.x + sides.z);
+        const float share = hypotf(radius, ice->spread) / fmaxf(radius, 1e-20f);
+        vec3s *p = &mesh->vertices[i].position;
+        p->x = foot.x + share * (p->x - foot.x);
+        p->z = foot.z + share * (p->z - foot.z);
+    }
+    parts_finish(&parts);
+    return true;
+}
+
+void melt_parts_finish(struct melt_parts_ice *ice)
+{
+    depth_field_finish(&ice->depth);
+    depth_field_finish(&ice->depth_before);
+}

@@ -1,0 +1,149 @@
+/* scene_inside.c: what is in the object of a scene, and on its surface. */
+#include <cglm/struct.h>
+#include <math.h>
+#include "src/base/log.h"
+#include "src/scene/import/grey.h"
+#include "src/scene/scene.h"
+#include "src/scene/solid.h"
+
+/* Moves the crack of a file into the unit ball. */
+static void fit_sheet(struct mesh *sheet)
+{
+    const struct box box = mesh_box(sheet);
+    const float scale = 2.0f / fmaxf(box_diagonal(box), 1e-30f);
+    for (uint32_t i = 0; i < sheet->vertex_count; i++) {
+        struct mesh_vertex *v = &sheet->vertices[i];
+        v->position = glms_vec3_scale(glms_vec3_sub(v->position, box_center(box)), scale);
+    }
+}
+
+static enum status load_cracks(struct scene *scene, const struct scene_params *params)
+{
+    struct model model = { 0 };
+    if (!params->cracks.file)
+        return STATUS_OK;
+    enum status status =
+        decode_model(&model, params->cracks.file, MODEL_SURROUNDINGS, NULL, params->decode);
+    const struct mesh *found = &model.surroundings;
+    if (status == STATUS_OK &&
+        (!found->index_count || found->index_count / 3 > SCENE_CRACK_TRIANGLES)) {
+        log_error("%s: expected 1 to %d triangles of a crack, got %u", params->cracks.file,
+                  SCENE_CRACK_TRIANGLES, found->index_count / 3);
+        status = STATUS_DATA;
+    }
+    if (status == STATUS_OK && !mesh_append(&scene->files.crack_sheet, found))
+        status = log_out_of_memory("cracks");
+    fit_sheet(&scene->files.crack_sheet);
+    model_finish(&model);
+    return status;
+}
+
+/* What has melted does not move what is left in the ice. */
+static struct box grown_box(const struct scene *scene)
+{
+    return scene->melted.share > 0.0f ? scene->melted.box : scene->box;
+}
+
+static enum status add_air(struct scene *scene, const struct generate_air *air)
+{
+    bool done = generate_air_planes(&scene->air, grown_box(scene), air) &&
+                generate_air_cut(&scene->air, &scene->model.object);
+    return done ? STATUS_OK : log_out_of_memory("air");
+}
+
+static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
+{
+    const bool has_melted = scene->melted.share > 0.0f;
+    const struct mesh *grown = has_melted ? &scene->melted.grown : &scene->model.object;
+    bool done = generate_bubbles(&scene->bubbles, grown, bubbles) &&
+                (!has_melted || melt_bubbles(&scene->bubbles, &scene->model.object));
+    return done ? STATUS_OK : log_out_of_memory("bubbles");
+}
+
+enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cracks)
+{
+    const struct mesh *object = &scene->model.object;
+    struct solid solid = { 0 };
+    mesh_finish(&scene->cracks);
+    bool done = generate_cracks(&scene->cracks, grown_box(scene), cracks->count, cracks->seed,
+                                &scene->files.crack_sheet);
+    if (done && cracks->count && cracks->cut) {
+        done = solid_init(&solid, object) &&
+               solid_cut(&solid, &scene->cracks, box_diagonal(scene->box) / 128.0f);
+        solid_finish(&solid);
+    }
+    return done ? STATUS_OK : log_out_of_memory("cracks");
+}
+
+const char *scene_fill(struct scene *scene, const struct scene_params *params)
+{
+    if (scene->has_pool)
+        return NULL;
+    struct bump_maps_params maps = params->bump ? *params->bump : (struct bump_maps_params){ 0 };
+    struct generate_air air = params->air;
+    maps.heights = scene->files.heights;
+    maps.smoothness = scene->files.smoothness;
+    air.cover = scene->files.air_cover;
+    if (params->bump && !bump_maps_init(&scene->bump, &maps))
+        return "maps of the surface";
+    if (air.count && !generate_air_layers(&scene->air_layers, &air))
+        return "air";
+    struct model grown = scene->model; /* the core of ice is where it was */
+    if (scene->melted.share > 0.0f)
+        grown.object = scene->melted.grown;
+    if (!clouds_fill(&scene->clouds, &grown))
+        return "clouds";
+    return NULL;
+}
+
+/* What a plan asks of textures that scene_fill() makes. */
+static void size_textures(struct scene *scene, const struct scene_params *params)
+{
+    if (params->bump)
+        scene->bump.size = BUMP_MAPS_SIZE;
+    if (params->air.count)
+        scene->air_layers = (struct air_layers){ .size = GENERATE_AIR_LAYER_SIZE,
+                                                 .count = GENERATE_AIR_LAYER_COUNT };
+}
+
+static enum status read_pictures(struct scene *scene, const struct scene_params *params)
+{
+    const struct {
+        const char *path;
+        float **greys;
+        uint32_t side;
+        bool is_share;
+    } wanted[] = {
+        { params->pictures.heights, &scene->files.heights, BUMP_MAPS_SIZE, false },
+        { params->pictures.smoothness, &scene->files.smoothness, BUMP_MAPS_SIZE, true },
+        { params->pictures.air, &scene->files.air_cover, GENERATE_AIR_LAYER_SIZE, true },
+    };
+    enum status status = STATUS_OK;
+    for (size_t i = 0; i < sizeof(wanted) / sizeof(wanted[0]) && status == STATUS_OK; i++) {
+        if (wanted[i].path)
+            status = grey_read(wanted[i].greys, wanted[i].side, wanted[i].is_share, wanted[i].path,
+                               params->decode);
+    }
+    return status;
+}
+
+enum status scene_fill_object(struct scene *scene, const struct scene_params *params)
+{
+    enum status status = params->before ? STATUS_OK : read_pictures(scene, params);
+    if (status != STATUS_OK)
+        return status;
+    if (params->before)
+        scene->files = params->before->files;
+    size_textures(scene, params);
+    const char *lacking = params->later ? NULL : scene_fill(scene, params);
+    status = lacking ? log_out_of_memory(lacking) : STATUS_OK;
+    if (status == STATUS_OK && params->air.count)
+        status = add_air(scene, &params->air);
+    if (status == STATUS_OK && params->bubbles.count)
+        status = add_bubbles(scene, &params->bubbles);
+    if (status == STATUS_OK && !params->before)
+        status = load_cracks(scene, params);
+    if (status == STATUS_OK)
+        status = scene_make_cracks(scene, &params->cracks);
+    return status;
+}

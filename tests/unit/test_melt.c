@@ -1,0 +1,238 @@
+/* test_melt.c: ice melts by its law, without leaps, and what is in it follows. */
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "src/scene/generate/generate.h"
+#include "src/scene/melt.h"
+#include "src/scene/melt_flow.h"
+#include "src/scene/weld.h"
+#include "tests/support/check.h"
+
+static void check_between(double value, double least, double most)
+{
+    CHECK_NEAR(value, 0.5 * (least + most), 0.5 * (most - least));
+}
+
+/* A flow's surface, and the mesh that it is of. */
+struct shell {
+    struct mesh mesh;
+    struct weld weld;
+    struct melt_flow flow;
+};
+
+static void shell_start(struct shell *s)
+{
+    assert_true(weld_init(&s->weld, &s->mesh, 0, s->mesh.index_count));
+    s->flow = (struct melt_flow){ .points = calloc(s->weld.count, sizeof(*s->flow.points)),
+                                  .count = s->weld.count,
+                                  .corners = s->weld.corners,
+                                  .corner_count = s->weld.corner_count };
+    assert_non_null(s->flow.points);
+    for (uint32_t i = 0; i < s->mesh.vertex_count; i++) {
+        for (int k = 0; k < 3; k++)
+            s->flow.points[s->weld.points[i]][k] = (double)s->mesh.vertices[i].position.raw[k];
+    }
+}
+
+static void shell_finish(struct shell *s)
+{
+    free(s->flow.points);
+    weld_finish(&s->weld);
+    mesh_finish(&s->mesh);
+}
+
+static double volume_of(const struct melt_flow *flow)
+{
+    const double half = melt_flow_half(flow);
+    return 8 * half * half * half;
+}
+
+/* A block with rounded edges, from the points of a ball. */
+static struct shell block(float half, float rounding)
+{
+    struct shell s = { 0 };
+    assert_true(generate_ice_cube(&s.mesh, 12 * 28 * 28));
+    for (uint32_t i = 0; i < s.mesh.vertex_count; i++) {
+        vec3s *p = &s.mesh.vertices[i].position;
+        const vec3s on_cube = glms_vec3_scale(*p, half / glms_vec3_max(glms_vec3_abs(*p)));
+        const float inner = half - rounding;
+        const vec3s core = glms_vec3_clamp(on_cube, -inner, inner);
+        *p = glms_vec3_muladds(glms_vec3_normalize(glms_vec3_sub(on_cube, core)), rounding, core);
+    }
+    shell_start(&s);
+    return s;
+}
+
+/* The mean half width along the axes. */
+static double half_width(const struct melt_flow *flow)
+{
+    double most = 0;
+    for (uint32_t i = 0; i < flow->count; i++) {
+        for (int k = 0; k < 3; k++)
+            most = fmax(most, fabs(flow->points[i][k]));
+    }
+    return most;
+}
+
+/* Returns the radius of the edges along z that makes them reach as far as they do. */
+static double edge_radius(const struct melt_flow *flow)
+{
+    const double half = half_width(flow);
+    double most = 0;
+    for (uint32_t i = 0; i < flow->count; i++) {
+        const double *p = flow->points[i];
+        if (fabs(p[2]) < 0.3 * half)
+            most = fmax(most, (fabs(p[0]) + fabs(p[1])) / sqrt(2));
+    }
+    return (sqrt(2) * half - most) / (sqrt(2) - 1);
+}
+
+/* The table of the law: a block of 15 mm with edges of 2.7 mm, and 2 mm at which they stay. */
+static void a_block_grows_round(void **state)
+{
+    static const struct {
+        double width, volume, radius; /* of the first width and volume; mm */
+    } law[] = { { 0.9, 0.73, 2.35 }, { 0.75, 0.42, 2.14 }, { 0.5, 0.12, 2.03 } };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof(law) / sizeof(law[0]); i++) {
+        struct shell s = block(15, 2.7f);
+        const double first = volume_of(&s.flow);
+        double lost;
+        assert_true(melt_flow_run(&s.flow, 1 - law[i].volume, 0, &lost));
+        CHECK_NEAR(lost, 1 - law[i].volume, 1e-4);
+        CHECK_NEAR(volume_of(&s.flow) / first, law[i].volume, 1e-4);
+        CHECK_NEAR(half_width(&s.flow) / 15, law[i].width, 0.02);
+        CHECK_NEAR(edge_radius(&s.flow), law[i].radius, 0.15);
+        shell_finish(&s);
+    }
+}
+
+/* A ball of radius r loses 1 + d / r for each length that a face loses, d .118 of half a cube. */
+static void a_ball_stays_one(void **state)
+{
+    struct shell s = { 0 };
+    double lost, least = 1e9, most = 0;
+    (void)state;
+    assert_true(generate_sphere(&s.mesh, 4000));
+    shell_start(&s);
+    const double half = melt_flow_half(&s.flow), layer = 0.118 * half;
+    assert_true(melt_flow_run(&s.flow, 0, 0.5, &lost));
+    for (uint32_t i = 0; i < s.flow.count; i++) {
+        const double *p = s.flow.points[i];
+        const double radius = sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        least = fmin(least, radius);
+        most = fmax(most, radius);
+    }
+    double radius = 1;
+    for (int i = 0; i < 1000; i++)
+        radius -= 0.5 * half / 1000 * (1 + layer / radius);
+    CHECK_NEAR(least, radius, 0.015);
+    CHECK_NEAR(most, radius, 0.015);
+    shell_finish(&s);
+}
+
+/* Returns the longest way of a point between two shares. */
+static double way(bool (*generate)(struct mesh *, uint32_t), uint32_t triangles, double share,
+                  double more)
+{
+    struct shell a = { 0 }, b = { 0 };
+    double lost, longest = 0;
+    assert_true(generate(&a.mesh, triangles) && generate(&b.mesh, triangles));
+    shell_start(&a);
+    shell_start(&b);
+    const double half = melt_flow_half(&a.flow);
+    assert_true(melt_flow_run(&a.flow, share, 0, &lost));
+    CHECK_NEAR(lost, share, 1e-4);
+    assert_true(melt_flow_run(&b.flow, more, 0, &lost));
+    for (uint32_t i = 0; i < a.flow.count; i++) {
+        for (int k = 0; k < 3; k++)
+            longest = fmax(longest, fabs(a.flow.points[i][k] - b.flow.points[i][k]));
+    }
+    shell_finish(&a);
+    shell_finish(&b);
+    return longest / half;
+}
+
+static void nothing_leaps(void **state)
+{
+    (void)state;
+    check_between(way(generate_ice_cube, 1200, 0.3, 0.301), 1e-6, 0.005);
+    check_between(way(generate_ice_cube, 1200, 0.97, 0.971), 1e-6, 0.05);
+    check_between(way(generate_teapot, 3000, 0.6, 0.601), 1e-6, 0.02);
+}
+
+static struct model bare(bool (*generate)(struct mesh *, uint32_t))
+{
+    static struct object object;
+    static struct material material;
+    struct model model = {
+        .objects = &object, .object_count = 1, .materials = &material, .material_count = 1
+    };
+    assert_true(generate(&model.object, 1200));
+    material = material_make("ice");
+    material.flags = MATERIAL_IS_BARE;
+    object = (struct object){ .index_count = model.object.index_count };
+    object.box = object_box(&object, &model.object);
+    return model;
+}
+
+static void ice_stands_where_it_stood(void **state)
+{
+    struct model model = bare(generate_ice_cube), before = bare(generate_ice_cube);
+    struct melted melted;
+    (void)state;
+    const struct box whole = mesh_box(&before.object);
+    assert_int_equal(melt_model(&model, &(struct melting){ .share = 0 }, 9, &melted), STATUS_OK);
+    assert_memory_equal(model.object.vertices, before.object.vertices,
+                        model.object.vertex_count * sizeof(*model.object.vertices));
+    assert_int_equal(melt_model(&model, &(struct melting){ .share = 0.5f }, 0, &melted), STATUS_OK);
+    assert_memory_equal(model.object.indices, before.object.indices,
+                        model.object.index_count * sizeof(*model.object.indices));
+    const struct box left = mesh_box(&model.object);
+    CHECK_NEAR(melted.share, 0.5, 1e-4);
+    CHECK_NEAR(left.min.y, whole.min.y, 1e-5);
+    check_between(left.max.y - left.min.y, 0.6f * (whole.max.y - whole.min.y),
+                  0.95f * (whole.max.y - whole.min.y));
+    CHECK_NEAR(melted_frost(&melted), 0, 1e-6);
+    CHECK_NEAR(melted.box.max.y - melted.box.min.y, whole.max.y - whole.min.y, 1e-5);
+    melted_finish(&melted);
+    mesh_finish(&model.object);
+    mesh_finish(&before.object);
+}
+
+static void bubbles_shrink_at_the_surface(void **state)
+{
+    static const vec3s places[] = { { { 0, -0.2f, 0 } },
+                                    { { 0.78f, 0, 0 } },
+                                    { { 0.5f, -0.2f, 0 } } };
+    struct model model = bare(generate_ice_cube);
+    struct bubbles bubbles = { calloc(3, sizeof(*bubbles.all)), 3 };
+    struct melted melted;
+    (void)state;
+    assert_non_null(bubbles.all);
+    for (int i = 0; i < 3; i++)
+        bubbles.all[i] = (struct bubble){ .center = places[i], .radius = 0.15f };
+    assert_int_equal(melt_model(&model, &(struct melting){ .share = 0.4f }, 0, &melted), STATUS_OK);
+    assert_true(melt_bubbles(&bubbles, &model.object));
+    assert_int_equal(bubbles.count, 2); /* the one at the side is gone */
+    CHECK_NEAR(bubbles.all[0].radius, 0.15f, 1e-6);
+    check_between(bubbles.all[1].radius, 0.01f, 0.149f);
+    free(bubbles.all);
+    melted_finish(&melted);
+    mesh_finish(&model.object);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_block_grows_round),
+        cmocka_unit_test(a_ball_stays_one),
+        cmocka_unit_test(nothing_leaps),
+        cmocka_unit_test(ice_stands_where_it_stood),
+        cmocka_unit_test(bubbles_shrink_at_the_surface),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
