@@ -7,9 +7,13 @@
  */
 #ifndef SHADERS_CLOUD_H
 #define SHADERS_CLOUD_H
+#include "abi.h"
 #include "abi_math.h"
 
 #define CLOUD_SIZE 64
+
+#define CLOUD_TEXELS 16 /* binding of the densities, CLOUD_SIZE layers each */
+#define CLOUD_AROUND 17 /* binding of LIT_AROUND in refract_cloud.glsl */
 
 #define CLOUD_RIM  0.18f /* relative depth to which ice is clear */
 #define CLOUD_VEIL 0.42f /* relative depth at which a veil is complete */
@@ -17,6 +21,14 @@
 #define CLOUD_MILK 0.9f  /* relative depth at which it is complete */
 
 #define CLOUD_VEIL_SHARE 0.25f /* density of the veil as a share of the core's */
+
+/* A cloud, in the space of the objects. */
+struct cloud_place {
+    vec3s low;         /* of the box of its texels */
+    float extinction;  /* 1 / metre, where it is densest */
+    vec3s texels_each; /* texels a metre */
+    float first_layer;
+};
 
 /* Returns the density at a relative depth, 0 to 1, as a share of the greatest. */
 ABI_FUNCTION float cloud_share(float depth)

@@ -2,6 +2,7 @@
 #ifndef SHADERS_GLOBALS_H
 #define SHADERS_GLOBALS_H
 #include "abi.h"
+#include "cloud.h"
 #include "surface.h"
 
 #define GLOBALS_BINDING     0 /* in every row that uses the buffer */
@@ -38,10 +39,13 @@ struct globals {
     vec3s absorb;            /* absorption coefficients of the object, 1 / metre */
     float refract_crossfade; /* share of refraction with REFRACT_FRESNEL_CROSSFADE */
     ABI_STRUCT(surface_params) surface;
-    vec2s wide_share;           /* of the picture in ice_normal's wide maps */
-    vec3s cube_center;          /* from which the environment cube was drawn, world, metres */
-    vec3s local_min, local_max; /* of the box around the object, world, metres */
-    float sample_share;         /* of the samples of a pixel: even in 0 to 1, 0.5 first */
+    ABI_STRUCT(cloud_place) cloud; /* of the object; extinction 0: none */
+    float cloud_cosine;            /* mean, of the angle by which clouds turn light */
+    uint32_t cloud_steps;          /* of a part of a way, of rungs that follow no triangles */
+    vec2s wide_share;              /* of the picture in ice_normal's wide maps */
+    vec3s cube_center;             /* from which the environment cube was drawn, world, metres */
+    vec3s local_min, local_max;    /* of the box around the object, world, metres */
+    float sample_share;            /* of the samples of a pixel: even in 0 to 1, 0.5 first */
     float lod_bias; /* of textures; below 0 in interleaved tiles, which have every nth pixel */
 };
 

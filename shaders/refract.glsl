@@ -13,6 +13,9 @@
 #include "refract_dress.glsl"
 #endif
 #include "refract_way.glsl"
+#ifdef REFRACT_CLOUD
+#include "refract_cloud.glsl"
+#endif
 #include "surface.glsl"
 
 struct refract_result {
@@ -61,11 +64,16 @@ float refract_share(vec3 e, vec3 n_f)
 vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
 {
     way = refract_follow(e, n_f, channel);
+    vec3 light = refract_transmitted(way);
 #ifdef REFRACT_DRESS
-    return refract_transmitted(way) * refract_dress_back();
-#else
-    return refract_transmitted(way);
+    light *= refract_dress_back();
 #endif
+#ifdef REFRACT_CLOUD
+    float straight = 1.0;
+    vec3 scattered = refract_cloud(way.point, normalize(way.dir), 1e30, straight);
+    light = straight * light + scattered;
+#endif
+    return light;
 }
 #else
 #include "refract_exits.glsl"

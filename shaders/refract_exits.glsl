@@ -38,6 +38,10 @@ struct exits_ray {
     vec3 n;          /* outward normal of the face; 0 where none was found */
     float share;     /* that is reflected there */
     uint faces;      /* that have reflected it */
+#ifdef REFRACT_CLOUD
+    float straight; /* share of its light that no cloud has scattered */
+    vec3 scattered; /* light of clouds on the way to the face */
+#endif
 #ifdef REFRACT_DRESS
     vec3 tint; /* of light that leaves there */
 #endif
@@ -61,10 +65,17 @@ void exits_next(march_space space, float inverse_eta, bool is_weak, inout exits_
 #ifdef REFRACT_DRESS
     ray.tint = vec3(1.0);
 #endif
+#ifdef REFRACT_CLOUD
+    ray.scattered = vec3(0.0);
+#endif
     ray.n = vec3(0.0);
     for (uint i = 0u; ray.faces <= last && i <= most; i++) {
         bool near_front, jumps;
         float t = march_seek(space, ray.way.point, ray.way.dir, hidden, near_front, jumps);
+#ifdef REFRACT_CLOUD
+        ray.scattered += exp(-refract_frame.absorb * ray.way.path) *
+                         refract_cloud(ray.way.point, ray.way.dir, t, ray.straight);
+#endif
         ray.way.point += t * ray.way.dir;
         ray.way.path += t;
         vec3 n = march_nearer_normal(space, ray.way.point, near_front);
@@ -96,6 +107,9 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
     exits_ray ray;
     ray.way = refract_leave_at_front(optics_refract(e, n_f, eta));
     ray.faces = 0u;
+#ifdef REFRACT_CLOUD
+    ray.straight = 1.0;
+#endif
     way = ray.way;
     vec3 light = vec3(0.0);
     float left = 1.0;
@@ -116,6 +130,9 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
         seen = share * seen + rest * mean * exp(-refract_frame.absorb * ray.way.path);
 #ifdef REFRACT_DRESS
         seen *= ray.tint;
+#endif
+#ifdef REFRACT_CLOUD
+        seen = ray.straight * seen + ray.scattered;
 #endif
         light += left * seen;
         if (is_last)

@@ -2,6 +2,7 @@
 #ifndef SHADERS_REFRACT_TRACE_H
 #define SHADERS_REFRACT_TRACE_H
 #include "abi.h"
+#include "cloud.h"
 #include "refract.h"
 #include "tree.h"
 
@@ -10,7 +11,6 @@
 #define TRACE_NODES     13 /* the words of tree.h */
 #define TRACE_TRIANGLES 14
 #define TRACE_CORNERS   15
-#define TRACE_CLOUDS    16 /* densities, CLOUD_SIZE layers each; with TRACE_RAYS */
 
 #define TRACE_OUT_MEDIA 5 /* of the layers' pass, besides those of refract.h */
 
@@ -41,18 +41,10 @@
 
 #define TRACE_CLOUDS_MAX 8
 
-/* Ice that scatters light (cloud.h), in the space of the objects. */
-struct trace_cloud {
-    vec3s low;         /* of the box of its texels */
-    float extinction;  /* 1 / metre, where it is densest */
-    vec3s texels_each; /* texels a metre */
-    float first_layer;
-};
-
 /* What a frame needs, besides struct globals; written once a frame. */
 struct trace_frame {
     vec4s media[(TREE_MEDIA_MAX + 1) * TRACE_MEDIUM]; /* by medium; the first one is outside */
-    ABI_STRUCT(trace_cloud) clouds[TRACE_CLOUDS_MAX];
+    ABI_STRUCT(cloud_place) clouds[TRACE_CLOUDS_MAX];
     vec4s guide;                          /* as of ground.h */
     uint32_t roots[TREE_PART_COUNT + 1];  /* TREE_NOTHING: no such part */
     uint32_t inside[TREE_NESTED_MAX / 2]; /* struct tree_shells of the eye */
@@ -62,10 +54,9 @@ struct trace_frame {
     uint32_t is_in_bubble;                /* 1: the eye is */
     float crack_slope;                    /* of the roughness of cracks; 0: they are smooth */
     float branch;                         /* share of a path's light that is followed apart */
-    float hair;         /* metres: how near a ray's origin may be to a face by rounding alone */
-    float cloud_cosine; /* mean, of the angle by which clouds turn light */
-    uint32_t one;       /* 1: compilers must not know */
-    uint32_t is_apart;  /* 1: nothing that is around the objects is in a box around them */
+    float hair;        /* metres: how near a ray's origin may be to a face by rounding alone */
+    uint32_t one;      /* 1: compilers must not know */
+    uint32_t is_apart; /* 1: nothing that is around the objects is in a box around them */
 };
 
 #endif

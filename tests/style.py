@@ -30,8 +30,9 @@ TEXT_NAMES = (*SHELL_NAMES, 'LICENSE', '.clang-format', '.clang-tidy', '.gitigno
 
 # What the frame and the renderer know of techniques and shaders: nothing that is of a single one.
 OF_ALL_TECHNIQUES = (
-    'src/tech/frame.h', 'src/tech/frame_media.h', 'src/tech/layer.h', 'src/tech/row_builder.h',
-    'src/tech/target_scale.h', 'src/tech/technique.h', 'src/tech/techniques.h',
+    'src/tech/frame.h', 'src/tech/frame_cloud.h', 'src/tech/frame_media.h', 'src/tech/layer.h',
+    'src/tech/row_builder.h', 'src/tech/target_scale.h', 'src/tech/technique.h',
+    'src/tech/techniques.h',
     'shaders/constants.h', 'shaders/globals.h',
     'shaders/lit.h', 'shaders/mesh.h', 'shaders/sky.h',
 )

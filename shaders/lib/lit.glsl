@@ -3,12 +3,13 @@
 #define LIB_LIT_GLSL
 #include "background.h"
 #include "lib/environment.glsl"
+#define LIT_AROUND BACKGROUND_LIGHT
+#include "lib/lit_around.glsl"
 #include "lib/material.glsl"
 #include "lit.h"
 
 layout(set = 0, binding = BACKGROUND_ENVIRONMENT) uniform sampler2D environment;
 layout(set = 0, binding = BACKGROUND_NUMBERS) uniform sampler2DArray numbers;
-layout(set = 0, binding = BACKGROUND_LIGHT) uniform sampler2DArray environment_light;
 layout(set = 0, binding = BACKGROUND_SPLIT) uniform sampler2D splits;
 layout(set = 0, binding = BACKGROUND_LIGHTS) uniform sampler2D lights;
 
@@ -62,18 +63,6 @@ vec3 lit_bend_extra(uint row, vec3 n, vec3 outward, vec3 texel, vec2 scales, vec
 #endif
 
 /* ---- light ---- */
-
-/* Returns the light on a matt white surface, without the sun of the built-in sky. */
-vec3 lit_matt(vec3 n)
-{
-    if (constant_background == GLOBALS_COLOR)
-        return frame.background_color;
-    if (constant_background == GLOBALS_ENVIRONMENT) {
-        vec2 at = background_uv(n, constant_environment_turn);
-        return textureLod(environment_light, vec3(at, float(LIT_MATT_LAYER)), 0.0).rgb;
-    }
-    return sky_ambient(n);
-}
 
 /* Returns the light from around a direction, as far as a rough surface reflects it; `lod` is the
  * mip level of the environment picture for a mirror. */

@@ -160,7 +160,8 @@ static enum status measure(struct job *job)
         log_warning("firn ladder: the reference draws the scene without %s", names);
     if (!o->run.quiet && air_is_medium(&p->scene.settings))
         log_warning(
-            "air.model=medium: trace and the reference draw a medium, and other rungs planes");
+            "air.model=medium: bounce, one-sided, trace and the reference draw a medium, and "
+            "other rungs planes");
     progress_begin(&job->progress, ladder_stages(&params), "steps", o->run.quiet);
     status = ladder_run(&job->ladder, &params, show_progress, job);
     progress_clear(&job->progress);

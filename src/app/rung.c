@@ -265,13 +265,15 @@ static void warn_of_clouds(const struct app_picture *picture, const struct scene
         return;
     if (rung->meets_tree)
         rung->choose(&choice, scene);
-    if (air_is_medium(settings) && !rung->meets_tree && rung->rows)
-        log_warning("air.model=medium: drawn as planes; --refraction trace and reference draw a "
-                    "medium");
+    if (refract_is_cloudy(picture->rung, scene, settings))
+        choice.is_cloudy = true;
+    else if (air_is_medium(settings) && !rung->meets_tree && rung->rows)
+        log_warning("air.model=medium: drawn as planes; --refraction bounce, one-sided, trace and "
+                    "reference draw a medium");
     else if (rung->rows && !choice.meets_surroundings && !picture->scene.quiet)
-        log_note("%s: its ice is cloudy, and drawn clear; --refraction trace draws clouds%s",
-                 picture->scene.name,
-                 rung->meets_tree ? ", but not with trace.surroundings=cube" : "");
+        log_note(
+            "%s: its ice is cloudy, and drawn clear; --refraction trace and bounce draw clouds%s",
+            picture->scene.name, rung->meets_tree ? ", but not with trace.surroundings=cube" : "");
     if (scene->clouds.left_out)
         log_warning("%s: more than %d objects are cloudy, and %u of them drawn clear",
                     picture->scene.name, CLOUDS_MAX, scene->clouds.left_out);

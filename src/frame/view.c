@@ -7,6 +7,7 @@
 #include "shaders/sky.h"
 #include "src/scene/material_rows.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/frame_cloud.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/techniques.h"
 
@@ -294,6 +295,7 @@ struct globals frame_view_object_globals(const struct frame_view *view, const st
     g.radius = box_diagonal(box) / 2.0f;
     fit_depth(view, &g);
     take_medium(view, object, &g);
+    g.cloud = frame_cloud_of(view->scene, view->settings, object);
     return g;
 }
 
@@ -328,6 +330,7 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
     }
     place_sun(view, &g);
     take_medium(view, 0, &g);
+    g.cloud = frame_cloud_of(scene, view->settings, 0);
     return g;
 }
 

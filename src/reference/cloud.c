@@ -4,7 +4,7 @@
 #include <math.h>
 #include "src/reference/microfacet.h"
 #include "src/tech/air.h"
-#include "src/tech/frame_media.h"
+#include "src/tech/frame_cloud.h"
 
 enum {
     SUN_STEPS = 32, /* towards the sun */
@@ -20,7 +20,7 @@ struct cloud cloud_of(const struct radiance *radiance, const struct settings *se
         .index = index,
         .object = fields->all[index].object,
         .object_from_world = glms_mat4_inv(radiance->globals->world_from_object),
-        .most = frame_cloud_most(radiance->scene, settings, index),
+        .most = frame_cloud_at(radiance->scene, settings, index).extinction,
         .anisotropy = params->anisotropy,
     };
 }

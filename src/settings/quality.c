@@ -22,6 +22,7 @@ const struct quality_row quality_rows[] = {
     { "refract.lookup", { [DRAFT] = "infinite" } },
     { "refract.steps", { [HIGH] = "16" } },
     { "refract_bounce.exits", { [DRAFT] = "1" } },
+    { "air.steps", { [DRAFT] = "0", [HIGH] = "16" } },
     { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
     { "ground.light", { [HIGH] = "traced" } },
     { "reference.photons", { [DRAFT] = "200000", [HIGH] = "4000000" } },

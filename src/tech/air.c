@@ -15,6 +15,7 @@
  */
 #include "src/tech/air.h"
 #include "shaders/air.h"
+#include "shaders/cloud.h"
 #include "shaders/embedded.h"
 #include "shaders/ice_depth.h"
 #include "src/tech/frame.h"
@@ -30,6 +31,16 @@ static const struct rg_image air_layers = {
     .height = 1,
     .array = true,
 };
+
+const struct rg_image air_clouds = {
+    .name = "air.clouds",
+    .format = VK_FORMAT_R8_UNORM,
+    .width = 1,
+    .height = 1,
+    .array = true,
+};
+
+const struct rg_sampler air_cloud_sampler = { .linear = true };
 
 const struct rg_image air_cover = {
     .name = "air.cover",
@@ -167,8 +178,8 @@ static const struct setting rows[] = {
         .max = AIR_MEDIUM,
         .choices = models,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "model of the air: planes of bubbles, or a medium that scatters light (rungs trace "
-                "and reference)",
+        .help = "model of the air: planes of bubbles, or a medium that scatters light (rungs "
+                "bounce, one-sided, trace and reference)",
     },
     {
         .name = "air.density",
@@ -195,6 +206,16 @@ static const struct setting rows[] = {
         .min = -0.95,
         .max = 0.95,
         .help = "mean cosine of the scattering angle in clouds and with air.model=medium",
+    },
+    {
+        .name = "air.steps",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct air_params, steps),
+        .initial = 6,
+        .max = 64,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "steps of each part of a path through clouds, rungs bounce and one-sided (0: "
+                "clear ice)",
     },
 };
 
@@ -231,8 +252,30 @@ static struct technique_texels find_layers(const struct scene *scene)
 
 static const uint8_t clear[2] = { 0 };
 
+static struct technique_texels find_clouds(const struct scene *scene)
+{
+    const struct clouds *found = &scene->clouds;
+    if (!found->count)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = found->texels,
+        .width = CLOUD_SIZE,
+        .height = CLOUD_SIZE,
+        .layers = CLOUD_SIZE * found->count,
+        .no_mips = true,
+    };
+}
+
+static void write_globals(const struct frame_view *view, struct globals *g)
+{
+    const struct air_params *params = settings_of(view->settings, &air_settings);
+    g->cloud_cosine = params->anisotropy;
+    g->cloud_steps = params->steps;
+}
+
 static const struct technique_import imports[] = {
     { &air_layers, find_layers, clear },
+    { &air_clouds, find_clouds, clear },
     { 0 },
 };
 
@@ -256,6 +299,7 @@ const struct technique air = {
     .is_of_ice = true,
     .layers = layers,
     .imports = imports,
+    .write_globals = write_globals,
     .mesh = find_planes,
     .parts = { { PHASE_INCLUSIONS, .graph = RG_TECHNIQUE("air", passes) } },
 };

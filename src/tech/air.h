@@ -1,6 +1,7 @@
 /* air.h: planes of air bubbles inside the ice. */
 #ifndef TECH_AIR_H
 #define TECH_AIR_H
+#include "shaders/cloud.h"
 #include "shaders/over.h"
 #include "src/tech/technique.h"
 
@@ -12,6 +13,12 @@ extern const struct rg_image air_color; /* premultiplied colour, for the layer o
     FRAME_SAMPLE(frame_environment, OVER_ENVIRONMENT, .sampler = &frame_environment_sampler, \
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
 
+/* The densities of the scene's clouds (shaders/cloud.h), imported; this size is that of the
+ * fallback. */
+extern const struct rg_image air_clouds;
+extern const struct rg_sampler air_cloud_sampler;
+#define AIR_USE_CLOUDS FRAME_SAMPLE(air_clouds, CLOUD_TEXELS, .sampler = &air_cloud_sampler)
+
 /* Returns whether there is air, and it is a medium. */
 bool air_is_medium(const struct settings *settings);
 
@@ -20,7 +27,7 @@ extern const struct setting_group air_settings;
 
 enum air_model {
     AIR_PLANES, /* textures on planes */
-    AIR_MEDIUM, /* a cloud that scatters light: trace and the reference draw it */
+    AIR_MEDIUM, /* a cloud that scatters light, of rungs that draw clouds */
 };
 
 struct air_params {
@@ -33,6 +40,7 @@ struct air_params {
     float density;        /* of a medium: extinction where it is densest, by the object's width */
     float clouds;         /* factor on material.cloud */
     float anisotropy;     /* of all clouds: mean cosine of the angle by which light is turned */
+    uint32_t steps;       /* of a part of a way in clouds, but for trace; 0: they are clear */
 };
 
 #endif

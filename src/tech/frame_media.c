@@ -1,7 +1,6 @@
 /* frame_media.c: indices and absorption of a scene's objects. */
 #include "src/tech/frame_media.h"
 #include "src/tech/absorb.h"
-#include "src/tech/air.h"
 #include "src/tech/refract.h"
 
 #include <cglm/struct.h>
@@ -100,16 +99,4 @@ struct frame_medium frame_medium_at(const struct scene *scene, const struct sett
         medium.rank = model->objects[index].rank;
     }
     return medium;
-}
-
-float frame_cloud_most(const struct scene *scene, const struct settings *settings, uint32_t index)
-{
-    const struct air_params *params = settings_of(settings, &air_settings);
-    const struct cloud_field *cloud = &scene->clouds.all[index];
-    const vec3s sides = glms_vec3_sub(cloud->box.max, cloud->box.min);
-    const float own = cloud->density * params->clouds;
-    const float density = cloud->density > 0.0f     ? own
-                          : air_is_medium(settings) ? params->density
-                                                    : 0.0f;
-    return density / fmaxf(glms_vec3_max(sides), 1e-20f);
 }

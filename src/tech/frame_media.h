@@ -28,9 +28,6 @@ struct frame_medium frame_medium_at(const struct scene *scene, const struct sett
 /* Returns the refractive index of air, of which bubbles and cracks are full. */
 float frame_media_air(const struct scene *scene);
 
-/* Returns the extinction of a cloud of scene->clouds where it is densest, 1 / metre. */
-float frame_cloud_most(const struct scene *scene, const struct settings *settings, uint32_t index);
-
 /* Returns whether settings decide the materials of the scene's objects. */
 bool frame_media_are_bare(const struct scene *scene);
 

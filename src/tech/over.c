@@ -14,6 +14,7 @@
 #include "src/tech/bubbles.h"
 #include "src/tech/cracks.h"
 #include "src/tech/frame.h"
+#include "src/tech/refract.h"
 #include "src/tech/row_builder.h"
 #include "src/tech/surface.h"
 
@@ -40,12 +41,14 @@ static const struct rg_pass passes[] = {
 };
 
 /* Returns CONSTANT_OVER: bits of the layers that are drawn beside a rung. */
-static uint32_t layers_of(const struct settings *settings, const struct technique *rung)
+static uint32_t layers_of(const struct settings *settings, const struct technique *rung,
+                          bool is_cloudy)
 {
     const bool meets = rung && rung->rung.meets_tree;
     const struct target_params *target = settings_of(settings, &target_settings);
     return (surface.is_on(settings) ? OVER_HAS_HIGHLIGHT : 0u) |
-           (air.is_on(settings) && !(meets && air_is_medium(settings)) ? OVER_HAS_AIR : 0u) |
+           (air.is_on(settings) && !((meets || is_cloudy) && air_is_medium(settings)) ? OVER_HAS_AIR
+                                                                                      : 0u) |
            (bubbles.is_on(settings) && !meets ? OVER_HAS_BUBBLES : 0u) |
            (cracks_are_in_ice(settings) && !meets ? OVER_HAS_CRACKS : 0u) |
            (target->scale < 1.0f ? OVER_IS_SMALL : 0u);
@@ -54,7 +57,7 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
-    const uint32_t found = layers_of(choice->settings, choice->rung);
+    const uint32_t found = layers_of(choice->settings, choice->rung, choice->is_cloudy);
     struct rg_use changed[sizeof(uses) / sizeof(uses[0])];
     struct rg_pass *rows = row_builder_rows(builder, passes, 1);
     if (!(found & ~OVER_IS_SMALL) || !rows)
@@ -78,7 +81,8 @@ static void record_area(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 static void write_constants(const struct technique_subject *subject, uint32_t *values)
 {
-    values[CONSTANT_OVER] = layers_of(subject->settings, subject->rung);
+    const bool is_cloudy = refract_is_cloudy(subject->rung, subject->scene, subject->settings);
+    values[CONSTANT_OVER] = layers_of(subject->settings, subject->rung, is_cloudy);
 }
 
 const struct technique over = {

@@ -3,8 +3,10 @@
 #include <assert.h>
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
+#include "src/tech/air.h"
 #include "src/tech/bump.h"
 #include "src/tech/frame.h"
+#include "src/tech/frame_cloud.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/row_builder.h"
 #include "src/tech/surface.h"
@@ -103,15 +105,30 @@ static const struct rg_use dress_uses[] = {
     { 0 },
 };
 
+static const struct rg_use cloud_uses[] = {
+    AIR_USE_CLOUDS,
+    FRAME_SAMPLE(frame_surface_light, CLOUD_AROUND, .sampler = &frame_environment_sampler),
+    { 0 },
+};
+
 static bool shows_bumps(const struct technique_choice *choice)
 {
     return choice->rung->rung.rows->bump_frag && bump.is_on(choice->settings);
+}
+
+bool refract_is_cloudy(const struct technique *rung, const struct scene *scene,
+                       const struct settings *settings)
+{
+    const struct air_params *air_of = settings_of(settings, &air_settings);
+    return rung && !rung->rung.meets_tree && rung->rung.rows && rung->rung.rows->cloudy &&
+           air_of->steps > 0 && frame_has_cloud(scene, settings);
 }
 
 void refract_choose(struct technique_choice *choice, const struct scene *scene)
 {
     choice->is_dressed = choice->rung->rung.rows->dress_frag && scene_has_dress(scene) &&
                          !bump.is_on(choice->settings);
+    choice->is_cloudy = refract_is_cloudy(choice->rung, scene, choice->settings);
 }
 
 /* Makes a row draw front faces, with eq. 4 at the vertices. */
@@ -120,6 +137,28 @@ static void draw_faces(struct rg_pass *row, const struct refract_rung *rung, boo
     row->vert = rung->vert ? rung->vert : bumped ? &refract_bump_vert : &refract_vert;
     row->vertices = &frame_mesh_layout;
     row->cull = VK_CULL_MODE_BACK_BIT;
+}
+
+static const struct rg_shader *clear_frag(const struct technique_choice *choice, bool bumped,
+                                          bool is_layers)
+{
+    const struct refract_rung *rung = choice->rung->rung.rows;
+    if (choice->is_dressed)
+        return is_layers ? rung->dress_layers_frag : rung->dress_frag;
+    if (bumped)
+        return is_layers ? rung->bump_layers_frag : rung->bump_frag;
+    return is_layers ? rung->layers_frag : rung->frag;
+}
+
+static const struct rg_shader *cloudy_frag(const struct technique_choice *choice, bool bumped,
+                                           bool is_layers)
+{
+    const struct refract_cloudy *cloudy = choice->rung->rung.rows->cloudy;
+    if (choice->is_dressed)
+        return is_layers ? cloudy->dress_layers_frag : cloudy->dress_frag;
+    if (bumped)
+        return is_layers ? cloudy->bump_layers_frag : cloudy->bump_frag;
+    return is_layers ? cloudy->layers_frag : cloudy->frag;
 }
 
 static struct rg_technique make_row(const struct technique_choice *choice,
@@ -136,6 +175,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
         choice->is_wide ? rung->wide_uses : rung->uses,
         bumped ? bump_uses : NULL,
         choice->is_dressed ? dress_uses : NULL,
+        choice->is_cloudy ? cloud_uses : NULL,
     };
     struct rg_pass *row = row_builder_rows(builder, base, 1);
     if (!row)
@@ -146,11 +186,8 @@ static struct rg_technique make_row(const struct technique_choice *choice,
         row->vert = rung->vert ? rung->vert : &refract_seen_vert;
     else
         draw_faces(row, rung, bumped);
-    row->frag = is_layers ? rung->layers_frag : rung->frag;
-    if (bumped)
-        row->frag = is_layers ? rung->bump_layers_frag : rung->bump_frag;
-    if (choice->is_dressed)
-        row->frag = is_layers ? rung->dress_layers_frag : rung->dress_frag;
+    row->frag = choice->is_cloudy ? cloudy_frag(choice, bumped, is_layers)
+                                  : clear_frag(choice, bumped, is_layers);
     row->push_size = rung->push_size;
     row->record = rung->record ? rung->record : frame_draw_object;
     return (struct rg_technique){ technique->name, row, 1 };

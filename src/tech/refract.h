@@ -36,6 +36,12 @@ struct refract_params {
 /* Returns the refractive index around the objects: refract.outside, but that of air in a pool. */
 float refract_outside(const struct scene *scene, const struct settings *settings);
 
+/* The shaders of a rung that draws clouds (shaders/refract_cloud.glsl), as in: */
+struct refract_cloudy {
+    const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag, *dress_frag,
+        *dress_layers_frag;
+};
+
 /* How a rung draws the object; refract_color_rows() and refract_layer_rows() make its rows. */
 struct refract_rung {
     /* Shaders for the picture and for the layers, both compiled from refract_STEM.frag, without and
@@ -43,6 +49,7 @@ struct refract_rung {
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
     /* The same with ice_normal's dress. NULL: the rung draws no tints and textures of objects. */
     const struct rg_shader *dress_frag, *dress_layers_frag;
+    const struct refract_cloudy *cloudy; /* NULL: cloudy ice is clear */
     /* NULL: refract.vert, or refract_bump.vert where bumps are shown; refract_seen.vert for rungs
      * by pixel. */
     const struct rg_shader *vert;
@@ -51,6 +58,10 @@ struct refract_rung {
     uint32_t push_size;             /* bytes of push constants; 0: none */
     rg_record_fn *record;           /* NULL: frame_draw_object() */
 };
+
+/* Returns whether a rung draws clouds, of a scene that has some. */
+bool refract_is_cloudy(const struct technique *rung, const struct scene *scene,
+                       const struct settings *settings);
 
 /* What a rung of this kind chooses: it draws tints and textures of objects if it has a shader for
  * them, but not with bumps. */

@@ -40,11 +40,19 @@ static const struct rg_use wide_uses[] = {
     { 0 },
 };
 
+static const struct refract_cloudy cloudy = {
+    .frag = &refract_bounce_cloud_frag,
+    .layers_frag = &refract_bounce_cloud_aov_frag,
+    .dress_frag = &refract_bounce_dress_cloud_frag,
+    .dress_layers_frag = &refract_bounce_dress_cloud_aov_frag,
+};
+
 static const struct refract_rung rung = {
     .frag = &refract_bounce_frag,
     .layers_frag = &refract_bounce_aov_frag,
     .dress_frag = &refract_bounce_dress_frag,
     .dress_layers_frag = &refract_bounce_dress_aov_frag,
+    .cloudy = &cloudy,
     .vert = &refract_seen_mean_vert,
     .uses = uses,
     .wide_uses = wide_uses,

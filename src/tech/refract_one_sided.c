@@ -16,6 +16,15 @@ static const struct rg_use uses[] = {
     { 0 },
 };
 
+static const struct refract_cloudy cloudy = {
+    .frag = &refract_one_sided_cloud_frag,
+    .layers_frag = &refract_one_sided_cloud_aov_frag,
+    .bump_frag = &refract_one_sided_bump_cloud_frag,
+    .bump_layers_frag = &refract_one_sided_bump_cloud_aov_frag,
+    .dress_frag = &refract_one_sided_dress_cloud_frag,
+    .dress_layers_frag = &refract_one_sided_dress_cloud_aov_frag,
+};
+
 static const struct refract_rung rung = {
     .frag = &refract_one_sided_frag,
     .layers_frag = &refract_one_sided_aov_frag,
@@ -23,6 +32,7 @@ static const struct refract_rung rung = {
     .dress_layers_frag = &refract_one_sided_dress_aov_frag,
     .bump_frag = &refract_one_sided_bump_frag,
     .bump_layers_frag = &refract_one_sided_bump_aov_frag,
+    .cloudy = &cloudy,
     .uses = uses,
 };
 

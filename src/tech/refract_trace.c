@@ -14,7 +14,6 @@
 #include "src/tech/refract_trace.h"
 #include <math.h>
 #include <string.h>
-#include "shaders/cloud.h"
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_trace.h"
@@ -24,6 +23,7 @@
 #include "src/tech/air.h"
 #include "src/tech/cracks.h"
 #include "src/tech/frame.h"
+#include "src/tech/frame_cloud.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/ice_caustics.h"
 #include "src/tech/ice_normal.h"
@@ -96,8 +96,7 @@ static uint32_t features(const struct scene *scene, const struct settings *setti
     }
     bits |= ice_caustics.is_on(settings) ? TRACE_HAS_SUN : 0;
     bits |= lights_surroundings(scene, settings) ? TRACE_HAS_GROUND : 0;
-    for (uint32_t i = 0; i < scene->clouds.count; i++)
-        bits |= frame_cloud_most(scene, settings, i) > 0.0f ? TRACE_HAS_CLOUD : 0;
+    bits |= frame_has_cloud(scene, settings) ? TRACE_HAS_CLOUD : 0;
     bits |= scene->material_rows ? TRACE_HAS_MATERIALS : 0;
     bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
     bits |= has_motion(settings) ? TRACE_HAS_MOTION : 0;
@@ -170,32 +169,7 @@ static struct technique_bytes find_corners(const struct scene *scene)
     return scene->tree ? bytes_of(&scene->tree->corners) : (struct technique_bytes){ 0 };
 }
 
-static const struct rg_image clouds = {
-    .name = "refract_trace.clouds",
-    .format = VK_FORMAT_R8_UNORM,
-    .width = 1,
-    .height = 1,
-    .array = true,
-};
-
-static struct technique_texels find_clouds(const struct scene *scene)
-{
-    const struct clouds *found = &scene->clouds;
-    if (!found->count)
-        return (struct technique_texels){ 0 };
-    return (struct technique_texels){
-        .texels = found->texels,
-        .width = CLOUD_SIZE,
-        .height = CLOUD_SIZE,
-        .layers = CLOUD_SIZE * found->count,
-        .no_mips = true,
-    };
-}
-
-static const uint8_t clear = 0;
-
 static const struct technique_import imports[] = {
-    { &clouds, find_clouds, &clear },
     { .buffer = &nodes, .find_bytes = find_nodes },
     { .buffer = &triangles, .find_bytes = find_triangles },
     { .buffer = &corners, .find_bytes = find_corners },
@@ -218,20 +192,12 @@ static void fill_medium(vec4s *texels, const struct frame_medium *medium)
 static void fill_clouds(struct trace_frame *trace, const struct frame_view *view)
 {
     const struct scene *scene = view->scene;
-    const vec3s texels = { { CLOUD_SIZE, CLOUD_SIZE, CLOUD_SIZE } };
     for (uint32_t i = 0; i < scene->clouds.count; i++) {
-        const struct cloud_field *cloud = &scene->clouds.all[i];
-        const struct frame_medium medium = frame_medium_at(scene, view->settings, cloud->object);
-        const vec3s sides = glms_vec3_sub(cloud->box.max, cloud->box.min);
-        const float most = frame_cloud_most(scene, view->settings, i);
+        const uint32_t object = scene->clouds.all[i].object;
+        const struct frame_medium medium = frame_medium_at(scene, view->settings, object);
         const size_t at = (size_t)tree_medium(scene->tree, medium.rank) * TRACE_MEDIUM;
-        trace->clouds[i] = (struct trace_cloud){
-            .low = cloud->box.min,
-            .extinction = most,
-            .texels_each = glms_vec3_div(texels, sides),
-            .first_layer = (float)(CLOUD_SIZE * i),
-        };
-        if (most > 0.0f)
+        trace->clouds[i] = frame_cloud_at(scene, view->settings, i);
+        if (trace->clouds[i].extinction > 0.0f)
             trace->media[at + TRACE_TINT].w = -1.0f - (float)i;
     }
 }
@@ -252,7 +218,6 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
     const struct trace_params *params = settings_of(view->settings, &trace_settings);
     const struct tree *tree = view->scene->tree;
     const struct cracks_params *cracks_of = settings_of(view->settings, &cracks_settings);
-    const struct air_params *air_of = settings_of(view->settings, &air_settings);
     *trace = (struct trace_frame){
         .sample_index = view->sample,
         .branch = params->branch,
@@ -260,7 +225,6 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
         .one = 1,
         .ice = view->scene->model.object_count ? view->scene->model.objects[0].rank : 1,
         .crack_slope = cracks_of->look.bump,
-        .cloud_cosine = air_of->anisotropy,
         .media_at = tree->media,
         .is_apart = tree->is_apart && !has_motion(view->settings),
     };
@@ -326,10 +290,8 @@ static const struct rg_use scene_uses[] = {
 static const struct rg_sampler repeated = { .linear = true, .repeat_u = true, .repeat_v = true };
 static const struct rg_sampler around = { .linear = true, .repeat_u = true };
 
-static const struct rg_sampler linear = { .linear = true };
-
 static const struct rg_use surface_uses[] = {
-    FRAME_SAMPLE(clouds, TRACE_CLOUDS, .sampler = &linear),
+    AIR_USE_CLOUDS,
     FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &repeated),
     FRAME_SAMPLE(frame_numbers, BACKGROUND_NUMBERS, .sampler = &repeated),
     FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL),

@@ -46,6 +46,7 @@ struct technique_choice {
     uint32_t object_count; /* refractive objects, each drawn by rows of its own; 0 means 1 */
     /* Of the rung (technique_rung.choose): */
     bool is_dressed;          /* it draws tints and textures of objects */
+    bool is_cloudy;           /* it draws clouds in objects, though it meets no tree */
     bool is_wide;             /* its maps reach beyond the picture (ice_normal.h) */
     bool meets_surroundings;  /* its rays meet the surroundings' triangles */
     bool lights_surroundings; /* and light them: then they are shaded, too, all over the picture */

@@ -61,7 +61,7 @@ class Scenes(Case):
 
     @unsanitized
     def test_what_is_in_ice_for_rays_alone_is_said(self):
-        words = ('render', 'ice-cube', *SMALL, '--set', 'air.model=medium', '--set',
+        words = ('render', 'ice-cube', '-r', 'search', *SMALL, '--set', 'air.model=medium', '--set',
                  'bubbles.shape=capsule', '-o', 'a.exr')
         said = self.succeed(*words).stderr.decode()
         self.assertEqual(said.count('air.model=medium: drawn as planes'), 1, said)

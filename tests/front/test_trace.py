@@ -194,21 +194,30 @@ class Trace(Case):
 
     @long
     def test_clouds(self):
-        """Those of trace are an estimate, without noise, of what the reference traces."""
+        """Those of the rungs are an estimate, without noise, of what the reference traces."""
         self.write('cloudy.gltf', (glass(1.31, extras={'cloud': 8}), [0, 0, 0], 1))
-        light = self.planes('cloudy.gltf', *WHITE, *SIZE, '-r', 'trace')
-        self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
+        for rung in ('trace', 'bounce', 'one-sided'):
+            light = self.planes('cloudy.gltf', *WHITE, *SIZE, '-r', rung)
+            self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3, rung)
         sky = write_exr((4, 2), {'Y': [1] * 4 + [0] * 4})  # that is all, and is seen from above
         (self.folder / 'sky.exr').write_bytes(sky)
         lit = ('cloudy.gltf', '--env', 'sky.exr', *SIZE, '--eye', '0,5,5', '--target', '0,0,0')
-        found = self.planes(*lit, '-r', 'trace')
-        clear = self.planes(*lit, '-r', 'trace', '--set', 'air.clouds=0')
         truth = self.planes(*lit, '-r', 'reference', '--samples', 16, env=NO_DRIVER)
         objects = [i for i, share in enumerate(truth['fresnel.Z']) if share > 0]
-        light, before, expected = (sum(planes['G'][i] for i in objects) / len(objects)
-                                   for planes in (found, clear, truth))
-        self.assertAlmostEqual(light, expected, delta=0.01)
-        self.assertGreater(expected, before + 0.03)
+
+        def mean(planes):
+            return sum(planes['G'][i] for i in objects) / len(objects)
+        light, gained = {}, {}
+        clear = {rung: self.planes(*lit, '-r', rung, '--set', 'air.clouds=0')
+                 for rung in ('trace', 'bounce')}
+        for rung in clear:
+            light[rung] = mean(self.planes(*lit, '-r', rung))
+            gained[rung] = light[rung] - mean(clear[rung])
+        self.assertAlmostEqual(light['trace'], mean(truth), delta=0.01)
+        self.assertGreater(gained['trace'], 0.03)
+        self.assertAlmostEqual(gained['bounce'], gained['trace'], delta=0.005)
+        none = self.planes(*lit, '-r', 'bounce', '--set', 'air.steps=0')
+        self.assertEqual(none, clear['bounce'])
 
     @long
     def test_no_light_is_made(self):
