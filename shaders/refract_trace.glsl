@@ -29,9 +29,6 @@ layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 #ifndef TRACE_RAYS
 layout(set = 0, binding = REFRACT_SHADING) uniform sampler2D shading;
 layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
-#ifdef REFRACT_LAYERS
-layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
-#endif
 #endif
 
 #ifdef TRACE_RAYS
@@ -68,6 +65,7 @@ struct trace_seen {
     bool is_ground; /* surroundings, seen straight */
     vec3 exit;
     float path, bounces, parts; /* of the way that is refracted wherever that is possible */
+    uint last; /* number of the last object that this way meets after the first surface; 0: none */
 };
 
 /* ---- a pixel: variables, because lavapipe's compiler takes long over arrays in arguments ---- */
@@ -76,9 +74,10 @@ trace_way way;                    /* that is followed */
 trace_way later[trace_waits_max]; /* those that wait, the last one first */
 int waits;
 trace_seen seen;
-vec3 start;    /* of the pixel's ray */
-bool is_first; /* it has met no surface */
-bool is_main;  /* it is the one of seen.path */
+vec3 start;       /* of the pixel's ray */
+bool is_first;    /* it has met no surface */
+bool is_main;     /* it is the one of seen.path */
+bool is_straight; /* it is that of seen.last */
 
 #ifndef TRACE_RAYS
 /* Where a way ends. What is seen there is looked up when all ways of the pixel have ended: then the
@@ -90,6 +89,7 @@ struct trace_stop {
 
 trace_stop stops[trace_stops_max];
 int stop_count, parts_left;
+trace_way straight_end; /* of the way of seen.last; without weight: it has none */
 #endif
 
 /* Returns a medium's surface without textures. */
@@ -126,7 +126,7 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
     c.facet = trace_posed(c.facet, hit.part);
     c.n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
     c.n = normalize(trace_posed(c.n, hit.part));
-    c.rank = hit.triangle >= 0 ? floatBitsToUint(n0.w) : 0u;
+    c.rank = hit.triangle >= 0 ? floatBitsToUint(n0.w) % TREE_NUMBER : 0u;
     c.is_entering = dot(c.facet, way.dir) < 0.0;
     c.facet *= c.is_entering ? 1.0 : -1.0;
     c.n *= c.is_entering ? 1.0 : -1.0;
@@ -227,13 +227,16 @@ void trace_begin(vec3 eye, vec3 e)
         later[i] = way;
     waits = 0;
     start = eye;
-    seen = trace_seen(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0);
+    seen = trace_seen(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0, 0u);
     is_first = true;
     is_main = true;
+    is_straight = true;
 #ifndef TRACE_RAYS
     for (int i = 0; i < trace_stops_max; i++)
         stops[i] = trace_stop(eye, e, vec3(0.0), 0.0);
     stop_count = 0;
+    straight_end = way;
+    straight_end.weight = vec3(0.0);
     parts_left = trace_stops_max - 1;
 #endif
 }
@@ -356,6 +359,8 @@ vec3 trace_through(trace_hit hit, trace_cross c, trace_parting p)
 
 void trace_note(trace_hit hit, trace_cross c, float fresnel, bool is_total)
 {
+    if (!is_first && is_straight && !c.is_inclusion)
+        seen.last = trace_number(hit.triangle);
     if (is_first) {
         seen.is_object = true;
         seen.normal = c.n;
@@ -410,6 +415,8 @@ bool trace_arrive(trace_hit hit)
         float passing;
         turns -= int(trace.one);
         vec3 light = trace_end(way, hit, passing) * (1.0 - passing);
+        if (is_straight && hit.triangle >= 0 && passing <= 0.5)
+            seen.last = trace_number(hit.triangle);
         if (is_shaded && is_first && !trace_eye_is_inside() && shares.is_lit && passing == 0.0) {
             ground_begin(hit);
             trace_add(light, 0.0);
@@ -435,6 +442,7 @@ bool trace_arrive(trace_hit hit)
     if ((!is_first || trace_eye_is_inside()) && stop_count < trace_stops_max) {
         trace_put_stop(way);
         seen.is_object = true;
+        straight_end = is_straight ? way : straight_end;
     }
 #endif
     return goes_on;
@@ -447,6 +455,7 @@ bool trace_next()
     for (int i = 0; i + 1 < trace_waits_max; i++)
         later[i] = later[i + 1];
     is_main = false;
+    is_straight = false;
     waits--;
     return waits >= 0;
 }
@@ -537,39 +546,7 @@ float trace_depth(vec3 point)
 }
 
 #ifdef REFRACT_LAYERS
-/* Returns whether surroundings are before a point, which rays meet by themselves. */
-bool trace_is_hidden(vec3 point)
-{
-#ifdef TRACE_RAYS
-    return false;
-#else
-    float scene = texelFetch(depth_scene, ivec2(gl_FragCoord.xy), 0).r;
-    return trace_depth(point) * 1.00001 < scene;
-#endif
-}
-
-layout(location = REFRACT_OUT_EXIT) out vec4 out_exit;
-layout(location = REFRACT_OUT_REFRACTION) out vec4 out_refraction;
-layout(location = REFRACT_OUT_REFLECTION) out vec4 out_reflection;
-layout(location = REFRACT_OUT_FRESNEL) out float out_fresnel;
-layout(location = REFRACT_OUT_WAY) out vec4 out_way;
-layout(location = TRACE_OUT_MEDIA) out float out_media;
-
-void main()
-{
-    vec3 from = view_at(ray, 0.0);
-    vec3 e = normalize(view_at(ray, 1.0) - from);
-    trace_colors(refract_frame.eye + from, e);
-    if (!seen.is_object || trace_is_hidden(start + seen.distance * e))
-        discard;
-    float through = 1.0 - seen.fresnel;
-    out_exit = vec4(seen.exit, 0.0);
-    out_refraction = vec4(through > 0.0 ? seen.refraction / through : vec3(0.0), 0.0);
-    out_reflection = vec4(seen.fresnel > 0.0 ? seen.reflection / seen.fresnel : vec3(0.0), 0.0);
-    out_fresnel = seen.fresnel;
-    out_way = vec4(seen.path, seen.bounces, seen.bounces > 0.0 ? 1.0 : 0.0, 0.0);
-    out_media = seen.parts;
-}
+#include "trace_layers.glsl"
 #else
 layout(location = REFRACT_OUT_COLOR) out vec4 color;
 layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;

@@ -7,12 +7,15 @@
 #include "tree.h"
 
 /* Bindings, besides those of background.h and REFRACT_ENV_CUBE, which are not used together. */
-#define TRACE_FRAME     12 /* struct trace_frame */
-#define TRACE_NODES     13 /* the words of tree.h */
-#define TRACE_TRIANGLES 14
-#define TRACE_CORNERS   15
+#define TRACE_FRAME        12 /* struct trace_frame */
+#define TRACE_NODES        13 /* the words of tree.h */
+#define TRACE_TRIANGLES    14
+#define TRACE_CORNERS      15
+#define TRACE_FIRST_OBJECT 17 /* the layer `object`; of the layers' pass */
 
-#define TRACE_OUT_MEDIA 5 /* of the layers' pass, besides those of refract.h */
+/* Of the layers' pass, besides those of refract.h. */
+#define TRACE_OUT_MEDIA 5
+#define TRACE_OUT_LAST  6
 
 /* CONSTANT_TRACE, bits */
 #define TRACE_IS_CONVEX      1   /* one convex object: what leaves it does not enter again */

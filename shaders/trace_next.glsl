@@ -7,7 +7,11 @@
 uint trace_parts_of(trace_way way)
 {
     bool is_in_ice = trace_is_inside(way.inside) && trace_top(way.inside) == trace.ice;
+#ifdef TRACE_RAYS
     uint around = 1u << TREE_SURROUNDINGS | 1u << TREE_MOVERS;
+#else
+    uint around = 0u;
+#endif
 #ifndef REFRACT_LAYERS
     /* what is before the objects is drawn over the picture */
     if (!trace_has(TRACE_HAS_HOLES | TRACE_HAS_GROUND) && is_first && !trace_eye_is_inside())

@@ -33,21 +33,21 @@ float sun_spread = 0.0; /* least width of the distribution that mirrors the sun 
 
 /* Reads what few vertices have; `side_1` and `side_2` become those of the coordinates of the normal
  * texture. */
-void trace_extra(inout trace_point p, trace_hit hit, int surface, float has_extra,
-                 inout vec2 side_1, inout vec2 side_2)
+void trace_extra(inout trace_point p, trace_hit hit, int surface, bool has_extra, inout vec2 side_1,
+                 inout vec2 side_2)
 {
     p.other_uv = p.uv;
     p.tangent = vec4(0.0);
     if (!trace_has(TRACE_HAS_EXTRAS))
         return;
-    int at = has_extra != 0.0 ? surface + TREE_SURFACE_WORDS : 0;
+    int at = has_extra ? surface + TREE_SURFACE_WORDS : 0;
     vec3 share = vec3(1.0 - hit.u - hit.v, hit.u, hit.v);
     vec4 t0 = uintBitsToFloat(texelFetch(corners, at));
     vec4 t1 = uintBitsToFloat(texelFetch(corners, at + 1));
     vec4 t2 = uintBitsToFloat(texelFetch(corners, at + 2));
     vec4 uv = uintBitsToFloat(texelFetch(corners, at + 3));
     vec2 uv_2 = uintBitsToFloat(texelFetch(corners, at + 4)).xy;
-    if (has_extra == 0.0)
+    if (!has_extra)
         return;
     uint row = p.material >> MESH_SURFACE_SHIFT;
     vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * MATERIAL_USE_NORMAL + 1);
@@ -89,7 +89,8 @@ trace_point trace_point_of(trace_hit hit, vec3 origin, vec3 dir)
     vec3 row_2 = uintBitsToFloat(texelFetch(triangles, at + 2)).xyz;
     float volume = dot(row_0, cross(row_1, row_2));
     vec3 edge_1 = cross(row_1, row_2) / volume, edge_2 = cross(row_2, row_0) / volume;
-    trace_extra(p, hit, surface, rest.w, side_1, side_2);
+    bool has_extra = (floatBitsToUint(rest.w) & 1u) != 0u;
+    trace_extra(p, hit, surface, has_extra, side_1, side_2);
     float turn = sign(side_1.x * side_2.y - side_2.x * side_1.y);
     p.along_u = trace_posed(turn * (edge_1 * side_2.y - edge_2 * side_1.y), hit.part);
     p.against_v = trace_posed(-turn * (edge_2 * side_1.x - edge_1 * side_2.x), hit.part);

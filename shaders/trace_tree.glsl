@@ -233,7 +233,7 @@ void trace_meet_posed(trace_start start, int part, bool is_active, inout trace_h
 trace_hit trace_meet(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
-#ifdef TRACE_RAYS
+#if defined(TRACE_RAYS) || defined(REFRACT_LAYERS)
     const int step = 1, last_around = TREE_MOVERS;
 #else
     const int step = TREE_INCLUSIONS, last_around = TREE_OBJECTS;
@@ -248,6 +248,15 @@ trace_hit trace_meet(trace_start start, bool is_active)
             trace_meet_posed(start, part, is_active && is_met, hit);
     }
     return hit;
+}
+
+/* Returns the number of a triangle's object in the layer `object`. */
+uint trace_number(int triangle)
+{
+    int at = TREE_CORNER_WORDS * max(triangle, 0);
+    uint number = texelFetch(corners, at).w / TREE_NUMBER;
+    uint surface = texelFetch(corners, at + 2).w;
+    return number != 0u ? number : texelFetch(corners, int(surface) + 3).w / 2u;
 }
 
 /* Returns a point of the world in the space of a part. */

@@ -8,11 +8,12 @@
  *
  * A triangle has three words, the rows of an affine map to (u, v, w): u and v are the weights of
  * the second and third corner, w is the distance before its plane (Woop 2004, DynRT). Its corners
- * have three more: a normal each, and in the fourth numbers the rank of the object or 0, the
- * material as in mesh.h, of objects the object's own, and the place of TREE_SURFACE_WORDS more
- * words, or 0: three colours and, in what is left, the u and v of the three corners. The last
- * number is 1 if TREE_EXTRA_WORDS more follow: three tangents with their sides, and the second u
- * and v.
+ * have three more: a normal each, and in the fourth numbers the rank of the object or 0, and
+ * TREE_NUMBER times its number in the layer `object`, the material as in mesh.h, of objects the
+ * object's own, and the place of TREE_SURFACE_WORDS more words, or 0: three colours and, in what is
+ * left, the u and v of the three corners. The last number is that of the surroundings' object times
+ * 2, and odd if TREE_EXTRA_WORDS more follow: three tangents with their sides, and the second u and
+ * v.
  *
  * A bubble is a triangle whose rows are its centre and `stretch` (src/scene/bubble.h), its axis and
  * 1 for a capsule, and (0, 0, 0, radius).
@@ -28,6 +29,7 @@
 #define TREE_CORNER_WORDS   3
 #define TREE_SURFACE_WORDS  4
 #define TREE_EXTRA_WORDS    5
+#define TREE_NUMBER         0x10000u
 #define TREE_LEAF           0x80000000u
 #define TREE_NOTHING        0xffffffffu
 #define TREE_CONE_OPEN      0x7f000000u /* all directions */

@@ -233,6 +233,10 @@ static void print_text(struct scene *scene, const struct technique *rung)
                (double)model->camera.target.y, (double)model->camera.target.z,
                (double)model->camera.fov_deg);
     printf("rung unless --refraction names one: %s\n", rung->rung.name);
+    if (tree_node_count(scene->tree))
+        printf("tree that its rays meet: %u nodes, %u triangles, %.1f MiB, built in %.1f ms\n",
+               tree_node_count(scene->tree), scene->tree->triangle_count,
+               (double)tree_size(scene->tree) / (1 << 20), scene->tree->ms);
     print_cameras(model);
     print_extensions(model);
     print_lights(model);
@@ -422,6 +426,13 @@ static json_t *animations_of(const struct model *model)
     return all;
 }
 
+static json_t *tree_of(const struct tree *tree)
+{
+    return json_pack("{s:i, s:i, s:I, s:f}", "nodes", (int)tree_node_count(tree), "triangles",
+                     (int)tree->triangle_count, "bytes", (json_int_t)tree_size(tree), "ms",
+                     tree->ms);
+}
+
 static enum status print_json(const char *name, const struct scene *scene,
                               const struct technique *rung)
 {
@@ -448,6 +459,8 @@ static enum status print_json(const char *name, const struct scene *scene,
             root = NULL;
         }
     }
+    if (root && tree_node_count(scene->tree))
+        (void)json_object_set_new(root, "tree", tree_of(scene->tree));
     if (root && model->has_camera)
         (void)json_object_set_new(root, "camera",
                                   json_pack("{s:o, s:o, s:f}", "eye", vector(model->camera.eye),
@@ -468,6 +481,13 @@ enum status app_info(const struct app_options *o)
     if (status != STATUS_OK)
         return status;
     app_choose_rung(&picture, &scene, NULL);
+    if (picture.rung->rung.meets_tree)
+        status = scene_need_tree(&scene);
+    if (status == STATUS_TRY_AGAIN) {
+        scene_finish(&scene);
+        return status;
+    }
+    status = STATUS_OK; /* of a scene that is too large to be traced a line has said so */
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)

@@ -65,18 +65,19 @@ static vec2s motion_of(const struct first *first, const struct bvh_hit *hit)
                       (now.y / now.w - before.y / before.w) * e->half_size.y } };
 }
 
-/* Returns the number of the object of the surroundings. */
-static uint32_t opaque_of(const struct first *first, const struct bvh_hit *hit)
+float first_number(const struct first *first, const struct bvh_hit *hit)
 {
+    const struct model *model = &first->radiance->scene->model;
     const struct mesh *mesh = first->bvh->parts[hit->part].mesh;
-    return model_opaque_find(&first->radiance->scene->model,
-                             mesh->indices[(size_t)hit->triangle * 3]);
+    if (hit->part == BVH_OBJECT)
+        return (float)(hit->object + 1);
+    return (float)(model->object_count + 1 +
+                   model_opaque_find(model, mesh->indices[(size_t)hit->triangle * 3]));
 }
 
 void first_look(const struct first *first, const struct bvh_ray *ray, vec3s forward,
                 const struct bvh_hit *met, struct reference_seen *seen)
 {
-    const uint32_t count = first->radiance->scene->model.object_count;
     struct bvh_hit hit = *met;
     if (!find(first, ray, &hit))
         return;
@@ -87,7 +88,8 @@ void first_look(const struct first *first, const struct bvh_ray *ray, vec3s forw
     if (!is_object && hit.part != BVH_SURROUNDINGS) /* the eye is in the ice */
         return;
     seen->albedo = radiance_albedo(first->radiance, &hit.surface);
-    seen->object = (float)(is_object ? hit.object + 1 : count + 1 + opaque_of(first, &hit));
+    seen->object = first_number(first, &hit);
+    seen->last = seen->object;
     if (first->earlier)
         seen->motion = motion_of(first, &hit);
 }

@@ -17,4 +17,8 @@ struct first {
 void first_look(const struct first *first, const struct bvh_ray *ray, vec3s forward,
                 const struct bvh_hit *met, struct reference_seen *seen);
 
+/* Returns the number, as in the layer `object`, of the object of what a ray has met: BVH_OBJECT or
+ * BVH_SURROUNDINGS. */
+float first_number(const struct first *first, const struct bvh_hit *hit);
+
 #endif

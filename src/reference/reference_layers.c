@@ -45,6 +45,7 @@ static const struct {
     SEEN("albedo.G", albedo.y),
     SEEN("albedo.B", albedo.z),
     SEEN("object.Z", object),
+    SEEN("object.last.Z", last),
     SEEN("motion.X", motion.x),
     SEEN("motion.Y", motion.y),
 };

@@ -30,6 +30,7 @@ struct reference_seen {
     vec3s remaining;              /* weight of rays that were terminated */
     vec3s albedo;
     float object; /* number of the first surface's object */
+    float last;   /* the same of the last surface of the path that is refracted */
     vec2s motion; /* pixels since the frame before, right and down */
 };
 

@@ -178,6 +178,31 @@ static void follow_straight(const struct tracing *tracing, struct branch b,
         bounces ? 1.0f : 0.0f; /* without total reflection it leaves at the first inner surface */
 }
 
+/* Returns the number of the last object that the path meets which is refracted wherever that is
+ * possible, from the first surface on; `last` if it meets none. */
+static float find_last(const struct tracing *tracing, const struct first *look,
+                       const struct fork *fork, float last)
+{
+    struct branch b = fork->parting.fresnel >= 1.0f ? fork->reflected : fork->refracted;
+    struct meeting meeting = { .channel = 1 };
+    b.is_straight = true;
+    while (b.bounces < tracing->params.bounces && branch_advance(tracing, &b, &meeting)) {
+        const struct bvh_hit *hit = &meeting.hit;
+        if (hit->part == BVH_SURROUNDINGS) {
+            const float passing = radiance_passing(tracing->radiance, &hit->surface);
+            if (!(passing > 0.5f))
+                return first_number(look, hit);
+            branch_pass(tracing, &b, hit, passing);
+            continue;
+        }
+        if (hit->part == BVH_OBJECT)
+            last = first_number(look, hit);
+        const struct fork next = branch_fork(tracing, &b, &meeting);
+        b = next.parting.fresnel >= 1.0f ? next.reflected : next.refracted;
+    }
+    return last;
+}
+
 /* Traces one channel, or all of them if `channels` is 1, 1, 1, from the first surface on. */
 static void look_at_object(const struct tracing *tracing, const struct branch *eye,
                            const struct meeting *met, uint32_t channel, vec3s channels,
@@ -258,8 +283,8 @@ struct reference_seen whitted_trace(const struct tracing *tracing, const struct 
     const bool is_met = branch_advance(tracing, &eye, &meeting);
     eye.is_straight = false;
     const struct bvh_hit *hit = &meeting.hit;
+    const struct first look = { tracing->bvh, tracing->radiance, tracing->earlier };
     if (is_met && tracing->has_layers) {
-        const struct first look = { tracing->bvh, tracing->radiance, tracing->earlier };
         first_look(&look, ray, forward, hit, &seen);
     }
     if (!is_met && tracing->radiance->scene->is_hidden) {
@@ -285,6 +310,7 @@ struct reference_seen whitted_trace(const struct tracing *tracing, const struct 
         const struct fork straight = branch_fork(tracing, &eye, &meeting);
         seen.fresnel = straight.parting.fresnel;
         follow_straight(tracing, straight.refracted, &seen);
+        seen.last = find_last(tracing, &look, &straight, seen.last);
     }
     for (uint32_t c = 0; c < tracing_channel_count(tracing); c++)
         look_at_object(tracing, &eye, &meeting, c, tracing_channels(tracing, c), &seen);

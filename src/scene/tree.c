@@ -79,14 +79,17 @@ static void put_bubble(struct tree_words *words, const struct bubble *bubble)
     put(words->all[words->count++], zero, bits(bubble->radius));
 }
 
-static uint32_t rank_of(const struct tree_part *part, uint32_t triangle)
+/* Returns the rank of an object, and TREE_NUMBER times its number. */
+static uint32_t rank_bits(const struct tree_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
     if (!part->is_object)
         return 0;
     if (model->object_count < 2)
-        return 1;
-    return object_of_index(model->objects, model->object_count, triangle * 3)->rank;
+        return 1 + TREE_NUMBER;
+    const struct object *object =
+        object_of_index(model->objects, model->object_count, triangle * 3);
+    return object->rank + TREE_NUMBER * (uint32_t)(object - model->objects + 1);
 }
 
 /* Returns the material of an object's triangle, or NULL: settings decide. */
@@ -136,14 +139,23 @@ static void put_extras(struct tree_words *words, const struct tree_part *part, u
     put(words->all[words->count++], &uv[4], 0);
 }
 
+/* Returns the number of an object of the surroundings. */
+static uint32_t number_of(const struct tree_part *part, uint32_t triangle)
+{
+    const struct model *model = part->model;
+    return model->object_count + 1 +
+           model_opaque_find(model, part->mesh->indices[(size_t)triangle * 3]);
+}
+
 static void put_surface(struct tree_words *words, const struct tree_part *part, uint32_t triangle)
 {
+    const uint32_t number = part->is_object ? 0 : number_of(part, triangle);
     float uv[6];
     for (uint32_t k = 0; k < 3; k++)
         memcpy(&uv[2 * (size_t)k], tree_corner(part, triangle, k)->uv.raw, 2 * sizeof(*uv));
     for (uint32_t k = 0; k < 3; k++)
         put(words->all[words->count++], tree_corner(part, triangle, k)->color.raw, bits(uv[k]));
-    put(words->all[words->count++], &uv[3], bits(part->mesh->extras ? 1.0f : 0.0f));
+    put(words->all[words->count++], &uv[3], number * 2 + (part->mesh->extras ? 1 : 0));
     if (part->mesh->extras)
         put_extras(words, part, triangle);
 }
@@ -328,7 +340,7 @@ static void lay_part(struct tree *tree, uint32_t index, const struct tree_part *
             continue;
         }
         const bool is_shown = has_surface(part, triangle);
-        const uint32_t last[3] = { rank_of(part, triangle), material_bits(part, triangle),
+        const uint32_t last[3] = { rank_bits(part, triangle), material_bits(part, triangle),
                                    is_shown ? tree->corners.count : 0 };
         put_triangle(&tree->triangles, part, triangle);
         for (uint32_t k = 0; k < 3; k++)
@@ -565,6 +577,11 @@ void tree_finish(struct tree *tree)
     free(tree->triangles.all);
     free(tree->corners.all);
     *tree = (struct tree){ 0 };
+}
+
+uint32_t tree_node_count(const struct tree *tree)
+{
+    return tree->nodes.count / TREE_NODE_WORDS;
 }
 
 size_t tree_size(const struct tree *tree)

@@ -82,6 +82,9 @@ MUST_USE enum status tree_init(struct tree *tree, const struct tree_params *para
 
 void tree_finish(struct tree *tree);
 
+/* Returns the number of nodes of all parts; 0: the tree has not been built. */
+uint32_t tree_node_count(const struct tree *tree);
+
 /* Returns the bytes of all words. */
 size_t tree_size(const struct tree *tree);
 

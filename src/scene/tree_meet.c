@@ -77,6 +77,6 @@ bool tree_meet(const struct tree *tree, uint32_t part, const struct tree_ray *ra
     }
     if (hit->triangle == TREE_NOTHING)
         return false;
-    hit->rank = tree->corners.all[(size_t)hit->triangle * TREE_CORNER_WORDS][3];
+    hit->rank = tree->corners.all[(size_t)hit->triangle * TREE_CORNER_WORDS][3] % TREE_NUMBER;
     return true;
 }

@@ -17,7 +17,7 @@ static const struct rg_image first_surface_albedo = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
-static const struct rg_image first_surface_object = {
+const struct rg_image first_surface_object = {
     .name = "first_surface.object",
     .format = VK_FORMAT_R32_SFLOAT,
 };

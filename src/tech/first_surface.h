@@ -5,6 +5,8 @@
 #include "shaders/first_surface.h"
 #include "src/tech/frame.h"
 
+extern const struct rg_image first_surface_object; /* the layer object */
+
 /* Fills a struct first_surface_earlier. */
 void first_surface_write(void *memory, const struct frame_view *view,
                          const struct globals *globals);

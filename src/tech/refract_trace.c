@@ -22,6 +22,7 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
 #include "src/tech/cracks.h"
+#include "src/tech/first_surface.h"
 #include "src/tech/frame.h"
 #include "src/tech/frame_cloud.h"
 #include "src/tech/frame_media.h"
@@ -36,6 +37,11 @@ static technique_rows_fn color_rows, layer_rows;
 
 const struct rg_image trace_media = {
     .name = "refract_trace.media",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+const struct rg_image trace_last = {
+    .name = "refract_trace.last",
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
@@ -264,6 +270,7 @@ static const struct rg_target layer_targets[] = {
     [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR },
     [REFRACT_OUT_WAY] = { &refract_way, RG_LOAD_CLEAR },
     [TRACE_OUT_MEDIA] = { &trace_media, RG_LOAD_CLEAR },
+    [TRACE_OUT_LAST] = { &trace_last, RG_LOAD_CLEAR },
 };
 
 static const struct rg_use tree_uses[] = {
@@ -284,6 +291,11 @@ static const struct rg_use cube_uses[] = {
 
 static const struct rg_use scene_uses[] = {
     FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_use layer_uses[] = {
+    FRAME_SAMPLE(first_surface_object, TRACE_FIRST_OBJECT, .same_texel = true),
     { 0 },
 };
 
@@ -344,6 +356,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
         choice->meets_surroundings ? sun_uses
         : is_layers                ? scene_uses
                                    : NULL,
+        is_layers ? layer_uses : NULL,
     };
     struct rg_pass *row = row_builder_rows(builder, is_layers ? &layer_row : &color_row, 1);
     if (!row)
@@ -352,7 +365,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     row->vert = choice->meets_surroundings ? &refract_seen_vert : &refract_seen_mean_vert;
     row->frag = frags[choice->meets_surroundings][choice->disperses][is_layers];
-    row->record = choice->lights_surroundings ? frame_draw_screen : record_objects;
+    row->record = choice->lights_surroundings || is_layers ? frame_draw_screen : record_objects;
     return (struct rg_technique){ refract_trace.name, row, 1 };
 }
 
@@ -426,6 +439,14 @@ static const struct frame_layer layers[] = {
         .planes = { "media.Z" },
         .shown = FRAME_SHOWN_AMOUNT,
         .help = "number of straight parts of the refracted path inside objects; 0: no object",
+    },
+    {
+        .name = "object.last",
+        .image = &trace_last,
+        .planes = { "object.last.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "number of the last surface's object on the refracted path (trace, reference); "
+                "0: no surface",
     },
     { 0 },
 };

@@ -17,6 +17,9 @@ struct trace_params {
 /* Number of straight parts of the refracted path inside objects. */
 extern const struct rg_image trace_media;
 
+/* Number of the last object of the refracted path. */
+extern const struct rg_image trace_last;
+
 extern const struct setting_group trace_settings;
 extern const struct technique refract_trace;
 

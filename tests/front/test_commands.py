@@ -25,7 +25,7 @@ LAYERS = (
     'front.Z', 'back.Z', 'thickness.Z', 'intervals.Z', 'exit.X', 'exit.Y', 'exit.Z',
     'refraction.R', 'refraction.G', 'refraction.B',
     'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z', 'path.Z', 'bounces.Z', 'tir.Z',
-    'media.Z',
+    'media.Z', 'object.last.Z',
     'air.R', 'air.G', 'air.B', 'air.A', 'bubbles.R', 'bubbles.G', 'bubbles.B', 'bubbles.A',
     'cracks.R', 'cracks.G', 'cracks.B', 'cracks.A', 'caustics.Z',
 )

@@ -57,6 +57,32 @@ class Layers(Case):
                     self.assertAlmostEqual(found, wanted, delta=0.001)
 
     @unsanitized
+    def test_last_objects(self):
+        """Boxes of glass: one before another, one before a blue box, one before a hole in it."""
+        text = boxes((glass(), [-2, 0, 0], 0.5), (glass(1.2), [-2, 0, -2], 0.4),
+                     (glass(), [0, 0, 0], 0.5), (matt('blue', *BLUE, 1), [0, 0, -2], 0.5),
+                     (glass(), [2, 0, 0], 0.5),
+                     (matt('hole', 1, 0, 0, 0.3, alphaMode='MASK'), [2, 0, -2], 0.5),
+                     (matt('far', *BLUE, 1), [2, 0, -4], 0.5), (glass(1.4), [0, 2, 0], 0.5),
+                     (matt('beside', *BLUE, 1), [2, 2, 0], 0.5))
+        (self.folder / 'a.gltf').write_text(with_nodes(
+            text, {'name': 'front', 'camera': 0, 'translation': [0, 0, 9]}, cameras=[FLAT]))
+        for rung, hole in (('trace', 6), ('trace --set trace.surroundings=cube', 5),
+                           ('reference', 6))[:len(RUNGS)]:
+            self.succeed('render', 'a.gltf', *BARE, '-r', *rung.split(), '--aov',
+                         'object.last,object', '-o', 'a.exr')
+            exr = Exr((self.folder / 'a.exr').read_bytes())
+            planes = exr.read_planes(('object.last.Z', 'object.Z'))
+            names = dict(line.split(' ', 1) for line in exr.text('firn/objects').splitlines())
+            for x, y, first, last in ((-1.9, 0.1, 0, 1), (0.1, 0.1, 2, 3), (2.1, 0.1, 4, hole),
+                                      (0.1, 2.1, 7, 7), (2.1, 2.1, 8, 8)):
+                at = int(24 - 8 * y) * 64 + int(32 + 8 * x)
+                found = [names[str(int(planes[name][at]))] for name in ('object.Z',
+                                                                        'object.last.Z')]
+                self.assertEqual(found, [f'box {first}', f'box {last}'], rung)
+            self.assertEqual((planes['object.Z'][0], planes['object.last.Z'][0]), (0, 0))
+
+    @unsanitized
     def test_objects_of_one_material(self):
         """Opaque boxes that touch have equal vertices at their common corners, and a number each;
         so have moving objects, and what is around them."""

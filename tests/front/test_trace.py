@@ -1,5 +1,6 @@
 """test_trace.py: the rung trace beside the reference, which traces the same triangles on the CPU.
 Usage: see case.py."""
+import json
 import math
 import sys
 
@@ -256,6 +257,14 @@ class Trace(Case):
             return self.succeed(*words).stdout.decode()
         self.assertRegex(lines('trace'), r'\ntree: \d{3,} triangles, \d+\.\d+ ms, 0\.\d MiB\n')
         self.assertNotIn('tree:', lines('bounce'))
+        self.write('two.gltf', (glass(), [0, 0, 0], 1), (glass(), [3, 0, 0], 1))
+        tree = json.loads(self.succeed('info', 'two.gltf', '--json', env=NO_DRIVER).stdout)['tree']
+        self.assertEqual(tree['triangles'], 24)  # of six words of 16 bytes, and nodes have four
+        self.assertEqual(tree['bytes'], 64 * tree['nodes'] + 96 * 24)
+        self.assertGreater(tree['ms'], 0)
+        self.assertRegex(self.succeed('info', 'two.gltf', env=NO_DRIVER).stdout.decode(),
+                         r'\ntree that its rays meet: \d+ nodes, 24 triangles, 0\.0 MiB, built in ')
+        self.assertNotIn(b'tree', self.succeed('info', 'sphere', env=NO_DRIVER).stdout)
 
     def test_settings_without_effect_are_named(self):
         words = ('render', 'sphere', *FLAT, '--plain', '-s', '16x12', '-o', 'a.exr', '--set',

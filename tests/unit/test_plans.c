@@ -294,7 +294,8 @@ static uint32_t check_inside(const char *setting, bool air_is_on, bool bubbles_a
         const struct rg_image *image = techniques_layer(i)->image;
         const bool is_off = !image || (image == &air_color && !air_is_on) ||
                             (image == &bubbles_color && !bubbles_are_on) ||
-                            image == &caustics_seen || image == &trace_media;
+                            image == &caustics_seen || image == &trace_media ||
+                            image == &trace_last;
         assert_true(!frame_plan_buffer(&plan, image) == is_off);
     }
     const uint32_t count = plan.plan->pass_count;

@@ -1,0 +1,67 @@
+/* trace_layers.glsl: main() of refract_trace.c's layers. */
+#ifndef TRACE_LAYERS_GLSL
+#define TRACE_LAYERS_GLSL
+
+layout(set = 0, binding = TRACE_FIRST_OBJECT) uniform sampler2D first_object;
+#ifndef TRACE_RAYS
+layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
+#endif
+
+/* Returns whether surroundings are before a point, which rays meet by themselves. */
+bool trace_is_hidden(vec3 point)
+{
+#ifdef TRACE_RAYS
+    return false;
+#else
+    float scene = texelFetch(depth_scene, ivec2(gl_FragCoord.xy), 0).r;
+    return trace_depth(point) * 1.00001 < scene;
+#endif
+}
+
+/* Returns the number of the last object of the refracted way; 0: it is the first one. */
+uint trace_last()
+{
+#ifndef TRACE_RAYS
+    trace_start from = trace_start(straight_end.origin, straight_end.dir, 0.0, 1e30, -1, false,
+                                   1u << TREE_SURROUNDINGS | 1u << TREE_MOVERS);
+    trace_hit hit = trace_meet(from, straight_end.weight != vec3(0.0));
+    if (hit.triangle >= 0)
+        return trace_number(hit.triangle);
+#endif
+    return seen.last;
+}
+
+layout(location = REFRACT_OUT_EXIT) out vec4 out_exit;
+layout(location = REFRACT_OUT_REFRACTION) out vec4 out_refraction;
+layout(location = REFRACT_OUT_REFLECTION) out vec4 out_reflection;
+layout(location = REFRACT_OUT_FRESNEL) out float out_fresnel;
+layout(location = REFRACT_OUT_WAY) out vec4 out_way;
+layout(location = TRACE_OUT_MEDIA) out float out_media;
+layout(location = TRACE_OUT_LAST) out float out_last;
+
+void main()
+{
+    vec3 from = view_at(ray, 0.0);
+    vec3 e = normalize(view_at(ray, 1.0) - from);
+    trace_colors(refract_frame.eye + from, e);
+    out_exit = vec4(0.0);
+    out_refraction = vec4(0.0);
+    out_reflection = vec4(0.0);
+    out_fresnel = 0.0;
+    out_way = vec4(0.0);
+    out_media = 0.0;
+    out_last = texelFetch(first_object, ivec2(gl_FragCoord.xy), 0).r;
+    if (!seen.is_object || trace_is_hidden(start + seen.distance * e))
+        return;
+    float through = 1.0 - seen.fresnel;
+    out_exit = vec4(seen.exit, 0.0);
+    out_refraction = vec4(through > 0.0 ? seen.refraction / through : vec3(0.0), 0.0);
+    out_reflection = vec4(seen.fresnel > 0.0 ? seen.reflection / seen.fresnel : vec3(0.0), 0.0);
+    out_fresnel = seen.fresnel;
+    out_way = vec4(seen.path, seen.bounces, seen.bounces > 0.0 ? 1.0 : 0.0, 0.0);
+    out_media = seen.parts;
+    uint last = trace_last();
+    out_last = last != 0u ? float(last) : out_last;
+}
+
+#endif
