@@ -119,10 +119,10 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
     trace_cross c;
     int triangle = max(hit.triangle, 0);
     int at = TREE_CORNER_WORDS * triangle;
-    vec4 n0 = uintBitsToFloat(texelFetch(corners, at));
-    vec4 n1 = uintBitsToFloat(texelFetch(corners, at + 1));
-    vec4 n2 = uintBitsToFloat(texelFetch(corners, at + 2));
-    c.facet = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * triangle + 2)).xyz;
+    vec4 n0 = uintBitsToFloat(trace_corner(at));
+    vec4 n1 = uintBitsToFloat(trace_corner(at + 1));
+    vec4 n2 = uintBitsToFloat(trace_corner(at + 2));
+    c.facet = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle + 2)).xyz;
     c.facet = trace_posed(c.facet, hit.part);
     c.n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
     c.n = normalize(trace_posed(c.n, hit.part));

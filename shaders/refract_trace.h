@@ -11,7 +11,11 @@
 #define TRACE_NODES        13 /* the words of tree.h */
 #define TRACE_TRIANGLES    14
 #define TRACE_CORNERS      15
-#define TRACE_FIRST_OBJECT 17 /* the layer `object`; of the layers' pass */
+#define TRACE_FIRST_OBJECT 21 /* the layer `object`; of the layers' pass */
+/* The words, too, if TRACE_IS_STORED. */
+#define TRACE_STORED_NODES     18
+#define TRACE_STORED_TRIANGLES 19
+#define TRACE_STORED_CORNERS   20
 
 /* Of the layers' pass, besides those of refract.h. */
 #define TRACE_OUT_MEDIA 5
@@ -28,13 +32,14 @@
 #define TRACE_HAS_MOTION     128 /* objects, or what is around them, may turn */
 #define TRACE_HAS_TINT       256 /* some object tints the light that passes its surface */
 #define TRACE_HAS_DRESS      512 /* some object has textures (dress.h); needs TRACE_HAS_MATERIALS */
-#define TRACE_HAS_EXTRAS     1024  /* some vertices have struct mesh_extra */
-#define TRACE_HAS_SUN        2048  /* the sun's light goes by the map of ice_caustics.h */
-#define TRACE_HAS_MANY       4096  /* more than TREE_SHELLS_FEW objects */
-#define TRACE_HAS_INCLUSIONS 8192  /* bubbles or cracks in the first object */
-#define TRACE_HAS_SHAPES     16384 /* some bubble is no sphere */
-#define TRACE_HAS_GROUND     32768 /* light on surroundings is traced; with TRACE_RAYS */
-#define TRACE_HAS_CLOUD      65536 /* some ice is cloudy; with TRACE_RAYS */
+#define TRACE_HAS_EXTRAS     1024   /* some vertices have struct mesh_extra */
+#define TRACE_HAS_SUN        2048   /* the sun's light goes by the map of ice_caustics.h */
+#define TRACE_HAS_MANY       4096   /* more than TREE_SHELLS_FEW objects */
+#define TRACE_HAS_INCLUSIONS 8192   /* bubbles or cracks in the first object */
+#define TRACE_HAS_SHAPES     16384  /* some bubble is no sphere */
+#define TRACE_HAS_GROUND     32768  /* light on surroundings is traced; with TRACE_RAYS */
+#define TRACE_HAS_CLOUD      65536  /* some ice is cloudy; with TRACE_RAYS */
+#define TRACE_IS_STORED      131072 /* the words of trees are in storage buffers */
 
 /* The texels of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* of red, green and blue light; roughness */

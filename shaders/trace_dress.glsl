@@ -10,7 +10,7 @@
 vec3 trace_dress(trace_hit hit, vec3 origin, vec3 dir, bool is_object, inout dress own,
                  out bool is_bumpy)
 {
-    uint material = texelFetch(corners, TREE_CORNER_WORDS * max(hit.triangle, 0) + 1).w;
+    uint material = trace_corner(TREE_CORNER_WORDS * max(hit.triangle, 0) + 1).w;
     uint row = material >> MESH_SURFACE_SHIFT;
     vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
     int turns = is_object && scales.z > 0.0 ? int(trace.one) : 0;

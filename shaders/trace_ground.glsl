@@ -71,7 +71,7 @@ float ground_open(vec3 some, vec3 all, inout vec3 weight)
  * that is the sky, straight. It is in the same media as the way that is followed. */
 void ground_put(trace_hit hit, vec3 dir, vec3 weight, float open)
 {
-    vec3 facet = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
+    vec3 facet = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
     facet = trace_posed(facet, hit.part);
     bool is_below = dot(dir, facet) * dot(way.dir, facet) >= 0.0;
     float most = max(weight.r, max(weight.g, weight.b));

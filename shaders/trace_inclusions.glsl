@@ -20,11 +20,11 @@ vec3 trace_crack_normal(vec3 n, vec3 point)
 /* Returns the outward normal of a bubble at a point of its surface, in the object's space. */
 vec3 trace_bubble_normal(int triangle, vec3 point)
 {
-    vec4 first = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * triangle));
+    vec4 first = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle));
     vec3 from = point - first.xyz;
     if (trace_has(TRACE_HAS_SHAPES)) {
-        vec4 second = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * triangle + 1));
-        vec4 last = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * triangle + 2));
+        vec4 second = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle + 1));
+        vec4 last = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle + 2));
         vec3 axis = second.xyz;
         if (second.w > 0.0)
             from -= clamp(dot(from, axis), -first.w, first.w) * axis;
@@ -41,7 +41,7 @@ trace_cross trace_inclusion_at(trace_way way, trace_hit hit, vec3 n, float eta)
 {
     trace_cross c;
     vec3 point = trace_unposed_point(way.origin + hit.t * way.dir, hit.part);
-    vec3 facet = uintBitsToFloat(texelFetch(triangles, TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
+    vec3 facet = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
     c.is_thin = facet != vec3(0.0);
     if (c.is_thin) {
         n = trace_crack_normal(normalize(n), point);

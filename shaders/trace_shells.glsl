@@ -86,7 +86,7 @@ vec4 trace_medium(uint rank, int texel)
 {
     uint medium = rank;
     if (trace_has(TRACE_HAS_MANY))
-        medium = texelFetch(corners, int(trace.media_at + rank)).x;
+        medium = trace_corner(int(trace.media_at + rank)).x;
     return trace.media[int(medium) * TRACE_MEDIUM + texel];
 }
 

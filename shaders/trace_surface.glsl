@@ -42,11 +42,11 @@ void trace_extra(inout trace_point p, trace_hit hit, int surface, bool has_extra
         return;
     int at = has_extra ? surface + TREE_SURFACE_WORDS : 0;
     vec3 share = vec3(1.0 - hit.u - hit.v, hit.u, hit.v);
-    vec4 t0 = uintBitsToFloat(texelFetch(corners, at));
-    vec4 t1 = uintBitsToFloat(texelFetch(corners, at + 1));
-    vec4 t2 = uintBitsToFloat(texelFetch(corners, at + 2));
-    vec4 uv = uintBitsToFloat(texelFetch(corners, at + 3));
-    vec2 uv_2 = uintBitsToFloat(texelFetch(corners, at + 4)).xy;
+    vec4 t0 = uintBitsToFloat(trace_corner(at));
+    vec4 t1 = uintBitsToFloat(trace_corner(at + 1));
+    vec4 t2 = uintBitsToFloat(trace_corner(at + 2));
+    vec4 uv = uintBitsToFloat(trace_corner(at + 3));
+    vec2 uv_2 = uintBitsToFloat(trace_corner(at + 4)).xy;
     if (!has_extra)
         return;
     uint row = p.material >> MESH_SURFACE_SHIFT;
@@ -63,14 +63,14 @@ void trace_extra(inout trace_point p, trace_hit hit, int surface, bool has_extra
 trace_point trace_point_of(trace_hit hit, vec3 origin, vec3 dir)
 {
     int at = TREE_CORNER_WORDS * hit.triangle;
-    vec4 n0 = uintBitsToFloat(texelFetch(corners, at));
-    vec4 n1 = uintBitsToFloat(texelFetch(corners, at + 1));
-    vec4 n2 = uintBitsToFloat(texelFetch(corners, at + 2));
+    vec4 n0 = uintBitsToFloat(trace_corner(at));
+    vec4 n1 = uintBitsToFloat(trace_corner(at + 1));
+    vec4 n2 = uintBitsToFloat(trace_corner(at + 2));
     int surface = int(floatBitsToUint(n2.w));
-    vec4 c0 = uintBitsToFloat(texelFetch(corners, surface));
-    vec4 c1 = uintBitsToFloat(texelFetch(corners, surface + 1));
-    vec4 c2 = uintBitsToFloat(texelFetch(corners, surface + 2));
-    vec4 rest = uintBitsToFloat(texelFetch(corners, surface + 3));
+    vec4 c0 = uintBitsToFloat(trace_corner(surface));
+    vec4 c1 = uintBitsToFloat(trace_corner(surface + 1));
+    vec4 c2 = uintBitsToFloat(trace_corner(surface + 2));
+    vec4 rest = uintBitsToFloat(trace_corner(surface + 3));
     vec3 share = vec3(1.0 - hit.u - hit.v, hit.u, hit.v);
     vec2 uv_0 = vec2(c0.w, c1.w), side_1 = vec2(c2.w, rest.x) - uv_0, side_2 = rest.yz - uv_0;
     trace_point p;
@@ -84,9 +84,9 @@ trace_point trace_point_of(trace_hit hit, vec3 origin, vec3 dir)
     p.material = floatBitsToUint(n1.w);
     /* The rows of the triangle's map are orthogonal to all of its sides but one. */
     at = TREE_TRIANGLE_WORDS * hit.triangle;
-    vec3 row_0 = uintBitsToFloat(texelFetch(triangles, at)).xyz;
-    vec3 row_1 = uintBitsToFloat(texelFetch(triangles, at + 1)).xyz;
-    vec3 row_2 = uintBitsToFloat(texelFetch(triangles, at + 2)).xyz;
+    vec3 row_0 = uintBitsToFloat(trace_row(at)).xyz;
+    vec3 row_1 = uintBitsToFloat(trace_row(at + 1)).xyz;
+    vec3 row_2 = uintBitsToFloat(trace_row(at + 2)).xyz;
     float volume = dot(row_0, cross(row_1, row_2));
     vec3 edge_1 = cross(row_1, row_2) / volume, edge_2 = cross(row_2, row_0) / volume;
     bool has_extra = (floatBitsToUint(rest.w) & 1u) != 0u;

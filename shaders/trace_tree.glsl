@@ -16,13 +16,51 @@ layout(set = 0, binding = TRACE_FRAME, scalar) uniform Trace
     trace_frame trace;
 };
 
+/* The words of trees are texels, which lavapipe reads in a third of the time. Where a device has no
+ * buffers of so many texels, they are in storage buffers. */
 layout(set = 0, binding = TRACE_NODES) uniform usamplerBuffer nodes;
 layout(set = 0, binding = TRACE_TRIANGLES) uniform usamplerBuffer triangles;
 layout(set = 0, binding = TRACE_CORNERS) uniform usamplerBuffer corners;
 
+layout(set = 0, binding = TRACE_STORED_NODES, std430) readonly buffer StoredNodes
+{
+    uvec4 stored_nodes[];
+};
+
+layout(set = 0, binding = TRACE_STORED_TRIANGLES, std430) readonly buffer StoredTriangles
+{
+    uvec4 stored_triangles[];
+};
+
+layout(set = 0, binding = TRACE_STORED_CORNERS, std430) readonly buffer StoredCorners
+{
+    uvec4 stored_corners[];
+};
+
 bool trace_has(uint bit)
 {
     return (constant_trace & bit) != 0u;
+}
+
+uvec4 trace_node(int word)
+{
+    if (trace_has(TRACE_IS_STORED))
+        return stored_nodes[word];
+    return texelFetch(nodes, word);
+}
+
+uvec4 trace_row(int word)
+{
+    if (trace_has(TRACE_IS_STORED))
+        return stored_triangles[word];
+    return texelFetch(triangles, word);
+}
+
+uvec4 trace_corner(int word)
+{
+    if (trace_has(TRACE_IS_STORED))
+        return stored_corners[word];
+    return texelFetch(corners, word);
 }
 
 struct trace_ray {
@@ -142,13 +180,13 @@ bool trace_sees_inclusion(trace_ray ray, int i, vec4 first, vec4 second, vec4 la
 
 void trace_meet_triangle(trace_ray ray, int i, int part, bool counts, inout trace_hit hit)
 {
-    vec4 w = uintBitsToFloat(texelFetch(triangles, 3 * i + 2));
+    vec4 w = uintBitsToFloat(trace_row(3 * i + 2));
     float towards = dot(w.xyz, ray.dir);
     float t = -(dot(w.xyz, ray.origin) + w.w) / towards;
     vec3 p = ray.origin + t * ray.dir;
-    vec4 first = uintBitsToFloat(texelFetch(triangles, 3 * i));
+    vec4 first = uintBitsToFloat(trace_row(3 * i));
     float u = dot(first.xyz, p) + first.w;
-    vec4 row = uintBitsToFloat(texelFetch(triangles, 3 * i + 1));
+    vec4 row = uintBitsToFloat(trace_row(3 * i + 1));
     float v = dot(row.xyz, p) + row.w;
     bool is_seen = i != ray.from && (towards * ray.side >= 0.0 || t >= ray.reach);
     if (trace_has(TRACE_HAS_INCLUSIONS) && part == TREE_INCLUSIONS)
@@ -172,8 +210,8 @@ void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
     do {
         for (int step = 0; step < trace_steps; step++) {
             int at = TREE_NODE_WORDS * max(node, 0);
-            uvec4 a = texelFetch(nodes, at), b = texelFetch(nodes, at + 1);
-            uvec4 c = texelFetch(nodes, at + 2), d = texelFetch(nodes, at + 3);
+            uvec4 a = trace_node(at), b = trace_node(at + 1);
+            uvec4 c = trace_node(at + 2), d = trace_node(at + 3);
             float enter_0, enter_1;
             bool meets_0 = trace_meets_box(ray, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz),
                                            hit.t, enter_0) &&
@@ -254,9 +292,9 @@ trace_hit trace_meet(trace_start start, bool is_active)
 uint trace_number(int triangle)
 {
     int at = TREE_CORNER_WORDS * max(triangle, 0);
-    uint number = texelFetch(corners, at).w / TREE_NUMBER;
-    uint surface = texelFetch(corners, at + 2).w;
-    return number != 0u ? number : texelFetch(corners, int(surface) + 3).w / 2u;
+    uint number = trace_corner(at).w / TREE_NUMBER;
+    uint surface = trace_corner(at + 2).w;
+    return number != 0u ? number : trace_corner(int(surface) + 3).w / 2u;
 }
 
 /* Returns a point of the world in the space of a part. */

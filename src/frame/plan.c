@@ -96,8 +96,9 @@ static struct rg_import describe(const struct technique_import *import, const st
     struct technique_texels texels = { 0 };
     if (import->buffer)
         return (struct rg_import){ .buffer = import->buffer,
-                                   .access = RG_SAMPLED,
-                                   .size = scene ? import->find_bytes(scene).size : 0 };
+                                   .access = import->buffer->format ? RG_SAMPLED : RG_STORAGE_READ,
+                                   .size =
+                                       scene ? import->find_bytes(scene, import->buffer).size : 0 };
     if (scene)
         texels = import->find(scene);
     if (!texels.width)

@@ -134,7 +134,10 @@ enum status renderer_need_tree(struct renderer *r)
         r->params.scene = &r->own_scene;
     }
     const enum status status = scene_need_tree(r->params.scene);
-    const struct tree *tree = r->params.scene->tree;
+    struct tree *tree = r->params.scene->tree;
+    const uint32_t most = r->params.gpu->properties.limits.maxTexelBufferElements;
+    if (status == STATUS_OK && !tree->is_stored)
+        tree->is_stored = tree_words_most(tree) > most;
     r->costs.tree = tree->ms;
     r->costs.tree_triangles = tree->triangle_count;
     r->costs.tree_size = tree_size(tree);

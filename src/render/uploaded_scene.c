@@ -92,18 +92,23 @@ static enum status upload_buffer(struct uploaded_import *to, struct gpu *gpu,
 {
     static const uint32_t zeros[16] = { 0 };
     const struct rg_buffer *buffer = import->buffer;
-    struct technique_bytes bytes = import->find_bytes(scene);
+    struct technique_bytes bytes = import->find_bytes(scene, buffer);
     to->declared_buffer = buffer;
     if (!bytes.bytes)
         bytes = (struct technique_bytes){ zeros, buffer->size };
-    const size_t most = (size_t)gpu->properties.limits.maxTexelBufferElements *
-                        rg_format_info(buffer->format)->size;
+    const VkPhysicalDeviceLimits *limits = &gpu->properties.limits;
+    const bool is_texels = buffer->format;
+    const size_t most =
+        is_texels ? (size_t)limits->maxTexelBufferElements * rg_format_info(buffer->format)->size
+                  : limits->maxStorageBufferRange;
     if (bytes.size > most) {
         log_error("%s has %zu bytes: %s reads at most %zu; use a simpler model, or another rung",
                   buffer->name, bytes.size, gpu->properties.deviceName, most);
         return STATUS_DATA;
     }
-    return gpu_buffer_create(gpu, &to->buffer, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+    return gpu_buffer_create(gpu, &to->buffer,
+                             is_texels ? VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT
+                                       : VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                              bytes.bytes, bytes.size, buffer->name);
 }
 

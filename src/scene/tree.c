@@ -584,6 +584,13 @@ uint32_t tree_node_count(const struct tree *tree)
     return tree->nodes.count / TREE_NODE_WORDS;
 }
 
+uint32_t tree_words_most(const struct tree *tree)
+{
+    const uint32_t first =
+        tree->nodes.count > tree->triangles.count ? tree->nodes.count : tree->triangles.count;
+    return first > tree->corners.count ? first : tree->corners.count;
+}
+
 size_t tree_size(const struct tree *tree)
 {
     return ((size_t)tree->nodes.count + tree->triangles.count + tree->corners.count) *

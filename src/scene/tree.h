@@ -34,6 +34,7 @@ struct tree {
     uint32_t depth;                  /* most nodes on a way from a root; at most TREE_DEPTH_MAX */
     bool is_closed; /* each side of a triangle of the objects is that of another one, reversed */
     bool is_apart;  /* no box around a triangle of the surroundings meets that around the objects */
+    bool is_stored; /* a device's buffers of texels are too small for it; set by its user */
     double ms;      /* time that tree_init() took */
     uint32_t built, shared,
         fitted; /* trees of objects: built by tree_init(); those of alike objects
@@ -84,6 +85,9 @@ void tree_finish(struct tree *tree);
 
 /* Returns the number of nodes of all parts; 0: the tree has not been built. */
 uint32_t tree_node_count(const struct tree *tree);
+
+/* Returns the number of words of the nodes, triangles or corners, of which there are most. */
+uint32_t tree_words_most(const struct tree *tree);
 
 /* Returns the bytes of all words. */
 size_t tree_size(const struct tree *tree);

@@ -103,6 +103,7 @@ static uint32_t features(const struct scene *scene, const struct settings *setti
     bits |= ice_caustics.is_on(settings) ? TRACE_HAS_SUN : 0;
     bits |= lights_surroundings(scene, settings) ? TRACE_HAS_GROUND : 0;
     bits |= frame_has_cloud(scene, settings) ? TRACE_HAS_CLOUD : 0;
+    bits |= scene->tree && scene->tree->is_stored ? TRACE_IS_STORED : 0;
     bits |= scene->material_rows ? TRACE_HAS_MATERIALS : 0;
     bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
     bits |= has_motion(settings) ? TRACE_HAS_MOTION : 0;
@@ -153,32 +154,41 @@ static const struct rg_buffer nodes = WORDS("refract_trace.nodes");
 static const struct rg_buffer triangles = WORDS("refract_trace.triangles");
 static const struct rg_buffer corners = WORDS("refract_trace.corners");
 
-static struct technique_bytes bytes_of(const struct tree_words *words)
-{
-    if (!words->count)
-        return (struct technique_bytes){ 0 };
-    return (struct technique_bytes){ words->all, words->count * sizeof(*words->all) };
-}
+/* The same if the tree is too large for these. */
+static const struct rg_buffer stored_nodes = { "refract_trace.stored_nodes", .size = 16 };
+static const struct rg_buffer stored_triangles = { "refract_trace.stored_triangles", .size = 16 };
+static const struct rg_buffer stored_corners = { "refract_trace.stored_corners", .size = 16 };
 
-static struct technique_bytes find_nodes(const struct scene *scene)
-{
-    return scene->tree ? bytes_of(&scene->tree->nodes) : (struct technique_bytes){ 0 };
-}
+static const struct {
+    const struct rg_buffer *texels, *stored;
+    size_t at; /* of the words in struct tree */
+} tree_buffers[] = {
+    { &nodes, &stored_nodes, offsetof(struct tree, nodes) },
+    { &triangles, &stored_triangles, offsetof(struct tree, triangles) },
+    { &corners, &stored_corners, offsetof(struct tree, corners) },
+};
 
-static struct technique_bytes find_triangles(const struct scene *scene)
+static struct technique_bytes find_words(const struct scene *scene, const struct rg_buffer *buffer)
 {
-    return scene->tree ? bytes_of(&scene->tree->triangles) : (struct technique_bytes){ 0 };
-}
-
-static struct technique_bytes find_corners(const struct scene *scene)
-{
-    return scene->tree ? bytes_of(&scene->tree->corners) : (struct technique_bytes){ 0 };
+    struct technique_bytes found = { 0 };
+    for (size_t i = 0; scene->tree && i < sizeof(tree_buffers) / sizeof(tree_buffers[0]); i++) {
+        struct tree_words words;
+        memcpy(&words, (const char *)scene->tree + tree_buffers[i].at, sizeof(words));
+        const struct rg_buffer *filled =
+            scene->tree->is_stored ? tree_buffers[i].stored : tree_buffers[i].texels;
+        if (buffer == filled && words.count)
+            found = (struct technique_bytes){ words.all, words.count * sizeof(*words.all) };
+    }
+    return found;
 }
 
 static const struct technique_import imports[] = {
-    { .buffer = &nodes, .find_bytes = find_nodes },
-    { .buffer = &triangles, .find_bytes = find_triangles },
-    { .buffer = &corners, .find_bytes = find_corners },
+    { .buffer = &nodes, .find_bytes = find_words },
+    { .buffer = &triangles, .find_bytes = find_words },
+    { .buffer = &corners, .find_bytes = find_words },
+    { .buffer = &stored_nodes, .find_bytes = find_words },
+    { .buffer = &stored_triangles, .find_bytes = find_words },
+    { .buffer = &stored_corners, .find_bytes = find_words },
     { 0 },
 };
 
@@ -279,6 +289,9 @@ static const struct rg_use tree_uses[] = {
     { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES },
     { .buffer = &triangles, .access = RG_SAMPLED, .binding = TRACE_TRIANGLES },
     { .buffer = &corners, .access = RG_SAMPLED, .binding = TRACE_CORNERS },
+    { .buffer = &stored_nodes, .access = RG_STORAGE_READ, .binding = TRACE_STORED_NODES },
+    { .buffer = &stored_triangles, .access = RG_STORAGE_READ, .binding = TRACE_STORED_TRIANGLES },
+    { .buffer = &stored_corners, .access = RG_STORAGE_READ, .binding = TRACE_STORED_CORNERS },
     { 0 },
 };
 

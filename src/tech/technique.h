@@ -134,8 +134,8 @@ struct technique_import {
     const struct rg_image *image;
     struct technique_texels (*find)(const struct scene *scene);
     const void *fallback; /* one texel, for scenes without texels; NULL: no image is imported */
-    const struct rg_buffer *buffer; /* instead of `image`, with: */
-    struct technique_bytes (*find_bytes)(const struct scene *scene);
+    const struct rg_buffer *buffer; /* instead of `image`; without a format: a storage buffer */
+    struct technique_bytes (*find_bytes)(const struct scene *scene, const struct rg_buffer *buffer);
 };
 
 /* What the plans and the constants of a scene's frames depend on. */

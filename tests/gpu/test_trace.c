@@ -14,6 +14,7 @@
 #include "tests/gpu/shaders/trace_rays.h"
 #include "tests/gpu/test_shaders.h"
 #include "tests/support/lavapipe.h"
+#include "tests/support/picture.h"
 #include "tests/support/run_graph.h"
 
 enum {
@@ -29,6 +30,10 @@ enum {
 static const struct rg_buffer rays = WORDS("rays", VK_FORMAT_R32G32B32A32_SFLOAT);
 static const struct rg_buffer nodes = WORDS("nodes", VK_FORMAT_R32G32B32A32_UINT);
 static const struct rg_buffer triangles = WORDS("triangles", VK_FORMAT_R32G32B32A32_UINT);
+static const struct rg_buffer stored_nodes = { "stored nodes", .size = 16,
+                                               .memory = RG_MEMORY_UPLOAD };
+static const struct rg_buffer stored_triangles = { "stored triangles", .size = 16,
+                                                   .memory = RG_MEMORY_UPLOAD };
 static const struct rg_buffer globals = {
     .name = "globals",
     .size = sizeof(struct globals),
@@ -59,11 +64,16 @@ static const struct rg_pass rows[] = {
     {
         .name = "meet",
         .color = RG_TARGETS({ &found, RG_LOAD_DISCARD }),
-        .uses = RG_USES({ .buffer = &globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING },
-                        { .buffer = &trace, .access = RG_UNIFORM, .binding = TRACE_FRAME },
-                        { .buffer = &rays, .access = RG_SAMPLED, .binding = TRACE_RAYS_BINDING },
-                        { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES },
-                        { .buffer = &triangles, .access = RG_SAMPLED, .binding = TRACE_TRIANGLES }),
+        .uses = RG_USES(
+            { .buffer = &globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING },
+            { .buffer = &trace, .access = RG_UNIFORM, .binding = TRACE_FRAME },
+            { .buffer = &rays, .access = RG_SAMPLED, .binding = TRACE_RAYS_BINDING },
+            { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES },
+            { .buffer = &triangles, .access = RG_SAMPLED, .binding = TRACE_TRIANGLES },
+            { .buffer = &stored_nodes, .access = RG_STORAGE_READ, .binding = TRACE_STORED_NODES },
+            { .buffer = &stored_triangles,
+              .access = RG_STORAGE_READ,
+              .binding = TRACE_STORED_TRIANGLES }),
         .vert = &screen_vert,
         .frag = &trace_rays_frag,
         .record = record,
@@ -199,10 +209,42 @@ static void rays_meet_the_same(void **state)
     }
 }
 
+/* A device whose buffers of texels are too small has the words in storage buffers. */
+static void stored_trees_show_the_same(void **state)
+{
+    const struct gpu *real = *state;
+    struct gpu small = *real;
+    struct gpu *const gpus[2] = { *state, &small };
+    struct scene scene = picture_sphere_scene(glms_vec3_zero(), 400);
+    struct render_result results[2];
+    small.properties.limits.maxTexelBufferElements = 1000; /* of the triangles alone 1200 are */
+    picture_add_directions(&scene, glms_vec3_zero(), 9.0F);
+    for (int i = 0; i < 2; i++) {
+        const struct settings settings = picture_settings("trace.surroundings=rays");
+        const struct picture_request request = {
+            .scene = &scene,
+            .settings = &settings,
+            .rung = "trace",
+            .camera = camera_orbit(28, 9, 4.5F, glms_vec3_zero(), 45),
+            .width = 64,
+            .height = 48,
+            .layers = picture_layer_bit("object.last"),
+        };
+        results[i] = picture_render(gpus[i], &request);
+    }
+    for (uint32_t p = 0; p < results[0].image.plane_count; p++)
+        assert_memory_equal(results[0].image.planes[p].texels, results[1].image.planes[p].texels,
+                            sizeof(float) * 64 * 48);
+    render_result_finish(&results[0]);
+    render_result_finish(&results[1]);
+    scene_finish(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rays_meet_the_same),
+        cmocka_unit_test(stored_trees_show_the_same),
     };
     return RUN_ON_DEVICE(tests);
 }
