@@ -27,6 +27,10 @@ void main()
 {
     uvec2 at = uvec2(gl_FragCoord.xy) - uvec2(push.x, push.y);
     vec3 c = fetch(at);
+#ifdef PRESENT_SCALED
+    uvec3 around = uvec3(push.surround >> 16, push.surround >> 8, push.surround) & 255u;
+    c = any(greaterThanEqual(at, uvec2(push.width, push.height))) ? vec3(around) / 255.0 : c;
+#endif
     c = PRESENT_IS_BRIGHT(at.x, push.line) ? vec3(1.0) : c;
     c = PRESENT_IS_DARK(at.x, push.line) ? vec3(0.0) : c;
     shown = vec4(encodes != 0 ? srgb_decode(c) : c, 1.0);

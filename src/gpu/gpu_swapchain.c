@@ -96,6 +96,17 @@ static enum status choose_mode(const struct gpu *gpu, struct gpu_swapchain *s,
     return STATUS_OK;
 }
 
+static enum status find_usage(const struct gpu *gpu, struct gpu_swapchain *s)
+{
+    VkSurfaceCapabilitiesKHR has;
+    const VkResult result =
+        vkGetPhysicalDeviceSurfaceCapabilitiesKHR(gpu->physical, s->surface, &has);
+    if (result != VK_SUCCESS)
+        return gpu_failed("vkGetPhysicalDeviceSurfaceCapabilitiesKHR", result);
+    s->copies = has.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    return STATUS_OK;
+}
+
 static VkSemaphore make_semaphore(const struct gpu *gpu, VkResult *result)
 {
     VkSemaphore semaphore = VK_NULL_HANDLE;
@@ -112,6 +123,8 @@ enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *s, VkSurfa
     enum status status = choose_format(gpu, s);
     if (status == STATUS_OK)
         status = choose_mode(gpu, s, mode);
+    if (status == STATUS_OK)
+        status = find_usage(gpu, s);
     VkResult result = VK_SUCCESS;
     for (uint32_t i = 0; i < GPU_SWAPCHAIN_SLOT_COUNT && status == STATUS_OK; i++)
         s->acquired[i] = make_semaphore(gpu, &result);
@@ -198,7 +211,8 @@ static enum status create(struct gpu *gpu, struct gpu_swapchain *s,
         .imageColorSpace = VK_COLOR_SPACE_SRGB_NONLINEAR_KHR,
         .imageExtent = s->extent,
         .imageArrayLayers = 1,
-        .imageUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+        .imageUsage =
+            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (s->copies ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : 0),
         .imageSharingMode = VK_SHARING_MODE_EXCLUSIVE,
         .preTransform = has->currentTransform,
         .compositeAlpha = choose_alpha(has),

@@ -33,6 +33,7 @@ struct gpu_swapchain {
     VkSwapchainKHR swapchain; /* VK_NULL_HANDLE while the surface has no size */
     VkFormat format;
     bool encodes; /* the format encodes linear colours that are written to it as sRGB */
+    bool copies;  /* images can be copied into its images */
     VkPresentModeKHR mode;
     VkExtent2D extent; /* pixels */
     VkImage *images;   /* render targets; content undefined when acquired */

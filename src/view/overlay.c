@@ -12,7 +12,14 @@
 #include "src/view/overlay_list.h"
 #include "src/view/present.h"
 
-static rg_record_fn record_parts;
+static rg_record_fn record_panels, record_copy, record_parts;
+static rg_when_fn are_old, are_kept, has_parts;
+
+static const struct rg_image panels = {
+    .name = "overlay.panels",
+    .format = VK_FORMAT_B8G8R8A8_UNORM,
+    .persistent = true,
+};
 
 const struct rg_image overlay_font = {
     .name = "overlay.font",
@@ -69,8 +76,32 @@ static const struct rg_use uses[] = {
     { 0 },
 };
 
+static const struct rg_use copy_uses[] = {
+    { .image = &panels, .access = RG_COPY_SRC },
+    { .image = &present_window, .access = RG_COPY_DST, .partial = true },
+    { 0 },
+};
+
 static const struct rg_pass passes[OVERLAY_PASS_COUNT] = {
-    {
+    [OVERLAY_PANELS] = {
+        .name = "overlay.panels",
+        .color = RG_TARGETS({ &panels, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
+        .uses = uses,
+        .vert = &overlay_vert,
+        .frag = &overlay_frag,
+        .vertices = &layout,
+        .push_size = sizeof(struct overlay_push),
+        .record = record_panels,
+        .when = are_old,
+    },
+    [OVERLAY_COPY] = {
+        .name = "overlay.copy",
+        .kind = RG_TRANSFER,
+        .uses = copy_uses,
+        .record = record_copy,
+        .when = are_kept,
+    },
+    [OVERLAY_PARTS] = {
         .name = "overlay.parts",
         .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
         .uses = uses,
@@ -79,10 +110,35 @@ static const struct rg_pass passes[OVERLAY_PASS_COUNT] = {
         .vertices = &layout,
         .push_size = sizeof(struct overlay_push),
         .record = record_parts,
+        .when = has_parts,
     },
 };
 
-static void record_parts(struct rg_cmd *cmd, const struct rg_frame *frame)
+static bool are_kept(const struct rg_frame *frame, uint32_t repetition)
+{
+    (void)repetition;
+    return frame->window->keeps_panels && frame->window->overlay;
+}
+
+static bool are_old(const struct rg_frame *frame, uint32_t repetition)
+{
+    return are_kept(frame, repetition) && frame->window->panels_are_old;
+}
+
+/* The first part that is not copied. */
+static uint32_t first_part(const struct rg_frame *frame)
+{
+    return are_kept(frame, 0) ? frame->window->overlay->docked_count : 0;
+}
+
+static bool has_parts(const struct rg_frame *frame, uint32_t repetition)
+{
+    const struct overlay_list *list = frame->window->overlay;
+    (void)repetition;
+    return list && first_part(frame) < list->part_count;
+}
+
+static void draw(struct rg_cmd *cmd, const struct overlay_list *list, uint32_t first, uint32_t end)
 {
     const VkExtent2D extent = rg_cmd_extent(cmd);
     const struct overlay_push push = {
@@ -93,10 +149,39 @@ static void record_parts(struct rg_cmd *cmd, const struct rg_frame *frame)
         .indices = rg_cmd_buffer(cmd, &overlay_indices),
     };
     rg_cmd_push(cmd, &push, sizeof(push));
-    for (uint32_t i = 0; frame->window->overlay && i < frame->window->overlay->part_count; i++) {
-        const struct overlay_part *part = &frame->window->overlay->parts[i];
+    for (uint32_t i = first; i < end; i++) {
+        const struct overlay_part *part = &list->parts[i];
         rg_cmd_scissor(cmd, (VkRect2D){ { part->left, part->top }, { part->width, part->height } });
         rg_cmd_draw_mesh_part(cmd, &mesh, part->first_index, part->index_count);
+    }
+}
+
+static void record_panels(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    draw(cmd, frame->window->overlay, 0, frame->window->overlay->docked_count);
+}
+
+static void record_parts(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    draw(cmd, frame->window->overlay, first_part(frame), frame->window->overlay->part_count);
+}
+
+/* The same part of both images. */
+static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct layout *l = &frame->window->layout;
+    const VkRect2D parts[] = { l->bar, l->panel, l->strip, l->status };
+    for (size_t i = 0; i < sizeof(parts) / sizeof(parts[0]); i++) {
+        const VkImageSubresourceLayers color = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1 };
+        const VkOffset3D at = { parts[i].offset.x, parts[i].offset.y, 0 };
+        const VkExtent3D extent = { parts[i].extent.width, parts[i].extent.height, 1 };
+        const VkImageCopy region = { color, at, color, at, extent };
+        if (!extent.width || !extent.height)
+            continue;
+        vkCmdCopyImage(rg_cmd_vulkan(cmd), rg_cmd_image(cmd, frame->window->panels),
+                       VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                       rg_cmd_image(cmd, frame->window->shown),
+                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
     }
 }
 
@@ -106,13 +191,23 @@ const struct technique overlay = {
     .help = "panels over the picture",
 };
 
-void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window)
+void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window, bool copies)
 {
+    const size_t first = copies ? OVERLAY_PANELS : OVERLAY_PARTS;
     memcpy(tables->passes, passes, sizeof(passes));
+    memcpy(tables->copy_uses, copy_uses, sizeof(copy_uses));
+    tables->panels = panels;
+    tables->panels.format = window->format;
     for (size_t i = 0; i < OVERLAY_PASS_COUNT; i++) {
+        if (i == OVERLAY_COPY)
+            continue;
         tables->targets[i] = passes[i].color[0];
-        tables->targets[i].image = window;
+        tables->targets[i].image = i == OVERLAY_PANELS ? &tables->panels : window;
         tables->passes[i].color = &tables->targets[i];
     }
-    tables->technique = (struct rg_technique)RG_TECHNIQUE("overlay", tables->passes);
+    tables->copy_uses[0].image = &tables->panels;
+    tables->copy_uses[1].image = window;
+    tables->passes[OVERLAY_COPY].uses = tables->copy_uses;
+    tables->technique =
+        (struct rg_technique){ "overlay", &tables->passes[first], OVERLAY_PASS_COUNT - first };
 }

@@ -26,7 +26,9 @@ struct overlay_part {
 };
 
 struct overlay_list {
-    uint32_t part_count; /* drawn one over another */
+    uint32_t version;      /* another one whenever the list is; not 0 */
+    uint32_t docked_count; /* the first of all parts, which are beside the picture */
+    uint32_t part_count;   /* drawn one over another */
     struct overlay_part parts[OVERLAY_PART_COUNT];
 };
 

@@ -7,8 +7,8 @@
 #include "src/tech/frame.h"
 #include "src/tech/tonemap.h"
 
-static rg_record_fn record_surround, record_left, record_right;
-static rg_when_fn is_exact, is_scaled, is_split, is_split_scaled;
+static rg_record_fn record_scaled, record_left, record_right;
+static rg_when_fn is_exact, is_split, is_split_scaled;
 
 const struct rg_image present_window = {
     .name = "present.window",
@@ -28,12 +28,13 @@ const struct rg_image present_right = {
 
 static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
     {
-        .name = "present.surround",
+        .name = "present.scaled",
         .color = RG_TARGETS({ &present_window, RG_LOAD_DISCARD }),
+        .uses = PICTURE(frame_display),
         .vert = &screen_vert,
-        .frag = &present_surround_frag,
+        .frag = &present_scaled_frag,
         .push_size = sizeof(struct present_push),
-        .record = record_surround,
+        .record = record_scaled,
     },
     {
         .name = "present.screen",
@@ -44,16 +45,6 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
         .push_size = sizeof(struct present_push),
         .record = record_left,
         .when = is_exact,
-    },
-    {
-        .name = "present.scaled",
-        .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
-        .uses = PICTURE(frame_display),
-        .vert = &screen_vert,
-        .frag = &present_scaled_frag,
-        .push_size = sizeof(struct present_push),
-        .record = record_left,
-        .when = is_scaled,
     },
     {
         .name = "present.split",
@@ -82,30 +73,6 @@ static bool has_line(const struct rg_frame *frame)
     return frame->window->present.line != PRESENT_NO_LINE;
 }
 
-static void fill(struct rg_cmd *cmd, VkRect2D place, uint32_t color)
-{
-    const struct present_push push = { .surround = color };
-    if (!place.extent.width || !place.extent.height)
-        return;
-    rg_cmd_scissor(cmd, place);
-    rg_cmd_push(cmd, &push, sizeof(push));
-    rg_cmd_draw(cmd, 3);
-}
-
-/* All that the picture does not cover. */
-static void record_surround(struct rg_cmd *cmd, const struct rg_frame *frame)
-{
-    const struct window_frame *w = frame->window;
-    const struct layout *l = &w->layout;
-    const VkExtent2D room = l->picture.extent;
-    fill(cmd, l->bar, w->panel);
-    fill(cmd, l->panel, w->panel);
-    fill(cmd, l->strip, w->panel);
-    fill(cmd, l->status, w->panel);
-    if (room.width != w->present.width || room.height != w->present.height)
-        fill(cmd, l->picture, w->present.surround);
-}
-
 /* Draws columns of the shown picture. */
 static void record(struct rg_cmd *cmd, const struct present_push *push, uint32_t from, uint32_t to)
 {
@@ -123,6 +90,29 @@ static void record_left(struct rg_cmd *cmd, const struct rg_frame *frame)
     const uint32_t to = push.line < push.width ? push.line : push.width;
     push.line = PRESENT_NO_LINE;
     record(cmd, &push, 0, to);
+}
+
+/* The picture has the shape of its part of the window, or something around it. */
+static bool is_boxed(const struct window_frame *w)
+{
+    const VkExtent2D room = w->layout.picture.extent;
+    return room.width != w->present.width || room.height != w->present.height;
+}
+
+/* What is around the picture, too: on llvmpipe a pass on an image as large as the window takes
+ * 2 ms, even if it draws nothing. Where the picture is exact, that is all. */
+static void record_scaled(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    struct present_push push = frame->window->present;
+    if (!is_boxed(frame->window)) {
+        if (!is_exact(frame, 0))
+            record_left(cmd, frame);
+        return;
+    }
+    push.line = PRESENT_NO_LINE;
+    rg_cmd_scissor(cmd, frame->window->layout.picture);
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw(cmd, 3);
 }
 
 static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -143,11 +133,6 @@ static bool is_exact(const struct rg_frame *frame, uint32_t repetition)
     const struct present_push *p = &frame->window->present;
     (void)repetition;
     return has_size(frame, p->texel_columns, p->texel_rows);
-}
-
-static bool is_scaled(const struct rg_frame *frame, uint32_t repetition)
-{
-    return !is_exact(frame, repetition);
 }
 
 static bool is_split(const struct rg_frame *frame, uint32_t repetition)

@@ -18,14 +18,16 @@ struct overlay_list;
 /* What the techniques of a window read: rg_frame.window. */
 struct window_frame {
     struct present_push present;
-    struct layout layout;               /* what `present.surround` and `panel` are behind */
-    uint32_t panel;                     /* colour behind panels, 0xRRGGBB, sRGB-encoded */
-    const struct overlay_list *overlay; /* src/view/overlay_list.h; NULL: nothing lies over it */
-    uint32_t right_columns, right_rows; /* of the right picture, texels */
+    struct layout layout;
+    const struct overlay_list *overlay;    /* src/view/overlay_list.h; NULL: nothing lies over it */
+    bool keeps_panels;                     /* what is docked is copied from an image: */
+    bool panels_are_old;                   /* which has another list */
+    const struct rg_image *panels, *shown; /* that image, and the window's; with keeps_panels */
+    uint32_t right_columns, right_rows;    /* of the right picture, texels */
 };
 
 enum {
-    PRESENT_PASS_COUNT = 5,
+    PRESENT_PASS_COUNT = 4,
 };
 
 /* Points into itself: must not move. */

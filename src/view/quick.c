@@ -1,23 +1,28 @@
 /* quick.c: renderers for movements. */
 #include "src/view/quick.h"
+#include <math.h>
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/settings/quality.h"
 
-/* What a movement has less than a draft. */
+/* What a movement has less than a draft, from a level on. */
 static const struct {
     const char *setting;
     double value;
-    bool is_bare; /* only where it would be too slow else */
+    enum quick_level level;
 } rows[] = {
-    { "ice_interval.count", 1.0, false }, /* cracks end behind the first part of the ice */
-    { "refract_bounce.margin", 0.0, false },
-    { "air.count", 0.0, true }, /* the scene keeps its own */
-    { "cracks.count", 0.0, true },
+    { "ice_interval.count", 1.0, QUICK_WHOLE }, /* cracks end behind the first part of the ice */
+    { "refract_bounce.margin", 0.0, QUICK_WHOLE },
+    { "refract_bounce.count", 2.0, QUICK_WHOLE },
+    { "refract_bounce.steps", 4.0, QUICK_WHOLE },
+    { "refract_bounce.halvings", 4.0, QUICK_WHOLE },
+    { "air.count", 0.0, QUICK_BARE }, /* the scene keeps its own */
+    { "cracks.count", 0.0, QUICK_BARE },
+    { "bump.strength", 0.0, QUICK_SMOOTH },
 };
 
 static const VkExtent2D small = { 32, 24 }; /* enough for a driver to compile */
-static const double most_seconds = 0.018;   /* of a picture in half the size, for 30 a second */
+static const double most_seconds = 0.016;   /* of a picture in half the size, for 30 a second */
 
 /* ---- settings ---- */
 
@@ -33,7 +38,7 @@ static bool is_of_level(const struct settings *settings, const struct quality_ro
     return false;
 }
 
-struct settings quick_settings(const struct settings *settings, bool is_bare)
+struct settings quick_settings(const struct settings *settings, enum quick_level level)
 {
     struct settings quick = *settings;
     for (const struct quality_row *row = quality_rows; row->setting; row++) {
@@ -41,8 +46,9 @@ struct settings quick_settings(const struct settings *settings, bool is_bare)
             quality_put(&quick, row, 0);
     }
     for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
-        if (is_bare || !rows[i].is_bare)
-            settings_put(&quick, settings_find(rows[i].setting), rows[i].value);
+        const struct setting *row = settings_find(rows[i].setting);
+        if (level >= rows[i].level)
+            settings_put(&quick, row, fmin(settings_get(&quick, row), rows[i].value));
     }
     return quick;
 }
@@ -85,8 +91,8 @@ static bool take_settings(struct quick *q, const struct quick_params *p)
 {
     const struct settings left = q->settings;
     const struct settings right = q->right_settings;
-    q->settings = quick_settings(p->left.settings, q->is_bare);
-    q->right_settings = quick_settings(p->right.settings, q->is_bare);
+    q->settings = quick_settings(p->left.settings, q->level);
+    q->right_settings = quick_settings(p->right.settings, q->level);
     return settings_changed(&left, &q->settings) >= SETTING_AFFECTS_PLAN ||
            (p->is_split && settings_changed(&right, &q->right_settings) >= SETTING_AFFECTS_PLAN);
 }
@@ -113,12 +119,12 @@ static enum status try(struct quick *q, const struct renderer_shot *shot, VkExte
 }
 
 static enum status make(struct quick *q, const struct quick_params *p,
-                        const struct renderer_shot *shot, bool is_bare)
+                        const struct renderer_shot *shot, enum quick_level level)
 {
     const VkExtent2D half = { p->left.width / 2 + 1, p->left.height / 2 + 1 };
     const VkExtent2D least = { half.width < small.width ? half.width : small.width,
                                half.height < small.height ? half.height : small.height };
-    q->is_bare = is_bare;
+    q->level = level;
     (void)take_settings(q, p);
     enum status status = fit_all(q, p);
     if (status == STATUS_OK)
@@ -133,9 +139,9 @@ static enum status make(struct quick *q, const struct quick_params *p,
 enum status quick_make(struct quick *q, const struct quick_params *p,
                        const struct renderer_shot *shot)
 {
-    enum status status = make(q, p, shot, false);
-    if (status == STATUS_OK && q->seconds > most_seconds)
-        status = make(q, p, shot, true);
+    enum status status = make(q, p, shot, QUICK_WHOLE);
+    while (status == STATUS_OK && q->seconds > most_seconds && q->level < QUICK_SMOOTH)
+        status = make(q, p, shot, q->level + 1);
     return status == STATUS_OK ? status : give_up(q, status);
 }
 

@@ -1,7 +1,7 @@
 /*
  * quick.h: what draws a picture while something moves: renderers of its scene and rungs with the
  * settings of --quality draft, and fewer still (quick_settings()); where that is too slow in half
- * the size, without cracks and air, too.
+ * the size, without cracks and air, and then without bumps, too.
  *
  * They are made after the first picture, or once it is still, so the first movement finds them, and
  * follow its settings, size and rungs when they are drawn with. A picture that takes no longer than
@@ -21,20 +21,27 @@ struct quick_params {
     uint64_t version; /* of the picture: another one whenever its renderers are */
 };
 
+/* What is left out. */
+enum quick_level {
+    QUICK_WHOLE,  /* nothing that can be seen well */
+    QUICK_BARE,   /* cracks and air */
+    QUICK_SMOOTH, /* bumps, too */
+};
+
 struct quick {
     struct renderer *left, *right; /* NULL: none */
     struct settings settings;      /* that `left` draws with */
     struct settings right_settings;
     uint64_t version; /* of the picture that they were made for */
-    bool is_bare;     /* without cracks and air */
-    double seconds;   /* that a picture of half the size took when they were made */
-    bool is_off;      /* movements have all that the picture has, and its size */
-    bool failed;      /* there was no memory for them */
+    enum quick_level level;
+    double seconds; /* that a picture of half the size took when they were made */
+    bool is_off;    /* movements have all that the picture has, and its size */
+    bool failed;    /* there was no memory for them */
 };
 
 /* What a moving picture has of these settings: what levels of quality decide is that of `draft`,
  * unless it is a value that no level has, which somebody has chosen. */
-struct settings quick_settings(const struct settings *settings, bool is_bare);
+struct settings quick_settings(const struct settings *settings, enum quick_level level);
 
 /* Makes them and draws pictures that nobody sees: so that the driver compiles, and to see how long
  * they take. Without memory for them there are none, which is no failure. */

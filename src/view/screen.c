@@ -21,7 +21,7 @@ enum status screen_init(struct screen *s, struct gpu *gpu, VkSurfaceKHR surface,
     *s = (struct screen){ .gpu = gpu };
     const enum status status = gpu_swapchain_init(gpu, &s->swapchain, surface, mode);
     present_tables_init(&s->tables, s->swapchain.format);
-    overlay_tables_init(&s->overlay, &s->tables.window);
+    overlay_tables_init(&s->overlay, &s->tables.window, s->swapchain.copies);
     return status;
 }
 
@@ -182,6 +182,7 @@ enum status screen_connect(struct screen *s, const struct screen_picture *pictur
     }
     rg_plan_destroy(s->plan);
     s->plan = plan;
+    s->panels_version = 0;
     s->shown = *picture;
     return STATUS_OK;
 }
@@ -220,6 +221,10 @@ enum status screen_end(struct screen *s, const struct window_frame *shown)
     struct window_frame window = *shown;
     window.right_columns = s->shown.right_extent.width;
     window.right_rows = s->shown.right_extent.height;
+    window.keeps_panels = chain->copies;
+    window.panels_are_old = window.overlay && window.overlay->version != s->panels_version;
+    window.panels = &s->overlay.panels;
+    window.shown = &s->tables.window;
     const struct rg_frame frame = { .window = &window };
     const struct rg_exec_external_sync sync = {
         .image_index = s->index,
@@ -227,6 +232,8 @@ enum status screen_end(struct screen *s, const struct window_frame *shown)
         .signal = chain->drawn[s->index],
     };
     enum status status = gpu_status(rg_exec_submit_synced(s->exec, &frame, &sync));
+    if (status == STATUS_OK && window.overlay)
+        s->panels_version = window.overlay->version;
     const double start = clock_seconds();
     if (status == STATUS_OK)
         status = gpu_swapchain_present(s->gpu, &s->swapchain, s->index);

@@ -32,6 +32,7 @@ struct screen {
     VkExtent2D size; /* of the window, that it was made for */
     struct present_tables tables;
     struct overlay_tables overlay;
+    uint32_t panels_version;      /* of the list in overlay.panels; 0: none */
     const struct gpu_image *font; /* of what lies over the picture; NULL: nothing */
     struct screen_picture shown;  /* while it is connected */
     struct rg_plan *plan;

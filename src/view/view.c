@@ -322,7 +322,6 @@ struct window_frame view_window(const struct view *v, const struct overlay_list 
     return (struct window_frame){
         .present = v->place,
         .layout = v->layout,
-        .panel = theme_at(v->theme)->panel,
         .overlay = list,
     };
 }

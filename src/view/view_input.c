@@ -132,6 +132,8 @@ static void use_wish(struct view *v, const struct ui_wish *wish)
 
 void view_run_ui(struct view *v, VkExtent2D size)
 {
+    if (ui_may_wait(v->ui, v->now))
+        return;
     struct ui_wish wish;
     char left[VIEW_SIDE_SIZE];
     char right[VIEW_SIDE_SIZE];

@@ -181,7 +181,7 @@ class Panels(PanelsCase):
         rungs = [name for name in self.names('rungs') if name != 'reference']
         wait_until('buttons of rungs', lambda: all(map(self.control, rungs)), self.words)
         shown = self.at_rest(window)
-        self.assertGreater(self.control('paper')[3], 30)  # rows of pixels; a line of text has 15
+        self.assertGreater(self.control('paper')[3], 25)  # rows of pixels; a line of text has 15
         parts = {self.picture_of(shown, 305, left + 4, top + 4, width - 8, 24)
                  for left, top, width, _ in map(self.control, rungs)}
         self.assertEqual(len(parts), len(rungs))

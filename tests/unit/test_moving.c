@@ -90,18 +90,25 @@ static void movements_are_drafts(void **state)
     for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
         for (const struct quality_row *row = quality_rows; row->setting; row++)
             quality_put(&settings, row, level);
-        struct settings quick = quick_settings(&settings, false);
+        struct settings quick = quick_settings(&settings, QUICK_WHOLE);
         assert_int_equal(quality_of(&quick), 0);
         assert_true(value_of(&quick, "cracks.count") == value_of(&settings, "cracks.count"));
-        quick = quick_settings(&settings, true);
+        quick = quick_settings(&settings, QUICK_BARE);
         assert_true(value_of(&quick, "cracks.count") == 0.0);
         assert_true(value_of(&quick, "air.count") == 0.0);
+        assert_true(value_of(&quick, "bump.strength") > 0.0);
+        quick = quick_settings(&settings, QUICK_SMOOTH);
+        assert_true(value_of(&quick, "bump.strength") == 0.0);
     }
     /* what no level has, somebody has chosen */
     settings_put(&settings, settings_find("env_cube.size"), 333.0);
-    const struct settings quick = quick_settings(&settings, true);
+    const struct settings quick = quick_settings(&settings, QUICK_SMOOTH);
     assert_true(value_of(&quick, "env_cube.size") == 333.0);
     assert_int_equal(quality_of(&quick), QUALITY_COUNT);
+    /* a movement never has more than the picture */
+    settings_put(&settings, settings_find("refract_bounce.count"), 1.0);
+    const struct settings less = quick_settings(&settings, QUICK_WHOLE);
+    assert_true(value_of(&less, "refract_bounce.count") == 1.0);
 }
 
 int main(void)

@@ -112,7 +112,7 @@ struct imgui_place {
 };
 
 enum imgui_panel {
-    IMGUI_DOCKED, /* beside the picture; what is behind it is drawn by `present` */
+    IMGUI_DOCKED, /* beside the picture */
     IMGUI_LABEL,  /* over the picture */
     IMGUI_OVER,   /* over all others, with a border; a line of text in it has the keys */
 };

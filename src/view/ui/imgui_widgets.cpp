@@ -27,8 +27,6 @@ void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_place p
 {
     ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
-    if (kind == IMGUI_DOCKED)
-        flags |= ImGuiWindowFlags_NoBackground;
     if (kind != IMGUI_OVER)
         flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
     ImGui::SetNextWindowPos(position(place));

@@ -12,7 +12,8 @@ enum {
     SETTLE_COUNT = 3, /* frames after an event until nothing moves any more */
 };
 
-static const float click_reach = 3.0f; /* pixels; farther it is a drag */
+static const double drag_seconds = 0.25; /* between frames while the picture is dragged */
+static const float click_reach = 3.0f;   /* pixels; farther it is a drag */
 
 /* ---- life ---- */
 
@@ -97,6 +98,16 @@ void ui_show(struct ui *ui, bool shown)
 bool ui_is_shown(const struct ui *ui)
 {
     return ui->shown;
+}
+
+bool ui_drags_picture(const struct ui *ui)
+{
+    return ui->shown && ui->buttons && !ui->grabbed;
+}
+
+bool ui_may_wait(const struct ui *ui, double now)
+{
+    return ui_drags_picture(ui) && !ui_is_busy(ui) && now - ui->last < drag_seconds;
 }
 
 bool ui_is_busy(const struct ui *ui)
@@ -266,11 +277,16 @@ bool ui_hear(void *user, const struct window_event *event)
     }
     if (!ui->shown)
         return false;
+    if (event->kind == WINDOW_CURSOR && ui_drags_picture(ui))
+        return false; /* it hears where that ends */
     ui->settle = SETTLE_COUNT;
     if (event->kind == WINDOW_KEY)
         return hear_palette(ui, event) || hear_key(ui, event);
     if (event->kind == WINDOW_CHARACTER)
         return hear_character(ui, event);
+    if (ui_drags_picture(ui))
+        ui_input_add(&ui->input,
+                     &(struct window_event){ .kind = WINDOW_CURSOR, .x = ui->x, .y = ui->y });
     ui_input_add(&ui->input, event);
     if (event->kind == WINDOW_BUTTON)
         return hear_button(ui, event);
@@ -367,6 +383,8 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     input->height = (float)view->size.height;
     ui->last = view->now;
     measure(ui, view);
+    ui->picture = view->layout->picture;
+    ui->list.version += ui->list.version == UINT32_MAX ? 2 : 1;
     imgui_begin(ui->imgui, input);
     ui_panels(ui, view, wish);
     imgui_end(ui->imgui);
@@ -375,12 +393,39 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     write_dump(ui);
 }
 
+/* Whether no triangle of a part reaches into the picture; those of panels are upright. */
+static bool is_beside(const struct ui *ui, const struct overlay_part *part,
+                      const struct overlay_vertex *vertices, const uint32_t *indices)
+{
+    float left = INFINITY, top = INFINITY, right = -INFINITY, bottom = -INFINITY;
+    for (uint32_t i = 0; i < part->index_count; i++) {
+        const struct overlay_vertex *v = &vertices[indices[part->first_index + i]];
+        left = fminf(left, v->x);
+        top = fminf(top, v->y);
+        right = fmaxf(right, v->x);
+        bottom = fmaxf(bottom, v->y);
+    }
+    const VkRect2D *p = &ui->picture;
+    left = fmaxf(left, (float)part->left);
+    top = fmaxf(top, (float)part->top);
+    right = fminf(right, (float)part->left + (float)part->width);
+    bottom = fminf(bottom, (float)part->top + (float)part->height);
+    return right <= (float)p->offset.x || bottom <= (float)p->offset.y ||
+           left >= (float)p->offset.x + (float)p->extent.width ||
+           top >= (float)p->offset.y + (float)p->extent.height;
+}
+
 const struct overlay_list *ui_take(struct ui *ui, struct overlay_vertex *vertices,
                                    uint32_t *indices)
 {
+    struct overlay_list *list = &ui->list;
+    list->docked_count = 0;
     if (!ui->shown)
-        ui->list.part_count = 0;
-    const bool whole = !ui->shown || imgui_take(ui->imgui, vertices, indices, &ui->list);
+        list->part_count = 0;
+    const bool whole = !ui->shown || imgui_take(ui->imgui, vertices, indices, list);
+    while (list->docked_count < list->part_count &&
+           is_beside(ui, &list->parts[list->docked_count], vertices, indices))
+        list->docked_count++;
     if (!whole && !ui->is_full)
         log_warning("the panels exceed the vertex limit: the rest is not drawn");
     ui->is_full = ui->is_full || !whole;

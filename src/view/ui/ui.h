@@ -36,6 +36,11 @@ bool ui_is_shown(const struct ui *ui);
 /* Shown, and not yet up to date with what hands did. */
 bool ui_is_busy(const struct ui *ui);
 
+/* A hand has taken hold of the picture, and of no panel. Then all panels say is how long a frame
+ * takes: whether the last frame of theirs is new enough for that. */
+bool ui_drags_picture(const struct ui *ui);
+bool ui_may_wait(const struct ui *ui, double now);
+
 /* Another size of all there is. ui_font() is another one afterwards: nothing may use it. */
 MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 

@@ -7,7 +7,7 @@ enum {
     BUTTON_MAX = 8, /* values without pictures; more are a list */
 };
 
-static const float cell_width = 68.0f; /* of a picture with its margins, at least; at scale 1 */
+static const float cell_width = 63.0f; /* of a picture with its margins, at least; at scale 1 */
 static const float cell_gap = 6.0f;
 
 /* What a row begins with; what a hand changes begins at `x`. */

@@ -24,7 +24,8 @@ struct ui {
     struct ui_pace pace;
     struct ui_times frame_times, right_times, window_times;
     struct overlay_list list;
-    double last; /* when the last frame began, seconds; 0: there was none */
+    VkRect2D picture; /* of the last frame: what is not docked is over it */
+    double last;      /* when the last frame began, seconds; 0: there was none */
     bool shown, keys_open, palette_open;
     bool focus_palette, palette_entered; /* in the next frame */
     bool release;                        /* at the end of this one keys are the picture's */

@@ -43,7 +43,7 @@ static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 static void make_tables(struct shot *s)
 {
     present_tables_init(&s->present, VK_FORMAT_R8G8B8A8_UNORM);
-    overlay_tables_init(&s->overlay, &s->present.window);
+    overlay_tables_init(&s->overlay, &s->present.window, false);
     s->uses[0] = (struct rg_use){ .image = &s->present.window, .access = RG_COPY_SRC };
     s->uses[1] = (struct rg_use){ .buffer = &pixels, .access = RG_COPY_DST };
     s->passes[0] = (struct rg_pass){
