@@ -70,11 +70,13 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
 #endif
 #ifdef REFRACT_CLOUD
     float straight = 1.0;
-    vec3 scattered = refract_cloud(way.point, normalize(way.dir), 1e30, straight);
+    vec3 scattered = refract_cloud(frame.cloud, way.point, normalize(way.dir), 1e30, straight);
     light = straight * light + scattered;
 #endif
     return light;
 }
+#elif defined(REFRACT_NESTED)
+#include "refract_nested.glsl"
 #else
 #include "refract_exits.glsl"
 #endif

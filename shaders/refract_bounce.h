@@ -8,6 +8,7 @@ struct refract_bounce_params {
     uint32_t exits;  /* faces through which a ray's light leaves, at most */
     float least;     /* share of a ray's light that is followed beyond its first exit, at least */
     uint32_t margin; /* 1: the wide maps are read where the object leaves the picture */
+    uint32_t nested; /* 1: the maps of ice_nested.h are read where objects are in others */
 };
 
 #endif

@@ -74,7 +74,7 @@ void exits_next(march_space space, float inverse_eta, bool is_weak, inout exits_
         float t = march_seek(space, ray.way.point, ray.way.dir, hidden, near_front, jumps);
 #ifdef REFRACT_CLOUD
         ray.scattered += exp(-refract_frame.absorb * ray.way.path) *
-                         refract_cloud(ray.way.point, ray.way.dir, t, ray.straight);
+                         refract_cloud(frame.cloud, ray.way.point, ray.way.dir, t, ray.straight);
 #endif
         ray.way.point += t * ray.way.dir;
         ray.way.path += t;

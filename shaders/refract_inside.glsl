@@ -6,6 +6,7 @@
  */
 #ifndef REFRACT_INSIDE_GLSL
 #define REFRACT_INSIDE_GLSL
+#include "refract_ends.glsl"
 #include "refract_maps.glsl"
 #include "refract_march.h"
 
@@ -55,8 +56,6 @@ march_space march_space_of_frame()
 /* A ray begins this far from its surface, in bounding radii, because texels are coarse. */
 const float march_start = 0.02;
 
-const float march_beside = -1e30; /* room of a point beside the silhouette */
-
 /*
  * Returns the room of a point: its distance before the back faces, x, and behind the front faces,
  * y, below 0 outside. The unit is stored depth times w, which is linear along a ray where the face
@@ -97,14 +96,6 @@ float march_room(march_space space, vec3 point, vec3 dir)
     return sqrt(max(middle * middle - outside, 0.0)) - middle;
 }
 
-/* Two points of a ray, between which it leaves. */
-struct march_ends {
-    float within, beyond;
-    float room_within; /* 0: not known */
-    float room_beyond;
-    bool near_front; /* at `within` */
-};
-
 /*
  * Finds the step that goes outside. A ray that is hidden begins behind a face that it has not
  * crossed: its points count as inside until one is between the faces again, or beside them. Two
@@ -141,16 +132,6 @@ march_ends march_step_outside(march_space space, vec4 from, vec4 way, float firs
             break;
     }
     return ends;
-}
-
-/* Returns the point a little before that at which linearly interpolated room is 0, or the middle if
- * the room is not known. */
-float march_divide(march_ends ends, float exact)
-{
-    bool known =
-        ends.room_within > 0.0 && ends.room_beyond < 0.0 && ends.room_beyond > march_beside;
-    float share = known ? ends.room_within / (ends.room_within - ends.room_beyond) : 0.5;
-    return mix(ends.within, ends.beyond, share) - (known ? 0.25 * exact : 0.0);
 }
 
 /*

@@ -14,6 +14,7 @@
 #include "src/tech/bump.h"
 #include "src/tech/cracks.h"
 #include "src/tech/frame_media.h"
+#include "src/tech/ice_nested.h"
 #include "src/tech/refract.h"
 #include "src/tech/refract_bounce.h"
 #include "src/tech/refract_trace.h"
@@ -46,6 +47,23 @@ static bool has_second_set(const struct material *material)
     return false;
 }
 
+/* Returns the number of objects that are not alone in another one, or in more others than `bounce`
+ * follows light into: of these it draws what the eye could see of them without the outer ones. */
+static uint32_t count_hidden(const struct model *model)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        uint32_t depth = 0, beside = 0;
+        for (uint32_t k = i; model->objects[k].within; k = model->objects[k].within - 1)
+            depth++;
+        for (uint32_t k = 0; k < model->object_count && object->within; k++)
+            beside += k != i && model->objects[k].within == object->within;
+        count += beside || depth >= ICE_NESTED_LEVELS;
+    }
+    return count;
+}
+
 /* Returns the number of objects in the box of another one: the rungs draw the outer one alone. */
 static uint32_t count_inside(const struct model *model)
 {
@@ -68,7 +86,7 @@ static void add_count(char *words, size_t size, uint32_t count, const char *name
 }
 
 /* Writes what only the rung trace and the reference make of a scene's own materials: "1 rough". */
-static void name_undrawn(const struct scene *scene, char *words, size_t size)
+static void name_undrawn(const struct scene *scene, bool is_nested, char *words, size_t size)
 {
     static const struct {
         const char *name;
@@ -86,7 +104,10 @@ static void name_undrawn(const struct scene *scene, char *words, size_t size)
             count += kinds[k].is_there(&model->materials[model->objects[i].material]);
         add_count(words, size, count, kinds[k].name);
     }
-    add_count(words, size, count_inside(model), "inside others");
+    if (is_nested)
+        add_count(words, size, count_hidden(model), "inside others that may hide each other");
+    else
+        add_count(words, size, count_inside(model), "inside others");
 }
 
 static void warn_of_materials(const struct app_picture *picture, const struct scene *scene)
@@ -94,7 +115,9 @@ static void warn_of_materials(const struct app_picture *picture, const struct sc
     char words[160];
     if (!picture->rung->rung.rows || picture->rung->rung.meets_tree)
         return;
-    name_undrawn(scene, words, sizeof(words));
+    const bool is_nested = picture->rung == &refract_bounce &&
+                           refract_bounce_is_nested(&picture->scene.settings, scene);
+    name_undrawn(scene, is_nested, words, sizeof(words));
     if (words[0])
         log_warning("%s: drawn as smooth solids, each by itself: of %u objects %s; "
                     "--refraction trace draws what they are",
@@ -164,7 +187,7 @@ static void name_reason(const struct scene *scene, bool is_inside, char *words, 
     else if (holds_surroundings(model))
         snprintf(words, size, "something is inside its object");
     else
-        name_undrawn(scene, undrawn, sizeof(undrawn));
+        name_undrawn(scene, false, undrawn, sizeof(undrawn));
     if (undrawn[0])
         snprintf(words, size, "bounce leaves out what it has: %s", undrawn);
 }

@@ -264,7 +264,8 @@ static bool keep_common(struct frame_list *list)
 
 static bool add_all(struct frame_list *list, const struct technique_choice *choice)
 {
-    const bool are_many = choice->object_count > 1 && choice->rung && !choice->rung->rung.is_whole;
+    const bool are_many = (choice->object_count > 1 || choice->is_nested) && choice->rung &&
+                          !choice->rung->rung.is_whole;
     bool done = true;
     for (int i = 0; i < PHASE_COUNT && done; i++) {
         const enum technique_phase phase = (enum technique_phase)i;
@@ -280,8 +281,9 @@ static bool add_all(struct frame_list *list, const struct technique_choice *choi
 
 enum status frame_list_init(struct frame_list *list, const struct technique_choice *choice)
 {
-    const size_t object_count = choice->object_count > 1 ? 3 * (size_t)choice->object_count : 1;
-    *list = (struct frame_list){ .small.builder = &list->builder };
+    const size_t object_count =
+        choice->object_count > 1 || choice->is_nested ? 3 * (size_t)choice->object_count : 1;
+    *list = (struct frame_list){ .small.builder = &list->builder, .is_nested = choice->is_nested };
     /* target.scale at most doubles them. */
     list->parts = calloc(2 * techniques_count * TECHNIQUE_PART_COUNT * object_count + 1,
                          sizeof(*list->parts));

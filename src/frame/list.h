@@ -23,6 +23,7 @@ struct frame_list {
     size_t count;
     struct frame_list_object *objects; /* three for each object; empty for a single one */
     size_t object_count;
+    bool is_nested; /* objects are those that are within no other one */
     bool are_local; /* the rows of all objects but the first draw only where rays look them up */
     struct row_builder builder;
     struct small_images small;

@@ -44,20 +44,26 @@ static int farthest_first(const void *a, const void *b)
     return x->object < y->object ? -1 : 1;
 }
 
-static void sort(struct frame_object_distance *order, const struct frame_view *view,
-                 const struct globals *globals)
+/* Sorts the scene's objects or, if `is_nested`, those that are within no other one. Returns how
+ * many there are. */
+static uint32_t sort(struct frame_object_distance *order, const struct frame_view *view,
+                     const struct globals *globals, bool is_nested)
 {
     const struct model *model = &view->scene->model;
+    uint32_t count = 0;
     for (uint32_t i = 0; i < model->object_count; i++) {
+        if (is_nested && model->objects[i].within)
+            continue;
         const vec3s middle =
             glms_mat4_mulv3(globals->world_from_object, box_center(model->objects[i].box), 1.0f);
-        order[i] = (struct frame_object_distance){
+        order[count++] = (struct frame_object_distance){
             .distance = view->camera.height > 0.0f ? glms_vec3_dot(middle, globals->forward)
                                                    : glms_vec3_distance(middle, view->camera.eye),
             .object = i,
         };
     }
-    qsort(order, model->object_count, sizeof(*order), farthest_first);
+    qsort(order, count, sizeof(*order), farthest_first);
+    return count;
 }
 
 static bool overlap(VkRect2D a, VkRect2D b)
@@ -141,7 +147,7 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
     drawn.height = size.height;
     if (!objects->count)
         return;
-    sort(objects->order, view, globals);
+    const uint32_t count = sort(objects->order, view, globals, list->is_nested);
     for (size_t i = 0; i < objects->count; i++) {
         const struct frame_list_object *rows = &list->objects[i];
         const uint32_t index = objects->order[rows->place].object;
@@ -166,5 +172,5 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
                 frame_view_box_area(view, &own, object->box, size, LOOKUP_ROOM);
     }
     if (list->are_local)
-        make_layers(objects->all, view->scene->model.object_count);
+        make_layers(objects->all, count);
 }

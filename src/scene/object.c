@@ -13,6 +13,7 @@ struct contender {
     int64_t priority; /* INT64_MIN: none is stated */
     uint32_t depth;   /* number of shells around it */
     uint32_t holder;  /* the innermost of them, + 1; 0: none */
+    uint32_t within;  /* likewise, of those whose cavity it may be in */
 };
 
 struct mesh object_part(const struct object *object, const struct mesh *mesh)
@@ -37,14 +38,22 @@ struct box object_box(const struct object *object, const struct mesh *mesh)
     return box;
 }
 
-/* Whether all corners of a part are inside the shell. */
-static bool encloses(const struct solid *shell, const struct mesh *part)
+/* Whether all corners of a part are inside the shell, or surrounded by it. */
+static bool encloses(const struct solid *shell, const struct mesh *part,
+                     bool (*holds)(const struct solid *shell, vec3s point))
 {
     for (uint32_t i = 0; i < part->index_count; i++) {
-        if (!solid_contains(shell, part->vertices[part->indices[i]].position))
+        if (!holds(shell, part->vertices[part->indices[i]].position))
             return false;
     }
     return true;
+}
+
+/* Makes object `k` the innermost one, + 1, of those found, if it is. */
+static void note_innermost(const struct object *objects, uint32_t k, uint32_t *innermost)
+{
+    if (!*innermost || box_contains(&objects[*innermost - 1].box, &objects[k].box))
+        *innermost = k + 1;
 }
 
 /* Notes each object within the shell of object `k`. Returns false when out of memory. */
@@ -61,12 +70,13 @@ static bool find_enclosed(struct contender *contenders, const struct object *obj
             return false;
         is_made = true;
         const struct mesh part = object_part(&objects[i], mesh);
-        if (!encloses(&solid, &part))
+        if (!encloses(&solid, &part, solid_surrounds))
             continue;
-        const uint32_t holder = contenders[i].holder;
+        note_innermost(objects, k, &contenders[i].within);
+        if (!encloses(&solid, &part, solid_contains))
+            continue;
         contenders[i].depth++;
-        if (!holder || box_contains(&objects[holder - 1].box, &objects[k].box))
-            contenders[i].holder = k + 1;
+        note_innermost(objects, k, &contenders[i].holder);
     }
     solid_finish(&solid);
     return true;
@@ -104,10 +114,18 @@ enum status object_rank_all(struct object *objects, uint32_t count, const struct
         for (uint32_t i = 0; i < count; i++) {
             const uint32_t holder = contenders[i].holder;
             objects[contenders[i].object].holder = holder ? objects[holder - 1].rank : 0;
+            objects[contenders[i].object].within = contenders[i].within;
         }
     }
     free(contenders);
     return done ? STATUS_OK : log_out_of_memory("objects");
+}
+
+uint32_t object_outermost(const struct object *objects, uint32_t index)
+{
+    while (objects[index].within)
+        index = objects[index].within - 1;
+    return index;
 }
 
 bool object_is_closed(const struct object *object, const struct mesh *mesh)

@@ -18,6 +18,8 @@ struct object {
     uint32_t rank;     /* where shells overlap, the medium of the greatest rank is there; no two
                           objects have the same, and none has 0, the outside's */
     uint32_t holder;   /* rank of the innermost shell that all of this one is inside; 0: none */
+    uint32_t within;   /* 1 + index of the innermost object all around this one, which may be in a
+                          cavity of it; 0: none */
 };
 
 /* Returns a mesh that borrows all vertices, and the object's triangles, of the mesh of all
@@ -34,6 +36,9 @@ struct box object_box(const struct object *object, const struct mesh *mesh);
  */
 MUST_USE enum status object_rank_all(struct object *objects, uint32_t count,
                                      const struct mesh *mesh, const struct material *materials);
+
+/* Returns the index of the object that is around `index` and within no other one. */
+uint32_t object_outermost(const struct object *objects, uint32_t index);
 
 /* Returns whether the area vectors of an object's triangles add up to nothing, as those of closed
  * shells do. */

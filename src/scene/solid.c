@@ -105,7 +105,9 @@ static double side_of(vec3s a, vec3s b, vec3s p)
     return swap ? -area : area;
 }
 
-static bool is_above(const struct mesh *mesh, uint32_t index, vec3s p)
+/* Returns whether the vertical line through a point meets a triangle: 0, or above the point 1, else
+ * -1. */
+static int side_of_point(const struct mesh *mesh, uint32_t index, vec3s p)
 {
     vec3s v[3];
     double w[3];
@@ -116,25 +118,42 @@ static bool is_above(const struct mesh *mesh, uint32_t index, vec3s p)
     for (int k = 0; k < 3; k++) {
         w[k] = side_of(v[(k + 1) % 3], v[(k + 2) % 3], p);
         if (w[k] * w[0] < 0.0)
-            return false;
+            return 0;
         sum += w[k];
     }
     for (int k = 0; k < 3; k++)
         y += w[k] / sum * (double)v[k].y;
-    return y > (double)p.y;
+    return y > (double)p.y ? 1 : -1;
+}
+
+/* Counts the triangles below, 0, and above a point, 1. */
+static void count_sides(const struct solid *s, vec3s point, uint32_t counts[static 2])
+{
+    counts[0] = counts[1] = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        if (!(point.raw[axis] >= s->box.min.raw[axis] && point.raw[axis] <= s->box.max.raw[axis]))
+            return;
+    }
+    uint32_t at = column_of(s, point.z, 2) * s->side + column_of(s, point.x, 0);
+    for (uint32_t i = s->first[at]; i < s->first[at + 1]; i++) {
+        const int side = side_of_point(s->mesh, s->triangles[i], point);
+        if (side)
+            counts[side > 0]++;
+    }
 }
 
 bool solid_contains(const struct solid *s, vec3s point)
 {
-    bool inside = false;
-    for (int axis = 0; axis < 3; axis++) {
-        if (!(point.raw[axis] >= s->box.min.raw[axis] && point.raw[axis] <= s->box.max.raw[axis]))
-            return false;
-    }
-    uint32_t at = column_of(s, point.z, 2) * s->side + column_of(s, point.x, 0);
-    for (uint32_t i = s->first[at]; i < s->first[at + 1]; i++)
-        inside ^= is_above(s->mesh, s->triangles[i], point);
-    return inside;
+    uint32_t counts[2];
+    count_sides(s, point, counts);
+    return counts[1] % 2;
+}
+
+bool solid_surrounds(const struct solid *s, vec3s point)
+{
+    uint32_t counts[2];
+    count_sides(s, point, counts);
+    return counts[0] && counts[1];
 }
 
 static bool boxes_meet(struct box a, struct box b)

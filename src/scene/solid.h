@@ -30,6 +30,9 @@ void solid_finish(struct solid *solid);
  */
 bool solid_contains(const struct solid *solid, vec3s point);
 
+/* Returns whether the surface is both above and below a point, which may be in a cavity. */
+bool solid_surrounds(const struct solid *solid, vec3s point);
+
 /* Returns whether the surface may be in a box: the box of a triangle intersects it. */
 bool solid_is_near(const struct solid *solid, struct box box);
 

@@ -143,6 +143,8 @@ static const struct rg_shader *clear_frag(const struct technique_choice *choice,
                                           bool is_layers)
 {
     const struct refract_rung *rung = choice->rung->rung.rows;
+    if (choice->is_nested)
+        return is_layers ? rung->nested_layers_frag : rung->nested_frag;
     if (choice->is_dressed)
         return is_layers ? rung->dress_layers_frag : rung->dress_frag;
     if (bumped)
@@ -154,6 +156,8 @@ static const struct rg_shader *cloudy_frag(const struct technique_choice *choice
                                            bool is_layers)
 {
     const struct refract_cloudy *cloudy = choice->rung->rung.rows->cloudy;
+    if (choice->is_nested)
+        return is_layers ? cloudy->nested_layers_frag : cloudy->nested_frag;
     if (choice->is_dressed)
         return is_layers ? cloudy->dress_layers_frag : cloudy->dress_frag;
     if (bumped)
@@ -172,7 +176,9 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     const struct rg_use *const uses[] = {
         technique->rung.by_pixel ? pixel_uses : face_uses,
         technique->rung.by_pixel && is_layers ? scene_uses : NULL,
-        choice->is_wide ? rung->wide_uses : rung->uses,
+        choice->is_nested ? rung->nested_uses
+        : choice->is_wide ? rung->wide_uses
+                          : rung->uses,
         bumped ? bump_uses : NULL,
         choice->is_dressed ? dress_uses : NULL,
         choice->is_cloudy ? cloud_uses : NULL,

@@ -39,7 +39,7 @@ float refract_outside(const struct scene *scene, const struct settings *settings
 /* The shaders of a rung that draws clouds (shaders/refract_cloud.glsl), as in: */
 struct refract_cloudy {
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag, *dress_frag,
-        *dress_layers_frag;
+        *dress_layers_frag, *nested_frag, *nested_layers_frag;
 };
 
 /* How a rung draws the object; refract_color_rows() and refract_layer_rows() make its rows. */
@@ -49,14 +49,17 @@ struct refract_rung {
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
     /* The same with ice_normal's dress. NULL: the rung draws no tints and textures of objects. */
     const struct rg_shader *dress_frag, *dress_layers_frag;
+    /* The same with bodies in bodies, if technique_choice.is_nested. */
+    const struct rg_shader *nested_frag, *nested_layers_frag;
     const struct refract_cloudy *cloudy; /* NULL: cloudy ice is clear */
     /* NULL: refract.vert, or refract_bump.vert where bumps are shown; refract_seen.vert for rungs
      * by pixel. */
     const struct rg_shader *vert;
-    const struct rg_use *uses;      /* besides frame_globals and the bump map; ends at {0} */
-    const struct rg_use *wide_uses; /* replace `uses` if technique_choice.is_wide; NULL: never */
-    uint32_t push_size;             /* bytes of push constants; 0: none */
-    rg_record_fn *record;           /* NULL: frame_draw_object() */
+    const struct rg_use *uses;        /* besides frame_globals and the bump map; ends at {0} */
+    const struct rg_use *wide_uses;   /* replace `uses` if technique_choice.is_wide; NULL: never */
+    const struct rg_use *nested_uses; /* likewise, if technique_choice.is_nested */
+    uint32_t push_size;               /* bytes of push constants; 0: none */
+    rg_record_fn *record;             /* NULL: frame_draw_object() */
 };
 
 /* Returns whether a rung draws clouds, of a scene that has some. */

@@ -8,7 +8,8 @@
  * Error: as small as that of refract_search.c; on paths with total reflections one or a few degrees
  * on average on convex objects, because small errors grow from bounce to bounce. Of a concave
  * object only the nearest faces are known, and of one that leaves the picture none beyond the
- * margin of refract_bounce.margin.
+ * margin of refract_bounce.margin. Of objects in objects the faces of three levels are known
+ * (ice_nested.h); those beside each other in one level hide parts of each other.
  */
 #include "src/tech/refract_bounce.h"
 #include <math.h>
@@ -17,6 +18,7 @@
 #include "shaders/refract_bounce.h"
 #include "src/tech/cracks.h"
 #include "src/tech/frame.h"
+#include "src/tech/ice_nested.h"
 #include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 
@@ -45,6 +47,16 @@ static const struct refract_cloudy cloudy = {
     .layers_frag = &refract_bounce_cloud_aov_frag,
     .dress_frag = &refract_bounce_dress_cloud_frag,
     .dress_layers_frag = &refract_bounce_dress_cloud_aov_frag,
+    .nested_frag = &refract_bounce_nested_cloud_frag,
+    .nested_layers_frag = &refract_bounce_nested_cloud_aov_frag,
+};
+
+static const struct rg_use nested_uses[] = {
+    REFRACT_USE_SEEN_CUBE,
+    FRAME_READ(ice_nested_depths, ICE_NESTED_DEPTHS),
+    FRAME_SAMPLE(ice_nested_normals, ICE_NESTED_NORMALS, .sampler = &frame_linear),
+    { .buffer = &ice_nested_media, .access = RG_UNIFORM, .binding = ICE_NESTED_MEDIA },
+    { 0 },
 };
 
 static const struct refract_rung rung = {
@@ -53,9 +65,12 @@ static const struct refract_rung rung = {
     .dress_frag = &refract_bounce_dress_frag,
     .dress_layers_frag = &refract_bounce_dress_aov_frag,
     .cloudy = &cloudy,
+    .nested_frag = &refract_bounce_nested_frag,
+    .nested_layers_frag = &refract_bounce_nested_aov_frag,
     .vert = &refract_seen_mean_vert,
     .uses = uses,
     .wide_uses = wide_uses,
+    .nested_uses = nested_uses,
     .push_size = sizeof(struct refract_bounce_params),
     .record = record_screen,
 };
@@ -121,10 +136,27 @@ static const struct setting rows[] = {
         .help = "refraction also at faces beyond the picture's edges, up to a quarter of its "
                 "sides, of a scene with one object",
     },
+    {
+        .name = "refract_bounce.nested",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct refract_bounce_params, nested),
+        .initial = 1,
+        .max = 1,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "refraction also at the faces of objects in objects, and of cavities around them",
+    },
 };
 
 const struct setting_group refract_bounce_settings =
     SETTING_GROUP("refract_bounce", rows, struct refract_bounce_params);
+
+bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene)
+{
+    const struct refract_bounce_params *params = settings_of(settings, &refract_bounce_settings);
+    const struct cracks_params *cracks_of = settings_of(settings, &cracks_settings);
+    return params->nested && ice_nested_is_in(scene) && !scene_has_dress(scene) &&
+           cracks_of->refract == CRACKS_REFRACT_OFF;
+}
 
 /* The wider maps are of the faces alone, without textures and cracks. */
 static void choose(struct technique_choice *choice, const struct scene *scene)
@@ -133,8 +165,13 @@ static void choose(struct technique_choice *choice, const struct scene *scene)
         settings_of(choice->settings, &refract_bounce_settings);
     const struct cracks_params *cracks_of = settings_of(choice->settings, &cracks_settings);
     refract_choose(choice, scene);
+    choice->is_nested =
+        choice->object_count > 1 && refract_bounce_is_nested(choice->settings, scene);
+    if (choice->is_nested)
+        choice->object_count = ice_nested_outermost_count(scene);
     choice->is_wide = params->margin && choice->is_beyond && choice->object_count == 1 &&
-                      !choice->is_dressed && cracks_of->refract == CRACKS_REFRACT_OFF;
+                      !choice->is_dressed && !choice->is_nested &&
+                      cracks_of->refract == CRACKS_REFRACT_OFF;
 }
 
 static void write_constants(const struct technique_subject *subject, uint32_t *values)

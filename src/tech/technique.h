@@ -48,6 +48,7 @@ struct technique_choice {
     bool is_dressed;          /* it draws tints and textures of objects */
     bool is_cloudy;           /* it draws clouds in objects, though it meets no tree */
     bool is_wide;             /* its maps reach beyond the picture (ice_normal.h) */
+    bool is_nested;           /* objects are drawn with those within them, as one (ice_nested.h) */
     bool meets_surroundings;  /* its rays meet the surroundings' triangles */
     bool lights_surroundings; /* and light them: then they are shaded, too, all over the picture */
 };

@@ -13,6 +13,7 @@ static const struct {
 } rows[] = {
     { "ice_interval.count", 1.0, QUICK_WHOLE }, /* cracks end behind the first part of the ice */
     { "refract_bounce.margin", 0.0, QUICK_WHOLE },
+    { "refract_bounce.nested", 0.0, QUICK_WHOLE },
     { "refract_bounce.count", 2.0, QUICK_WHOLE },
     { "refract_bounce.steps", 4.0, QUICK_WHOLE },
     { "refract_bounce.halvings", 4.0, QUICK_WHOLE },

@@ -1,6 +1,7 @@
 """gltf_file.py: small glTF files of boxes, for tests."""
 import base64
 import json
+import math
 import struct
 
 CORNERS = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
@@ -38,6 +39,48 @@ def boxes(*parts):
         'bufferViews': [{'buffer': 0, 'byteLength': 96},
                         {'buffer': 0, 'byteOffset': 96, 'byteLength': 72}],
         'buffers': [{'byteLength': len(data), 'uri': uri}]})
+
+
+def ball(radius, first, rows=32):
+    """Places, normals and corners of a ball; the corners count from `first`. Below 0: a cavity."""
+    side = math.copysign(1, radius)
+    turns = [(math.pi * i / rows, math.pi * k / rows) for i in range(rows + 1)
+             for k in range(2 * rows + 1)]
+    points = [(math.sin(a) * math.sin(b), math.cos(a), math.sin(a) * math.cos(b))
+              for a, b in turns]
+    cells = [first + i * (2 * rows + 1) + k for i in range(rows) for k in range(2 * rows)]
+    below = 2 * rows + 1
+    sides = [corner for at in cells for corner in (at, at + below, at + 1, at + 1, at + below,
+                                                   at + below + 1)[::int(side)]]
+    return ([side * radius * x for point in points for x in point],
+            [side * x for point in points for x in point], sides)
+
+
+def balls(cavity, *parts):
+    """A file of boxes(), but of balls of radius 1, the first of which has a cavity."""
+    scene = json.loads(boxes(*parts))
+    outer = ball(1, 0)
+    inner = ball(-cavity, len(outer[0]) // 3)
+    places, normals, corners = (a + b for a, b in zip(outer, inner))
+    data = b''.join((struct.pack(f'<{len(places)}f', *places),
+                     struct.pack(f'<{len(normals)}f', *normals),
+                     struct.pack(f'<{len(corners)}I', *corners)))
+    count, at = len(places) // 3, 4 * len(places)
+    vectors = {'componentType': 5126, 'count': count, 'type': 'VEC3'}
+    indices = {'bufferView': 2, 'componentType': 5125, 'type': 'SCALAR'}
+    scene['accessors'] = [
+        {'bufferView': 0, 'min': [-1, -1, -1], 'max': [1, 1, 1], **vectors},
+        {'bufferView': 1, **vectors}, {'count': len(corners), **indices},
+        {'count': len(outer[2]), **indices}]
+    scene['bufferViews'] = [{'buffer': 0, 'byteLength': at},
+                            {'buffer': 0, 'byteOffset': at, 'byteLength': at},
+                            {'buffer': 0, 'byteOffset': 2 * at, 'byteLength': 4 * len(corners)}]
+    scene['buffers'] = [{'byteLength': len(data), 'uri': 'data:application/octet-stream;base64,'
+                         + base64.b64encode(data).decode()}]
+    for i, mesh in enumerate(scene['meshes']):
+        mesh['primitives'][0].update(attributes={'POSITION': 0, 'NORMAL': 1},
+                                     indices=3 if i else 2)
+    return json.dumps(scene)
 
 
 def with_nodes(text, *nodes, **more):

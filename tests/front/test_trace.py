@@ -7,7 +7,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import FLAT, NO_DRIVER, SMALL_CUBE, Case, long, main, unsanitized  # noqa: E402
 from exr_file import Exr, write_exr  # noqa: E402
-from gltf_file import boxes, glass  # noqa: E402
+from gltf_file import balls, boxes, glass  # noqa: E402
 
 SIZE = ('--size', '64x48', '--pixel-filter', 'point', '--samples', 1, '--plain', '-q',
         '--set', 'trace.branch=0')
@@ -46,6 +46,18 @@ class Trace(Case):
     def test_nested(self):
         for scene in ('hollow', 'amber'):
             self.check(0.003, scene, '--env', 'studio', *SIZE, '--set', 'ground.light=open')
+
+    @unsanitized
+    def test_nested_by_bounce(self):
+        """A ball in a hollow one, and a solid one in another behind them."""
+        (self.folder / 'nested.gltf').write_text(balls(
+            0.75, (glass(1.5), [0, 0, 0], 1), (glass(1.3), [0.1, 0, 0], 0.4),
+            (glass(1.3), [3, 0.2, -3], 1), (glass(1.6), [3, 0.2, -3], 0.5)))
+        words = ('nested.gltf', '--env', 'studio', *SIZE, '--size', '128x96', '--eye', '2,1,6',
+                 '--target', '1,0,0', '--set', 'reference.roulette=on')
+        self.check(0.064, *words, rung=('-r', 'bounce'))
+        self.assertGreater(self.check(0.1, *words, rung=(
+            '-r', 'bounce', '--set', 'refract_bounce.nested=off')), 0.064)
 
     @long
     def test_a_drink(self):

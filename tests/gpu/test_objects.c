@@ -3,6 +3,7 @@
  * others in whatever order the file has them, and layers show the one that is seen.
  */
 #include <cglm/struct.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +13,7 @@
 #include "tests/support/check.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
+#include "tests/support/vec.h"
 
 enum {
     WIDTH = 80,
@@ -55,7 +57,7 @@ static void add_ball(struct scene *scene, const struct ball *ball)
     mesh_finish(&mesh);
 }
 
-static struct scene scene_of(const struct ball *const *balls, uint32_t count)
+static struct scene scene_with_room(uint32_t count)
 {
     const struct settings settings = settings_default();
     const struct refract_params *refract = settings_of(&settings, &refract_settings);
@@ -63,14 +65,47 @@ static struct scene scene_of(const struct ball *const *balls, uint32_t count)
     scene.model.objects = calloc(count, sizeof(struct object));
     scene.model.materials = calloc(count, sizeof(struct material));
     assert_true(scene.model.objects && scene.model.materials);
+    return scene;
+}
+
+static void complete(struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    assert_int_equal(
+        object_rank_all(model->objects, model->object_count, &model->object, model->materials),
+        STATUS_OK);
+    scene->box = mesh_box(&model->object);
+    picture_use_directions(scene, 256);
+}
+
+static struct scene scene_of(const struct ball *const *balls, uint32_t count)
+{
+    struct scene scene = scene_with_room(count);
     for (uint32_t i = 0; i < count; i++)
         add_ball(&scene, balls[i]);
-    assert_int_equal(
-        object_rank_all(scene.model.objects, count, &scene.model.object, scene.model.materials),
-        STATUS_OK);
-    scene.box = mesh_box(&scene.model.object);
-    picture_use_directions(&scene, 256);
+    complete(&scene);
     return scene;
+}
+
+/* Gives the last object a cavity. */
+static void add_cavity(struct scene *scene, const struct ball *ball)
+{
+    struct model *model = &scene->model;
+    const uint32_t first_vertex = model->object.vertex_count;
+    const uint32_t first = model->object.index_count;
+    add_ball(scene, ball);
+    model->object_count--;
+    model->material_count--;
+    model->objects[model->object_count - 1].index_count += model->object.index_count - first;
+    for (uint32_t i = first; i < model->object.index_count; i += 3) {
+        const uint32_t last = model->object.indices[i];
+        model->object.indices[i] = model->object.indices[i + 2];
+        model->object.indices[i + 2] = last;
+    }
+    for (uint32_t i = first_vertex; i < model->object.vertex_count; i++) {
+        vec3s *normal = &model->object.vertices[i].normal;
+        *normal = glms_vec3_negate(*normal);
+    }
 }
 
 /* Without layers there is nothing in the balls either, so that they may share passes. */
@@ -212,12 +247,94 @@ static void back_faces_of_all(void **state)
     }
 }
 
+/* ---- objects in objects ---- */
+
+static const struct ball shell = { { { 0.2F, 0.1F, 0 } }, 1.2F, 1.5F };
+static const struct ball cavity = { { { 0.2F, 0.1F, 0 } }, 0.9F, 1 };
+static const struct ball core = { { { 0.2F, 0.1F, 0 } }, 0.6F, 1.6F };
+
+/* A ball in the middle of a hollow one. */
+static struct scene hollow_scene(bool core_first)
+{
+    struct scene scene = scene_with_room(3);
+    const struct object *objects = scene.model.objects;
+    if (core_first)
+        add_ball(&scene, &core);
+    add_ball(&scene, &shell);
+    add_cavity(&scene, &cavity);
+    if (!core_first)
+        add_ball(&scene, &core);
+    complete(&scene);
+    assert_int_equal(objects[!core_first].within, 1 + core_first);
+    assert_int_equal(objects[!core_first].holder, 0);
+    assert_int_equal(objects[core_first].within, 0);
+    return scene;
+}
+
+/* Returns the angle, degrees, by which the ball and those in it turn a ray that misses their middle
+ * by `miss`. */
+static double turn_of(double miss)
+{
+    const struct ball *const balls[] = { &shell, &cavity, &core };
+    double before = 1, turn = 0;
+    for (int i = 0; i < 3 && miss < before * (double)balls[i]->radius; i++) {
+        const double out = miss / (before * (double)balls[i]->radius);
+        const double in = miss / ((double)balls[i]->ior * (double)balls[i]->radius);
+        turn += 360 / 3.14159265358979323846 * (asin(out) - asin(in));
+        before = (double)balls[i]->ior;
+    }
+    return fabs(turn);
+}
+
+/* Light that no face reflects is turned as Snell's law says, wherever the file has the inner ball;
+ * and none is lost. */
+static void light_goes_through_objects_in_objects(void **state)
+{
+    const struct vec middle = { (double)shell.center.x, (double)shell.center.y, -6 };
+    const struct settings settings = picture_settings("light.count=0");
+    for (int core_first = 0; core_first < 2; core_first++) {
+        struct scene scene = hollow_scene(core_first);
+        struct picture_request request = {
+            .scene = &scene,
+            .settings = &settings,
+            .rung = "bounce",
+            .camera = { .eye = { { 0, 0, 6 } }, .fov_deg = 30 },
+            .width = WIDTH,
+            .height = HEIGHT,
+            .layers = picture_layer_bit("exit"),
+        };
+        struct render_result result = picture_render(*state, &request);
+        const struct picture_layer exit = picture_layer(&result.image, "exit");
+        size_t count = 0, wrong = 0;
+        for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
+            const struct vec ray = picture_pixel_ray(&request, i);
+            const double miss = vec_norm(vec_cross(ray, middle));
+            if (miss > 0.8 || fabs(miss - 0.6) < 0.05) /* the edge of a ball is too near */
+                continue;
+            count++;
+            wrong += !(fabs(vec_angle_deg(ray, picture_at(exit, i)) - turn_of(miss)) < 1);
+        }
+        assert_true(count > 300);
+        assert_in_range(wrong, 0, count / 50);
+        render_result_finish(&result);
+        scene.background = SCENE_COLOR;
+        scene.background_color = glms_vec3_one();
+        request.layers = 0;
+        result = picture_render(*state, &request);
+        for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)
+            assert_true(fabsf(image_find(&result.image, "G")[i] - 1) < 4e-3F);
+        render_result_finish(&result);
+        scene_finish(&scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_looks_as_it_does_alone),
         cmocka_unit_test(the_nearest_is_seen),
         cmocka_unit_test(back_faces_of_all),
+        cmocka_unit_test(light_goes_through_objects_in_objects),
     };
     return RUN_ON_DEVICE(tests);
 }

@@ -420,6 +420,7 @@ static void objects_are_checked(void **state)
     refuse_word(OBJECTS_AT + offsetof(struct object, material), 2, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, rank), 1, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, holder), 1, PIPE_MATERIAL);
+    refuse_word(OBJECTS_AT + offsetof(struct object, within), 1, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, first_index), 3, PIPE_INDEX);
     refuse_word(OBJECTS_AT + offsetof(struct object, index_count), 6, PIPE_INDEX);
     refuse_word(OBJECTS_AT + offsetof(struct object, index_count), 0, PIPE_INDEX);

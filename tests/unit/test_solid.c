@@ -182,12 +182,34 @@ static void test_nothing(void **state)
     solid_finish(&solid);
 }
 
+/* Between two balls and in the inner one, but not beside them, nor in the hole of a ring. */
+static void test_cavity(void **state)
+{
+    (void)state;
+    struct mesh mesh, inner;
+    struct solid solid;
+    assert_true(generate_sphere(&mesh, 1000) && generate_sphere(&inner, 1000));
+    for (uint32_t i = 0; i < inner.vertex_count; i++)
+        inner.vertices[i].position = glms_vec3_scale(inner.vertices[i].position, 0.5f);
+    assert_true(mesh_append(&mesh, &inner));
+    mesh_finish(&inner);
+    assert_true(solid_init(&solid, &mesh));
+    for (int i = 0; i < 12; i++) {
+        const vec3s p = { { 0.05f + 0.1f * (float)i, 0.03f, 0.04f } };
+        assert_int_equal(solid_contains(&solid, p), i >= 5 && i < 10);
+        assert_int_equal(solid_surrounds(&solid, p), i < 10);
+    }
+    solid_finish(&solid);
+    mesh_finish(&mesh);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_points),   cmocka_unit_test(test_points_below_corners_and_edges),
-        cmocka_unit_test(test_cut),      cmocka_unit_test(test_cut_of_what_does_not_cross),
-        cmocka_unit_test(test_cut_ends), cmocka_unit_test(test_nothing),
+        cmocka_unit_test(test_cavity),   cmocka_unit_test(test_cut_of_what_does_not_cross),
+        cmocka_unit_test(test_cut_ends), cmocka_unit_test(test_cut),
+        cmocka_unit_test(test_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

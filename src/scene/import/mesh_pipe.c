@@ -52,7 +52,7 @@ struct environment_head {
 };
 
 _Static_assert(sizeof(struct material) == 532, "no padding");
-_Static_assert(sizeof(struct object) == 108, "no padding");
+_Static_assert(sizeof(struct object) == 112, "no padding");
 _Static_assert(sizeof(struct model_camera) == 120, "no padding");
 _Static_assert(sizeof(struct light) == 120, "no padding");
 _Static_assert(sizeof(struct model_extension) == 68, "no padding");
@@ -313,7 +313,7 @@ static enum pipe_fault check_objects(const struct model *model, const struct mod
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
         if (!memchr(object->name, 0, sizeof(object->name)) || object->rank != 0 ||
-            object->holder != 0 || object->material >= model->material_count)
+            object->holder != 0 || object->within != 0 || object->material >= model->material_count)
             return PIPE_MATERIAL;
         if (object->first_index != end || object->index_count == 0 || object->index_count % 3 != 0)
             return PIPE_INDEX;

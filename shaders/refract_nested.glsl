@@ -1,0 +1,350 @@
+/*
+ * refract_nested.glsl: follows light through bodies that are in bodies (ice_nested.h).
+ *
+ * A ray is in a level, until it leaves it or enters the next one. At each face it goes on to the
+ * other side, and what is reflected there waits, if its share is worth it; else it sees the mean of
+ * the surroundings. What leaves the outermost level sees the surroundings; it is looked up when
+ * all rays of the pixel have ended, because lavapipe executes both sides of branches (Mesa 22.3).
+ */
+#ifndef REFRACT_NESTED_GLSL
+#define REFRACT_NESTED_GLSL
+#include "ice_nested.h"
+#include "refract_bounce.h"
+#include "refract_ends.glsl"
+
+layout(push_constant, scalar) uniform Push
+{
+    refract_bounce_params params;
+};
+
+layout(set = 0, binding = ICE_NESTED_DEPTHS) uniform sampler2DArray depths;
+layout(set = 0, binding = ICE_NESTED_NORMALS) uniform sampler2DArray normals;
+
+layout(set = 0, binding = ICE_NESTED_MEDIA, scalar) uniform Media
+{
+    ice_nested_media media;
+};
+
+layout(location = REFRACT_SEEN_MEAN) flat in vec3 mean; /* radiance of the surroundings */
+
+const float nested_start = 0.01; /* a ray begins this far from its face, in bounding radii */
+const float nested_least = 0.02; /* share of a pixel's light that is followed back, at least */
+const int nested_waits_max = 3;
+const int nested_stops_max = 6;
+const int nested_parts_max = 40; /* straight parts of all rays of a pixel */
+const uint nested_steps = 2u;    /* as many as of a march among two maps, times this */
+
+/* Where a ray is in the maps. */
+struct nested_space {
+    mat4 map_from_world; /* x / w and y / w: texels from the middle of the first one */
+    vec2 texel;          /* 1 / the map's size */
+};
+
+struct nested_ray {
+    vec3 point, dir, weight;
+    int level;
+    ivec3 within; /* medium of each level that it is in */
+};
+
+/* Where light leaves. */
+struct nested_stop {
+    vec3 point, dir, weight;
+};
+
+nested_ray later[nested_waits_max]; /* those that wait, the last one first */
+int waits;
+nested_stop stops[nested_stops_max];
+int stop_count;
+
+nested_space nested_space_of_frame()
+{
+    mat4 m = refract_frame.clip_from_world;
+    vec2 size = vec2(textureSize(depths, 0).xy);
+    for (int i = 0; i < 4; i++)
+        m[i].xy = 0.5 * size * m[i].xy + (0.5 * size - 0.5) * m[i].w;
+    return nested_space(m, 1.0 / size);
+}
+
+/* As refract_depth_at(). */
+float nested_depth_at(int layer, vec2 at, vec2 texel)
+{
+    vec2 corner = floor(at);
+    vec2 share = at - corner;
+    vec4 d = textureGather(depths, vec3(fma(corner, texel, texel), float(layer)));
+    float low = fma(share.x, d.z - d.w, d.w);
+    float high = fma(share.x, d.y - d.x, d.x);
+    float linear = fma(share.y, high - low, low);
+    vec2 near = share.x < 0.5 ? d.wx : d.zy;
+    float nearest = share.y < 0.5 ? near.x : near.y;
+    return all(greaterThan(d, vec4(0.0))) ? linear : nearest;
+}
+
+/* Returns the distance of a point before the far faces of a level, x, and behind the near ones, y,
+ * as march_rooms(). */
+vec2 nested_rooms(nested_space space, int level, vec4 at)
+{
+    vec2 texels = at.xy / at.w;
+    float near = nested_depth_at(2 * level, texels, space.texel);
+    float far = nested_depth_at(2 * level + 1, texels, space.texel);
+    vec2 rooms = vec2(fma(-far, at.w, at.z), fma(near, at.w, -at.z));
+    return at.w > 0.0 && near > 0.0 && far > 0.0 ? rooms : vec2(march_beside);
+}
+
+float nested_less(vec2 rooms)
+{
+    return min(rooms.x, rooms.y);
+}
+
+/* Returns the room of a point in its level and before the next one; below 0 elsewhere. */
+float nested_room(nested_space space, int level, vec4 at, out bool is_in_next)
+{
+    float own = nested_less(nested_rooms(space, level, at));
+    float next = march_beside;
+    if (level + 1 < ICE_NESTED_LEVELS)
+        next = nested_less(nested_rooms(space, level + 1, at));
+    is_in_next = next >= 0.0;
+    return min(own, -next);
+}
+
+/* Returns the length of a ray to the outermost object's bounding sphere. */
+float nested_length(vec3 point, vec3 dir)
+{
+    vec3 from_center = point - refract_frame.center;
+    float middle = dot(from_center, dir);
+    float outside = dot(from_center, from_center) - refract_frame.radius * refract_frame.radius;
+    return sqrt(max(middle * middle - outside, 0.0)) - middle;
+}
+
+/*
+ * Returns two lengths of a ray: the first in its level, the second beyond it, in the next level or
+ * the one around its own; `enters` tells which. The step that goes beyond is divided by the
+ * Illinois method: where the same end moves twice, the room at the other one is halved.
+ */
+vec2 nested_seek(nested_space space, nested_ray ray, out bool enters)
+{
+    vec4 from = space.map_from_world * vec4(ray.point, 1.0);
+    vec4 way = space.map_from_world * vec4(ray.dir, 0.0);
+    float first = nested_start * refract_frame.radius;
+    uint steps = nested_steps * params.march.steps;
+    float step_length = (max(nested_length(ray.point, ray.dir), first) - first) / float(steps);
+    float exact = ldexp(step_length, -int(params.march.halvings));
+    march_ends ends = march_ends(first, first, 0.0, 0.0, false);
+    enters = false;
+    for (uint i = 1u;; i++) {
+        ends.beyond = first + float(i) * step_length;
+        ends.room_beyond = nested_room(space, ray.level, fma(vec4(ends.beyond), way, from), enters);
+        if (ends.room_beyond < 0.0 || i >= steps)
+            break;
+        ends.within = ends.beyond;
+        ends.room_within = ends.room_beyond;
+    }
+    bool done = params.march.halvings == 0u;
+    float moved = 0.0; /* 1: the end within; -1: that beyond */
+    for (uint i = 1u;; i++) {
+        bool is_in_next;
+        float t = march_divide(ends, 0.0);
+        float room = nested_room(space, ray.level, fma(vec4(t), way, from), is_in_next);
+        if (!done && room < 0.0) {
+            ends.beyond = t;
+            ends.room_beyond = room;
+            ends.room_within *= moved < 0.0 ? 0.5 : 1.0;
+            moved = -1.0;
+            enters = is_in_next;
+        } else if (!done) {
+            ends.within = t;
+            ends.room_within = room;
+            ends.room_beyond *= moved > 0.0 && ends.room_beyond > march_beside ? 0.5 : 1.0;
+            moved = 1.0;
+        }
+        done = done || ends.beyond - ends.within < exact || i >= params.march.halvings;
+        if (done)
+            break;
+    }
+    return vec2(ends.within, ends.beyond);
+}
+
+/* Returns the normal of the nearer face of a level around a point in it, away from the level, and
+ * the medium that is behind the face in the level; 0 if there is no face. */
+vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
+{
+    vec4 at = space.map_from_world * vec4(point, 1.0);
+    vec2 texels = at.xy / at.w;
+    vec2 rooms = nested_rooms(space, level, at);
+    int layer = 2 * level + (rooms.y < rooms.x ? 0 : 1);
+    vec2 uv = fma(texels, space.texel, 0.5 * space.texel);
+    vec3 n = textureLod(normals, vec3(uv, float(layer)), 0.0).xyz;
+    ivec2 size = textureSize(normals, 0).xy;
+    ivec2 nearest = clamp(ivec2(texels + 0.5), ivec2(0), size - 1);
+    medium = max(int(texelFetch(normals, ivec3(nearest, layer), 0).w + 0.5) - 1, 0);
+    float length2 = dot(n, n);
+    return length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0);
+}
+
+/* By selection: an index that is not constant sends an array to memory. */
+void nested_stop_at(vec3 point, vec3 dir, vec3 weight)
+{
+    for (int k = 0; k < nested_stops_max; k++)
+        if (k == stop_count)
+            stops[k] = nested_stop(point, dir, weight);
+    stop_count++;
+}
+
+void nested_wait(nested_ray ray)
+{
+    for (int i = nested_waits_max - 1; i > 0; i--)
+        later[i] = later[i - 1];
+    later[0] = ray;
+    waits++;
+}
+
+nested_ray nested_next()
+{
+    nested_ray ray = later[0];
+    for (int i = 0; i + 1 < nested_waits_max; i++)
+        later[i] = later[i + 1];
+    waits--;
+    return ray;
+}
+
+/* A face at the end of a ray. */
+struct nested_face {
+    bool enters; /* the next level; else it is the end of the ray's own */
+    int other;   /* medium behind it */
+    float share; /* of light that it reflects */
+    vec3 reflected, refracted;
+    float path; /* length of the ray to it */
+#ifdef REFRACT_CLOUD
+    vec3 scattered; /* light of clouds on the way to it */
+#endif
+};
+
+/* Moves a ray to its next face. Where the maps show none that it can meet, it goes straight on. */
+nested_face nested_meet(nested_space space, int channel, inout nested_ray ray)
+{
+    nested_face face;
+    vec2 ends = nested_seek(space, ray, face.enters);
+    int medium = ray.within[ray.level];
+    int level = face.enters ? ray.level + 1 : ray.level;
+    int entered;
+    vec3 n =
+        nested_normal(space, level, ray.point + (face.enters ? ends.y : ends.x) * ray.dir, entered);
+    n = face.enters ? -n : n;
+    int around = ray.level > 0 ? ray.within[ray.level - 1] : 0;
+    face.other = face.enters ? entered : around;
+    face.path = ends.x;
+#ifdef REFRACT_CLOUD
+    float straight = 1.0;
+    face.scattered =
+        ray.weight * refract_cloud(media.clouds[medium], ray.point, ray.dir, ends.x, straight);
+    ray.weight *= straight;
+#endif
+    ray.point += ends.x * ray.dir;
+    ray.weight *= exp(-media.absorb[medium].rgb * ends.x);
+    bool is_found = dot(n, ray.dir) > 0.0;
+    float eta = media.ior[medium][channel] / media.ior[face.other][channel];
+    face.share = is_found ? optics_fresnel(ray.dir, n, eta) : 0.0;
+    face.reflected = is_found ? reflect(ray.dir, n) : ray.dir;
+    face.refracted = is_found ? optics_refract(ray.dir, -n, eta) : ray.dir;
+    return face;
+}
+
+/* Makes a ray go on from a face. Returns the light that nobody follows: it sees the mean of the
+ * surroundings. A ray that has ended has no weight. */
+vec3 nested_cross(nested_face face, inout nested_ray ray)
+{
+    bool leaves = !face.enters && ray.level == 0;
+    bool is_total = face.share >= 1.0;
+    vec3 through = is_total ? vec3(0.0) : (1.0 - face.share) * ray.weight;
+    nested_ray back = ray;
+    back.dir = face.reflected;
+    back.weight *= face.share;
+    bool goes_back = max(back.weight.r, max(back.weight.g, back.weight.b)) > nested_least;
+    bool goes_through = !is_total && !leaves;
+    bool waits_for = goes_back && goes_through && waits < nested_waits_max;
+    vec3 rest = vec3(0.0);
+    if (leaves && !is_total && stop_count < nested_stops_max)
+        nested_stop_at(ray.point, face.refracted, through);
+    else if (leaves)
+        rest += through;
+    if (waits_for)
+        nested_wait(back);
+    if (goes_through) {
+        rest += waits_for ? vec3(0.0) : back.weight;
+        ray.dir = face.refracted;
+        ray.weight = through;
+        ray.level += face.enters ? 1 : -1;
+        if (face.enters)
+            ray.within[ray.level] = face.other;
+    } else {
+        rest += goes_back ? vec3(0.0) : back.weight;
+        ray = back;
+        ray.weight *= goes_back ? 1.0 : 0.0;
+    }
+    return rest;
+}
+
+/* Notes a face of the ray that is refracted wherever it can be. */
+void nested_note(nested_face face, nested_ray ray, bool is_first, inout refract_way way)
+{
+    bool is_total = face.share >= 1.0;
+    way.path += ray.within[ray.level] != 0 ? face.path : 0.0;
+    way.bounces += is_total ? 1.0 : 0.0;
+    way.tir = is_total && is_first ? 1.0 : way.tir;
+    way.point = ray.point;
+    way.dir = face.refracted;
+}
+
+nested_ray nested_begin(refract_way way)
+{
+    int medium = int(texelFetch(normals, ivec3(gl_FragCoord.xy, 0), 0).w + 0.5) - 1;
+    nested_ray ray;
+    ray.point = way.point;
+    ray.dir = way.dir;
+    ray.weight = vec3(1.0);
+    ray.level = 0;
+    ray.within = ivec3(max(medium, 0), 0, 0);
+    for (int i = 0; i < nested_waits_max; i++)
+        later[i] = ray;
+    for (int i = 0; i < nested_stops_max; i++)
+        stops[i] = nested_stop(ray.point, ray.dir, vec3(0.0));
+    waits = 0;
+    stop_count = 0;
+    return ray;
+}
+
+vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
+{
+    nested_space space = nested_space_of_frame();
+    way = refract_leave_at_front(optics_refract(e, n_f, refract_frame.etas[channel]));
+    nested_ray ray = nested_begin(way);
+    vec3 light = vec3(0.0);
+    vec3 rest = vec3(0.0);
+    bool is_main = true;
+    for (int part = 0; part < nested_parts_max; part++) {
+        nested_face face = nested_meet(space, channel, ray);
+#ifdef REFRACT_CLOUD
+        light += face.scattered;
+#endif
+        if (is_main)
+            nested_note(face, ray, part == 0, way);
+        bool leaves = !face.enters && ray.level == 0 && face.share < 1.0;
+        rest += nested_cross(face, ray);
+        is_main = is_main && !leaves;
+        if (ray.weight == vec3(0.0)) {
+            is_main = false;
+            if (waits == 0)
+                break;
+            ray = nested_next();
+        }
+    }
+    rest += ray.weight;
+    for (int i = 0; i < nested_waits_max; i++)
+        rest += i < waits ? later[i].weight : vec3(0.0);
+    light += rest * mean;
+    for (int i = 0; i < nested_stops_max; i++)
+        if (i < stop_count)
+            light += stops[i].weight * refract_environment(stops[i].point, stops[i].dir);
+    return light;
+}
+
+#endif
