@@ -339,7 +339,7 @@ static const struct {
     { "double click", "look at this point" },
     { "/", "search for a setting" },
     { "F6, Esc", "use the panel by keys, or not" },
-    { "drop a file", "model, panorama, picture, preset, session" },
+    { "drop a file", "model, picture, preset, session" },
 };
 
 static bool has_key(enum view_action action, int key)

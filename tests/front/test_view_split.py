@@ -188,6 +188,14 @@ class FirstMinutes(PanelsCase):
         self.assertIsNone(self.process.poll(), self.words())
         wait_until(what, done, self.words, act=acts[-1], again=15)
 
+    def names_come_first(self, window):
+        """Settings whose help alone has the word come after those that are called so."""
+        self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
+        self.desktop.do('key', 'ctrl+a', 'type', 'bub')  # names come before helps
+        wait_until('names first', lambda: self.control('refract.outside') and self.control(
+            'bubbles.seed')[1] < self.control('refract.outside')[1], self.words)
+        self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
+
     @long
     def test_what_it_takes(self):
         model = self.folder / 'shape.obj'
@@ -232,6 +240,7 @@ class FirstMinutes(PanelsCase):
         self.do('find a setting', 2, [key('ctrl+k'), lambda: self.desktop.do('type', 'shini')],
                 lambda: self.control('surface.shininess'))
         self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
+        self.names_come_first(window)
         self.press(window, 'slash')  # a line of text has the keys: Ctrl still acts
         self.press_until(window, 'ctrl+s', 'a session', lambda: self.label('saved /'))
         self.press(window, 'Escape')

@@ -326,8 +326,12 @@ static void take_input(struct ui *ui)
     const bool escaped = ui->input.now.keys[IMGUI_ESCAPE];
     ui->held = 0;
     ui_input_step(&ui->input);
-    if (!escaped && ui->input.now.keys[IMGUI_ESCAPE] && !imgui_is_active())
+    if (escaped || !ui->input.now.keys[IMGUI_ESCAPE])
+        return;
+    if (!imgui_is_active())
         imgui_focus_panel(NULL); /* it waited, too */
+    else if (ui->searches && imgui_has_text(ui->imgui))
+        ui->release = true; /* one key is enough to leave the search */
 }
 
 void ui_dump(struct ui *ui, const char *path)

@@ -137,8 +137,7 @@ static void show_progress(const struct ui_view *view)
         imgui_rectangle(line, imgui_rgba(imgui_theme()->accent));
 }
 
-static const char hint[] = "drag turns, Ctrl drag turns the light, wheel zooms, drop a model or "
-                           "an .exr, F1 lists the keys";
+static const char hint[] = "drag turns, Ctrl drag: light, wheel zooms, drop a file, F1: keys";
 
 void ui_status(const struct ui *ui, const struct ui_view *view)
 {

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include "src/frame/list.h"
 #include "src/scene/material.h"
 #include "src/scene/scene.h"
@@ -16,6 +17,7 @@
 enum {
     ENTRIES_MAX = 400,
     SHOWN_MAX = 12, /* rows at once */
+    RANK_COUNT = 3, /* the label begins with the words; it has them; only the help has */
     LABEL_SIZE = 96,
 };
 
@@ -40,10 +42,12 @@ struct entry {
     const struct setting *row;
     char label[LABEL_SIZE];
     const char *key; /* NULL: none */
+    uint32_t rank;   /* how well the words fit: the best first; below RANK_COUNT */
 };
 
 struct palette {
     struct entry entries[ENTRIES_MAX];
+    uint32_t order[ENTRIES_MAX]; /* of them, as they are shown */
     uint32_t count;
     const char *words;
 };
@@ -63,8 +67,21 @@ __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const s
     vsnprintf(e->label, sizeof(e->label), format, arguments);
     va_end(arguments);
     const char *const texts[] = { e->label };
-    p->count += ui_words_fit(p->words, texts, 1) ||
-                (e->row && ui_settings_fit(e->row, p->words)); /* else it is written over */
+    const bool named = ui_words_fit(p->words, texts, 1);
+    e->rank = !named ? 2 : strncasecmp(e->label, p->words, strlen(p->words)) != 0 ? 1 : 0;
+    p->count += named || (e->row && ui_settings_fit(e->row, p->words)); /* else written over */
+}
+
+/* Of one rank, entries stay as they are. */
+static void sort(struct palette *p)
+{
+    uint32_t count = 0;
+    for (uint32_t rank = 0; rank < RANK_COUNT; rank++) {
+        for (uint32_t i = 0; i < p->count; i++) {
+            if (p->entries[i].rank == rank)
+                p->order[count++] = i;
+        }
+    }
 }
 
 static void collect_files(struct palette *p)
@@ -127,6 +144,7 @@ static void collect(struct palette *p)
         for (uint32_t i = 0; (row = ui_group_row(g, i)); i++)
             add(p, &(struct entry){ ENTRY_SETTING, 0, .row = row }, "%s", row->name);
     }
+    sort(p);
 }
 
 static void choose(struct ui *ui, const struct entry *e, struct ui_wish *wish)
@@ -181,7 +199,7 @@ static void rows(struct ui *ui, const struct palette *p, struct ui_wish *wish)
     const uint32_t first = ui->palette_at >= SHOWN_MAX ? ui->palette_at - SHOWN_MAX + 1 : 0;
     const float right = imgui_room();
     for (uint32_t i = first; i < p->count && i < first + SHOWN_MAX; i++) {
-        const struct entry *e = &p->entries[i];
+        const struct entry *e = &p->entries[p->order[i]];
         imgui_id_begin(e);
         if (imgui_line(e->label, i == ui->palette_at))
             choose(ui, e, wish);
@@ -224,7 +242,7 @@ void ui_palette(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     /* what was typed before Enter comes first */
     const bool entered = ui->palette_entered && !ui->held && !ui->input.event_count;
     if (entered && ui->palette_at < p->count)
-        choose(ui, &p->entries[ui->palette_at], wish);
+        choose(ui, &p->entries[p->order[ui->palette_at]], wish);
     else
         rows(ui, p, wish);
     imgui_panel_end();

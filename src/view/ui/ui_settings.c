@@ -252,20 +252,31 @@ bool ui_settings_group(struct settings *settings, enum ui_group group, bool *mor
     return changed;
 }
 
-bool ui_settings_found(struct settings *settings, const char *words)
+/* Those whose names have the words, or all others that fit. */
+static uint32_t show_found(struct settings *settings, const char *words, bool by_name,
+                           bool *changed)
 {
     const struct setting *row;
-    bool changed = false;
     uint32_t count = 0;
     for (enum ui_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
         for (uint32_t i = 0; (row = ui_group_row(g, i)); i++) {
-            if (!ui_settings_fit(row, words))
+            char label[LABEL_SIZE];
+            print_label(row, label);
+            const char *const names[] = { row->name, label };
+            if (ui_words_fit(words, names, 2) != by_name || !ui_settings_fit(row, words))
                 continue;
-            changed = ui_settings_row(settings, row) || changed;
+            *changed = ui_settings_row(settings, row) || *changed;
             count++;
         }
     }
-    if (!count)
+    return count;
+}
+
+bool ui_settings_found(struct settings *settings, const char *words)
+{
+    bool changed = false;
+    const uint32_t named = show_found(settings, words, true, &changed);
+    if (!(named + show_found(settings, words, false, &changed)))
         imgui_text_dim("no setting has these words");
     return changed;
 }
