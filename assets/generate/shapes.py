@@ -329,10 +329,10 @@ def worms(half, rows, seed, bend=0.0):
     return beads
 
 
-def crowd(half, count, seed):
+def crowd(half, count, seed, least=0.00006, most=0.0003):
     """
     Small bubbles in clumps around the middle of a block around the origin, where the ice closed
-    last; a few are large, most are small.
+    last; a few are large, most are small: radii are from `least` to `most`.
     """
     pick = random.Random(seed)
     beads = []
@@ -344,8 +344,8 @@ def crowd(half, count, seed):
         clump = noise(scale(at, 1 / 0.0034), seed) + 0.5 * noise(scale(at, 1 / 0.0015), seed + 1)
         if clump + 0.15 * pick.gauss(0, 1) < 0.05:
             continue
-        radius = 1 / math.sqrt(1 / 0.00006 ** 2 +
-                               pick.random() * (1 / 0.0003 ** 2 - 1 / 0.00006 ** 2))
+        radius = 1 / math.sqrt(1 / least ** 2 +
+                               pick.random() * (1 / most ** 2 - 1 / least ** 2))
         along = unit(tuple(pick.gauss(0, 1) for _ in range(3)))
         sides = 4 if radius < 0.0001 else 6 if radius < 0.00018 else 8
         beads.append((at, along, radius, radius * pick.uniform(1, 1.35), sides))

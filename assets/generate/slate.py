@@ -19,7 +19,7 @@ TILE = 0.042  # metres after which the stone's grain repeats
 WAVES = ((7, 10, 0.00009), (19, 27, 0.00005), (61, 83, 0.000015), (128, 128, 0.000005))
 LEDGE = 0.00022  # height of its ledges
 STEP = 0.0008  # height of a layer of the stone
-FILM = 0.0009  # thickness of the puddle
+FILM = 0.0015  # thickness of the puddle
 SHEET = (0.037, 0.0003)  # water that has run over the stone: mean radius, how high it stands
 EYE, TARGET, ANGLE = (0.0056, 0.0226, -0.104), (-0.0012, 0.0186, 0), 27
 # Shallow pools: where, half widths, turn, seed.
@@ -249,8 +249,8 @@ def puddle(angle):
     turn = math.radians(24)
     across, along = (abs(c * math.cos(turn) + s * math.sin(turn)),
                      abs(s * math.cos(turn) - c * math.sin(turn)))
-    out = 0.0165 * (across ** 5 + along ** 5) ** -0.2
-    out += 0.0016 * math.cos(angle - 2.6)
+    out = 0.018 * (across ** 5 + along ** 5) ** -0.2
+    out += 0.0024 * math.cos(angle - 2.6)
     out += 0.0034 * rough(3 + 1.6 * c, 3 + 1.6 * s, 61) + 0.0024 * rough(6 + 5 * c, 6 + 5 * s, 62)
     out += 0.0007 * rough(14 + 13 * c, 14 + 13 * s, 63)
     return out * c, -out * s
@@ -258,7 +258,7 @@ def puddle(angle):
 
 def water():
     """The puddle around the ice, the sheet that has run out of it, and the pools."""
-    mesh = shell(puddle, 0, FILM, 0.0028)
+    mesh = shell(puddle, 0, FILM, 0.0019)
 
     def run_out(angle):
         out = sheet_edge(-angle)
@@ -278,8 +278,8 @@ def water():
 
 def block():
     """Flat below, where it has melted onto the stone."""
-    mesh = ice(HALF, 72, 17, exponent=7, waves=0.00033, cell=0.0044, bulge=0.045, stretch=0.85,
-               fine=0.45)
+    mesh = ice(HALF, 72, 17, exponent=7, waves=0.00043, cell=0.0031, bulge=0.045, stretch=1.25,
+               fine=0.55)
     mesh.placed(TURN, MIDDLE)
 
     def pressed(p):
@@ -294,7 +294,8 @@ def block():
 def bubbles():
     """Worms of air in rows along the way the ice grew, and a cloud of eggs where it ended."""
     placed = []
-    for at, along, *form in [*worms(HALF, 170, 30, bend=0.6), *crowd(HALF, 3200, 31)]:
+    beads = [*worms(HALF, 170, 30, bend=0.6), *crowd(HALF, 2100, 31, 0.00008, 0.0006)]
+    for at, along, *form in beads:
         at = add(at, (0.0006, 0.0012, 0))
         at, along = (tuple(dot(row, v) for row in TURN) for v in (at, along))
         placed.append((add(at, MIDDLE), along, *form))
