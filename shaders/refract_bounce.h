@@ -3,12 +3,17 @@
 #define SHADERS_REFRACT_BOUNCE_H
 #include "refract_march.h"
 
+/* refract_bounce_params.nested */
+#define REFRACT_BOUNCE_NESTED_OFF 0
+#define REFRACT_BOUNCE_NESTED_ON  1 /* where objects are in others */
+#define REFRACT_BOUNCE_NESTED_ALL 2 /* and where an object is concave */
+
 struct refract_bounce_params {
     ABI_STRUCT(refract_march) march;
     uint32_t exits;  /* faces through which a ray's light leaves, at most */
     float least;     /* share of a ray's light that is followed beyond its first exit, at least */
     uint32_t margin; /* 1: the wide maps are read where the object leaves the picture */
-    uint32_t nested; /* 1: the maps of ice_nested.h are read where objects are in others */
+    uint32_t nested; /* REFRACT_BOUNCE_NESTED_OFF ...: where the maps of ice_nested.h are read */
 };
 
 #endif

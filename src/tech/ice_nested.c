@@ -129,7 +129,12 @@ bool ice_nested_is_in(const struct scene *scene)
     bool found = false;
     for (uint32_t i = 0; i < model->object_count; i++)
         found = found || model->objects[i].within;
-    return found && frame_media_count(scene) <= ICE_NESTED_MEDIA_MAX;
+    return found;
+}
+
+bool ice_nested_fits(const struct scene *scene)
+{
+    return frame_media_count(scene) <= ICE_NESTED_MEDIA_MAX;
 }
 
 uint32_t ice_nested_outermost_count(const struct scene *scene)

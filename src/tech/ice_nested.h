@@ -16,8 +16,11 @@ extern const struct rg_image ice_nested_depths, ice_nested_normals;
 
 extern const struct rg_buffer ice_nested_media; /* struct ice_nested_media */
 
-/* Whether there are bodies in others, and no more media than the maps can tell apart. */
+/* Whether there are objects in others. */
 bool ice_nested_is_in(const struct scene *scene);
+
+/* Whether there are no more media than the maps can tell apart. */
+bool ice_nested_fits(const struct scene *scene);
 
 /* Returns the number of objects that are within no other one. */
 uint32_t ice_nested_outermost_count(const struct scene *scene);

@@ -83,6 +83,13 @@ static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
+static const char *const nested_choices[] = {
+    [REFRACT_BOUNCE_NESTED_OFF] = "off",
+    [REFRACT_BOUNCE_NESTED_ON] = "on",
+    [REFRACT_BOUNCE_NESTED_ALL] = "all",
+    NULL,
+};
+
 static const struct setting rows[] = {
     {
         .name = "refract_bounce.steps",
@@ -138,12 +145,14 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract_bounce.nested",
-        .type = SETTING_SWITCH,
+        .type = SETTING_CHOICE,
         .offset = offsetof(struct refract_bounce_params, nested),
-        .initial = 1,
-        .max = 1,
+        .initial = REFRACT_BOUNCE_NESTED_ON,
+        .max = REFRACT_BOUNCE_NESTED_ALL,
+        .choices = nested_choices,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "refraction also at the faces of objects in objects, and of cavities around them",
+        .help = "refraction also at the faces of objects in objects, and of cavities around them "
+                "(all: also at all faces of concave objects)",
     },
 };
 
@@ -154,8 +163,10 @@ bool refract_bounce_is_nested(const struct settings *settings, const struct scen
 {
     const struct refract_bounce_params *params = settings_of(settings, &refract_bounce_settings);
     const struct cracks_params *cracks_of = settings_of(settings, &cracks_settings);
-    return params->nested && ice_nested_is_in(scene) && !scene_has_dress(scene) &&
-           cracks_of->refract == CRACKS_REFRACT_OFF;
+    const bool has_more =
+        params->nested == REFRACT_BOUNCE_NESTED_ALL ? !scene->is_convex : ice_nested_is_in(scene);
+    return params->nested != REFRACT_BOUNCE_NESTED_OFF && has_more && ice_nested_fits(scene) &&
+           !scene_has_dress(scene) && cracks_of->refract == CRACKS_REFRACT_OFF;
 }
 
 /* The wider maps are of the faces alone, without textures and cracks. */
@@ -166,7 +177,7 @@ static void choose(struct technique_choice *choice, const struct scene *scene)
     const struct cracks_params *cracks_of = settings_of(choice->settings, &cracks_settings);
     refract_choose(choice, scene);
     choice->is_nested =
-        choice->object_count > 1 && refract_bounce_is_nested(choice->settings, scene);
+        choice->object_count > 0 && refract_bounce_is_nested(choice->settings, scene);
     if (choice->is_nested)
         choice->object_count = ice_nested_outermost_count(scene);
     choice->is_wide = params->margin && choice->is_beyond && choice->object_count == 1 &&

@@ -7,8 +7,8 @@
 extern const struct technique refract_bounce;
 extern const struct setting_group refract_bounce_settings;
 
-/* Returns whether objects are drawn with those that are in them, instead of each by itself: if
- * refract_bounce.nested is on, and nothing has textures or tints. */
+/* Returns whether objects are drawn with those that are in them, and concave ones by more than
+ * their nearest faces: as refract_bounce.nested says, if nothing has textures or tints. */
 bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene);
 
 #endif
