@@ -111,7 +111,8 @@ def bubbles():
     pick = random.Random(77)
     for i, ((at, turn, half), cube) in enumerate(zip(CUBES, cubes())):
         matrix = turned(*turn)
-        inside = [*worms(half, 150, 900 + i), *crowd(half, 550, 940 + i)]
+        inside = [*worms(half, 190, 900 + i, bend=0.6),
+                  *crowd(half, 600, 940 + i, 0.00007, 0.0005)]
         for where, along, *form in inside:
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
@@ -129,9 +130,11 @@ def cracks():
     mesh = Mesh([], [], [])
     for i, (at, turn, _) in enumerate(CUBES):
         for k, tilt in enumerate(((70 + 9 * i, 20, 0), (15, 80 - 14 * i, 40),
-                                   (-50, 40, 75 + 8 * i))):
-            sheet = crack(0.0108 - 0.0016 * k, 300 + 10 * i + k)
-            sheet.placed(turned(*tilt), scale((0.0022, -0.0018, 0.0026), 1 - k))
+                                  (-50, 40, 75 + 8 * i), (35, -30 + 20 * i, 110),
+                                  (95, 130, 10 + 25 * i))):
+            sheet = crack(0.0112 - 0.0012 * k, 300 + 10 * i + k, bend=16)
+            aside = 1 - k if k < 3 else k - 4.5
+            sheet.placed(turned(*tilt), scale((0.0022, -0.0018, 0.0026), aside))
             mesh.join(sheet.placed(turned(*turn), at))
     return mesh
 

@@ -51,10 +51,10 @@ def wood(seed, width=192, height=512):
             whole = int(year)
             t = year - whole
             late = t ** 3 if t < 0.86 else (1 - t) * 4.5
-            value = 16 + 19 * late * (0.5 + ((whole * 37) % 11) / 11) + tone + 9 * a[x] + 10 * b[x]
+            value = 11 + 33 * late * (0.5 + ((whole * 37) % 11) / 11) + tone + 9 * a[x] + 9 * b[x]
             row.append(63 if edge < 2 else int(min(max(value, 0), 63)))
         rows.append(row)
-    colors = png(rows, ramp([(.75, .57, .40), (.63, .45, .29), (.49, .32, .19), (.29, .18, .11)]))
+    colors = png(rows, ramp([(.75, .57, .40), (.63, .45, .29), (.46, .29, .165), (.22, .125, .07)]))
     return colors, png(rows, ramp([(1, .26, 0), (1, .4, 0), (1, .52, 0)]))
 
 
