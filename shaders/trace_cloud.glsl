@@ -11,7 +11,7 @@ vec3 trace_absorbed(trace_way way, float t)
     vec3 absorption = refract_frame.absorb;
     if (trace_has(TRACE_HAS_MEDIA))
         absorption = trace_medium(trace_top(way.inside), TRACE_ABSORB).rgb;
-    bool absorbs = trace_is_inside(way.inside) && !way.is_in_bubble;
+    bool absorbs = trace_is_in(way) && !(trace_has(TRACE_HAS_INCLUSIONS) && way.is_in_bubble);
     return absorbs ? way.weight * exp(-absorption * t) : way.weight;
 }
 
@@ -30,7 +30,7 @@ const int cloud_steps = 8; /* of a straight part */
 float trace_cloud_passed(float t)
 {
     uint rank = trace_top(way.inside);
-    bool is_clear = !trace_has(TRACE_HAS_CLOUD) || !trace_is_inside(way.inside) || way.is_in_bubble;
+    bool is_clear = !trace_has(TRACE_HAS_CLOUD) || !trace_is_in(way) || way.is_in_bubble;
     float own = is_clear ? 0.0 : trace_medium(rank, TRACE_TINT).w;
     cloud_place cloud = trace.clouds[int(max(-1.0 - own, 0.0))];
     vec3 from = trace_unposed_point(way.origin, TREE_OBJECTS);

@@ -6,7 +6,8 @@
 /* Returns the parts that a way may meet next, a bit each. */
 uint trace_parts_of(trace_way way)
 {
-    bool is_in_ice = trace_is_inside(way.inside) && trace_top(way.inside) == trace.ice;
+    bool is_in_ice = trace_is_in(way) && trace_top(way.inside) == trace.ice;
+    bool meets_inclusions = trace_has(TRACE_HAS_INCLUSIONS) && (is_in_ice || way.is_in_bubble);
 #ifdef TRACE_RAYS
     uint around = 1u << TREE_SURROUNDINGS | 1u << TREE_MOVERS;
 #else
@@ -19,12 +20,13 @@ uint trace_parts_of(trace_way way)
 #endif
     bool has_left = trace_has(TRACE_IS_CONVEX) && way.side < 0.0 && !is_first;
     uint objects = has_left ? 0u : 1u << TREE_OBJECTS;
-    return objects | around | (is_in_ice || way.is_in_bubble ? 1u << TREE_INCLUSIONS : 0u);
+    return objects | around | (meets_inclusions ? 1u << TREE_INCLUSIONS : 0u);
 }
 
 trace_start trace_start_of(trace_way way)
 {
-    return trace_start(way.origin, way.dir, way.side, way.reach, way.from, way.is_in_bubble,
+    float reach = trace_has(TRACE_HAS_CULLING) ? 1e30 : way.reach;
+    return trace_start(way.origin, way.dir, way.side, reach, way.from, way.is_in_bubble,
                        trace_parts_of(way));
 }
 

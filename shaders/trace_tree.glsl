@@ -188,7 +188,8 @@ void trace_meet_triangle(trace_ray ray, int i, int part, bool counts, inout trac
     float u = dot(first.xyz, p) + first.w;
     vec4 row = uintBitsToFloat(trace_row(3 * i + 1));
     float v = dot(row.xyz, p) + row.w;
-    bool is_seen = i != ray.from && (towards * ray.side >= 0.0 || t >= ray.reach);
+    bool is_seen = i != ray.from &&
+                   (towards * ray.side >= 0.0 || (!trace_has(TRACE_HAS_CULLING) && t >= ray.reach));
     if (trace_has(TRACE_HAS_INCLUSIONS) && part == TREE_INCLUSIONS)
         is_seen = trace_sees_inclusion(ray, i, first, row, w, t, u, v);
     if (counts && is_seen && t > 0.0 && t < hit.t && u >= -trace_edge && v >= -trace_edge &&
