@@ -446,32 +446,6 @@ static bool is_too_large(const struct model *model)
     return count > TREE_TRIANGLES_MAX || model->object_count > TREE_SHELLS_MAX;
 }
 
-static struct tree_box box_of(const struct tree_part *part)
-{
-    struct tree_box box = { { FLT_MAX, FLT_MAX, FLT_MAX }, { -FLT_MAX, -FLT_MAX, -FLT_MAX } };
-    for (uint32_t i = 0; i < part->count; i++) {
-        const struct tree_box own = tree_box_of(part, part->triangles[i]);
-        for (int k = 0; k < 3; k++) {
-            box.low[k] = fminf(box.low[k], own.low[k]);
-            box.high[k] = fmaxf(box.high[k], own.high[k]);
-        }
-    }
-    return box;
-}
-
-static bool is_apart(const struct tree_part *part, const struct tree_box *box)
-{
-    for (uint32_t i = 0; i < part->count; i++) {
-        const struct tree_box own = tree_box_of(part, part->triangles[i]);
-        bool meets = true;
-        for (int k = 0; k < 3; k++)
-            meets = meets && own.low[k] <= box->high[k] && own.high[k] >= box->low[k];
-        if (meets)
-            return false;
-    }
-    return true;
-}
-
 /* Builds and lays out the trees. Returns false when out of memory. */
 static bool build(struct tree *tree, const struct tree_params *params)
 {
@@ -486,11 +460,8 @@ static bool build(struct tree *tree, const struct tree_params *params)
     if (done && params->rest && !params->rest->is_known)
         done = keep_shapes(params->rest, shapes);
     tree->is_closed = done && tree_part_is_closed(&parts[TREE_OBJECTS]);
-    if (done) {
-        const struct tree_box box = box_of(&parts[TREE_OBJECTS]);
-        tree->is_apart =
-            is_apart(&parts[TREE_SURROUNDINGS], &box) && is_apart(&parts[TREE_MOVERS], &box);
-    }
+    tree->is_apart = done && tree_parts_are_apart(parts, false);
+    tree->is_apart_turning = done && tree_parts_are_apart(parts, true);
     tree->built = work.built;
     tree->shared = work.shared;
     tree->fitted = work.fitted;

@@ -34,8 +34,10 @@ struct tree {
     uint32_t depth;                  /* most nodes on a way from a root; at most TREE_DEPTH_MAX */
     bool is_closed; /* each side of a triangle of the objects is that of another one, reversed */
     bool is_apart;  /* no box around a triangle of the surroundings meets that around the objects */
-    bool is_stored; /* a device's buffers of texels are too small for it; set by its user */
-    double ms;      /* time that tree_init() took */
+    bool is_apart_turning; /* nor that around all turns of it about its vertical axis; nothing moves
+                              around the objects */
+    bool is_stored;        /* a device's buffers of texels are too small for it; set by its user */
+    double ms;             /* time that tree_init() took */
     uint32_t built, shared,
         fitted; /* trees of objects: built by tree_init(); those of alike objects
                                        that it built; kept from the model at rest */

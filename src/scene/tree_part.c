@@ -1,5 +1,6 @@
 /* tree_part.c: which triangles a tree has. */
 #include "src/scene/tree_part.h"
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -127,6 +128,55 @@ void tree_parts_finish(struct tree_part parts[static TREE_PART_COUNT])
         free(parts[i].triangles);
         free(parts[i].firsts);
     }
+}
+
+/* ---- surroundings apart ---- */
+
+static struct tree_box box_of(const struct tree_part *part)
+{
+    struct tree_box box = { { FLT_MAX, FLT_MAX, FLT_MAX }, { -FLT_MAX, -FLT_MAX, -FLT_MAX } };
+    for (uint32_t i = 0; i < part->count; i++) {
+        const struct tree_box own = tree_box_of(part, part->triangles[i]);
+        for (int k = 0; k < 3; k++) {
+            box.low[k] = fminf(box.low[k], own.low[k]);
+            box.high[k] = fmaxf(box.high[k], own.high[k]);
+        }
+    }
+    return box;
+}
+
+static bool is_apart(const struct tree_part *part, const struct tree_box *box)
+{
+    for (uint32_t i = 0; i < part->count; i++) {
+        const struct tree_box own = tree_box_of(part, part->triangles[i]);
+        bool meets = true;
+        for (int k = 0; k < 3; k++)
+            meets = meets && own.low[k] <= box->high[k] && own.high[k] >= box->low[k];
+        if (meets)
+            return false;
+    }
+    return true;
+}
+
+/* Makes a box of what it encloses in any turn about its vertical axis. */
+static void turn_box(struct tree_box *box)
+{
+    const float x = 0.5f * (box->high[0] - box->low[0]), z = 0.5f * (box->high[2] - box->low[2]);
+    const float radius = 1.001f * hypotf(x, z); /* more than rounding takes away */
+    for (int k = 0; k < 3; k += 2) {
+        const float middle = 0.5f * (box->low[k] + box->high[k]);
+        box->low[k] = middle - radius;
+        box->high[k] = middle + radius;
+    }
+}
+
+bool tree_parts_are_apart(const struct tree_part parts[static TREE_PART_COUNT], bool turn)
+{
+    struct tree_box box = box_of(&parts[TREE_OBJECTS]);
+    if (turn && parts[TREE_OBJECTS].count)
+        turn_box(&box);
+    return is_apart(&parts[TREE_SURROUNDINGS], &box) && is_apart(&parts[TREE_MOVERS], &box) &&
+           !(turn && parts[TREE_MOVERS].count);
 }
 
 /* ---- closed shells ---- */

@@ -32,6 +32,11 @@ const struct mesh_vertex *tree_corner(const struct tree_part *part, uint32_t tri
 
 struct tree_box tree_box_of(const struct tree_part *part, uint32_t triangle);
 
+/* Returns whether no box around a triangle of the surroundings meets that around the objects, or,
+ * if they `turn` about their vertical axis, that around all turns of it; things that move around
+ * them meet it then. */
+bool tree_parts_are_apart(const struct tree_part parts[static TREE_PART_COUNT], bool turn);
+
 /* Returns whether each side of a triangle is that of another one, reversed. */
 bool tree_part_is_closed(const struct tree_part *part);
 

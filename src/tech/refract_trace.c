@@ -228,6 +228,12 @@ static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
 }
 
 /* The scene has its tree: see scene_need_tree(). */
+/* Returns what trace_pose() of trace_tree.glsl does, of a turn about a vertical axis. */
+static vec4s turn_of(mat4s pose)
+{
+    return (vec4s){ { pose.raw[0][0], pose.raw[2][0], pose.raw[3][0], pose.raw[3][2] } };
+}
+
 static void write_frame(void *memory, const struct frame_view *view, const struct globals *globals)
 {
     struct trace_frame *trace = memory;
@@ -242,7 +248,9 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
         .ice = view->scene->model.object_count ? view->scene->model.objects[0].rank : 1,
         .crack_slope = cracks_of->look.bump,
         .media_at = tree->media,
-        .is_apart = tree->is_apart && !has_motion(view->settings),
+        .objects_turn = turn_of(globals->world_from_object),
+        .movers_turn = turn_of(globals->world_from_movers),
+        .is_apart = has_motion(view->settings) ? tree->is_apart_turning : tree->is_apart,
     };
     if (lights_surroundings(view->scene, view->settings))
         trace->guide = surface_light_guide(&view->scene->environment, view->scene->surface_light);

@@ -8,7 +8,6 @@
 
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
-#include "shaders/globals.h"
 #include "shaders/refract_trace.h"
 #include "src/scene/tree.h"
 #include "tests/gpu/shaders/trace_rays.h"
@@ -34,11 +33,6 @@ static const struct rg_buffer stored_nodes = { "stored nodes", .size = 16,
                                                .memory = RG_MEMORY_UPLOAD };
 static const struct rg_buffer stored_triangles = { "stored triangles", .size = 16,
                                                    .memory = RG_MEMORY_UPLOAD };
-static const struct rg_buffer globals = {
-    .name = "globals",
-    .size = sizeof(struct globals),
-    .memory = RG_MEMORY_UPLOAD,
-};
 static const struct rg_buffer trace = {
     .name = "trace",
     .size = sizeof(struct trace_frame),
@@ -65,7 +59,6 @@ static const struct rg_pass rows[] = {
         .name = "meet",
         .color = RG_TARGETS({ &found, RG_LOAD_DISCARD }),
         .uses = RG_USES(
-            { .buffer = &globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING },
             { .buffer = &trace, .access = RG_UNIFORM, .binding = TRACE_FRAME },
             { .buffer = &rays, .access = RG_SAMPLED, .binding = TRACE_RAYS_BINDING },
             { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES },
@@ -101,6 +94,14 @@ struct ray {
     vec3s dir;
     float side; /* as of trace_ray in trace_tree.glsl */
 };
+
+/* Cosine and sine of a turn about the vertical axis, and what x and z are shifted by. */
+static const vec4s turn = { { 0.6f, 0.8f, 0.25f, -0.5f } };
+
+static vec3s turned(vec3s v)
+{
+    return (vec3s){ { turn.x * v.x + turn.y * v.z, v.y, turn.x * v.z - turn.y * v.x } };
+}
 
 /* Rays from all around and from inside of an object, some along an axis. `is_sided`: they meet only
  * faces that they can see, as of a closed object. */
@@ -155,10 +156,9 @@ static void ask(struct gpu *gpu, const struct tree *tree, const struct ray *aske
                                    .objects = objects,
                                    .import_count = IMPORTS,
                                    .constants = &constants });
-    struct trace_frame frame = { .one = 1, .hair = 1e-4f };
+    struct trace_frame frame = { .one = 1, .hair = 1e-4f, .objects_turn = turn };
     memcpy(frame.roots, tree->roots, sizeof(tree->roots));
     assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
-    memset(run_data(&run, &globals), 0, sizeof(struct globals));
     memcpy(run_data(&run, &trace), &frame, sizeof(frame));
     assert_int_equal(rg_exec_submit(run.exec, NULL), VK_SUCCESS);
     assert_int_equal(rg_exec_wait(run.exec, run.slot), VK_SUCCESS);
@@ -168,14 +168,20 @@ static void ask(struct gpu *gpu, const struct tree *tree, const struct ray *aske
         gpu_buffer_destroy(gpu, &buffers[i]);
 }
 
-/* A ray along a side of two triangles may meet either, so the places count. */
-static void compare(struct gpu *gpu, const struct tree *tree, bool is_sided)
+/* A ray along a side of two triangles may meet either, so the places count. `constant`: with
+ * TRACE_HAS_CULLING rays are sided, with TRACE_HAS_MOTION the object is turned. */
+static void compare(struct gpu *gpu, const struct tree *tree, uint32_t constant)
 {
-    static struct ray asked[RAYS];
+    static struct ray asked[RAYS], sent[RAYS];
     static vec4s answers[RAYS];
     int met = 0, same = 0;
-    pick_rays(asked, tree, is_sided);
-    ask(gpu, tree, asked, is_sided ? TRACE_HAS_CULLING : 0, answers);
+    pick_rays(asked, tree, constant & TRACE_HAS_CULLING);
+    memcpy(sent, asked, sizeof(sent));
+    for (int i = 0; i < RAYS && constant & TRACE_HAS_MOTION; i++) {
+        sent[i].origin = glms_vec3_add(turned(asked[i].origin), (vec3s){ { turn.z, 0, turn.w } });
+        sent[i].dir = turned(asked[i].dir);
+    }
+    ask(gpu, tree, sent, constant, answers);
     for (int i = 0; i < RAYS; i++) {
         struct tree_hit hit;
         const struct tree_ray ray = { asked[i].origin, asked[i].dir, 0.0, TREE_NOTHING };
@@ -201,9 +207,9 @@ static void rays_meet_the_same(void **state)
         assert_true(generators[g](&model.object, 3000));
         assert_int_equal(tree_init(&tree, &(struct tree_params){ .model = &model, .threads = 2 }),
                          STATUS_OK);
-        compare(*state, &tree, false);
+        compare(*state, &tree, TRACE_HAS_MOTION);
         if (tree.is_closed)
-            compare(*state, &tree, true);
+            compare(*state, &tree, TRACE_HAS_CULLING);
         tree_finish(&tree);
         mesh_finish(&model.object);
     }

@@ -382,24 +382,26 @@ static void test_deformed(void **state)
     tree_rest_destroy(other);
 }
 
-/* Surroundings are apart where none is in the box around the objects, be it at rest or not. */
+/* Surroundings are apart where none is in the box around the objects, be it at rest or not; if the
+ * objects turn, in the box around the corners' way. */
 static void test_apart(void **state)
 {
     (void)state;
     struct model model = { 0 };
     assert_true(generate_sphere(&model.object, 100));
     assert_true(generate_sphere(&model.surroundings, 100));
-    const float shifts[] = { 0.0f, 1.5f, 3.0f };
-    for (int i = 0; i < 6; i++) {
+    const float shifts[] = { 0.0f, 1.5f, 2.2f, 3.0f };
+    for (int i = 0; i < 8; i++) {
         struct tree tree;
         for (uint32_t k = 0; k < model.surroundings.vertex_count; k++) {
             struct mesh_vertex *vertex = &model.surroundings.vertices[k];
-            vertex->position.x = model.object.vertices[k].position.x + shifts[i % 3];
-            vertex->material = i < 3 ? 0 : MESH_MOVES;
+            vertex->position.x = model.object.vertices[k].position.x + shifts[i % 4];
+            vertex->material = i < 4 ? 0 : MESH_MOVES;
         }
         const struct tree_params params = { .model = &model, .threads = 1 };
         assert_int_equal(tree_init(&tree, &params), STATUS_OK);
-        assert_int_equal(tree.is_apart, i % 3 == 2);
+        assert_int_equal(tree.is_apart, i % 4 >= 2);
+        assert_int_equal(tree.is_apart_turning, i == 3);
         tree_finish(&tree);
     }
     model_finish(&model);
