@@ -128,8 +128,7 @@ static enum status open_ui(struct view *v)
         ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), &v->pictures, o->run.quiet);
     if (status != STATUS_OK)
         return status;
-    v->window.listen = ui_hear;
-    v->window.listener = v->ui;
+    window_tell(&v->window, ui_hear, v->ui);
     ui_dump(v->ui, o->view.ui_dump);
     view_show_ui(v, shows_panels(o));
     return STATUS_OK;

@@ -365,6 +365,16 @@ void window_wake(void)
     glfwPostEmptyEvent();
 }
 
+void window_tell(struct window *w, window_listen_fn *hear, void *listener)
+{
+    double x;
+    double y;
+    glfwGetCursorPos(w->handle, &x, &y);
+    w->listen = hear;
+    w->listener = listener;
+    on_cursor(w->handle, x, y);
+}
+
 struct window_input window_take(struct window *w)
 {
     const struct window_input input = w->input;

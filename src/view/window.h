@@ -114,6 +114,10 @@ void window_wait(struct window *window, double seconds);
 /* Ends window_wait(); from any thread. */
 void window_wake(void);
 
+/* From now on somebody hears of everything first, and at once of where the cursor is: it may rest
+ * there since before the window was. */
+void window_tell(struct window *window, window_listen_fn *hear, void *listener);
+
 /* Returns what has happened, and forgets it. */
 struct window_input window_take(struct window *window);
 

@@ -244,6 +244,14 @@ class Panels(PanelsCase):
             shown.add(self.desktop.pixels(window))
         self.close(window)
 
+    def test_a_cursor_that_rests_where_the_window_opens(self):
+        """Its first press is where it is: on the picture, which follows."""
+        self.desktop.do('mousemove', 400, 300)  # in the middle, where windows open
+        window = self.start_with_panels()
+        self.desktop.do('mousedown', 1, 'mousemove_relative', '--', 9, 5, 'mouseup', 1)
+        self.wait_for_command(window, '--eye')
+        self.close(window)
+
     def time(self, window):
         """Of the scene, seconds, as the command says it."""
         return float(self.command(window).partition('motion.time=')[2].split()[0])

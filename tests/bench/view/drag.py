@@ -2,7 +2,8 @@
 
 drag.py FIRN: of three runs of the default scene in the size of the first window, medians of what
 `firn view` reports of movements, beside what is wanted, as ratios. On a machine that does other
-things as well it says little. Fails if pictures of a movement take longer than one in full size.
+things as well it says little: `chrt -r 5` helps. Fails if pictures of a movement take longer than
+one in full size.
 """
 import pathlib
 import re
