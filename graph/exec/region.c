@@ -39,14 +39,6 @@ static bool is_divisible(const struct rg_exec *exec, const struct rg_plan_pass *
     return divisible && (pass->depth.image == RG_NONE || is_of_view(&images[pass->depth.image]));
 }
 
-/* Adds a need of an image. Returns whether it is new. */
-static bool need(uint8_t *needs, uint32_t image, uint32_t coverage)
-{
-    const uint8_t before = needs[image];
-    needs[image] = (uint8_t)(before | coverage);
-    return needs[image] != before;
-}
-
 static uint32_t coverage_of(const struct rg_exec *exec, const struct rg_plan_pass *pass,
                             const uint8_t *needs)
 {
@@ -70,29 +62,24 @@ static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
     return use->access == RG_SAMPLED ? COVER_REACH : COVER_ALL;
 }
 
-/* Derives what each pass draws, from the last one back. Returns whether a need is new, so that
- * another round is necessary. */
-static bool spread(struct rg_exec *exec, uint8_t *needs)
+/* Finds what a pass draws, and adds what it needs of images that earlier passes draw. */
+static void find_coverage(struct rg_exec *exec, uint32_t index, uint8_t *needs)
 {
-    bool news = false;
-    for (uint32_t p = exec->plan->pass_count; p-- > 0;) {
-        const struct rg_plan_pass *pass = &exec->plan->passes[p];
-        const uint32_t coverage = coverage_of(exec, pass, needs);
-        exec->passes[p].coverage = coverage;
-        for (uint32_t i = 0; i < pass->color_count; i++) {
-            news |= need(needs, pass->color[i].image, coverage);
-            if (pass->color[i].resolve != RG_NONE)
-                news |= need(needs, pass->color[i].resolve, coverage);
-        }
-        if (pass->depth.image != RG_NONE)
-            news |= need(needs, pass->depth.image, coverage);
-        for (uint32_t i = 0; i < pass->use_count; i++) {
-            const struct rg_plan_use *use = &exec->plan->uses[pass->first_use + i];
-            if (use->image != RG_NONE)
-                news |= need(needs, use->image, coverage_read(use->use, coverage));
-        }
+    const struct rg_plan_pass *pass = &exec->plan->passes[index];
+    const uint32_t coverage = coverage_of(exec, pass, needs);
+    exec->passes[index].coverage = coverage;
+    for (uint32_t i = 0; i < pass->color_count; i++) {
+        needs[pass->color[i].image] |= (uint8_t)coverage;
+        if (pass->color[i].resolve != RG_NONE)
+            needs[pass->color[i].resolve] |= (uint8_t)coverage;
     }
-    return news;
+    if (pass->depth.image != RG_NONE)
+        needs[pass->depth.image] |= (uint8_t)coverage;
+    for (uint32_t i = 0; i < pass->use_count; i++) {
+        const struct rg_plan_use *use = &exec->plan->uses[pass->first_use + i];
+        if (use->image != RG_NONE)
+            needs[use->image] |= (uint8_t)coverage_read(use->use, coverage);
+    }
 }
 
 VkResult rg_exec_make_coverage(struct rg_exec *exec)
@@ -103,8 +90,8 @@ VkResult rg_exec_make_coverage(struct rg_exec *exec)
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     for (uint32_t i = 0; i < plan->image_count; i++) /* outputs */
         needs[i] = plan->images[i].last == plan->pass_count ? COVER_REGION : 0;
-    while (spread(exec, needs))
-        ;
+    for (uint32_t p = plan->pass_count; p-- > 0;) /* later passes need what earlier ones draw */
+        find_coverage(exec, p, needs);
     return VK_SUCCESS;
 }
 

@@ -33,7 +33,13 @@ static const struct rg_buffer history_out = COLOR_BUFFER("history out");
 
 static const struct rg_pass rows[] = {
     { .name = "under", CLEAR(under), PAINTED },
-    { .name = "map", CLEAR(map), .uses = RG_USES(HERE(under)), FETCHED },
+    {
+        .name = "map", /* it has to draw `depth` for later rows, but they not for it */
+        CLEAR(map),
+        .depth = { &depth, RG_LOAD_CLEAR },
+        .uses = RG_USES(HERE(under)),
+        FETCHED,
+    },
     { .name = "own", CLEAR(own), .depth = { &depth, RG_LOAD_CLEAR }, PAINTED },
     { .name = "mixed", CLEAR(mixed), PAINTED },
     { .name = "fixed", CLEAR(fixed), PAINTED },
@@ -103,7 +109,7 @@ static const struct paint_push paints[] = {
     }
 static const struct rg_exec_region wanted = { PART, REACH };
 static const VkRect2D areas[] = {
-    REACH, REACH, PART, BOTH, WHOLE, WHOLE, PART, PART, PART, PART, PART,
+    BOTH, BOTH, PART, BOTH, WHOLE, WHOLE, PART, PART, PART, PART, PART,
 };
 
 enum {
