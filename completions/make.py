@@ -19,7 +19,7 @@ WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbo
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),
          'overlay': ('on', 'off'), 'only': ('heat',), 'sandbox': ('on', 'off'),
          'pixel-filter': ('blackman-harris', 'box', 'point'), 'png-bits': ('8', '16'),
-         'up': ('y', 'z')}
+         'samples': ('auto',), 'up': ('y', 'z')}
 FILES = {'output', 'env', 'surroundings', 'baseline', 'json', 'csv', 'trace', 'html', 'mask',
          'truth', 'screenshot', 'watch', 'preset'}
 CATEGORIES = (*LISTS, 'devices', 'sandbox')

@@ -80,6 +80,7 @@ struct app_picture {
     bool is_rung_named;            /* by --refraction, or by hand in a window */
     const struct technique *split; /* on the right of a window; NULL: it is not split */
     uint32_t width, height, samples;
+    bool adapts;            /* parts with little noise have fewer samples: adaptive.h */
     uint32_t level_samples; /* of --quality, which firn render has unless --samples says; 0: none */
     enum pixel_filter filter;
     uint32_t columns, rows;         /* of tiles that it is drawn in; 0: it is not */

@@ -113,9 +113,12 @@ static bool describe(const struct output *output, bool is_png, char **text)
 
     settings_put(&settings, settings_find("motion.time"), (double)output->shot.time);
     if (out) {
-        fprintf(out, "scene=%s refraction=%s size=%ux%u samples=%u", p->scene.name,
-                p->rung->rung.name, p->width, p->height,
-                output->samples ? output->samples : p->samples);
+        fprintf(out, "scene=%s refraction=%s size=%ux%u samples=", p->scene.name,
+                p->rung->rung.name, p->width, p->height);
+        if (p->adapts)
+            fputs("auto", out);
+        else
+            fprintf(out, "%u", output->samples ? output->samples : p->samples);
         if (p->filter != PIXEL_FILTER_BOX)
             fprintf(out, " pixel-filter=%s", pixel_filter_names[p->filter]);
         if (p->interleaved) /* other tiles change nothing */
@@ -226,7 +229,12 @@ static const char *check_sizes(const struct app_picture *p)
 enum status output_check_tiles(const struct app_picture *p, const struct app_outputs *outputs)
 {
     const char *wrong = NULL;
-    if (!p->columns && (p->tile || p->interleaved)) {
+    if (p->adapts && (p->columns || p->rung == &refract_reference)) {
+        wrong = p->columns ? "--samples auto: not available with --tiles, since it depends on the "
+                             "whole picture; give a number"
+                           : "--samples auto: not available with --refraction reference; give "
+                             "--noise, or a number";
+    } else if (!p->columns && (p->tile || p->interleaved)) {
         wrong = p->tile ? "--tile: --tiles is missing" : "--interleaved: --tiles is missing";
     } else if (p->columns) {
         if (p->rung == &refract_reference)

@@ -366,7 +366,7 @@ static enum status open_renderer(struct job *job)
     else if (p->layers && !job->is_opened)
         log_warning("--aov: PNG files have no layers; add an .exr file with --output");
     params.layers |= layer_picture_bit(p->show);
-    params.linear = params.linear || (job->makes_png && !p->show);
+    params.linear = params.linear || p->adapts || (job->makes_png && !p->show);
     if (p->rung == &refract_reference)
         return open_reference(job, &params);
     enum status status = open_device(job);
@@ -379,8 +379,12 @@ static void print_written(const struct job *job, const struct frame *frame, cons
 {
     const struct app_picture *p = &job->o.picture;
     const uint32_t samples = frame->output.samples ? frame->output.samples : p->samples;
-    fprintf(stderr, "%s: %ux%u, %u sample%s", strcmp(path, "-") ? path : "stdout", p->width,
-            p->height, samples, samples > 1 ? "s" : "");
+    const char *name = strcmp(path, "-") ? path : "stdout";
+    fprintf(stderr, "%s: %ux%u, ", name, p->width, p->height);
+    if (p->adapts)
+        fprintf(stderr, "%.3g samples on average", (double)frame->result.samples);
+    else
+        fprintf(stderr, "%u sample%s", samples, samples > 1 ? "s" : "");
     if (frame->output.samples > 1)
         fprintf(stderr, ", noise %.3g", frame->output.noise);
     fputc('\n', stderr);

@@ -365,6 +365,7 @@ struct renderer_params app_renderer_params(const struct app_picture *p, struct g
         .height = p->height,
         .columns = p->columns,
         .rows = p->rows,
+        .adapts = p->adapts,
         .filter = p->filter,
         .interleaved = p->interleaved,
         .sharing = p->sharing,

@@ -48,20 +48,25 @@ static void add_float(float *plane, size_t count, const void *texels, uint32_t c
         plane[i] += source[i * channels + channel];
 }
 
-void accumulate_sample(struct image *image, const struct frame_layer *layer, const void *texels,
-                       uint32_t sample)
+void accumulate_sample(struct image *image, const struct tile *part,
+                       const struct frame_layer *layer, const void *texels, uint32_t sample)
 {
-    VkFormat format = layer->image->format;
-    size_t count = (size_t)image->width * image->height;
-    assert(is_half(format) || rg_format_info(format)->size == channel_count(format) * 4);
+    const VkFormat format = layer->image->format;
+    const size_t size = rg_format_info(format)->size;
+    assert(is_half(format) || size == channel_count(format) * 4);
     if (sample && !layer->mean)
         return;
     for (uint32_t p = 0; p < plane_count(layer); p++) {
         float *plane = image_find(image, layer->planes[p]);
-        if (is_half(format))
-            add_half(plane, count, texels, layer->first_channel + p, channel_count(format));
-        else
-            add_float(plane, count, texels, layer->first_channel + p, channel_count(format));
+        for (uint32_t y = 0; y < part->height; y++) {
+            float *row = &plane[(size_t)(part->y + y) * image->width + part->x];
+            const char *source = (const char *)texels + size * part->width * y;
+            if (is_half(format))
+                add_half(row, part->width, source, layer->first_channel + p, channel_count(format));
+            else
+                add_float(row, part->width, source, layer->first_channel + p,
+                          channel_count(format));
+        }
     }
 }
 

@@ -15,6 +15,7 @@
 #include "src/frame/view.h"
 #include "src/image/half.h"
 #include "src/render/accumulate.h"
+#include "src/render/adaptive.h"
 #include "src/render/frame_exec.h"
 #include "src/render/frame_objects.h"
 #include "src/render/renderer_internal.h"
@@ -111,6 +112,8 @@ void renderer_take_params(struct renderer *r, const struct renderer_params *para
 {
     r->params = *params;
     r->params.samples = params->samples ? params->samples : 1;
+    if (params->adapts)
+        r->params.samples = ADAPTIVE_SAMPLES;
     r->params.columns = params->columns ? params->columns : 1;
     r->params.rows = params->rows ? params->rows : 1;
     if (!params->face_size)
@@ -242,7 +245,7 @@ static void limit(const struct renderer *r, const struct frame_view *view,
         .region = { { (int32_t)t->x, (int32_t)t->y }, { t->width, t->height } },
         .reach = frame_view_reach(view, globals, r->params.rung->rung.reach),
     };
-    if (r->tiling.columns * r->tiling.rows > 1)
+    if (r->tiling.columns * r->tiling.rows > 1 || r->params.adapts)
         rg_exec_set_region(r->picture.exec, &region);
 }
 
@@ -318,19 +321,19 @@ static bool wants_layer(const struct renderer *r, uint32_t layer)
     return r->params.layers & 1u << layer;
 }
 
-static enum status fetch_sample(struct renderer *r, struct image *image, uint32_t sample,
-                                uint32_t slot)
+enum status renderer_fetch(struct renderer *r, struct image *image, const struct tile *part,
+                           uint32_t sample, uint32_t slot)
 {
     enum status status = gpu_status(rg_exec_wait(r->picture.exec, slot));
     if (status != STATUS_OK)
         return status;
     const void *beauty = renderer_read_back(&r->picture, frame_beauty.image, slot);
     if (beauty)
-        accumulate_sample(image, &frame_beauty, beauty, sample);
+        accumulate_sample(image, part, &frame_beauty, beauty, sample);
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const void *texels = renderer_read_back(&r->picture, techniques_layer(i)->image, slot);
         if (wants_layer(r, i) && texels)
-            accumulate_sample(image, techniques_layer(i), texels, sample);
+            accumulate_sample(image, part, techniques_layer(i), texels, sample);
     }
     return STATUS_OK;
 }
@@ -396,6 +399,7 @@ const char *renderer_row_name(const struct renderer *r, const struct rg_pass *ro
 static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,
                                 struct image *image, renderer_progress_fn *progress, void *user)
 {
+    const struct tile pixels = { .width = image->width, .height = image->height };
     enum status status = renderer_capture_cube(r, shot);
     r->cube.in_turn = false; /* pictures must not depend on earlier ones, so all faces are drawn */
     r->stays = false;
@@ -406,7 +410,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
             status = renderer_run(r, &r->picture, shot, i, &r->last_slot);
         if (i == 0 || status != STATUS_OK)
             continue;
-        status = fetch_sample(r, image, i - 1, slot_before);
+        status = renderer_fetch(r, image, &pixels, i - 1, slot_before);
         if (status == STATUS_OK && progress && !progress(user, i, r->params.samples))
             status = STATUS_FAILED;
     }
@@ -487,9 +491,14 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
     *result = (struct render_result){ 0 };
     if (!renderer_is_interleaved(&r->params))
         r->tile = tile_at(&r->tiling, shot->tile);
-    enum status status = make_planes(r, &result->image)
-                             ? draw_samples(r, shot, &result->image, progress, user)
-                             : log_out_of_memory(NULL);
+    enum status status = STATUS_OK;
+    result->samples = (float)r->params.samples;
+    if (!make_planes(r, &result->image))
+        status = log_out_of_memory(NULL);
+    else if (r->params.adapts)
+        status = renderer_draw_adaptive(r, shot, result, progress, user);
+    else
+        status = draw_samples(r, shot, &result->image, progress, user);
     /* The warm-up ends first, so that a crash of a driver's compiler cannot damage an output. */
     warm_up_end(r->warm_up);
     r->warm_up = NULL;
@@ -519,8 +528,9 @@ static enum status fetch_cube(struct renderer *r, uint32_t slot, struct image *i
         image_finish(image);
         return log_out_of_memory(NULL);
     }
-    accumulate_sample(image, &cube, renderer_read_back(&r->capture, &frame_env_cube_baked, slot),
-                      0);
+    const struct tile all = { .width = image->width, .height = image->height };
+    accumulate_sample(image, &all, &cube,
+                      renderer_read_back(&r->capture, &frame_env_cube_baked, slot), 0);
     return STATUS_OK;
 }
 

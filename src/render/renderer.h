@@ -29,6 +29,7 @@ struct render_result {
     struct image image; /* linear: beauty and layers */
     uint16_t *rgba_16;  /* as rgba, of 16 bits; NULL: the renderer makes none */
     uint8_t *rgba;      /* sRGB-encoded, width * height * 4 bytes; NULL if not asked for */
+    float samples;      /* per pixel, on average */
 };
 
 /* Called after every sample. If it returns false, rendering stops with STATUS_FAILED and logs

@@ -61,6 +61,16 @@ MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_exec *
                                   const struct renderer_shot *shot, uint32_t sample,
                                   uint32_t *slot);
 
+/* Waits for a sample, and adds it to a part of the result's image. */
+MUST_USE enum status renderer_fetch(struct renderer *renderer, struct image *image,
+                                    const struct tile *part, uint32_t sample, uint32_t slot);
+
+/* Draws the samples of a result whose params.adapts; sums are those of ADAPTIVE_SAMPLES. */
+MUST_USE enum status renderer_draw_adaptive(struct renderer *renderer,
+                                            const struct renderer_shot *shot,
+                                            struct render_result *result,
+                                            renderer_progress_fn *progress, void *user);
+
 /* Draws the environment cube once, before the first sample, if it is not dynamic. */
 MUST_USE enum status renderer_capture_cube(struct renderer *renderer,
                                            const struct renderer_shot *shot);

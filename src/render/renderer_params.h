@@ -23,6 +23,7 @@ struct renderer_params {
     bool is_beyond;         /* the object may leave the picture */
     bool interleaved;       /* tiles are interleaved: see renderer_shot */
     uint32_t samples;       /* per pixel; 0 means 1 */
+    bool adapts;            /* they are ADAPTIVE_SAMPLES, and fewer where these do: adaptive.h */
     enum pixel_filter filter;
     uint32_t layers;         /* bit i: techniques_layer(i), if the settings switch it on */
     bool linear;             /* return the beauty in render_result.image */

@@ -38,6 +38,7 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     const VkExtent2D whole = { r->params.width, r->params.height };
     if (sample == 0 && !clear_sums(r))
         return log_out_of_memory(NULL);
+    const struct tile all = { .width = whole.width, .height = whole.height };
     enum status status = renderer_set_view(r, whole);
     if (status == STATUS_OK)
         status = renderer_capture_cube(r, shot);
@@ -48,7 +49,7 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     if (status == STATUS_OK)
         status = renderer_wait(r);
     if (status == STATUS_OK)
-        accumulate_sample(&r->sums, &frame_beauty,
+        accumulate_sample(&r->sums, &all, &frame_beauty,
                           renderer_read_back(&r->picture, frame_beauty.image, r->last_slot),
                           sample);
     r->sum_count = sample + 1;

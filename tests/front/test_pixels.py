@@ -1,5 +1,6 @@
 """test_pixels.py: what options do to the pixels of a picture. Usage: see case.py."""
 import pathlib
+import re
 import struct
 import sys
 
@@ -43,6 +44,52 @@ class PixelFilter(Pixels):
         for name in ('', 'Box', 'gauss'):
             self.refuse(USAGE, 'render', *TINY, '--pixel-filter', name,
                         names=['--pixel-filter', name, 'box, point or blackman-harris'])
+
+
+class Adaptive(Pixels):
+    def test_a_small_picture_is_one_part(self):
+        """Samples that are all alike have no noise."""
+        words = ('render', *TINY[:-1], '--samples', 'auto', '-o', 'a.exr', '-o', 'a.png')
+        for more, counts in (((), (16, 64)), (('--pixel-filter', 'point'), (4,))):
+            said = self.succeed(*words, *more).stderr.decode()
+            count = int(re.search(r'a\.exr: 32x24, (\d+) samples on average\n', said)[1])
+            self.assertIn(count, counts)
+            found = Exr((self.folder / 'a.exr').read_bytes())
+            self.assertIn(' samples=auto ', found.text('firn/settings'))
+            self.assertEqual(found.pixels, self.draw('--samples', count, *more).pixels)
+        self.succeed(*words)
+        self.assertEqual(self.succeed(*words, '--resume').stderr.count(b'up to date'), 2)
+
+    @long
+    def test_each_cell_has_its_own(self):
+        """And the pixels of a picture with as many everywhere, in all layers."""
+        width, height, cell = 512, 320, 32
+        (self.folder / 'even.hdr').write_bytes(
+            b'#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n' + bytes((128,) * 4) * 32)
+        scene = ('sphere', '--size', f'{width}x{height}', *PLAIN, '-q', '--env', 'even.hdr',
+                 '--background', 'none', '--eye', '-2,1,12', '--target', '-2,1,0',
+                 '--aov', 'N,refraction')
+        layers = (*'RGB', 'refraction.G', 'N.X')
+        planes = [self.draw('--samples', count, scene=scene).read_planes(layers)
+                  for count in ('auto', 4, 16, 64)]
+        counts = []
+        for top in range(0, height, cell):
+            for left in range(0, width, cell):
+                cells = [[plane[name][y * width + left:y * width + left + cell]
+                          for name in layers for y in range(top, top + cell)] for plane in planes]
+                counts.append([i for i in (1, 2, 3) if cells[i] == cells[0]])
+        self.assertNotIn([], counts)
+        self.assertEqual(counts[0], [1, 2, 3])  # nothing is there
+        self.assertTrue(0 < sum(1 not in each for each in counts) < 60, counts)
+
+    def test_what_it_cannot_do(self):
+        for words, name in ((('--tiles', '2x1'), '--tiles'),) + (
+                ((('-r', 'reference'), '--noise'),) if HAS_REFERENCE else ()):
+            self.refuse(USAGE, 'render', *TINY, '--samples', 'auto', *words,
+                        names=['--samples auto', name])
+        for value in ('Auto', '0', '4x', '65537'):
+            self.refuse(USAGE, 'render', *TINY, '--samples', value,
+                        names=['--samples', value, '1 to 65536, or auto'])
 
 
 class Caustics(Pixels):

@@ -19,6 +19,8 @@ static const struct rg_image half_rgba = { "half", VK_FORMAT_R16G16B16A16_SFLOAT
 static const struct rg_image float_rgba = { "float", VK_FORMAT_R32G32B32A32_SFLOAT };
 static const struct rg_image float_one = { "one", VK_FORMAT_R32_SFLOAT };
 
+static const struct tile all = { .width = WIDTH, .height = HEIGHT };
+
 /* A value that names its texel, channel and sample; exact as half, and so are sums of four. */
 static float value_of(size_t texel, uint32_t channel, uint32_t sample)
 {
@@ -52,7 +54,7 @@ static struct image accumulate(const struct frame_layer *layer, uint32_t samples
     assert_true(accumulate_add_planes(&image, layer));
     for (uint32_t sample = 0; sample < samples; sample++) {
         void *texels = make_texels(layer->image->format, sample);
-        accumulate_sample(&image, layer, texels, sample);
+        accumulate_sample(&image, &all, layer, texels, sample);
         free(texels);
     }
     accumulate_mean(&image, layer, samples);
@@ -126,8 +128,8 @@ static void test_layers_side_by_side(void **state)
     assert_true(image.planes[2].half);
     for (uint32_t sample = 0; sample < SAMPLES; sample++) {
         void *texels = make_texels(VK_FORMAT_R32G32B32A32_SFLOAT, sample);
-        accumulate_sample(&image, &first, texels, sample);
-        accumulate_sample(&image, &last, texels, sample);
+        accumulate_sample(&image, &all, &first, texels, sample);
+        accumulate_sample(&image, &all, &last, texels, sample);
         free(texels);
     }
     accumulate_mean(&image, &first, SAMPLES);
@@ -135,6 +137,23 @@ static void test_layers_side_by_side(void **state)
     check_plane(&image, "a", 0, SAMPLES);
     check_plane(&image, "b", 1, SAMPLES);
     check_plane(&image, "c", 3, 1);
+    image_finish(&image);
+}
+
+/* A part's rows are tight; what is around it stays. */
+static void test_a_part(void **state)
+{
+    (void)state;
+    const struct frame_layer layer = { .image = &half_rgba, .planes = { "a" }, .mean = true };
+    const struct tile part = { .x = 1, .y = 1, .width = 2, .height = 1 };
+    struct image image;
+    image_init(&image, WIDTH, HEIGHT);
+    assert_true(accumulate_add_planes(&image, &layer));
+    void *texels = make_texels(half_rgba.format, 1);
+    accumulate_sample(&image, &part, &layer, texels, 1);
+    free(texels);
+    for (size_t i = 0; i < TEXELS; i++)
+        CHECK_NEAR(image.planes[0].texels[i], i < 4 ? 0.0f : value_of(i - 4, 0, 1), 0.0);
     image_finish(&image);
 }
 
@@ -172,6 +191,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_formats_and_channels),
         cmocka_unit_test(test_layers_side_by_side),
+        cmocka_unit_test(test_a_part),
         cmocka_unit_test(test_layers_of_the_frame),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

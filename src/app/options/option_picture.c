@@ -9,6 +9,7 @@
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/reference/reference.h"
+#include "src/render/adaptive.h"
 #include "src/scene/material.h"
 #include "src/tech/refract_reference.h"
 #include "src/tech/tonemap.h"
@@ -170,6 +171,19 @@ enum status option_png_bits(const struct option *option, void *at, const char *v
     if (!is_16 && strcmp(value, "8") != 0)
         return option_refuse(option, value, "8 or 16");
     picture->png_bits = is_16 ? 16 : 8;
+    return STATUS_OK;
+}
+
+enum status option_samples(const struct option *option, void *at, const char *value)
+{
+    struct app_picture *picture = at;
+    const char *rest;
+    picture->adapts = strcmp(value, "auto") == 0;
+    if (picture->adapts)
+        picture->samples = ADAPTIVE_SAMPLES;
+    else if (!option_parse_count(value, option->min, option->max, &picture->samples, &rest) ||
+             *rest)
+        return option_refuse(option, value, "a whole number from 1 to 65536, or auto");
     return STATUS_OK;
 }
 

@@ -8,7 +8,7 @@ option_fn option_material, option_sandbox, option_set, option_tone_curve, option
     option_env_exposure, option_background, option_up, option_scale,
     option_rotate; /* of struct app_scene */
 option_fn option_refraction, option_size, option_bake_size, option_tiles, option_tile, option_aov,
-    option_show, option_fov, option_png_bits;                     /* of struct app_picture */
+    option_show, option_fov, option_png_bits, option_samples;     /* of struct app_picture */
 option_fn option_orbit, option_place;                             /* of struct app_vector */
 option_fn option_pixel_filter;                                    /* of enum pixel_filter */
 option_fn option_sharing;                                         /* of enum rg_sharing */

@@ -1,0 +1,186 @@
+/* adaptive.c: estimates what a picture's means lack, and covers the cells that lack it. */
+#include "src/render/adaptive.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/image/half.h"
+
+enum {
+    CELL = ADAPTIVE_CELL,
+    FIRST_END = 4,  /* samples; the next ends have four times as many */
+    PART_COST = 64, /* cells: about what passes cost that are drawn whole for each part */
+};
+
+bool adaptive_init(struct adaptive *adaptive, uint32_t width, uint32_t height)
+{
+    struct adaptive a = {
+        .width = width,
+        .height = height,
+        .columns = (width + CELL - 1) / CELL,
+        .rows = (height + CELL - 1) / CELL,
+        .part_count = 1,
+        .end = FIRST_END,
+    };
+    const size_t pixels = (size_t)width * height, cells = (size_t)a.columns * a.rows;
+    a.sums = calloc(pixels, sizeof(*a.sums));
+    a.halves = calloc(pixels, sizeof(*a.halves));
+    a.counts = calloc(cells, sizeof(*a.counts));
+    a.asks = calloc(cells, sizeof(*a.asks));
+    a.parts = calloc(cells, sizeof(*a.parts));
+    *adaptive = a;
+    if (!a.sums || !a.halves || !a.counts || !a.asks || !a.parts) {
+        adaptive_finish(adaptive);
+        return false;
+    }
+    a.parts[0] = (struct tile){ .width = width, .height = height };
+    return true;
+}
+
+void adaptive_finish(struct adaptive *adaptive)
+{
+    free(adaptive->sums);
+    free(adaptive->halves);
+    free(adaptive->counts);
+    free(adaptive->asks);
+    free(adaptive->parts);
+    *adaptive = (struct adaptive){ 0 };
+}
+
+static float brightness(const uint16_t *rgba)
+{
+    float sum = 0.0f;
+    for (int c = 0; c < 3; c++)
+        sum += fminf(fmaxf(half_to_float(rgba[c]), 0.0f), 1.0f); /* NaN: 0 */
+    return sum / 3.0f;
+}
+
+void adaptive_add(struct adaptive *adaptive, const struct tile *part, const uint16_t *texels,
+                  uint32_t sample)
+{
+    for (uint32_t y = 0; y < part->height; y++) {
+        const size_t row = (size_t)(part->y + y) * adaptive->width + part->x;
+        for (uint32_t x = 0; x < part->width; x++) {
+            const float b = brightness(&texels[4 * ((size_t)y * part->width + x)]);
+            adaptive->sums[row + x] += b;
+            adaptive->halves[row + x] += sample % 2 ? 0.0f : b;
+        }
+    }
+    for (uint32_t y = part->y / CELL; y * CELL < part->y + part->height; y++) {
+        for (uint32_t x = part->x / CELL; x * CELL < part->x + part->width; x++)
+            adaptive->counts[y * adaptive->columns + x]++;
+    }
+}
+
+/* Returns the pixels of cells; those at the right and lower edges may be smaller. */
+static struct tile pixels_of(const struct adaptive *a, const struct tile *cells)
+{
+    struct tile tile = { cells->x * CELL, cells->y * CELL, cells->width * CELL,
+                         cells->height * CELL };
+    tile.width = tile.width < a->width - tile.x ? tile.width : a->width - tile.x;
+    tile.height = tile.height < a->height - tile.y ? tile.height : a->height - tile.y;
+    return tile;
+}
+
+/* Returns the mean square of the errors of a cell's pixels. */
+static double error2(const struct adaptive *a, uint32_t column, uint32_t row)
+{
+    const struct tile pixels = pixels_of(a, &(struct tile){ column, row, 1, 1 });
+    const double n = a->counts[row * a->columns + column];
+    double sum = 0.0;
+    for (uint32_t y = pixels.y; y < pixels.y + pixels.height; y++) {
+        for (uint32_t x = pixels.x; x < pixels.x + pixels.width; x++) {
+            const size_t i = (size_t)y * a->width + x;
+            const double error = ((double)a->sums[i] - 2.0 * (double)a->halves[i]) / n;
+            sum += error * error;
+        }
+    }
+    return sum / ((double)pixels.width * pixels.height);
+}
+
+/* Shrinks cells to the smallest rectangle of those that ask. Returns whether any does. */
+static bool shrink(const struct adaptive *a, struct tile *cells)
+{
+    uint32_t left = UINT32_MAX, top = UINT32_MAX, right = 0, bottom = 0;
+    for (uint32_t y = cells->y; y < cells->y + cells->height; y++) {
+        for (uint32_t x = cells->x; x < cells->x + cells->width; x++) {
+            if (!a->asks[y * a->columns + x])
+                continue;
+            left = x < left ? x : left;
+            right = x > right ? x : right;
+            top = y < top ? y : top;
+            bottom = y;
+        }
+    }
+    if (left <= right)
+        *cells = (struct tile){ left, top, right - left + 1, bottom - top + 1 };
+    return left <= right;
+}
+
+/* Covers those of some cells that ask by rectangles. Returns what these cost, in cells. */
+static uint32_t cover(struct adaptive *a, struct tile cells)
+{
+    const uint32_t before = a->part_count;
+    uint32_t split = UINT32_MAX;
+    if (!shrink(a, &cells))
+        return 0;
+    const uint32_t whole = cells.width * cells.height + PART_COST;
+    if (whole > 2 * PART_COST) {
+        struct tile first = cells, second = cells;
+        if (cells.width > cells.height) {
+            first.width /= 2;
+            second.x += first.width;
+            second.width -= first.width;
+        } else {
+            first.height /= 2;
+            second.y += first.height;
+            second.height -= first.height;
+        }
+        split = cover(a, first) + cover(a, second);
+    }
+    if (split < whole)
+        return split;
+    a->part_count = before;
+    a->parts[a->part_count++] = pixels_of(a, &cells);
+    return whole;
+}
+
+bool adaptive_go_on(struct adaptive *adaptive)
+{
+    struct adaptive *a = adaptive;
+    for (uint32_t y = 0; y < a->rows; y++) {
+        for (uint32_t x = 0; x < a->columns; x++)
+            a->asks[y * a->columns + x] = a->counts[y * a->columns + x] == a->end &&
+                                          error2(a, x, y) > ADAPTIVE_NOISE * ADAPTIVE_NOISE;
+    }
+    a->part_count = 0;
+    if (a->end == ADAPTIVE_SAMPLES)
+        return false;
+    a->end *= 4;
+    return cover(a, (struct tile){ 0, 0, a->columns, a->rows }) > 0;
+}
+
+void adaptive_even(const struct adaptive *adaptive, struct image *image,
+                   const struct frame_layer *layer)
+{
+    for (uint32_t p = 0; p < 4 && layer->planes[p] && layer->mean; p++) {
+        float *plane = image_find(image, layer->planes[p]);
+        for (size_t i = 0; plane && i < (size_t)adaptive->width * adaptive->height; i++) {
+            const size_t x = i % adaptive->width / CELL, y = i / adaptive->width / CELL;
+            const uint32_t count = adaptive->counts[y * adaptive->columns + x];
+            plane[i] *= (float)ADAPTIVE_SAMPLES / (float)count;
+        }
+    }
+}
+
+float adaptive_mean(const struct adaptive *adaptive)
+{
+    double sum = 0.0;
+    for (uint32_t y = 0; y < adaptive->rows; y++) {
+        for (uint32_t x = 0; x < adaptive->columns; x++) {
+            const struct tile pixels = pixels_of(adaptive, &(struct tile){ x, y, 1, 1 });
+            sum +=
+                (double)adaptive->counts[y * adaptive->columns + x] * pixels.width * pixels.height;
+        }
+    }
+    return (float)(sum / ((double)adaptive->width * adaptive->height));
+}
