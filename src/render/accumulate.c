@@ -53,7 +53,7 @@ void accumulate_sample(struct image *image, const struct tile *part,
 {
     const VkFormat format = layer->image->format;
     const size_t size = rg_format_info(format)->size;
-    assert(is_half(format) || size == channel_count(format) * 4);
+    assert(is_half(format) || size == channel_count(format) * sizeof(float));
     if (sample && !layer->mean)
         return;
     for (uint32_t p = 0; p < plane_count(layer); p++) {

@@ -4,24 +4,19 @@
 #include "src/render/renderer_internal.h"
 #include "src/tech/techniques.h"
 
-/* Draws the samples up to the end that is next, of all parts. */
+/* Draws a sample of all parts. */
 static enum status draw_parts(struct renderer *r, const struct renderer_shot *shot,
-                              struct image *image, struct adaptive *adaptive, uint32_t first,
-                              renderer_progress_fn *progress, void *user)
+                              struct image *image, struct adaptive *adaptive, uint32_t sample)
 {
     enum status status = STATUS_OK;
-    for (uint32_t i = first; i < adaptive->end && status == STATUS_OK; i++) {
-        for (uint32_t p = 0; p < adaptive->part_count && status == STATUS_OK; p++) {
-            r->tile = adaptive->parts[p];
-            status = renderer_run(r, &r->picture, shot, i, &r->last_slot);
-            if (status == STATUS_OK)
-                status = renderer_fetch(r, image, &r->tile, i, r->last_slot);
-            if (status == STATUS_OK)
-                adaptive_add(adaptive, &r->tile,
-                             renderer_read_back(&r->picture, frame_beauty.image, r->last_slot), i);
-        }
-        if (status == STATUS_OK && progress && !progress(user, i + 1, ADAPTIVE_SAMPLES))
-            status = STATUS_FAILED;
+    for (uint32_t p = 0; p < adaptive->part_count && status == STATUS_OK; p++) {
+        r->tile = adaptive->parts[p];
+        status = renderer_run(r, &r->picture, shot, sample, &r->last_slot);
+        if (status == STATUS_OK)
+            status = renderer_fetch(r, image, &r->tile, sample, r->last_slot);
+        if (status == STATUS_OK)
+            adaptive_add(adaptive, &r->tile,
+                         renderer_read_back(&r->picture, frame_beauty.image, r->last_slot), sample);
     }
     return status;
 }
@@ -32,17 +27,16 @@ enum status renderer_draw_adaptive(struct renderer *r, const struct renderer_sho
 {
     const struct tile whole = r->tile;
     struct adaptive adaptive;
-    uint32_t done = 0;
-    bool goes_on = true;
+    uint32_t sample = 0;
     if (!adaptive_init(&adaptive, whole.width, whole.height))
         return log_out_of_memory(NULL);
     enum status status = renderer_capture_cube(r, shot);
     r->cube.in_turn = false; /* as in other pictures to files */
     r->stays = false;
-    while (status == STATUS_OK && goes_on) {
-        status = draw_parts(r, shot, &result->image, &adaptive, done, progress, user);
-        done = adaptive.end;
-        goes_on = status == STATUS_OK && adaptive_go_on(&adaptive);
+    while (status == STATUS_OK && (sample < adaptive.end || adaptive_go_on(&adaptive))) {
+        status = draw_parts(r, shot, &result->image, &adaptive, sample++);
+        if (status == STATUS_OK && progress && !progress(user, sample, ADAPTIVE_SAMPLES))
+            status = STATUS_FAILED;
     }
     r->tile = whole;
     adaptive_even(&adaptive, &result->image, &frame_beauty);
