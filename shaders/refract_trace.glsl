@@ -424,7 +424,8 @@ bool trace_arrive(trace_hit hit)
         float passing;
         turns -= int(trace.one);
         vec3 light = trace_end(way, hit, passing) * (1.0 - passing);
-        if (is_straight && hit.triangle >= 0 && passing <= 0.5)
+        bool is_around = hit.part == TREE_SURROUNDINGS || hit.part == TREE_MOVERS;
+        if (is_straight && is_around && passing <= 0.5) /* a long way may end at a bubble */
             seen.last = trace_number(hit.triangle);
         if (is_shaded && is_first && !trace_eye_is_inside() && shares.is_lit && passing == 0.0) {
             ground_begin(hit);
