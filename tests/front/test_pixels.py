@@ -47,6 +47,7 @@ class PixelFilter(Pixels):
 
 
 class Adaptive(Pixels):
+    @unsanitized
     def test_a_small_picture_is_one_part(self):
         """Samples that are all alike have no noise."""
         words = ('render', *TINY[:-1], '--samples', 'auto', '-o', 'a.exr', '-o', 'a.png')
