@@ -17,7 +17,7 @@
 #include "src/frame/layers.h"
 #include "src/image/image.h"
 
-#define ADAPTIVE_NOISE 0.02
+#define ADAPTIVE_NOISE 0.01
 
 enum {
     ADAPTIVE_CELL = 32,    /* pixels; even: see rg_exec_set_region() */
