@@ -295,6 +295,7 @@ enum status window_init(struct window *w, const struct window_params *params)
     if (!glfwVulkanSupported())
         return failed("cannot use Vulkan with windows");
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE); /* a full screen stays while others have keys */
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "firn");
     const VkExtent2D size = choose_size(params);
     w->handle = glfwCreateWindow((int)size.width, (int)size.height, params->title, NULL, NULL);

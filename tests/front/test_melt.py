@@ -2,7 +2,7 @@
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DRIVER, Case, main  # noqa: E402
+from case import NO_DRIVER, Case, main, unsanitized  # noqa: E402
 from exr_file import Exr  # noqa: E402
 
 SMALL = ('--size', '40x30', '--samples', '1', '-q')
@@ -26,6 +26,7 @@ class Melt(Case):
         self.assertFalse(any(changed[:40]))  # the first row is sky
         return half
 
+    @unsanitized
     def test_rungs(self):
         bounce = self.check_rung('-r', 'bounce')
         trace = self.draw('a.exr', 'ice-cube', '-r', 'trace', '--set', 'ice.melt=0.5')
@@ -35,6 +36,7 @@ class Melt(Case):
                 error = sum(abs(a - b) for a, b in zip(seen['G'], true['G'])) / len(true['G'])
                 self.assertLess(error, 0.03)
 
+    @unsanitized
     def test_frost_is_gone(self):
         frost = ('-r', 'one-sided', '--set', 'frost.amount=0.8', '--set', 'frost.roughness=1')
         wet = self.draw('a.exr', 'ice-cube', *frost, '--set', 'ice.melt=0.05')

@@ -196,8 +196,8 @@ static void ice_stands_where_it_stood(void **state)
     const struct box left = mesh_box(&model.object);
     CHECK_NEAR(melted.share, 0.5, 1e-4);
     CHECK_NEAR(left.min.y, whole.min.y, 1e-5);
-    check_between(left.max.y - left.min.y, 0.6f * (whole.max.y - whole.min.y),
-                  0.95f * (whole.max.y - whole.min.y));
+    const double height = (double)whole.max.y - (double)whole.min.y;
+    check_between((double)left.max.y - (double)left.min.y, 0.6 * height, 0.95 * height);
     CHECK_NEAR(melted_frost(&melted), 0, 1e-6);
     CHECK_NEAR(melted.box.max.y - melted.box.min.y, whole.max.y - whole.min.y, 1e-5);
     melted_finish(&melted);
@@ -221,7 +221,7 @@ static void bubbles_shrink_at_the_surface(void **state)
     assert_true(melt_bubbles(&bubbles, &model.object));
     assert_int_equal(bubbles.count, 2); /* the one at the side is gone */
     CHECK_NEAR(bubbles.all[0].radius, 0.15f, 1e-6);
-    check_between(bubbles.all[1].radius, 0.01f, 0.149f);
+    check_between((double)bubbles.all[1].radius, 0.01, 0.149);
     free(bubbles.all);
     melted_finish(&melted);
     mesh_finish(&model.object);

@@ -285,8 +285,9 @@ bool ui_hear(void *user, const struct window_event *event)
     if (event->kind == WINDOW_CHARACTER)
         return hear_character(ui, event);
     if (ui_drags_picture(ui))
-        ui_input_add(&ui->input,
-                     &(struct window_event){ .kind = WINDOW_CURSOR, .x = ui->x, .y = ui->y });
+        ui_input_add(&ui->input, &(struct window_event){ .kind = WINDOW_CURSOR,
+                                                         .x = (double)ui->x,
+                                                         .y = (double)ui->y });
     ui_input_add(&ui->input, event);
     if (event->kind == WINDOW_BUTTON)
         return hear_button(ui, event);

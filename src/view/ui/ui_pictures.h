@@ -9,9 +9,7 @@
 #include "src/reader/reader.h"
 #include "src/view/ui/imgui.h"
 
-enum {
-    UI_PICTURE_NONE = UINT32_MAX,
-};
+#define UI_PICTURE_NONE UINT32_MAX
 
 /* Of each material preset, and then of each rung, in the order of their tables. {0}: there are
  * none, and buttons have words alone. */
