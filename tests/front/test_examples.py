@@ -45,6 +45,7 @@ FEWER = (
     (r'--time \d+', '--time 0.1'),
     (r'--sweep size=\S+', '--sweep size=16x16,32x24,48x36'),
     (r'--sweep cracks.count=\S*', '--sweep cracks.count=0,1'),
+    (r'--sweep ice.melt=\S*', '--sweep ice.melt=0.5'),
     (r'(object.triangles=\S*),100000', r'\1'),
     (r'(caustics.directions)=\d+', r'\1=4'),
 )
