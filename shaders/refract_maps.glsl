@@ -7,6 +7,7 @@
  */
 #ifndef REFRACT_MAPS_GLSL
 #define REFRACT_MAPS_GLSL
+#include "lib/depth_between.glsl"
 #include "refract_frame.glsl"
 
 layout(set = 0, binding = REFRACT_DEPTH_BACK) uniform sampler2D depth_back;
@@ -29,24 +30,13 @@ ivec2 refract_texel(vec4 clip)
     return clamp(ivec2(refract_uv(clip) * vec2(size)), ivec2(0), size - 1);
 }
 
-/*
- * Returns the depth at a point: bilinear between texels that all show a face, else that of the
- * nearest texel. `at` is in texels from the middle of the first one; `texel` is 1 / the map's size.
- *
- * The latency of this function limits marches. Therefore it has no min(), which tests for NaN on
- * CPUs, and as few dependent additions as possible.
- */
+/* Returns the depth at a point: `at` is in texels from the middle of the first one; `texel` is 1 /
+ * the map's size. */
 float refract_depth_at(sampler2D depths, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);
     vec2 share = at - corner;
-    vec4 d = textureGather(depths, fma(corner, texel, texel));
-    float low = fma(share.x, d.z - d.w, d.w);
-    float high = fma(share.x, d.y - d.x, d.x);
-    float linear = fma(share.y, high - low, low);
-    vec2 near = share.x < 0.5 ? d.wx : d.zy;
-    float nearest = share.y < 0.5 ? near.x : near.y;
-    return all(greaterThan(d, vec4(0.0))) ? linear : nearest;
+    return depth_between(textureGather(depths, fma(corner, texel, texel)), share);
 }
 
 float refract_depth_at_uv(sampler2D depths, vec2 uv)

@@ -9,6 +9,7 @@
 #ifndef REFRACT_NESTED_GLSL
 #define REFRACT_NESTED_GLSL
 #include "ice_nested.h"
+#include "lib/depth_between.glsl"
 #include "refract_bounce.h"
 #include "refract_ends.glsl"
 
@@ -70,13 +71,8 @@ float nested_depth_at(int layer, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);
     vec2 share = at - corner;
-    vec4 d = textureGather(depths, vec3(fma(corner, texel, texel), float(layer)));
-    float low = fma(share.x, d.z - d.w, d.w);
-    float high = fma(share.x, d.y - d.x, d.x);
-    float linear = fma(share.y, high - low, low);
-    vec2 near = share.x < 0.5 ? d.wx : d.zy;
-    float nearest = share.y < 0.5 ? near.x : near.y;
-    return all(greaterThan(d, vec4(0.0))) ? linear : nearest;
+    vec3 place = vec3(fma(corner, texel, texel), float(layer));
+    return depth_between(textureGather(depths, place), share);
 }
 
 /* Returns the distance of a point before the far faces of a level, x, and behind the near ones, y,
