@@ -7,7 +7,7 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/view/window_background.h"
+#include "src/view/window_x11.h"
 
 static const double divider_reach = 8.0; /* how near a hand must come, pixels */
 static const double pair_seconds = 0.4;  /* between two clicks that are one */
@@ -312,7 +312,7 @@ enum status window_init(struct window *w, const struct window_params *params)
 
 void window_set_background(struct window *w, uint32_t color)
 {
-    window_background(w->handle, color);
+    window_x11_background(w->handle, color);
 }
 
 void window_finish(struct window *w)
@@ -352,12 +352,14 @@ void window_hide(struct window *w)
 void window_poll(struct window *w)
 {
     (void)w;
+    window_x11_go_on();
     glfwPollEvents();
 }
 
 void window_wait(struct window *w, double seconds)
 {
     (void)w;
+    window_x11_go_on();
     glfwWaitEventsTimeout(seconds);
 }
 

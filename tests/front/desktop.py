@@ -104,3 +104,8 @@ class Desktop:
         """Whether it takes the files."""
         return subprocess.run([sys.executable, XDND, window, *map(str, files)], env=self.env,
                               timeout=2 * PATIENCE, check=False).returncode == 0
+
+    def leave(self, window):
+        """Drags something over it, and is gone before it answers."""
+        subprocess.run([sys.executable, XDND, window, '--leave'], env=self.env, timeout=PATIENCE,
+                       check=True)

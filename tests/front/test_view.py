@@ -3,6 +3,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -239,6 +240,9 @@ class Drop(WindowCase):
     def test_an_environment(self):
         self.render('around.exr', '--size', '64x32')
         window = self.start('sphere')
+        self.process.send_signal(signal.SIGSTOP)
+        self.desktop.leave(window)  # the answer is refused by the X server
+        self.process.send_signal(signal.SIGCONT)
         before = self.desktop.pixels(window)
         self.assertTrue(self.desktop.drop(window, self.folder / 'around.exr'))
         wait_until('another picture', lambda: self.desktop.pixels(window) != before)

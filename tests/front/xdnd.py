@@ -1,6 +1,7 @@
 """xdnd.py: drops files onto a window, as a file manager does: the X11 protocol XDND, version 5.
 
 Usage: xdnd.py WINDOW FILE...   WINDOW: its number; exits with 1 if the window refuses the files
+       xdnd.py WINDOW --leave   goes before the window answers
 """
 import ctypes
 import pathlib
@@ -103,10 +104,13 @@ class Source:
                 return event.client
         return None
 
-    def drop(self):
-        """Whether the window took them."""
+    def hover(self):
         self.send('XdndEnter', VERSION << 24, self.atom('text/uri-list'))
         self.send('XdndPosition', 0, 10 << 16 | 10, 0, self.atom('XdndActionCopy'))
+
+    def drop(self):
+        """Whether the window took them."""
+        self.hover()
         status = self.wait_for('XdndStatus')
         if not status or not status.data[1] & 1:
             return False
@@ -117,4 +121,8 @@ class Source:
 if __name__ == '__main__':
     if len(sys.argv) < 3:
         sys.exit(__doc__)
-    sys.exit(0 if Source(int(sys.argv[1], 0), sys.argv[2:]).drop() else 1)
+    source = Source(int(sys.argv[1], 0), sys.argv[2:])
+    if sys.argv[2] == '--leave':
+        source.hover()
+        sys.exit()
+    sys.exit(0 if source.drop() else 1)

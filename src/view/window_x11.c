@@ -1,0 +1,75 @@
+/* window_x11.c: GLFW's windows have neither a background nor a gravity under X11, so new area shows
+ * what the window manager draws there: often white. Libraries are asked for what they have, since
+ * GLFW may be built without X11. */
+#include "src/view/window_x11.h"
+#ifdef WINDOW_X11
+#include <X11/Xlib.h>
+#include <dlfcn.h>
+#include <stddef.h>
+#include "src/base/log.h"
+
+typedef Display *get_display_fn(void);
+typedef Window get_window_fn(struct GLFWwindow *window);
+typedef int change_fn(Display *, Window, unsigned long, XSetWindowAttributes *);
+typedef XErrorHandler set_handler_fn(XErrorHandler handler);
+
+/* A pointer to a function, which C keeps apart from others. */
+union symbol {
+    void *address;
+    get_display_fn *get_display;
+    get_window_fn *get_window;
+    change_fn *change;
+    set_handler_fn *set_handler;
+};
+
+void window_x11_background(struct GLFWwindow *window, uint32_t color)
+{
+    void *program = dlopen(NULL, RTLD_LAZY);
+    void *x11 = dlopen("libX11.so.6", RTLD_LAZY);
+    const union symbol get_display = { program ? dlsym(program, "glfwGetX11Display") : NULL };
+    const union symbol get_window = { program ? dlsym(program, "glfwGetX11Window") : NULL };
+    const union symbol change = { x11 ? dlsym(x11, "XChangeWindowAttributes") : NULL };
+    if (get_display.get_display && get_window.get_window && change.change) {
+        Display *display = get_display.get_display();
+        XSetWindowAttributes wanted = { .background_pixel = color,
+                                        .bit_gravity = NorthWestGravity };
+        if (display)
+            change.change(display, get_window.get_window(window), CWBackPixel | CWBitGravity,
+                          &wanted);
+    }
+    if (x11)
+        dlclose(x11);
+    if (program)
+        dlclose(program);
+}
+
+/* Xlib must not be called here. */
+static int hear_error(Display *display, XErrorEvent *event)
+{
+    (void)display;
+    if (event->error_code != BadWindow)
+        log_warning("the X server refused request %d with error %d", event->request_code,
+                    event->error_code);
+    return 0;
+}
+
+void window_x11_go_on(void)
+{
+    void *x11 = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD); /* only if GLFW uses it */
+    const union symbol set = { x11 ? dlsym(x11, "XSetErrorHandler") : NULL };
+    if (set.set_handler)
+        set.set_handler(hear_error);
+    if (x11)
+        dlclose(x11);
+}
+#else
+void window_x11_background(struct GLFWwindow *window, uint32_t color)
+{
+    (void)window;
+    (void)color;
+}
+
+void window_x11_go_on(void)
+{
+}
+#endif
