@@ -1,16 +1,21 @@
 """test_view_random.py: hands that do anything, in any order. Usage: see case.py.
 
 All keys of the table in docs/view.md are pressed equally often, and the mouse does all that is in
-it equally often between them, by a seed that FIRN_RANDOM_SEED changes. FIRN_RANDOM_SECONDS=3600
-goes on for an hour, FIRN_RANDOM_ROUNDS=100 until each has been pressed so often; then it says how
-often each was and how much memory there was in each quarter, which must not grow in all of them.
-With -Db_sanitize=address it finds what is used after it is gone.
+it equally often between them, by a seed that FIRN_RANDOM_SEED changes. Where a line of text or a
+panel has the keys, Esc mostly gives them back before: else few would do what they are there for.
+
+FIRN_RANDOM_SECONDS=3600 goes on for an hour, FIRN_RANDOM_ROUNDS=100 until each has been pressed so
+often; then it says how often each was and how much memory there was in each quarter, which must not
+grow in all of them, and by how much it grew in the last half: the slope of the least squares, with
+its standard error. With -Db_sanitize=address it finds what is used after it is gone.
 """
 import collections
+import math
 import os
 import pathlib
 import random
 import re
+import statistics
 import subprocess
 import sys
 import time
@@ -24,6 +29,7 @@ from test_view_panels import PanelsCase  # noqa: E402
 SECONDS = float(os.environ.get('FIRN_RANDOM_SECONDS', 0))
 SEED = int(os.environ.get('FIRN_RANDOM_SEED', 1))
 ROUNDS = int(os.environ.get('FIRN_RANDOM_ROUNDS', 1))  # of all keys, at least
+TYPED = 0.2  # of the keys go where they happen to
 LONG = 1200  # seconds; before, caches fill
 MORE = 2048  # KiB in a quarter
 SIGNS = {'+': 'plus', '-': 'minus', '[': 'bracketleft', ']': 'bracketright', '/': 'slash',
@@ -55,6 +61,15 @@ def keys():
                 key = SIGNS.get(key, key.lower() if len(key) == 1 else key)
                 found.append('+'.join([*map(str.lower, held), key]))
     return found
+
+
+def slope(points):
+    """(y for each x, its standard error), of the straight line with the least squares."""
+    count, x_mean, y_mean = len(points), *map(statistics.fmean, zip(*points))
+    spread = sum((x - x_mean) ** 2 for x, _ in points)
+    rise = sum((x - x_mean) * (y - y_mean) for x, y in points) / spread
+    rest = sum((y - y_mean - rise * (x - x_mean)) ** 2 for x, y in points)
+    return rise, math.sqrt(rest / (count - 2) / spread)
 
 
 class Random(PanelsCase):
@@ -114,6 +129,8 @@ class Random(PanelsCase):
                 for key in order[first:first + 12]:
                     gestures = gestures or rng.sample(self.GESTURES, len(self.GESTURES))
                     done[gestures[-1]] += 1
+                    escapes = 0 if rng.random() < TYPED else 2
+                    words += ['key', 'Escape'] * escapes
                     words += ['key', key, *self.act(rng, window, gestures.pop())]
                 try:
                     self.desktop.do('windowfocus', '--sync', window, *words)
@@ -135,6 +152,8 @@ class Random(PanelsCase):
                     for q in (1, 2, 3, 4)]
             print(f'{rounds} times each of {len(table)} keys; {dict(done)}; {most} KiB in each '
                   'quarter')
+            rise, error = slope([(when / 60, size) for when, size in sizes if when > end / 2])
+            print(f'in the last half {rise:.0f} +- {error:.0f} KiB more a minute')
             if end >= LONG:
                 self.assertLess(min(b - a for a, b in zip(most, most[1:])), MORE)
 
