@@ -1,4 +1,4 @@
-/* present.h: shared by present.c, its shaders and overlay.frag. */
+/* present.h: shared by present.c, its shaders, overlay.frag and picture_file.c. */
 #ifndef SHADERS_PRESENT_H
 #define SHADERS_PRESENT_H
 #include "abi.h"
@@ -14,14 +14,12 @@
 #define PRESENT_IS_DARK(column, line)   ((column) == (line) + 1u)
 #define PRESENT_NO_LINE                 0xfffffff0u
 
+/* Where the picture is in the window; the vertex shader's coordinates make a third less of a pass
+ * that scales on lavapipe than coordinates made in each pixel. */
 struct present_push {
-    uint32_t
-        line; /* first column of the line, from the picture's left; PRESENT_NO_LINE: one picture */
-    uint32_t x, y;                      /* of the shown picture in the window, pixels */
-    uint32_t width, height;             /* as it is shown, pixels */
-    uint32_t texel_columns, texel_rows; /* as it was drawn */
-    vec2s part;                         /* of the shown picture is a pixel of the window */
-    uint32_t surround;                  /* what is around it, 0xRRGGBB, sRGB-encoded */
+    vec2s uv_from_clip; /* factors of the picture's coordinates: 0, 0 and 1, 1 are its corners */
+    vec2s uv_of_middle; /* those in the middle of the window */
+    uint32_t x, y;      /* of the picture's first pixel in the window */
 };
 
 #endif

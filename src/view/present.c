@@ -4,6 +4,7 @@
 #include <string.h>
 #include "shaders/embedded.h"
 #include "shaders/present.h"
+#include "src/image/srgb.h"
 #include "src/tech/frame.h"
 #include "src/tech/tonemap.h"
 
@@ -31,7 +32,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
         .name = "present.scaled",
         .color = RG_TARGETS({ &present_window, RG_LOAD_DISCARD }),
         .uses = PICTURE(frame_display),
-        .vert = &screen_vert,
+        .vert = &present_vert,
         .frag = &present_scaled_frag,
         .push_size = sizeof(struct present_push),
         .record = record_scaled,
@@ -40,7 +41,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
         .name = "present.screen",
         .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
         .uses = PICTURE(frame_display),
-        .vert = &screen_vert,
+        .vert = &present_vert,
         .frag = &present_frag,
         .push_size = sizeof(struct present_push),
         .record = record_left,
@@ -50,7 +51,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
         .name = "present.split",
         .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
         .uses = PICTURE(present_right),
-        .vert = &screen_vert,
+        .vert = &present_vert,
         .frag = &present_frag,
         .push_size = sizeof(struct present_push),
         .record = record_right,
@@ -60,7 +61,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
         .name = "present.split_scaled",
         .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
         .uses = PICTURE(present_right),
-        .vert = &screen_vert,
+        .vert = &present_vert,
         .frag = &present_scaled_frag,
         .push_size = sizeof(struct present_push),
         .record = record_right,
@@ -73,54 +74,93 @@ static bool has_line(const struct rg_frame *frame)
     return frame->window->present.line != PRESENT_NO_LINE;
 }
 
-/* Draws columns of the shown picture. */
-static void record(struct rg_cmd *cmd, const struct present_push *push, uint32_t from, uint32_t to)
+static void push(struct rg_cmd *cmd, const struct present_place *place)
 {
-    if (from >= to)
+    const VkExtent2D window = rg_cmd_extent(cmd);
+    const vec2s middle = { { (float)window.width / 2.0f, (float)window.height / 2.0f } };
+    const struct present_push pushed = {
+        .uv_from_clip = { { middle.x / (float)place->width, middle.y / (float)place->height } },
+        .uv_of_middle = { { (middle.x - (float)place->x) / (float)place->width,
+                            (middle.y - (float)place->y) / (float)place->height } },
+        .x = place->x,
+        .y = place->y,
+    };
+    rg_cmd_push(cmd, &pushed, sizeof(pushed));
+}
+
+/* Columns of the shown picture. */
+static VkRect2D columns(const struct present_place *place, uint32_t from, uint32_t to)
+{
+    to = to < place->width ? to : place->width;
+    return (VkRect2D){ { (int32_t)(place->x + from), (int32_t)place->y },
+                       { to > from ? to - from : 0, place->height } };
+}
+
+static void draw(struct rg_cmd *cmd, const struct present_place *place, VkRect2D part)
+{
+    if (!part.extent.width || !part.extent.height)
         return;
-    rg_cmd_scissor(cmd, (VkRect2D){ { (int32_t)(push->x + from), (int32_t)push->y },
-                                    { to - from, push->height } });
-    rg_cmd_push(cmd, push, sizeof(*push));
+    rg_cmd_scissor(cmd, part);
+    push(cmd, place);
     rg_cmd_draw(cmd, 3);
+}
+
+/* Fills a part of the window with a colour, 0xRRGGBB, sRGB-encoded. */
+static void fill(struct rg_cmd *cmd, const struct rg_frame *frame, VkRect2D part, uint32_t color)
+{
+    VkClearAttachment clear = { .aspectMask = VK_IMAGE_ASPECT_COLOR_BIT };
+    const VkClearRect rect = { part, 0, 1 };
+    if (!part.extent.width || !part.extent.height)
+        return;
+    for (size_t c = 0; c < 3; c++) {
+        const float encoded = (float)(color >> (16 - 8 * c) & 255) / 255.0f;
+        clear.clearValue.color.float32[c] = frame->window->encodes ? srgb_decode(encoded) : encoded;
+    }
+    clear.clearValue.color.float32[3] = 1.0f;
+    vkCmdClearAttachments(rg_cmd_vulkan(cmd), 1, &clear, 1, &rect);
 }
 
 static void record_left(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    struct present_push push = frame->window->present;
-    const uint32_t to = push.line < push.width ? push.line : push.width;
-    push.line = PRESENT_NO_LINE;
-    record(cmd, &push, 0, to);
+    const struct present_place *place = &frame->window->present;
+    draw(cmd, place, columns(place, 0, place->line));
 }
 
-/* The picture has the shape of its part of the window, or something around it. */
-static bool is_boxed(const struct window_frame *w)
+/* What is around the picture where it has another shape than its part of the window. */
+static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const VkExtent2D room = w->layout.picture.extent;
-    return room.width != w->present.width || room.height != w->present.height;
+    const struct present_place *p = &frame->window->present;
+    const VkRect2D *room = &frame->window->layout.picture;
+    const uint32_t left = p->x - (uint32_t)room->offset.x;
+    const uint32_t above = p->y - (uint32_t)room->offset.y;
+    const VkRect2D parts[] = {
+        { room->offset, { left, room->extent.height } },
+        { { (int32_t)(p->x + p->width), room->offset.y },
+          { room->extent.width - left - p->width, room->extent.height } },
+        { room->offset, { room->extent.width, above } },
+        { { room->offset.x, (int32_t)(p->y + p->height) },
+          { room->extent.width, room->extent.height - above - p->height } },
+    };
+    for (size_t i = 0; i < sizeof(parts) / sizeof(parts[0]); i++)
+        fill(cmd, frame, parts[i], p->surround);
 }
 
 /* What is around the picture, too: on llvmpipe a pass on an image as large as the window takes
- * 2 ms, even if it draws nothing. Where the picture is exact, that is all. */
+ * time, even if it draws nothing. Where the picture is exact, that is all. */
 static void record_scaled(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    struct present_push push = frame->window->present;
-    if (!is_boxed(frame->window)) {
-        if (!is_exact(frame, 0))
-            record_left(cmd, frame);
-        return;
-    }
-    push.line = PRESENT_NO_LINE;
-    rg_cmd_scissor(cmd, frame->window->layout.picture);
-    rg_cmd_push(cmd, &push, sizeof(push));
-    rg_cmd_draw(cmd, 3);
+    surround(cmd, frame);
+    if (!is_exact(frame, 0))
+        record_left(cmd, frame);
 }
 
+/* And the line between both. */
 static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    struct present_push push = frame->window->present;
-    push.texel_columns = frame->window->right_columns;
-    push.texel_rows = frame->window->right_rows;
-    record(cmd, &push, push.line, push.width);
+    const struct present_place *place = &frame->window->present;
+    draw(cmd, place, columns(place, place->line, place->width));
+    fill(cmd, frame, columns(place, place->line, place->line + 1), 0xffffff);
+    fill(cmd, frame, columns(place, place->line + 1, place->line + 2), 0);
 }
 
 static bool has_size(const struct rg_frame *frame, uint32_t columns, uint32_t rows)
@@ -130,7 +170,7 @@ static bool has_size(const struct rg_frame *frame, uint32_t columns, uint32_t ro
 
 static bool is_exact(const struct rg_frame *frame, uint32_t repetition)
 {
-    const struct present_push *p = &frame->window->present;
+    const struct present_place *p = &frame->window->present;
     (void)repetition;
     return has_size(frame, p->texel_columns, p->texel_rows);
 }
@@ -153,21 +193,20 @@ const struct technique present = {
     .parts = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("present", passes) } },
 };
 
-struct present_push present_fit(VkRect2D view, VkExtent2D picture, double divider)
+struct present_place present_fit(VkRect2D view, VkExtent2D picture, double divider)
 {
     const VkExtent2D room = view.extent;
-    struct present_push push = { .line = PRESENT_NO_LINE };
+    struct present_place place = { .line = PRESENT_NO_LINE };
     double scale = fmin((double)room.width / picture.width, (double)room.height / picture.height);
-    push.width = (uint32_t)fmin(fmax(picture.width * scale + 0.5, 1.0), room.width);
-    push.height = (uint32_t)fmin(fmax(picture.height * scale + 0.5, 1.0), room.height);
-    push.x = (uint32_t)view.offset.x + (room.width - push.width) / 2;
-    push.y = (uint32_t)view.offset.y + (room.height - push.height) / 2;
-    push.texel_columns = picture.width;
-    push.texel_rows = picture.height;
-    push.part = (vec2s){ { 1.0f / (float)push.width, 1.0f / (float)push.height } };
+    place.width = (uint32_t)fmin(fmax(picture.width * scale + 0.5, 1.0), room.width);
+    place.height = (uint32_t)fmin(fmax(picture.height * scale + 0.5, 1.0), room.height);
+    place.x = (uint32_t)view.offset.x + (room.width - place.width) / 2;
+    place.y = (uint32_t)view.offset.y + (room.height - place.height) / 2;
+    place.texel_columns = picture.width;
+    place.texel_rows = picture.height;
     if (divider >= 0.0)
-        push.line = (uint32_t)(divider * push.width + 0.5);
-    return push;
+        place.line = (uint32_t)(divider * place.width + 0.5);
+    return place;
 }
 
 void present_tables_init(struct present_tables *tables, VkFormat format)

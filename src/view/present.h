@@ -15,15 +15,26 @@
 
 struct overlay_list;
 
+/* Where the window shows a picture, pixels from the window's upper left corner. */
+struct present_place {
+    uint32_t
+        line; /* first column of the line, from the picture's left; PRESENT_NO_LINE: one picture */
+    uint32_t x, y;                      /* of the shown picture */
+    uint32_t width, height;             /* as it is shown */
+    uint32_t texel_columns, texel_rows; /* as it was drawn */
+    uint32_t surround;                  /* what is around it, 0xRRGGBB, sRGB-encoded */
+};
+
 /* What the techniques of a window read: rg_frame.window. */
 struct window_frame {
-    struct present_push present;
+    struct present_place present;
     struct layout layout;
     const struct overlay_list *overlay;    /* src/view/overlay_list.h; NULL: nothing lies over it */
     bool keeps_panels;                     /* what is docked is copied from an image: */
     bool panels_are_old;                   /* which has another list */
     const struct rg_image *panels, *shown; /* that image, and the window's; with keeps_panels */
     uint32_t right_columns, right_rows;    /* of the right picture, texels */
+    bool encodes;                          /* the window's format encodes what is written as sRGB */
 };
 
 enum {
@@ -40,7 +51,7 @@ struct present_tables {
 
 /* Shows a picture of a size as large as it fits into a part of the window, which is not empty.
  * `divider`: where it is split, of its width, from the left; below 0: it is not. */
-struct present_push present_fit(VkRect2D view, VkExtent2D picture, double divider);
+struct present_place present_fit(VkRect2D view, VkExtent2D picture, double divider);
 
 void present_tables_init(struct present_tables *tables, VkFormat format);
 

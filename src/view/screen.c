@@ -221,6 +221,7 @@ enum status screen_end(struct screen *s, const struct window_frame *shown)
     struct window_frame window = *shown;
     window.right_columns = s->shown.right_extent.width;
     window.right_rows = s->shown.right_extent.height;
+    window.encodes = chain->encodes;
     window.keeps_panels = chain->copies;
     window.panels_are_old = window.overlay && window.overlay->version != s->panels_version;
     window.panels = &s->overlay.panels;

@@ -40,9 +40,9 @@ struct view {
     float ui_scale;              /* of the panels; 0: not known yet */
     uint32_t theme;              /* theme_at() */
     struct layout layout;
-    struct present_push place; /* of the picture in the frame drawn last */
-    VkExtent2D wanted;         /* of the picture; it is shown scaled until it has this size: */
-    double resize_at;          /* seconds; 0: it has */
+    struct present_place place; /* of the picture in the frame drawn last */
+    VkExtent2D wanted;          /* of the picture; it is shown scaled until it has this size: */
+    double resize_at;           /* seconds; 0: it has */
     struct history history;
     struct reloads reloads;
     struct camera bookmarks[VIEW_BOOKMARK_COUNT];

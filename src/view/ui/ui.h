@@ -67,7 +67,7 @@ struct ui_view {
     const struct layout *layout; /* of the window */
     const struct look *look;
     struct look_choice look_wanted;
-    const struct present_push *place; /* of the picture in the window */
+    const struct present_place *place; /* of the picture in the window */
     enum view_other other;
     const char *left, *right; /* what both sides are, in words */
     bool has_stored;          /* VIEW_OTHER_STATE can be shown */

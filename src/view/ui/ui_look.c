@@ -195,7 +195,7 @@ static void values(const struct ui_view *view, const struct look_values *v, uint
 /* Whether the cursor is over the picture; where. */
 static bool find_pixel(const struct ui *ui, const struct ui_view *view, uint32_t *x, uint32_t *y)
 {
-    const struct present_push *place = view->place;
+    const struct present_place *place = view->place;
     const struct app_picture *p = &view->picture->state;
     const float left = ui->x - (float)place->x;
     const float top = ui->y - (float)place->y;

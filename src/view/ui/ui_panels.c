@@ -329,7 +329,7 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
 /* What a side is, in a corner of the picture: the one thing that lies over it. */
 static void name_side(struct ui *ui, const struct ui_view *view, const char *name, bool is_right)
 {
-    const struct present_push *p = view->place;
+    const struct present_place *p = view->place;
     const float width = fminf(imgui_width(name) + 8.0f * ui->scale, 0.48f * (float)p->width);
     const float height = imgui_line_height() + 10.0f * ui->scale;
     const struct imgui_place place = {
