@@ -1,10 +1,9 @@
 /*
  * trace_tree.glsl: meets the trees of tree.h with rays.
  *
- * The nearer child first, a stack of the others; some nodes, then all triangles (after Aila and
- * Laine 2009, "while-while"). lavapipe (Mesa 22.3) stores to an array by a branch for each pixel, a
- * third of all time where these differ, so stores and the nodes' loop have no condition of a pixel.
- * Lanes that have finished must not go on: it loses hits in loops in which they do.
+ * The nearer child first, a stack of the others; nodes until triangles are to be met, then all of
+ * these (after Aila and Laine 2009, "while-while"). Lanes that have finished must not go on: in
+ * Mesa 22.3 it loses hits in loops in which they do.
  */
 #ifndef TRACE_TREE_GLSL
 #define TRACE_TREE_GLSL
@@ -89,7 +88,6 @@ struct trace_hit {
 
 const float trace_edge = 1e-6;
 const int trace_nothing = int(TREE_LEAF);
-const int trace_steps = 3; /* nodes, before triangles are met */
 
 trace_ray trace_ray_of(vec3 origin, vec3 dir, float side, float reach, int from, bool is_in_bubble)
 {
@@ -99,24 +97,29 @@ trace_ray trace_ray_of(vec3 origin, vec3 dir, float side, float reach, int from,
     return trace_ray(origin, dir, inverse, origin * inverse, side, reach, cull, is_in_bubble, from);
 }
 
-/* Returns whether a ray meets a box before `far`, and where it enters. */
+/* Returns whether a ray meets a box before `far`, and where it enters. Numbers from 0 on are in the
+ * order of their bits, and a box with a bound below 0 is not met, whichever that is: so bits are
+ * compared, because lavapipe takes four instructions for the lesser of two floats, which may be
+ * no numbers. */
 bool trace_meets_box(trace_ray ray, vec3 low, vec3 high, float far, out float enter)
 {
     vec3 a = low * ray.inverse - ray.origin_inverse;
     vec3 b = high * ray.inverse - ray.origin_inverse;
-    vec3 near_sides = min(a, b);
-    vec3 far_sides = max(a, b);
-    enter = max(max(near_sides.x, near_sides.y), max(near_sides.z, 0.0));
-    float leave = min(min(far_sides.x, far_sides.y), min(far_sides.z, far));
-    return enter <= leave;
+    ivec3 near_sides = min(floatBitsToInt(a), floatBitsToInt(b));
+    ivec3 far_sides = max(floatBitsToInt(a), floatBitsToInt(b));
+    int first = max(max(near_sides.x, near_sides.y), max(near_sides.z, 0));
+    int last = min(min(far_sides.x, far_sides.y), min(far_sides.z, floatBitsToInt(far)));
+    enter = intBitsToFloat(first);
+    return first <= last;
 }
 
+/* Returns whether some triangle in a cone may face a ray; its bytes need not be divided by 127. */
 bool trace_faces(uint cone, trace_ray ray)
 {
     if (!trace_has(TRACE_HAS_CULLING))
         return true;
-    vec4 c = unpackSnorm4x8(cone);
-    return dot(c.xyz, ray.dir) * ray.cull + c.w >= 0.0;
+    ivec4 c = ivec4(cone << 24, cone << 16, cone << 8, cone) >> 24;
+    return dot(vec3(c.xyz), ray.dir) * ray.cull + float(c.w) >= 0.0;
 }
 
 /* Where a ray, from the centre on, enters and leaves a sphere, or, if `dir` is across an axis, a
@@ -208,25 +211,27 @@ void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
     int node = root;
     stack[0] = trace_nothing;
     do {
-        for (int step = 0; step < trace_steps; step++) {
-            int at = TREE_NODE_WORDS * max(node, 0);
+        while (node >= 0) {
+            int at = TREE_NODE_WORDS * node;
             uvec4 a = trace_node(at), b = trace_node(at + 1);
             uvec4 c = trace_node(at + 2), d = trace_node(at + 3);
             float enter_0, enter_1;
             bool meets_0 = trace_meets_box(ray, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz),
-                                           hit.t, enter_0) &&
-                           trace_faces(b.w, ray) && node >= 0;
+                                           hit.t, enter_0);
+            bool faces_0 = trace_faces(b.w, ray);
+            meets_0 = meets_0 && faces_0;
             bool meets_1 = trace_meets_box(ray, uintBitsToFloat(c.xyz), uintBitsToFloat(d.xyz),
-                                           hit.t, enter_1) &&
-                           trace_faces(d.w, ray) && node >= 0;
+                                           hit.t, enter_1);
+            bool faces_1 = trace_faces(d.w, ray);
+            meets_1 = meets_1 && faces_1;
             bool second = meets_1 && (!meets_0 || enter_1 < enter_0);
             int near = second ? int(c.w) : int(a.w);
             int far = second ? int(a.w) : int(c.w);
-            int popped = stack[max(top, 0)];
-            bool none = node >= 0 && !meets_0 && !meets_1;
+            int popped = stack[top];
+            bool none = !meets_0 && !meets_1;
             stack[top + 1] = far;
             top += none ? -1 : int(meets_0 && meets_1);
-            node = none ? popped : node >= 0 ? near : node;
+            node = none ? popped : near;
         }
         int leaf = node < 0 ? node & 0x7fffffff : 0;
         int k = leaf >> 3, end = k + (leaf & 7);
