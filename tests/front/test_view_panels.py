@@ -104,6 +104,18 @@ class PanelsCase(WindowCase):
         self.find_row(window, name)
         self.move(window, *[self.place(name, part) for part in parts])
 
+    def choose(self, window, row, entry):
+        """Opens a list, and clicks on an entry when the list is still."""
+        if not self.control(entry):
+            self.click(window, row)
+        try:
+            wait_until('an open list', lambda: self.control(entry), patience=PATIENCE / 12)
+        except AssertionError:
+            return
+        self.at_rest(window)
+        if self.control(entry):  # an earlier click may have come late, and closed the list
+            self.click(window, entry)
+
     def picture_of(self, pixels, width, left, top, columns, rows):
         """A part of RGB bytes, row by row."""
         return b''.join(pixels[3 * (y * width + left):3 * (y * width + left + columns)]
@@ -137,18 +149,6 @@ class Panels(PanelsCase):
     def names(self, what):
         lines = self.succeed('list', what).stdout.decode().splitlines()
         return [line.split()[0] for line in lines if line.startswith('  ')]
-
-    def choose(self, window, row, entry):
-        """Opens a list, and clicks on an entry when the list is still."""
-        if not self.control(entry):
-            self.click(window, row)
-        try:
-            wait_until('an open list', lambda: self.control(entry), patience=PATIENCE / 12)
-        except AssertionError:
-            return
-        self.at_rest(window)
-        if self.control(entry):  # an earlier click may have come late, and closed the list
-            self.click(window, entry)
 
     def fold(self, window, group, row, shown):
         """Clicks on the heading of a group until a row of it shows, or does not."""
@@ -244,12 +244,21 @@ class Panels(PanelsCase):
             shown.add(self.desktop.pixels(window))
         self.close(window)
 
+    def keys_fit(self, window):
+        """All of the list of keys, in a window of 700x500, half as large as all else here."""
+        self.desktop.do('windowsize', '--sync', window, 350, 250)
+        self.press_until(window, 'F1', 'the keys', lambda: self.control('drop a file'))
+        self.assertLessEqual(sum(self.control('drop a file')[1::2]), 250)
+        self.press_until(window, 'F1', 'no keys', lambda: not self.control('drop a file'))
+
     def test_a_cursor_that_rests_where_the_window_opens(self):
         """Its first press is where it is: on the picture, which follows."""
         self.desktop.do('mousemove', 400, 300)  # in the middle, where windows open
         window = self.start_with_panels()
+        wait_until('a hint', lambda: self.label('drag turns'), self.words)
         self.desktop.do('mousedown', 1, 'mousemove_relative', '--', 9, 5, 'mouseup', 1)
         self.wait_for_command(window, '--eye')
+        wait_until('no hint any more', lambda: not self.label('drag turns'), self.words)
         self.close(window)
 
     def time(self, window):
@@ -260,6 +269,8 @@ class Panels(PanelsCase):
         window = self.start_with_panels('--size', '320x280')
         self.find('sphere', act=lambda: self.click(window, 'Play'))
         self.find('sphere, paused', act=lambda: self.click(window, 'Pause'))
+        wait_until('another time', lambda: abs(self.time(window) - 4) < 0.3, self.words, again=5,
+                   act=lambda: self.move(window, self.place('time', 0.2), self.place('time', 0.4)))
         before = self.time(window) + 1e-3  # a frame on and a frame back are not quite nothing
         for key, later in (('period', True), ('comma', False)):
             self.press_until(window, key, key, lambda later=later:
@@ -301,6 +312,7 @@ class Panels(PanelsCase):
         window = self.start_with_panels()
         self.wait_for_command(window, 'refract.ior=1.5 ',
                               act=lambda: self.find_and_choose(window, 'material glass'))
+        self.misspelt(window)
         self.wait_for_command(window, without='refract.ior',
                               act=lambda: self.press(window, 'ctrl+z'))
         self.wait_for_command(window, 'refract.ior',
@@ -316,7 +328,8 @@ class Panels(PanelsCase):
                               act=lambda: self.click(window, 'reset all'))
         self.wait_for_command(window, 'refract.ior=1.5 ', 'bump.strength=0', act=lambda:
                               self.find_and_choose(window, 'preset preset-0001.txt'))
-        self.wait_for_command(window, '--eye', act=lambda: self.press(window, '1'))
+        self.bookmarks(window)
+        self.keys_fit(window)
         seen = self.desktop.pixels(window)
         self.press_until(window, 'o', 'another projection',
                          lambda: self.desktop.pixels(window) != seen)
@@ -325,6 +338,29 @@ class Panels(PanelsCase):
         last = scenes[scenes.index('room') - 1]
         self.press_for(window, 'Prior', f'{last}, paused')
         self.close(window)
+
+    def misspelt(self, window):
+        """The palette finds what some letters, or a wrong one, are for."""
+        self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
+        for typed, found in (('crk cnt', 'cracks.count'), ('expousre', 'tonemap.exposure')):
+            wait_until(found, lambda found=found: self.control(found) and not self.control(
+                'open pool'), self.words, act=lambda typed=typed: self.desktop.do(
+                    'windowfocus', '--sync', window, 'key', 'ctrl+a', 'type', typed))
+        self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
+
+    def bookmarks(self, window):
+        """A camera that was stored is gone back to."""
+        front = self.wait_for_command(window, '--eye', act=lambda: self.press(window, '1'))
+        self.press_until(window, 'ctrl+shift+2', 'a stored camera',
+                         lambda: self.label('stored camera 2'))
+        side = self.wait_for_command(window, '--eye', without=self.eye(front),
+                                     act=lambda: self.press(window, '3'))
+        self.assertNotEqual(self.eye(side), self.eye(front))
+        self.wait_for_command(window, self.eye(front), act=lambda: self.press(window, 'ctrl+2'))
+
+    @staticmethod
+    def eye(command):
+        return '--eye ' + command.partition('--eye ')[2].split()[0]
 
     @long
     def test_files_sizes_and_a_point(self):

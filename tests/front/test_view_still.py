@@ -96,11 +96,25 @@ class Still(PanelsCase):
             wait_until(f'what {key} shows', lambda want=want:
                        self.picture(window, self.PICTURE) == want, self.words,
                        act=lambda key=key: self.press(window, key))
+        self.channel(window, pixels)
         self.press_until(window, 'z', 'false colours',
                          lambda: self.picture(window, self.PICTURE) != pixels)
         wait_until('the picture', lambda: self.picture(window, self.PICTURE) == pixels, self.words,
                    act=lambda: self.click(window, 'as it is'))
         self.close(window)
+
+    def channel(self, window, pixels):
+        """One alone is grey; there is a histogram of the picture, in stops."""
+        wait_until('a histogram', lambda: any(re.fullmatch(r'-\d+ to \d+ stops from 1', label)
+                                              for label in self.labels()), self.words)
+
+        def look():
+            shown = self.picture(window, self.PICTURE)
+            return shown[0::3] == shown[1::3] == shown[2::3]
+        wait_until('one channel, in grey', look, self.words,
+                   act=lambda: self.choose(window, 'channel', 'R'))
+        wait_until('the picture', lambda: self.picture(window, self.PICTURE) == pixels, self.words,
+                   act=lambda: self.click(window, 'as it is'))
 
     def drag_until(self, window, start, what, happens):
         """Of each size of a movement that the line below the picture shows. All there were."""

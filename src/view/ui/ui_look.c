@@ -100,7 +100,7 @@ static void histogram(const struct look *look, const struct theme *theme)
     }
     snprintf(text, sizeof(text), look->choice.layer ? "%.4g to %.4g" : "%.0f to %.0f stops from 1",
              (double)look->least, (double)look->greatest);
-    imgui_text_dim(text);
+    imgui_text_wrapped(text);
     if (look->below > 0.0f || look->above > 0.0f) {
         snprintf(text, sizeof(text), "%.1f %% below, %.1f %% above", 100.0 * (double)look->below,
                  100.0 * (double)look->above);

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include "src/frame/list.h"
 #include "src/scene/material.h"
 #include "src/scene/scene.h"
@@ -17,8 +16,9 @@
 enum {
     ENTRIES_MAX = 400,
     SHOWN_MAX = 12, /* rows at once */
-    RANK_COUNT = 3, /* the label begins with the words; it has them; only the help has */
     LABEL_SIZE = 96,
+    IN_HELP = 1000,  /* distance of words that only the help of a setting has */
+    MISSPELT = 2000, /* least distance of words with a wrong letter */
 };
 
 enum entry_kind {
@@ -41,19 +41,30 @@ struct entry {
     VkExtent2D size; /* of a picture to be saved */
     const struct setting *row;
     char label[LABEL_SIZE];
-    const char *key; /* NULL: none */
-    uint32_t rank;   /* how well the words fit: the best first; below RANK_COUNT */
+    const char *key;   /* NULL: none */
+    uint32_t distance; /* of the words: the nearest first */
 };
 
 struct palette {
     struct entry entries[ENTRIES_MAX];
-    uint32_t order[ENTRIES_MAX]; /* of them, as they are shown */
+    const struct entry *order[ENTRIES_MAX]; /* as they are shown */
     uint32_t count;
     const char *words;
 };
 
 static const char *const presets[] = { ".txt", NULL };
 static const char *const sessions[] = { ".firn", NULL };
+
+static uint32_t distance_of(const struct palette *p, const struct entry *e)
+{
+    uint32_t distance = ui_words_distance(p->words, e->label, false);
+    if (distance != UI_WORDS_NONE)
+        return distance;
+    if (e->row && ui_settings_fit(e->row, p->words))
+        return IN_HELP;
+    distance = ui_words_distance(p->words, e->label, true);
+    return distance == UI_WORDS_NONE ? distance : MISSPELT + distance;
+}
 
 __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const struct entry *entry,
                                                       const char *format, ...)
@@ -66,22 +77,24 @@ __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const s
     va_start(arguments, format);
     vsnprintf(e->label, sizeof(e->label), format, arguments);
     va_end(arguments);
-    const char *const texts[] = { e->label };
-    const bool named = ui_words_fit(p->words, texts, 1);
-    e->rank = !named ? 2 : strncasecmp(e->label, p->words, strlen(p->words)) != 0 ? 1 : 0;
-    p->count += named || (e->row && ui_settings_fit(e->row, p->words)); /* else written over */
+    e->distance = distance_of(p, e);
+    p->count += e->distance != UI_WORDS_NONE; /* else it is written over */
 }
 
-/* Of one rank, entries stay as they are. */
+/* Of one distance, entries stay as they are. */
+static int compare(const void *a, const void *b)
+{
+    const struct entry *x = *(const struct entry *const *)a;
+    const struct entry *y = *(const struct entry *const *)b;
+    return x->distance != y->distance ? (x->distance > y->distance) - (x->distance < y->distance)
+                                      : (x > y) - (x < y);
+}
+
 static void sort(struct palette *p)
 {
-    uint32_t count = 0;
-    for (uint32_t rank = 0; rank < RANK_COUNT; rank++) {
-        for (uint32_t i = 0; i < p->count; i++) {
-            if (p->entries[i].rank == rank)
-                p->order[count++] = i;
-        }
-    }
+    for (uint32_t i = 0; i < p->count; i++)
+        p->order[i] = &p->entries[i];
+    qsort(p->order, p->count, sizeof(p->order[0]), compare);
 }
 
 static void collect_files(struct palette *p)
@@ -199,7 +212,7 @@ static void rows(struct ui *ui, const struct palette *p, struct ui_wish *wish)
     const uint32_t first = ui->palette_at >= SHOWN_MAX ? ui->palette_at - SHOWN_MAX + 1 : 0;
     const float right = imgui_room();
     for (uint32_t i = first; i < p->count && i < first + SHOWN_MAX; i++) {
-        const struct entry *e = &p->entries[p->order[i]];
+        const struct entry *e = p->order[i];
         imgui_id_begin(e);
         if (imgui_line(e->label, i == ui->palette_at))
             choose(ui, e, wish);
@@ -242,7 +255,7 @@ void ui_palette(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     /* what was typed before Enter comes first */
     const bool entered = ui->palette_entered && !ui->held && !ui->input.event_count;
     if (entered && ui->palette_at < p->count)
-        choose(ui, &p->entries[p->order[ui->palette_at]], wish);
+        choose(ui, p->order[ui->palette_at], wish);
     else
         rows(ui, p, wish);
     imgui_panel_end();

@@ -319,6 +319,7 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
             if (c)
                 imgui_same_line(x);
             imgui_text_in(name, ui->theme->accent);
+            imgui_name(name);
             imgui_same_line(x + 88.0f * scale);
             imgui_text_cut(help, column - 90.0f * scale);
         }

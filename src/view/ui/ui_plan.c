@@ -76,7 +76,7 @@ void ui_plan_memory(const struct rg_plan *plan)
     char text[128];
     snprintf(text, sizeof(text), "%.1f MiB of memory, %.1f without aliasing",
              (double)plan->memory_used / mebi, (double)plan->memory_without_aliasing / mebi);
-    imgui_value(text);
+    imgui_text_wrapped(text);
     imgui_tip("images and buffers of the picture's plan, on the device");
 }
 
@@ -85,7 +85,7 @@ static void print_sums(const struct rg_plan *plan)
     char text[256];
     snprintf(text, sizeof(text), "%u passes, %u barriers, %u batches", plan->pass_count,
              plan->barrier_count, plan->batch_count);
-    imgui_text(text);
+    imgui_text_wrapped(text);
     ui_plan_memory(plan);
     imgui_text_dim("passes (red: barriers), images");
 }

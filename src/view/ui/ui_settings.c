@@ -252,18 +252,34 @@ bool ui_settings_group(struct settings *settings, enum ui_group group, bool *mor
     return changed;
 }
 
-/* Those whose names have the words, or all others that fit. */
-static uint32_t show_found(struct settings *settings, const char *words, bool by_name,
+/* How words fit a row. */
+enum fit {
+    FIT_NAME,
+    FIT_HELP,
+    FIT_LETTERS, /* roughly its name */
+    FIT_NOTHING,
+};
+
+static enum fit fit_of(const struct setting *row, const char *words)
+{
+    char label[LABEL_SIZE];
+    print_label(row, label);
+    const char *const names[] = { row->name, label };
+    if (ui_words_fit(words, names, 2))
+        return FIT_NAME;
+    if (ui_settings_fit(row, words))
+        return FIT_HELP;
+    return ui_words_distance(words, row->name, true) != UI_WORDS_NONE ? FIT_LETTERS : FIT_NOTHING;
+}
+
+static uint32_t show_found(struct settings *settings, const char *words, enum fit fit,
                            bool *changed)
 {
     const struct setting *row;
     uint32_t count = 0;
     for (enum ui_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
         for (uint32_t i = 0; (row = ui_group_row(g, i)); i++) {
-            char label[LABEL_SIZE];
-            print_label(row, label);
-            const char *const names[] = { row->name, label };
-            if (ui_words_fit(words, names, 2) != by_name || !ui_settings_fit(row, words))
+            if (fit_of(row, words) != fit)
                 continue;
             *changed = ui_settings_row(settings, row) || *changed;
             count++;
@@ -275,8 +291,9 @@ static uint32_t show_found(struct settings *settings, const char *words, bool by
 bool ui_settings_found(struct settings *settings, const char *words)
 {
     bool changed = false;
-    const uint32_t named = show_found(settings, words, true, &changed);
-    if (!(named + show_found(settings, words, false, &changed)))
+    uint32_t count = show_found(settings, words, FIT_NAME, &changed);
+    count += show_found(settings, words, FIT_HELP, &changed);
+    if (!count && !show_found(settings, words, FIT_LETTERS, &changed))
         imgui_text_dim("no setting has these words");
     return changed;
 }

@@ -219,8 +219,7 @@ static void strip(const struct ui_times *times)
                     all.height / (float)high);
     snprintf(text, sizeof(text), "the last %u frame%s, up to %.1f ms", count, count == 1 ? "" : "s",
              most);
-    imgui_text_dim(text);
-    imgui_name(text);
+    imgui_text_wrapped(text);
 }
 
 void ui_times_panel(const char *what, const struct ui_times *times)

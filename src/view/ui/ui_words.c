@@ -1,7 +1,17 @@
 /* ui_words.c: words in texts. */
 #include "src/view/ui/ui_words.h"
+#include <ctype.h>
 #include <string.h>
 #include <strings.h>
+
+enum {
+    WITHIN = 2,         /* the distance of a word that is within another */
+    GAPS_MAX = 2,       /* letters left out, for each that was typed; with a wrong one: */
+    GAPS_PART = 2,      /* for so many that were typed */
+    ABBREVIATION = 3,   /* letters at least, else every text has them somewhere */
+    MISSPELT_LEAST = 4, /* the same with a wrong one */
+    MISSPELT = 8,       /* what a wrong letter counts */
+};
 
 static bool holds(const char *text, const char *word, size_t length)
 {
@@ -24,4 +34,93 @@ bool ui_words_fit(const char *words, const char *const *texts, size_t text_count
         words += length;
     }
     return true;
+}
+
+/* ---- distances ---- */
+
+static bool begins_word(const char *text, size_t at)
+{
+    return isalnum((unsigned char)text[at]) && (!at || !isalnum((unsigned char)text[at - 1]));
+}
+
+static bool is_same(char a, char b)
+{
+    return !strncasecmp(&a, &b, 1);
+}
+
+static uint32_t least(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Of all of a word in one piece. */
+static uint32_t whole(const char *text, const char *word, size_t length)
+{
+    uint32_t distance = UI_WORDS_NONE;
+    for (size_t at = 0; text[at]; at++) {
+        if (!strncasecmp(text + at, word, length))
+            distance = least(distance, !at ? 0 : begins_word(text, at) ? 1 : WITHIN);
+    }
+    return distance;
+}
+
+/* How many letters of a text are between those of a word, one of which is not looked for. */
+static uint32_t gaps(const char *text, const char *word, size_t length, size_t wrong)
+{
+    uint32_t count = 0;
+    bool has_begun = false;
+    for (size_t i = 0; i < length; i++) {
+        const char *from = text;
+        if (i == wrong)
+            continue;
+        while (*text && !is_same(*text, word[i]))
+            text++;
+        if (!*text)
+            return UI_WORDS_NONE;
+        count += has_begun ? (uint32_t)(text - from) : 0;
+        has_begun = true;
+        text++;
+    }
+    return count;
+}
+
+/* Of letters that are in this order, the first one where a word begins; UI_WORDS_NONE: they are
+ * not, or too far apart. */
+static uint32_t scattered(const char *text, const char *word, size_t length, size_t wrong)
+{
+    uint32_t distance = UI_WORDS_NONE;
+    const char first = word[wrong == 0 ? 1 : 0];
+    for (size_t at = 0; text[at]; at++) {
+        if (begins_word(text, at) && is_same(text[at], first))
+            distance = least(distance, gaps(text + at, word, length, wrong));
+    }
+    const size_t most = wrong < length ? length / GAPS_PART : GAPS_MAX * length;
+    return distance > most ? UI_WORDS_NONE : distance;
+}
+
+static uint32_t word_distance(const char *text, const char *word, size_t length, bool misspelt)
+{
+    uint32_t distance = whole(text, word, length);
+    if (distance != UI_WORDS_NONE || length < ABBREVIATION)
+        return distance;
+    distance = scattered(text, word, length, length);
+    for (size_t i = 0; misspelt && length >= MISSPELT_LEAST && i < length; i++) {
+        const uint32_t other = scattered(text, word, length, i);
+        distance = least(distance, other == UI_WORDS_NONE ? other : MISSPELT + other);
+    }
+    return distance == UI_WORDS_NONE ? distance : WITHIN + 1 + distance;
+}
+
+uint32_t ui_words_distance(const char *words, const char *text, bool misspelt)
+{
+    uint32_t sum = 0;
+    for (words += strspn(words, " "); *words; words += strspn(words, " ")) {
+        const size_t length = strcspn(words, " ");
+        const uint32_t distance = word_distance(text, words, length, misspelt);
+        if (distance == UI_WORDS_NONE)
+            return distance;
+        sum += distance;
+        words += length;
+    }
+    return sum;
 }
