@@ -21,9 +21,9 @@ static enum status open_device(struct profile_job *job)
 {
     const struct app_profile *o = &job->o.profile;
     enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
-    if (status == STATUS_OK && o->capture && !gpu_capture_is_there()) {
-        log_error("--capture: RenderDoc is not loaded; start firn from RenderDoc, or with "
-                  "ENABLE_VULKAN_RENDERDOC_CAPTURE=1");
+    const char *trouble = status == STATUS_OK && o->capture ? gpu_capture_trouble() : NULL;
+    if (trouble) {
+        log_error("--capture: %s", trouble);
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK)

@@ -23,9 +23,11 @@ static RENDERDOC_API_1_4_0 *find_renderdoc(void)
     return api;
 }
 
-bool gpu_capture_is_there(void)
+const char *gpu_capture_trouble(void)
 {
-    return find_renderdoc() != NULL;
+    return find_renderdoc() ? NULL
+                            : "RenderDoc is not loaded; start firn from RenderDoc, or with "
+                              "ENABLE_VULKAN_RENDERDOC_CAPTURE=1";
 }
 
 void gpu_capture_begin(const struct gpu *gpu)

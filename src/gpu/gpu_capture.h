@@ -10,8 +10,9 @@
 
 #include "src/gpu/gpu.h"
 
-/* Returns whether RenderDoc's library is loaded. Call it when a device is open. */
-bool gpu_capture_is_there(void);
+/* Returns why there can be no capture, and how to mend it; NULL: there can be one. Call it when a
+ * device is open. Static. */
+const char *gpu_capture_trouble(void);
 
 /* Begins to capture all submitted work, until gpu_capture_end(). */
 void gpu_capture_begin(const struct gpu *gpu);

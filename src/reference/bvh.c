@@ -9,7 +9,7 @@
 
 /* Embree passes the context of a ray on to the filters. */
 struct context {
-    struct RTCIntersectContext embree;
+    struct embree_context embree;
     const struct bvh_ray *ray;
 };
 
@@ -21,7 +21,7 @@ enum {
 
 /* ---- filters ---- */
 
-/* Returns the hit; there is always one, because only rtcIntersect1() is called. */
+/* Returns the hit; there is always one, because one ray is traced at a time. */
 static const struct RTCHit *hit_of(const struct RTCFilterFunctionNArguments *args)
 {
     return (const struct RTCHit *)(const void *)args->hit;
@@ -389,8 +389,7 @@ bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *
         },
         .hit = { .geomID = RTC_INVALID_GEOMETRY_ID, .instID[0] = RTC_INVALID_GEOMETRY_ID },
     };
-    rtcInitIntersectContext(&context.embree);
-    rtcIntersect1(bvh->scene, &context.embree, &rayhit);
+    embree_intersect(bvh->scene, &context.embree, &rayhit);
     if (rayhit.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return false;
     if (rayhit.hit.geomID == BVH_BUBBLES) {

@@ -12,8 +12,8 @@
 #ifndef FIRN_REFERENCE_BVH_H
 #define FIRN_REFERENCE_BVH_H
 
-#include <embree3/rtcore.h>
 #include "src/base/status.h"
+#include "src/reference/embree.h"
 #include "src/reference/radiance.h"
 
 enum {

@@ -317,8 +317,8 @@ bool tree_shape_pack(struct tree_shape *shape)
     }
     free(shape->draft.nodes);
     shape->node_count = next;
-    shape->draft.nodes = realloc(nodes, next * sizeof(*nodes));
-    shape->draft.nodes = shape->draft.nodes ? shape->draft.nodes : nodes;
+    struct tree_node *smaller = realloc(nodes, next * sizeof(*nodes));
+    shape->draft.nodes = smaller ? smaller : nodes;
     return true;
 }
 

@@ -5,6 +5,7 @@ import json
 import math
 import os
 import sys
+import unittest
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
@@ -220,6 +221,7 @@ class Capture(Profile):
     def test_without_renderdoc(self):
         self.refuse(USAGE, 'profile', 'sphere', '--capture', names=('RenderDoc',))
 
+    @unittest.skipIf('FAKE_RENDERDOC' not in os.environ, 'built without RenderDoc')
     def test_brackets_one_frame(self):
         env = {'LD_PRELOAD': os.environ['FAKE_RENDERDOC'],
                'ASAN_OPTIONS': os.environ.get('ASAN_OPTIONS', '') + ':verify_asan_link_order=0'}

@@ -1,0 +1,40 @@
+/*
+ * embree.h: Embree 4, or Embree 3, which names the context of a ray otherwise and takes it as an
+ * argument of its own. Of two that are installed, it is Embree 4 (meson.build).
+ */
+#ifndef FIRN_REFERENCE_EMBREE_H
+#define FIRN_REFERENCE_EMBREE_H
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+
+struct embree_context {
+    struct RTCRayQueryContext of_embree;
+};
+
+#else
+#include <embree3/rtcore.h>
+
+struct embree_context {
+    struct RTCIntersectContext of_embree;
+};
+
+#endif
+
+/* Finds the nearest hit of a ray. Filters and functions of user geometry get `context`. */
+static inline void embree_intersect(RTCScene scene, struct embree_context *context,
+                                    struct RTCRayHit *rayhit)
+{
+#if RTC_VERSION_MAJOR >= 4
+    struct RTCIntersectArguments arguments;
+    rtcInitRayQueryContext(&context->of_embree);
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context->of_embree;
+    rtcIntersect1(scene, rayhit, &arguments);
+#else
+    rtcInitIntersectContext(&context->of_embree);
+    rtcIntersect1(scene, &context->of_embree, rayhit);
+#endif
+}
+
+#endif
