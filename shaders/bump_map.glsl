@@ -42,9 +42,13 @@ bump_planes bump_read_planes(vec3 normal)
     return planes;
 }
 
+/* Without uv nothing changes across a fragment, which makes lavapipe's anisotropic filter (Mesa 25)
+ * return NaN. */
 vec4 bump_read_uv()
 {
-    return bump_read(bump_at.xy);
+    vec2 at = bump_at.xy;
+    bool is_point = fwidth(at) == vec2(0.0);
+    return mix(bump_read(at), textureLod(bump_map, at, 0.0), bvec4(is_point));
 }
 
 /* Returns the smoothness of the ice and the thickness of its frost. */
