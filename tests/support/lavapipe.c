@@ -20,6 +20,8 @@ void lavapipe_environment(void)
     unsetenv("HOME");
     setenv("VK_LAYER_ENABLES", "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT",
            1);
+    setenv("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "1",
+           1);           /* newer layers need to be asked */
     if (!other_device()) /* it is opened in two thirds of the time if no other driver is loaded */
         setenv("VK_LOADER_DRIVERS_SELECT", "*lvp*", 1);
 }
