@@ -286,10 +286,21 @@ static VkExtent2D choose_size(const struct window_params *params)
     return params->fit(params->user, fmaxf(scale[0], scale[1]), room);
 }
 
+/* Connects to the window system. GLFW 3.4 tries Wayland too, whose library prints an error where it
+ * has no session. */
+static bool connect_system(void)
+{
+#ifdef GLFW_PLATFORM
+    if (!getenv("WAYLAND_DISPLAY"))
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+    return glfwInit();
+}
+
 enum status window_init(struct window *w, const struct window_params *params)
 {
     *w = (struct window){ .divider = -1.0 };
-    if (!glfwInit())
+    if (!connect_system())
         return failed("cannot connect to a window system");
     w->has_library = true;
     if (!glfwVulkanSupported())
