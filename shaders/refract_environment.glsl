@@ -16,6 +16,12 @@
 #include "refract_frame.glsl"
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
+#ifdef REFRACT_ENV_CUBE_POINTS
+/* The same without a filter, where lavapipe reads a distance in half the time. */
+layout(set = 0, binding = REFRACT_ENV_CUBE_POINTS) uniform samplerCube env_cube_points;
+#else
+#define env_cube_points env_cube
+#endif
 
 #ifdef REFRACT_NEAREST
 layout(location = REFRACT_SEEN_MEAN, component = 3) flat in float cube_nearest; /* 1 / metres */
@@ -34,7 +40,7 @@ const float cube_passed = 0.15;
  * nothing. */
 float cube_behind(vec4 place)
 {
-    return length(place.xyz) * textureLod(env_cube, place.xyz, 0.0).a - place.w;
+    return length(place.xyz) * textureLod(env_cube_points, place.xyz, 0.0).a - place.w;
 }
 
 /* Two places of a ray, 0 to 1, between which it meets a surface. */

@@ -20,7 +20,9 @@
 #include "trace_dress.glsl"
 #else
 #include "dress.h"
+#include "refract_trace.h"
 #define REFRACT_NEAREST
+#define REFRACT_ENV_CUBE_POINTS TRACE_CUBE_POINTS
 #include "refract_environment.glsl"
 #endif
 #include "trace_shells.glsl"

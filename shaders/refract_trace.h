@@ -12,6 +12,7 @@
 #define TRACE_TRIANGLES    14
 #define TRACE_CORNERS      15
 #define TRACE_FIRST_OBJECT 21 /* the layer `object`; of the layers' pass */
+#define TRACE_CUBE_POINTS  22 /* the environment cube without a filter */
 /* The words, too, if TRACE_IS_STORED. */
 #define TRACE_STORED_NODES     18
 #define TRACE_STORED_TRIANGLES 19
