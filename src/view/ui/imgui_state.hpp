@@ -12,7 +12,8 @@ struct imgui {
     ImGuiContext *context;
     imgui_place panels[panel_count_max]; /* of the frame */
     int panel_count;
-    bool popup; /* a list is open */
+    bool popup;   /* a list is open */
+    bool focuses; /* the next line of text gets the keys */
     float scale;
     const theme *look;
     imgui_item items[IMGUI_ITEM_COUNT];

@@ -136,9 +136,29 @@ void imgui_next_width(float width)
     ImGui::SetNextItemWidth(width);
 }
 
+/* Dear ImGui 1.90 finds no widget to focus where another panel had the keys. */
 void imgui_next_focus(void)
 {
+#if IMGUI_VERSION_NUM >= 18900
+    static_cast<imgui *>(ImGui::GetIO().UserData)->focuses = true;
+#else
     ImGui::SetKeyboardFocusHere();
+#endif
+}
+
+/* What came last gets the keys, if that was asked for. */
+static void focus(void)
+{
+#if IMGUI_VERSION_NUM >= 18900
+    imgui *ui = static_cast<imgui *>(ImGui::GetIO().UserData);
+    ImGuiContext *context = ImGui::GetCurrentContext();
+    if (!ui->focuses)
+        return;
+    ui->focuses = false;
+    ImGui::FocusWindow(ImGui::GetCurrentWindow());
+    context->NavNextActivateId = ImGui::GetItemID();
+    context->NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
+#endif
 }
 
 void imgui_id_begin(const void *id)
@@ -383,6 +403,7 @@ bool imgui_line_of_text(const char *label, const char *hint, char *text, size_t 
 {
     const bool changed = ImGui::InputTextWithHint(label, hint, text, size);
     note(label);
+    focus();
     return changed;
 }
 

@@ -10,6 +10,7 @@
 
 enum {
     SETTLE_COUNT = 3, /* frames after an event until nothing moves any more */
+    HOLD_COUNT = 6,   /* the same until what was asked for has the keys; Dear ImGui 1.90 takes 4 */
 };
 
 static const double drag_seconds = 0.25; /* between frames while the picture is dragged */
@@ -164,7 +165,7 @@ bool ui_toggle(struct ui *ui, enum view_action action)
         ui->palette_entered = false;
         ui->palette_at = 0;
         *ui->palette_words = '\0';
-        ui->held = SETTLE_COUNT;
+        ui->held = HOLD_COUNT;
     } else
         ui->tab = ui->tab == tab && ui->shown ? UI_SETTINGS : tab;
     ui->settle = SETTLE_COUNT;
@@ -241,7 +242,7 @@ static bool hear_key(struct ui *ui, const struct window_event *event)
     if (event->down && event->code == GLFW_KEY_F6) {
         ui->focus_panel = true;
         ui->searches = false;
-        ui->held = SETTLE_COUNT;
+        ui->held = HOLD_COUNT;
         return true;
     }
     if (event->down && event->code == GLFW_KEY_ESCAPE && !imgui_is_active()) {
@@ -262,7 +263,7 @@ static bool hear_character(struct ui *ui, const struct window_event *event)
     }
     if (event->code == '/') {
         ui->focus_search = ui->searches = true;
-        ui->held = SETTLE_COUNT;
+        ui->held = HOLD_COUNT;
         return true;
     }
     return event->code == ' ' && has_keys(ui);
