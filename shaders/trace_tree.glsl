@@ -262,6 +262,10 @@ vec3 trace_turned(vec3 v, float cosine, float sine)
     return vec3(cosine * v.x + sine * v.z, v.y, cosine * v.z - sine * v.x);
 }
 
+#ifdef TRACE_QUERY
+#include "trace_query.glsl"
+#endif
+
 void trace_meet_posed(trace_start start, int part, bool is_active, inout trace_hit hit)
 {
     vec3 own_origin = start.origin, own_dir = start.dir;
@@ -273,6 +277,12 @@ void trace_meet_posed(trace_start start, int part, bool is_active, inout trace_h
     float own_side = part == TREE_OBJECTS ? start.side : 0.0;
     trace_ray ray =
         trace_ray_of(own_origin, own_dir, own_side, start.reach, start.from, start.is_in_bubble);
+#ifdef TRACE_QUERY
+    if (part != TREE_INCLUSIONS) {
+        trace_query_part(ray, part, is_active, hit);
+        return;
+    }
+#endif
     trace_meet_part(ray, is_active ? int(trace.roots[part]) : trace_nothing, part, hit);
 }
 

@@ -296,6 +296,9 @@ MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene 
 void app_choose_rung(struct app_picture *picture, const struct scene *scene,
                      const struct camera *camera);
 
+/* Says once that a device has no ray queries where trace.rays asks for them. */
+void app_check_rays(const struct settings *settings, const struct gpu *gpu);
+
 /* The camera of the options, which may name one of the model's, else the model's first, else one
  * that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,

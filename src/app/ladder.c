@@ -156,6 +156,7 @@ static enum status measure(struct job *job)
         status = gpu_create(&job->gpu, &o->run.gpu);
     if (status != STATUS_OK)
         return status;
+    app_check_rays(&p->scene.settings, &job->gpu);
     if (!o->run.quiet && reference_leaves_out(&p->scene.settings, names, sizeof(names)))
         log_warning("firn ladder: the reference draws the scene without %s", names);
     if (!o->run.quiet && air_is_medium(&p->scene.settings))

@@ -122,8 +122,11 @@ static enum status prepare(struct profile_job *job, struct subject *subject,
         status = app_camera(&request->camera, &subject->scene, p);
     if (status == STATUS_OK)
         app_choose_rung(p, &subject->scene, &request->camera);
-    if (status == STATUS_OK && !job->gpu.device)
+    const bool is_first = !job->gpu.device;
+    if (status == STATUS_OK && is_first)
         status = open_device(job);
+    if (status == STATUS_OK && is_first)
+        app_check_rays(&p->scene.settings, &job->gpu);
     if (status == STATUS_OK) {
         const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
         request->time = (double)motion->time;

@@ -341,6 +341,8 @@ static enum status open_device(struct job *job)
     else if (status == STATUS_OK && !job->is_filled)
         fill_scene(job);
     job->is_filled = true;
+    if (status == STATUS_OK)
+        app_check_rays(&job->o.picture.scene.settings, &job->gpu);
     return status == STATUS_OK && job->lacking ? app_fill_failed(job->lacking) : status;
 }
 

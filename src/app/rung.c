@@ -325,3 +325,11 @@ void app_choose_rung(struct app_picture *picture, const struct scene *scene,
     warn_of_files(picture, scene);
     warn_of_outside(&picture->scene, scene);
 }
+
+void app_check_rays(const struct settings *settings, const struct gpu *gpu)
+{
+    const struct trace_params *trace = settings_of(settings, &trace_settings);
+    if (trace->rays == TRACE_BY_QUERY && !gpu->has_rays)
+        log_warning("trace.rays=query: %s has no ray queries, so rays go through the tree",
+                    gpu->properties.deviceName);
+}

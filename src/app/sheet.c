@@ -149,6 +149,8 @@ static enum status add_picture(struct job *job, uint32_t point)
         app_choose_rung(&picture, &scene, &camera);
     if (status == STATUS_OK && !job->gpu.device)
         status = gpu_create(&job->gpu, &job->o.run.gpu);
+    if (status == STATUS_OK && point == 0)
+        app_check_rays(&picture.scene.settings, &job->gpu);
     if (status == STATUS_OK)
         status = draw(job, &picture, &scene, &camera, &result);
     if (status == STATUS_OK)

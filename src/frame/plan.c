@@ -94,6 +94,10 @@ static uint32_t count_mips(const struct technique_texels *texels)
 static struct rg_import describe(const struct technique_import *import, const struct scene *scene)
 {
     struct technique_texels texels = { 0 };
+    if (import->is_structure)
+        return (struct rg_import){ .buffer = import->buffer,
+                                   .access = RG_TRACE,
+                                   .size = import->buffer->size };
     if (import->buffer)
         return (struct rg_import){ .buffer = import->buffer,
                                    .access = import->buffer->format ? RG_SAMPLED : RG_STORAGE_READ,

@@ -50,8 +50,10 @@ struct gpu {
     VkCommandPool pool;             /* for uploads */
     bool portability_subset;        /* the device has this extension, so it is enabled */
     float max_anisotropy;           /* of samplers; 0: not supported */
+    bool has_rays;                  /* acceleration structures and ray queries */
     bool has_statistics;            /* pipeline statistics and exact occlusion queries */
     bool validated;                 /* the validation layer was found and is enabled */
+    struct gpu_rays *rays; /* of a pose that is drawn no more, for the next one; may be NULL */
     VkDebugUtilsMessengerEXT messenger;
     uint32_t message_count; /* warnings and errors of the validation layer so far */
 };

@@ -60,13 +60,32 @@ static const struct feature welcome[] = {
     { V12(hostQueryReset) },     { V12(timelineSemaphore) },
 };
 
-static void chain(struct gpu_features *features)
+/* Of a device that has gpu_ray_extensions. */
+static const struct feature for_rays[] = {
+    { V12(bufferDeviceAddress) },
+    { "accelerationStructure", offsetof(struct gpu_features, structures.accelerationStructure) },
+    { "rayQuery", offsetof(struct gpu_features, queries.rayQuery) },
+};
+
+const char *const gpu_ray_extensions[GPU_RAY_EXTENSION_COUNT] = {
+    VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+    VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
+    VK_KHR_RAY_QUERY_EXTENSION_NAME,
+};
+
+static void chain(struct gpu_features *features, bool rays)
 {
     *features = (struct gpu_features){
         .core = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &features->v12 },
         .v12 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES,
                  .pNext = &features->v13 },
-        .v13 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES },
+        .v13 = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
+                 .pNext = rays ? &features->structures : NULL },
+        .structures = { .sType =
+                            VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR,
+                        .pNext = &features->queries },
+        .queries = { .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR },
+        .rays = rays,
     };
 }
 
@@ -83,9 +102,11 @@ static bool want(const struct feature *feature, const struct gpu_features *has,
 const char *gpu_features_choose(VkPhysicalDevice physical, struct gpu_features *wanted)
 {
     struct gpu_features has;
+    struct gpu_offer offer;
     const char *missing = NULL;
-    chain(&has);
-    chain(wanted);
+    const bool rays = gpu_offer_find(physical, &offer) == VK_SUCCESS && offer.rays;
+    chain(&has, rays);
+    chain(wanted, rays);
     vkGetPhysicalDeviceFeatures2(physical, &has.core);
     for (size_t i = 0; i < sizeof(needed) / sizeof(needed[0]); i++) {
         if (!want(&needed[i], &has, wanted) && !missing)
@@ -93,6 +114,12 @@ const char *gpu_features_choose(VkPhysicalDevice physical, struct gpu_features *
     }
     for (size_t i = 0; i < sizeof(welcome) / sizeof(welcome[0]); i++)
         (void)want(&welcome[i], &has, wanted);
+    for (size_t i = 0; i < sizeof(for_rays) / sizeof(for_rays[0]) && rays; i++)
+        wanted->rays = want(&for_rays[i], &has, wanted) && wanted->rays;
+    if (!wanted->rays) {
+        wanted->v12.bufferDeviceAddress = VK_FALSE;
+        wanted->v13.pNext = NULL;
+    }
     return missing;
 }
 
@@ -112,6 +139,9 @@ VkResult gpu_offer_find(VkPhysicalDevice physical, struct gpu_offer *offer)
     if (result == VK_SUCCESS) {
         offer->portability_subset = gpu_has_extension(list, count, "VK_KHR_portability_subset");
         offer->swapchain = gpu_has_extension(list, count, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+        offer->rays = true;
+        for (int i = 0; i < GPU_RAY_EXTENSION_COUNT; i++)
+            offer->rays = offer->rays && gpu_has_extension(list, count, gpu_ray_extensions[i]);
     }
     free(list);
     return result;

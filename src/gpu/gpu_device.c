@@ -4,6 +4,7 @@
 #include "graph/rg_exec.h"
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
+#include "src/gpu/gpu_rays.h"
 
 /* More than any machine has; further devices are ignored. */
 enum {
@@ -62,12 +63,14 @@ static VkResult create_device(const struct gpu *gpu, const struct gpu_features *
                               VkDevice *device)
 {
     const float priority = 1.0F;
-    const char *extensions[2];
+    const char *extensions[2 + GPU_RAY_EXTENSION_COUNT];
     uint32_t extension_count = 0;
     if (gpu->portability_subset) /* required where it is offered */
         extensions[extension_count++] = "VK_KHR_portability_subset";
     if (gpu->windows)
         extensions[extension_count++] = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    for (int i = 0; i < GPU_RAY_EXTENSION_COUNT && features->rays; i++)
+        extensions[extension_count++] = gpu_ray_extensions[i];
     const VkDeviceQueueCreateInfo queue = {
         .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
         .queueFamilyIndex = gpu->queue_family,
@@ -104,6 +107,7 @@ static enum status open_device(struct gpu *gpu)
     gpu->pipelines = rg_pipelines_create();
     if (features.core.features.samplerAnisotropy)
         gpu->max_anisotropy = gpu->properties.limits.maxSamplerAnisotropy;
+    gpu->has_rays = features.rays;
     gpu->has_statistics = features.core.features.pipelineStatisticsQuery &&
                           features.core.features.occlusionQueryPrecise;
     const VkCommandPoolCreateInfo pool = {
@@ -141,6 +145,7 @@ void gpu_destroy(struct gpu *gpu)
         (void)vkDeviceWaitIdle(gpu->device); /* destroyed even if it is lost */
         if (gpu->pipeline_cache && !gpu->no_cache)
             gpu_cache_save(gpu);
+        gpu_rays_destroy(gpu, gpu->rays);
         rg_pipelines_destroy(gpu->pipelines);
         vkDestroyPipelineCache(gpu->device, gpu->pipeline_cache, NULL);
         vkDestroyCommandPool(gpu->device, gpu->pool, NULL);

@@ -142,7 +142,8 @@ static enum status create(struct gpu *gpu, struct gpu_image *image, VkImageUsage
     }
     gpu_debug_name(gpu, VK_OBJECT_TYPE_IMAGE, (uint64_t)image->image, name);
     vkGetImageMemoryRequirements(gpu->device, image->image, &needs);
-    const enum status status = gpu_memory_allocate(gpu, &needs, false, name, &image->memory);
+    const enum status status =
+        gpu_memory_allocate(gpu, &needs, GPU_MEMORY_DEVICE, name, &image->memory);
     if (status != STATUS_OK)
         return status;
     result = vkBindImageMemory(gpu->device, image->image, image->memory, 0);

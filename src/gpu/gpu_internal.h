@@ -49,7 +49,15 @@ uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physica
 /* Which of the extensions that firn may enable a device has. */
 struct gpu_offer {
     bool portability_subset, swapchain;
+    bool rays; /* all of gpu_ray_extensions */
 };
+
+/* What building acceleration structures, and ray queries, need. */
+enum {
+    GPU_RAY_EXTENSION_COUNT = 3,
+};
+
+extern const char *const gpu_ray_extensions[GPU_RAY_EXTENSION_COUNT];
 
 MUST_USE VkResult gpu_offer_find(VkPhysicalDevice physical, struct gpu_offer *offer);
 
@@ -59,6 +67,9 @@ struct gpu_features {
     VkPhysicalDeviceFeatures2 core;
     VkPhysicalDeviceVulkan12Features v12;
     VkPhysicalDeviceVulkan13Features v13;
+    VkPhysicalDeviceAccelerationStructureFeaturesKHR structures; /* chained if `rays` */
+    VkPhysicalDeviceRayQueryFeaturesKHR queries;
+    bool rays; /* structures, ray queries and addresses of buffers, which they need, are enabled */
 };
 
 /* Chains *wanted and sets the features that firn needs, and those that it uses where the device has
@@ -81,12 +92,20 @@ bool gpu_cache_sound(const VkPhysicalDeviceProperties *device, const void *data,
 uint32_t gpu_memory_type(const VkPhysicalDeviceMemoryProperties *memory, uint32_t bits,
                          VkMemoryPropertyFlags required, VkMemoryPropertyFlags preferred);
 
-/* Allocates memory for `needs`, device-local or (`host`) host-visible. More than the device has is
- * STATUS_TRY_AGAIN. */
-MUST_USE enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *needs,
-                                         bool host, const char *name, VkDeviceMemory *memory);
+/* What memory is for. */
+enum gpu_memory_kind {
+    GPU_MEMORY_DEVICE,  /* device-local */
+    GPU_MEMORY_HOST,    /* host-visible */
+    GPU_MEMORY_ADDRESS, /* device-local, for a buffer that has an address */
+};
 
-/* Makes a buffer with its own memory and undefined content. On failure *buffer is {0}. */
+/* Allocates memory for `needs`. More than the device has is STATUS_TRY_AGAIN. */
+MUST_USE enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *needs,
+                                         enum gpu_memory_kind kind, const char *name,
+                                         VkDeviceMemory *memory);
+
+/* Makes a buffer with its own memory, of the host if `host`, and undefined content. With
+ * SHADER_DEVICE_ADDRESS in its usage it has an address. On failure *buffer is {0}. */
 MUST_USE enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, VkDeviceSize size, bool host,
                                        const char *name);

@@ -31,9 +31,10 @@ static enum status too_large(const char *name, VkDeviceSize size, VkDeviceSize l
     return STATUS_TRY_AGAIN;
 }
 
-enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *needs, bool host,
-                                const char *name, VkDeviceMemory *memory)
+enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *needs,
+                                enum gpu_memory_kind kind, const char *name, VkDeviceMemory *memory)
 {
+    const bool host = kind == GPU_MEMORY_HOST;
     VkPhysicalDeviceVulkan11Properties v11 = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES,
     };
@@ -56,8 +57,13 @@ enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *nee
     if (needs->size > limit)
         return too_large(name, needs->size, limit);
 
+    const VkMemoryAllocateFlagsInfo flags = {
+        .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
+        .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT,
+    };
     const VkMemoryAllocateInfo info = {
         .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+        .pNext = kind == GPU_MEMORY_ADDRESS ? &flags : NULL,
         .allocationSize = needs->size,
         .memoryTypeIndex = type,
     };
@@ -96,7 +102,11 @@ enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer, VkBuff
     }
     gpu_debug_name(gpu, VK_OBJECT_TYPE_BUFFER, (uint64_t)buffer->buffer, name);
     vkGetBufferMemoryRequirements(gpu->device, buffer->buffer, &needs);
-    enum status status = gpu_memory_allocate(gpu, &needs, host, name, &buffer->memory);
+    const bool has_address = usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+    const enum gpu_memory_kind kind = has_address ? GPU_MEMORY_ADDRESS
+                                      : host      ? GPU_MEMORY_HOST
+                                                  : GPU_MEMORY_DEVICE;
+    enum status status = gpu_memory_allocate(gpu, &needs, kind, name, &buffer->memory);
     if (status == STATUS_OK) {
         result = vkBindBufferMemory(gpu->device, buffer->buffer, buffer->memory, 0);
         if (result != VK_SUCCESS)

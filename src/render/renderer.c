@@ -54,7 +54,10 @@ struct rg_exec_import *renderer_imports(const struct renderer *r, const struct f
 {
     struct rg_exec_import *imports = calloc(plan->import_count + 1, sizeof(*imports));
     for (size_t i = 0; i < plan->import_count && imports; i++) {
-        if (plan->imports[i].buffer)
+        if (plan->imports[i].access == RG_TRACE && r->tree.rays)
+            imports[i] = (struct rg_exec_import){ .buffer = r->tree.rays->upper_memory.buffer,
+                                                  .acceleration = r->tree.rays->upper };
+        else if (plan->imports[i].buffer)
             imports[i].buffer = uploaded_scene_buffer(&r->tree, plan->imports[i].buffer);
         else
             imports[i].image = find_import(r, plan->imports[i].image);
@@ -80,6 +83,17 @@ enum status renderer_make(struct renderer *r, struct frame_exec *frame_exec,
     return status;
 }
 
+enum status renderer_upload_tree(struct renderer *r)
+{
+    const struct renderer_params *p = &r->params;
+    enum status status = STATUS_OK;
+    if (!r->tree.imports)
+        status = uploaded_scene_init_tree(&r->tree, p->gpu, p->scene);
+    if (status == STATUS_OK && renderer_picture_request(p).choice.queries)
+        status = uploaded_scene_need_rays(&r->tree, p->gpu, p->scene);
+    return status;
+}
+
 static enum status upload(struct renderer *r)
 {
     enum status status = STATUS_OK;
@@ -87,7 +101,7 @@ static enum status upload(struct renderer *r)
     if (!r->params.uploaded)
         status = uploaded_scene_init(&r->own, r->params.gpu, r->params.scene);
     if (status == STATUS_OK && renderer_meets_tree(&r->params))
-        status = uploaded_scene_init_tree(&r->tree, r->params.gpu, r->params.scene);
+        status = renderer_upload_tree(r);
     r->meshes = calloc(techniques_count, sizeof(*r->meshes));
     if (status == STATUS_OK && !r->meshes) {
         status = log_out_of_memory(NULL);

@@ -69,10 +69,10 @@ enum status renderer_change(struct renderer *r, const struct renderer_params *pa
     forget_pictures(r);
     if (status == STATUS_OK)
         status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
-    if (status == STATUS_OK && renderer_meets_tree(&r->params) && !r->tree.imports) {
+    if (status == STATUS_OK && renderer_meets_tree(&r->params)) {
         status = renderer_need_tree(r);
         if (status == STATUS_OK)
-            status = uploaded_scene_init_tree(&r->tree, params->gpu, r->params.scene);
+            status = renderer_upload_tree(r);
     }
     if (status == STATUS_OK)
         status = fit_all(r);

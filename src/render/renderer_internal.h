@@ -48,6 +48,9 @@ void renderer_take_params(struct renderer *renderer, const struct renderer_param
 /* Builds the scene's tree. A scene that has not been loaded has no place for it. */
 MUST_USE enum status renderer_need_tree(struct renderer *renderer);
 
+/* Uploads the tree, and what its rays go through, unless that has been done. */
+MUST_USE enum status renderer_upload_tree(struct renderer *renderer);
+
 /* Compiles a request and creates its executor. */
 MUST_USE enum status renderer_make(struct renderer *renderer, struct frame_exec *frame_exec,
                                    struct frame_request request);

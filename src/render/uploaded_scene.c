@@ -2,6 +2,7 @@
 #include "src/render/uploaded_scene.h"
 #include <stdlib.h>
 #include "src/base/log.h"
+#include "src/render/ray_groups.h"
 #include "src/scene/mips.h"
 #include "src/tech/techniques.h"
 
@@ -119,7 +120,9 @@ static enum status upload_imports(struct uploaded_scene *on_gpu, struct gpu *gpu
     enum status status = STATUS_OK;
     for (size_t i = 0; status == STATUS_OK && (import = techniques_import(i)); i++) {
         struct uploaded_import *to = &on_gpu->imports[on_gpu->import_count++];
-        if (import->buffer && are_buffers)
+        if (import->is_structure)
+            to->declared_buffer = import->buffer; /* uploaded_scene_need_rays() */
+        else if (import->buffer && are_buffers)
             status = upload_buffer(to, gpu, import, scene);
         else if (import->image && !are_buffers)
             status = upload_image(to, gpu, import, scene);
@@ -164,6 +167,40 @@ enum status uploaded_scene_init_tree(struct uploaded_scene *on_gpu, struct gpu *
     return status;
 }
 
+enum status uploaded_scene_need_rays(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                     const struct scene *scene)
+{
+    struct gpu_ray_groups groups;
+    struct gpu_rays *rays = gpu->rays;
+    if (on_gpu->rays)
+        return STATUS_OK;
+    enum status status = ray_groups_init(&groups, scene->tree, scene->rest != NULL);
+    gpu->rays = NULL;
+    if (rays && (status != STATUS_OK || !ray_groups_keep(&groups, &rays->built))) {
+        gpu_rays_destroy(gpu, rays);
+        rays = NULL;
+    }
+    if (status == STATUS_OK && !rays)
+        status = gpu_rays_create(gpu, &rays, &groups);
+    if (status == STATUS_OK)
+        status = gpu_rays_build(gpu, rays, &groups);
+    gpu_ray_groups_finish(&groups);
+    on_gpu->rays = rays;
+    on_gpu->has_poses = scene->rest != NULL;
+    return status;
+}
+
+/* What was built of a pose is left for the next one. */
+static void leave_rays(struct uploaded_scene *on_gpu, struct gpu *gpu)
+{
+    struct gpu_rays *unused = on_gpu->rays;
+    if (on_gpu->rays && on_gpu->has_poses) {
+        unused = gpu->rays;
+        gpu->rays = on_gpu->rays;
+    }
+    gpu_rays_destroy(gpu, unused);
+}
+
 static void destroy_mesh(struct gpu *gpu, struct uploaded_mesh *mesh)
 {
     gpu_buffer_destroy(gpu, &mesh->vertices);
@@ -172,6 +209,7 @@ static void destroy_mesh(struct gpu *gpu, struct uploaded_mesh *mesh)
 
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu)
 {
+    leave_rays(on_gpu, gpu);
     destroy_mesh(gpu, &on_gpu->object);
     destroy_mesh(gpu, &on_gpu->surroundings);
     for (size_t i = 0; on_gpu->meshes && i < techniques_count; i++)

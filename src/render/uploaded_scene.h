@@ -3,7 +3,7 @@
 #define FIRN_RENDER_UPLOADED_SCENE_H
 
 #include "graph/rg_cmd.h"
-#include "src/gpu/gpu.h"
+#include "src/gpu/gpu_rays.h"
 #include "src/scene/scene.h"
 
 /* A mesh's buffers; {0} if it has no triangles. */
@@ -24,6 +24,8 @@ struct uploaded_scene {
     struct uploaded_mesh *meshes; /* of the techniques, by techniques_index() */
     struct uploaded_import *imports;
     size_t import_count;
+    struct gpu_rays *rays; /* NULL: none is needed */
+    bool has_poses;        /* the scene has others */
 };
 
 /* Checks before any allocation that the device supports the sizes of the scene's pictures. If not,
@@ -36,6 +38,11 @@ MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct g
 
 /* Uploads only the buffers of a scene's tree, or zeros where it has not been built. */
 MUST_USE enum status uploaded_scene_init_tree(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                              const struct scene *scene);
+
+/* Builds the acceleration structures of a scene's tree, unless there are any. Of what only moved
+ * since a pose before, whose upload has been finished, it takes those. */
+MUST_USE enum status uploaded_scene_need_rays(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                               const struct scene *scene);
 
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu);

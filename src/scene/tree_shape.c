@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/scene/alike.h"
 
 enum {
     LEVELS_FREE = 4, /* that the tree of groups may have beyond those it needs */
@@ -11,122 +12,45 @@ enum {
 
 /* ---- groups that are alike ---- */
 
-/* Three corners of a group, far from each other, and the lengths to see what was moved. */
-struct anchor {
-    uint32_t corners[3];
-    double length;
-};
-
-/* The axes of three points: a is along the first one. */
-struct frame {
-    double origin[3], axes[3][3], length;
-    bool is_flat; /* they are on a line */
-};
-
-static const float *place_of(const struct tree_part *part, uint32_t first, uint32_t corner)
-{
-    const uint32_t triangle = part->triangles[first + corner / 3];
-    return tree_corner(part, triangle, corner % 3)->position.raw;
-}
-
-static void cross(const double *a, const double *b, double *to)
-{
-    for (int k = 0; k < 3; k++)
-        to[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void between(const float *a, const float *b, double *to)
-{
-    for (int k = 0; k < 3; k++)
-        to[k] = (double)b[k] - (double)a[k];
-}
-
-/* Returns the length of v, and makes it 1. */
-static double normalise(double *v)
-{
-    const double length = sqrt(dot(v, v));
-    for (int k = 0; k < 3 && length > 0.0; k++)
-        v[k] /= length;
-    return length;
-}
-
-/* Finds a corner far from the first one, and one far from the line through both. */
-static struct anchor find_anchor(const struct tree_part *part, uint32_t first, uint32_t count)
-{
-    struct anchor anchor = { { 0 }, 0.0 };
-    const float *origin = place_of(part, first, 0);
-    double along[3] = { 0 }, most = 0.0;
-    for (uint32_t i = 0; i < 3 * count; i++) {
-        double v[3];
-        between(origin, place_of(part, first, i), v);
-        if (dot(v, v) > anchor.length) {
-            anchor.length = dot(v, v);
-            anchor.corners[1] = i;
-            memcpy(along, v, sizeof(along));
-        }
-    }
-    for (uint32_t i = 0; i < 3 * count; i++) {
-        double v[3], aside[3];
-        between(origin, place_of(part, first, i), v);
-        cross(along, v, aside);
-        if (dot(aside, aside) > most) {
-            most = dot(aside, aside);
-            anchor.corners[2] = i;
-        }
-    }
-    return anchor;
-}
-
-static struct frame frame_of(const struct tree_part *part, uint32_t first,
-                             const struct anchor *anchor)
-{
-    struct frame frame;
-    double aside[3];
-    const float *origin = place_of(part, first, anchor->corners[0]);
-    for (int k = 0; k < 3; k++)
-        frame.origin[k] = (double)origin[k];
-    between(origin, place_of(part, first, anchor->corners[1]), frame.axes[0]);
-    between(origin, place_of(part, first, anchor->corners[2]), aside);
-    frame.length = normalise(frame.axes[0]);
-    cross(frame.axes[0], aside, frame.axes[2]);
-    frame.is_flat = !(normalise(frame.axes[2]) > 1e-6 * frame.length);
-    cross(frame.axes[2], frame.axes[0], frame.axes[1]);
-    return frame;
-}
-
 /* Triangles of a part, in the order of the file. */
 struct group {
     const struct tree_part *part;
     uint32_t first, count;
 };
 
+static const float *place_of(const void *of, uint32_t corner)
+{
+    const struct group *group = of;
+    const uint32_t triangle = group->part->triangles[group->first + corner / 3];
+    return tree_corner(group->part, triangle, corner % 3)->position.raw;
+}
+
+static struct alike_corners corners_of(const struct group *group)
+{
+    return (struct alike_corners){ group, place_of, 3 * group->count };
+}
+
+static struct alike_anchor find_anchor(const struct tree_part *part, uint32_t first, uint32_t count)
+{
+    const struct group group = { part, first, count };
+    const struct alike_corners corners = corners_of(&group);
+    return alike_anchor_find(&corners);
+}
+
 /* Whether a group is another one, moved, turned and scaled evenly: to the rounding of files. */
-static bool is_alike(const struct group *known, const struct anchor *anchor,
+static bool is_alike(const struct group *known, const struct alike_anchor *anchor,
                      const struct group *group)
 {
-    const struct frame a = frame_of(known->part, known->first, anchor);
-    const struct frame b = frame_of(group->part, group->first, anchor);
-    if (a.is_flat || b.is_flat || known->count != group->count)
+    const struct alike_corners before = corners_of(known), after = corners_of(group);
+    struct alike_motion motion;
+    if (known->count != group->count || !alike_motion_find(&motion, anchor, &before, &after))
         return false;
-    for (uint32_t i = 0; i < 3 * group->count; i++) {
-        const float *from = place_of(known->part, known->first, i);
-        const float *to = place_of(group->part, group->first, i);
-        double v[3], room = 1e-4 * b.length, error = 0.0;
+    for (uint32_t i = 0; i < after.count; i++) {
+        const float *to = place_of(group, i);
+        double room = 1e-4 * motion.length;
         for (int k = 0; k < 3; k++)
-            v[k] = (double)from[k] - a.origin[k];
-        for (int k = 0; k < 3; k++) {
-            double moved = b.origin[k];
-            for (int axis = 0; axis < 3; axis++)
-                moved += dot(v, a.axes[axis]) * b.length / a.length * b.axes[axis][k];
-            error = fmax(error, fabs(moved - (double)to[k]));
             room = fmax(room, 1e-6 * fabs((double)to[k]));
-        }
-        if (!(error <= room))
+        if (!(alike_error(&motion, place_of(known, i), to) <= room))
             return false;
     }
     return true;
@@ -239,7 +163,7 @@ static uint32_t decide_depth(const struct tree_part *part, uint32_t *group_count
 /* Groups whose trees were built, to be shared by those that are alike. */
 struct known {
     uint32_t groups[KNOWN_MAX];
-    struct anchor anchors[KNOWN_MAX];
+    struct alike_anchor anchors[KNOWN_MAX];
     uint32_t count;
 };
 
@@ -341,7 +265,7 @@ static bool is_worn(const struct tree_shape *shape, const struct tree_part *part
         return false;
     const struct group known = { rest_part, range->first, range->count };
     const struct group group = { part, range->first, range->count };
-    const struct anchor anchor = find_anchor(rest_part, range->first, range->count);
+    const struct alike_anchor anchor = find_anchor(rest_part, range->first, range->count);
     return !is_alike(&known, &anchor, &group);
 }
 

@@ -159,6 +159,8 @@ static const struct rg_buffer stored_nodes = { "refract_trace.stored_nodes", .si
 static const struct rg_buffer stored_triangles = { "refract_trace.stored_triangles", .size = 16 };
 static const struct rg_buffer stored_corners = { "refract_trace.stored_corners", .size = 16 };
 
+static const struct rg_buffer structure = { "refract_trace.structure", .size = 16 };
+
 static const struct {
     const struct rg_buffer *texels, *stored;
     size_t at; /* of the words in struct tree */
@@ -189,6 +191,7 @@ static const struct technique_import imports[] = {
     { .buffer = &stored_nodes, .find_bytes = find_words },
     { .buffer = &stored_triangles, .find_bytes = find_words },
     { .buffer = &stored_corners, .find_bytes = find_words },
+    { .buffer = &structure, .is_structure = true },
     { 0 },
 };
 
@@ -303,6 +306,11 @@ static const struct rg_use tree_uses[] = {
     { 0 },
 };
 
+static const struct rg_use query_uses[] = {
+    { .buffer = &structure, .access = RG_TRACE, .binding = TRACE_STRUCTURE },
+    { 0 },
+};
+
 static const struct rg_use cube_uses[] = {
     FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
     FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .same_texel = true),
@@ -366,11 +374,16 @@ static const struct refract_rung rung = {
 static struct rg_technique make_row(const struct technique_choice *choice,
                                     struct row_builder *builder, bool is_layers)
 {
-    static const struct rg_shader *const frags[2][2][2] = {
-        { { &refract_trace_frag, &refract_trace_aov_frag },
-          { &refract_trace_colors_frag, &refract_trace_colors_aov_frag } },
-        { { &refract_trace_rays_frag, &refract_trace_rays_aov_frag },
-          { &refract_trace_rays_colors_frag, &refract_trace_rays_colors_aov_frag } },
+    static const struct rg_shader *const frags[2][2][2][2] = {
+        { { { &refract_trace_frag, &refract_trace_aov_frag },
+            { &refract_trace_colors_frag, &refract_trace_colors_aov_frag } },
+          { { &refract_trace_rays_frag, &refract_trace_rays_aov_frag },
+            { &refract_trace_rays_colors_frag, &refract_trace_rays_colors_aov_frag } } },
+        { { { &refract_trace_query_frag, &refract_trace_query_aov_frag },
+            { &refract_trace_query_colors_frag, &refract_trace_query_colors_aov_frag } },
+          { { &refract_trace_rays_query_frag, &refract_trace_rays_query_aov_frag },
+            { &refract_trace_rays_query_colors_frag,
+              &refract_trace_rays_query_colors_aov_frag } } },
     };
     const struct rg_use *const uses[] = {
         tree_uses,
@@ -379,6 +392,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
         : is_layers                ? scene_uses
                                    : NULL,
         is_layers ? layer_uses : NULL,
+        choice->queries ? query_uses : NULL,
     };
     struct rg_pass *row = row_builder_rows(builder, is_layers ? &layer_row : &color_row, 1);
     if (!row)
@@ -386,7 +400,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     row->name = row_builder_name(builder, refract_trace.name, is_layers ? "layers" : "color");
     row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     row->vert = choice->meets_surroundings ? &refract_seen_vert : &refract_seen_mean_vert;
-    row->frag = frags[choice->meets_surroundings][choice->disperses][is_layers];
+    row->frag = frags[choice->queries][choice->meets_surroundings][choice->disperses][is_layers];
     row->record = choice->lights_surroundings || is_layers ? frame_draw_screen : record_objects;
     return (struct rg_technique){ refract_trace.name, row, 1 };
 }
@@ -418,6 +432,13 @@ static const char *const surroundings[] = {
     NULL,
 };
 
+static const char *const rays_by[] = {
+    [TRACE_BY_DEVICE] = "auto",
+    [TRACE_BY_TREE] = "tree",
+    [TRACE_BY_QUERY] = "query",
+    NULL,
+};
+
 static const struct setting rows[] = {
     {
         .name = "trace.branch",
@@ -438,12 +459,26 @@ static const struct setting rows[] = {
         .help = "source of the light of rays that leave the objects: the environment cube, or rays "
                 "to the triangles of the surroundings (auto: by the scene)",
     },
+    {
+        .name = "trace.rays",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct trace_params, rays),
+        .max = TRACE_BY_QUERY,
+        .choices = rays_by,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "how rays find triangles: by a tree in the shader, or by ray queries of the "
+                "device (auto: queries, if it has them and is no CPU)",
+    },
 };
 
 const struct setting_group trace_settings = SETTING_GROUP("trace", rows, struct trace_params);
 
 static void choose(struct technique_choice *choice, const struct scene *scene)
 {
+    const struct trace_params *params = settings_of(choice->settings, &trace_settings);
+    choice->queries = params->rays == TRACE_BY_DEVICE
+                          ? choice->has_fast_rays
+                          : params->rays == TRACE_BY_QUERY && choice->has_rays;
     choice->meets_surroundings = meets_surroundings(scene, choice->settings);
     choice->lights_surroundings =
         choice->meets_surroundings && lights_surroundings(scene, choice->settings);

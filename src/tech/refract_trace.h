@@ -9,9 +9,16 @@ enum trace_surroundings {
     TRACE_RAYS, /* the triangles around the objects */
 };
 
+enum trace_rays_by {
+    TRACE_BY_DEVICE, /* what is faster */
+    TRACE_BY_TREE,
+    TRACE_BY_QUERY, /* ray queries of the device, if it has them */
+};
+
 struct trace_params {
     float branch;          /* share of a path's light from which a reflection is followed */
     uint32_t surroundings; /* enum trace_surroundings */
+    uint32_t rays;         /* enum trace_rays_by */
 };
 
 /* Number of straight parts of the refracted path inside objects. */

@@ -44,6 +44,8 @@ struct technique_choice {
     bool disperses;        /* a medium does: each colour has a path of its own */
     bool is_beyond;        /* the object may reach beyond the edges of the picture */
     uint32_t object_count; /* refractive objects, each drawn by rows of its own; 0 means 1 */
+    bool has_rays;         /* the device has ray queries */
+    bool has_fast_rays;    /* in hardware, not by the processor that would do the same without */
     /* Of the rung (technique_rung.choose): */
     bool is_dressed;          /* it draws tints and textures of objects */
     bool is_cloudy;           /* it draws clouds in objects, though it meets no tree */
@@ -51,6 +53,7 @@ struct technique_choice {
     bool is_nested;           /* objects are drawn with those within them, as one (ice_nested.h) */
     bool meets_surroundings;  /* its rays meet the surroundings' triangles */
     bool lights_surroundings; /* and light them: then they are shaded, too, all over the picture */
+    bool queries;             /* its rays go through acceleration structures */
 };
 
 /* When in a frame a part of a technique is drawn. Within a phase the parts are drawn in the order
@@ -137,6 +140,7 @@ struct technique_import {
     const void *fallback; /* one texel, for scenes without texels; NULL: no image is imported */
     const struct rg_buffer *buffer; /* instead of `image`; without a format: a storage buffer */
     struct technique_bytes (*find_bytes)(const struct scene *scene, const struct rg_buffer *buffer);
+    bool is_structure; /* the buffer has the acceleration structures of the scene's tree instead */
 };
 
 /* What the plans and the constants of a scene's frames depend on. */

@@ -44,6 +44,8 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
         status = app_camera(&p->camera, &p->scene, &p->state);
     if (status == STATUS_OK)
         app_choose_rung(&p->state, &p->scene, &p->camera);
+    if (status == STATUS_OK)
+        app_check_rays(&p->state.scene.settings, p->gpu);
     p->state.scene.quiet = true; /* where a setting loads it again, all has been said */
     p->first_camera = p->camera;
     if (status == STATUS_OK)

@@ -70,7 +70,12 @@ class Animation(Case):
         scene['animations'] = [{'channels': channels, 'samplers': [
             one['samplers'][0] for one in scene['animations']]}]
         (self.folder / 'fifty.gltf').write_text(json.dumps(scene))
-        self.check_sequence('fifty.gltf', '-r', 'trace', '--env', 'studio')
+        words = ('fifty.gltf', '-r', 'trace', '--env', 'studio')
+        self.check_sequence(*words)
+        query = ('--set', 'trace.rays=query')
+        if b'no ray queries' not in self.succeed('render', *words, *SMALL, *query, '-o',
+                                                 'a.exr').stderr:
+            self.check_sequence(*words, *query)
 
     def test_cameras_move(self):
         frames = self.check_sequence('seen.gltf', *TRACED, env=NO_DRIVER)

@@ -80,6 +80,20 @@ class Trace(Case):
                    (glass(1.4), [0.5, 0, -3], 1))
         self.check(0.004, 'thin.gltf', '--env', 'studio', *SIZE, '--set', 'refract.dispersion=3')
 
+    def test_queries(self):
+        """By ray queries of the device, if it has them, pictures are those by trees."""
+        query = ('-r', 'trace', '--set', 'trace.rays=query')
+        words = ('hollow', '--env', 'studio', *SIZE, '--set', 'ground.light=open')
+        if b'no ray queries' in self.succeed('render', *words, '--size', '8x6', *query,
+                                             '-o', 'a.exr').stderr:
+            self.skipTest('the device has no ray queries')
+        ice = ('ice-cube', *SIZE, '--set', 'bubbles.count=9', '--set', 'trace.surroundings=rays')
+        for words in (words, ice):
+            found = self.planes(*words, *query)
+            truth = self.planes(*words, '-r', 'trace', '--set', 'trace.rays=tree')
+            differ = sum(a != b for a, b in zip(found['G'], truth['G']))
+            self.assertLessEqual(differ, 3, words)
+
     @unsanitized
     def test_the_eye_inside(self):
         self.check(0.005, 'hollow', '--env', 'studio', *SIZE, *INSIDE)

@@ -9,6 +9,8 @@
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_trace.h"
+#include "src/gpu/gpu_rays.h"
+#include "src/render/ray_groups.h"
 #include "src/scene/tree.h"
 #include "tests/gpu/shaders/trace_rays.h"
 #include "tests/gpu/test_shaders.h"
@@ -33,6 +35,7 @@ static const struct rg_buffer stored_nodes = { "stored nodes", .size = 16,
                                                .memory = RG_MEMORY_UPLOAD };
 static const struct rg_buffer stored_triangles = { "stored triangles", .size = 16,
                                                    .memory = RG_MEMORY_UPLOAD };
+static const struct rg_buffer structure = { "structure", .size = 16 };
 static const struct rg_buffer trace = {
     .name = "trace",
     .size = sizeof(struct trace_frame),
@@ -54,21 +57,36 @@ static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-static const struct rg_pass rows[] = {
+#define TREE_USES \
+    { .buffer = &trace, .access = RG_UNIFORM, .binding = TRACE_FRAME }, \
+        { .buffer = &rays, .access = RG_SAMPLED, .binding = TRACE_RAYS_BINDING }, \
+        { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES }, \
+        { .buffer = &triangles, .access = RG_SAMPLED, .binding = TRACE_TRIANGLES }, \
+        { .buffer = &stored_nodes, .access = RG_STORAGE_READ, .binding = TRACE_STORED_NODES }, \
+    { \
+        .buffer = &stored_triangles, .access = RG_STORAGE_READ, .binding = TRACE_STORED_TRIANGLES \
+    }
+
+static const struct rg_pass tree_rows[] = {
     {
         .name = "meet",
         .color = RG_TARGETS({ &found, RG_LOAD_DISCARD }),
-        .uses = RG_USES(
-            { .buffer = &trace, .access = RG_UNIFORM, .binding = TRACE_FRAME },
-            { .buffer = &rays, .access = RG_SAMPLED, .binding = TRACE_RAYS_BINDING },
-            { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES },
-            { .buffer = &triangles, .access = RG_SAMPLED, .binding = TRACE_TRIANGLES },
-            { .buffer = &stored_nodes, .access = RG_STORAGE_READ, .binding = TRACE_STORED_NODES },
-            { .buffer = &stored_triangles,
-              .access = RG_STORAGE_READ,
-              .binding = TRACE_STORED_TRIANGLES }),
+        .uses = RG_USES(TREE_USES),
         .vert = &screen_vert,
         .frag = &trace_rays_frag,
+        .record = record,
+    },
+    RUN_READ("read", found, found_out),
+};
+
+static const struct rg_pass query_rows[] = {
+    {
+        .name = "meet",
+        .color = RG_TARGETS({ &found, RG_LOAD_DISCARD }),
+        .uses = RG_USES(TREE_USES,
+                        { .buffer = &structure, .access = RG_TRACE, .binding = TRACE_STRUCTURE }),
+        .vert = &screen_vert,
+        .frag = &trace_rays_query_frag,
         .record = record,
     },
     RUN_READ("read", found, found_out),
@@ -121,22 +139,33 @@ static void pick_rays(struct ray *to, const struct tree *tree, bool is_sided)
 /* ---- a device ---- */
 
 enum {
-    IMPORTS = 3,
+    WORDS_AND_RAYS = 3,
+    IMPORTS = WORDS_AND_RAYS + 1,
 };
 
-/* Asks the device what rays meet, `count` answers. */
-static void ask(struct gpu *gpu, const struct tree *tree, const struct ray *asked,
-                uint32_t constant, vec4s *answers)
+static struct gpu_rays *build(struct gpu *gpu, const struct tree *tree)
+{
+    struct gpu_ray_groups groups;
+    struct gpu_rays *built;
+    assert_int_equal(ray_groups_init(&groups, tree, false), STATUS_OK);
+    assert_int_equal(gpu_rays_create(gpu, &built, &groups), STATUS_OK);
+    assert_int_equal(gpu_rays_build(gpu, built, &groups), STATUS_OK);
+    return built;
+}
+
+/* Asks the device what rays meet, by the tree or, if there are any, acceleration structures. */
+static void ask(struct gpu *gpu, const struct tree *tree, const struct gpu_rays *structures,
+                const struct ray *asked, uint32_t constant, vec4s *answers)
 {
     const VkSpecializationMapEntry entry = { CONSTANT_TRACE, 0, sizeof(constant) };
     const VkSpecializationInfo constants = { 1, &entry, sizeof(constant), &constant };
     const struct tree_words *words[] = { &tree->nodes, &tree->triangles };
-    const struct rg_buffer *const declared[IMPORTS] = { &nodes, &triangles, &rays };
+    const struct rg_buffer *const declared[] = { &nodes, &triangles, &rays };
     struct rg_import imports[IMPORTS];
     struct rg_exec_import objects[IMPORTS];
-    struct gpu_buffer buffers[IMPORTS];
+    struct gpu_buffer buffers[WORDS_AND_RAYS];
     struct run run;
-    for (int i = 0; i < IMPORTS; i++) {
+    for (int i = 0; i < WORDS_AND_RAYS; i++) {
         const void *bytes = i < 2 ? (const void *)words[i]->all : asked;
         const size_t size =
             i < 2 ? words[i]->count * sizeof(*words[i]->all) : RAYS * sizeof(*asked);
@@ -148,13 +177,20 @@ static void ask(struct gpu *gpu, const struct tree *tree, const struct ray *aske
             (struct rg_import){ .buffer = declared[i], .access = RG_SAMPLED, .size = size };
         objects[i] = (struct rg_exec_import){ .buffer = buffers[i].buffer };
     }
+    if (structures) {
+        imports[WORDS_AND_RAYS] =
+            (struct rg_import){ .buffer = &structure, .access = RG_TRACE, .size = 16 };
+        objects[WORDS_AND_RAYS] =
+            (struct rg_exec_import){ .buffer = structures->upper_memory.buffer,
+                                     .acceleration = structures->upper };
+    }
     run_open(&run, gpu,
-             &(struct run_params){ .technique = RG_TECHNIQUE("trace", rows),
+             &(struct run_params){ .technique = { "trace", structures ? query_rows : tree_rows, 2 },
                                    .view = { TRACE_RAYS_SIDE, TRACE_RAYS_SIDE },
                                    .outputs = { &found_out },
                                    .imports = imports,
                                    .objects = objects,
-                                   .import_count = IMPORTS,
+                                   .import_count = WORDS_AND_RAYS + (structures ? 1 : 0),
                                    .constants = &constants });
     struct trace_frame frame = { .one = 1, .hair = 1e-4f, .objects_turn = turn };
     memcpy(frame.roots, tree->roots, sizeof(tree->roots));
@@ -164,13 +200,14 @@ static void ask(struct gpu *gpu, const struct tree *tree, const struct ray *aske
     assert_int_equal(rg_exec_wait(run.exec, run.slot), VK_SUCCESS);
     memcpy(answers, run_data(&run, &found_out), RAYS * sizeof(*answers));
     run_close(&run);
-    for (int i = 0; i < IMPORTS; i++)
+    for (int i = 0; i < WORDS_AND_RAYS; i++)
         gpu_buffer_destroy(gpu, &buffers[i]);
 }
 
 /* A ray along a side of two triangles may meet either, so the places count. `constant`: with
  * TRACE_HAS_CULLING rays are sided, with TRACE_HAS_MOTION the object is turned. */
-static void compare(struct gpu *gpu, const struct tree *tree, uint32_t constant)
+static void compare(struct gpu *gpu, const struct tree *tree, const struct gpu_rays *structures,
+                    uint32_t constant)
 {
     static struct ray asked[RAYS], sent[RAYS];
     static vec4s answers[RAYS];
@@ -181,7 +218,7 @@ static void compare(struct gpu *gpu, const struct tree *tree, uint32_t constant)
         sent[i].origin = glms_vec3_add(turned(asked[i].origin), (vec3s){ { turn.z, 0, turn.w } });
         sent[i].dir = turned(asked[i].dir);
     }
-    ask(gpu, tree, sent, constant, answers);
+    ask(gpu, tree, structures, sent, constant, answers);
     for (int i = 0; i < RAYS; i++) {
         struct tree_hit hit;
         const struct tree_ray ray = { asked[i].origin, asked[i].dir, 0.0, TREE_NOTHING };
@@ -197,7 +234,7 @@ static void compare(struct gpu *gpu, const struct tree *tree, uint32_t constant)
     assert_in_range(same, met - met / 500, met);
 }
 
-static void rays_meet_the_same(void **state)
+static void rays_meet_the_same(struct gpu *gpu, bool by_query)
 {
     bool (*const generators[])(struct mesh *, uint32_t) = { generate_sphere, generate_ice_cube,
                                                             generate_teapot };
@@ -207,12 +244,29 @@ static void rays_meet_the_same(void **state)
         assert_true(generators[g](&model.object, 3000));
         assert_int_equal(tree_init(&tree, &(struct tree_params){ .model = &model, .threads = 2 }),
                          STATUS_OK);
-        compare(*state, &tree, TRACE_HAS_MOTION);
+        struct gpu_rays *structures = by_query ? build(gpu, &tree) : NULL;
+        compare(gpu, &tree, structures, TRACE_HAS_MOTION);
         if (tree.is_closed)
-            compare(*state, &tree, TRACE_HAS_CULLING);
+            compare(gpu, &tree, structures, TRACE_HAS_CULLING);
+        gpu_rays_destroy(gpu, structures);
         tree_finish(&tree);
         mesh_finish(&model.object);
     }
+}
+
+static void trees_meet_the_same(void **state)
+{
+    rays_meet_the_same(*state, false);
+}
+
+static void queries_meet_the_same(void **state)
+{
+    struct gpu *gpu = *state;
+    if (!gpu->has_rays) {
+        print_message("skipped: the device has no ray queries\n");
+        skip();
+    }
+    rays_meet_the_same(gpu, true);
 }
 
 /* A device whose buffers of texels are too small has the words in storage buffers. */
@@ -249,7 +303,8 @@ static void stored_trees_show_the_same(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rays_meet_the_same),
+        cmocka_unit_test(trees_meet_the_same),
+        cmocka_unit_test(queries_meet_the_same),
         cmocka_unit_test(stored_trees_show_the_same),
     };
     return RUN_ON_DEVICE(tests);

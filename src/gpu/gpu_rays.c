@@ -1,0 +1,354 @@
+/* gpu_rays.c: builds acceleration structures, one after the other. */
+#include "src/gpu/gpu_rays.h"
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/gpu/gpu_internal.h"
+
+enum {
+    PLACE_ALIGNMENT = 256, /* of a structure in its buffer */
+};
+
+static const char *const name = "acceleration structures";
+
+/* What one build reads. */
+struct build {
+    VkAccelerationStructureGeometryKHR geometry;
+    VkAccelerationStructureBuildGeometryInfoKHR info;
+    uint32_t count; /* triangles or instances */
+};
+
+static VkDeviceAddress address_of(const struct gpu *gpu, const struct gpu_buffer *buffer)
+{
+    const VkBufferDeviceAddressInfo info = {
+        .sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
+        .buffer = buffer->buffer,
+    };
+    return buffer->buffer ? vkGetBufferDeviceAddress(gpu->device, &info) : 0;
+}
+
+static void describe(struct build *build, VkAccelerationStructureTypeKHR type, uint32_t count)
+{
+    build->count = count;
+    build->info = (VkAccelerationStructureBuildGeometryInfoKHR){
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR,
+        .type = type,
+        .flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR,
+        .mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR,
+        .geometryCount = 1,
+        .pGeometries = &build->geometry,
+    };
+}
+
+static void describe_lower(struct build *build, VkDeviceAddress corners, uint32_t count)
+{
+    build->geometry = (VkAccelerationStructureGeometryKHR){
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR,
+        .geometryType = VK_GEOMETRY_TYPE_TRIANGLES_KHR,
+        .geometry.triangles = {
+            .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_TRIANGLES_DATA_KHR,
+            .vertexFormat = VK_FORMAT_R32G32B32_SFLOAT,
+            .vertexData.deviceAddress = corners,
+            .vertexStride = 3 * sizeof(float),
+            .maxVertex = 3 * count - 1,
+            .indexType = VK_INDEX_TYPE_NONE_KHR,
+        },
+    };
+    describe(build, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, count);
+}
+
+static void describe_upper(struct build *build, VkDeviceAddress instances, uint32_t count)
+{
+    build->geometry = (VkAccelerationStructureGeometryKHR){
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR,
+        .geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR,
+        .geometry.instances = {
+            .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR,
+            .data.deviceAddress = instances,
+        },
+    };
+    describe(build, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, count);
+}
+
+/* Returns the bytes of a structure, and makes room for its build. */
+static VkDeviceSize size_of(const struct gpu *gpu, struct gpu_rays *rays, const struct build *build)
+{
+    VkAccelerationStructureBuildSizesInfoKHR sizes = {
+        .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR,
+    };
+    vkGetAccelerationStructureBuildSizesKHR(gpu->device,
+                                            VK_ACCELERATION_STRUCTURE_BUILD_TYPE_DEVICE_KHR,
+                                            &build->info, &build->count, &sizes);
+    if (rays->scratch_size < sizes.buildScratchSize)
+        rays->scratch_size = sizes.buildScratchSize;
+    return (sizes.accelerationStructureSize + PLACE_ALIGNMENT - 1) / PLACE_ALIGNMENT *
+           PLACE_ALIGNMENT;
+}
+
+/* ---- room ---- */
+
+/* Makes the structures in a buffer, one behind the other. */
+static enum status make(struct gpu *gpu, struct gpu_buffer *memory, const struct build *build,
+                        const VkDeviceSize *sizes, VkAccelerationStructureKHR *to)
+{
+    VkDeviceSize offset = 0;
+    VkResult result = VK_SUCCESS;
+    uint32_t i = 0;
+    for (; i < build->count && result == VK_SUCCESS; i++) {
+        const VkAccelerationStructureCreateInfoKHR info = {
+            .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR,
+            .buffer = memory->buffer,
+            .offset = offset,
+            .size = sizes[i],
+            .type = build->info.type,
+        };
+        result = vkCreateAccelerationStructureKHR(gpu->device, &info, NULL, &to[i]);
+        offset += sizes[i];
+    }
+    if (result == VK_SUCCESS)
+        return STATUS_OK;
+    to[i - 1] = VK_NULL_HANDLE;
+    return gpu_failed_for("vkCreateAccelerationStructureKHR", name, result);
+}
+
+static enum status make_memory(struct gpu *gpu, struct gpu_buffer *memory, VkDeviceSize size)
+{
+    return gpu_memory_buffer(gpu, memory,
+                             VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR |
+                                 VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+                             size, false, name);
+}
+
+/* Makes the structures of the groups, without content. */
+static enum status make_lowers(struct gpu *gpu, struct gpu_rays *rays,
+                               const struct gpu_ray_groups *groups)
+{
+    struct build build;
+    VkDeviceSize *sizes = calloc(groups->count + (size_t)1, sizeof(*sizes)), sum = 0;
+    if (!sizes)
+        return log_out_of_memory(name);
+    for (uint32_t i = 0; i < groups->count; i++) {
+        describe_lower(&build, 0, groups->all[i].count);
+        sizes[i] = size_of(gpu, rays, &build);
+        sum += sizes[i];
+    }
+    enum status status = groups->count ? make_memory(gpu, &rays->lower_memory, sum) : STATUS_OK;
+    if (status == STATUS_OK && groups->count) {
+        build.count = groups->count;
+        status = make(gpu, &rays->lower_memory, &build, sizes, rays->lowers);
+    }
+    free(sizes);
+    return status;
+}
+
+static enum status make_upper(struct gpu *gpu, struct gpu_rays *rays, uint32_t count)
+{
+    struct build build;
+    describe_upper(&build, 0, count);
+    const VkDeviceSize size = size_of(gpu, rays, &build);
+    const enum status status = make_memory(gpu, &rays->upper_memory, size);
+    build.count = 1;
+    return status == STATUS_OK ? make(gpu, &rays->upper_memory, &build, &size, &rays->upper)
+                               : status;
+}
+
+enum status gpu_rays_create(struct gpu *gpu, struct gpu_rays **rays,
+                            const struct gpu_ray_groups *groups)
+{
+    struct gpu_rays *made = calloc(1, sizeof(*made));
+    *rays = NULL;
+    if (!made)
+        return log_out_of_memory(name);
+    made->count = groups->count;
+    made->lowers = calloc(groups->count + (size_t)1, sizeof(VkAccelerationStructureKHR));
+    enum status status = made->lowers ? make_lowers(gpu, made, groups) : log_out_of_memory(name);
+    if (status == STATUS_OK)
+        status = make_upper(gpu, made, groups->count);
+    if (status == STATUS_OK)
+        *rays = made;
+    else
+        gpu_rays_destroy(gpu, made);
+    return status;
+}
+
+void gpu_ray_groups_finish(struct gpu_ray_groups *groups)
+{
+    free(groups->all);
+    free(groups->corners);
+    *groups = (struct gpu_ray_groups){ 0 };
+}
+
+void gpu_rays_destroy(struct gpu *gpu, struct gpu_rays *rays)
+{
+    if (!rays)
+        return;
+    for (uint32_t i = 0; rays->lowers && i < rays->count; i++) {
+        if (rays->lowers[i])
+            vkDestroyAccelerationStructureKHR(gpu->device, rays->lowers[i], NULL);
+    }
+    if (rays->upper)
+        vkDestroyAccelerationStructureKHR(gpu->device, rays->upper, NULL);
+    gpu_buffer_destroy(gpu, &rays->lower_memory);
+    gpu_buffer_destroy(gpu, &rays->upper_memory);
+    gpu_ray_groups_finish(&rays->built);
+    free(rays->lowers);
+    free(rays);
+}
+
+/* ---- builds ---- */
+
+/* What the builds of a frame read and write, besides the structures. */
+struct supplies {
+    struct gpu_buffer corners, instances, scratch;
+    VkDeviceAddress scratch_at;
+};
+
+static enum status supply(struct gpu *gpu, struct gpu_buffer *buffer, const void *data,
+                          VkDeviceSize size)
+{
+    return gpu_buffer_create(gpu, buffer,
+                             VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
+                                 VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+                             data, size, name);
+}
+
+static enum status supply_corners(struct gpu *gpu, struct supplies *supplies,
+                                  const struct gpu_ray_groups *groups)
+{
+    size_t count = 0;
+    for (uint32_t i = 0; i < groups->count; i++)
+        count += groups->all[i].is_kept ? 0 : groups->all[i].count;
+    float(*built)[3][3] = malloc((count + 1) * sizeof(*built));
+    if (!built)
+        return log_out_of_memory(name);
+    count = 0;
+    for (uint32_t i = 0; i < groups->count; i++) {
+        const struct gpu_ray_group *group = &groups->all[i];
+        if (group->is_kept)
+            continue;
+        memcpy(built[count], groups->corners[group->first], group->count * sizeof(*built));
+        count += group->count;
+    }
+    const enum status status = supply(gpu, &supplies->corners, built, count * sizeof(*built));
+    free(built);
+    return status;
+}
+
+static enum status supply_instances(struct gpu *gpu, struct supplies *supplies,
+                                    const struct gpu_rays *rays,
+                                    const struct gpu_ray_groups *groups)
+{
+    VkAccelerationStructureInstanceKHR *instances =
+        calloc(rays->count + (size_t)1, sizeof(*instances));
+    if (!instances)
+        return log_out_of_memory(name);
+    for (uint32_t i = 0; i < rays->count; i++) {
+        const VkAccelerationStructureDeviceAddressInfoKHR info = {
+            .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR,
+            .accelerationStructure = rays->lowers[i],
+        };
+        instances[i] = (VkAccelerationStructureInstanceKHR){
+            .transform = groups->all[i].place,
+            .instanceShaderBindingTableRecordOffset = groups->all[i].first & 0xffffffu,
+            .mask = groups->all[i].mask,
+            .flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR,
+            .accelerationStructureReference =
+                vkGetAccelerationStructureDeviceAddressKHR(gpu->device, &info),
+        };
+    }
+    /* one more, so that there is a buffer if there are none */
+    const enum status status =
+        supply(gpu, &supplies->instances, instances, (rays->count + 1ull) * sizeof(*instances));
+    free(instances);
+    return status;
+}
+
+static enum status supply_scratch(struct gpu *gpu, struct supplies *supplies,
+                                  const struct gpu_rays *rays)
+{
+    VkPhysicalDeviceAccelerationStructurePropertiesKHR limits = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR,
+    };
+    VkPhysicalDeviceProperties2 properties = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
+        .pNext = &limits,
+    };
+    vkGetPhysicalDeviceProperties2(gpu->physical, &properties);
+    const VkDeviceSize alignment = limits.minAccelerationStructureScratchOffsetAlignment;
+    const enum status status = gpu_memory_buffer(gpu, &supplies->scratch,
+                                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                     VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+                                                 rays->scratch_size + alignment, false, name);
+    supplies->scratch_at =
+        (address_of(gpu, &supplies->scratch) + alignment - 1) / alignment * alignment;
+    return status;
+}
+
+/* Records a build that may begin when all before it has ended; what comes later sees it. */
+static void record(VkCommandBuffer commands, struct build *build, VkAccelerationStructureKHR to,
+                   VkDeviceAddress scratch)
+{
+    const VkMemoryBarrier2 barrier = {
+        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+        .srcStageMask = VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
+        .srcAccessMask = VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR |
+                         VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR,
+        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+    };
+    const VkDependencyInfo dependency = {
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+        .memoryBarrierCount = 1,
+        .pMemoryBarriers = &barrier,
+    };
+    const VkAccelerationStructureBuildRangeInfoKHR range = { .primitiveCount = build->count };
+    const VkAccelerationStructureBuildRangeInfoKHR *ranges = &range;
+    build->info.dstAccelerationStructure = to;
+    build->info.scratchData.deviceAddress = scratch;
+    vkCmdBuildAccelerationStructuresKHR(commands, 1, &build->info, &ranges);
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+static enum status run(struct gpu *gpu, const struct gpu_rays *rays,
+                       const struct gpu_ray_groups *groups, const struct supplies *supplies)
+{
+    struct build build;
+    struct gpu_upload upload = { 0 };
+    VkDeviceAddress corners = address_of(gpu, &supplies->corners);
+    enum status status = gpu_upload_begin(gpu, &upload, 1, name); /* its staging is not used */
+    for (uint32_t i = 0; i < groups->count && status == STATUS_OK; i++) {
+        if (groups->all[i].is_kept)
+            continue;
+        describe_lower(&build, corners, groups->all[i].count);
+        record(upload.commands, &build, rays->lowers[i], supplies->scratch_at);
+        corners += groups->all[i].count * sizeof(float[3][3]);
+    }
+    if (status == STATUS_OK) {
+        describe_upper(&build, address_of(gpu, &supplies->instances), groups->count);
+        record(upload.commands, &build, rays->upper, supplies->scratch_at);
+        status = gpu_upload_flush(gpu, &upload);
+    }
+    gpu_upload_finish(gpu, &upload);
+    return status;
+}
+
+enum status gpu_rays_build(struct gpu *gpu, struct gpu_rays *rays, struct gpu_ray_groups *groups)
+{
+    struct supplies supplies = { 0 };
+    enum status status = supply_corners(gpu, &supplies, groups);
+    if (status == STATUS_OK)
+        status = supply_instances(gpu, &supplies, rays, groups);
+    if (status == STATUS_OK)
+        status = supply_scratch(gpu, &supplies, rays);
+    if (status == STATUS_OK)
+        status = run(gpu, rays, groups, &supplies);
+    gpu_buffer_destroy(gpu, &supplies.corners);
+    gpu_buffer_destroy(gpu, &supplies.instances);
+    gpu_buffer_destroy(gpu, &supplies.scratch);
+    if (status == STATUS_OK) {
+        gpu_ray_groups_finish(&rays->built);
+        rays->built = *groups;
+        *groups = (struct gpu_ray_groups){ 0 };
+    }
+    return status;
+}

@@ -1,0 +1,276 @@
+/* ray_groups.c: the corners of triangles from the words of their tree, by objects. */
+#include "src/render/ray_groups.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/alike.h"
+
+enum {
+    GROUPS_MAX = 1 << 17,            /* of a part, else it is one group */
+    INCLUSIONS_AT = TREE_INCLUSIONS, /* which structures do not have */
+};
+
+static const double edge = 1e-6; /* that the tree's tests leave: trace_tree.glsl */
+static const double part_of_scene = 1e-5;
+
+static double number(uint32_t word)
+{
+    float x;
+    memcpy(&x, &word, sizeof(x));
+    return (double)x;
+}
+
+/* ---- corners ---- */
+
+/* The rows of a triangle's map. */
+struct map {
+    double rows[3][3], at[3];
+};
+
+static struct map map_of(const struct tree *tree, uint32_t triangle)
+{
+    struct map map;
+    for (int i = 0; i < 3; i++) {
+        const uint32_t *row =
+            tree->triangles.all[(size_t)triangle * TREE_TRIANGLE_WORDS + (size_t)i];
+        for (int k = 0; k < 3; k++)
+            map.rows[i][k] = number(row[k]);
+        map.at[i] = number(row[3]);
+    }
+    return map;
+}
+
+static double length_of(const double *a, const double *b)
+{
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++)
+        sum += (a[k] + b[k]) * (a[k] + b[k]);
+    return sqrt(sum);
+}
+
+/* Finds the point of a triangle's plane with the given weights of the second and third corner. */
+static void put_point(const struct map *map, double u, double v, float to[static 3])
+{
+    const double shares[3] = { u - map->at[0], v - map->at[1], -map->at[2] };
+    double sides[3][3], volume = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double *a = map->rows[(i + 1) % 3], *b = map->rows[(i + 2) % 3];
+        for (int k = 0; k < 3; k++)
+            sides[i][k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    }
+    for (int k = 0; k < 3; k++)
+        volume += map->rows[0][k] * sides[0][k];
+    for (int k = 0; k < 3; k++) {
+        double x = 0.0;
+        for (int i = 0; i < 3; i++)
+            x += shares[i] * sides[i][k] / volume;
+        to[k] = (float)x;
+    }
+}
+
+/* Puts a triangle's corners, with room on each side. Returns false if it has no area. */
+static bool put_corners(const struct map *map, double room, float to[static 3][3])
+{
+    static const double none[3] = { 0 };
+    if (!(length_of(map->rows[2], none) > 0.5))
+        return false;
+    const double a = edge + room * length_of(map->rows[0], none);
+    const double b = edge + room * length_of(map->rows[1], none);
+    const double c = edge + room * length_of(map->rows[0], map->rows[1]);
+    put_point(map, -a, -b, to[0]);
+    put_point(map, 1.0 + b + c, -b, to[1]);
+    put_point(map, -a, 1.0 + a + c, to[2]);
+    return true;
+}
+
+/* What has no area, and so is not met, is put where another triangle is. */
+static void put_group(struct gpu_ray_groups *groups, const struct tree *tree,
+                      const struct gpu_ray_group *group, double room)
+{
+    float last[3] = { 0 };
+    for (int pass = 0; pass < 2; pass++) {
+        for (uint32_t i = group->first; i < group->first + group->count; i++) {
+            const struct map map = map_of(tree, i);
+            float(*to)[3] = groups->corners[i];
+            const bool is_real = put_corners(&map, room, to);
+            for (int k = 0; k < 3 && !is_real; k++)
+                memcpy(to[k], last, sizeof(last));
+            memcpy(last, to[0], sizeof(last));
+        }
+    }
+}
+
+/* ---- groups ---- */
+
+static const uint32_t *corner_word(const struct tree *tree, uint32_t triangle, uint32_t k)
+{
+    return tree->corners.all[(size_t)triangle * TREE_CORNER_WORDS + k];
+}
+
+/* Returns the number of a triangle's object, as trace_number() of trace_tree.glsl does. */
+static uint32_t number_of(const struct tree *tree, uint32_t triangle)
+{
+    const uint32_t number = corner_word(tree, triangle, 0)[3] / TREE_NUMBER;
+    const uint32_t surface = corner_word(tree, triangle, 2)[3];
+    return number ? number : tree->corners.all[(size_t)surface + 3][3] / 2;
+}
+
+/* Widens a range of triangles to those of a leaf or, if `child` is a node, lists the node. */
+static void visit(uint32_t child, uint32_t range[static 2], uint32_t *stack, uint32_t *top)
+{
+    const uint32_t first = (child & ~TREE_LEAF) >> 3, count = child & 7;
+    if (!(child & TREE_LEAF)) {
+        stack[(*top)++] = child;
+    } else if (count) {
+        range[0] = first < range[0] ? first : range[0];
+        range[1] = first + count > range[1] ? first + count : range[1];
+    }
+}
+
+/* Finds the triangles of a part: from the first number to before the second one. */
+static void find_range(const struct tree *tree, uint32_t part, uint32_t range[static 2])
+{
+    uint32_t stack[TREE_DEPTH_MAX + 2], top = 0;
+    range[0] = UINT32_MAX;
+    range[1] = 0;
+    if (tree->roots[part] != TREE_NOTHING)
+        stack[top++] = tree->roots[part];
+    while (top) {
+        const uint32_t(*words)[4] =
+            (const uint32_t(*)[4]) & tree->nodes.all[(size_t)stack[--top] * TREE_NODE_WORDS];
+        visit(words[0][3], range, stack, &top);
+        visit(words[2][3], range, stack, &top);
+    }
+}
+
+/* Adds the groups of a part, or counts them if there is no room yet. */
+static uint32_t add_part(struct gpu_ray_groups *groups, const struct tree *tree, uint32_t part,
+                         bool by_objects)
+{
+    static const VkTransformMatrixKHR in_world = { {
+        { 1, 0, 0, 0 },
+        { 0, 1, 0, 0 },
+        { 0, 0, 1, 0 },
+    } };
+    uint32_t range[2], count = 0;
+    find_range(tree, part, range);
+    for (uint32_t i = range[0]; i < range[1]; i++) {
+        const bool is_first =
+            i == range[0] || (by_objects && number_of(tree, i) != number_of(tree, i - 1));
+        if (is_first && groups->all)
+            groups->all[groups->count + count] = (struct gpu_ray_group){
+                .first = i, .mask = (uint8_t)(1u << part), .place = in_world
+            };
+        count += is_first;
+        if (groups->all)
+            groups->all[groups->count + count - 1].count++;
+    }
+    return count;
+}
+
+static bool add_parts(struct gpu_ray_groups *groups, const struct tree *tree, bool by_objects)
+{
+    bool are_many[TREE_PART_COUNT] = { false };
+    uint32_t count = 0;
+    for (uint32_t part = 0; part < INCLUSIONS_AT; part++) {
+        const uint32_t own = add_part(groups, tree, part, by_objects);
+        are_many[part] = own > GROUPS_MAX;
+        count += are_many[part] ? 1 : own;
+    }
+    groups->all = calloc(count + (size_t)1, sizeof(*groups->all));
+    for (uint32_t part = 0; part < INCLUSIONS_AT && groups->all; part++)
+        groups->count += add_part(groups, tree, part, by_objects && !are_many[part]);
+    return groups->all;
+}
+
+/* Returns the largest coordinate of the boxes of nodes, rounded up to a power of two. */
+static double extent_of(const struct tree *tree)
+{
+    double most = 0.0;
+    for (uint32_t part = 0; part < INCLUSIONS_AT; part++) {
+        if (tree->roots[part] == TREE_NOTHING)
+            continue;
+        const uint32_t(*words)[4] =
+            (const uint32_t(*)[4]) & tree->nodes.all[(size_t)tree->roots[part] * TREE_NODE_WORDS];
+        for (int i = 0; i < TREE_NODE_WORDS * 3; i++) {
+            const double x = fabs(number(words[i / 3][i % 3]));
+            most = x < 1e30 ? fmax(most, x) : most;
+        }
+    }
+    int power;
+    (void)frexp(most, &power);
+    return ldexp(1.0, power);
+}
+
+enum status ray_groups_init(struct gpu_ray_groups *groups, const struct tree *tree, bool by_objects)
+{
+    *groups = (struct gpu_ray_groups){
+        .corners = calloc(tree->triangle_count + (size_t)1, sizeof(*groups->corners)),
+        .room = (float)(part_of_scene * extent_of(tree)),
+    };
+    if (!groups->corners || !add_parts(groups, tree, by_objects)) {
+        gpu_ray_groups_finish(groups);
+        return log_out_of_memory("acceleration structures");
+    }
+    for (uint32_t i = 0; i < groups->count; i++)
+        put_group(groups, tree, &groups->all[i], (double)groups->room);
+    return STATUS_OK;
+}
+
+/* ---- what has only moved ---- */
+
+static const float *place_of(const void *of, uint32_t corner)
+{
+    const float *corners = of;
+    return &corners[(size_t)corner * 3];
+}
+
+static struct alike_corners corners_of(const struct gpu_ray_groups *groups, uint32_t index)
+{
+    const struct gpu_ray_group *group = &groups->all[index];
+    return (struct alike_corners){ groups->corners[group->first][0], place_of, 3 * group->count };
+}
+
+/* Half of the room is for what is beside the motion. */
+static bool has_moved(const struct gpu_ray_groups *groups, const struct gpu_ray_groups *built,
+                      uint32_t index, struct alike_motion *motion)
+{
+    const struct alike_corners before = corners_of(built, index);
+    const struct alike_corners after = corners_of(groups, index);
+    const struct alike_anchor anchor = alike_anchor_find(&before);
+    if (!alike_motion_find(motion, &anchor, &before, &after))
+        return false;
+    for (uint32_t i = 0; i < after.count; i++) {
+        const double error = alike_error(motion, place_of(before.of, i), place_of(after.of, i));
+        if (!(error <= 0.5 * (double)groups->room))
+            return false;
+    }
+    return true;
+}
+
+static bool are_as_large(const struct gpu_ray_groups *a, const struct gpu_ray_groups *b)
+{
+    bool same = a->count == b->count;
+    for (uint32_t i = 0; same && i < a->count; i++)
+        same = a->all[i].first == b->all[i].first && a->all[i].count == b->all[i].count &&
+               a->all[i].mask == b->all[i].mask;
+    return same;
+}
+
+bool ray_groups_keep(struct gpu_ray_groups *groups, const struct gpu_ray_groups *built)
+{
+    const bool same = are_as_large(groups, built);
+    for (uint32_t i = 0; same && i < groups->count; i++) {
+        struct gpu_ray_group *group = &groups->all[i];
+        struct alike_motion motion;
+        if (!has_moved(groups, built, i, &motion))
+            continue;
+        group->is_kept = true;
+        for (int k = 0; k < 12; k++)
+            group->place.matrix[k / 4][k % 4] = (float)motion.rows[k / 4][k % 4];
+        memcpy(groups->corners[group->first], built->corners[group->first],
+               group->count * sizeof(*groups->corners));
+    }
+    return same;
+}

@@ -1,0 +1,116 @@
+/* alike.c: motions of triangles, found from three corners. */
+#include "src/scene/alike.h"
+#include <math.h>
+#include <string.h>
+
+/* The axes of three points: the first one is along the first side. */
+struct frame {
+    double origin[3], axes[3][3], length;
+    bool is_flat; /* they are on a line */
+};
+
+static const float *place_of(const struct alike_corners *corners, uint32_t corner)
+{
+    return corners->place(corners->of, corner);
+}
+
+static void cross(const double *a, const double *b, double *to)
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void between(const float *a, const float *b, double *to)
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = (double)b[k] - (double)a[k];
+}
+
+/* Returns the length of v, and makes it 1. */
+static double normalise(double *v)
+{
+    const double length = sqrt(dot(v, v));
+    for (int k = 0; k < 3 && length > 0.0; k++)
+        v[k] /= length;
+    return length;
+}
+
+/* A corner far from the first one, and one far from the line through both. */
+struct alike_anchor alike_anchor_find(const struct alike_corners *corners)
+{
+    struct alike_anchor anchor = { { 0 }, 0.0 };
+    const float *origin = place_of(corners, 0);
+    double along[3] = { 0 }, most = 0.0;
+    for (uint32_t i = 0; i < corners->count; i++) {
+        double v[3];
+        between(origin, place_of(corners, i), v);
+        if (dot(v, v) > anchor.length) {
+            anchor.length = dot(v, v);
+            anchor.corners[1] = i;
+            memcpy(along, v, sizeof(along));
+        }
+    }
+    for (uint32_t i = 0; i < corners->count; i++) {
+        double v[3], aside[3];
+        between(origin, place_of(corners, i), v);
+        cross(along, v, aside);
+        if (dot(aside, aside) > most) {
+            most = dot(aside, aside);
+            anchor.corners[2] = i;
+        }
+    }
+    return anchor;
+}
+
+static struct frame frame_of(const struct alike_corners *corners, const struct alike_anchor *anchor)
+{
+    struct frame frame;
+    double aside[3];
+    const float *origin = place_of(corners, anchor->corners[0]);
+    for (int k = 0; k < 3; k++)
+        frame.origin[k] = (double)origin[k];
+    between(origin, place_of(corners, anchor->corners[1]), frame.axes[0]);
+    between(origin, place_of(corners, anchor->corners[2]), aside);
+    frame.length = normalise(frame.axes[0]);
+    cross(frame.axes[0], aside, frame.axes[2]);
+    frame.is_flat = !(normalise(frame.axes[2]) > 1e-6 * frame.length);
+    cross(frame.axes[2], frame.axes[0], frame.axes[1]);
+    return frame;
+}
+
+bool alike_motion_find(struct alike_motion *motion, const struct alike_anchor *anchor,
+                       const struct alike_corners *before, const struct alike_corners *after)
+{
+    const struct frame a = frame_of(before, anchor), b = frame_of(after, anchor);
+    if (a.is_flat || b.is_flat)
+        return false;
+    motion->length = b.length;
+    for (int k = 0; k < 3; k++) {
+        motion->rows[k][3] = b.origin[k];
+        for (int i = 0; i < 3; i++) {
+            motion->rows[k][i] = 0.0;
+            for (int axis = 0; axis < 3; axis++)
+                motion->rows[k][i] += b.length / a.length * b.axes[axis][k] * a.axes[axis][i];
+            motion->rows[k][3] -= motion->rows[k][i] * a.origin[i];
+        }
+    }
+    return true;
+}
+
+double alike_error(const struct alike_motion *motion, const float before[static 3],
+                   const float after[static 3])
+{
+    double error = 0.0;
+    for (int k = 0; k < 3; k++) {
+        double moved = motion->rows[k][3];
+        for (int i = 0; i < 3; i++)
+            moved += motion->rows[k][i] * (double)before[i];
+        error = fmax(error, fabs(moved - (double)after[k]));
+    }
+    return error;
+}
