@@ -17,7 +17,7 @@
 #define TRACE_STORED_NODES     18
 #define TRACE_STORED_TRIANGLES 19
 #define TRACE_STORED_CORNERS   20
-#define TRACE_STRUCTURE        22 /* acceleration structure, with TRACE_QUERY */
+#define TRACE_STRUCTURE        23 /* acceleration structure, with TRACE_QUERY */
 
 /* Of the layers' pass, besides those of refract.h. */
 #define TRACE_OUT_MEDIA 5

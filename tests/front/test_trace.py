@@ -88,7 +88,8 @@ class Trace(Case):
                                              '-o', 'a.exr').stderr:
             self.skipTest('the device has no ray queries')
         ice = ('ice-cube', *SIZE, '--set', 'bubbles.count=9', '--set', 'trace.surroundings=rays')
-        for words in (words, ice):
+        cube = ('ice-cube', *SIZE, '--size', '32x24', '--set', 'trace.surroundings=cube')
+        for words in (words, ice, cube):
             found = self.planes(*words, *query)
             truth = self.planes(*words, '-r', 'trace', '--set', 'trace.rays=tree')
             differ = sum(a != b for a, b in zip(found['G'], truth['G']))
