@@ -13,5 +13,8 @@ void main()
     precise vec3 point = pose_object(position);
     precise vec4 clip = frame.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;
+#ifdef ICE_WIDE
+    gl_Position.xy *= frame.wide_share;
+#endif
     out_normal = pose_object_normal(normal);
 }

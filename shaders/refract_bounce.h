@@ -5,8 +5,8 @@
 
 /* refract_bounce_params.nested */
 #define REFRACT_BOUNCE_NESTED_OFF 0
-#define REFRACT_BOUNCE_NESTED_ON  1 /* where objects are in others */
-#define REFRACT_BOUNCE_NESTED_ALL 2 /* and where an object is concave */
+#define REFRACT_BOUNCE_NESTED_ON  1 /* where objects are in others, hollow or folded (fold.h) */
+#define REFRACT_BOUNCE_NESTED_ALL 2 /* and where an object is concave at all */
 
 struct refract_bounce_params {
     ABI_STRUCT(refract_march) march;

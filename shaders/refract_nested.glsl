@@ -29,7 +29,7 @@ layout(set = 0, binding = ICE_NESTED_MEDIA, scalar) uniform Media
 layout(location = REFRACT_SEEN_MEAN) flat in vec3 mean; /* radiance of the surroundings */
 
 const float nested_start = 0.01; /* a ray begins this far from its face, in bounding radii */
-const float nested_least = 0.02; /* share of a pixel's light that is followed back, at least */
+const float nested_least = 0.01; /* share of a pixel's light that is followed back, at least */
 const int nested_waits_max = 3;
 const int nested_stops_max = 6;
 const int nested_parts_max = 40; /* straight parts of all rays of a pixel */
@@ -61,8 +61,9 @@ nested_space nested_space_of_frame()
 {
     mat4 m = refract_frame.clip_from_world;
     vec2 size = vec2(textureSize(depths, 0).xy);
+    vec2 picture = vec2(textureSize(shading, 0)); /* in the middle of the maps */
     for (int i = 0; i < 4; i++)
-        m[i].xy = 0.5 * size * m[i].xy + (0.5 * size - 0.5) * m[i].w;
+        m[i].xy = 0.5 * picture * m[i].xy + (0.5 * size - 0.5) * m[i].w;
     return nested_space(m, 1.0 / size);
 }
 
@@ -202,9 +203,16 @@ nested_ray nested_next()
     return ray;
 }
 
+/* Returns whether a place of a ray is in the level around its own. */
+bool nested_is_in(nested_space space, nested_ray ray, float t)
+{
+    vec4 at = space.map_from_world * vec4(fma(vec3(t), ray.dir, ray.point), 1.0);
+    return nested_less(nested_rooms(space, ray.level - 1, at)) >= 0.0;
+}
+
 /* A face at the end of a ray. */
 struct nested_face {
-    bool enters; /* the next level; else it is the end of the ray's own */
+    int next;    /* level behind it; -1: outside */
     int other;   /* medium behind it */
     float share; /* of light that it reflects */
     vec3 reflected, refracted;
@@ -214,19 +222,28 @@ struct nested_face {
 #endif
 };
 
-/* Moves a ray to its next face. Where the maps show none that it can meet, it goes straight on. */
+/*
+ * Moves a ray to its next face. Where the maps show none that it can meet, it goes straight on.
+ *
+ * A room between two parts of an object is a level only where both are seen. Where it opens to the
+ * outside, a ray leaves it and the level around it at once, and meets no face.
+ */
 nested_face nested_meet(nested_space space, int channel, inout nested_ray ray)
 {
     nested_face face;
-    vec2 ends = nested_seek(space, ray, face.enters);
+    bool enters;
+    vec2 ends = nested_seek(space, ray, enters);
     int medium = ray.within[ray.level];
-    int level = face.enters ? ray.level + 1 : ray.level;
+    int level = enters ? ray.level + 1 : ray.level;
     int entered;
-    vec3 n =
-        nested_normal(space, level, ray.point + (face.enters ? ends.y : ends.x) * ray.dir, entered);
-    n = face.enters ? -n : n;
+    vec3 n = nested_normal(space, level, ray.point + (enters ? ends.y : ends.x) * ray.dir, entered);
+    n = enters ? -n : n;
     int around = ray.level > 0 ? ray.within[ray.level - 1] : 0;
-    face.other = face.enters ? entered : around;
+    int beyond = ray.level > 1 ? ray.within[ray.level - 2] : 0;
+    bool opens = !enters && ray.level > 0 && medium == beyond && !nested_is_in(space, ray, ends.y);
+    n = opens ? vec3(0.0) : n;
+    face.next = enters ? ray.level + 1 : ray.level - (opens ? 2 : 1);
+    face.other = enters ? entered : opens ? beyond : around;
     face.path = ends.x;
 #ifdef REFRACT_CLOUD
     float straight = 1.0;
@@ -248,7 +265,7 @@ nested_face nested_meet(nested_space space, int channel, inout nested_ray ray)
  * surroundings. A ray that has ended has no weight. */
 vec3 nested_cross(nested_face face, inout nested_ray ray)
 {
-    bool leaves = !face.enters && ray.level == 0;
+    bool leaves = face.next < 0;
     bool is_total = face.share >= 1.0;
     vec3 through = is_total ? vec3(0.0) : (1.0 - face.share) * ray.weight;
     nested_ray back = ray;
@@ -268,9 +285,9 @@ vec3 nested_cross(nested_face face, inout nested_ray ray)
         rest += waits_for ? vec3(0.0) : back.weight;
         ray.dir = face.refracted;
         ray.weight = through;
-        ray.level += face.enters ? 1 : -1;
-        if (face.enters)
-            ray.within[ray.level] = face.other;
+        if (face.next > ray.level)
+            ray.within[face.next] = face.other;
+        ray.level = face.next;
     } else {
         rest += goes_back ? vec3(0.0) : back.weight;
         ray = back;
@@ -292,7 +309,9 @@ void nested_note(nested_face face, nested_ray ray, bool is_first, inout refract_
 
 nested_ray nested_begin(refract_way way)
 {
-    int medium = int(texelFetch(normals, ivec3(gl_FragCoord.xy, 0), 0).w + 0.5) - 1;
+    ivec2 edge = (textureSize(normals, 0).xy - textureSize(shading, 0)) / 2;
+    ivec2 texel = ivec2(gl_FragCoord.xy) + edge;
+    int medium = int(texelFetch(normals, ivec3(texel, 0), 0).w + 0.5) - 1;
     nested_ray ray;
     ray.point = way.point;
     ray.dir = way.dir;
@@ -323,7 +342,7 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
 #endif
         if (is_main)
             nested_note(face, ray, part == 0, way);
-        bool leaves = !face.enters && ray.level == 0 && face.share < 1.0;
+        bool leaves = face.next < 0 && face.share < 1.0;
         rest += nested_cross(face, ray);
         is_main = is_main && !leaves;
         if (ray.weight == vec3(0.0)) {

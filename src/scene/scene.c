@@ -8,6 +8,7 @@
 #include "src/base/log.h"
 #include "src/base/suggest.h"
 #include "src/scene/asset.h"
+#include "src/scene/fold.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/material_rows.h"
 #include "src/scene/surface_light.h"
@@ -363,6 +364,17 @@ static enum status sort_surroundings(struct scene *scene)
 }
 
 /* Melts the ice, after all that is placed by the whole object's box. */
+static void know_shape(struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    scene->is_convex = mesh_is_convex(&model->object);
+    scene->fold = 0.0f;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct mesh part = object_part(&model->objects[i], &model->object);
+        scene->fold = fmaxf(scene->fold, mesh_fold(&part));
+    }
+}
+
 static enum status melt(struct scene *scene, const struct scene_params *params)
 {
     struct model *model = &scene->model;
@@ -375,7 +387,7 @@ static enum status melt(struct scene *scene, const struct scene_params *params)
         scene->floe = mesh_box(&model->object);
     else
         scene->box = mesh_box(&model->object);
-    scene->is_convex = mesh_is_convex(&model->object);
+    know_shape(scene);
     return status;
 }
 
@@ -397,7 +409,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         scene->box = mesh_box(has_object ? &scene->model.object : &scene->model.surroundings);
     scene->framed = scene->box;
     scene->time = params->pose.time;
-    scene->is_convex = mesh_is_convex(&scene->model.object);
+    know_shape(scene);
     if (status == STATUS_OK)
         status = load_surroundings(scene, params);
     scene->around = scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);

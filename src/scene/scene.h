@@ -69,6 +69,7 @@ struct scene {
     bool has_pool;            /* the scene is a pool, with the object, if any, in it */
     bool is_animated;         /* its shapes change in time: the model is animated, or ice melts */
     bool is_convex;           /* the object is known to be convex: mesh_is_convex() */
+    float fold;               /* of the object of which it is greatest: mesh_fold() */
 };
 
 /* Cracks inside the object. */

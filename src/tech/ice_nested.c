@@ -14,6 +14,7 @@
 #include "src/tech/frame.h"
 #include "src/tech/frame_cloud.h"
 #include "src/tech/frame_media.h"
+#include "src/tech/ice_normal.h"
 #include "src/tech/row_builder.h"
 
 static rg_record_fn record_near, record_far;
@@ -35,6 +36,28 @@ const struct rg_image ice_nested_normals = {
 static const struct rg_image depth_test = {
     .name = "ice_nested.depth_test",
     .format = VK_FORMAT_D32_SFLOAT,
+};
+
+const struct rg_image ice_nested_wide_depths = {
+    .name = "ice_nested.wide_depths",
+    .format = VK_FORMAT_R32_SFLOAT,
+    .layers = 2 * ICE_NESTED_LEVELS,
+    .array = true,
+    .scale = ICE_NORMAL_WIDE,
+};
+
+const struct rg_image ice_nested_wide_normals = {
+    .name = "ice_nested.wide_normals",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .layers = 2 * ICE_NESTED_LEVELS,
+    .array = true,
+    .scale = ICE_NORMAL_WIDE,
+};
+
+static const struct rg_image wide_depth_test = {
+    .name = "ice_nested.wide_depth_test",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .scale = ICE_NORMAL_WIDE,
 };
 
 const struct rg_buffer ice_nested_media = {
@@ -112,13 +135,33 @@ static void record_far(struct rg_cmd *cmd, const struct rg_frame *frame)
     record(cmd, frame, true);
 }
 
+/* Makes a row draw the wide maps instead. */
+static void widen(struct row_builder *builder, struct rg_pass *row)
+{
+    struct rg_target *color = row_builder_targets(builder, row->color, row->color_count);
+    struct rg_use *uses = row_builder_own_uses(builder, row->uses);
+    if (!color || !uses)
+        return;
+    color[0].image = &ice_nested_wide_normals;
+    color[1].image = &ice_nested_wide_depths;
+    for (struct rg_use *use = uses; use->access; use++)
+        use->image = use->image ? &ice_nested_wide_depths : NULL;
+    row->color = color;
+    row->uses = uses;
+    row->depth.image = &wide_depth_test;
+    row->vert = &ice_nested_wide_vert;
+}
+
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
     const size_t count = sizeof(passes) / sizeof(passes[0]);
     if (!choice->is_nested)
         return (struct rg_technique){ 0 };
-    return (struct rg_technique){ "ice_nested", row_builder_rows(builder, passes, count), count };
+    struct rg_pass *rows = row_builder_rows(builder, passes, count);
+    for (size_t i = 0; rows && choice->is_wide && i < count; i++)
+        widen(builder, &rows[i]);
+    return (struct rg_technique){ "ice_nested", rows, rows ? count : 0 };
 }
 
 /* ---- media ---- */

@@ -14,6 +14,9 @@
  * level at this face, or 0 without a face. */
 extern const struct rg_image ice_nested_depths, ice_nested_normals;
 
+/* The same of the wider area of ice_normal.h, if technique_choice.is_wide. */
+extern const struct rg_image ice_nested_wide_depths, ice_nested_wide_normals;
+
 extern const struct rg_buffer ice_nested_media; /* struct ice_nested_media */
 
 /* Whether there are objects in others. */

@@ -176,9 +176,10 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     const struct rg_use *const uses[] = {
         technique->rung.by_pixel ? pixel_uses : face_uses,
         technique->rung.by_pixel && is_layers ? scene_uses : NULL,
-        choice->is_nested ? rung->nested_uses
-        : choice->is_wide ? rung->wide_uses
-                          : rung->uses,
+        choice->is_nested && choice->is_wide ? rung->nested_wide_uses
+        : choice->is_nested                  ? rung->nested_uses
+        : choice->is_wide                    ? rung->wide_uses
+                                             : rung->uses,
         bumped ? bump_uses : NULL,
         choice->is_dressed ? dress_uses : NULL,
         choice->is_cloudy ? cloud_uses : NULL,

@@ -58,8 +58,9 @@ struct refract_rung {
     const struct rg_use *uses;        /* besides frame_globals and the bump map; ends at {0} */
     const struct rg_use *wide_uses;   /* replace `uses` if technique_choice.is_wide; NULL: never */
     const struct rg_use *nested_uses; /* likewise, if technique_choice.is_nested */
-    uint32_t push_size;               /* bytes of push constants; 0: none */
-    rg_record_fn *record;             /* NULL: frame_draw_object() */
+    const struct rg_use *nested_wide_uses; /* if both are true */
+    uint32_t push_size;                    /* bytes of push constants; 0: none */
+    rg_record_fn *record;                  /* NULL: frame_draw_object() */
 };
 
 /* Returns whether a rung draws clouds, of a scene that has some. */

@@ -2,6 +2,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 
+#include "src/scene/fold.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/solid.h"
 #include "tests/support/check.h"
@@ -182,6 +183,35 @@ static void test_nothing(void **state)
     solid_finish(&solid);
 }
 
+/* Of a ball and one half as wide in it, a quarter of the lines that meet any meets both. */
+static void test_fold(void **state)
+{
+    (void)state;
+
+    static const struct {
+        bool (*generate)(struct mesh *, uint32_t);
+        float least, most;
+    } cases[] = {
+        { generate_sphere, 0.0f, 0.0f },
+        { generate_ice_cube, 0.0f, 0.01f },
+        { generate_teapot, 0.07f, 0.2f },
+    };
+    struct mesh mesh, inner;
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+        assert_true(cases[i].generate(&mesh, 4000));
+        const float fold = mesh_fold(&mesh);
+        assert_true(fold >= cases[i].least && fold <= cases[i].most);
+        mesh_finish(&mesh);
+    }
+    assert_true(generate_sphere(&mesh, 1000) && generate_sphere(&inner, 1000));
+    for (uint32_t i = 0; i < inner.vertex_count; i++)
+        inner.vertices[i].position = glms_vec3_scale(inner.vertices[i].position, 0.5f);
+    assert_true(mesh_append(&mesh, &inner));
+    CHECK_NEAR(mesh_fold(&mesh), 0.25, 0.02);
+    mesh_finish(&inner);
+    mesh_finish(&mesh);
+}
+
 /* Between two balls and in the inner one, but not beside them, nor in the hole of a ring. */
 static void test_cavity(void **state)
 {
@@ -206,9 +236,13 @@ static void test_cavity(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points),   cmocka_unit_test(test_points_below_corners_and_edges),
-        cmocka_unit_test(test_cavity),   cmocka_unit_test(test_cut_of_what_does_not_cross),
-        cmocka_unit_test(test_cut_ends), cmocka_unit_test(test_cut),
+        cmocka_unit_test(test_points),
+        cmocka_unit_test(test_points_below_corners_and_edges),
+        cmocka_unit_test(test_cavity),
+        cmocka_unit_test(test_fold),
+        cmocka_unit_test(test_cut_of_what_does_not_cross),
+        cmocka_unit_test(test_cut_ends),
+        cmocka_unit_test(test_cut),
         cmocka_unit_test(test_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
