@@ -559,8 +559,10 @@ float trace_depth(vec3 point)
     return clamp(clip.z / clip.w, 0.0, 1.0);
 }
 
-#ifdef REFRACT_LAYERS
+#if defined(REFRACT_LAYERS)
 #include "trace_layers.glsl"
+#elif defined(TRACE_PHOTONS)
+#include "trace_photons.glsl"
 #else
 layout(location = REFRACT_OUT_COLOR) out vec4 color;
 layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;

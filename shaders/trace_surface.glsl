@@ -2,7 +2,9 @@
 #ifndef TRACE_SURFACE_GLSL
 #define TRACE_SURFACE_GLSL
 #define LIT_TRACED
+#ifndef TRACE_PHOTONS /* which make the map of ice_shine.glsl */
 #include "lib/ice_shine.glsl"
+#endif
 #include "lib/lit.glsl"
 #include "mesh.h"
 #include "trace_tree.glsl"
@@ -115,11 +117,14 @@ vec3 trace_sun(vec3 point, bool is_base, out vec3 through)
 {
     through = vec3(0.0);
     float own = trace_has(TRACE_HAS_GROUND) && !is_base ? sun_share : 1.0;
-    if (!trace_has(TRACE_HAS_SUN) || is_base)
-        return sky_sun() * own;
-    ice_shine shine = ice_shine_at(point);
-    through = sky_sun() * shine.through;
-    return sky_sun() * shine.own * own + through;
+#ifndef TRACE_PHOTONS
+    if (trace_has(TRACE_HAS_SUN) && !is_base) {
+        ice_shine shine = ice_shine_at(point);
+        through = sky_sun() * shine.through;
+        return sky_sun() * shine.own * own + through;
+    }
+#endif
+    return sky_sun() * own;
 }
 
 /* Returns the radiance of a surface without a material, or of the base of one. */

@@ -129,7 +129,7 @@ static vec3s ground_albedo_at(const struct ground *g)
     const vec3s meadow = glms_vec3_lerp(color(0.055F, 0.075F, 0.026F), color(0.10F, 0.095F, 0.045F),
                                         glm_clamp(0.5F + patch + 0.5F * fine, 0.0F, 1.0F));
     const vec3s forest = glms_vec3_scale(color(0.022F, 0.034F, 0.017F), 1.0F + 0.6F * fine);
-    const vec3s snow = color(0.81F, 0.83F, 0.87F);
+    const vec3s snow = color(0.74F, 0.76F, 0.80F); /* old, with dust */
     vec3s c = glms_vec3_lerp(rock, scree, glm_smoothstep(0.70F, 0.80F, level + 0.05F * fine));
     const float grown = glm_smoothstep(0.74F, 0.88F, level + 0.08F * patch + 0.05F * moist) *
                         (1.0F - glm_smoothstep(900.0F, 1500.0F, height + 500.0F * patch));
@@ -138,9 +138,13 @@ static vec3s ground_albedo_at(const struct ground *g)
                          glm_smoothstep(0.60F, 0.75F, level) * glm_smoothstep(8.0F, 40.0F, height) *
                          (1.0F - glm_smoothstep(350.0F, 700.0F, height + 300.0F * patch));
     c = glms_vec3_lerp(c, forest, wooded);
-    const float line = 1180.0F + 380.0F * patch - 330.0F * moist;
-    const float lying = glm_smoothstep(line - 140.0F, line + 260.0F, height + 90.0F * fine) *
-                        glm_smoothstep(0.60F, 0.76F, level + 0.06F * fine + 0.05F * moist);
+    /* Snow lies on ledges and in gullies; strata, which dip to the east, break off in bands. */
+    const float strata = alps_noise(0.0F, height + 0.12F * x + 60.0F * patch, 75.0F, 3, 103);
+    const float line = 1420.0F + 380.0F * patch - 420.0F * moist;
+    const float even = 0.45F * level + 0.55F * g->normal.y;
+    const float lying =
+        glm_smoothstep(line - 160.0F, line + 420.0F, height + 140.0F * fine) *
+        glm_smoothstep(0.66F, 0.78F, even + 0.08F * fine + 0.07F * strata + 0.06F * moist);
     return glms_vec3_lerp(c, snow, lying);
 }
 

@@ -4,8 +4,9 @@ import random
 
 import surroundings as around
 from files import Model, glass, lit
-from shapes import (Mesh, add, beads_mesh, crack, crowd, ice, lathe, mix, noise, rounded, scale,
-                    smooth_normals, smoothstep, sub, tube, turned, unit, with_normals, worms)
+from shapes import (Mesh, add, beads_mesh, crack, crowd, film, ice, lathe, mix, noise, rounded,
+                    scale, smooth_normals, smoothstep, sub, tube, turned, unit, with_normals,
+                    worms)
 
 BASE, FLOOR, HEIGHT = 0.0002, 0.0105, 0.09  # heights of the glass: foot, inner floor, rim
 FOOT, RIM, WALL = 0.0335, 0.0395, 0.0024  # radii outside, and how thick the wall is at the rim
@@ -16,9 +17,9 @@ WATER = glass('water', 1.333, 1, 0.07, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
 # Where each cube is, how it is turned, and its half widths.
 CUBES = (
-    ((0.0155, 0.0596, 0.0059), (240.2, -9, 21), (0.014, 0.0136, 0.014)),
+    ((0.0153, 0.0566, 0.0058), (240.2, -9, 21), (0.014, 0.0136, 0.014)),
     ((-0.0131, 0.0603, -0.0045), (162.5, 17, -9), (0.0139, 0.0137, 0.0142)),
-    ((-0.0071, 0.0335, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
+    ((-0.0071, 0.0303, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
 )
 STRAW = ((-0.0195, 0.0137, 0.0), (0.0375, 0.1341, -0.036), 0.0026)  # foot, top, radius
 DROPS = (1300, 0.00028, 0.0012)  # that are tried; least and greatest radius
@@ -132,7 +133,8 @@ def cracks():
         for k, tilt in enumerate(((70 + 9 * i, 20, 0), (15, 80 - 14 * i, 40),
                                   (-50, 40, 75 + 8 * i), (35, -30 + 20 * i, 110),
                                   (95, 130, 10 + 25 * i))):
-            sheet = crack(0.0112 - 0.0012 * k, 300 + 10 * i + k, bend=16)
+            radius = 0.0121 if k == 1 else 0.0112 - 0.0012 * k  # one goes through all of the cube
+            sheet = crack(radius, 300 + 10 * i + k, bend=16)
             aside = 1 - k if k < 3 else k - 4.5
             sheet.placed(turned(*tilt), scale((0.0022, -0.0018, 0.0026), aside))
             mesh.join(sheet.placed(turned(*turn), at))
@@ -211,6 +213,26 @@ def dew():
     return mesh
 
 
+def spilled():
+    """The ring of water that has run down the glass, and drops beside it."""
+    pick = random.Random(91)
+
+    def outline(middle, uneven, seed):
+        def at(angle):
+            c, s = math.cos(angle), math.sin(angle)
+            out = middle * (1 + uneven * noise((2 * c + seed, 2 * s, seed), seed) +
+                            0.4 * uneven * noise((6 * c, 6 * s + seed, seed), seed + 1))
+            return out * c, -out * s
+        return at
+    mesh = film(outline(FOOT + 0.0006, 0.03, 5), 0, 0.0006, 0.0011)
+    for angle, away, radius in ((-70, 0.047, 0.0022), (-52, 0.0425, 0.0012), (-63, 0.053, 0.0009),
+                                (-118, 0.046, 0.0016), (-20, 0.046, 0.0012), (160, 0.049, 0.0019)):
+        angle = math.radians(angle + pick.uniform(-4, 4))
+        mesh.join(film(outline(radius, 0.16, round(1e5 * radius)), 0, 0.28 * radius + 0.0002,
+                       0.9 * radius, (away * math.cos(angle), -away * math.sin(angle))))
+    return mesh
+
+
 def make():
     model = Model()
     years, fibres = (model.texture(data) for data in around.wood(21, width=256))
@@ -219,6 +241,7 @@ def make():
     model.add('table', around.boards(9, 0.085, 1.1, lambda x, z: 1.0, 1, 1), wood)
     model.add('straw', straw(), lit('straw', 0.4))
     model.add('water', water(), WATER)
+    model.add('spilled', spilled(), WATER)
     for i, cube in enumerate(cubes()):
         model.add(f'cube {i + 1}', cube, ICE)
     model.add('glass', tumbler(), GLASS)

@@ -153,8 +153,9 @@ def png_colors(rows):
             png_chunk(b'IDAT', zlib.compress(b''.join(steps), 9)) + png_chunk(b'IEND', b''))
 
 
-def exr(rows):
-    """Half floats R G B, packed; a row is three lists of values; rows from the top."""
+def exr(rows, sun=None):
+    """Half floats R G B, packed; a row is three lists of values; rows from the top. `sun`: azimuth
+    and elevation as of src/scene/environment.h, and the light of a white surface that faces it."""
     width, height = len(rows[0][0]), len(rows)
 
     def attribute(name, kind, data):
@@ -171,7 +172,10 @@ def exr(rows):
     head += attribute(b'lineOrder', b'lineOrder', b'\0')
     head += attribute(b'pixelAspectRatio', b'float', struct.pack('<f', 1))
     head += attribute(b'screenWindowCenter', b'v2f', struct.pack('<2f', 0, 0))
-    head += attribute(b'screenWindowWidth', b'float', struct.pack('<f', 1)) + b'\0'
+    head += attribute(b'screenWindowWidth', b'float', struct.pack('<f', 1))
+    if sun:
+        head += attribute(b'firn/sun', b'string', ' '.join(f'{v:g}' for v in sun).encode())
+    head += b'\0'
 
     blocks = []
     for first in range(0, height, 16):

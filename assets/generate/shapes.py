@@ -408,6 +408,40 @@ def crack(radius, seed, gap=0.00006, bend=9.0, rings=12, segments=42):
     return Mesh(points, faces, [scale(normal(x, z), s) for s, (x, _, z) in zip(signs, points)])
 
 
+def film(outline, level, thick, rim, center=(0, 0)):
+    """Water with a flat rim, that ends below the ground; outline(angle) is a place on its edge."""
+    rings, segments = 12, 168
+    points = [(center[0], level + thick, center[1])]
+    edge = [outline(2 * math.pi * k / segments) for k in range(segments)]
+    for ring in range(1, rings + 1):
+        share = math.sin(ring / rings * math.pi / 2)
+        for x, z in edge:
+            inward = min(math.hypot(x, z) * (1 - share) / rim, 1)
+            points.append((center[0] + x * share,
+                           level + thick * (1 - (1 - inward) ** 2.2),
+                           center[1] + z * share))
+    return closed_below(points, edge, center, level)
+
+
+def closed_below(points, edge, center, level):
+    """A shell of a middle and rings of points, the last one on the edge, that ends below the
+    ground."""
+    segments, faces = len(edge), []
+    rings = (len(points) - 1) // segments
+    points += [(center[0] + 0.97 * x, level - 0.004, center[1] + 0.97 * z) for x, z in edge]
+    points.append((center[0], level - 0.004, center[1]))
+    for k in range(segments):
+        n = (k + 1) % segments
+        faces.append((0, 1 + k, 1 + n))
+        for ring in range(rings):
+            a = 1 + ring * segments
+            b = a + segments
+            faces += [(a + k, b + k, b + n), (a + k, b + n, a + n)]
+        last = 1 + rings * segments
+        faces.append((len(points) - 1, last + n, last + k))
+    return Mesh(points, faces)
+
+
 def sheet(corner, across, along, columns, rows):
     """A grid with texture coordinates from 0 to 1; its front is where across x along points."""
     normal = unit(cross(across, along))

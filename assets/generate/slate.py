@@ -3,8 +3,8 @@ import functools
 import math
 
 from files import Model, glass, png, png_colors
-from shapes import (Mesh, add, beads_mesh, crack, crowd, dot, ice, lattice, mix, scale,
-                    smooth_normals, smoothstep, turned, unit, worms)
+from shapes import (Mesh, add, beads_mesh, closed_below, crack, crowd, dot, film, ice, lattice, mix,
+                    scale, smooth_normals, smoothstep, turned, unit, worms)
 from surroundings import ramp
 
 HALF = (0.0146, 0.0132, 0.0142)  # of the ice
@@ -18,8 +18,10 @@ TILE = 0.042  # metres after which the stone's grain repeats
 # The grain: waves along x and z in a tile, and their height, metres.
 WAVES = ((7, 10, 0.00009), (19, 27, 0.00005), (61, 83, 0.000015), (128, 128, 0.000005))
 LEDGE = 0.00022  # height of its ledges
+FISSURE = 0.00035  # depth of its cracks
 STEP = 0.0008  # height of a layer of the stone
-FILM = 0.0015  # thickness of the puddle
+FILM = 0.0012  # thickness of the puddle
+CLIMB = (0.0012, 0.0009)  # how high water climbs at the ice, and how far from it, metres
 SHEET = (0.037, 0.0003)  # water that has run over the stone: mean radius, how high it stands
 EYE, TARGET, ANGLE = (0.0056, 0.0226, -0.104), (-0.0012, 0.0186, 0), 27
 # Shallow pools: where, half widths, turn, seed.
@@ -182,6 +184,17 @@ def damp():
     return png_colors(rows)
 
 
+def fissures(u, v):
+    """How deep thin cracks of the stone are, from 0 to 1: across each other, and not everywhere."""
+    deep = 0.0
+    for along, across, seed in ((2, 5, 18), (6, 3, 19), (9, 13, 20)):
+        bent = rough(along * u, across * v, seed, (along, across))
+        bent += 0.12 * rough(31 * u, 29 * v, seed + 3, (31, 29))
+        there = smoothstep(0.05, 0.35, rough(3 * u, 4 * v, seed + 6, (3, 4)))
+        deep = max(deep, there * (1 - smoothstep(0, 0.16 / max(along, across), abs(bent))))
+    return deep
+
+
 def ledges(u, v):
     """Broken edges of the cleavage, in layers."""
     wide = 2.6 * rough(4 * u, 7 * v, 15, (4, 7)) + 0.9 * rough(13 * u, 21 * v, 16, (13, 21))
@@ -196,7 +209,7 @@ def grain():
     for row in range(SIDE):
         v = row / SIDE
         heights.append([sum(weight * rough(a * u, b * v, a, (a, b)) for a, b, weight in WAVES) +
-                        LEDGE * ledges(u, v)
+                        LEDGE * ledges(u, v) - FISSURE * fissures(u, v)
                         for u in (column / SIDE for column in range(SIDE))])
     normals, tones = [], []
     apart = TILE / SIDE
@@ -208,8 +221,9 @@ def grain():
             z = (heights[(row + 1) % SIDE][column] - here) / apart
             n = unit((-x, z, 1))  # u goes to +x, v to +z; green points against v
             bent += bytes(int(127.5 + 127.5 * v + 0.5) for v in n)
-            tints.append(int(min(max(34 + 9e4 * here + 14 * (lattice(column, row, 2, 6) - 0.5), 0),
-                                 63)))
+            speck = lattice(column, row, 2, 6)
+            grit = 16 if speck > 0.985 else -18 if speck < 0.02 else 14 * (speck - 0.5)
+            tints.append(int(min(max(34 + 7e4 * here + grit, 0), 63)))
         normals.append(bent)
         tones.append(tints)
     return png_colors(normals), png(tones, ramp([(.55, .56, .57), (.93, .94, .96), (1, 1, 1)]))
@@ -217,30 +231,38 @@ def grain():
 
 # ---- water and ice ----
 
-def shell(outline, level, thick, rim, center=(0, 0)):
-    """Water with a flat rim, that ends below the stone; outline(angle) is a place on its edge."""
-    rings, segments = 12, 168
-    points, faces = [(center[0], level + thick, center[1])], []
-    edge = [outline(2 * math.pi * k / segments) for k in range(segments)]
-    for ring in range(1, rings + 1):
-        share = math.sin(ring / rings * math.pi / 2)
-        for x, z in edge:
-            inward = min(math.hypot(x, z) * (1 - share) / rim, 1)
-            points.append((center[0] + x * share,
-                           level + thick * (1 - (1 - inward) ** 2.2),
-                           center[1] + z * share))
-    points += [(center[0] + 0.97 * x, level - 0.004, center[1] + 0.97 * z) for x, z in edge]
-    points.append((center[0], level - 0.004, center[1]))
-    for k in range(segments):
-        n = (k + 1) % segments
-        faces.append((0, 1 + k, 1 + n))
-        for ring in range(rings):
-            a = 1 + ring * segments
-            b = a + segments
-            faces += [(a + k, b + k, b + n), (a + k, b + n, a + n)]
-        last = 1 + rings * segments
-        faces.append((len(points) - 1, last + n, last + k))
-    return Mesh(points, faces)
+def foot(mesh, segments):
+    """How far the block reaches in each direction, where water climbs it."""
+    reach = [0.0] * segments
+    for x, y, z in mesh.points:
+        if 0.0008 < y < FILM + CLIMB[0]:
+            k = round(math.atan2(-z, x) / (2 * math.pi) * segments) % segments
+            reach[k] = max(reach[k], math.hypot(x, z))
+    for _ in range(3):
+        reach = [(max(reach[k - 1], a) + 2 * a + max(reach[(k + 1) % segments], a)) / 4
+                 for k, a in enumerate(reach)]
+    return reach
+
+
+def meltwater(mesh):
+    """The puddle around the block: it climbs the ice, and ends in a rim, here steep, there flat."""
+    segments = 168
+    shares = (0, 0.02, 0.05, 0.09, 0.14, 0.2, 0.28, 0.38, 0.5, 0.62, 0.73, 0.82, 0.89, 0.94, 0.975,
+              1)
+    inner = foot(mesh, segments)
+    edge = [puddle(2 * math.pi * k / segments) for k in range(segments)]
+    points = [(0, FILM, 0)]
+    for share in (-1, *shares):
+        for k, (x, z) in enumerate(edge):
+            out = math.hypot(x, z)
+            near = min(inner[k] - 0.0003, 0.92 * out)
+            r = 0.6 * near if share < 0 else near + share * (out - near)
+            rim = 0.0021 + 0.0009 * rough(7 + 3 * x / out, 7 + 3 * z / out, 67)
+            inward = min((out - r) / rim, 1)
+            high = FILM * (1 - (1 - inward) ** 2.2)
+            high += CLIMB[0] * inward * math.exp(-max(r - near, 0) / CLIMB[1])
+            points.append((x * r / out, high, z * r / out))
+    return closed_below(points, edge, (0, 0), 0)
 
 
 def puddle(angle):
@@ -258,12 +280,12 @@ def puddle(angle):
 
 def water():
     """The puddle around the ice, the sheet that has run out of it, and the pools."""
-    mesh = shell(puddle, 0, FILM, 0.0019)
+    mesh = meltwater(block())
 
     def run_out(angle):
         out = sheet_edge(-angle)
         return out * math.cos(angle), -out * math.sin(angle)
-    mesh.join(shell(run_out, 0, SHEET[1], 0.003))
+    mesh.join(film(run_out, 0, SHEET[1], 0.003))
     for pool in POOLS:
         center, (across, along), turn, _ = pool
         c, s = math.cos(turn), math.sin(turn)
@@ -272,7 +294,7 @@ def water():
             out = pool_shape(pool, -angle)
             u, v = across * out * math.cos(angle), -along * out * math.sin(angle)
             return c * u - s * v, s * u + c * v
-        mesh.join(shell(outline, pool_level(pool), 0.0005, 0.0015, center))
+        mesh.join(film(outline, pool_level(pool), 0.0005, 0.0015, center))
     return mesh
 
 
@@ -294,7 +316,7 @@ def block():
 def bubbles():
     """Worms of air in rows along the way the ice grew, and a cloud of eggs where it ended."""
     placed = []
-    beads = [*worms(HALF, 170, 30, bend=0.6), *crowd(HALF, 2100, 31, 0.00008, 0.0006)]
+    beads = [*worms(HALF, 150, 30, bend=0.6), *crowd(HALF, 950, 31, 0.0001, 0.0009)]
     for at, along, *form in beads:
         at = add(at, (0.0006, 0.0012, 0))
         at, along = (tuple(dot(row, v) for row in TURN) for v in (at, along))
@@ -306,6 +328,7 @@ def cracks():
     mesh = Mesh([], [], [])
     for i, (at, turn, size) in enumerate((
             ((0.004, 0.0165, -0.003), (25, 62, 20), 0.0066),
+            ((0.0092, 0.0205, -0.0052), (52, 74, 15), 0.0072),  # it reaches two faces
             ((-0.005, 0.011, 0.002), (120, 35, 75), 0.0058))):
         mesh.join(crack(size, 70 + i, gap=0.00004, bend=14).placed(turned(*turn), at))
     return mesh

@@ -6,13 +6,16 @@ from shapes import mix, scale, smoothstep
 from studio import HEIGHT, WIDTH, lamp
 
 # A window's middle: azimuth to the right of -Z and elevation, degrees; half width and half height
-# of a pane as tangents of angles; panes across and up; radiance; colour
+# of a pane as tangents of angles; panes across and up; radiance of the sky; colour
 WINDOWS = (
     (-66, 33, 0.14, 0.2, 2, 3, 6, (1.0, 0.95, 0.87)),
-    (70, 29, 0.17, 0.56, 1, 1, 3.6, (0.8, 0.9, 1.0)),
+    (70, 29, 0.17, 0.18, 1, 3, 3.6, (0.8, 0.9, 1.0)),
     (-163, 33, 0.22, 0.13, 1, 1, 1.7, (1.0, 0.96, 0.9)),
 )
 BAR = 0.012  # half of a bar between panes
+GARDEN = (0.42, (0.72, 0.9, 0.5))  # below the sky: share of its radiance, and colour
+# It comes through the window to the left: azimuth and elevation as in environment.h; light
+SUN = (246, 33, 1.15, 0.93, 0.66)
 GLOW = (-2, 7, (0.62, 0.5, 0.34))  # the lit wall: azimuth and elevation, degrees; radiance
 
 
@@ -46,8 +49,11 @@ def panes(window):
         for j in range(lines):
             aside = (2 * i - columns + 1) * (across + BAR)
             high = (2 * j - lines + 1) * (up + BAR)
+            is_low = lines > 1 and j == 0
+            share, tint = GARDEN if is_low else (1 - 0.16 * (lines - 1 - j), (1, 1, 1))
             yield (azimuth + math.degrees(math.atan(aside)) / level,
-                   elevation + math.degrees(math.atan(high)), across, up, radiance, 0.8, color)
+                   elevation + math.degrees(math.atan(high)), across, up, share * radiance, 0.8,
+                   tuple(a * b for a, b in zip(color, tint)))
 
 
 def make():
@@ -55,4 +61,4 @@ def make():
     for window in WINDOWS:
         for box in panes(window):
             lamp(rows, box)
-    return exr(rows)
+    return exr(rows, SUN)

@@ -37,4 +37,14 @@ bool ice_light_is_before(sampler2D front, vec4 clip)
     return depth > 0.0 && clip.z / clip.w > depth;
 }
 
+/* Returns whether a point is hidden from the sun: behind the farthest of the nearest texels of the
+ * ground's depth, with a tolerance. */
+bool ice_light_is_hidden(sampler2D ground, vec4 clip)
+{
+    const float slack = 0.02 / ICE_CAUSTICS_DISTANCE;
+    vec4 d = textureGather(ground, ice_light_uv(clip));
+    float farthest = min(min(d.x, d.y), min(d.z, d.w));
+    return clip.z / clip.w < farthest * (1.0 - slack);
+}
+
 #endif

@@ -82,6 +82,8 @@ struct app_picture {
     uint32_t width, height, samples;
     bool adapts;            /* parts with little noise have fewer samples: adaptive.h */
     uint32_t level_samples; /* of --quality, which firn render has unless --samples says; 0: none */
+    bool level_is_smooth;   /* the same of its pixel filter */
+    bool is_filter_named;
     enum pixel_filter filter;
     uint32_t columns, rows;         /* of tiles that it is drawn in; 0: it is not */
     uint32_t tile;                  /* the one to draw, from 1; 0: all of them */

@@ -166,6 +166,31 @@ static void show_beauty(const float *const planes[static 4], size_t i,
     rgba[3] = alpha;
 }
 
+/* Returns a number from 0 to 1 that a pixel's number and `own` decide. */
+static float noise(size_t i, uint32_t own)
+{
+    uint32_t h = ((uint32_t)i * 0x9e3779b9u) ^ (own * 0x85ebca6bu);
+    h = (h ^ h >> 16) * 0x7feb352du;
+    h = (h ^ h >> 15) * 0x846ca68bu;
+    return (float)((h ^ h >> 16) >> 8) / 16777216.0f;
+}
+
+/* Dithers a value by triangular noise of a step to each side, which hides steps and leaves the mean
+ * and the variance of its error the same for all values (Lipshitz, Wannamaker and Vanderkooy 1992).
+ * What is black or white stays so. */
+static float dithered(float x, size_t i, uint32_t channel)
+{
+    if (!(x > 0.0f && x < 1.0f))
+        return x;
+    return x + (noise(i, 2 * channel) + noise(i, 2 * channel + 1) - 1.0f) / 255.0f;
+}
+
+bool layer_picture_is_dithered(const struct settings *settings)
+{
+    const struct tonemap_params *params = settings_of(settings, &tonemap_settings);
+    return params->dither;
+}
+
 bool layer_picture_beauty(const struct image *image, const struct settings *settings,
                           uint8_t **rgba, uint16_t **rgba_16)
 {
@@ -180,8 +205,10 @@ bool layer_picture_beauty(const struct image *image, const struct settings *sett
     for (size_t i = 0; i < pixels && (bytes || words); i++) {
         show_beauty(planes, i, params, shown);
         for (size_t c = 0; c < 4; c++) {
+            const bool is_dithered = params->dither && c < 3;
             if (bytes)
-                bytes[i * 4 + c] = quantise(shown[c]);
+                bytes[i * 4 + c] =
+                    quantise(is_dithered ? dithered(shown[c], i, (uint32_t)c) : shown[c]);
             if (words)
                 words[i * 4 + c] = quantise_16(shown[c]);
         }

@@ -23,9 +23,13 @@ uint32_t layer_picture_bit(const struct frame_layer *layer);
 uint8_t *layer_picture_rgba(const struct image *image, const struct frame_layer *layer);
 uint16_t *layer_picture_rgba_16(const struct image *image, const struct frame_layer *layer);
 
-/* The same of the beauty, tonemapped as the settings say, with its alpha: either of 8 or of 16
- * bits; the other pointer is NULL. Returns false when memory is short, which is logged. */
+/* The same of the beauty, tonemapped as the settings say, with its alpha: either of 8 bits, with
+ * dither if it is on, or of 16; the other pointer is NULL. Returns false when memory is short,
+ * which is logged. */
 bool layer_picture_beauty(const struct image *image, const struct settings *settings,
                           uint8_t **rgba, uint16_t **rgba_16);
+
+/* Returns whether tonemap.dither is on. */
+bool layer_picture_is_dithered(const struct settings *settings);
 
 #endif

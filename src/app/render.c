@@ -255,7 +255,7 @@ static enum status draw_picture(struct job *job, struct frame *frame)
     return renderer_render(job->renderer, shot, result, show_progress, job);
 }
 
-/* What the renderer does not make: layers, 16 bits, alpha. */
+/* What the renderer does not make: layers, 16 bits, alpha, dither. */
 static bool make_png(const struct app_picture *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
@@ -358,7 +358,8 @@ static enum status open_renderer(struct job *job)
     for (uint32_t i = 0; i < outputs->count; i++) {
         if (!path_ends_in(outputs->paths[i], ".png"))
             params.linear = true;
-        else if (p->show || p->png_bits == 16 || p->scene.no_background)
+        else if (p->show || p->png_bits == 16 || p->scene.no_background ||
+                 layer_picture_is_dithered(&p->scene.settings))
             job->makes_png = true;
         else
             params.display = true;

@@ -13,7 +13,8 @@ const struct asset assets[] = {
         .file = "drink.glb",
         .kind = ASSET_SCENE,
         .environment = "window",
-        .settings = { "light.count=0", "ground.light=traced", "tonemap.exposure=0.25" },
+        .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.reach=1.5",
+                      "ground.light=traced", "tonemap.exposure=0.1" },
         .help = "tumbler of water with three ice cubes and a straw",
     },
     {
@@ -33,8 +34,8 @@ const struct asset assets[] = {
         .file = "slate.glb",
         .kind = ASSET_SCENE,
         .environment = "alps",
-        .settings = { "light.count=0", "ice_caustics.light=sun", "ground.light=traced",
-                      "lens.f_stop=120", "tonemap.exposure=0.9" },
+        .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.reach=1.2",
+                      "ground.light=traced", "lens.f_stop=120", "tonemap.exposure=0.9" },
         .help = "melting block of ice on wet slate, before mountains",
     },
     {

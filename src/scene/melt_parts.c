@@ -12,6 +12,13 @@
 /* What is left of a part that is gone: its triangles still have normals. */
 #define LEAST 1e-3f
 
+/* Share of the ice's height, from below, along which water climbs it. */
+#define LOWEST 0.25f
+
+enum {
+    BEARINGS = 64,
+};
+
 /* A part of an object. */
 struct part {
     struct box box;
@@ -148,23 +155,96 @@ static bool is_below(const struct part *part, const struct box *ice)
            part->box.max.y > ice->min.y - hair;
 }
 
+/* How far something reaches from an upright axis, by direction. */
+struct reach {
+    vec3s foot; /* on the axis */
+    float out[BEARINGS];
+};
+
+static float bearing_of(const struct reach *reach, vec3s p)
+{
+    const float turn = atan2f(p.z - reach->foot.z, p.x - reach->foot.x) / 6.28318531f;
+    return (turn - floorf(turn)) * (float)BEARINGS;
+}
+
+static void reach_put(struct reach *reach, vec3s p)
+{
+    float *out = &reach->out[(uint32_t)bearing_of(reach, p) % BEARINGS];
+    *out = fmaxf(*out, hypotf(p.x - reach->foot.x, p.z - reach->foot.z));
+}
+
+/* Returns the reach in the direction of a point. */
+static float reach_at(const struct reach *reach, vec3s p)
+{
+    const float at = bearing_of(reach, p) + (float)BEARINGS - 0.5f;
+    const uint32_t before = (uint32_t)at;
+    return glm_lerp(reach->out[before % BEARINGS], reach->out[(before + 1) % BEARINGS],
+                    at - (float)before);
+}
+
+/* Returns how far the lowest part of an object reaches. */
+static struct reach reach_of(const struct object *object, const struct mesh *mesh, vec3s foot)
+{
+    const struct box box = object_box(object, mesh);
+    const float low = box.min.y + LOWEST * (box.max.y - box.min.y);
+    struct reach reach = { .foot = foot };
+    for (uint32_t i = 0; i < object->index_count; i++) {
+        const vec3s p = mesh->vertices[mesh->indices[object->first_index + i]].position;
+        if (p.y <= low)
+            reach_put(&reach, p);
+    }
+    return reach;
+}
+
+/* Water that has climbed the ice stays there: what is nearer than the ice's surface moves with it,
+ * and the rest is stretched. */
+static float spread_from(float out, float before, float after, float edge, float share)
+{
+    if (!(before > 0.0f && edge > 1.01f * before))
+        return share * out;
+    if (out < before)
+        return out * after / before;
+    return after + (out - before) * (share * edge - after) / (edge - before);
+}
+
+/* Spreads a part; the ice reaches as far as `before` and `after` tell. */
+static void spread_part(const struct parts *parts, const struct part *part, struct mesh *mesh,
+                        const struct reach *before, const struct reach *after, float spread)
+{
+    const vec3s foot = before->foot;
+    const vec3s sides = glms_vec3_sub(part->box.max, part->box.min);
+    const float radius = 0.25f * (sides.x + sides.z);
+    const float share = hypotf(radius, spread) / fmaxf(radius, 1e-20f);
+    struct reach edge = { .foot = foot };
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (part_of(parts, i) == part)
+            reach_put(&edge, mesh->vertices[i].position);
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        vec3s *p = &mesh->vertices[i].position;
+        if (part_of(parts, i) != part)
+            continue;
+        const float out = hypotf(p->x - foot.x, p->z - foot.z);
+        const float to =
+            spread_from(out, reach_at(before, *p), reach_at(after, *p), reach_at(&edge, *p), share);
+        const float grown = to / fmaxf(out, 1e-20f);
+        p->x = foot.x + grown * (p->x - foot.x);
+        p->z = foot.z + grown * (p->z - foot.z);
+    }
+}
+
 bool melt_parts_spread(struct model *model, uint32_t object, const struct melt_parts_ice *ice)
 {
     struct mesh *mesh = &model->object;
     const vec3s foot = box_center(ice->object->box);
+    const struct reach before = reach_of(ice->object, ice->grown, foot);
+    const struct reach after = reach_of(ice->object, mesh, foot);
     struct parts parts;
     if (!parts_init(&parts, mesh, &model->objects[object]))
         return false;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        const struct part *part = part_of(&parts, i);
-        if (!part || !is_below(part, &ice->object->box))
-            continue;
-        const vec3s sides = glms_vec3_sub(part->box.max, part->box.min);
-        const float radius = 0.25f * (sides.x + sides.z);
-        const float share = hypotf(radius, ice->spread) / fmaxf(radius, 1e-20f);
-        vec3s *p = &mesh->vertices[i].position;
-        p->x = foot.x + share * (p->x - foot.x);
-        p->z = foot.z + share * (p->z - foot.z);
+    for (uint32_t i = 0; i < parts.weld.count; i++) {
+        if (is_below(&parts.all[i], &ice->object->box))
+            spread_part(&parts, &parts.all[i], mesh, &before, &after, ice->spread);
     }
     parts_finish(&parts);
     return true;

@@ -13,7 +13,7 @@ enum {
 const struct quality qualities[QUALITY_COUNT] = {
     [DRAFT] = { "draft", "coarse surroundings, infinitely far away, and few reflections", 1 },
     [NORMAL] = { "normal", "the defaults of all settings", 1 },
-    [HIGH] = { "high", "16 samples, all reflections inside, and shadows of all light", 16 },
+    [HIGH] = { "high", "16 samples, all reflections inside, and shadows of all light", 16, true },
 };
 
 const struct quality_row quality_rows[] = {
@@ -25,6 +25,7 @@ const struct quality_row quality_rows[] = {
     { "air.steps", { [DRAFT] = "0", [HIGH] = "16" } },
     { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
     { "ground.light", { [HIGH] = "traced" } },
+    { "tonemap.dither", { [HIGH] = "on" } },
     { "reference.photons", { [DRAFT] = "200000", [HIGH] = "4000000" } },
     { 0 },
 };

@@ -12,6 +12,7 @@ struct quality {
     const char *name;
     const char *help;
     uint32_t samples; /* of firn render, unless --samples says */
+    bool is_smooth;   /* firn render's filter is blackman-harris, unless --pixel-filter says */
 };
 
 extern const struct quality qualities[QUALITY_COUNT];

@@ -30,7 +30,8 @@
 #include "src/tech/refract_bounce.h"
 #include "src/tech/row_builder.h"
 
-static rg_record_fn record_ground, record_photons, record_clear, record_splat, record_layers;
+static rg_record_fn record_ground, record_photons, record_traced, record_clear, record_splat;
+static rg_record_fn record_layers;
 
 #define PICTURE(title, texel) \
     { \
@@ -105,6 +106,13 @@ static const struct rg_use photon_uses[] = {
     FRAME_READ(back_depth, REFRACT_DEPTH_BACK),
     FRAME_SAMPLE(front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
     FRAME_READ(ice_caustics_front_depth, REFRACT_DEPTH_FRONT),
+    FRAME_READ(ice_caustics_ground, ICE_CAUSTICS_GROUND),
+    { 0 },
+};
+
+/* Besides those of the rung `trace`. */
+static const struct rg_use traced_uses[] = {
+    USE_LIGHT,
     FRAME_READ(ice_caustics_ground, ICE_CAUSTICS_GROUND),
     { 0 },
 };
@@ -216,7 +224,7 @@ static void record_ground(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
-static void record_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
+static void push_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct refract_bounce_params *bounce =
         settings_of(frame->settings, &refract_bounce_settings);
@@ -228,7 +236,18 @@ static void record_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
         .sun = pool->sun,
     };
     rg_cmd_push(cmd, &push, sizeof(push));
+}
+
+static void record_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push_photons(cmd, frame);
     rg_cmd_draw_mesh(cmd, &frame->object);
+}
+
+static void record_traced(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push_photons(cmd, frame);
+    rg_cmd_draw(cmd, 3);
 }
 
 static void record_clear(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -304,11 +323,18 @@ static struct rg_technique make_maps(const struct technique_choice *choice,
     const struct rg_use *const uses[] = { photon_uses, bump_uses };
     if (!is_on(choice->settings))
         return (struct rg_technique){ 0 };
-    if (!bump.is_on(choice->settings))
+    const bool is_traced =
+        choice->rung && choice->rung->rung.trace_photons && choice->meets_surroundings;
+    if (!is_traced && !bump.is_on(choice->settings))
         return (struct rg_technique)RG_TECHNIQUE("ice_caustics", passes);
     struct rg_pass *made = row_builder_rows(builder, passes, count);
     if (!made)
         return (struct rg_technique){ 0 };
+    if (is_traced) {
+        choice->rung->rung.trace_photons(&made[PHOTONS_ROW], choice, builder, traced_uses);
+        made[PHOTONS_ROW].record = record_traced;
+        return (struct rg_technique){ "ice_caustics", made, count };
+    }
     made[PHOTONS_ROW].uses = row_builder_uses(builder, uses, 2);
     made[PHOTONS_ROW].vert = &refract_bump_vert;
     made[PHOTONS_ROW].frag = &ice_caustics_photons_bump_frag;

@@ -337,6 +337,10 @@ static const struct rg_use surface_uses[] = {
     FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &repeated),
     FRAME_SAMPLE(frame_numbers, BACKGROUND_NUMBERS, .sampler = &repeated),
     FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL),
+    { 0 },
+};
+
+static const struct rg_use light_uses[] = {
     FRAME_SAMPLE(frame_environment, BACKGROUND_ENVIRONMENT, .sampler = &around),
     FRAME_SAMPLE(frame_surface_light, BACKGROUND_LIGHT, .sampler = &around),
     FRAME_SAMPLE(frame_surface_split, BACKGROUND_SPLIT, .sampler = &frame_linear),
@@ -388,6 +392,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     const struct rg_use *const uses[] = {
         tree_uses,
         choice->meets_surroundings ? surface_uses : cube_uses,
+        choice->meets_surroundings ? light_uses : NULL,
         choice->meets_surroundings ? sun_uses
         : is_layers                ? scene_uses
                                    : NULL,
@@ -403,6 +408,19 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     row->frag = frags[choice->queries][choice->meets_surroundings][choice->disperses][is_layers];
     row->record = choice->lights_surroundings || is_layers ? frame_draw_screen : record_objects;
     return (struct rg_technique){ refract_trace.name, row, 1 };
+}
+
+static void trace_photons(struct rg_pass *row, const struct technique_choice *choice,
+                          struct row_builder *builder, const struct rg_use *own)
+{
+    const struct rg_use *const uses[] = { tree_uses, surface_uses, own };
+    row->depth = (struct rg_target){ 0 };
+    row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    row->vert = &refract_seen_vert;
+    row->frag = choice->disperses ? &refract_trace_rays_photons_colors_frag
+                                  : &refract_trace_rays_photons_frag;
+    row->vertices = NULL;
+    row->cull = VK_CULL_MODE_NONE;
 }
 
 static struct rg_technique color_rows(const struct technique_choice *choice,
@@ -518,7 +536,8 @@ const struct technique refract_trace = {
               .by_pixel = true,
               .is_whole = true,
               .meets_tree = true,
-              .choose = choose },
+              .choose = choose,
+              .trace_photons = trace_photons },
     .layers = layers,
     .uploads = uploads,
     .imports = imports,

@@ -108,6 +108,11 @@ struct technique_rung {
     bool meets_tree;    /* it reads the tree of the scene's triangles (scene.tree) */
     /* Sets what a choice, of which the rest is known, has of its rung; may be NULL. */
     void (*choose)(struct technique_choice *choice, const struct scene *scene);
+    /* Makes a row of ice_caustics.c that of photons which go through the triangles of the whole
+     * scene, for choices that meet surroundings. `own` are its further uses, which end at {0}; its
+     * targets and its record function stay. NULL: photons are drawn. */
+    void (*trace_photons)(struct rg_pass *row, const struct technique_choice *choice,
+                          struct row_builder *builder, const struct rg_use *own);
 };
 
 /* A buffer that the host fills in every frame whose plan has it. */

@@ -62,6 +62,13 @@ static const struct setting rows[] = {
         .affects = SETTING_AFFECTS_PLAN,
         .help = "tone curve of highlights in PNG pictures",
     },
+    {
+        .name = "tonemap.dither",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct tonemap_params, dither),
+        .max = 1,
+        .help = "dither PNG files of 8 bits: noise of one step, in place of bands",
+    },
 };
 
 const struct setting_group tonemap_settings = SETTING_GROUP("tonemap", rows, struct tonemap_params);

@@ -189,11 +189,12 @@ enum status option_samples(const struct option *option, void *at, const char *va
 
 enum status option_pixel_filter(const struct option *option, void *at, const char *value)
 {
-    enum pixel_filter *filter = at;
+    struct app_picture *picture = at;
     const int i = option_find_word(pixel_filter_names, PIXEL_FILTER_COUNT, value);
     if (i < 0)
         return option_refuse(option, value, "box, point or blackman-harris");
-    *filter = (enum pixel_filter)i;
+    picture->filter = (enum pixel_filter)i;
+    picture->is_filter_named = true;
     return STATUS_OK;
 }
 

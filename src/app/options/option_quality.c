@@ -12,6 +12,7 @@ enum status option_quality(const struct option *option, void *at, const char *va
     if (level < 0)
         return option_refuse(option, value, "draft, normal or high");
     picture->level_samples = qualities[level].samples;
+    picture->level_is_smooth = qualities[level].is_smooth;
     for (const struct quality_row *row = quality_rows; row->setting; row++) {
         const size_t index = settings_index(settings_find(row->setting));
         if (!scene->is_set[index] && !scene->is_preset[index])

@@ -58,6 +58,8 @@ enum status option_settle_reference(struct app_options *o)
     const char *limit = render->noise > 0.0 ? "noise" : render->seconds > 0.0 ? "time" : NULL;
     const bool is_named = o->picture.is_rung_named;
     const uint32_t usual = o->picture.level_samples ? o->picture.level_samples : 1;
+    if (o->picture.level_is_smooth && !o->picture.is_filter_named)
+        o->picture.filter = PIXEL_FILTER_BLACKMAN_HARRIS;
     if (!o->picture.samples)
         o->picture.samples = limit ? SAMPLES_MAX : usual;
     if (o->picture.rung != &refract_reference && (limit || render->keep_sums)) {
