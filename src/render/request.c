@@ -48,8 +48,8 @@ static struct technique_choice choose(const struct renderer_params *params,
         .has_extras = params->scene->extra_rows != NULL,
         .disperses = frame_media_disperse(params->scene, params->settings),
         .has_cube = params->scene->cube.texels != NULL,
-        .has_rays = params->gpu->has_rays,
-        .has_fast_rays = params->gpu->has_rays &&
+        .has_rays = params->gpu && params->gpu->has_rays, /* `firn graph` has no device */
+        .has_fast_rays = params->gpu && params->gpu->has_rays &&
                          params->gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU,
         .object_count = params->scene->has_pool ? 0 : params->scene->model.object_count,
     };
