@@ -234,9 +234,10 @@ static void print_text(struct scene *scene, const struct technique *rung)
                (double)model->camera.fov_deg);
     printf("rung unless --refraction names one: %s\n", rung->rung.name);
     if (tree_node_count(scene->tree))
-        printf("tree that its rays meet: %u nodes, %u triangles, %.1f MiB, built in %.1f ms\n",
+        printf("tree that its rays meet: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
                tree_node_count(scene->tree), scene->tree->triangle_count,
-               (double)tree_size(scene->tree) / (1 << 20), scene->tree->ms);
+               (double)tree_size(scene->tree) / (1 << 20),
+               scene->tree->read ? "from the cache" : "built", scene->tree->ms);
     print_cameras(model);
     print_extensions(model);
     print_lights(model);
@@ -428,9 +429,9 @@ static json_t *animations_of(const struct model *model)
 
 static json_t *tree_of(const struct tree *tree)
 {
-    return json_pack("{s:i, s:i, s:I, s:f}", "nodes", (int)tree_node_count(tree), "triangles",
+    return json_pack("{s:i, s:i, s:I, s:f, s:b}", "nodes", (int)tree_node_count(tree), "triangles",
                      (int)tree->triangle_count, "bytes", (json_int_t)tree_size(tree), "ms",
-                     tree->ms);
+                     tree->ms, "cached", tree->read > 0);
 }
 
 static enum status print_json(const char *name, const struct scene *scene,
@@ -482,7 +483,7 @@ enum status app_info(const struct app_options *o)
         return status;
     app_choose_rung(&picture, &scene, NULL);
     if (picture.rung->rung.meets_tree)
-        status = scene_need_tree(&scene);
+        status = scene_need_tree(&scene, !o->run.gpu.no_cache);
     if (status == STATUS_TRY_AGAIN) {
         scene_finish(&scene);
         return status;

@@ -150,7 +150,7 @@ enum status renderer_need_tree(struct renderer *r)
         r->own_scene.tree = &r->own_tree;
         r->params.scene = &r->own_scene;
     }
-    const enum status status = scene_need_tree(r->params.scene);
+    const enum status status = scene_need_tree(r->params.scene, !r->params.gpu->no_cache);
     struct tree *tree = r->params.scene->tree;
     const uint32_t most = r->params.gpu->properties.limits.maxTexelBufferElements;
     if (status == STATUS_OK && !tree->is_stored)

@@ -437,7 +437,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     return status;
 }
 
-enum status scene_need_tree(const struct scene *scene)
+enum status scene_need_tree(const struct scene *scene, bool is_cached)
 {
     const struct tree_params params = {
         .model = &scene->model,
@@ -445,6 +445,7 @@ enum status scene_need_tree(const struct scene *scene)
         .cracks = &scene->cracks,
         .bubbles = &scene->bubbles,
         .rest = scene->rest,
+        .is_cached = is_cached && (scene->rest || !scene->is_animated),
     };
     return scene->tree->nodes.all ? STATUS_OK : tree_init(scene->tree, &params);
 }

@@ -160,9 +160,10 @@ MUST_USE enum status scene_fill_object(struct scene *scene, const struct scene_p
  * when out of memory. */
 MUST_USE enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cracks);
 
-/* Builds the scene's tree, unless that has been done; the scene must have been loaded. Only one
- * thread may call it at the same time. Logs and returns STATUS_DATA or STATUS_TRY_AGAIN. */
-MUST_USE enum status scene_need_tree(const struct scene *scene);
+/* Builds the scene's tree, unless that has been done; the scene must have been loaded. Shapes of
+ * large trees that do not change in time may come from files of earlier runs (`is_cached`). Only
+ * one thread may call it at the same time. Logs and returns STATUS_DATA or STATUS_TRY_AGAIN. */
+MUST_USE enum status scene_need_tree(const struct scene *scene, bool is_cached);
 
 void scene_finish(struct scene *scene);
 

@@ -393,8 +393,10 @@ static bool shape_parts(struct tree_shape *shapes, const struct tree_part *parts
     }
     for (uint32_t i = 0; i < TREE_PART_COUNT && done; i++) {
         struct tree_shape *at_rest = is_posed && i != TREE_INCLUSIONS ? &rest->shapes[i] : NULL;
+        work->is_cached = params->is_cached && i != TREE_INCLUSIONS;
         if (at_rest && !at_rest->draft.nodes)
             done = tree_shape_make(at_rest, &rest_parts[i], work) && tree_shape_pack(at_rest);
+        work->is_cached = work->is_cached && !is_posed;
         if (done && at_rest)
             done = tree_shape_pose(&shapes[i], &parts[i], at_rest, &rest_parts[i], work);
         else if (done)
@@ -465,6 +467,7 @@ static bool build(struct tree *tree, const struct tree_params *params)
     tree->built = work.built;
     tree->shared = work.shared;
     tree->fitted = work.fitted;
+    tree->read = work.read;
     for (int i = 0; i < TREE_PART_COUNT; i++)
         tree_shape_finish(&shapes[i]);
     tree_parts_finish(parts);

@@ -39,8 +39,9 @@ struct tree {
     bool is_stored;        /* a device's buffers of texels are too small for it; set by its user */
     double ms;             /* time that tree_init() took */
     uint32_t built, shared,
-        fitted; /* trees of objects: built by tree_init(); those of alike objects
+        fitted;    /* trees of objects: built by tree_init(); those of alike objects
                                        that it built; kept from the model at rest */
+    uint32_t read; /* from files of an earlier run, of objects and all others */
 };
 
 struct tree_shape;
@@ -74,6 +75,7 @@ struct tree_params {
     const struct bubbles *bubbles; /* in the ice */
     struct tree_rest *rest;        /* of a model that has poses; NULL: one tree for all objects */
     uint32_t threads;              /* at most; 0: one for each core */
+    bool is_cached; /* large trees, of poses those at rest, are kept in files between runs */
 };
 
 /*

@@ -6,12 +6,8 @@
 #include <stdbool.h>
 
 enum {
-    BIN_COUNT = 16,
     PARALLEL_MIN = 1 << 13, /* triangles of a part that is worth a thread */
 };
-
-/* Cost of a node, in tests of a triangle. */
-#define NODE_COST 1.2f
 
 static struct tree_box nowhere(void)
 {
@@ -46,7 +42,7 @@ struct bin {
 /* Triangles by their middles, along each axis. */
 struct bins {
     float low[3], scale[3]; /* scale 0: all middles are the same */
-    struct bin all[3][BIN_COUNT];
+    struct bin all[3][TREE_BIN_COUNT];
 };
 
 struct cut {
@@ -58,7 +54,7 @@ struct cut {
 static uint32_t bin_of(const struct bins *bins, const struct tree_box *box, int axis)
 {
     const uint32_t bin = (uint32_t)((middle(box, axis) - bins->low[axis]) * bins->scale[axis]);
-    return bin < BIN_COUNT ? bin : BIN_COUNT - 1;
+    return bin < TREE_BIN_COUNT ? bin : TREE_BIN_COUNT - 1;
 }
 
 static void fill_bins(struct bins *bins, const struct tree_draft *draft,
@@ -74,8 +70,9 @@ static void fill_bins(struct bins *bins, const struct tree_draft *draft,
     for (int axis = 0; axis < 3; axis++) {
         const float extent = middles.high[axis] - middles.low[axis];
         bins->low[axis] = middles.low[axis];
-        bins->scale[axis] = extent > FLT_MIN * BIN_COUNT ? (float)BIN_COUNT / extent : 0.0f;
-        for (int i = 0; i < BIN_COUNT; i++)
+        bins->scale[axis] =
+            extent > FLT_MIN * TREE_BIN_COUNT ? (float)TREE_BIN_COUNT / extent : 0.0f;
+        for (int i = 0; i < TREE_BIN_COUNT; i++)
             bins->all[axis][i] = (struct bin){ nowhere(), 0 };
     }
     for (uint32_t i = node->first; i < node->first + node->count; i++) {
@@ -92,17 +89,17 @@ static void fill_bins(struct bins *bins, const struct tree_draft *draft,
 static void try_axis(struct cut *best, const struct bins *bins, int axis)
 {
     const struct bin *bin = bins->all[axis];
-    float right[BIN_COUNT];
+    float right[TREE_BIN_COUNT];
     struct tree_box box = nowhere();
     uint32_t count = 0;
-    for (uint32_t i = BIN_COUNT - 1; i > 0; i--) {
+    for (uint32_t i = TREE_BIN_COUNT - 1; i > 0; i--) {
         enclose(&box, &bin[i].box);
         count += bin[i].count;
         right[i] = count ? area_of(&box) * (float)count : FLT_MAX;
     }
     box = nowhere();
     count = 0;
-    for (uint32_t i = 1; i < BIN_COUNT; i++) {
+    for (uint32_t i = 1; i < TREE_BIN_COUNT; i++) {
         enclose(&box, &bin[i - 1].box);
         count += bin[i - 1].count;
         const float cost = area_of(&box) * (float)count + right[i];
@@ -150,7 +147,7 @@ static uint32_t split(struct tree_draft *draft, const struct tree_node *node, ui
     struct bins bins;
     const bool may_end = node->count <= draft->leaf_max;
     const float area = area_of(&node->box);
-    struct cut cut = { may_end ? ((float)node->count - NODE_COST) * area : FLT_MAX, -1, 0 };
+    struct cut cut = { may_end ? ((float)node->count - TREE_NODE_COST) * area : FLT_MAX, -1, 0 };
     if (node->count < 2)
         return 0;
     if (has_room(draft, node->count, left)) {
@@ -230,7 +227,7 @@ static double sum_cost(const struct tree_draft *draft, uint32_t at)
     const double area = (double)area_of(&node->box);
     if (!node->children[0])
         return area * (double)node->count;
-    return area * (double)NODE_COST + sum_cost(draft, node->children[0]) +
+    return area * (double)TREE_NODE_COST + sum_cost(draft, node->children[0]) +
            sum_cost(draft, node->children[1]);
 }
 

@@ -6,8 +6,12 @@
 #include "shaders/tree.h"
 
 enum {
-    TREE_LEAF_MAX = 4, /* triangles of a leaf */
+    TREE_LEAF_MAX = 4,   /* triangles of a leaf */
+    TREE_BIN_COUNT = 16, /* between which triangles are parted, along each axis */
 };
+
+/* Cost of a node, in tests of a triangle. */
+#define TREE_NODE_COST 1.2f
 
 struct tree_box {
     float low[3], high[3];
@@ -31,6 +35,16 @@ struct tree_draft {
 struct tree_range {
     uint32_t first, count; /* not 0 */
     uint32_t root;
+};
+
+/* The tree of a part (tree_shape.h). */
+struct tree_shape {
+    struct tree_draft draft; /* of a finished shape, without boxes */
+    struct tree_range *groups;
+    uint32_t count, group_count; /* triangles; groups */
+    uint32_t node_count;         /* places of nodes */
+    uint32_t root;               /* of the whole part */
+    uint32_t depth;              /* nodes that a way within a group may have */
 };
 
 /* Returns how many nodes a way has to a leaf if each node halves its triangles. */

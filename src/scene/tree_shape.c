@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/alike.h"
+#include "src/scene/tree_cache.h"
 
 enum {
     LEVELS_FREE = 4, /* that the tree of groups may have beyond those it needs */
@@ -189,6 +190,16 @@ static bool share(struct tree_shape *shape, const struct tree_part *part, const 
     return false;
 }
 
+static void place_groups(struct tree_shape *shape, const struct tree_part *part)
+{
+    const bool is_one = shape->group_count == 1;
+    for (uint32_t i = 0; i < shape->group_count; i++) {
+        const uint32_t first = is_one ? 0 : part->firsts[i];
+        const uint32_t end = is_one ? part->count : part->firsts[i + 1];
+        shape->groups[i] = (struct tree_range){ first, end - first, 2 * first + 1 };
+    }
+}
+
 /* Makes the trees of all groups. */
 static void make_groups(struct tree_shape *shape, const struct tree_part *part,
                         struct tree_work *work)
@@ -196,22 +207,33 @@ static void make_groups(struct tree_shape *shape, const struct tree_part *part,
     struct known known = { .count = 0 };
     for (uint32_t i = 0; i < shape->group_count; i++) {
         struct tree_range *range = &shape->groups[i];
-        const bool is_one = shape->group_count == 1;
-        const uint32_t first = is_one ? 0 : part->firsts[i];
-        const uint32_t end = is_one ? part->count : part->firsts[i + 1];
-        *range = (struct tree_range){ first, end - first, 2 * first + 1 };
         if (share(shape, part, &known, range)) {
             work->shared++;
             continue;
         }
         tree_build(&shape->draft, range, shape->depth, work->threads);
         work->built++;
-        if (is_one)
+        if (shape->group_count == 1)
             continue;
         const uint32_t slot = known.count++ % KNOWN_MAX;
         known.groups[slot] = i;
         known.anchors[slot] = find_anchor(part, range->first, range->count);
     }
+}
+
+/* Makes the trees of all groups, or, of a large part, finds them in a file. */
+static void get_groups(struct tree_shape *shape, const struct tree_part *part,
+                       struct tree_work *work)
+{
+    const bool is_cached = work->is_cached && part->count >= TREE_CACHE_MIN;
+    const uint64_t key = is_cached ? tree_cache_key(part) : 0;
+    if (is_cached && tree_cache_load(shape, key)) {
+        work->read += shape->group_count;
+        return;
+    }
+    make_groups(shape, part, work);
+    if (is_cached)
+        tree_cache_save(shape, key);
 }
 
 bool tree_shape_make(struct tree_shape *shape, const struct tree_part *part, struct tree_work *work)
@@ -223,7 +245,8 @@ bool tree_shape_make(struct tree_shape *shape, const struct tree_part *part, str
         return false;
     shape->depth = depth;
     shape->node_count = 2 * part->count + 1;
-    make_groups(shape, part, work);
+    place_groups(shape, part);
+    get_groups(shape, part, work);
     const bool done = join(shape);
     free_boxes(shape);
     return done;

@@ -10,22 +10,15 @@
 
 #include "src/scene/tree_part.h"
 
-struct tree_shape {
-    struct tree_draft draft; /* its boxes are gone */
-    struct tree_range *groups;
-    uint32_t count, group_count; /* triangles; groups */
-    uint32_t node_count;         /* places of nodes */
-    uint32_t root;               /* of the whole part */
-    uint32_t depth;              /* nodes that a way within a group may have */
-};
-
 /* What has been done. */
 struct tree_work {
     uint32_t threads;
+    bool is_cached;                 /* large trees are read from files, and written to them */
     uint32_t built, shared, fitted; /* groups whose tree is new, that of an alike one, kept */
+    uint32_t read;                  /* those whose tree is from a file */
 };
 
-/* Makes the tree of a part. Returns false when out of memory. */
+/* Makes the tree of a part; one that is cached has no bubbles. Returns false when out of memory. */
 MUST_USE bool tree_shape_make(struct tree_shape *shape, const struct tree_part *part,
                               struct tree_work *work);
 
