@@ -99,12 +99,10 @@ static bool want(const struct feature *feature, const struct gpu_features *has,
     return there;
 }
 
-const char *gpu_features_choose(VkPhysicalDevice physical, struct gpu_features *wanted)
+const char *gpu_features_choose(VkPhysicalDevice physical, bool rays, struct gpu_features *wanted)
 {
     struct gpu_features has;
-    struct gpu_offer offer;
     const char *missing = NULL;
-    const bool rays = gpu_offer_find(physical, &offer) == VK_SUCCESS && offer.rays;
     chain(&has, rays);
     chain(wanted, rays);
     vkGetPhysicalDeviceFeatures2(physical, &has.core);
@@ -180,7 +178,7 @@ static void find_refusal(const struct gpu *gpu, VkPhysicalDevice physical,
     if (version < VK_API_VERSION_1_3)
         snprintf(refused, size, "expected Vulkan 1.3, got %u.%u", VK_API_VERSION_MAJOR(version),
                  VK_API_VERSION_MINOR(version));
-    else if ((missing = gpu_features_choose(physical, &wanted)))
+    else if ((missing = gpu_features_choose(physical, false, &wanted)))
         snprintf(refused, size, "no %s", missing);
     else if (gpu->windows && !has_swapchain(physical))
         snprintf(refused, size, "no %s, which windows need", VK_KHR_SWAPCHAIN_EXTENSION_NAME);

@@ -96,7 +96,7 @@ static enum status open_device(struct gpu *gpu)
     VkResult result = gpu_offer_find(gpu->physical, &offer);
     if (result != VK_SUCCESS)
         return gpu_failed("vkEnumerateDeviceExtensionProperties", result);
-    (void)gpu_features_choose(gpu->physical, &features); /* the chosen device lacks none */
+    (void)gpu_features_choose(gpu->physical, offer.rays, &features); /* it lacks none */
     gpu->portability_subset = offer.portability_subset;
     result = create_device(gpu, &features, &gpu->device);
     if (result != VK_SUCCESS) {
@@ -162,7 +162,7 @@ void gpu_destroy(struct gpu *gpu)
 bool gpu_twin_create(struct gpu_twin *twin, const struct gpu *gpu)
 {
     struct gpu_features features;
-    (void)gpu_features_choose(gpu->physical, &features);
+    (void)gpu_features_choose(gpu->physical, gpu->has_rays, &features);
     if (create_device(gpu, &features, &twin->device) != VK_SUCCESS)
         return false;
     vkGetDeviceQueue(twin->device, gpu->queue_family, 0, &twin->queue);

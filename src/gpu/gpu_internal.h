@@ -73,9 +73,9 @@ struct gpu_features {
 };
 
 /* Chains *wanted and sets the features that firn needs, and those that it uses where the device has
- * them. Returns the name of the first needed feature that the device lacks, or NULL. The device
- * must support Vulkan 1.3. */
-const char *gpu_features_choose(VkPhysicalDevice physical, struct gpu_features *wanted);
+ * them; those of gpu_ray_extensions only if it offers these, which is `rays`. Returns the name of
+ * the first needed feature that the device lacks, or NULL. The device must support Vulkan 1.3. */
+const char *gpu_features_choose(VkPhysicalDevice physical, bool rays, struct gpu_features *wanted);
 
 /* Makes gpu->pipeline_cache from the file of an earlier run. A damaged file is ignored with a
  * warning. */
