@@ -328,7 +328,7 @@ def cracks():
     mesh = Mesh([], [], [])
     for i, (at, turn, size) in enumerate((
             ((0.004, 0.0165, -0.003), (25, 62, 20), 0.0066),
-            ((0.0092, 0.0205, -0.0052), (52, 74, 15), 0.0072),  # it reaches two faces
+            ((0.0075, 0.0185, -0.0045), (52, 74, 15), 0.0058),  # to below the upper face
             ((-0.005, 0.011, 0.002), (120, 35, 75), 0.0058))):
         mesh.join(crack(size, 70 + i, gap=0.00004, bend=14).placed(turned(*turn), at))
     return mesh
