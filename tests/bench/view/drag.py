@@ -47,15 +47,16 @@ def full_frame(desktop, firn, folder):
 
 
 def main():
+    firn = pathlib.Path(sys.argv[1]).resolve()  # it runs in another folder
     found = []
     desktop = Desktop(1600, 1000)
     try:
         with tempfile.TemporaryDirectory() as folder:
             for _ in range(RUNS):
-                words = run(desktop, sys.argv[1], folder)
+                words = run(desktop, firn, folder)
                 print(words, end='')
                 found.append([float(x) for x in re.search(LINE, words).groups()])
-            full = full_frame(desktop, sys.argv[1], folder)
+            full = full_frame(desktop, firn, folder)
     finally:
         desktop.close()
     medians = [statistics.median(column) for column in zip(*found)]
