@@ -3,8 +3,8 @@
 #include <cglm/struct.h>
 
 enum {
-    SIDE = 48
-}; /* lines along each side of a rectangle */
+    SIDE = 48 /* lines along each side of a rectangle */
+};
 
 /* Lines along one of the directions below, across the other two. */
 struct grid {
@@ -24,8 +24,9 @@ static const vec3s directions[3] = {
 
 static vec2s place(const struct grid *grid, vec3s point)
 {
-    return (
-        vec2s){ { glms_vec3_dot(grid->across[0], point), glms_vec3_dot(grid->across[1], point) } };
+    const vec2s at = { { glms_vec3_dot(grid->across[0], point),
+                         glms_vec3_dot(grid->across[1], point) } };
+    return at;
 }
 
 static void spread(struct grid *grid, const struct mesh *mesh)
