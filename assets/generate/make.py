@@ -1,13 +1,15 @@
 """make.py: makes all files of assets/ anew; the same version of zlib makes the same bytes.
 
-Usage: make.py FOLDER [NAME...]   NAME: drink, amber, hollow, slate, studio or window; default: all
+Usage: make.py FOLDER [NAME...]
+    NAME: drink, amber, hollow, ice_cube, slate, studio or window; default: all
 """
 import importlib
 import pathlib
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-FILES = {'amber': 'amber.glb', 'drink': 'drink.glb', 'hollow': 'hollow.glb', 'slate': 'slate.glb',
+FILES = {'amber': 'amber.glb', 'drink': 'drink.glb', 'hollow': 'hollow.glb',
+         'ice_cube': 'ice-cube.glb', 'slate': 'slate.glb',
          'studio': 'studio.exr', 'window': 'window.exr'}
 
 

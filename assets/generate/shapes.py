@@ -408,9 +408,8 @@ def crack(radius, seed, gap=0.00006, bend=9.0, rings=12, segments=42):
     return Mesh(points, faces, [scale(normal(x, z), s) for s, (x, _, z) in zip(signs, points)])
 
 
-def film(outline, level, thick, rim, center=(0, 0)):
+def film(outline, level, thick, rim, center=(0, 0), rings=12, segments=168):
     """Water with a flat rim, that ends below the ground; outline(angle) is a place on its edge."""
-    rings, segments = 12, 168
     points = [(center[0], level + thick, center[1])]
     edge = [outline(2 * math.pi * k / segments) for k in range(segments)]
     for ring in range(1, rings + 1):

@@ -12,7 +12,6 @@ MIDDLE = (0, 0.0128, 0)
 TURN = turned(24)
 VIEW = turned(165.6)  # of all, towards the finest mountains
 SLAB = (0.15, -0.125, 0.085, 0.012)  # half width, near and far edge, thickness
-COLUMNS, ROWS = 102, 84
 SIDE = 256  # texels of the textures' sides
 TILE = 0.042  # metres after which the stone's grain repeats
 # The grain: waves along x and z in a tile, and their height, metres.
@@ -118,9 +117,9 @@ def wetness(x, z):
     return smoothstep(-0.2, 0.3, 0.95 * near - 0.28 + patches)
 
 
-def place(i, j):
-    """A point of the grid: close to each other near the ice; the edges are broken."""
-    s, t = 2 * i / COLUMNS - 1, 2 * j / ROWS - 1
+def place(s, t):
+    """A point of the slab, for -1 to 1 from edge to edge: what is close to the ice is spread out,
+    and the edges are broken."""
     x = SLAB[0] * (0.42 * s + 0.58 * s ** 3)
     middle = -SLAB[1] / (SLAB[2] - SLAB[1]) * 2 - 1  # the row at the ice
     eased = middle + (t - middle) * (0.4 + 0.6 * ((t - middle) / (1 + abs(middle))) ** 2)
@@ -138,20 +137,21 @@ def tone(x, z):
     return scale(base, shade * (1 - 0.45 * wetness(x, z)))
 
 
-def slab():
+def slab(columns=102, rows=84):
     half, near, far, thick = SLAB
-    grid = [place(i, j) for j in range(ROWS + 1) for i in range(COLUMNS + 1)]
+    grid = [place(2 * i / columns - 1, 2 * j / rows - 1)
+            for j in range(rows + 1) for i in range(columns + 1)]
     points = [(x, height(x, z), z) for x, z in grid]
     faces = []
-    for j in range(ROWS):
-        for i in range(COLUMNS):
-            a = j * (COLUMNS + 1) + i
-            b, c, d = a + 1, a + COLUMNS + 2, a + COLUMNS + 1
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i
+            b, c, d = a + 1, a + columns + 2, a + columns + 1
             faces += [(a, d, c), (a, c, b)]
-    edge = [j * (COLUMNS + 1) for j in range(ROWS)]
-    edge += [ROWS * (COLUMNS + 1) + i for i in range(COLUMNS)]
-    edge += [(ROWS - j) * (COLUMNS + 1) + COLUMNS for j in range(ROWS)]
-    edge += [COLUMNS - i for i in range(COLUMNS)]
+    edge = [j * (columns + 1) for j in range(rows)]
+    edge += [rows * (columns + 1) + i for i in range(columns)]
+    edge += [(rows - j) * (columns + 1) + columns for j in range(rows)]
+    edge += [columns - i for i in range(columns)]
     top = Mesh(points, faces)
     count = len(edge)
     sides, side_faces = [], []
@@ -244,14 +244,13 @@ def foot(mesh, segments):
     return reach
 
 
-def meltwater(mesh):
+def meltwater(mesh, thick=FILM, climb=CLIMB, segments=168):
     """The puddle around the block: it climbs the ice, and ends in a rim, here steep, there flat."""
-    segments = 168
     shares = (0, 0.02, 0.05, 0.09, 0.14, 0.2, 0.28, 0.38, 0.5, 0.62, 0.73, 0.82, 0.89, 0.94, 0.975,
               1)
     inner = foot(mesh, segments)
     edge = [puddle(2 * math.pi * k / segments) for k in range(segments)]
-    points = [(0, FILM, 0)]
+    points = [(0, thick, 0)]
     for share in (-1, *shares):
         for k, (x, z) in enumerate(edge):
             out = math.hypot(x, z)
@@ -259,8 +258,8 @@ def meltwater(mesh):
             r = 0.6 * near if share < 0 else near + share * (out - near)
             rim = 0.0021 + 0.0009 * rough(7 + 3 * x / out, 7 + 3 * z / out, 67)
             inward = min((out - r) / rim, 1)
-            high = FILM * (1 - (1 - inward) ** 2.2)
-            high += CLIMB[0] * inward * math.exp(-max(r - near, 0) / CLIMB[1])
+            high = thick * (1 - (1 - inward) ** 2.2)
+            high += climb[0] * inward * math.exp(-max(r - near, 0) / climb[1])
             points.append((x * r / out, high, z * r / out))
     return closed_below(points, edge, (0, 0), 0)
 
@@ -278,14 +277,15 @@ def puddle(angle):
     return out * c, -out * s
 
 
+def run_out(angle):
+    """The edge of the sheet of water, as film() has it."""
+    out = sheet_edge(-angle)
+    return out * math.cos(angle), -out * math.sin(angle)
+
+
 def water():
     """The puddle around the ice, the sheet that has run out of it, and the pools."""
-    mesh = meltwater(block())
-
-    def run_out(angle):
-        out = sheet_edge(-angle)
-        return out * math.cos(angle), -out * math.sin(angle)
-    mesh.join(film(run_out, 0, SHEET[1], 0.003))
+    mesh = meltwater(block()).join(film(run_out, 0, SHEET[1], 0.003))
     for pool in POOLS:
         center, (across, along), turn, _ = pool
         c, s = math.cos(turn), math.sin(turn)
@@ -298,9 +298,9 @@ def water():
     return mesh
 
 
-def block():
+def block(cells=72):
     """Flat below, where it has melted onto the stone."""
-    mesh = ice(HALF, 72, 17, exponent=7, waves=0.00043, cell=0.0031, bulge=0.045, stretch=1.25,
+    mesh = ice(HALF, cells, 17, exponent=7, waves=0.00043, cell=0.0031, bulge=0.045, stretch=1.25,
                fine=0.55)
     mesh.placed(TURN, MIDDLE)
 

@@ -12,7 +12,7 @@
 
 # cube COVERAGE DISTANCE SIDES RUNG CUBE DYNAMIC: ten frames
 cube() {
-    draw "environment-$1-$3-$5.####" ice-cube --frames 0-9 --orbit "28,9,$2" --refraction "$4" \
+    draw "environment-$1-$3-$5.####" valley --frames 0-9 --orbit "28,9,$2" --refraction "$4" \
         --set "env_cube.dynamic=$6" --set motion.count=3 --set cracks.count=2 \
         --set cracks.clip=convex --set air.count=19 --set bubbles.count=0
 }

@@ -22,7 +22,7 @@ draw() {
         words="$words --set $setting"
     done
     # shellcheck disable=SC2086 # words to be split
-    "$firn" render ice-cube --plain --size 640x480 --samples 8 -r "$rung" -q $words \
+    "$firn" render valley --plain --size 640x480 --samples 8 -r "$rung" -q $words \
         ${4-} -o "$out/$name.exr"
 }
 

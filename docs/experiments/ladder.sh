@@ -25,7 +25,7 @@ ladder() {
 for side in 256 512; do
     ladder sphere sphere "$side"
     ladder rounded-cube "$out/rounded-cube.obj" "$side"
-    ladder ice-cube ice-cube "$side"
+    ladder valley valley "$side"
     ladder torus "$out/torus.obj" "$side" --orbit 28,60,4
     ladder teapot teapot "$side"
 done
@@ -34,7 +34,7 @@ import json
 import pathlib
 import sys
 
-SCENES = 'sphere', 'rounded-cube', 'ice-cube', 'torus', 'teapot'
+SCENES = 'sphere', 'rounded-cube', 'valley', 'torus', 'teapot'
 for side in 256, 512:
     said = [json.loads((pathlib.Path(sys.argv[1]) / f'{scene}-{side}.json').read_text())
             for scene in SCENES]

@@ -24,5 +24,5 @@ both() {
 
 heading
 both sphere 960 4.27
-both ice-cube 4800 4.34
+both valley 4800 4.34
 both teapot 14400 2.5

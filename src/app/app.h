@@ -69,6 +69,7 @@ struct app_scene {
     struct settings settings;
     const char *preset;                                                 /* file; NULL: none */
     bool is_set[SETTINGS_FIELD_COUNT], is_preset[SETTINGS_FIELD_COUNT]; /* by --set, --preset */
+    bool is_own[SETTINGS_FIELD_COUNT];                                  /* by the asset's row */
     bool quiet;                                                         /* no notes */
     bool plain; /* without what only ice has, and without highlights */
 };

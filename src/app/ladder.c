@@ -18,7 +18,7 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
 
-static const char default_scene[] = "ice-cube";
+static const char default_scene[] = "valley";
 
 struct job {
     struct app_options o;

@@ -54,13 +54,19 @@ static bool has_ice(const struct scene *scene)
     return scene->has_pool || (scene->model.object_count > 0 && frame_media_are_bare(scene));
 }
 
+/* Returns whether an asset, drawn as it is, has inclusions of this kind. */
+static bool has_own(const struct app_scene *given, const struct technique *technique)
+{
+    return !given->material && given->is_own[settings_index(&technique->settings[0]->rows[0])];
+}
+
 /* Takes off what is not asked for: cracks and the like of whatever is no ice. */
 static void undress(struct app_scene *given, const struct scene *scene)
 {
     const bool is_ice =
         given->material ? !strcmp(given->material, material_presets[0].name) : has_ice(scene);
     for (const struct technique *const *t = techniques; *t; t++) {
-        if ((*t)->is_of_ice && (given->plain || !is_ice))
+        if ((*t)->is_of_ice && (given->plain || (!is_ice && !has_own(given, *t))))
             switch_off(given, *t);
     }
     if (given->plain)
@@ -178,14 +184,18 @@ static void choose_environment(struct app_scene *given)
 static enum status take_settings(struct app_scene *given)
 {
     const struct asset *scene = asset_find(given->name, ASSET_SCENE);
+    memset(given->is_own, 0, sizeof(given->is_own));
     for (uint32_t i = 0; scene && i < ASSET_SETTING_COUNT && scene->settings[i]; i++) {
         struct settings settings = given->settings;
         const struct setting *row;
         const enum status status = settings_assign(&settings, scene->settings[i], NULL, &row);
         if (status != STATUS_OK)
             return status;
-        if (!given->is_set[settings_index(row)] && !given->is_preset[settings_index(row)])
-            given->settings = settings;
+        const size_t index = settings_index(row);
+        if (given->is_set[index] || given->is_preset[index])
+            continue;
+        given->settings = settings;
+        given->is_own[index] = true;
     }
     return STATUS_OK;
 }

@@ -9,6 +9,17 @@
 
 const struct asset assets[] = {
     {
+        .name = "ice-cube",
+        .file = "ice-cube.glb",
+        .kind = ASSET_SCENE,
+        .environment = "alps",
+        .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.reach=1.2",
+                      "tonemap.exposure=0.9", "bubbles.count=400", "bubbles.size=0.014",
+                      "cracks.count=2", "cracks.seed=15", "cracks.refract=gap",
+                      "cracks.bump=0.06" },
+        .help = "cube of ice on wet slate, before mountains",
+    },
+    {
         .name = "drink",
         .file = "drink.glb",
         .kind = ASSET_SCENE,

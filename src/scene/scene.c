@@ -15,7 +15,7 @@
 
 const struct scene_builtin scene_builtins[] = {
     {
-        .name = "ice-cube",
+        .name = "valley",
         .generate = generate_ice_cube,
         .triangles = GENERATE_ICE_CUBE_TRIANGLES,
         .help = "irregular cube of ice in a valley",
@@ -58,6 +58,24 @@ const struct scene_builtin *scene_find_builtin(const char *name)
 bool scene_is_known(const char *name)
 {
     return scene_find_builtin(name) || asset_find(name, ASSET_SCENE);
+}
+
+bool scene_is_environment(const char *name)
+{
+    return !scene_is_known(name) && (asset_is_valley(name) || asset_find(name, ASSET_ENVIRONMENT));
+}
+
+const char *scene_name(uint32_t index)
+{
+    for (const struct scene_builtin *b = scene_builtins; b->name; b++) {
+        if (!index--)
+            return b->name;
+    }
+    for (const struct asset *a = assets; a->name; a++) {
+        if (a->kind == ASSET_SCENE && !index--)
+            return a->name;
+    }
+    return NULL;
 }
 
 /* The ice must fit in the pool at any angle about the vertical axis, with water below it. */

@@ -142,6 +142,13 @@ const struct scene_builtin *scene_find_builtin(const char *name);
 /* Returns whether the name is that of a built-in scene or an asset, so not of a file. */
 bool scene_is_known(const char *name);
 
+/* Returns whether the name is that of an environment that comes with the program, and of no scene:
+ * `valley` is both, but `sky` is the environment alone. */
+bool scene_is_environment(const char *name);
+
+/* Returns the name of one of the built-in scenes, then of the assets, or NULL beyond the last. */
+const char *scene_name(uint32_t index);
+
 /* Loads or generates a scene. Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (the ice
  * does not fit in the pool) or STATUS_TRY_AGAIN; *scene is then {0}. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);

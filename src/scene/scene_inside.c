@@ -51,11 +51,19 @@ static enum status add_air(struct scene *scene, const struct generate_air *air)
     return done ? STATUS_OK : log_out_of_memory("air");
 }
 
+/* Ice with a cloudy core has a clear rim: air is pushed ahead of what freezes first. */
+#define CLEAR_RIM 0.12f
+
 static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
 {
     const bool has_melted = scene->melted.share > 0.0f;
     const struct mesh *grown = has_melted ? &scene->melted.grown : &scene->model.object;
-    bool done = generate_bubbles(&scene->bubbles, grown, bubbles) &&
+    const struct model *model = &scene->model;
+    const bool is_cloudy =
+        model->object_count > 0 && model->materials[model->objects[0].material].cloud > 0.0f;
+    struct generate_bubbles params = *bubbles;
+    params.rim = is_cloudy ? CLEAR_RIM : 0.0f;
+    bool done = generate_bubbles(&scene->bubbles, grown, &params) &&
                 (!has_melted || melt_bubbles(&scene->bubbles, &scene->model.object));
     return done ? STATUS_OK : log_out_of_memory("bubbles");
 }

@@ -3,8 +3,8 @@
 #include <string.h>
 #include "src/base/path.h"
 #include "src/reader/picture_reader.h"
-#include "src/scene/asset.h"
 #include "src/scene/panorama.h"
+#include "src/scene/scene.h"
 
 /* Twice as wide as high, or six faces of a cube in a row. */
 static bool has_panorama_shape(const struct image *image)
@@ -64,7 +64,7 @@ static enum status look_into_picture(const char *path, const struct reader_param
 
 enum status drop_find(const char *path, const struct reader_params *reader, enum drop *drop)
 {
-    if (asset_is_valley(path) || asset_find(path, ASSET_ENVIRONMENT))
+    if (scene_is_environment(path))
         *drop = DROP_ENVIRONMENT;
     else if (path_ends_in(path, ".firn"))
         *drop = DROP_SESSION;

@@ -119,13 +119,13 @@ static const struct {
         .keys = { GLFW_KEY_PAGE_DOWN },
         .name = "Page Down",
         .label = "next model of the folder",
-        .help = "open the next model of the folder, or the next built-in scene",
+        .help = "open the next model of the folder, or the next scene of firn",
     },
     [VIEW_LAST_FILE] = {
         .keys = { GLFW_KEY_PAGE_UP },
         .name = "Page Up",
         .label = "previous model of the folder",
-        .help = "open the previous model of the folder, or the previous built-in scene",
+        .help = "open the previous model of the folder, or the previous scene of firn",
     },
     [VIEW_SAVE_SESSION] = {
         .controlled = "s",

@@ -9,7 +9,6 @@
 #include "src/base/path.h"
 #include "src/frame/list.h"
 #include "src/render/request.h"
-#include "src/scene/asset.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/tonemap.h"
 #include "src/view/watch.h"
@@ -550,8 +549,7 @@ enum status picture_change(struct picture **picture, const struct settings *sett
 
 static bool is_environment(const char *path)
 {
-    return path_ends_in(path, ".exr") || path_ends_in(path, ".hdr") || asset_is_valley(path) ||
-           asset_find(path, ASSET_ENVIRONMENT);
+    return path_ends_in(path, ".exr") || path_ends_in(path, ".hdr") || scene_is_environment(path);
 }
 
 enum status picture_load(struct picture **picture, const char *path, bool *remade)

@@ -123,21 +123,22 @@ char *place_file(const char *folder, const char *const *endings, unsigned i)
     return path;
 }
 
-static char *next_builtin(const char *name, int step)
+static char *next_scene(const char *name, int step)
 {
-    int count = 0;
-    int at = 0;
-    for (; scene_builtins[count].name; count++) {
-        if (!strcmp(scene_builtins[count].name, name))
+    uint32_t count = 0;
+    uint32_t at = 0;
+    const char *other;
+    for (; (other = scene_name(count)); count++) {
+        if (!strcmp(other, name))
             at = count;
     }
-    return count > 1 ? strdup(scene_builtins[(at + step + count) % count].name) : NULL;
+    return count ? strdup(scene_name((at + count + (uint32_t)step) % count)) : NULL;
 }
 
 char *place_next(const char *path, int step)
 {
-    if (scene_find_builtin(path))
-        return next_builtin(path, step);
+    if (scene_is_known(path))
+        return next_scene(path, step);
     const char *slash = strrchr(path, '/');
     const char *name = slash ? slash + 1 : path;
     char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup("./");

@@ -25,8 +25,8 @@ char *place_new(const char *folder, const char *stem, const char *ending);
  * no more. */
 char *place_file(const char *folder, const char *const *endings, unsigned i);
 
-/* The built-in scene, or the model in the folder of `path`, that is `step` (1 or -1) after this
- * one, by name; after the last comes the first. NULL: there is no other. */
+/* The scene that comes with firn, or the model in the folder of `path`, that is `step` (1 or -1)
+ * after this one, by name; after the last comes the first. NULL: there is no other. */
 char *place_next(const char *path, int step);
 
 #endif

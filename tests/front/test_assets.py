@@ -25,7 +25,7 @@ from png_file import Png  # noqa: E402
 
 ASSETS = pathlib.Path(__file__).parents[2] / 'assets'
 sys.path.append(str(ASSETS / 'generate'))
-SCENES = ('drink', 'amber', 'hollow', 'slate')
+SCENES = ('drink', 'amber', 'hollow', 'ice-cube', 'slate')
 FILES = sorted(path.name for path in ASSETS.iterdir() if path.suffix in ('.glb', '.exr'))
 ALPS = pathlib.Path(sys.argv.pop(2)).resolve()
 TRACED = ['--refraction', 'reference']

@@ -90,7 +90,7 @@ class Bake(Case):
         for scene, *arguments in (
                 ('room', '--set', 'refract.lookup=box'),
                 ('room', '--set', 'refract.lookup=distance', '--refraction', 'bounce'),
-                ('ice-cube', '--set', 'frost.amount=0.5', '--set', 'cracks.refract=gap', '--set',
+                ('valley', '--set', 'frost.amount=0.5', '--set', 'cracks.refract=gap', '--set',
                  'cracks.count=2', '--set', 'bubbles.count=40'),
                 ('sphere', '--background', '0.2,0.4,0.6')):
             with self.subTest(scene=scene, arguments=arguments):

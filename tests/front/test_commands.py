@@ -174,7 +174,7 @@ class CommandLine(Case):
 
     def test_list(self):
         text = self.succeed('list', env=NO_DRIVER).stdout.decode()
-        for name in ('ice-cube', 'sphere', 'teapot', 'pool', 'paper', 'one-sided',
+        for name in ('valley', 'sphere', 'teapot', 'pool', 'paper', 'one-sided',
                      'refract_paper.a'):
             self.assertRegex(text, rf'(?m)(^|\s){re.escape(name)}(\s|$)')
 
@@ -268,7 +268,7 @@ class Device(Case):
         self.assertEqual(self.files(), [])
 
     def test_a_plan_needs_none(self):
-        plan = {rung: self.succeed('graph', 'ice-cube', '--refraction', rung,
+        plan = {rung: self.succeed('graph', 'valley', '--refraction', rung,
                                    env=NO_DRIVER).stdout.decode()
                 for rung in ('paper', 'one-sided')}
         self.assertIn('refract_paper.color', plan['paper'])
@@ -279,13 +279,13 @@ class Device(Case):
         self.assertNotIn('ice_normal.back', '\n'.join(alive))
 
     def test_a_plan_as_graphviz(self):
-        dot = self.succeed('graph', 'ice-cube', '--dot', env=NO_DRIVER).stdout.decode()
+        dot = self.succeed('graph', 'valley', '--dot', env=NO_DRIVER).stdout.decode()
         self.assertRegex(dot, r'\Adigraph\b')
         self.assertEqual(dot.count('{'), dot.count('}'))
 
     def graph(self, *arguments):
         """The same bytes twice."""
-        first, second = (self.succeed('graph', 'ice-cube', *arguments, env=NO_DRIVER).stdout
+        first, second = (self.succeed('graph', 'valley', *arguments, env=NO_DRIVER).stdout
                          for _ in range(2))
         self.assertTrue(first == second, f'{arguments}: other bytes')
         return first.decode()

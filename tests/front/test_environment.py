@@ -21,7 +21,7 @@ MEASURED = ('sphere', *BARE, '--runs', '2', '--warmup', '1', '--clock', 'submits
             '-q')
 PRINTING = (
     ('list',), ('list', 'devices'), ('--help',), ('help', 'render'), ('ladder', '--help'),
-    ('--version',), ('graph', 'ice-cube'), ('graph', 'sphere', '--json'),
+    ('--version',), ('graph', 'valley'), ('graph', 'sphere', '--json'),
     ('graph', 'sphere', '--html'), ('diff', 'a.exr', 'a.exr'),
     ('profile', *MEASURED), ('profile', *MEASURED, '--json', '-'),
     ('profile', *MEASURED, '--sweep', 'size=32x24,16x16'), ('render', 'sphere', *BARE, '-o', '-'),
@@ -94,7 +94,7 @@ class Environment(Case):
                 'p.stdout.read(1)\n'  # it is at work: a pipe takes less than all
                 'for f in (0, 2): print(os.readlink(f"/proc/{p.pid}/fd/{f}"))\n'
                 'p.kill()\n')
-        words = (Case.program, 'graph', 'ice-cube', '--json', '--aov', 'all')
+        words = (Case.program, 'graph', 'valley', '--json', '--aov', 'all')
         done = subprocess.run([sys.executable, '-c', code, *words], env=environment({}),
                               capture_output=True, text=True, timeout=240, check=False)
         self.assertEqual(done.stdout.split(), ['/dev/null', '/dev/null'], done.stderr)

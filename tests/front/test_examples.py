@@ -146,7 +146,7 @@ class Examples(Case):
         small = ('--size', '48x36', *QUICK)
         self.succeed('render', 'sphere', *small, '--aov', 'exit,thickness', '-o', 'reference.exr',
                      '-o', 'before.png')
-        self.succeed('profile', 'ice-cube', *small, *SMALL['profile'].split(), '-q', '--json',
+        self.succeed('profile', 'valley', *small, *SMALL['profile'].split(), '-q', '--json',
                      'before.json')
         for name in ('a', 'b', 'golden', 'ice', 'new', 'test'):
             shutil.copy(self.folder / 'reference.exr', self.folder / f'{name}.exr')
@@ -158,7 +158,7 @@ class Examples(Case):
 
     def draw_tiles(self):
         for i in range(1, 9):
-            self.succeed('render', 'ice-cube', '--size', '48x36', *QUICK, '--tiles', '4x2',
+            self.succeed('render', 'valley', '--size', '48x36', *QUICK, '--tiles', '4x2',
                          '--tile', i, '-o', f'tile.{i}.exr')
 
     def run_all(self, lines):

@@ -31,7 +31,7 @@ NO_SLURM, NO_PARALLEL = take_flag('--no-slurm'), take_flag('--no-parallel')
 FRAMES = 8
 NAMES = [f'turn.{i:02}.exr' for i in range(1, FRAMES + 1)]
 # A frame takes long enough to be killed in its middle
-TURN = ('ice-cube', '--size', '96x72', *PLAIN, '--samples', '8', '-q', '--frames', f'1-{FRAMES}',
+TURN = ('valley', '--size', '96x72', *PLAIN, '--samples', '8', '-q', '--frames', f'1-{FRAMES}',
         '-o', 'turn.##.exr')
 SLURM_CONF = '''
 ClusterName=firn

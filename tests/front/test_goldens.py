@@ -20,15 +20,15 @@ MEAN = 1e-4
 PAPER = ('--refraction', 'paper')
 CUBE = ('--set', 'env_cube.size=512')
 PICTURES = {
-    'ice-cube': ('ice-cube', *PAPER),
+    'ice-cube': ('valley', *PAPER),
     'sphere': ('sphere', *PAPER),
     'teapot': ('teapot', *PAPER),
     'pool': ('pool',),
-    'ice-cube-one-sided': ('ice-cube', '--refraction', 'one-sided', '--set',
+    'ice-cube-one-sided': ('valley', '--refraction', 'one-sided', '--set',
                            'refract.fresnel=paper', '--set', 'refract.lookup=infinite'),
-    'ice-cube-bounce': ('ice-cube', '--refraction', 'bounce', '--set', 'refract.lookup=distance',
+    'ice-cube-bounce': ('valley', '--refraction', 'bounce', '--set', 'refract.lookup=distance',
                         '--set', 'refract.fresnel=exact'),
-    'ice-cube-frost-gap': ('ice-cube', *PAPER, '--set', 'frost.amount=0.5', '--set',
+    'ice-cube-frost-gap': ('valley', *PAPER, '--set', 'frost.amount=0.5', '--set',
                            'cracks.refract=gap'),
 }
 
@@ -84,7 +84,7 @@ class Goldens(Case):
         for name in ('cracks.seed', 'air.seed', 'bubbles.seed', 'bump.seed'):
             with self.subTest(name):
                 first, again, other = (
-                    self.draw('ice-cube', '--size', '160x120', '--set', f'{name}={seed}')
+                    self.draw('valley', '--size', '160x120', '--set', f'{name}={seed}')
                     for seed in (7, 7, 8))
                 self.assertTrue(first == again, 'other bytes')
                 self.assertFalse(Exr(first).pixels == Exr(other).pixels, 'the same picture')

@@ -52,9 +52,9 @@ class Numbers(LadderCase):
     @unsanitized
     def test_they_are_those_of_diff(self):
         """The same pictures by themselves, compared by another command."""
-        said = self.ladder('ice-cube', *SIZE, '--validate', '--rungs', 'paper,bounce', '--runs', 0)
+        said = self.ladder('valley', *SIZE, '--validate', '--rungs', 'paper,bounce', '--runs', 0)
         for rung in ('reference', 'paper', 'bounce'):
-            self.succeed('render', 'ice-cube', *SIZE, *ALIKE, '--refraction', rung, '--aov',
+            self.succeed('render', 'valley', *SIZE, *ALIKE, '--refraction', rung, '--aov',
                          'exit,path,bounces,tir', '-o', f'{rung}.exr')
         self.assertEqual(list(said['rungs']), ['paper', 'bounce'])
         truth = Exr((self.folder / 'reference.exr').read_bytes())
@@ -97,13 +97,13 @@ class Numbers(LadderCase):
     @long
     def test_with_all_that_ice_has(self):
         """Errors by what the reference's paths meet are those of pictures made one by one."""
-        said = self.ladder('ice-cube', *SIZE, '--whole', '--rungs', 'bounce', '--runs', 0,
+        said = self.ladder('valley', *SIZE, '--whole', '--rungs', 'bounce', '--runs', 0,
                            '--set', 'bubbles.count=60')
         same = ('--set', 'light.count=0', '--set', 'refract.fresnel=exact', '--set',
                 'refract.lookup=distance', '--set', 'env_cube.dynamic=off', '--set',
                 'cracks.refract=gap', '--set', 'bubbles.count=60')
         for rung in ('reference', 'bounce'):
-            self.succeed('render', 'ice-cube', *SIZE, *same, '--refraction', rung, '--aov',
+            self.succeed('render', 'valley', *SIZE, *same, '--refraction', rung, '--aov',
                          'path,met' if rung == 'reference' else 'path', '-o', f'{rung}.exr')
         ours, test = (Exr((self.folder / f'{name}.exr').read_bytes())
                       for name in ('reference', 'bounce'))
@@ -117,10 +117,10 @@ class Numbers(LadderCase):
                       for c in 'RGB' for i in inside]
             self.assertGreater(len(errors), 20)
             self.near(said['rungs']['bounce'][f'mae_{name}'], sum(errors) / len(errors), 1e-4)
-        plain = self.ladder('ice-cube', *SIZE, '--rungs', 'bounce', '--runs', 0)
+        plain = self.ladder('valley', *SIZE, '--rungs', 'bounce', '--runs', 0)
         self.assertNotIn('clear_pixels', plain)
         for furnace in (('--furnace', '--whole'), ('--whole', '--furnace')):
-            self.refuse(USAGE, 'ladder', 'ice-cube', *furnace, names=['--whole', '--furnace'])
+            self.refuse(USAGE, 'ladder', 'valley', *furnace, names=['--whole', '--furnace'])
 
     def test_costs(self):
         said = self.ladder('sphere', *SIZE, '--rungs', 'one-sided,paper', '--runs', 2)
@@ -131,8 +131,8 @@ class Numbers(LadderCase):
     @long
     def test_several_scenes(self):
         words = ('--size', '48x36', '--rungs', 'paper,bounce', '--runs', 0)
-        one = self.ladder('ice-cube', *words)
-        scenes = ('sphere', 'ice-cube', 'teapot')
+        one = self.ladder('valley', *words)
+        scenes = ('sphere', 'valley', 'teapot')
         done = self.succeed('ladder', *scenes, '--json', *words)
         all_ = json.loads(done.stdout)['scenes']
         self.assertEqual([said['scene'] for said in all_], list(scenes))
@@ -146,10 +146,10 @@ class Numbers(LadderCase):
             self.assertEqual(row[0], name)
             self.near(float(row[2]), one['rungs'][name]['flip'], 1e-4)
         self.assertTrue(all(len(line) <= 100 for line in text.splitlines()), text)
-        text = self.succeed('ladder', 'sphere', 'ice-cube', '--furnace', *words[:-2],
+        text = self.succeed('ladder', 'sphere', 'valley', '--furnace', *words[:-2],
                             '--rungs', 'paper').stdout.decode()
-        self.assertEqual(re.findall(r'(?m)^scene +(\S+)$', text), ['sphere', 'ice-cube'])
-        done = self.firn('ladder', 'sphere', 'ice-cube', '--furnace', *words[:2], '--set',
+        self.assertEqual(re.findall(r'(?m)^scene +(\S+)$', text), ['sphere', 'valley'])
+        done = self.firn('ladder', 'sphere', 'valley', '--furnace', *words[:2], '--set',
                          'absorb.red=1', '--rungs', 'bounce')
         self.assertEqual(done.returncode, FAILED)
         self.assertEqual(done.stdout.count(b'\nbounce'), 2)
@@ -260,7 +260,7 @@ class Furnace(LadderCase):
 
     @long
     def test_what_takes_no_light_shows_1(self):
-        self.check('ice-cube')
+        self.check('valley')
 
     @long
     def test_a_sphere_shows_1(self):

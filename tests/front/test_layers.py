@@ -136,7 +136,7 @@ class Small(Case):
         """Air at half the size is where it was; what the ice refracts stays, bit by bit."""
         found = []
         for scale in ('1', '0.5'):
-            self.succeed('render', 'ice-cube', '-r', 'paper', '--size', '96x72', '-q', '--set',
+            self.succeed('render', 'valley', '-r', 'paper', '--size', '96x72', '-q', '--set',
                          f'target.scale={scale}', '--set', 'air.size=0.1', '--set',
                          'air.frequency=2', '--aov', 'air,refraction', '-o', 'a.exr')
             found.append(Exr((self.folder / 'a.exr').read_bytes()).read_planes(

@@ -17,10 +17,10 @@ class Melt(Case):
 
     def check_rung(self, *rung, **how):
         """A share of 0 changes no pixel; half changes many, most of them where there was ice."""
-        whole = self.draw('a.exr', 'ice-cube', *rung, **how)
-        self.assertEqual(self.draw('b.exr', 'ice-cube', *rung, '--set', 'ice.melt=0', '--set',
+        whole = self.draw('a.exr', 'valley', *rung, **how)
+        self.assertEqual(self.draw('b.exr', 'valley', *rung, '--set', 'ice.melt=0', '--set',
                                    'motion.melt=0', **how), whole)
-        half = self.draw('b.exr', 'ice-cube', *rung, '--set', 'ice.melt=0.5', **how)
+        half = self.draw('b.exr', 'valley', *rung, '--set', 'ice.melt=0.5', **how)
         changed = [a != b for a, b in zip(whole['G'], half['G'])]
         self.assertGreater(sum(changed), 100)
         self.assertFalse(any(changed[:40]))  # the first row is sky
@@ -29,7 +29,7 @@ class Melt(Case):
     @unsanitized
     def test_rungs(self):
         bounce = self.check_rung('-r', 'bounce')
-        trace = self.draw('a.exr', 'ice-cube', '-r', 'trace', '--set', 'ice.melt=0.5')
+        trace = self.draw('a.exr', 'valley', '-r', 'trace', '--set', 'ice.melt=0.5')
         if HAS_REFERENCE:
             true = self.check_rung('-r', 'reference', env=NO_DRIVER)
             for seen in (bounce, trace):
@@ -39,13 +39,13 @@ class Melt(Case):
     @unsanitized
     def test_frost_is_gone(self):
         frost = ('-r', 'one-sided', '--set', 'frost.amount=0.8', '--set', 'frost.roughness=1')
-        wet = self.draw('a.exr', 'ice-cube', *frost, '--set', 'ice.melt=0.05')
-        dry = self.draw('b.exr', 'ice-cube', '-r', 'one-sided', '--set', 'ice.melt=0.05')
+        wet = self.draw('a.exr', 'valley', *frost, '--set', 'ice.melt=0.05')
+        dry = self.draw('b.exr', 'valley', '-r', 'one-sided', '--set', 'ice.melt=0.05')
         self.assertEqual(wet, dry)
 
     def test_sequence(self):
         """Frames of a sequence are those of pictures alone, and each is another one."""
-        words = ('ice-cube', '-r', 'one-sided', '--set', 'ice.melt=0.1', '--set',
+        words = ('valley', '-r', 'one-sided', '--set', 'ice.melt=0.1', '--set',
                  'motion.melt=0.5')
         self.succeed('render', *words, *SMALL, *STILL, '--frames', '0-20x10', '-o', '##.exr')
         frames = [Exr((self.folder / f'{f:02}.exr').read_bytes()).read_planes(['G'])['G']

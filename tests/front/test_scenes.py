@@ -61,7 +61,7 @@ class Scenes(Case):
 
     @unsanitized
     def test_what_is_in_ice_for_rays_alone_is_said(self):
-        words = ('render', 'ice-cube', '-r', 'search', *SMALL, '--set', 'air.model=medium', '--set',
+        words = ('render', 'valley', '-r', 'search', *SMALL, '--set', 'air.model=medium', '--set',
                  'bubbles.shape=capsule', '-o', 'a.exr')
         said = self.succeed(*words).stderr.decode()
         self.assertEqual(said.count('air.model=medium: drawn as planes'), 1, said)
@@ -102,7 +102,7 @@ class Scenes(Case):
                                                'f 1 2 3\nf 2 4 3\n')
         shares = []
         for more in ((), ('--cracks', 'crack.obj')):
-            self.succeed('render', 'ice-cube', *CRACKED, '--size', '64x48', '--set',
+            self.succeed('render', 'valley', *CRACKED, '--size', '64x48', '--set',
                          'cracks.surface=on', '--aov', 'cracks', '-o', 'a.exr', '-q', *more)
             exr = Exr((self.folder / 'a.exr').read_bytes())
             shares.append(sum(exr.read_planes(['cracks.A'])['cracks.A']))
@@ -110,13 +110,13 @@ class Scenes(Case):
         self.assertTrue(0.5 < shares[1] / shares[0] < 2, shares)
         self.assertIn('crack.obj', exr.text('firn/settings'))
         (self.folder / 'flat.obj').write_text('v 0 0 0\n')
-        self.refuse(DATA, 'render', 'ice-cube', '--cracks', 'flat.obj', '-o', 'a.exr',
+        self.refuse(DATA, 'render', 'valley', '--cracks', 'flat.obj', '-o', 'a.exr',
                     names=('flat.obj',))
         done = self.succeed('render', 'pool', *PLAIN, '--size', '8x6', '--cracks', 'crack.obj',
                             '-o', 'a.exr')
         self.assertIn(b'--cracks: no effect', done.stderr)
         for rung in ('trace', 'reference'):
-            done = self.succeed('render', 'ice-cube', '-r', rung, '--plain', '--size', '8x6',
+            done = self.succeed('render', 'valley', '-r', rung, '--plain', '--size', '8x6',
                                 '--set', 'target.scale=0.5', '-o', 'a.exr')
             self.assertIn(b'target.scale: no effect', done.stderr)
 
@@ -130,7 +130,7 @@ class Scenes(Case):
                 write_exr((len(rows[0]), len(rows)), {'Y': texels}))
 
         def draw(*words):
-            self.succeed('render', 'ice-cube', '-r', 'paper', *SMALL_CUBE, '--size', '48x36', '-q',
+            self.succeed('render', 'valley', '-r', 'paper', *SMALL_CUBE, '--size', '48x36', '-q',
                          '--set', 'cracks.count=0', '--set', 'bubbles.count=0', '--set',
                          'air.haze=0', '--set', 'air.count=1', '--aov', 'air', '-o', 'a.exr',
                          *words)
@@ -150,12 +150,12 @@ class Scenes(Case):
         covers = [draw('--air', name)[1] for name in ('middle.exr', 'white.exr')]
         self.assertTrue(0 < covers[0] < 0.7 * covers[1], covers)
         for rung, is_said in (('bounce', False), ('per-vertex', True)):
-            said = self.succeed('render', 'ice-cube', *PLAIN, '-r', rung, '--size', '8x6', '--bump',
+            said = self.succeed('render', 'valley', *PLAIN, '-r', rung, '--size', '8x6', '--bump',
                                 'waves.exr', '--set', 'bump.strength=1', '-o', 'a.exr').stderr
             self.assertEqual((b'--bump: no effect' in said, b'bump.strength: no effect' in said),
                              (is_said, is_said))
         for name in ('a.obj', 'none.png'):
-            self.refuse(NO_INPUT if name[0] == 'n' else DATA, 'render', 'ice-cube', '--bump', name,
+            self.refuse(NO_INPUT if name[0] == 'n' else DATA, 'render', 'valley', '--bump', name,
                         '-o', 'b.exr', names=(name,))
 
     def test_each_object_has_rows(self):
@@ -231,7 +231,7 @@ class Scenes(Case):
                                                        (opaque, [1.6, 0, 0], 0.5)))
         (self.folder / 'rough.gltf').write_text(boxes((glass(roughness=0.3), [0, 0, 0], 1)))
         (self.folder / 'open.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
-        for name in ('one.gltf', 'beside.gltf', 'sphere', 'ice-cube'):
+        for name in ('one.gltf', 'beside.gltf', 'sphere', 'valley'):
             self.assertEqual(self.chosen(name), ('refract_bounce', 'bounce', ''), name)
         for name, why in (('two.gltf', 'it has 2 refractive objects'),
                           ('core.gltf', 'something is inside its object'),

@@ -120,7 +120,7 @@ class Show(Case):
         for layer in LAYERS:
             name = f'{layer}.png'
             way = ('--refraction', 'bounce') if layer in ('path', 'bounces', 'tir') else ()
-            self.succeed('render', 'ice-cube', *SMALL, '-o', name, '--show', layer, *more, *way)
+            self.succeed('render', 'valley', *SMALL, '-o', name, '--show', layer, *more, *way)
             picture = Png((self.folder / name).read_bytes())
             self.assertGreater(len(set(picture.pixels())), 1, layer)
             self.assertIn(f' show={layer} ', picture.settings)

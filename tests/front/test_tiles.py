@@ -7,7 +7,7 @@ from case import (  # noqa: E402
     unsanitized)
 from exr_file import Exr  # noqa: E402
 
-ICE = ('ice-cube', '--refraction', 'bounce', '--size', '96x64', '--set', 'cracks.count=4', '--set',
+ICE = ('valley', '--refraction', 'bounce', '--size', '96x64', '--set', 'cracks.count=4', '--set',
        'air.count=3', '--set', 'bump.strength=0', *SMALL_CUBE, '--aov', 'Z,N,thickness', '-q')
 
 
@@ -47,7 +47,7 @@ class Tiles(Tiled):
     @long
     def test_other_scenes(self):
         for words in (('room', '-r', 'bounce'), ('pool', '--set', 'pool.ice=1'),
-                      ('ice-cube', '--set', 'ice_caustics.light=sun', '--show', 'caustics')):
+                      ('valley', '--set', 'ice_caustics.light=sun', '--show', 'caustics')):
             words = ('render', *words, '--size', '81x60', '-q')
             self.succeed(*words, '-o', 'whole.exr', '-o', 'whole.png')
             self.succeed(*words, '--tiles', '2x2', '-o', 'tiled.exr', '-o', 'tiled.png')
@@ -116,7 +116,7 @@ class Interleaved(Tiled):
     @long
     def test_near_the_picture_in_one(self):
         """Maps are coarser and numbers round in another way: no pixel is misplaced."""
-        for scene, rung, tiles, limit in (('ice-cube', 'bounce', '2x2', 0.03),
+        for scene, rung, tiles, limit in (('valley', 'bounce', '2x2', 0.03),
                                           ('room', 'paper', '3x1', 0.02),
                                           ('pool', 'paper', '1x2', 0.02)):
             words = (scene, '-r', rung, '--size', '96x72', '--samples', '2', *CRACKED, '-q')
@@ -128,7 +128,7 @@ class Interleaved(Tiled):
                              f'flip={limit}')
 
     def test_the_picture_decides_the_cubes_size(self):
-        words = ('render', 'ice-cube', '--plain', '--size', '144x144', '-r', 'paper', '--tiles',
+        words = ('render', 'valley', '--plain', '--size', '144x144', '-r', 'paper', '--tiles',
                  '2x2', '--interleaved', '--tile', '1', '-q', '-o')
         pixels = []
         for size in ('auto', '256', '128'):

@@ -106,8 +106,8 @@ class Trace(Case):
         if b'no ray queries' in self.succeed('render', *words, '--size', '8x6', *query,
                                              '-o', 'a.exr').stderr:
             self.skipTest('the device has no ray queries')
-        ice = ('ice-cube', *SIZE, '--set', 'bubbles.count=9', '--set', 'trace.surroundings=rays')
-        cube = ('ice-cube', *SIZE, '--size', '32x24', '--set', 'trace.surroundings=cube')
+        ice = ('valley', *SIZE, '--set', 'bubbles.count=9', '--set', 'trace.surroundings=rays')
+        cube = ('valley', *SIZE, '--size', '32x24', '--set', 'trace.surroundings=cube')
         for words in (words, ice, cube):
             found = self.planes(*words, *query)
             truth = self.planes(*words, '-r', 'trace', '--set', 'trace.rays=tree')
@@ -117,7 +117,7 @@ class Trace(Case):
     @unsanitized
     def test_the_eye_inside(self):
         self.check(0.005, 'hollow', '--env', 'studio', *SIZE, *INSIDE)
-        self.check(0.02, 'ice-cube', *SIZE[:-2], *SMALL_CUBE[:-1], 'env_cube.size=256', '--eye',
+        self.check(0.02, 'valley', *SIZE[:-2], *SMALL_CUBE[:-1], 'env_cube.size=256', '--eye',
                    '0.002,0.03,0.001', '--target', '0.01,0.03,0', rung=())
 
     def test_surroundings(self):
@@ -147,9 +147,9 @@ class Trace(Case):
         shapes = ('--set', 'bubbles.shape=mixed')
         for more in (('--set', 'motion.time=1', '--set', 'absorb.red=20', *shapes),
                      ('--eye', '0.002,0.03,0.001', '--target', '0.01,0.02,0')):
-            self.check(0.003, 'ice-cube', *SIZE, *inclusions, *rays, *more)
+            self.check(0.003, 'valley', *SIZE, *inclusions, *rays, *more)
         for more in ((), (*rays, *shapes)):
-            light = self.planes('ice-cube', *WHITE, *SIZE, '-r', 'trace', *inclusions, *more)
+            light = self.planes('valley', *WHITE, *SIZE, '-r', 'trace', *inclusions, *more)
             self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
 
     def ground(self, *words, **how):
@@ -218,13 +218,13 @@ class Trace(Case):
     @unsanitized
     def test_light_that_stays_inside(self):
         """What bounce does not follow to its exit sees the mean of the surroundings."""
-        self.check(0.066, 'ice-cube', *SIZE, '--size', '96x72', *SMALL_CUBE[:-1],
+        self.check(0.066, 'valley', *SIZE, '--size', '96x72', *SMALL_CUBE[:-1],
                    'env_cube.size=256', '--set', 'refract.ior=2.417', rung=('-r', 'bounce'))
 
     @unsanitized
     def test_faces_beyond_the_picture(self):
         """What rays of bounce meet beside a picture that the ice fills; tiles meet the same."""
-        near = ('ice-cube', *SIZE[:-2], '--orbit', '28,9,1.5', '--set', 'env_cube.size=256')
+        near = ('valley', *SIZE[:-2], '--orbit', '28,9,1.5', '--set', 'env_cube.size=256')
         errors = [self.check(0.03, *near, '--set', f'refract_bounce.margin={margin}',
                              rung=('-r', 'bounce')) for margin in ('on', 'off')]
         self.assertLess(errors[0], 0.9 * errors[1])

@@ -21,7 +21,7 @@ CHECKED = ('--validate', '--size', SIZE, '--set', 'motion.count=2', '--overlay',
 FRAMES = 800
 MORE = 64  # KiB; 1 KiB a frame makes three times as much of a quarter of them
 PARITY = (
-    ('ice-cube', 'paper'), ('sphere', 'one-sided'), ('teapot', 'paper'),
+    ('valley', 'paper'), ('sphere', 'one-sided'), ('teapot', 'paper'),
 )
 SUBMITS = {'VK_LAYER_ENABLES': 'VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT'}
 TRIANGLES = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n'
@@ -134,7 +134,7 @@ class Hands(WindowCase):
                         'keyup', 'shift')
 
     def test_mouse_and_keys_move_the_camera(self):
-        window = self.start('ice-cube')
+        window = self.start('valley')
         first = self.shoot(window, 1)
         shown = self.at_rest(window)
         self.assertEqual(png_size(first), (200, 150))
@@ -193,7 +193,7 @@ class Hands(WindowCase):
     def test_a_window_of_few_pixels(self):
         """Movements get renderers of their own even where the picture is smaller than what these
         are tried with."""
-        window = self.start('ice-cube', '--size', '8x6', '--set', 'env_cube.always=on', '--set',
+        window = self.start('valley', '--size', '8x6', '--set', 'env_cube.always=on', '--set',
                             'env_cube.size=1024', plain=())
         self.at_rest(window)
         self.close(window)
@@ -286,9 +286,9 @@ class Automatic(WindowCase):
                                      (self.folder / f'b.{kind}').read_bytes())
 
     def test_locked_time_is_that_of_a_sequence(self):
-        self.view('ice-cube', *SMALL, '--frames', 5, '--time-step', 0.25,
+        self.view('valley', *SMALL, '--frames', 5, '--time-step', 0.25,
                   '--screenshot', 'a.png', '--samples', 4)
-        self.succeed('render', 'ice-cube', *SMALL, '--set', 'motion.time=1',
+        self.succeed('render', 'valley', *SMALL, '--set', 'motion.time=1',
                      '-o', 'b.png', '--samples', 4)
         self.assertEqual((self.folder / 'a.png').read_bytes(),
                          (self.folder / 'b.png').read_bytes())

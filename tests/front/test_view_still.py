@@ -63,7 +63,7 @@ class Still(PanelsCase):
 
     @unsanitized
     def test_layers_and_values(self):
-        window = self.start_with_panels('--samples', 3, scene='ice-cube')
+        window = self.start_with_panels('--samples', 3, scene='valley')
         words = shlex.split(self.wait_for_command(window, '--samples 3'))[1:-2]
         self.succeed(*words, '-o', 'a.exr', '--aov', 'Z,N,P,object', '-o', 'a.png')
         self.succeed(*words, '-o', 'z.png', '--show', 'Z')
@@ -143,7 +143,7 @@ class Still(PanelsCase):
         self.check_samples()
 
     def check_samples(self):
-        window = self.start_with_panels('--samples', self.samples, scene='ice-cube')
+        window = self.start_with_panels('--samples', self.samples, scene='valley')
         first = self.expect(window)
         self.desktop.do('mousemove', '--window', window, *self.place('refract.ior'))
         self.desktop.do('mousemove', '--window', window, *self.BESIDE)
@@ -161,8 +161,8 @@ class Still(PanelsCase):
         self.assertEqual(self.expect(window), turned)
         self.wait_for_command(window, 'exposure=', act=lambda: self.press(window, 'ctrl+y'))
         self.assertEqual(self.expect(window), brighter)
-        self.press_for(window, 'w', r'ice-cube, .* \| .*, paused')
-        self.press_for(window, 'w', 'ice-cube, paused')
+        self.press_for(window, 'w', r'valley, .* \| .*, paused')
+        self.press_for(window, 'w', 'valley, paused')
         self.assertEqual(self.expect(window), brighter)
         self.desktop.do('windowsize', '--sync', window, 320, 150)
         self.expect(window, size=(195, 119))
@@ -174,7 +174,7 @@ class Still(PanelsCase):
         leaves the picture, other renderers are made, whose maps reach beyond it."""
         size = (360, 340)
         self.beside += self.STRIP
-        window = self.start_with_panels('--samples', 3, '--size', '360x340', scene='ice-cube',
+        window = self.start_with_panels('--samples', 3, '--size', '360x340', scene='valley',
                                         plain=('--plain', '-r', 'bounce', *SMALL_CUBE))
         self.press_until(window, 'm', 'what it does', lambda: self.label('movements have full'))
         self.assertEqual(self.drag_until(window, (65, 105), 'full size', bool), {'360×340'})

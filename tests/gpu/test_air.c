@@ -239,7 +239,7 @@ static void over_the_ice(void **state)
 {
     const struct settings settings = picture_settings("air.count=0");
     struct scene scene;
-    open_scene(&scene, "ice-cube", 19, 1);
+    open_scene(&scene, "valley", 19, 1);
     struct picture_request request = request_of(&scene, 30, 20);
     struct render_result with = picture_render(*state, &request);
     request.settings = &settings;

@@ -76,7 +76,7 @@ static struct scene open_scene(const char *name)
         make_torus(object, 1.3f);
     else if (!strcmp(name, "teapot"))
         assert_true(generate_teapot(object, GENERATE_TEAPOT_TRIANGLES));
-    else if (!strcmp(name, "ice-cube"))
+    else if (!strcmp(name, "valley"))
         assert_true(generate_ice_cube(object, GENERATE_ICE_CUBE_TRIANGLES));
     else
         assert_true(generate_sphere(object, GENERATE_SPHERE_TRIANGLES));
@@ -269,7 +269,7 @@ static void test_convex_is_interval_for_a_sphere(void **state)
 
 static void test_precut_is_as_interval(void **state)
 {
-    static const char *const names[] = { "sphere", "ice-cube", "torus", "teapot" };
+    static const char *const names[] = { "sphere", "valley", "torus", "teapot" };
     const struct settings interval = SETTINGS("cracks.clip=interval", GAPS);
     const struct settings precut = SETTINGS("cracks.clip=precut", GAPS);
     for (size_t n = 0; n < 4; n++) {
@@ -325,7 +325,7 @@ static void test_seeds_and_counts(void **state)
         { .count = 64, .seed = 1 },
     };
     const struct settings settings = settings_default();
-    struct scene scene = open_scene("ice-cube");
+    struct scene scene = open_scene("valley");
     struct render_result results[4];
     for (size_t i = 0; i < 4; i++) {
         assert_int_equal(scene_make_cracks(&scene, &kinds[i]), STATUS_OK);

@@ -68,7 +68,7 @@ static void test_sphere(void **state)
 static void test_turning(void **state)
 {
     struct scene scene;
-    open_scene(&scene, "ice-cube");
+    open_scene(&scene, "valley");
     const struct settings settings = picture_settings("motion.ice=30");
     struct picture_request turned = request_of(&scene);
     struct picture_request gone = turned;

@@ -401,7 +401,7 @@ static void check_repeatable(struct gpu *gpu, const char *rung, uint32_t samples
 {
     const struct settings still = picture_settings("env_cube.dynamic=off");
     struct scene scene;
-    load(&scene, "ice-cube", NULL);
+    load(&scene, "valley", NULL);
     struct picture_request request = {
         .scene = &scene,
         .rung = rung,
@@ -471,7 +471,7 @@ static void geometry_is_not_averaged(void **state)
                                           "P.Y",      "P.Z",      "exit.X",  "exit.Y", "exit.Z",
                                           "back.N.X", "back.N.Y", "back.N.Z" };
     struct scene scene;
-    load(&scene, "ice-cube", NULL);
+    load(&scene, "valley", NULL);
     struct picture_request request = {
         .scene = &scene,
         .camera = camera_orbit(28, 9, 4.5F, box_center(scene.box), 45),

@@ -62,8 +62,8 @@ static void fill_row(struct profile *p, uint32_t index, double scale)
 void profile_sample(struct profile *p, double scale)
 {
     *p = (struct profile){
-        .command = strdup("firn profile ice-cube --set ice.name='a & b' --json"),
-        .scene = strdup("ice-cube"),
+        .command = strdup("firn profile valley --set ice.name='a & b' --json"),
+        .scene = strdup("valley"),
         .rung = "paper",
         .material = "ice",
         .width = 1024,

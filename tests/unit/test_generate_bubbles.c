@@ -63,6 +63,24 @@ static void whole_inside_a_sphere(void **state)
     mesh_finish(&mesh);
 }
 
+static void away_from_the_rim(void **state)
+{
+    (void)state;
+    const struct generate_bubbles params = { .count = 200, .seed = 1, .size = 0.02F, .rim = 0.2F };
+    struct bubbles bubbles;
+    struct mesh mesh = { 0 };
+    assert_true(generate_sphere(&mesh, 960));
+    assert_true(generate_bubbles(&bubbles, &mesh, &params));
+    assert_int_equal(bubbles.count, 200);
+    float outermost = 0;
+    for (uint32_t i = 0; i < bubbles.count; i++)
+        outermost = fmaxf(outermost, glms_vec3_norm(bubbles.all[i].center));
+    /* Along the axes at least .4 of the radius, so at least that by the root of 3 in all. */
+    assert_in_range(1000 * outermost, 600, 1000 * (1 - 0.4F / 1.7320508F));
+    free(bubbles.all);
+    mesh_finish(&mesh);
+}
+
 /* A cube with a hole: 8 blocks of a 3 x 3 x 1 board, without faces between them. */
 static const float block_side = 0.4F;
 
@@ -281,9 +299,10 @@ static void boxes_and_balls(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(whole_inside_a_sphere), cmocka_unit_test(inside_a_body_with_a_hole),
-        cmocka_unit_test(seeds_repeat),          cmocka_unit_test(shapes_keep_places),
-        cmocka_unit_test(rays_and_points),       cmocka_unit_test(boxes_and_balls),
+        cmocka_unit_test(whole_inside_a_sphere),     cmocka_unit_test(away_from_the_rim),
+        cmocka_unit_test(inside_a_body_with_a_hole), cmocka_unit_test(seeds_repeat),
+        cmocka_unit_test(shapes_keep_places),        cmocka_unit_test(rays_and_points),
+        cmocka_unit_test(boxes_and_balls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -55,10 +55,10 @@ static void the_next_model_of_a_folder(void **state)
     assert_int_equal(rmdir(folder), 0);
 }
 
-static void built_in_scenes_go_round(void **state)
+static void scenes_of_firn_go_round(void **state)
 {
     (void)state;
-    char *name = strdup(scene_builtins[0].name);
+    char *name = strdup(scene_name(0));
     uint32_t count = 0;
     do {
         char *next = place_next(name, 1);
@@ -68,8 +68,8 @@ static void built_in_scenes_go_round(void **state)
         free(name);
         name = next;
         count++;
-    } while (strcmp(name, scene_builtins[0].name) != 0);
-    assert_null(scene_builtins[count].name);
+    } while (strcmp(name, scene_name(0)) != 0);
+    assert_null(scene_name(count));
     free(name);
 }
 
@@ -108,7 +108,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_next_model_of_a_folder),
-        cmocka_unit_test(built_in_scenes_go_round),
+        cmocka_unit_test(scenes_of_firn_go_round),
         cmocka_unit_test(presets_are_where_xdg_says),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

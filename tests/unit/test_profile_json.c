@@ -113,7 +113,7 @@ static const struct {
     { "\"width\":1024", "\"width\":1024.5", STATUS_DATA },
     { "\"width\":1024", "\"width\":\"1024\"", STATUS_DATA },
     { "\"width\":1024", "\"breadth\":1024", STATUS_DATA },
-    { "\"scene\":\"ice-cube\"", "\"scene\":null", STATUS_DATA },
+    { "\"scene\":\"valley\"", "\"scene\":null", STATUS_DATA },
     { "\"clock\":\"timestamps\"", "\"clock\":\"0123456789012345678901234567890\"", STATUS_OK },
     { "\"clock\":\"timestamps\"", "\"clock\":\"01234567890123456789012345678901\"", STATUS_DATA },
     { "\"has_statistics\":true", "\"has_statistics\":1", STATUS_DATA },

@@ -27,9 +27,9 @@ static const char *const examples[] = {
     [APP_LADDER] = ("  firn ladder\n"
                     "  firn ladder sphere --size 256x256 -o ladder.html -o ladder.exr\n"
                     "  firn ladder statue.glb --rungs paper,search,bounce --runs 0 --json\n"
-                    "  firn ladder sphere ice-cube teapot --rungs search,bounce --runs 0\n"
-                    "  firn ladder ice-cube --whole --rungs bounce\n"
-                    "  firn ladder ice-cube --furnace\n"),
+                    "  firn ladder sphere valley teapot --rungs search,bounce --runs 0\n"
+                    "  firn ladder valley --whole --rungs bounce\n"
+                    "  firn ladder valley --furnace\n"),
     [APP_BAKE] = ("  firn bake room -o env.exr\n"
                   "  firn bake room --size 1024 -o fine.exr\n"
                   "  firn render room --env env.exr -o room.png\n"),

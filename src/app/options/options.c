@@ -193,7 +193,7 @@ static const struct option options[] = {
     { "Picture", "tone-curve", 0, "CURVE", PICTURES, SCENE(option_tone_curve),
       "tone curve of PNG files: neutral, agx, aces, hable or clip (neutral)" },
     { "Picture", "preset", 0, "FILE", SCENES, INPUT(picture.scene.preset),
-      "settings: lines NAME=VALUE, or an .exr or .png of firn; --set wins" },
+      "lines NAME=VALUE, .exr or .png of firn, or paper: its scenes and light" },
     { "Picture", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
     { "Scene", "up", 0, "AXIS", SCENES, SCENE(option_up),

@@ -115,12 +115,13 @@ static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh,
                        struct random *random)
 {
     const vec3s half = glms_vec3_scale(glms_vec3_sub(box.max, box.min), 0.5f);
+    const float rim = 2.0f * params->rim * glms_vec3_min(half);
     for (int i = 0; i < ATTEMPTS; i++) {
         const vec3s center =
             glms_vec3_add(box_center(box), glms_vec3_mul(half, random_box(random)));
         if (!is_free(bubbles, center, radius))
             continue;
-        if (clearance(mesh, center) < radius * 1.7320508f)
+        if (clearance(mesh, center) < radius * 1.7320508f + rim)
             continue;
         bubbles->all[bubbles->count++] =
             shape_bubble((struct bubble){ center, radius }, params, box_center(box), random);

@@ -126,6 +126,7 @@ struct generate_bubbles {
     float size;           /* longest diameter of the largest, in diagonals of the object's box */
     enum generate_bubbles_shape shape;
     float stretch; /* longest diameter by the shortest, from 1 on; not of spheres */
+    float rim;     /* how far the surface is from each, in least widths of the object's box */
 };
 
 /* Bubbles in the object's space that do not overlap. */

@@ -132,8 +132,8 @@ static void collect(struct palette *p)
     }
     for (uint32_t i = 0; material_presets[i].name; i++)
         add(p, &(struct entry){ ENTRY_MATERIAL, i }, "material %s", material_presets[i].name);
-    for (uint32_t i = 0; scene_builtins[i].name; i++)
-        add(p, &(struct entry){ ENTRY_SCENE, i }, "open %s", scene_builtins[i].name);
+    for (uint32_t i = 0; scene_name(i); i++)
+        add(p, &(struct entry){ ENTRY_SCENE, i }, "open %s", scene_name(i));
     for (uint32_t i = 0; ui_environment(i); i++)
         add(p, &(struct entry){ ENTRY_ENVIRONMENT, i }, "environment %s", ui_environment(i));
     for (uint32_t i = 0; techniques_rung(i); i++)
@@ -176,7 +176,7 @@ static void choose(struct ui *ui, const struct entry *e, struct ui_wish *wish)
         wish->changed = true;
         break;
     case ENTRY_SCENE:
-        wish->open = strdup(scene_builtins[e->index].name);
+        wish->open = strdup(scene_name(e->index));
         break;
     case ENTRY_ENVIRONMENT:
         wish->open = strdup(ui_environment(e->index));

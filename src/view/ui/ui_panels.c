@@ -40,7 +40,7 @@ static uint32_t name_rungs(const char *names[static RUNG_MAX], uint32_t *count,
 const char *ui_environment(uint32_t i)
 {
     if (!i--)
-        return "valley";
+        return "sky";
     for (const struct asset *a = assets; a->name; a++) {
         if (a->kind == ASSET_ENVIRONMENT && !i--)
             return a->name;

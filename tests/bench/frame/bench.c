@@ -136,7 +136,7 @@ static double bench_scene(struct gpu *gpu, const char *name)
 
 int main(void)
 {
-    static const char *const scenes[] = { "sphere", "ice-cube", "teapot", "room" };
+    static const char *const scenes[] = { "sphere", "valley", "teapot", "room" };
     struct gpu gpu;
     bool slow = false;
     if (gpu_create(&gpu, &(struct gpu_params){ 0 }) != STATUS_OK)

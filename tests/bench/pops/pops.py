@@ -18,7 +18,7 @@ from exr_file import Exr  # noqa: E402
 
 FIRN = sys.argv[1]
 FRAMES = int(sys.argv[2]) if len(sys.argv) > 2 else 8
-SCENES = sys.argv[3:] or ['ice-cube', 'sphere', 'teapot']
+SCENES = sys.argv[3:] or ['valley', 'sphere', 'teapot']
 STEP = 0.8  # degrees a frame
 LEAST = 0.1
 WIDTH, HEIGHT = 1024, 768

@@ -30,8 +30,8 @@ RAYS = ('--set', 'trace.surroundings=rays')
 EXACT = ('--set', 'trace.branch=0')
 KINDS = {'default': CUBE, 'trace.branch=0': CUBE + EXACT, 'trace.surroundings=rays': RAYS,
          'both': RAYS + EXACT}
-VIEWS = {'ice cube that fills a fifth': ('ice-cube',),
-         'ice cube that fills the picture': ('ice-cube', '--fov', '20'), 'teapot': ('teapot',)}
+VIEWS = {'ice cube that fills a fifth': ('valley',),
+         'ice cube that fills the picture': ('valley', '--fov', '20'), 'teapot': ('teapot',)}
 TRIANGLES = (1000, 4000, 16000, 64000, 256000)
 SAMPLES = (1, 4, 16, 64)
 

@@ -1,0 +1,31 @@
+"""ice_cube.py: a cube of ice on wet slate, as that of slate.py but light enough for every rung.
+
+Light goes through nothing but the ice: its cloud is the material's, and the program places bubbles
+and cracks. Its meltwater is a smooth, dark surface of the stone.
+"""
+from files import Model, lit
+from shapes import dot, film, scale
+from slate import (ANGLE, EYE, ICE, SHEET, TARGET, VIEW, block, meltwater, run_out, slab, stone,
+                   tone)
+
+WET = 0.45  # how bright stone is below water
+THICK, CLIMB = 0.0006, (0.0007, 0.0007)  # of the meltwater, as FILM and CLIMB of slate.py
+
+
+def water(ice):
+    """The puddle around the ice, and the sheet that has run out of it."""
+    mesh = meltwater(ice, THICK, CLIMB, 96).join(film(run_out, 0, SHEET[1], 0.003, (0, 0), 6, 96))
+    return mesh.painted(lambda p, n: scale(tone(p[0], p[2]), WET))
+
+
+def make():
+    model = Model()
+    model.used.add('KHR_texture_transform')
+    ice = block(46)
+    for name, mesh, material in (('slab', slab(66, 54), stone(model)),
+                                 ('water', water(ice), lit('wet slate', 0.04)),
+                                 ('cube', ice, ICE)):
+        model.add(name, mesh.placed(VIEW, (0, 0, 0)), material)
+    eye, target = (tuple(dot(row, p) for row in VIEW) for p in (EYE, TARGET))
+    model.camera(eye, target, ANGLE)
+    return model.file()
