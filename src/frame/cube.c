@@ -3,6 +3,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "shaders/mesh.h"
 #include "src/base/log.h"
 #include "src/settings/scene_settings.h"
@@ -139,7 +140,7 @@ static bool is_in_picture(const struct globals *globals)
     return true;
 }
 
-/* Whether a technique that is on changes the surroundings' look in every frame. */
+/* Whether a technique that is on lights the surroundings through the objects. */
 static bool is_relit(const struct settings *settings)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
@@ -149,15 +150,45 @@ static bool is_relit(const struct settings *settings)
     return false;
 }
 
-uint32_t frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
-                        const struct globals *globals)
+static struct frame_cube_light light_of(const struct frame_view *view,
+                                        const struct globals *globals)
+{
+    struct frame_cube_light light = { *view->settings, *globals, view->light_jitter };
+    light.globals.clip_from_world = light.globals.fitted_clip_from_world = GLMS_MAT4_ZERO;
+    light.globals.eye = light.globals.forward = GLMS_VEC3_ZERO;
+    light.globals.fitted = light.globals.wide_share = GLMS_VEC2_ZERO;
+    light.globals.sample_share = light.globals.lod_bias = 0.0f;
+    return light;
+}
+
+static bool same_through(const struct frame_cube_light *a, const struct frame_cube_light *b)
+{
+    return !memcmp(&a->settings, &b->settings, sizeof(a->settings)) &&
+           !memcmp(&a->globals, &b->globals, sizeof(a->globals));
+}
+
+static bool same_sun(const struct frame_cube_light *a, const struct frame_cube_light *b)
+{
+    return glms_vec2_eqv(a->jitter, b->jitter);
+}
+
+/* Whether the light in the faces is another one now. */
+static bool is_relit_anew(const struct frame_cube *cube, const struct frame_cube_light *now,
+                          bool is_first)
+{
+    return !cube->has_faces_light || !same_through(&cube->faces_light, now) ||
+           (is_first && !same_sun(&cube->faces_light, now));
+}
+
+static uint32_t faces_due(const struct frame_cube *cube, const struct frame_view *view,
+                          const struct globals *globals)
 {
     const struct env_cube_params *params = settings_of(view->settings, &env_cube_settings);
     const struct frame_cube_state now = state_of(globals);
     const bool in_turn = cube->in_turn && cube->drawn == FRAME_CUBE_ALL;
     const uint32_t most = in_turn ? params->faces : FRAME_CUBE_FACES;
     uint32_t due = 0;
-    if (params->always || is_relit(view->settings))
+    if (params->always)
         return FRAME_CUBE_ALL;
     if (!is_in_picture(globals))
         return 0;
@@ -171,9 +202,33 @@ uint32_t frame_cube_due(const struct frame_cube *cube, const struct frame_view *
     return due;
 }
 
-void frame_cube_drawn(struct frame_cube *cube, const struct globals *globals, uint32_t faces)
+struct frame_due frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
+                                const struct globals *globals)
+{
+    if (!is_relit(view->settings))
+        return (struct frame_due){ .faces = faces_due(cube, view, globals) };
+    const struct frame_cube_light now = light_of(view, globals);
+    return (struct frame_due){
+        .faces = is_relit_anew(cube, &now, view->sample == 0) ? FRAME_CUBE_ALL
+                                                              : faces_due(cube, view, globals),
+        .light =
+            !cube->has_light || !same_through(&cube->light, &now) || !same_sun(&cube->light, &now),
+    };
+}
+
+void frame_cube_drawn(struct frame_cube *cube, const struct frame_view *view,
+                      const struct globals *globals, struct frame_due due)
 {
     const uint32_t first = cube->next;
+    const uint32_t faces = due.faces;
+    if (due.light) {
+        cube->light = light_of(view, globals);
+        cube->has_light = true;
+    }
+    if (faces == FRAME_CUBE_ALL) {
+        cube->faces_light = light_of(view, globals);
+        cube->has_faces_light = true;
+    }
     for (uint32_t i = 0; i < FRAME_CUBE_FACES; i++) {
         const uint32_t face = (first + i) % FRAME_CUBE_FACES;
         if (!(faces & 1u << face))

@@ -304,8 +304,8 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
     const VkExtent2D size = frame_exec->frame->plan->view;
     frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
     frame.lookup_area = lookup_area(r, &view, &globals, size);
-    frame.faces_due =
-        frame_exec == &r->picture ? frame_cube_due(&r->cube, &view, &globals) : FRAME_CUBE_ALL;
+    frame.due = frame_exec == &r->picture ? frame_cube_due(&r->cube, &view, &globals)
+                                          : (struct frame_due){ FRAME_CUBE_ALL, true };
     VkResult result = rg_exec_begin(frame_exec->exec, slot);
     if (result == VK_SUCCESS) {
         write_uploads(&view, &globals, frame_exec->exec, *slot);
@@ -317,7 +317,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         result = rg_exec_submit(frame_exec->exec, &frame);
     }
     if (frame_exec == &r->picture && result == VK_SUCCESS)
-        frame_cube_drawn(&r->cube, &globals, frame.faces_due);
+        frame_cube_drawn(&r->cube, &view, &globals, frame.due);
     return gpu_status(result);
 }
 

@@ -82,7 +82,7 @@ static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exe
         .object = mesh,
         .surroundings = mesh,
         .meshes = warm_up->meshes,
-        .faces_due = FRAME_CUBE_ALL,
+        .due = { FRAME_CUBE_ALL, true },
     };
     struct rg_exec_params *exec = &warm_up->described.params;
     exec->pipeline_cache = VK_NULL_HANDLE;

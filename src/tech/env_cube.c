@@ -28,7 +28,7 @@ static const struct rg_image env_cube_baked_depth = {
 
 static bool is_due(const struct rg_frame *frame, uint32_t repetition)
 {
-    return frame->faces_due & 1u << repetition;
+    return frame->due.faces & 1u << repetition;
 }
 
 static void push_face(struct rg_cmd *cmd, const struct rg_frame *frame)

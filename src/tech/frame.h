@@ -51,6 +51,12 @@ struct frame_object {
     VkRect2D drawn; /* by its rows: the reach of its layer; nothing if another's rows draw it */
 };
 
+/* What a frame draws of what is kept from frame to frame: src/frame/cube.h. */
+struct frame_due {
+    uint32_t faces; /* a bit for each of the cube's */
+    bool light;     /* that comes through objects, if any does */
+};
+
 /*
  * What a record function may read: the struct that graph/rg.h leaves to the program. The renderer
  * fills it once a frame.
@@ -69,7 +75,7 @@ struct rg_frame {
     float time;                        /* seconds */
     vec2s light_jitter;                /* as in struct frame_view */
     struct background_push faces[6];   /* of the cube around the object, Vulkan's order */
-    uint32_t faces_due;                /* a bit for each face that is drawn */
+    struct frame_due due;
     bool stays;                        /* on the device: it is shown, and not read back */
     const struct window_frame *window; /* src/view/present.h; NULL: there is no window */
 };

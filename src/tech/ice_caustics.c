@@ -33,15 +33,16 @@
 static rg_record_fn record_ground, record_photons, record_traced, record_clear, record_splat;
 static rg_record_fn record_layers;
 
-#define PICTURE(title, texel) \
+/* What frames read in which it is not due is persistent. */
+#define PICTURE(title, texel, is_kept) \
     { \
         .name = (title), .format = (texel), .width = ICE_CAUSTICS_PHOTONS, \
-        .height = ICE_CAUSTICS_PHOTONS \
+        .height = ICE_CAUSTICS_PHOTONS, .persistent = (is_kept) \
     }
 #define MAP(title, texel) \
     { \
         .name = (title), .format = (texel), .width = ICE_CAUSTICS_SIZE, \
-        .height = ICE_CAUSTICS_SIZE \
+        .height = ICE_CAUSTICS_SIZE, .persistent = true \
     }
 
 const struct rg_buffer ice_caustics_globals = {
@@ -56,19 +57,22 @@ const struct rg_buffer ice_caustics_light = {
     .memory = RG_MEMORY_UPLOAD,
 };
 
-static const struct rg_image back = PICTURE("ice_caustics.back", VK_FORMAT_R16G16B16A16_SFLOAT);
-static const struct rg_image back_depth = PICTURE("ice_caustics.back_depth", VK_FORMAT_D32_SFLOAT);
-static const struct rg_image front = PICTURE("ice_caustics.front", VK_FORMAT_R16G16B16A16_SFLOAT);
+static const struct rg_image back =
+    PICTURE("ice_caustics.back", VK_FORMAT_R16G16B16A16_SFLOAT, false);
+static const struct rg_image back_depth =
+    PICTURE("ice_caustics.back_depth", VK_FORMAT_D32_SFLOAT, false);
+static const struct rg_image front =
+    PICTURE("ice_caustics.front", VK_FORMAT_R16G16B16A16_SFLOAT, false);
 const struct rg_image ice_caustics_front_depth =
-    PICTURE("ice_caustics.front_depth", VK_FORMAT_D32_SFLOAT);
+    PICTURE("ice_caustics.front_depth", VK_FORMAT_D32_SFLOAT, true);
 static const struct rg_image photons_depth =
-    PICTURE("ice_caustics.photons_depth", VK_FORMAT_D32_SFLOAT);
+    PICTURE("ice_caustics.photons_depth", VK_FORMAT_D32_SFLOAT, false);
 static const struct rg_image landed_red =
-    PICTURE("ice_caustics.landed_red", VK_FORMAT_R32G32B32A32_SFLOAT);
+    PICTURE("ice_caustics.landed_red", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 static const struct rg_image landed_green =
-    PICTURE("ice_caustics.landed_green", VK_FORMAT_R32G32B32A32_SFLOAT);
+    PICTURE("ice_caustics.landed_green", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 static const struct rg_image landed_blue =
-    PICTURE("ice_caustics.landed_blue", VK_FORMAT_R32G32B32A32_SFLOAT);
+    PICTURE("ice_caustics.landed_blue", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 
 const struct rg_image ice_caustics_ground = MAP("ice_caustics.ground", VK_FORMAT_D32_SFLOAT);
 const struct rg_image ice_caustics_map = MAP("ice_caustics.map", VK_FORMAT_R16G16B16A16_SFLOAT);
@@ -123,6 +127,12 @@ enum {
     PHOTONS_ROW = 3 /* index in `passes` */
 };
 
+static bool is_due(const struct rg_frame *frame, uint32_t repetition)
+{
+    (void)repetition;
+    return frame->due.light;
+}
+
 static const struct rg_pass passes[] = {
     /* The ice's faces as the sun sees them, drawn as in ice_normal.c. */
     {
@@ -136,6 +146,7 @@ static const struct rg_pass passes[] = {
         .vertices = &frame_mesh_layout,
         .cull = VK_CULL_MODE_FRONT_BIT,
         .record = frame_draw_object,
+        .when = is_due,
     },
     {
         .name = "ice_caustics.front",
@@ -148,6 +159,7 @@ static const struct rg_pass passes[] = {
         .vertices = &frame_mesh_layout,
         .cull = VK_CULL_MODE_BACK_BIT,
         .record = frame_draw_object,
+        .when = is_due,
     },
     {
         .name = "ice_caustics.ground",
@@ -159,6 +171,7 @@ static const struct rg_pass passes[] = {
         .frag = &ice_caustics_ground_frag,
         .vertices = &frame_mesh_layout,
         .record = record_ground,
+        .when = is_due,
     },
     {
         .name = "ice_caustics.photons",
@@ -173,6 +186,7 @@ static const struct rg_pass passes[] = {
         .cull = VK_CULL_MODE_BACK_BIT,
         .push_size = sizeof(struct ice_caustics_push),
         .record = record_photons,
+        .when = is_due,
     },
     {
         .name = "ice_caustics.clear",
@@ -181,6 +195,7 @@ static const struct rg_pass passes[] = {
             { .image = &counts, .access = RG_STORAGE_WRITE, .binding = ICE_CAUSTICS_COUNTS }),
         .comp = &ice_caustics_clear_comp,
         .record = record_clear,
+        .when = is_due,
     },
     {
         .name = "ice_caustics.splat",
@@ -192,6 +207,7 @@ static const struct rg_pass passes[] = {
             { .image = &counts, .access = RG_STORAGE_READ_WRITE, .binding = ICE_CAUSTICS_COUNTS }),
         .comp = &ice_caustics_splat_comp,
         .record = record_splat,
+        .when = is_due,
     },
     {
         .name = "ice_caustics.map",
@@ -201,6 +217,7 @@ static const struct rg_pass passes[] = {
         .vert = &screen_vert,
         .frag = &ice_caustics_map_frag,
         .record = frame_draw_screen,
+        .when = is_due,
     },
 };
 
@@ -421,7 +438,7 @@ const struct technique ice_caustics = {
     .settings = { &ice_caustics_settings },
     .is_on = is_on,
     .is_traced = true,
-    .relights = true, /* the caustics move with the ice */
+    .relights = true,
     .title = "light through the ice",
     .parts = { { PHASE_LIGHT, .rows = make_maps }, { PHASE_FINISH, .rows = make_layer } },
     .uploads = uploads,

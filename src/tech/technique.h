@@ -170,7 +170,7 @@ struct technique {
     bool is_traced;    /* the reference models the feature */
     bool is_of_ice;    /* only ice has the feature, unless it is asked for */
     bool is_met;       /* rungs that meet the scene's tree meet the feature: it has no rows then */
-    bool relights;     /* while it is on, the surroundings' light changes in every frame */
+    bool relights;     /* while it is on, light comes through the objects: src/frame/cube.h */
     const char *title; /* name of the feature for people; NULL: `name` */
     struct technique_part parts[TECHNIQUE_PART_COUNT];
     struct technique_rung rung;

@@ -120,7 +120,7 @@ static struct rg_frame make_frame(const struct uploaded_scene *on_gpu, vec3s cen
     };
     for (uint32_t i = 0; i < 6; i++) {
         const struct camera_basis basis = camera_cube_basis(i);
-        frame.faces_due |= 1u << i;
+        frame.due.faces |= 1u << i;
         frame.faces[i] = (struct background_push){
             .clip_from_world = camera_cube_clip_from_world(i, center, near),
             .eye = center,

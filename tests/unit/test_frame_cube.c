@@ -50,17 +50,22 @@ static uint32_t due(const struct fixture *f)
 {
     const struct background_push push = frame_view_push(&f->view);
     const struct globals globals = frame_view_globals(&f->view, &push);
-    return frame_cube_due(&f->cube, &f->view, &globals);
+    return frame_cube_due(&f->cube, &f->view, &globals).faces;
+}
+
+static struct frame_due draw_all(struct fixture *f)
+{
+    const struct background_push push = frame_view_push(&f->view);
+    const struct globals globals = frame_view_globals(&f->view, &push);
+    const struct frame_due drawn = frame_cube_due(&f->cube, &f->view, &globals);
+    frame_cube_drawn(&f->cube, &f->view, &globals, drawn);
+    return drawn;
 }
 
 /* The faces that a frame draws. */
 static uint32_t draw(struct fixture *f)
 {
-    const struct background_push push = frame_view_push(&f->view);
-    const struct globals globals = frame_view_globals(&f->view, &push);
-    const uint32_t faces = frame_cube_due(&f->cube, &f->view, &globals);
-    frame_cube_drawn(&f->cube, &globals, faces);
-    return faces;
+    return draw_all(f).faces;
 }
 
 static void test_only_what_changes(void **state)
@@ -82,6 +87,44 @@ static void test_only_what_changes(void **state)
     assert_int_equal(draw(f), FRAME_CUBE_ALL);
     change(f, "env_cube.always=on");
     assert_int_equal(draw(f), FRAME_CUBE_ALL);
+}
+
+static void expect(struct fixture *f, uint32_t faces, bool light)
+{
+    const struct frame_due drawn = draw_all(f);
+    assert_int_equal(drawn.faces, faces);
+    assert_int_equal(drawn.light, light);
+}
+
+static void begin_sample(struct fixture *f, uint32_t sample)
+{
+    f->view.sample = sample;
+    f->view.light_jitter.x = 0.25f * (float)sample;
+}
+
+static void test_light_through_the_object(void **state)
+{
+    struct fixture *f = *state;
+    change(f, "ice_caustics.light=sun");
+    expect(f, FRAME_CUBE_ALL, true);
+    expect(f, 0, false);
+    f->view.camera.eye.x = 3.0f;
+    f->view.width = 80;
+    expect(f, 0, false);
+    begin_sample(f, 1); /* another point of the sun: the faces have the first one's light */
+    expect(f, 0, true);
+    begin_sample(f, 0);
+    expect(f, 0, true);
+    change(f, "motion.ice=30");
+    expect(f, FRAME_CUBE_ALL, true); /* settings may decide the light in ways not known here */
+    f->view.time = 1.0f;             /* the object turns */
+    expect(f, FRAME_CUBE_ALL, true);
+    expect(f, 0, false);
+    begin_sample(f, 1);
+    f->view.time = 2.0f;
+    expect(f, FRAME_CUBE_ALL, true);
+    begin_sample(f, 0); /* not the light that faces have */
+    expect(f, FRAME_CUBE_ALL, true);
 }
 
 /* Faces that see a corner of a moving triangle, by the largest part of its direction. */
@@ -216,9 +259,10 @@ static void test_nothing_moves(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        WITH_SCENE(test_only_what_changes),         WITH_SCENE(test_where_things_move),
-        WITH_SCENE(test_where_things_were),         WITH_SCENE(test_in_turn),
-        WITH_SCENE(test_object_out_of_the_picture), WITH_SCENE(test_nothing_moves),
+        WITH_SCENE(test_only_what_changes), WITH_SCENE(test_light_through_the_object),
+        WITH_SCENE(test_where_things_move), WITH_SCENE(test_where_things_were),
+        WITH_SCENE(test_in_turn),           WITH_SCENE(test_object_out_of_the_picture),
+        WITH_SCENE(test_nothing_moves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
