@@ -72,9 +72,9 @@ struct rg_frame {
     VkRect2D object_area;         /* pixels of the view that contain the whole object */
     VkRect2D lookup_area;         /* pixels of the view in which shaders look up its faces */
     struct background_push view;
-    float time;                        /* seconds */
-    vec2s light_jitter;                /* as in struct frame_view */
-    struct background_push faces[6];   /* of the cube around the object, Vulkan's order */
+    float time;                      /* seconds */
+    vec2s light_jitter;              /* as in struct frame_view */
+    struct background_push faces[6]; /* of the cube around the object, Vulkan's order */
     struct frame_due due;
     bool stays;                        /* on the device: it is shown, and not read back */
     const struct window_frame *window; /* src/view/present.h; NULL: there is no window */
