@@ -55,9 +55,10 @@
 struct trace_frame {
     vec4s media[(TREE_MEDIA_MAX + 1) * TRACE_MEDIUM]; /* by medium; the first one is outside */
     ABI_STRUCT(cloud_place) clouds[TRACE_CLOUDS_MAX];
-    vec4s guide;                          /* as of ground.h */
-    vec4s objects_turn, movers_turn;      /* trace_pose() of trace_tree.glsl */
-    uint32_t roots[TREE_PART_COUNT + 1];  /* TREE_NOTHING: no such part */
+    vec4s guide;                     /* as of ground.h */
+    vec4s objects_turn, movers_turn; /* trace_pose() of trace_tree.glsl */
+    uint32_t roots[TREE_PART_COUNT];
+    uint32_t parts;                       /* that have triangles, a bit each */
     uint32_t inside[TREE_NESTED_MAX / 2]; /* struct tree_shells of the eye */
     uint32_t media_at;                    /* struct tree */
     uint32_t sample_index;                /* of the picture, from 0 */

@@ -40,11 +40,8 @@ float ground_sun(trace_hit from, vec3 point, uint seed)
     float passing = 1.0;
     int turns = frame.sun_light == vec3(0.0) ? 0 : ground_holes_max;
     while (turns > 0) {
-        trace_start start = trace_start(point, dir, 0.0, 1e30, hit.triangle, false, 0u);
-        hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
-        for (int part = TREE_SURROUNDINGS; part <= TREE_MOVERS; part++)
-            if (trace.roots[part] != TREE_NOTHING)
-                trace_meet_posed(start, part, true, hit);
+        hit =
+            trace_meet(trace_start(point, dir, 0.0, 1e30, hit.triangle, false, trace_around), true);
         turns--;
         bool is_met = hit.triangle >= 0;
         if (is_met && trace_has(TRACE_HAS_HOLES))

@@ -22,8 +22,8 @@ bool trace_is_hidden(vec3 point)
 uint trace_last()
 {
 #ifndef TRACE_RAYS
-    trace_start from = trace_start(straight_end.origin, straight_end.dir, 0.0, 1e30, -1, false,
-                                   1u << TREE_SURROUNDINGS | 1u << TREE_MOVERS);
+    trace_start from =
+        trace_start(straight_end.origin, straight_end.dir, 0.0, 1e30, -1, false, trace_around);
     trace_hit hit = trace_meet(from, straight_end.weight != vec3(0.0));
     if (hit.triangle >= 0)
         return trace_number(hit.triangle);

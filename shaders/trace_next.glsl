@@ -9,7 +9,7 @@ uint trace_parts_of(trace_way way)
     bool is_in_ice = trace_is_in(way) && trace_top(way.inside) == trace.ice;
     bool meets_inclusions = trace_has(TRACE_HAS_INCLUSIONS) && (is_in_ice || way.is_in_bubble);
 #ifdef TRACE_RAYS
-    uint around = 1u << TREE_SURROUNDINGS | 1u << TREE_MOVERS;
+    uint around = trace_around;
 #else
     uint around = 0u;
 #endif

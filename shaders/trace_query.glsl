@@ -23,11 +23,11 @@ bool trace_meet_candidate(trace_ray ray, int i, int part, inout trace_hit hit)
     return own.triangle >= 0;
 }
 
-void trace_query_part(trace_ray ray, int part, bool is_active, inout trace_hit hit)
+void trace_query_part(trace_ray ray, int part, inout trace_hit hit)
 {
     rayQueryEXT query;
     /* What is no number must not reach a query. */
-    bool is_sound = is_active && dot(ray.origin, ray.origin) < 1e30 && dot(ray.dir, ray.dir) < 1e30;
+    bool is_sound = dot(ray.origin, ray.origin) < 1e30 && dot(ray.dir, ray.dir) < 1e30;
     vec3 dir = is_sound ? ray.dir : vec3(0.0, 1.0, 0.0);
     vec3 origin = is_sound ? ray.origin - trace.hair * dir : vec3(0.0);
     float near = 0.0, far = hit.t + 2.0 * trace.hair;

@@ -63,10 +63,10 @@ uvec4 trace_corner(int word)
 
 struct trace_ray {
     vec3 origin, dir;
-    vec3 inverse, origin_inverse; /* 1 / dir, origin / dir */
+    vec3 inverse, minus_origin; /* 1 / dir, -origin / dir */
     float side;  /* 1: inside the object that it begins on, -1: outside of it, 0: on none */
     float reach; /* within which faces are not met that it could only see from the other side */
-    float cull;  /* `side`, if the cones of nodes count */
+    vec3 cull;   /* `side` times `dir`; 0 if the cones of nodes do not count */
     bool is_in_bubble;
     int from; /* a triangle that is not met */
 };
@@ -88,13 +88,15 @@ struct trace_hit {
 
 const float trace_edge = 1e-6;
 const int trace_nothing = int(TREE_LEAF);
+const uint trace_around = 1u << TREE_SURROUNDINGS | 1u << TREE_MOVERS; /* parts, a bit each */
 
 trace_ray trace_ray_of(vec3 origin, vec3 dir, float side, float reach, int from, bool is_in_bubble)
 {
     vec3 safe = mix(dir, vec3(1e-20), lessThan(abs(dir), vec3(1e-20)));
     vec3 inverse = 1.0 / safe;
-    float cull = trace_has(TRACE_HAS_CULLING) ? side : 0.0;
-    return trace_ray(origin, dir, inverse, origin * inverse, side, reach, cull, is_in_bubble, from);
+    vec3 cull = (trace_has(TRACE_HAS_CULLING) ? side : 0.0) * dir;
+    return trace_ray(origin, dir, inverse, -origin * inverse, side, reach, cull, is_in_bubble,
+                     from);
 }
 
 /* Returns whether a ray meets a box before `far`, and where it enters. Numbers from 0 on are in the
@@ -103,8 +105,8 @@ trace_ray trace_ray_of(vec3 origin, vec3 dir, float side, float reach, int from,
  * no numbers. */
 bool trace_meets_box(trace_ray ray, vec3 low, vec3 high, float far, out float enter)
 {
-    vec3 a = low * ray.inverse - ray.origin_inverse;
-    vec3 b = high * ray.inverse - ray.origin_inverse;
+    vec3 a = low * ray.inverse + ray.minus_origin;
+    vec3 b = high * ray.inverse + ray.minus_origin;
     ivec3 near_sides = min(floatBitsToInt(a), floatBitsToInt(b));
     ivec3 far_sides = max(floatBitsToInt(a), floatBitsToInt(b));
     int first = max(max(near_sides.x, near_sides.y), max(near_sides.z, 0));
@@ -119,7 +121,7 @@ bool trace_faces(uint cone, trace_ray ray)
     if (!trace_has(TRACE_HAS_CULLING))
         return true;
     ivec4 c = ivec4(cone << 24, cone << 16, cone << 8, cone) >> 24;
-    return dot(vec3(c.xyz), ray.dir) * ray.cull + float(c.w) >= 0.0;
+    return dot(vec3(c.xyz), ray.cull) + float(c.w) >= 0.0;
 }
 
 /* Where a ray, from the centre on, enters and leaves a sphere, or, if `dir` is across an axis, a
@@ -266,7 +268,7 @@ vec3 trace_turned(vec3 v, float cosine, float sine)
 #include "trace_query.glsl"
 #endif
 
-void trace_meet_posed(trace_start start, int part, bool is_active, inout trace_hit hit)
+void trace_meet_posed(trace_start start, int part, inout trace_hit hit)
 {
     vec3 own_origin = start.origin, own_dir = start.dir;
     if (trace_has(TRACE_HAS_MOTION)) {
@@ -279,31 +281,26 @@ void trace_meet_posed(trace_start start, int part, bool is_active, inout trace_h
         trace_ray_of(own_origin, own_dir, own_side, start.reach, start.from, start.is_in_bubble);
 #ifdef TRACE_QUERY
     if (part != TREE_INCLUSIONS) {
-        trace_query_part(ray, part, is_active, hit);
+        trace_query_part(ray, part, hit);
         return;
     }
 #endif
-    trace_meet_part(ray, is_active ? int(trace.roots[part]) : trace_nothing, part, hit);
+    trace_meet_part(ray, int(trace.roots[part]), part, hit);
 }
 
 /* Meets the parts that a ray is to meet; one that is not active meets nothing. In an object whose
- * surface it meets it can meet no surroundings before, if these are apart. */
+ * surface it meets it can meet no surroundings before, if these are apart. Each ray meets the first
+ * of its own parts, then the next: so those of a group that have left the objects meet the
+ * surroundings while the others meet the objects. */
 trace_hit trace_meet(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
-#if defined(TRACE_RAYS) || defined(REFRACT_LAYERS)
-    const int step = 1, last_around = TREE_MOVERS;
-#else
-    const int step = TREE_INCLUSIONS, last_around = TREE_OBJECTS;
-#endif
-    int last = trace_has(TRACE_HAS_INCLUSIONS) ? TREE_INCLUSIONS : last_around;
     bool is_apart = trace.is_apart != 0u && start.side > 0.0;
-    for (int part = TREE_OBJECTS; part <= last; part += step) {
-        bool is_met = (start.parts >> part & 1u) != 0u;
-        if (part == TREE_SURROUNDINGS || part == TREE_MOVERS)
-            is_met = is_met && !(is_apart && hit.triangle >= 0);
-        if (trace.roots[part] != TREE_NOTHING)
-            trace_meet_posed(start, part, is_active && is_met, hit);
+    uint left = is_active ? start.parts & trace.parts : 0u;
+    while (left != 0u) {
+        trace_meet_posed(start, findLSB(left), hit);
+        left &= left - 1u;
+        left &= is_apart && hit.triangle >= 0 ? ~trace_around : ~0u;
     }
     return hit;
 }

@@ -257,8 +257,10 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
     };
     if (lights_surroundings(view->scene, view->settings))
         trace->guide = surface_light_guide(&view->scene->environment, view->scene->surface_light);
-    for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
+    for (uint32_t i = 0; i < TREE_PART_COUNT; i++) {
         trace->roots[i] = tree->roots[i];
+        trace->parts |= tree->roots[i] != TREE_NOTHING ? 1u << i : 0u;
+    }
     for (uint32_t i = 0; i < frame_media_count(view->scene); i++) {
         const struct frame_medium medium = frame_medium_at(view->scene, view->settings, i);
         fill_medium(&trace->media[(size_t)tree_medium(tree, medium.rank) * TRACE_MEDIUM], &medium);

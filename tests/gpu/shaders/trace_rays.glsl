@@ -13,6 +13,6 @@ void main()
     vec4 to = texelFetch(rays, TRACE_RAYS_TEXELS * at + 1);
     trace_start start = trace_start(from.xyz, to.xyz, to.w, 1e30, -1, false, ~0u);
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
-    trace_meet_posed(start, TREE_OBJECTS, true, hit);
+    trace_meet_posed(start, TREE_OBJECTS, hit);
     found = vec4(hit.t, hit.u, hit.v, float(hit.triangle));
 }
