@@ -267,12 +267,14 @@ static void warn_of_outside(const struct app_scene *given, const struct scene *s
         log_warning("refract.outside: no effect in a pool, where water and air are around the ice");
 }
 
-/* Names the shadows that a rung leaves out where a file's surroundings are lit. */
+/* Names the shadows that are asked for, and that a rung leaves out of lit surroundings. */
 static void warn_of_ground(const struct app_picture *picture, const struct scene *scene)
 {
     const struct ground_params *ground = settings_of(&picture->scene.settings, &ground_settings);
     const struct technique_rung *rung = &picture->rung->rung;
-    if (ground->light == GROUND_TRACED && rung->rows && !rung->meets_tree && scene->material_rows &&
+    const size_t index = settings_index(settings_find("ground.light"));
+    if (ground->light == GROUND_TRACED && picture->scene.is_set[index] && rung->rows &&
+        !rung->meets_tree && scene->material_rows &&
         material_rows_has_lit(&scene->model.surroundings) && !picture->scene.quiet)
         log_note("ground.light=traced: drawn without, as if nothing were in the way of light; "
                  "--refraction trace draws it");

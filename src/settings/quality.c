@@ -13,7 +13,7 @@ enum {
 const struct quality qualities[QUALITY_COUNT] = {
     [DRAFT] = { "draft", "coarse surroundings, infinitely far away, and few reflections", 1 },
     [NORMAL] = { "normal", "the defaults of all settings", 1 },
-    [HIGH] = { "high", "16 samples, all reflections inside, and shadows of all light", 16, true },
+    [HIGH] = { "high", "8 samples, all reflections inside, and shadows of all light", 8, true },
 };
 
 const struct quality_row quality_rows[] = {

@@ -6,6 +6,7 @@
 
 enum {
     QUALITY_COUNT = 3,
+    QUALITY_OF_FILES = 2, /* the level of firn render that says nothing of it */
 };
 
 struct quality {

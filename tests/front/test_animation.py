@@ -5,8 +5,8 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import (DATA, NO_DRIVER, USAGE, Case, environment, long, main,  # noqa: E402
-                  unsanitized)
+from case import (DATA, NO_DRIVER, USAGE, Case, command, environment, long,  # noqa: E402
+                  main, unsanitized)
 from exr_file import Exr, write_exr  # noqa: E402
 from gltf_file import boxes, glass, slide, with_nodes  # noqa: E402
 
@@ -92,7 +92,7 @@ class Animation(Case):
         words = ('render', 'a.gltf', '--material', 'ice', *TRACED, '--size', '8x6', '-q', '--bump',
                  files[0], '--cracks', files[1], '--frames', '0-4', '-o', '#.exr',
                  '--set', 'air.count=0', '--set', 'bubbles.count=0')
-        with subprocess.Popen([Case.program, *words], cwd=self.folder,
+        with subprocess.Popen(command(*words), cwd=self.folder,
                               env=environment(NO_DRIVER)) as process:
             while process.poll() is None and not (self.folder / '0.exr').exists():
                 time.sleep(0.001)

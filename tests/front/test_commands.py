@@ -9,8 +9,8 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'support'))
 from case import (  # noqa: E402
-    BARE, CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, WRITE, Case, main,
-    unsanitized)
+    BARE, CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, SMALL, USAGE, WRITE, Case, environment,
+    main, unsanitized)
 from exr_file import Exr  # noqa: E402
 import plan_dumps  # noqa: E402
 
@@ -204,15 +204,20 @@ class CommandLine(Case):
         self.refuse(USAGE, 'list', '--json', '--preset', names=['--json', '--preset'])
 
     def test_quality(self):
-        """A level sets what nobody else has set; normal is what is drawn without one."""
+        """A level sets what nobody else has set; `high` is that of files, but samples or a preset
+        alone mean `normal`."""
         def drawn(*words):
-            self.succeed('render', 'sphere', *BARE, '-q', '-o', 'a.exr', *words)
+            line = (Case.program, 'render', 'sphere', *BARE, '-q', '-o', 'a.exr', *words)
+            subprocess.run(line, env=environment({}), cwd=self.folder, check=True)
             return Exr((self.folder / 'a.exr').read_bytes()).text('firn/settings')
 
         (self.folder / 'a.set').write_text('refract.steps=7\n')
-        self.assertEqual(drawn('--quality', 'normal'), drawn())
+        self.assertEqual(drawn('--quality', 'normal'), drawn('--samples', '1'))
+        self.assertEqual(drawn('--quality', 'high'), drawn())
+        self.assertEqual(drawn('--preset', 'paper'),
+                         drawn('--samples', '1', '--set', 'ice_caustics.light=none'))
         for words, wanted in (
-                (('--quality', 'high'), ('samples=16', 'refract.steps=16', 'trace.branch=0.005')),
+                (('--quality', 'high'), ('samples=8', 'refract.steps=16', 'trace.branch=0.005')),
                 (('--quality', 'draft'),
                  ('samples=1', 'refract_bounce.exits=1', 'trace.branch=0.1')),
                 (('--quality', 'high', '--quality', 'draft'),

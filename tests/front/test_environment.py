@@ -12,8 +12,8 @@ import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import (BARE, CANT_CREATE, NO_DEVICE, PLAIN, WRITE, Case, environment,  # noqa: E402
-                  long, main)
+from case import (BARE, CANT_CREATE, NO_DEVICE, PLAIN, WRITE, Case, command,  # noqa: E402
+                  environment, long, main)
 
 TENT = 'v 0 1 0\nv -1 -1 1\nv 1 -1 1\nv 0 -1 -1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n'
 NOBODY = 65534
@@ -35,8 +35,8 @@ class Environment(Case):
 
     def shell(self, how, *arguments, env=(), before=''):
         """firn from a shell, which `how` tells what to do with its files."""
-        command = [Case.program, *map(str, arguments)]
-        return subprocess.run(['sh', '-c', f'{before} exec "$@" {how}', 'sh', *command],
+        words = command(*arguments)
+        return subprocess.run(['sh', '-c', f'{before} exec "$@" {how}', 'sh', *words],
                               env=environment(dict(env)), cwd=self.folder, capture_output=True,
                               timeout=240, check=False)
 
@@ -119,7 +119,7 @@ class Environment(Case):
     def as_somebody(self, *arguments, env=()):
         """As a user to whom the folder's mode means something: root may write anywhere. The driver
         has words of its own for a folder of its cache."""
-        words = [Case.program, *map(str, arguments)]
+        words = command(*arguments)
         if os.geteuid() == 0:
             shutil.copy(Case.program, self.folder / 'bin')  # where anybody can read it
             words = ['setpriv', f'--reuid={NOBODY}', f'--regid={NOBODY}', '--clear-groups',
@@ -213,7 +213,7 @@ class Environment(Case):
     def test_nothing_in_the_environment(self):
         """Not even a PATH."""
         driver = {name: value for name, value in environment({}).items() if name != 'PATH'}
-        done = subprocess.run([Case.program, 'render', 'tent.obj', *BARE, '-q', '-o', 'a.exr'],
+        done = subprocess.run(command('render', 'tent.obj', *BARE, '-q', '-o', 'a.exr'),
                               env=driver, cwd=self.folder, stdin=subprocess.DEVNULL,
                               capture_output=True, timeout=240, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, b''))

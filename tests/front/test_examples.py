@@ -77,6 +77,8 @@ def shrink(line):
         line = re.sub(r'--frames \S+', '', line)
     if command == 'ladder' and '--rungs' not in line + more:
         more += ' --rungs paper'
+    if command == 'render' and '--samples' not in line and '--quality' not in line:
+        more += ' --samples 1'
     if more and command not in ('view', 'bake'):
         more += ' ' + ' '.join(QUICK)
     before, to, after = line.partition(' > ')

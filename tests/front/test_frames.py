@@ -12,8 +12,8 @@ import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
-    BARE, CANT_CREATE, FLAT, NO_DEVICE, NO_DRIVER, USAGE, WRITE, Case, environment, main,
-    unsanitized)
+    BARE, CANT_CREATE, FLAT, NO_DEVICE, NO_DRIVER, USAGE, WRITE, Case, command, environment,
+    main, unsanitized)
 from exr_file import Exr  # noqa: E402
 
 MOVING = ('--set', 'motion.count=3')
@@ -152,7 +152,7 @@ class Words(Frames):
     def stderr_of(self, *arguments):
         """As a terminal gets it."""
         ours, its = pty.openpty()
-        with subprocess.Popen([Case.program, 'render', 'sphere', *BARE, *arguments],
+        with subprocess.Popen(command('render', 'sphere', *BARE, *arguments),
                               env=environment({}), cwd=self.folder, stderr=its) as process:
             os.close(its)
             text = b''
@@ -337,7 +337,7 @@ class Together(Frames):
     def test_the_same_frames(self):
         self.draw('1-6', '-o', 'alone.#.exr')
         for more in ((), ('--resume',)):
-            words = [Case.program, 'render', 'sphere', *BARE, '--frames', '1-6', '-o', '#.exr']
+            words = command('render', 'sphere', *BARE, '--frames', '1-6', '-o', '#.exr')
             racers = [subprocess.Popen([*words, *more], env=environment({}), cwd=self.folder,
                                        stderr=subprocess.PIPE) for _ in range(3)]
             for racer in racers:
@@ -356,7 +356,7 @@ class Stop(Frames):
             for number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM, signal.SIGUSR1):
                 signal.signal(number, dict(handlers).get(number, signal.SIG_DFL))
         process = subprocess.Popen(
-            [Case.program, 'render', 'sphere', *arguments], env=environment({}), cwd=self.folder,
+            command('render', 'sphere', *arguments), env=environment({}), cwd=self.folder,
             stdin=subprocess.DEVNULL, stderr=stderr, preexec_fn=prepare)
         if process.stderr:
             self.addCleanup(process.stderr.close)

@@ -11,7 +11,7 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import FLAT, PLAIN, Case, environment, long, main  # noqa: E402
+from case import FLAT, PLAIN, Case, command, environment, long, main  # noqa: E402
 
 KILLS = int(os.environ.get('FIRN_KILLS', '10'))
 FRAMES = 24
@@ -29,7 +29,7 @@ class Kills(Case):
 
     def start(self):
         process = subprocess.Popen(
-            [Case.program, *SEQUENCE], env=environment({}), cwd=self.folder,
+            command(*SEQUENCE), env=environment({}), cwd=self.folder,
             stdin=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.wait)

@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import NO_DEVICE, TRY_AGAIN, WRITE, Case, environment, main  # noqa: E402
+from case import NO_DEVICE, TRY_AGAIN, WRITE, Case, command, environment, main  # noqa: E402
 
 CRASHES = (-signal.SIGSEGV, -signal.SIGABRT, -signal.SIGBUS, -signal.SIGILL, -signal.SIGTRAP)
 OLDER = b'what was there before'
@@ -37,7 +37,7 @@ class Memory(Case):
                                  ('-t', resource.RLIMIT_CPU, 8),
                                  ('-n', resource.RLIMIT_NOFILE, 31)):
             done = subprocess.run(
-                [Case.program, 'render', 'tent.obj', '--size', '64x48', '-o', 'a.exr', '-q'],
+                command('render', 'tent.obj', '--size', '64x48', '-o', 'a.exr', '-q'),
                 cwd=self.folder, stdin=subprocess.DEVNULL, env=environment({}), timeout=240,
                 capture_output=True, check=False,
                 preexec_fn=lambda limit=(kind, most): limit_to(*limit))
@@ -50,7 +50,7 @@ class Memory(Case):
         for name in ('a.exr', 'a.png'):
             (self.folder / name).write_bytes(OLDER)
             done = subprocess.run(
-                [Case.program, 'render', 'sphere', '--size', '256x256', '-o', name, '-q'],
+                command('render', 'sphere', '--size', '256x256', '-o', name, '-q'),
                 cwd=self.folder, stdin=subprocess.DEVNULL, timeout=240, capture_output=True,
                 env=environment({'MESA_SHADER_CACHE_DISABLE': 'true'}), check=False,
                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
@@ -66,14 +66,14 @@ class Memory(Case):
             limit_to(resource.RLIMIT_CORE, 0)
         with tempfile.TemporaryDirectory(prefix='firn ') as folder:
             (pathlib.Path(folder) / 'a.exr').write_bytes(OLDER)
-            command = [Case.program, *arguments]
+            words = command(*arguments)
             env = environment({'FIRN_WARM_UP': ''})  # its threads lack memory, too
-            done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, env=env,
+            done = subprocess.run(words, cwd=folder, stdin=subprocess.DEVNULL, env=env,
                                   capture_output=True, timeout=240, check=False,
                                   preexec_fn=limit)
             left = {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir()}
             if len(left) > 1 and done.returncode in CRASHES:
-                subprocess.run(command, cwd=folder, env=env, timeout=240, check=True)
+                subprocess.run(words, cwd=folder, env=env, timeout=240, check=True)
                 left = {name: left.get(name) for name in os.listdir(folder)}
         return done.returncode, done.stderr.decode(), left
 

@@ -28,8 +28,10 @@ static void parse(struct fixture *f, const char *text, size_t skip)
 /* What `firn view` would have of these words, in a window of 320x240. */
 static void start(struct fixture *f, const char *words)
 {
+    char text[512];
     *f = (struct fixture){ 0 };
-    parse(f, words, 0);
+    snprintf(text, sizeof(text), "--samples 1 %s", words); /* of which the last one counts */
+    parse(f, text, 0);
     f->scene.box = (struct box){ .min = { { -1, -1, -1 } }, .max = { { 1, 1, 1 } } };
     f->options.picture.width = 320;
     f->options.picture.height = 240;
@@ -84,14 +86,15 @@ static void check(const char *words, const char *expected)
 static void test_defaults_are_not_said(void **state)
 {
     (void)state;
-    check("sphere", "firn render sphere --size 320x240 -o firn.png");
+    check("sphere", "firn render sphere --size 320x240 --samples 1 -o firn.png");
     check("sphere --orbit 10,20,3 --fov 30 --samples 4",
           "firn render sphere --size 320x240 --samples 4 --orbit 10,20,3 --fov 30 -o firn.png");
     check("sphere --samples 4 --pixel-filter point",
           "firn render sphere --size 320x240 --samples 4 --pixel-filter point -o firn.png");
-    check("sphere --refraction one-sided --set cracks.count=7",
-          "firn render sphere --size 320x240 --refraction one-sided --set cracks.count=7 "
-          "-o firn.png");
+    check(
+        "sphere --refraction one-sided --set cracks.count=7",
+        "firn render sphere --size 320x240 --samples 1 --refraction one-sided --set cracks.count=7 "
+        "-o firn.png");
 }
 
 static void test_time(void **state)
@@ -100,7 +103,8 @@ static void test_time(void **state)
     struct fixture f;
     start(&f, "sphere --set motion.time=5");
     f.time = 0.1f;
-    assert_prints(&f, "firn render sphere --size 320x240 --set motion.time=0.1 -o firn.png");
+    assert_prints(
+        &f, "firn render sphere --size 320x240 --samples 1 --set motion.time=0.1 -o firn.png");
     finish(&f);
 }
 
@@ -112,22 +116,25 @@ static void test_index_of_refraction(void **state)
                                 "--set bump.strength=0 -o firn.png";
     char words[256], expected[256];
     snprintf(words, sizeof(words), "sphere --set refract.ior=2.417%s", plain);
-    snprintf(expected, sizeof(expected), "firn render sphere --size 320x240 --material diamond%s",
-             plain);
+    snprintf(expected, sizeof(expected),
+             "firn render sphere --size 320x240 --samples 1 --material diamond%s", plain);
     check(words, expected);
     check("sphere --set refract.ior=2.417", /* --material would take the cracks off */
-          "firn render sphere --size 320x240 --set refract.ior=2.417 -o firn.png");
-    check("a.obj --material ice",
-          "firn render a.obj --size 320x240 --material ice -o firn.png"); /* all of it is */
+          "firn render sphere --size 320x240 --samples 1 --set refract.ior=2.417 -o firn.png");
+    check("a.obj --material ice", "firn render a.obj --size 320x240 --samples 1 --material ice -o "
+                                  "firn.png"); /* all of it is */
     check("a.obj --material ice --set refract.ior=1.7",
-          "firn render a.obj --size 320x240 --material ice --set refract.ior=1.7 -o firn.png");
+          "firn render a.obj --size 320x240 --samples 1 --material ice --set refract.ior=1.7 -o "
+          "firn.png");
     start(&f, "sphere --set refract.ior=1.7");
-    assert_prints(&f, "firn render sphere --size 320x240 --set refract.ior=1.7 -o firn.png");
+    assert_prints(
+        &f, "firn render sphere --size 320x240 --samples 1 --set refract.ior=1.7 -o firn.png");
     f.scene.model.has_ior = true; /* what the model has by itself need not be said */
     f.scene.model.ior = 1.7f;
-    assert_prints(&f, "firn render sphere --size 320x240 -o firn.png");
+    assert_prints(&f, "firn render sphere --size 320x240 --samples 1 -o firn.png");
     f.scene.model.ior = 1.6f;
-    assert_prints(&f, "firn render sphere --size 320x240 --set refract.ior=1.7 -o firn.png");
+    assert_prints(
+        &f, "firn render sphere --size 320x240 --samples 1 --set refract.ior=1.7 -o firn.png");
     finish(&f);
 }
 
@@ -164,7 +171,7 @@ static void test_words_come_back(void **state)
 static void test_name_like_an_option(void **state)
 {
     (void)state;
-    check("-- -o.obj", "firn render ./-o.obj --size 320x240 -o firn.png");
+    check("-- -o.obj", "firn render ./-o.obj --size 320x240 --samples 1 -o firn.png");
 }
 
 /* A camera that frames the object in one size does not in another. */

@@ -7,4 +7,7 @@
 /* Of struct app_picture: --set and --preset win. */
 option_fn option_quality;
 
+/* Makes the level that of firn render, unless a level, samples, a preset or a limit was named. */
+void option_quality_of_files(struct app_options *o);
+
 #endif

@@ -82,7 +82,7 @@ static const struct option options[] = {
     { "Output", "size", 's', "WxH", APP_LADDER, PICTURE(option_size),
       "size of the picture, pixels, 1x1 to 16384x16384 (512x512)" },
     { "Output", "samples", 'n', "N|auto", APP_RENDER | APP_FARM, PICTURE(option_samples),
-      "samples per pixel, 1 to 65536; auto: 4, 16 or 64, by noise (1)", 1, 65536 },
+      "samples per pixel, 1 to 65536; auto: 4, 16 or 64, by noise (of --quality)", 1, 65536 },
     { "Output", "samples", 'n', "N", APP_GRAPH | APP_LADDER | APP_SHEET, COUNT(picture.samples),
       "samples per pixel, 1 to 65536 (1)", 1, 65536 },
     { "Output", "noise", 0, "LEVEL", APP_RENDER, AT(double, render.noise, option_noise),
@@ -185,7 +185,7 @@ static const struct option options[] = {
     { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, PICTURE(option_refraction),
       "refraction rung: paper, bounce, ...; see firn list rungs (by the scene)" },
     { "Picture", "quality", 0, "LEVEL", PICTURES, PICTURE(option_quality),
-      "draft, normal or high: presets of settings, see firn list qualities (normal)" },
+      "draft, normal or high: firn list qualities (normal; of firn render high)" },
     { "Picture", "material", 'm', "NAME", PICTURES, SCENE(option_material),
       "ice, water, glass, ... (firn list materials), or NODE=glass[,ior=1.5,...]" },
     { "Picture", "plain", 0, NULL, PICTURES, FLAG(picture.scene.plain),
@@ -481,7 +481,7 @@ static void set_defaults(struct app_options *o, enum app_command command)
         .profile = { .warmup = 5, .run_count = 30 },
         .ladder = { .run_count = 10 },
     };
-    if (command == APP_RENDER)
+    if (command & (APP_RENDER | APP_FARM))
         o->picture.samples = 0; /* option_settle_reference() knows */
     if (command == APP_VIEW)
         o->picture.samples = 0; /* view.c knows */
@@ -527,7 +527,9 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     if (command != APP_FARM) /* its words tell whether it has outputs */
         app_name_output(o, command);
     enum status status = settle_layers(&o->picture);
-    if (status == STATUS_OK && command == APP_RENDER)
+    if (command & (APP_RENDER | APP_FARM))
+        option_quality_of_files(o);
+    if (status == STATUS_OK && command & (APP_RENDER | APP_FARM))
         status = option_settle_reference(o);
     if (status == STATUS_OK)
         status = check_files(o, command);

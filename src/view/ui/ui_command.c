@@ -175,8 +175,7 @@ static void print(FILE *out, const struct ui_command *c)
         fputs("./", out);
     shell_words_quote(p->scene.name, out);
     fprintf(out, " --size %ux%u", p->width, p->height);
-    if (p->samples > 1)
-        fprintf(out, " --samples %u", p->samples);
+    fprintf(out, " --samples %u", p->samples);
     if (p->filter != PIXEL_FILTER_BOX)
         print_name(out, "pixel-filter", pixel_filter_names[p->filter]);
     if (p->is_rung_named)
