@@ -4,15 +4,15 @@ import random
 
 import surroundings as around
 from files import Model, glass, lit
-from shapes import (Mesh, add, beads_mesh, crack, crowd, film, ice, lathe, mix, noise, rounded,
-                    scale, smooth_normals, smoothstep, sub, tube, turned, unit, with_normals,
-                    worms)
+from shapes import (Mesh, add, beads_mesh, crack, crowd, film, ice, ice_surface, lathe, mix,
+                    noise, rounded, scale, smooth_normals, smoothstep, sub, tube, turned, unit,
+                    with_normals, worms)
 
 BASE, FLOOR, HEIGHT = 0.0002, 0.0105, 0.09  # heights of the glass: foot, inner floor, rim
 FOOT, RIM, WALL = 0.0335, 0.0395, 0.0024  # radii outside, and how thick the wall is at the rim
 LEVEL = 0.066  # of the water
 GLASS = glass('glass', 1.5, 3, 0.0024, (0.93, 0.97, 0.95), 0.1)
-ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=4)
+ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=13)
 WATER = glass('water', 1.333, 1, 0.07, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
 # Where each cube is, how it is turned, and its half widths.
@@ -22,7 +22,7 @@ CUBES = (
     ((-0.0071, 0.0303, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
 )
 STRAW = ((-0.0195, 0.0137, 0.0), (0.0375, 0.1341, -0.036), 0.0026)  # foot, top, radius
-DROPS = (1300, 0.00028, 0.0012)  # that are tried; least and greatest radius
+DROPS = (1300, 0.00036, 0.0013)  # that are tried; least and greatest radius
 TRACKS = 9  # of drops that ran down
 
 
@@ -92,15 +92,18 @@ def straw():
     return mesh.painted(stripes)
 
 
+FORM = {'exponent': 8, 'waves': 0.00075, 'cell': 0.0045, 'bulge': 0.07}  # of cubes
+
+
 def cubes():
-    return [ice(half, 46, 40 + 13 * i, exponent=8, waves=0.00075, cell=0.0045, bulge=0.07)
-            .placed(turned(*turn), at) for i, (at, turn, half) in enumerate(CUBES)]
+    return [ice(half, 46, 40 + 13 * i, **FORM).placed(turned(*turn), at)
+            for i, (at, turn, half) in enumerate(CUBES)]
 
 
 def clinging(cube, pick):
     """Places on a cube below the water, from which bubbles hang."""
     wet = [(p, n) for p, n in zip(cube.points, cube.normals) if p[1] < LEVEL - 0.003]
-    for _ in range(45):
+    for _ in range(70):
         at, normal = pick.choice(wet)
         radius = 0.00018 + 0.0005 * pick.random() ** 3
         yield add(at, scale(normal, 0.9 * radius)), (0, 1, 0), radius, radius
@@ -113,7 +116,7 @@ def bubbles():
     for i, ((at, turn, half), cube) in enumerate(zip(CUBES, cubes())):
         matrix = turned(*turn)
         inside = [*worms(half, 190, 900 + i, bend=0.6),
-                  *crowd(half, 600, 940 + i, 0.00007, 0.0005)]
+                  *crowd(half, 700, 940 + i, 0.00007, 0.0005)]
         for where, along, *form in inside:
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
@@ -128,16 +131,24 @@ def bubbles():
 
 
 def cracks():
+    """Sheets, each of which ends at its cube's surface, if it reaches it."""
     mesh = Mesh([], [], [])
-    for i, (at, turn, _) in enumerate(CUBES):
+    for i, (at, turn, half) in enumerate(CUBES):
+        surface = ice_surface(half, 40 + 13 * i, **FORM)
+
+        def is_inside(p, surface=surface, half=half):
+            shares = [v / h for v, h in zip(p, half)]
+            most = max(map(abs, shares))
+            return math.hypot(*p) < 0.985 * math.hypot(*surface([v / most for v in shares]))
         for k, tilt in enumerate(((70 + 9 * i, 20, 0), (15, 80 - 14 * i, 40),
                                   (-50, 40, 75 + 8 * i), (35, -30 + 20 * i, 110),
                                   (95, 130, 10 + 25 * i))):
             radius = 0.0121 if k == 1 else 0.0112 - 0.0012 * k  # one goes through all of the cube
-            sheet = crack(radius, 300 + 10 * i + k, bend=16)
             aside = 1 - k if k < 3 else k - 4.5
-            sheet.placed(turned(*tilt), scale((0.0022, -0.0018, 0.0026), aside))
-            mesh.join(sheet.placed(turned(*turn), at))
+            lean, away = turned(*tilt), scale((0.0022, -0.0018, 0.0026), aside)
+            sheet = crack(radius, 300 + 10 * i + k, bend=16, is_inside=lambda p: is_inside(
+                add(tuple(sum(a * b for a, b in zip(row, p)) for row in lean), away)))
+            mesh.join(sheet.placed(lean, away).placed(turned(*turn), at))
     return mesh
 
 
@@ -229,8 +240,14 @@ def spilled():
                                 (-118, 0.046, 0.0016), (-20, 0.046, 0.0012), (160, 0.049, 0.0019)):
         angle = math.radians(angle + pick.uniform(-4, 4))
         mesh.join(film(outline(radius, 0.16, round(1e5 * radius)), 0, 0.28 * radius + 0.0002,
-                       0.9 * radius, (away * math.cos(angle), -away * math.sin(angle))))
+                       0.9 * radius, (away * math.cos(angle), -away * math.sin(angle)),
+                       segments=48))
     return mesh
+
+
+def lamplit(x, z):
+    """The table's light: less of it farther from the window to the left, behind."""
+    return 1 - 0.72 * smoothstep(-0.16, 0.2, x + 0.4 * z)
 
 
 def make():
@@ -238,7 +255,7 @@ def make():
     years, fibres = (model.texture(data) for data in around.wood(21, width=256))
     wood = lit('wood', 1, baseColorTexture={'index': years},
                metallicRoughnessTexture={'index': fibres})
-    model.add('table', around.boards(9, 0.085, 1.1, lambda x, z: 1.0, 1, 1), wood)
+    model.add('table', around.boards(9, 0.085, 1.1, lamplit, 12, 1), wood)
     model.add('straw', straw(), lit('straw', 0.4))
     model.add('water', water(), WATER)
     model.add('spilled', spilled(), WATER)

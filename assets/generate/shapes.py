@@ -229,20 +229,29 @@ def sphere(radius, n):
     return Mesh([scale(p, radius) for p in normals], faces, normals)
 
 
-def ice(half, n, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03, stretch=1.0, fine=0.35):
-    """A block that has begun to melt: rounded, uneven, with shallow hollows, `stretch` as tall as
-    wide, and smaller ones in them, `fine` as deep."""
-    points, faces = cube_grid(n, ease=0.6)
-    out = []
-    for p in points:
+def ice_surface(half, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03, stretch=1.0,
+                fine=0.35):
+    """
+    Where a block that has begun to melt ends, as a function of points on a cube of half width 1:
+    rounded, uneven, with shallow hollows, `stretch` as tall as wide, and smaller ones in them,
+    `fine` as deep.
+    """
+    def at(p):
         r = sum(abs(v) ** exponent for v in p) ** (-1 / exponent)
         q = [v * r * h for v, h in zip(p, half)]
         d = unit(q)
         q = scale(q, 1 + bulge * noise(scale(d, 1.3), seed))
-        at = (q[0] / cell, q[1] / cell / stretch, q[2] / cell)
-        depth = waves * (hollows(at, seed + 7) + fine * hollows(scale(at, 2.1), seed + 11))
-        out.append(add(q, scale(d, depth)))
-    return Mesh(out, faces)
+        place = (q[0] / cell, q[1] / cell / stretch, q[2] / cell)
+        depth = waves * (hollows(place, seed + 7) + fine * hollows(scale(place, 2.1), seed + 11))
+        return add(q, scale(d, depth))
+    return at
+
+
+def ice(half, n, seed, **form):
+    """A block with the surface of ice_surface."""
+    points, faces = cube_grid(n, ease=0.6)
+    surface = ice_surface(half, seed, **form)
+    return Mesh([surface(p) for p in points], faces)
 
 
 def tube(path, radius_of, segments, caps=True):
@@ -359,11 +368,12 @@ def beads_mesh(beads):
     return mesh
 
 
-def crack(radius, seed, gap=0.00006, bend=9.0, rings=12, segments=42):
+def crack(radius, seed, gap=0.00006, bend=9.0, is_inside=lambda p: True):
     """
     A bent sheet of air, lobed, thin towards its rim, square to the y axis: with faint arcs, and
-    uneven where it ended.
+    uneven where it ended. It ends where is_inside(point) no longer holds.
     """
+    rings, segments = 12, 42
     pick = random.Random(seed)
     turn, lobes = pick.uniform(0, 6), pick.uniform(0, 6)
 
@@ -380,12 +390,23 @@ def crack(radius, seed, gap=0.00006, bend=9.0, rings=12, segments=42):
         return unit((height(x - d, z) - height(x + d, z), 2 * d,
                      height(x, z - d) - height(x, z + d)))
 
-    def point(share, k, side):
+    def place(r, k):
         a = 2 * math.pi * k / segments
-        r = radius * share * (0.9 + 0.2 * math.cos(a - turn) + 0.14 * math.cos(3 * a - lobes) +
-                              0.07 * math.cos(5 * a + lobes))
         x, z = r * math.cos(a), -r * math.sin(a)
-        return (x, height(x, z) + side * gap / 2 * math.sqrt(1 - share * share), z)
+        return x, height(x, z), z
+
+    def reach(k):
+        a = 2 * math.pi * k / segments
+        r = radius * (0.9 + 0.2 * math.cos(a - turn) + 0.14 * math.cos(3 * a - lobes) +
+                      0.07 * math.cos(5 * a + lobes))
+        while not is_inside(place(r, k)):
+            r -= 0.02 * radius
+        return r
+    reaches = [reach(k) for k in range(segments)]
+
+    def point(share, k, side):
+        x, y, z = place(share * reaches[k], k)
+        return (x, y + side * gap / 2 * math.sqrt(1 - share * share), z)
 
     points = [point(1, k, 0) for k in range(segments)]
     signs, faces = [1] * segments, []

@@ -54,7 +54,8 @@ def wood(seed, width=192, height=512):
             value = 11 + 33 * late * (0.5 + ((whole * 37) % 11) / 11) + tone + 9 * a[x] + 9 * b[x]
             row.append(63 if edge < 2 else int(min(max(value, 0), 63)))
         rows.append(row)
-    colors = png(rows, ramp([(.75, .57, .40), (.63, .45, .29), (.46, .29, .165), (.22, .125, .07)]))
+    colors = png(rows, ramp([(.78, .635, .49), (.65, .50, .365), (.46, .325, .21),
+                                (.23, .15, .095)]))
     return colors, png(rows, ramp([(1, .26, 0), (1, .4, 0), (1, .52, 0)]))
 
 

@@ -8,15 +8,15 @@ from studio import HEIGHT, WIDTH, lamp
 # A window's middle: azimuth to the right of -Z and elevation, degrees; half width and half height
 # of a pane as tangents of angles; panes across and up; radiance of the sky; colour
 WINDOWS = (
-    (-66, 33, 0.14, 0.2, 2, 3, 6, (1.0, 0.95, 0.87)),
-    (70, 29, 0.17, 0.18, 1, 3, 3.6, (0.8, 0.9, 1.0)),
+    (-66, 33, 0.15, 0.22, 2, 3, 10, (1.0, 0.97, 0.92)),
+    (70, 29, 0.19, 0.21, 1, 3, 5.5, (0.86, 0.93, 1.0)),
     (-163, 33, 0.22, 0.13, 1, 1, 1.7, (1.0, 0.96, 0.9)),
 )
 BAR = 0.012  # half of a bar between panes
-GARDEN = (0.42, (0.72, 0.9, 0.5))  # below the sky: share of its radiance, and colour
+GARDEN = (0.5, (0.86, 0.95, 0.76))  # below the sky: share of its radiance, and colour
 # It comes through the window to the left: azimuth and elevation as in environment.h; light
-SUN = (246, 33, 1.15, 0.93, 0.66)
-GLOW = (-2, 7, (0.62, 0.5, 0.34))  # the lit wall: azimuth and elevation, degrees; radiance
+SUN = (246, 33, 0.42, 0.36, 0.28)
+GLOW = (-4, 7, (0.72, 0.61, 0.44))  # the lit wall: azimuth and elevation, degrees; radiance
 
 
 def walls():
@@ -32,7 +32,8 @@ def walls():
         row = [[], [], []]
         for x in range(WIDTH):
             aside = ((x + 0.5) / WIDTH * 360 - 180) - azimuth
-            share = tall * (0.3 * math.exp(-(aside / 32) ** 2) + 0.7 * math.exp(-(aside / 15) ** 2))
+            broad, narrow = (math.exp(-(aside / width) ** 2) for width in (38, 15))
+            share = tall * (0.45 * broad + 0.55 * narrow)
             for channel, value in zip(row, room):
                 channel.append(value)
             for channel, value in zip(row, scale(color, share)):

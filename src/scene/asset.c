@@ -25,7 +25,7 @@ const struct asset assets[] = {
         .kind = ASSET_SCENE,
         .environment = "window",
         .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.reach=1.5",
-                      "ground.light=traced", "tonemap.exposure=0.1" },
+                      "ground.light=traced" },
         .help = "tumbler of water with three ice cubes and a straw",
     },
     {
