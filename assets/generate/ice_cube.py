@@ -4,7 +4,7 @@ Light goes through nothing but the ice: its cloud is the material's, and the pro
 and cracks. Its meltwater is a smooth, dark surface of the stone.
 """
 from files import Model, lit
-from shapes import dot, film, scale
+from shapes import Mesh, dot, film, scale
 from slate import (ANGLE, EYE, ICE, SHEET, TARGET, VIEW, block, meltwater, run_out, slab, stone,
                    tone)
 
@@ -12,9 +12,18 @@ WET = 0.45  # how bright stone is below water
 THICK, CLIMB = 0.0006, (0.0007, 0.0007)  # of the meltwater, as FILM and CLIMB of slate.py
 
 
+def without_walls(mesh):
+    """The shell's upper side."""
+    kept = [i for i, p in enumerate(mesh.points) if p[1] > -0.001]
+    number = {i: at for at, i in enumerate(kept)}
+    faces = [face for face in mesh.faces if number.keys() >= set(face)]
+    return Mesh([mesh.points[i] for i in kept], [tuple(number[i] for i in f) for f in faces])
+
+
 def water(ice):
     """The puddle around the ice, and the sheet that has run out of it."""
-    mesh = meltwater(ice, THICK, CLIMB, 96).join(film(run_out, 0, SHEET[1], 0.003, (0, 0), 6, 96))
+    mesh = without_walls(meltwater(ice, THICK, CLIMB, 96))
+    mesh.join(without_walls(film(run_out, 0, SHEET[1], 0.003, (0, 0), 8, 96)))
     return mesh.painted(lambda p, n: scale(tone(p[0], p[2]), WET))
 
 
