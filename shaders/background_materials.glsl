@@ -46,6 +46,16 @@ bool is_hole(float alpha, float kind, float cutoff, uint row)
     return kind == float(MATERIAL_KIND_BLENDED) && is_seen_through(alpha, row);
 }
 
+/* Returns the side of a square as large as a pixel on the surface, by the pixel's longer side, but
+ * at least 1/2. */
+float square_blur()
+{
+    vec2 x = dFdx(uv), y = dFdy(uv);
+    float longer = max(dot(x, x), dot(y, y));
+    float area = abs(x.x * y.y - x.y * y.x);
+    return longer > 0.0 ? clamp(sqrt(area / longer), 0.5, 1.0) : 1.0;
+}
+
 /* Returns the light of the sun, as lit.h counts it, and what of it is that of caustics. */
 vec3 sun_light(out vec3 through)
 {
@@ -66,7 +76,8 @@ void main()
     lit_tangent = tangent;
 #endif
     uint row = material >> MESH_SURFACE_SHIFT;
-    float blur = constant_tiled != 0u && push.inverse == 0u ? exp2(frame.lod_bias) : 1.0;
+    float tiled = constant_tiled != 0u ? exp2(frame.lod_bias) : 1.0;
+    float blur = push.inverse != 0u ? square_blur() : tiled;
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
     vec4 reflectance = material_texel(row, MATERIAL_ROW_F0);
     vec4 emission = material_texel(row, MATERIAL_ROW_EMISSION);

@@ -12,7 +12,9 @@
 
 #define CLOUD_SIZE 64
 
-#define CLOUD_TEXELS 16 /* binding of the densities, CLOUD_SIZE layers each */
+/* Binding of the densities, CLOUD_SIZE layers each. A texel has that of its own layer, and that of
+ * the next one, so that one lookup finds all that is between two layers. */
+#define CLOUD_TEXELS 16
 #define CLOUD_AROUND 17 /* binding of LIT_AROUND in refract_cloud.glsl */
 
 #define CLOUD_RIM  0.18f /* relative depth to which ice is clear */
@@ -28,6 +30,7 @@ struct cloud_place {
     float extinction;  /* 1 / metre, where it is densest */
     vec3s texels_each; /* texels a metre */
     float first_layer;
+    vec3s from, to; /* box outside of which there is no cloud, in that of the texels */
 };
 
 /* Returns the density at a relative depth, 0 to 1, as a share of the greatest. */

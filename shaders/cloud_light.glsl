@@ -29,9 +29,8 @@ float cloud_density(cloud_place cloud, vec3 point)
     float z = clamp(at.z - 0.5, 0.0, float(CLOUD_SIZE) - 1.0);
     float layer = min(floor(z), float(CLOUD_SIZE) - 2.0);
     vec3 texel = vec3(at.xy / float(CLOUD_SIZE), cloud.first_layer + layer);
-    float below = textureLod(clouds, texel, 0.0).r;
-    float above = textureLod(clouds, texel + vec3(0.0, 0.0, 1.0), 0.0).r;
-    return mix(below, above, z - layer);
+    vec2 both = textureLod(clouds, texel, 0.0).rg;
+    return mix(both.x, both.y, z - layer);
 }
 
 /* Returns the scatterings on the sun's way to a point. */
@@ -51,6 +50,19 @@ float cloud_phase(float cosine, float g)
 {
     float base = 1.0 + g * g - 2.0 * g * cosine;
     return (1.0 - g * g) / (base * sqrt(base));
+}
+
+/* Returns the scatterings on the sun's way to places of a part of a way, x + y u + z u^2 at a share
+ * u of it: the parabola through three places. They change smoothly from place to place, so that few
+ * are as good as one for each step. */
+vec3 cloud_sun_depths(cloud_place cloud, vec3 from, vec3 way, vec3 to_sun)
+{
+    float before = cloud_sun_depth(cloud, from + way / 6.0, to_sun);
+    float middle = cloud_sun_depth(cloud, from + 0.5 * way, to_sun);
+    float behind = cloud_sun_depth(cloud, from + way / 1.2, to_sun);
+    float slope = 1.5 * (behind - before);
+    float bend = 4.5 * (before - 2.0 * middle + behind);
+    return vec3(middle - 0.5 * slope + 0.25 * bend, slope - bend, bend);
 }
 
 /* Returns what of the sun's light is scattered into a direction, after so many scatterings on its
@@ -84,23 +96,36 @@ struct cloud_part {
     float sun;   /* share of the sun's light that is scattered into it */
 };
 
+/* Returns the lengths of a ray to where it enters and leaves the box that has all of the cloud. */
+vec2 cloud_between(cloud_place cloud, vec3 from, vec3 along)
+{
+    vec3 safe = mix(along, vec3(1e-6), lessThan(abs(along), vec3(1e-6)));
+    vec3 one = (cloud.from - from) / safe, other = (cloud.to - from) / safe;
+    vec3 enter = min(one, other), leave = max(one, other);
+    return vec2(max(enter.x, max(enter.y, enter.z)), min(leave.x, min(leave.y, leave.z)));
+}
+
 /* Follows a part of a way, of length t, from a point in the space of the objects, in `steps` steps
- * of which `turns` are made: all or none. */
+ * in the cloud, of which `turns` are made: all or none. */
 cloud_part cloud_follow(cloud_place cloud, vec3 from, vec3 along, vec3 to_sun, float cosine,
                         float t, int steps, int turns)
 {
     cloud_part seen = cloud_part(0.0, 0.0);
-    float part = t / float(steps);
-    bool has_sun = frame.sun_light != vec3(0.0);
+    vec2 between = clamp(cloud_between(cloud, from, along), 0.0, t);
+    vec3 first = from + between.x * along, way = (between.y - between.x) * along;
+    float part = (between.y - between.x) / float(steps);
+    bool is_lit = frame.sun_light != vec3(0.0) && turns > 0 && part > 0.0;
+    vec3 sun_depths = is_lit ? cloud_sun_depths(cloud, first, way, to_sun) : vec3(0.0);
+    turns = part > 0.0 ? turns : 0;
     while (turns > 0) {
         turns--;
-        vec3 point = from + (float(turns) + 0.5) * part * along;
-        float here = cloud_density(cloud, point) * cloud.extinction * part;
+        float u = (float(turns) + 0.5) / float(steps);
+        float here = cloud_density(cloud, first + u * way) * cloud.extinction * part;
+        float sun_depth = max(sun_depths.x + u * (sun_depths.y + u * sun_depths.z), 0.0);
         float straight = exp(-here), turned = exp(-(1.0 - frame.cloud_cosine) * here);
         seen.sun *= turned;
-        if (has_sun && here > 0.0)
-            seen.sun +=
-                (1.0 - straight) * cloud_of_sun(cosine, cloud_sun_depth(cloud, point, to_sun));
+        if (is_lit && here > 0.0)
+            seen.sun += (1.0 - straight) * cloud_of_sun(cosine, sun_depth);
         seen.depth += here;
     }
     return seen;

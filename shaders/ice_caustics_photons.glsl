@@ -1,8 +1,11 @@
 /*
- * ice_caustics_photons.glsl: main() of photons, which draws the ice's front faces in the sun's
- * view, one photon per texel (with REFRACT_BUMP, with bumps), and writes where photons land in the
- * map and their energy.
+ * ice_caustics_photons.glsl: main() of photons, one for each texel of the ice's front faces in the
+ * sun's view, which writes where they land in the map and their energy. The faces are read from
+ * their pictures; with REFRACT_BUMP they are drawn again, with bumps.
  */
+#ifndef REFRACT_BUMP
+#define REFRACT_PHOTONS
+#endif
 #define REFRACT_BOUNCE
 #define REFRACT_MARCH push.march
 #include "lib/constants.glsl"
@@ -16,6 +19,9 @@ layout(push_constant, scalar) uniform Push
 #include "refract_march.glsl"
 
 layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D ground;
+#ifdef REFRACT_PHOTONS
+layout(location = 0) in vec3 ray; /* from the eye, of length 1 along the view's axis */
+#endif
 
 /* xy: position in the map; z: share of the photon's energy that arrives */
 layout(location = 0) out vec4 landed_red;
@@ -98,8 +104,24 @@ vec3 land(vec3 point, vec3 dir)
     return vec3(ice_light_uv(clip + below * way), found ? 1.0 : 0.0);
 }
 
+#ifdef REFRACT_PHOTONS
+/* Reads the face of this texel. Returns whether there is one. */
+bool find_front()
+{
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    float depth = texelFetch(depth_front, texel, 0).r;
+    eye_to_point = frame.clip_from_world[3][2] / depth * ray;
+    normal = normalize(texelFetch(normal_front, texel, 0).xyz);
+    return depth > 0.0;
+}
+#endif
+
 void main()
 {
+#ifdef REFRACT_PHOTONS
+    if (!find_front())
+        discard;
+#endif
     vec3 e = sun_ray(normalize(eye_to_point));
     vec3 n_f = refract_front_normal();
     vec4 landed[3];

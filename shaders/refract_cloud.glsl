@@ -7,15 +7,6 @@
 #include "cloud_light.glsl"
 #include "lib/pose.glsl"
 
-/* Returns the length of a ray to where it leaves the box of the cloud, in whose space it is. */
-float refract_cloud_room(cloud_place cloud, vec3 from, vec3 along)
-{
-    vec3 high = cloud.low + float(CLOUD_SIZE) / cloud.texels_each;
-    vec3 safe = mix(along, vec3(1e-6), lessThan(abs(along), vec3(1e-6)));
-    vec3 ends = (mix(cloud.low, high, greaterThan(along, vec3(0.0))) - from) / safe;
-    return max(min(ends.x, min(ends.y, ends.z)), 0.0);
-}
-
 /* Follows a part of a way from a point of the world, no farther than `t`. Adds the light that comes
  * from the cloud, times `straight`, which becomes the share of light that goes straight on. */
 vec3 refract_cloud(cloud_place cloud, vec3 point, vec3 dir, float t, inout float straight)
@@ -23,10 +14,9 @@ vec3 refract_cloud(cloud_place cloud, vec3 point, vec3 dir, float t, inout float
     vec3 from = pose_to_object(point);
     vec3 along = pose_to_object(point + dir) - from;
     vec3 to_sun = pose_to_object(point + frame.sun_dir) - from;
-    float within = min(t, refract_cloud_room(cloud, from, along));
     int steps = int(frame.cloud_steps);
-    cloud_part seen = cloud_follow(cloud, from, along, to_sun, dot(dir, frame.sun_dir), within,
-                                   steps, cloud.extinction > 0.0 ? steps : 0);
+    cloud_part seen = cloud_follow(cloud, from, along, to_sun, dot(dir, frame.sun_dir), t, steps,
+                                   cloud.extinction > 0.0 ? steps : 0);
     vec3 light = vec3(0.0);
     if (seen.depth > 0.0)
         light = straight * cloud_light(seen, dir);

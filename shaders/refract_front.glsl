@@ -1,6 +1,7 @@
 /*
  * refract_front.glsl: the inputs of front faces from refract*.vert, and their normal; with
- * REFRACT_BUMP, with bumps. With REFRACT_SEEN all of this is read from ice_normal.front.
+ * REFRACT_BUMP, with bumps. With REFRACT_SEEN all of this is read from ice_normal.front; with
+ * REFRACT_PHOTONS, main() finds it.
  */
 #ifndef REFRACT_FRONT_GLSL
 #define REFRACT_FRONT_GLSL
@@ -9,6 +10,14 @@
 
 #ifdef REFRACT_SEEN
 #include "refract_seen.glsl"
+#elif defined(REFRACT_PHOTONS)
+vec3 eye_to_point;
+vec3 normal; /* unit */
+
+vec3 refract_front_normal()
+{
+    return normal;
+}
 #else
 layout(location = REFRACT_EYE_TO_POINT) in vec3 eye_to_point;
 layout(location = REFRACT_NORMAL) in vec3 normal;

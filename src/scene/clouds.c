@@ -67,9 +67,29 @@ static struct mesh part_of(const struct model *model, const struct cloud_field *
     return part;
 }
 
+/* Returns the part of a cloud's box that its texels reach which are not empty. */
+static struct box filled_by(const struct box *box, uint8_t (*texels)[2])
+{
+    float first[3] = { SIZE, SIZE, SIZE }, last[3] = { 0 };
+    for (uint32_t k = 0; k < COUNT; k++) {
+        const uint32_t at[3] = { k % SIZE, k / SIZE % SIZE, k / SIZE / SIZE };
+        for (int axis = 0; axis < 3 && texels[k][0]; axis++) {
+            first[axis] = fminf(first[axis], (float)at[axis] - 0.5f);
+            last[axis] = fmaxf(last[axis], (float)at[axis] + 1.5f);
+        }
+    }
+    struct box filled;
+    for (int axis = 0; axis < 3; axis++) {
+        const float side = (box->max.raw[axis] - box->min.raw[axis]) / SIZE;
+        filled.min.raw[axis] = box->min.raw[axis] + fmaxf(first[axis], 0.0f) * side;
+        filled.max.raw[axis] = box->min.raw[axis] + fminf(last[axis], SIZE) * side;
+    }
+    return filled;
+}
+
 bool clouds_fill(struct clouds *clouds, const struct model *model)
 {
-    clouds->texels = clouds->count ? malloc((size_t)COUNT * clouds->count) : NULL;
+    clouds->texels = clouds->count ? malloc(sizeof(*clouds->texels) * COUNT * clouds->count) : NULL;
     if (clouds->count && !clouds->texels)
         return false;
     for (uint32_t i = 0; i < clouds->count; i++) {
@@ -77,10 +97,13 @@ bool clouds_fill(struct clouds *clouds, const struct model *model)
         struct depth_field depth;
         if (!depth_field_init(&depth, &part))
             return false;
-        uint8_t *texels = &clouds->texels[(size_t)COUNT * i];
+        uint8_t(*texels)[2] = &clouds->texels[(size_t)COUNT * i];
         for (uint32_t k = 0; k < COUNT; k++)
-            texels[k] = (uint8_t)(255.0f * density_at(k, depth.texels[k]) + 0.5f);
+            texels[k][0] = (uint8_t)(255.0f * density_at(k, depth.texels[k]) + 0.5f);
+        for (uint32_t k = 0; k < COUNT; k++)
+            texels[k][1] = texels[k + SIZE * SIZE < COUNT ? k + SIZE * SIZE : k][0];
         clouds->all[i].box = depth.box;
+        clouds->all[i].filled = filled_by(&depth.box, texels);
         depth_field_finish(&depth);
     }
     return true;
@@ -95,7 +118,7 @@ void clouds_finish(struct clouds *clouds)
 float clouds_at(const struct clouds *clouds, uint32_t index, vec3s point)
 {
     const struct box *box = &clouds->all[index].box;
-    const uint8_t *texels = &clouds->texels[(size_t)COUNT * index];
+    uint8_t(*texels)[2] = &clouds->texels[(size_t)COUNT * index];
     uint32_t lower[3];
     float share[3], sum = 0.0f;
     for (int k = 0; k < 3; k++) {
@@ -111,7 +134,7 @@ float clouds_at(const struct clouds *clouds, uint32_t index, vec3s point)
         const float weight = (i & 1 ? share[0] : 1.0f - share[0]) *
                              (i >> 1 & 1 ? share[1] : 1.0f - share[1]) *
                              (i >> 2 ? share[2] : 1.0f - share[2]);
-        sum += weight * (float)texels[(z * SIZE + y) * SIZE + x];
+        sum += weight * (float)texels[(z * SIZE + y) * SIZE + x][0];
     }
     return sum / 255.0f;
 }

@@ -12,17 +12,19 @@ enum {
 };
 
 struct cloud_field {
-    uint32_t object; /* whose ice it is in */
-    float density;   /* material.cloud; 0: that of settings */
-    struct box box;  /* of the object, in the space of the mesh; the texels fill it */
+    uint32_t object;   /* whose ice it is in */
+    float density;     /* material.cloud; 0: that of settings */
+    struct box box;    /* of the object, in the space of the mesh; the texels fill it */
+    struct box filled; /* the part of it outside of which there is no cloud; of clouds_fill() */
 };
 
 struct clouds {
     struct cloud_field all[CLOUDS_MAX];
     uint32_t count;
-    uint32_t left_out; /* objects beyond CLOUDS_MAX, which are clear */
-    uint8_t *texels;   /* CLOUD_SIZE a side, along x first, then y, for each cloud: its density, 255
-                        where it is greatest; owned; NULL until clouds_fill() */
+    uint32_t left_out;    /* objects beyond CLOUDS_MAX, which are clear */
+    uint8_t (*texels)[2]; /* CLOUD_SIZE a side, along x first, then y, for each cloud: its density,
+                             255 where it is greatest, and that of the next texel along z; owned;
+                             NULL until clouds_fill() */
 };
 
 /* Finds the clouds of a model: those of materials, or, if `is_asked`, also one in the first object,

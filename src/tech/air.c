@@ -34,7 +34,7 @@ static const struct rg_image air_layers = {
 
 const struct rg_image air_clouds = {
     .name = "air.clouds",
-    .format = VK_FORMAT_R8_UNORM,
+    .format = VK_FORMAT_R8G8_UNORM,
     .width = 1,
     .height = 1,
     .array = true,

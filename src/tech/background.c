@@ -20,14 +20,34 @@ static const struct rg_use plain_uses[] = {
 };
 
 static const struct rg_use material_uses[] = {
-    FRAME_USE_GLOBALS,
-    FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler),
-    FRAME_SAMPLE(frame_numbers, BACKGROUND_NUMBERS, .sampler = &frame_texture_sampler),
     FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL),
     FRAME_SAMPLE(frame_environment, BACKGROUND_ENVIRONMENT, .sampler = &frame_environment_sampler),
     FRAME_SAMPLE(frame_surface_light, BACKGROUND_LIGHT, .sampler = &frame_environment_sampler),
     FRAME_SAMPLE(frame_surface_split, BACKGROUND_SPLIT, .sampler = &frame_linear),
     FRAME_SAMPLE(frame_lights, BACKGROUND_LIGHTS, .sampler = NULL),
+    { 0 },
+};
+
+static const struct rg_use texture_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler),
+    FRAME_SAMPLE(frame_numbers, BACKGROUND_NUMBERS, .sampler = &frame_texture_sampler),
+    { 0 },
+};
+
+/* Of a cube: without an anisotropic filter, which costs more than all the rest of lit textures.
+ * Instead, pixels that see a surface at a slant are filtered as squares of the same area. */
+static const struct rg_sampler square_sampler = {
+    .linear = true,
+    .mips = true,
+    .repeat_u = true,
+    .repeat_v = true,
+};
+
+static const struct rg_use cube_texture_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &square_sampler),
+    FRAME_SAMPLE(frame_numbers, BACKGROUND_NUMBERS, .sampler = &square_sampler),
     { 0 },
 };
 
@@ -74,9 +94,14 @@ struct rg_technique background_make(struct row_builder *builder,
     const enum rg_load color_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
     const enum rg_load depth_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
     const bool has_extras = wanted->has_materials && wanted->has_extras;
-    const struct rg_use *const uses[] = { wanted->has_materials ? material_uses : plain_uses,
-                                          wanted->shine ? ice_caustics_uses : NULL,
-                                          has_extras ? extra_uses : NULL };
+    const struct rg_use *const textures =
+        wanted->repeat == RG_PER_LAYER ? cube_texture_uses : texture_uses;
+    const struct rg_use *const uses[] = {
+        wanted->has_materials ? textures : plain_uses,
+        wanted->has_materials ? material_uses : NULL,
+        wanted->shine ? ice_caustics_uses : NULL,
+        has_extras ? extra_uses : NULL,
+    };
     struct rg_pass *rows = row_builder_rows(builder, passes, 2);
     if (!rows)
         return (struct rg_technique){ 0 };
@@ -86,7 +111,7 @@ struct rg_technique background_make(struct row_builder *builder,
     if (has_extras)
         rows[0].vert = &background_extra_vert;
     rows[0].frag = frags[has_extras ? 2 : wanted->has_materials][wanted->shine];
-    rows[0].uses = row_builder_uses(builder, uses, 3);
+    rows[0].uses = row_builder_uses(builder, uses, 4);
     rows[0].record = wanted->record_surroundings;
     rows[1].name = row_builder_name(builder, wanted->name, "sky");
     rows[1].color = row_builder_target(builder, (struct rg_target){ wanted->color, RG_LOAD_KEEP });

@@ -20,6 +20,8 @@ struct cloud_place frame_cloud_at(const struct scene *scene, const struct settin
         .extinction = density / fmaxf(glms_vec3_max(sides), 1e-20f),
         .texels_each = glms_vec3_div(texels, sides),
         .first_layer = (float)(CLOUD_SIZE * index),
+        .from = cloud->filled.min,
+        .to = cloud->filled.max,
     };
 }
 

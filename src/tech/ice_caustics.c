@@ -30,7 +30,7 @@
 #include "src/tech/refract_bounce.h"
 #include "src/tech/row_builder.h"
 
-static rg_record_fn record_ground, record_photons, record_traced, record_clear, record_splat;
+static rg_record_fn record_ground, record_photons, record_clear, record_splat;
 static rg_record_fn record_layers;
 
 /* What frames read in which it is not due is persistent. */
@@ -177,13 +177,9 @@ static const struct rg_pass passes[] = {
         .name = "ice_caustics.photons",
         .color = RG_TARGETS({ &landed_red, RG_LOAD_CLEAR }, { &landed_green, RG_LOAD_CLEAR },
                             { &landed_blue, RG_LOAD_CLEAR }),
-        .depth = { &photons_depth, RG_LOAD_CLEAR },
-        .depth_compare = VK_COMPARE_OP_GREATER,
         .uses = photon_uses,
-        .vert = &refract_vert,
+        .vert = &ice_caustics_photons_vert,
         .frag = &ice_caustics_photons_frag,
-        .vertices = &frame_mesh_layout,
-        .cull = VK_CULL_MODE_BACK_BIT,
         .push_size = sizeof(struct ice_caustics_push),
         .record = record_photons,
         .when = is_due,
@@ -258,13 +254,25 @@ static void push_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
 static void record_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     push_photons(cmd, frame);
+    rg_cmd_draw(cmd, 3);
+}
+
+static void record_bumps(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push_photons(cmd, frame);
     rg_cmd_draw_mesh(cmd, &frame->object);
 }
 
-static void record_traced(struct rg_cmd *cmd, const struct rg_frame *frame)
+/* Makes the photons' row draw the faces, with bumps. */
+static void draw_bumps(struct rg_pass *row)
 {
-    push_photons(cmd, frame);
-    rg_cmd_draw(cmd, 3);
+    row->depth = (struct rg_target){ &photons_depth, RG_LOAD_CLEAR };
+    row->depth_compare = VK_COMPARE_OP_GREATER;
+    row->vert = &refract_bump_vert;
+    row->frag = &ice_caustics_photons_bump_frag;
+    row->vertices = &frame_mesh_layout;
+    row->cull = VK_CULL_MODE_BACK_BIT;
+    row->record = record_bumps;
 }
 
 static void record_clear(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -349,12 +357,10 @@ static struct rg_technique make_maps(const struct technique_choice *choice,
         return (struct rg_technique){ 0 };
     if (is_traced) {
         choice->rung->rung.trace_photons(&made[PHOTONS_ROW], choice, builder, traced_uses);
-        made[PHOTONS_ROW].record = record_traced;
         return (struct rg_technique){ "ice_caustics", made, count };
     }
     made[PHOTONS_ROW].uses = row_builder_uses(builder, uses, 2);
-    made[PHOTONS_ROW].vert = &refract_bump_vert;
-    made[PHOTONS_ROW].frag = &ice_caustics_photons_bump_frag;
+    draw_bumps(&made[PHOTONS_ROW]);
     return (struct rg_technique){ "ice_caustics", made, count };
 }
 

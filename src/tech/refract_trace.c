@@ -416,13 +416,10 @@ static void trace_photons(struct rg_pass *row, const struct technique_choice *ch
                           struct row_builder *builder, const struct rg_use *own)
 {
     const struct rg_use *const uses[] = { tree_uses, surface_uses, own };
-    row->depth = (struct rg_target){ 0 };
     row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     row->vert = &refract_seen_vert;
     row->frag = choice->disperses ? &refract_trace_rays_photons_colors_frag
                                   : &refract_trace_rays_photons_frag;
-    row->vertices = NULL;
-    row->cull = VK_CULL_MODE_NONE;
 }
 
 static struct rg_technique color_rows(const struct technique_choice *choice,

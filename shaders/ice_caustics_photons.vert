@@ -1,0 +1,16 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/globals.glsl"
+
+layout(location = 0) out vec3 out_ray; /* from the eye, of length 1 along the view's axis */
+
+/* A triangle that covers the sun's view, which is in perspective, whatever the picture is. */
+void main()
+{
+    vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+    mat4 m = frame.clip_from_world;
+    mat3 rows = transpose(mat3(m));
+    vec3 w = vec3(m[0][3], m[1][3], m[2][3]);
+    out_ray = inverse(transpose(mat3(rows[0], rows[1], w))) * vec3(corner, 1.0);
+}
