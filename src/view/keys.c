@@ -20,7 +20,7 @@ static const struct {
     const char *label;  /* a few words */
     const char *help;   /* what it does, where the label does not say all; NULL: it does */
     const char *button; /* a word; NULL: the label */
-} actions[VIEW_ACTION_COUNT] = {
+} actions[VIEW_DEED_COUNT] = {
     [VIEW_LEFT] = {
         .keys = { GLFW_KEY_LEFT },
         .repeats = true,
@@ -326,20 +326,15 @@ static const struct {
         .name = "Q, Ctrl Q",
         .label = "close the window",
     },
-};
-
-static const struct {
-    const char *name, *help;
-} gestures[] = {
-    { "drag", "orbit around the object" },
-    { "right drag", "move sideways (Shift, or middle)" },
-    { "Ctrl drag", "turn the light or the panorama" },
-    { "also Shift", "Ctrl Shift drag: move the sun" },
-    { "wheel", "move closer or away" },
-    { "double click", "look at this point" },
-    { "/", "search for a setting" },
-    { "F6, Esc", "use the panel by keys, or not" },
-    { "drop a file", "model, picture, preset, session" },
+    [VIEW_DRAG] = { .name = "drag", .label = "orbit around the object" },
+    [VIEW_SLIDE] = { .name = "right drag", .label = "move sideways (Shift, or middle)" },
+    [VIEW_TURN_LIGHT] = { .name = "Ctrl drag", .label = "turn the light or the panorama" },
+    [VIEW_MOVE_SUN] = { .name = "also Shift", .label = "Ctrl Shift drag: move the sun" },
+    [VIEW_WHEEL] = { .name = "wheel", .label = "move closer or away" },
+    [VIEW_AIM] = { .name = "double click", .label = "look at this point" },
+    [VIEW_SEARCH] = { .name = "/", .label = "search for a setting" },
+    [VIEW_PANEL_KEYS] = { .name = "F6, Esc", .label = "use the panel by keys, or not" },
+    [VIEW_DROP] = { .name = "drop a file", .label = "model, picture, preset, session" },
 };
 
 static bool has_key(enum view_action action, int key)
@@ -400,18 +395,14 @@ const char *keys_button(enum view_action action)
 static bool find_row(uint32_t i, bool all, const char **name, const char **help)
 {
     uint32_t count = 0;
-    for (enum view_action a = VIEW_NOTHING; a < VIEW_ACTION_COUNT; a++) {
+    for (enum view_action a = VIEW_NOTHING; a < VIEW_DEED_COUNT; a++) {
         if (actions[a].name && count++ == i) {
             *name = actions[a].name;
             *help = all ? keys_help(a) : actions[a].label;
             return true;
         }
     }
-    if (i - count >= sizeof(gestures) / sizeof(gestures[0]))
-        return false;
-    *name = gestures[i - count].name;
-    *help = gestures[i - count].help;
-    return true;
+    return false;
 }
 
 bool keys_row(uint32_t i, const char **name, const char **help)

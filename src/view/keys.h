@@ -68,6 +68,16 @@ enum view_action {
     VIEW_THEME,
     VIEW_QUIT,
     VIEW_ACTION_COUNT,
+    VIEW_DRAG = VIEW_ACTION_COUNT, /* what no button does: */
+    VIEW_SLIDE,
+    VIEW_TURN_LIGHT,
+    VIEW_MOVE_SUN,
+    VIEW_WHEEL,
+    VIEW_AIM,
+    VIEW_SEARCH,
+    VIEW_PANEL_KEYS,
+    VIEW_DROP,
+    VIEW_DEED_COUNT,
 };
 
 /* How a key went down. */

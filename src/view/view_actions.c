@@ -297,6 +297,7 @@ static bool compare(struct view *v, enum view_action action)
 void view_act(struct view *v, enum view_action action)
 {
     v->changed = true;
+    ui_count(v->ui, action);
     if (!compare(v, action) && !move_camera(v, action) && !place_camera(v, action) &&
         !change_window(v, action))
         change_picture(v, action);

@@ -16,6 +16,29 @@ static bool has_moved(const struct window_drag *drag)
     return drag->x != 0.0 || drag->y != 0.0;
 }
 
+/* One movement from a button's press to its release is one. */
+static void count_drag(struct view *v, const struct window_drag *drag, enum view_action gesture)
+{
+    uint32_t *hold = &v->holds[gesture - VIEW_DRAG];
+    if (!has_moved(drag) || *hold == v->hold)
+        return;
+    *hold = v->hold;
+    ui_count(v->ui, gesture);
+}
+
+static void count_gestures(struct view *v, const struct window_input *input)
+{
+    v->hold += input->pressed;
+    count_drag(v, &input->turn, VIEW_DRAG);
+    count_drag(v, &input->pan, VIEW_SLIDE);
+    count_drag(v, &input->light, VIEW_TURN_LIGHT);
+    count_drag(v, &input->sun, VIEW_MOVE_SUN);
+    if (input->wheel != 0.0)
+        ui_count(v->ui, VIEW_WHEEL);
+    if (input->doubled)
+        ui_count(v->ui, VIEW_AIM);
+}
+
 /* The picture follows the hand. */
 static void drag(struct view *v, const struct window_input *input)
 {
@@ -47,7 +70,6 @@ static void drag(struct view *v, const struct window_input *input)
 
 static void drag_light(struct view *v, const struct window_input *input)
 {
-    v->hold += input->pressed;
     if (has_moved(&input->light))
         view_turn_light(v, input->light.x, input->light.y, false);
     if (has_moved(&input->sun))
@@ -57,8 +79,10 @@ static void drag_light(struct view *v, const struct window_input *input)
 static void open_dropped(struct view *v)
 {
     char *path = window_take_dropped(&v->window);
-    if (path)
+    if (path) {
+        ui_count(v->ui, VIEW_DROP);
         view_open(v, path);
+    }
     free(path);
 }
 
@@ -81,6 +105,7 @@ static void take_shaders(struct view *v)
 void view_handle(struct view *v)
 {
     const struct window_input input = window_take(&v->window);
+    count_gestures(v, &input);
     drag(v, &input);
     drag_light(v, &input);
     for (uint32_t i = 0; i < input.action_count; i++)

@@ -49,6 +49,7 @@ struct view {
     bool bookmarked[VIEW_BOOKMARK_COUNT];
     bool dragged;   /* a hand has moved the picture */
     uint32_t hold;  /* how often buttons of the mouse went down */
+    uint32_t holds[VIEW_WHEEL - VIEW_DRAG]; /* the last one that was counted as each gesture */
     double now;     /* of the loop, seconds */
     double elapsed; /* of the scene's time, seconds, from motion.time */
     float shown;    /* time of the frame drawn last, seconds */

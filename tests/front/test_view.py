@@ -37,6 +37,8 @@ def png_pixels(path):
 
 
 class WindowCase(Case):
+    CHECKED = CHECKED
+
     @classmethod
     def setUpClass(cls):
         cls.desktop = Desktop()
@@ -50,7 +52,7 @@ class WindowCase(Case):
 
     def start(self, scene, *arguments, title=None, plain=PLAIN):
         """Runs on; the number of its window, once it shows the scene."""
-        words = [Case.program, 'view', *filter(None, [scene]), *CHECKED, *plain,
+        words = [Case.program, 'view', *filter(None, [scene]), *self.CHECKED, *plain,
                  *map(str, arguments)]
         with open(self.folder / 'stdout', 'wb') as out, open(self.folder / 'stderr', 'wb') as log:
             self.process = subprocess.Popen(words, env=environment(self.env()), cwd=self.folder,

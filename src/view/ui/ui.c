@@ -16,6 +16,55 @@ enum {
 static const double drag_seconds = 0.25; /* between frames while the picture is dragged */
 static const float click_reach = 3.0f;   /* pixels; farther it is a drag */
 
+/* ---- what programs read ---- */
+
+void ui_count(struct ui *ui, enum view_action action)
+{
+    ui->done[action]++;
+}
+
+void ui_dump(struct ui *ui, const char *path)
+{
+    ui->dump = path;
+}
+
+/* Readers see the old list or the new one. */
+static void replace_dump(const struct ui *ui, const struct imgui_item *items, uint32_t count)
+{
+    char path[FONT_PATH_SIZE];
+    const int length = snprintf(path, sizeof(path), "%s.new", ui->dump);
+    FILE *file = length > 0 && length < FONT_PATH_SIZE ? fopen(path, "w") : NULL;
+    if (!file)
+        return;
+    for (uint32_t i = 0; i < count; i++)
+        fprintf(file, "%.0f %.0f %.0f %.0f %s\n", (double)items[i].place.x,
+                (double)items[i].place.y, (double)items[i].place.width,
+                (double)items[i].place.height, items[i].label);
+    for (enum view_action a = VIEW_NOTHING + 1; a < VIEW_DEED_COUNT; a++)
+        fprintf(file, "0 0 0 0 done %u: %s\n", ui->done[a], keys_label(a));
+    if (fclose(file) == 0)
+        (void)!rename(path, ui->dump);
+}
+
+/* FNV-1a */
+static uint32_t hash_more(uint32_t hash, const void *bytes, size_t size)
+{
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ ((const uint8_t *)bytes)[i]) * 16777619u;
+    return hash;
+}
+
+static void write_dump(struct ui *ui)
+{
+    uint32_t count;
+    const struct imgui_item *items = imgui_items(ui->imgui, &count);
+    const uint32_t shown = hash_more(2166136261u, items, count * sizeof(*items));
+    const uint32_t hash = hash_more(shown, ui->done, sizeof(ui->done));
+    if (ui->dump && hash != ui->dumped)
+        replace_dump(ui, items, count);
+    ui->dumped = hash;
+}
+
 /* ---- life ---- */
 
 static enum status make_font(struct ui *ui)
@@ -80,6 +129,8 @@ void ui_destroy(struct ui *ui)
 {
     if (!ui)
         return;
+    if (ui->dump)
+        write_dump(ui); /* what was done while it was hidden, too */
     gpu_image_destroy(ui->gpu, &ui->font);
     imgui_destroy(ui->imgui);
     free(ui);
@@ -240,6 +291,7 @@ static bool hear_key(struct ui *ui, const struct window_event *event)
     const bool kept = !function && (event->control ? imgui_has_text(ui->imgui) && is_for_text(event)
                                                    : ui->held || has_keys(ui));
     if (event->down && event->code == GLFW_KEY_F6) {
+        ui_count(ui, VIEW_PANEL_KEYS);
         ui->focus_panel = true;
         ui->searches = false;
         ui->held = HOLD_COUNT;
@@ -262,6 +314,7 @@ static bool hear_character(struct ui *ui, const struct window_event *event)
         return true;
     }
     if (event->code == '/') {
+        ui_count(ui, VIEW_SEARCH);
         ui->focus_search = ui->searches = true;
         ui->held = HOLD_COUNT;
         return true;
@@ -334,39 +387,6 @@ static void take_input(struct ui *ui)
         imgui_focus_panel(NULL); /* it waited, too */
     else if (ui->searches && imgui_has_text(ui->imgui))
         ui->release = true; /* one key is enough to leave the search */
-}
-
-void ui_dump(struct ui *ui, const char *path)
-{
-    ui->dump = path;
-}
-
-/* Readers see the old list or the new one. */
-static void replace_dump(const struct ui *ui, const struct imgui_item *items, uint32_t count)
-{
-    char path[FONT_PATH_SIZE];
-    const int length = snprintf(path, sizeof(path), "%s.new", ui->dump);
-    FILE *file = length > 0 && length < FONT_PATH_SIZE ? fopen(path, "w") : NULL;
-    if (!file)
-        return;
-    for (uint32_t i = 0; i < count; i++)
-        fprintf(file, "%.0f %.0f %.0f %.0f %s\n", (double)items[i].place.x,
-                (double)items[i].place.y, (double)items[i].place.width,
-                (double)items[i].place.height, items[i].label);
-    if (fclose(file) == 0)
-        (void)!rename(path, ui->dump);
-}
-
-static void write_dump(struct ui *ui)
-{
-    uint32_t count;
-    const struct imgui_item *items = imgui_items(ui->imgui, &count);
-    uint32_t hash = 2166136261u; /* FNV-1a */
-    for (size_t i = 0; i < count * sizeof(*items); i++)
-        hash = (hash ^ ((const uint8_t *)items)[i]) * 16777619u;
-    if (ui->dump && hash != ui->dumped)
-        replace_dump(ui, items, count);
-    ui->dumped = hash;
 }
 
 void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)

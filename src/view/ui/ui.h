@@ -47,8 +47,10 @@ MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 void ui_look(struct ui *ui, const struct theme *theme); /* other colours, from the next frame on */
 
 /* Writes to a file, whenever it changes, what hands can use, one a line: left, top, width, height,
- * pixels, and the label. For programs that use the window. */
+ * pixels, and the label; and at 0 0 0 0 how often each action has been done. For programs that
+ * use the window. */
 void ui_dump(struct ui *ui, const char *path);
+void ui_count(struct ui *ui, enum view_action action); /* it was done */
 
 float ui_scale(const struct ui *ui);
 

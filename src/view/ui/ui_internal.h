@@ -54,6 +54,7 @@ struct ui {
     char fault[512];  /* "": none */
     const char *dump; /* file for the places of what is shown; NULL: none */
     uint32_t dumped;  /* hash of what was written to it */
+    uint32_t done[VIEW_DEED_COUNT]; /* how often, so far */
 };
 
 /* Between imgui_begin() and imgui_end(). ui_panels.c: all that are open; ui_bar.c: the bar above
