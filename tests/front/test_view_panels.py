@@ -340,9 +340,10 @@ class Panels(PanelsCase):
         self.close(window)
 
     def misspelt(self, window):
-        """The palette finds what some letters, or a wrong one, are for."""
+        """The palette finds what some letters, or a wrong one, or another word, are for."""
         self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
-        for typed, found in (('crk cnt', 'cracks.count'), ('expousre', 'tonemap.exposure')):
+        for typed, found in (('crk cnt', 'cracks.count'), ('expousre', 'tonemap.exposure'),
+                             ('transparency glass', 'refract.ior')):
             wait_until(found, lambda found=found: self.control(found) and not self.control(
                 'open pool'), self.words, act=lambda typed=typed: self.desktop.do(
                     'windowfocus', '--sync', window, 'key', 'ctrl+a', 'type', typed))

@@ -1,6 +1,8 @@
 /* Every row gets a widget that can show it. */
 #include <string.h>
+#include "src/view/keys.h"
 #include "src/view/ui/ui_settings.h"
+#include "src/view/ui/ui_synonyms.h"
 #include "tests/support/check.h"
 
 static enum ui_widget widget_of(const char *name)
@@ -51,12 +53,33 @@ static void test_search(void **state)
     assert_false(ui_settings_fit(row, "cracks bubbles"));
 }
 
+static bool is_label(const char *name)
+{
+    for (enum view_action a = VIEW_NOTHING + 1; a < VIEW_ACTION_COUNT; a++) {
+        if (!strcmp(keys_label(a), name))
+            return true;
+    }
+    return false;
+}
+
+static void test_synonyms(void **state)
+{
+    (void)state;
+    const char *name;
+    for (uint32_t i = 0; (name = ui_synonyms_name(i)); i++)
+        assert_true(settings_find(name) || is_label(name));
+    assert_true(ui_settings_fit(settings_find("tonemap.exposure"), "brightness"));
+    assert_false(ui_settings_fit(settings_find("cracks.seed"), "brightness"));
+    assert_string_equal(ui_synonyms("cracks.seed"), "");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_widgets),
         cmocka_unit_test(test_rows_fit),
         cmocka_unit_test(test_search),
+        cmocka_unit_test(test_synonyms),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -123,6 +123,10 @@ void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_place p
 void imgui_panel_end(void);
 
 /* The rest of a panel scrolls, what is above stays. */
+/* Between these so many pixels are between rows. */
+void imgui_gap_begin(float pixels);
+void imgui_gap_end(void);
+
 void imgui_scroll_begin(const char *name);
 void imgui_scroll_end(void);
 void imgui_scroll_to_here(void);           /* what came last becomes visible */

@@ -45,6 +45,16 @@ void imgui_panel_end(void)
     ImGui::End();
 }
 
+void imgui_gap_begin(float pixels)
+{
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, pixels));
+}
+
+void imgui_gap_end(void)
+{
+    ImGui::PopStyleVar();
+}
+
 void imgui_scroll_begin(const char *name)
 {
     ImGui::BeginChild(name);

@@ -11,13 +11,15 @@
 #include "src/view/recent.h"
 #include "src/view/ui/ui_internal.h"
 #include "src/view/ui/ui_settings.h"
+#include "src/view/ui/ui_synonyms.h"
 #include "src/view/ui/ui_words.h"
 
 enum {
     ENTRIES_MAX = 400,
     SHOWN_MAX = 12, /* rows at once */
     LABEL_SIZE = 96,
-    IN_HELP = 1000,  /* distance of words that only the help of a setting has */
+    SYNONYM = 500,   /* distance of words that are no name's */
+    IN_HELP = 1000,  /* that only the help of a setting has */
     MISSPELT = 2000, /* least distance of words with a wrong letter */
 };
 
@@ -60,6 +62,9 @@ static uint32_t distance_of(const struct palette *p, const struct entry *e)
     uint32_t distance = ui_words_distance(p->words, e->label, false);
     if (distance != UI_WORDS_NONE)
         return distance;
+    const char *const texts[] = { e->label, ui_synonyms(e->label) };
+    if (ui_words_fit(p->words, texts, 2))
+        return SYNONYM;
     if (e->row && ui_settings_fit(e->row, p->words))
         return IN_HELP;
     distance = ui_words_distance(p->words, e->label, true);

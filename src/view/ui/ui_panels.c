@@ -297,7 +297,8 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_wish
     ui->focus_search = false;
 }
 
-/* In the middle of the window, as many columns as it takes. */
+/* In the middle of the window, two columns; rows as close as its height wants. Where even that is
+ * too much, they scroll. */
 static void keys_panel(struct ui *ui, const struct ui_view *view)
 {
     const char *name;
@@ -308,10 +309,16 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     const float scale = ui->scale;
     const uint32_t rows = (count + 1) / 2;
     const float width = fminf(680.0f * scale, (float)view->size.width);
-    const float height = fminf(((float)rows * 19.0f + 14.0f) * scale, (float)view->size.height);
+    const float room = (float)view->size.height - 16.0f * scale; /* without the panel's edges */
+    const float line = imgui_line_height();
+    const float gap = fmaxf(fminf(4.0f * scale, room / (float)rows - line), scale);
+    const float height =
+        fminf((float)rows * (line + gap) + 16.0f * scale, (float)view->size.height);
     const struct imgui_place place = { ((float)view->size.width - width) / 2.0f,
                                        ((float)view->size.height - height) / 2.0f, width, height };
     imgui_panel_begin(ui->imgui, "keys", place, IMGUI_OVER);
+    imgui_gap_begin(gap);
+    imgui_scroll_begin("##keys");
     const float column = imgui_room() / 2.0f;
     for (uint32_t i = 0; i < rows; i++) {
         for (uint32_t c = 0; c < 2 && keys_row(i + c * rows, &name, &help); c++) {
@@ -324,6 +331,8 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
             imgui_text_cut(help, column - 90.0f * scale);
         }
     }
+    imgui_scroll_end();
+    imgui_gap_end();
     imgui_panel_end();
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "src/view/ui/imgui.h"
+#include "src/view/ui/ui_synonyms.h"
 #include "src/view/ui/ui_words.h"
 
 enum {
@@ -207,7 +208,8 @@ bool ui_settings_fit(const struct setting *row, const char *words)
 {
     char label[LABEL_SIZE];
     print_label(row, label);
-    const char *const texts[] = { row->name, label, row->help, ui_group_name(ui_group_of(row)) };
+    const char *const texts[] = { row->name, label, row->help, ui_group_name(ui_group_of(row)),
+                                  ui_synonyms(row->name) };
     return ui_words_fit(words, texts, sizeof(texts) / sizeof(texts[0]));
 }
 

@@ -31,7 +31,7 @@ bool ui_settings_heading(struct settings *settings, enum ui_group group, bool *o
 /* The rows of a group; those wanted less only with `more`, which a hand changes. */
 bool ui_settings_group(struct settings *settings, enum ui_group group, bool *more);
 
-/* Whether name, help or group hold each of the words, which blanks separate. */
+/* Whether name, help, group or synonyms hold each of the words, which blanks separate. */
 bool ui_settings_fit(const struct setting *row, const char *words);
 
 /* The rows of all groups that words fit. */

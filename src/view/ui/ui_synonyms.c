@@ -1,0 +1,91 @@
+/* ui_synonyms.c: the table of other words. */
+#include "src/view/ui/ui_synonyms.h"
+#include <stddef.h>
+#include <string.h>
+
+static const struct {
+    const char *name, *words;
+} rows[] = {
+    /* settings */
+    { "tonemap.exposure", "brightness brighter bright dark darker lightness ev stops" },
+    { "tonemap.curve", "contrast tone mapping filmic look" },
+    { "tonemap.dither", "banding bands" },
+    { "lens.f_stop", "blur blurry bokeh depth field aperture sharp sharpness focus" },
+    { "lens.focus", "blur blurry sharp sharpness distance" },
+    { "frost.amount", "matt matte dull rough blur foggy opaque sharp" },
+    { "frost.roughness", "matt matte dull rough blur foggy sharp" },
+    { "surface.strength", "shine shiny gloss glossy highlight specular sparkle" },
+    { "surface.shininess", "shine shiny gloss glossy highlight specular polish" },
+    { "refract.ior", "transparent transparency glass index bend material" },
+    { "refract.dispersion", "rainbow prism spectrum colours" },
+    { "refract.fresnel", "mirror reflection reflective shine" },
+    { "absorb.red", "colour color tint hue transparent transparency opaque clear" },
+    { "absorb.green", "colour color tint hue transparent transparency opaque clear" },
+    { "absorb.blue", "colour color tint hue transparent transparency opaque clear" },
+    { "air.count", "white milky cloudy opaque transparent clear" },
+    { "air.haze", "fog foggy milky cloudy opaque transparent clear" },
+    { "air.clouds", "fog foggy milky opaque transparent clear" },
+    { "bubbles.count", "air holes clear" },
+    { "cracks.count", "broken fracture fissure split clear" },
+    { "bump.strength", "rough roughness relief uneven wavy smooth dents" },
+    { "light.count", "lamp lamps lighting" },
+    { "light.strength", "lamp lamps intensity brightness shine lighting" },
+    { "sky.sun_azimuth", "shadow direction daylight lighting" },
+    { "sky.sun_elevation", "shadow height daylight noon evening sunset lighting" },
+    { "sky.sun_strength", "brightness intensity daylight lighting" },
+    { "env.sun_strength", "brightness intensity daylight lighting" },
+    { "ice_caustics.light", "shadow shine sunlight focus" },
+    { "ice_caustics.shadow", "shade dark" },
+    { "env_cube.size", "reflection resolution sharp sharpness pixelated" },
+    { "target.scale", "resolution supersampling antialiasing sharp sharpness pixelated" },
+    { "motion.ice", "spin turn rotate rotation turntable speed animation" },
+    { "motion.fps", "frame rate speed" },
+    { "ice.melt", "drip wet thaw smaller" },
+    { "trace.branch", "noise noisy grain grainy" },
+    { "reference.photons", "noise noisy grain caustics" },
+    { "water.amplitude", "waves ripples height" },
+    { "texture.anisotropy", "blur blurry sharp sharpness" },
+    /* actions */
+    { "half a stop brighter, or darker", "brightness exposure light dark" },
+    { "half a stop darker", "brightness exposure" },
+    { "save the picture", "export screenshot image png exr" },
+    { "save the window, with panels", "export screenshot image" },
+    { "save the session", "project scene store" },
+    { "save a preset of the settings", "export store" },
+    { "copy the firn render command", "terminal command line share shell" },
+    { "copy the picture", "clipboard image share" },
+    { "next model of the folder", "open file browse" },
+    { "orthographic or perspective", "isometric parallel projection lens" },
+    { "reset the camera", "home centre center view start" },
+    { "switch full screen on or off", "fullscreen maximise maximize window" },
+    { "enlarge text and panels", "zoom font bigger scale dpi" },
+    { "shrink text and panels", "zoom font smaller scale dpi" },
+    { "dark or light theme", "colours colors night mode appearance" },
+    { "hide or show the panels", "sidebar interface menu settings" },
+    { "compare A with B, or not", "wipe split before after side" },
+    { "compare with the reference", "truth ground accurate exact raytracing path tracing" },
+    { "difference of A and B", "error flip delta" },
+    { "time of each pass", "performance speed fps profile slow gpu" },
+    { "plan of the frame", "graph passes memory" },
+    { "layers and values", "pixel probe histogram magnifier inspect normals depth" },
+    { "false colours", "heat map heatmap" },
+    { "pause or resume time", "play animation stop start" },
+    { "movements as drafts, or in full", "slow lag preview resolution blurry fast" },
+    { "keys", "shortcuts help keyboard hotkeys" },
+    { "undo a change of settings", "revert back" },
+    { "close the window", "quit exit leave" },
+};
+
+const char *ui_synonyms(const char *name)
+{
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        if (!strcmp(rows[i].name, name))
+            return rows[i].words;
+    }
+    return "";
+}
+
+const char *ui_synonyms_name(uint32_t i)
+{
+    return i < sizeof(rows) / sizeof(rows[0]) ? rows[i].name : NULL;
+}
