@@ -19,6 +19,7 @@ static const struct {
     { "refract_bounce.halvings", 4.0, QUICK_WHOLE },
     { "air.count", 0.0, QUICK_BARE }, /* the scene keeps its own */
     { "cracks.count", 0.0, QUICK_BARE },
+    { "bubbles.count", 0.0, QUICK_BARE },
     { "bump.strength", 0.0, QUICK_SMOOTH },
 };
 

@@ -96,6 +96,7 @@ static void movements_are_drafts(void **state)
         quick = quick_settings(&settings, QUICK_BARE);
         assert_true(value_of(&quick, "cracks.count") == 0.0);
         assert_true(value_of(&quick, "air.count") == 0.0);
+        assert_true(value_of(&quick, "bubbles.count") == 0.0);
         assert_true(value_of(&quick, "bump.strength") > 0.0);
         quick = quick_settings(&settings, QUICK_SMOOTH);
         assert_true(value_of(&quick, "bump.strength") == 0.0);

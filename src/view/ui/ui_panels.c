@@ -297,8 +297,8 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_wish
     ui->focus_search = false;
 }
 
-/* In the middle of the window, two columns; rows as close as its height wants. Where even that is
- * too much, they scroll. */
+/* In the middle of the window, two columns if it is wide enough; rows as close as its height wants.
+ * Where even that is too much, they scroll. */
 static void keys_panel(struct ui *ui, const struct ui_view *view)
 {
     const char *name;
@@ -307,8 +307,9 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     while (keys_row(count, &name, &help))
         count++;
     const float scale = ui->scale;
-    const uint32_t rows = (count + 1) / 2;
     const float width = fminf(680.0f * scale, (float)view->size.width);
+    const uint32_t columns = width < 600.0f * scale ? 1 : 2;
+    const uint32_t rows = (count + columns - 1) / columns;
     const float room = (float)view->size.height - 16.0f * scale; /* without the panel's edges */
     const float line = imgui_line_height();
     const float gap = fmaxf(fminf(4.0f * scale, room / (float)rows - line), scale);
@@ -319,16 +320,16 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     imgui_panel_begin(ui->imgui, "keys", place, IMGUI_OVER);
     imgui_gap_begin(gap);
     imgui_scroll_begin("##keys");
-    const float column = imgui_room() / 2.0f;
+    const float column = imgui_room() / (float)columns;
     for (uint32_t i = 0; i < rows; i++) {
-        for (uint32_t c = 0; c < 2 && keys_row(i + c * rows, &name, &help); c++) {
+        for (uint32_t c = 0; c < columns && keys_row(i + c * rows, &name, &help); c++) {
             const float x = 8.0f * scale + (float)c * column;
             if (c)
                 imgui_same_line(x);
             imgui_text_in(name, ui->theme->accent);
             imgui_name(name);
             imgui_same_line(x + 88.0f * scale);
-            imgui_text_cut(help, column - 90.0f * scale);
+            imgui_text_cut(help, column - 98.0f * scale);
         }
     }
     imgui_scroll_end();
