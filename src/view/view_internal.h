@@ -47,13 +47,13 @@ struct view {
     struct reloads reloads;
     struct camera bookmarks[VIEW_BOOKMARK_COUNT];
     bool bookmarked[VIEW_BOOKMARK_COUNT];
-    bool dragged;   /* a hand has moved the picture */
-    uint32_t hold;  /* how often buttons of the mouse went down */
+    bool dragged;                           /* a hand has moved the picture */
+    uint32_t hold;                          /* how often buttons of the mouse went down */
     uint32_t holds[VIEW_WHEEL - VIEW_DRAG]; /* the last one that was counted as each gesture */
-    double now;     /* of the loop, seconds */
-    double elapsed; /* of the scene's time, seconds, from motion.time */
-    float shown;    /* time of the frame drawn last, seconds */
-    double next;    /* the earliest moment for the next frame, seconds */
+    double now;                             /* of the loop, seconds */
+    double elapsed;                         /* of the scene's time, seconds, from motion.time */
+    float shown;                            /* time of the frame drawn last, seconds */
+    double next;                            /* the earliest moment for the next frame, seconds */
     bool paused, changed, quit;
     bool recovered;         /* from the loss of a device: once is enough */
     uint32_t message_count; /* of the validation layer, about a device that was lost */

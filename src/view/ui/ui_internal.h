@@ -50,10 +50,10 @@ struct ui {
     bool is_full;                   /* has been said */
     char filter[64];
     char words[600];
-    bool failed;      /* they tell of a failure */
-    char fault[512];  /* "": none */
-    const char *dump; /* file for the places of what is shown; NULL: none */
-    uint32_t dumped;  /* hash of what was written to it */
+    bool failed;                    /* they tell of a failure */
+    char fault[512];                /* "": none */
+    const char *dump;               /* file for the places of what is shown; NULL: none */
+    uint32_t dumped;                /* hash of what was written to it */
     uint32_t done[VIEW_DEED_COUNT]; /* how often, so far */
 };
 
