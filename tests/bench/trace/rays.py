@@ -3,7 +3,9 @@
 rays.py FIRN [TURNS]: prints
 - frames of an ice cube and the teapot, in turns, as multiples of bounce's with one exit;
 - the exponent of the frame's time in the number of a sphere's triangles;
-- the exponent of the mean error in the number of samples, of three rough boxes, to 1024 samples.
+- the exponents of the root mean square and the mean absolute error in the number of samples, of
+  three rough boxes, to 1024 samples. The second is above the first's while few samples find the
+  lights that rough glass mirrors: a pixel in which none has is wrong by little.
 """
 import json
 import math
@@ -84,10 +86,12 @@ def by_samples(folder):
         planes = Exr(path.read_bytes()).read_planes(['R', 'G', 'B'])
         return [x for name in 'RGB' for x in planes[name]]
     truth = draw(1024)
-    errors = [statistics.fmean(abs(a - b) for a, b in zip(draw(count), truth))
-              for count in SAMPLES]
-    print(f'error by samples, {SAMPLES[0]} to {SAMPLES[-1]}: exponent '
-          f'{slope(list(zip(SAMPLES, errors))):.2f}:', *(f'{error:.5f}' for error in errors))
+    off = [[a - b for a, b in zip(draw(count), truth)] for count in SAMPLES]
+    for name, errors in (
+            ('root mean square', [math.sqrt(statistics.fmean(x * x for x in d)) for d in off]),
+            ('mean absolute', [statistics.fmean(map(abs, d)) for d in off])):
+        print(f'{name} error by samples, {SAMPLES[0]} to {SAMPLES[-1]}: exponent '
+              f'{slope(list(zip(SAMPLES, errors))):.2f}:', *(f'{error:.5f}' for error in errors))
 
 
 def main():
