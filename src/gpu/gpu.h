@@ -173,6 +173,8 @@ MUST_USE enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side); /* side
 MUST_USE enum status gpu_fit_texels(const struct gpu *gpu, const char *name, VkExtent3D size);
 MUST_USE enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view,
                                     VkDeviceSize device_size, VkDeviceSize host_size);
+/* The same of `size` bytes of acceleration structures. */
+MUST_USE enum status gpu_fit_rays(const struct gpu *gpu, VkDeviceSize size);
 void gpu_image_destroy(struct gpu *gpu, struct gpu_image *image);
 
 #endif

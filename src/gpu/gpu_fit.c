@@ -99,3 +99,15 @@ enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view, VkDeviceSize 
     }
     return STATUS_OK;
 }
+
+enum status gpu_fit_rays(const struct gpu *gpu, VkDeviceSize size)
+{
+    const uint32_t heap = find_heap(&gpu->memory, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    if (heap == UINT32_MAX || size <= heap_size(gpu, heap))
+        return STATUS_OK;
+    log_error("the scene's acceleration structures need %llu MiB of memory, %s has %llu MiB; use "
+              "--set trace.rays=tree",
+              (unsigned long long)size / MIB + 1, gpu->properties.deviceName,
+              (unsigned long long)heap_size(gpu, heap) / MIB);
+    return STATUS_TRY_AGAIN;
+}

@@ -119,36 +119,40 @@ static enum status make_memory(struct gpu *gpu, struct gpu_buffer *memory, VkDev
                              size, false, name);
 }
 
-/* Makes the structures of the groups, without content. */
-static enum status make_lowers(struct gpu *gpu, struct gpu_rays *rays,
-                               const struct gpu_ray_groups *groups)
+/* Returns the bytes of the structures of all groups, and finds those of each. */
+static VkDeviceSize sizes_of_lowers(const struct gpu *gpu, struct gpu_rays *rays,
+                                    const struct gpu_ray_groups *groups, VkDeviceSize *sizes)
 {
-    struct build build;
-    VkDeviceSize *sizes = calloc(groups->count + (size_t)1, sizeof(*sizes)), sum = 0;
-    if (!sizes)
-        return log_out_of_memory(name);
+    VkDeviceSize sum = 0;
     for (uint32_t i = 0; i < groups->count; i++) {
+        struct build build;
         describe_lower(&build, 0, groups->all[i].count);
         sizes[i] = size_of(gpu, rays, &build);
         sum += sizes[i];
     }
-    enum status status = groups->count ? make_memory(gpu, &rays->lower_memory, sum) : STATUS_OK;
-    if (status == STATUS_OK && groups->count) {
-        build.count = groups->count;
-        status = make(gpu, &rays->lower_memory, &build, sizes, rays->lowers);
-    }
-    free(sizes);
-    return status;
+    return sum;
 }
 
-static enum status make_upper(struct gpu *gpu, struct gpu_rays *rays, uint32_t count)
+/* Makes the structures, without content. */
+static enum status make_all(struct gpu *gpu, struct gpu_rays *rays,
+                            const struct gpu_ray_groups *groups, VkDeviceSize *sizes)
 {
-    struct build build;
-    describe_upper(&build, 0, count);
-    const VkDeviceSize size = size_of(gpu, rays, &build);
-    const enum status status = make_memory(gpu, &rays->upper_memory, size);
-    build.count = 1;
-    return status == STATUS_OK ? make(gpu, &rays->upper_memory, &build, &size, &rays->upper)
+    struct build lower, upper;
+    const VkDeviceSize lowers = sizes_of_lowers(gpu, rays, groups, sizes);
+    describe_lower(&lower, 0, 1);
+    lower.count = groups->count;
+    describe_upper(&upper, 0, groups->count);
+    const VkDeviceSize last = size_of(gpu, rays, &upper);
+    upper.count = 1;
+    rays->size = lowers + last;
+    enum status status = gpu_fit_rays(gpu, rays->size + rays->scratch_size);
+    if (status == STATUS_OK && groups->count)
+        status = make_memory(gpu, &rays->lower_memory, lowers);
+    if (status == STATUS_OK && groups->count)
+        status = make(gpu, &rays->lower_memory, &lower, sizes, rays->lowers);
+    if (status == STATUS_OK)
+        status = make_memory(gpu, &rays->upper_memory, last);
+    return status == STATUS_OK ? make(gpu, &rays->upper_memory, &upper, &last, &rays->upper)
                                : status;
 }
 
@@ -159,11 +163,12 @@ enum status gpu_rays_create(struct gpu *gpu, struct gpu_rays **rays,
     *rays = NULL;
     if (!made)
         return log_out_of_memory(name);
+    VkDeviceSize *sizes = calloc(groups->count + (size_t)1, sizeof(*sizes));
     made->count = groups->count;
     made->lowers = calloc(groups->count + (size_t)1, sizeof(VkAccelerationStructureKHR));
-    enum status status = made->lowers ? make_lowers(gpu, made, groups) : log_out_of_memory(name);
-    if (status == STATUS_OK)
-        status = make_upper(gpu, made, groups->count);
+    const enum status status =
+        sizes && made->lowers ? make_all(gpu, made, groups, sizes) : log_out_of_memory(name);
+    free(sizes);
     if (status == STATUS_OK)
         *rays = made;
     else

@@ -38,13 +38,15 @@ struct gpu_rays {
     struct gpu_buffer lower_memory, upper_memory;
     VkAccelerationStructureKHR *lowers; /* of the groups, in `lower_memory` */
     VkAccelerationStructureKHR upper;   /* that shaders trace; in `upper_memory` */
+    VkDeviceSize size;                  /* bytes of all structures */
     VkDeviceSize scratch_size;          /* that a build takes at most */
+    double ms;                          /* time of the last build; set by its user */
     uint32_t count;                     /* groups */
     struct gpu_ray_groups built;        /* as of the last build */
 };
 
-/* Makes room for groups, of which only the counts are read; gpu->has_rays is set. On failure *rays
- * is NULL. */
+/* Makes room for groups, of which only the counts are read, unless the device has too little
+ * memory (gpu_fit_rays()); gpu->has_rays is set. On failure *rays is NULL. */
 MUST_USE enum status gpu_rays_create(struct gpu *gpu, struct gpu_rays **rays,
                                      const struct gpu_ray_groups *groups);
 

@@ -37,6 +37,8 @@ static const struct profile_field of_profile[] = {
     { PROFILE_FIELD_DOUBLE, AT(profile, tree), .is_optional = true },
     { PROFILE_FIELD_U32, AT(profile, tree_triangles), .is_optional = true },
     { PROFILE_FIELD_U64, AT(profile, tree_size), .is_optional = true },
+    { PROFILE_FIELD_DOUBLE, AT(profile, rays), .is_optional = true },
+    { PROFILE_FIELD_U64, AT(profile, rays_size), .is_optional = true },
     { PROFILE_FIELD_DOUBLE, AT(profile, upload) },
     { PROFILE_FIELD_DOUBLE, AT(profile, compile) },
     { PROFILE_FIELD_DOUBLE, AT(profile, realise) },

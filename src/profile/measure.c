@@ -277,6 +277,8 @@ static enum status open_renderer(struct measure *m)
     p->tree = costs.tree;
     p->tree_triangles = costs.tree_triangles;
     p->tree_size = costs.tree_size;
+    p->rays = costs.rays;
+    p->rays_size = costs.rays_size;
     p->upload = costs.upload;
     p->compile = costs.compile;
     p->realise = costs.realise;

@@ -81,6 +81,8 @@ struct profile {
     uint32_t tree_triangles; /* of the tree that rays meet; 0: the rung has none */
     uint64_t tree_size;      /* bytes */
     double tree;             /* milliseconds of its build */
+    uint64_t rays_size;      /* bytes of acceleration structures; 0: there are none */
+    double rays;             /* milliseconds of their build */
     double upload, compile, realise,
         first_frame; /* setup, once: scene, plan, objects and pipelines,
                                                      first frame (the driver compiles shaders) */

@@ -195,6 +195,11 @@ static void print_rest(const struct profile_table_rows *lines, const struct prof
                  profile_decimals(p->tree), p->tree, (double)p->tree_size / (1 << 20));
         profile_print_words(words, 2, out);
     }
+    if (p->rays_size) {
+        snprintf(words, sizeof(words), "acceleration structures: %.*f ms, %.1f MiB",
+                 profile_decimals(p->rays), p->rays, (double)p->rays_size / (1 << 20));
+        profile_print_words(words, 2, out);
+    }
     snprintf(words, sizeof(words),
              "memory: %" PRIu64 " bytes transient (%" PRIu64 " without aliasing, %" PRIu64
              " lower bound), %" PRIu64 " persistent",

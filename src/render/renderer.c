@@ -187,6 +187,8 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     if (status == STATUS_OK)
         status = upload(r);
     r->costs.upload = clock_ms() - compiled;
+    r->costs.rays = r->tree.rays ? r->tree.rays->ms : 0.0;
+    r->costs.rays_size = r->tree.rays ? r->tree.rays->size : 0;
     if (status == STATUS_OK && renderer_wants_capture(&r->params))
         status = renderer_make(r, &r->capture, renderer_capture_request(&r->params));
     if (status == STATUS_OK && renderer_wants_resolve(&r->params))

@@ -113,6 +113,8 @@ struct renderer_costs {
     double tree;             /* build of the tree that rays meet; it stays with the scene */
     uint32_t tree_triangles; /* 0: the rung has no tree */
     uint64_t tree_size;      /* bytes */
+    double rays;             /* build of acceleration structures for ray queries */
+    uint64_t rays_size;      /* bytes; 0: there are none */
     double upload;           /* of the scene */
     double compile;          /* the frame's tables to a plan */
     double realise;          /* the plan's memory, images, descriptors and pipelines */

@@ -1,6 +1,7 @@
 /* uploaded_scene.c: uploads what techniques need of a scene. */
 #include "src/render/uploaded_scene.h"
 #include <stdlib.h>
+#include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/render/ray_groups.h"
 #include "src/scene/mips.h"
@@ -172,6 +173,7 @@ enum status uploaded_scene_need_rays(struct uploaded_scene *on_gpu, struct gpu *
 {
     struct gpu_ray_groups groups;
     struct gpu_rays *rays = gpu->rays;
+    const double start = clock_ms();
     if (on_gpu->rays)
         return STATUS_OK;
     enum status status = ray_groups_init(&groups, scene->tree, scene->rest != NULL);
@@ -185,6 +187,8 @@ enum status uploaded_scene_need_rays(struct uploaded_scene *on_gpu, struct gpu *
     if (status == STATUS_OK)
         status = gpu_rays_build(gpu, rays, &groups);
     gpu_ray_groups_finish(&groups);
+    if (rays)
+        rays->ms = clock_ms() - start;
     on_gpu->rays = rays;
     on_gpu->has_poses = scene->rest != NULL;
     return status;

@@ -82,6 +82,8 @@ void profile_sample(struct profile *p, double scale)
         .tree = 31,
         .tree_triangles = 14400,
         .tree_size = 3145728,
+        .rays = 4.25,
+        .rays_size = 2097152,
         .upload = 12,
         .compile = 0.05,
         .realise = 40,

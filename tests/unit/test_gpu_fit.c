@@ -64,6 +64,8 @@ static void heaps(void **state)
     assert_int_equal(gpu_fit_memory(&gpu, view, 8 * mib, 4 * mib), STATUS_OK);
     assert_int_equal(gpu_fit_memory(&gpu, view, 8 * mib + 1, 0), STATUS_TRY_AGAIN);
     assert_int_equal(gpu_fit_memory(&gpu, view, 0, 4 * mib + 1), STATUS_TRY_AGAIN);
+    assert_int_equal(gpu_fit_rays(&gpu, 8 * mib), STATUS_OK);
+    assert_int_equal(gpu_fit_rays(&gpu, 8 * mib + 1), STATUS_TRY_AGAIN);
     gpu.memory.memoryTypes[1].heapIndex = 0; /* both in one */
     assert_int_equal(gpu_fit_memory(&gpu, view, 5 * mib, 3 * mib), STATUS_OK);
     assert_int_equal(gpu_fit_memory(&gpu, view, 5 * mib, 3 * mib + 1), STATUS_TRY_AGAIN);

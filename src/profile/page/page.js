@@ -27,6 +27,9 @@ function startFacts() {
     if (p.tree_triangles)
         addFact('tree', `${p.tree_triangles} triangles, ${ms(p.tree)}, ` +
             `${(p.tree_size / 2 ** 20).toFixed(1)} MiB`);
+    if (p.rays_size)
+        addFact('acceleration structures', `${ms(p.rays)}, ` +
+            `${(p.rays_size / 2 ** 20).toFixed(1)} MiB`);
     $('command').textContent = p.command;
 }
 
