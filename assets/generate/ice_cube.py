@@ -22,16 +22,16 @@ def without_walls(mesh):
 
 def water(ice):
     """The puddle around the ice, and the sheet that has run out of it."""
-    mesh = without_walls(meltwater(ice, THICK, CLIMB, 96))
-    mesh.join(without_walls(film(run_out, 0, SHEET[1], 0.003, (0, 0), 8, 96)))
+    mesh = without_walls(meltwater(ice, THICK, CLIMB, 64))
+    mesh.join(without_walls(film(run_out, 0, SHEET[1], 0.003, (0, 0), 5, 64)))
     return mesh.painted(lambda p, n: scale(tone(p[0], p[2]), WET))
 
 
 def make():
     model = Model()
     model.used.add('KHR_texture_transform')
-    ice = block(46)
-    for name, mesh, material in (('slab', slab(66, 54), stone(model)),
+    ice = block(40)
+    for name, mesh, material in (('slab', slab(44, 36), stone(model)),
                                  ('water', water(ice), lit('wet slate', 0.04)),
                                  ('cube', ice, ICE)):
         model.add(name, mesh.placed(VIEW, (0, 0, 0)), material)

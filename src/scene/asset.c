@@ -15,8 +15,8 @@ const struct asset assets[] = {
         .environment = "alps",
         .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.reach=1.2",
                       "tonemap.exposure=0.9", "bubbles.count=400", "bubbles.size=0.014",
-                      "cracks.count=2", "cracks.seed=15", "cracks.refract=gap",
-                      "cracks.bump=0.06" },
+                      "cracks.count=2", "cracks.seed=15", "cracks.refract=gap", "cracks.bump=0.06",
+                      "cracks.clip=convex" },
         .help = "cube of ice on wet slate, before mountains",
     },
     {

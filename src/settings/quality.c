@@ -13,16 +13,16 @@ enum {
 const struct quality qualities[QUALITY_COUNT] = {
     [DRAFT] = { "draft", "coarse surroundings, infinitely far away, and few reflections", 1 },
     [NORMAL] = { "normal", "the defaults of all settings", 1 },
-    [HIGH] = { "high", "8 samples, all reflections inside, and shadows of all light", 8, true },
+    [HIGH] = { "high", "6 samples, all reflections inside, and shadows of all light", 6, true },
 };
 
 const struct quality_row quality_rows[] = {
     { "env_cube.size", { [DRAFT] = "256" } },
     { "texture.anisotropy", { [DRAFT] = "1", [HIGH] = "16" } },
     { "refract.lookup", { [DRAFT] = "infinite" } },
-    { "refract.steps", { [HIGH] = "16" } },
+    { "refract.steps", { [HIGH] = "12" } },
     { "refract_bounce.exits", { [DRAFT] = "1" } },
-    { "air.steps", { [DRAFT] = "0", [HIGH] = "16" } },
+    { "air.steps", { [DRAFT] = "0", [HIGH] = "8" } },
     { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
     { "ground.light", { [HIGH] = "traced" } },
     { "tonemap.dither", { [HIGH] = "on" } },

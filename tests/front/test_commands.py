@@ -217,7 +217,7 @@ class CommandLine(Case):
         self.assertEqual(drawn('--preset', 'paper'),
                          drawn('--samples', '1', '--set', 'ice_caustics.light=none'))
         for words, wanted in (
-                (('--quality', 'high'), ('samples=8', 'refract.steps=16', 'trace.branch=0.005')),
+                (('--quality', 'high'), ('samples=6', 'refract.steps=12', 'trace.branch=0.005')),
                 (('--quality', 'draft'),
                  ('samples=1', 'refract_bounce.exits=1', 'trace.branch=0.1')),
                 (('--quality', 'high', '--quality', 'draft'),
