@@ -4,7 +4,7 @@
 #include "constants.h"
 
 layout(constant_id = CONSTANT_BACKGROUND) const uint constant_background = 0u;
-layout(constant_id = CONSTANT_TEXTURED) const uint constant_textured = 1u;
+layout(constant_id = CONSTANT_TEXTURED) const uint constant_textured = 0xffffffffu;
 layout(constant_id = CONSTANT_LIT) const uint constant_lit = 1u;
 layout(constant_id = CONSTANT_LIGHTS) const uint constant_lights = 0u;
 layout(constant_id = CONSTANT_BUMP_UV) const uint constant_bump_uv = 0u;

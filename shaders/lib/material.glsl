@@ -48,7 +48,7 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
 {
     vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
     vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use + 1);
-    if (constant_textured == 0u || u.w == 0.0)
+    if ((constant_textured & 1u << use) == 0u || u.w == 0.0)
         return vec4(1.0);
 #if defined(BACKGROUND_EXTRA) || defined(LIT_TRACED)
     if (v.w >= float(MATERIAL_OTHER_SET)) {

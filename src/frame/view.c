@@ -334,6 +334,13 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
     return g;
 }
 
+/* Drivers of CPUs fetch in all branches, so that a texture that nothing has would cost as much. */
+static uint32_t textured(const struct model *model)
+{
+    const bool any = model->textures.count + model->numbers.count > 0;
+    return any ? CONSTANT_TEXTURED_ANY | material_rows_uses(model) : 0;
+}
+
 struct frame_constants frame_view_constants(const struct scene *scene,
                                             const struct settings *settings,
                                             const struct technique *rung)
@@ -347,7 +354,7 @@ struct frame_constants frame_view_constants(const struct scene *scene,
     const struct technique_subject subject = { scene, settings, rung };
     struct frame_constants constants = { {
         [CONSTANT_BACKGROUND] = backgrounds[scene->background],
-        [CONSTANT_TEXTURED] = scene->model.textures.count + scene->model.numbers.count > 0,
+        [CONSTANT_TEXTURED] = textured(&scene->model),
         [CONSTANT_LIT] =
             material_rows_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene),
         [CONSTANT_LIGHTS] = light->count,

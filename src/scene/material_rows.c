@@ -84,6 +84,16 @@ vec4s *material_rows_make(const struct model *model)
     return rows;
 }
 
+uint32_t material_rows_uses(const struct model *model)
+{
+    uint32_t uses = 0;
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        for (uint32_t use = 0; use < MATERIAL_TEXTURE_COUNT; use++)
+            uses |= (uint32_t)(model->materials[i].textures[use].layer > 0) << use;
+    }
+    return uses;
+}
+
 vec4s *material_rows_make_extras(const struct mesh *mesh)
 {
     const size_t size = (size_t)MESH_EXTRA_WIDTH * mesh_extra_row_count(mesh->vertex_count);
