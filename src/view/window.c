@@ -272,18 +272,35 @@ static void fit_framebuffer(struct window *w, uint32_t width, uint32_t height)
                       (int)((double)height * window_height / size.height + 0.5));
 }
 
-static VkExtent2D choose_size(const struct window_params *params)
+/* The part of the monitor that panels and docks leave; 0: not known. */
+static VkExtent2D find_room(GLFWmonitor *monitor)
+{
+    int place[4] = { 0 };
+    if (monitor)
+        glfwGetMonitorWorkarea(monitor, &place[0], &place[1], &place[2], &place[3]);
+    const bool known = place[2] > 0 && place[3] > 0;
+    return (VkExtent2D){ known ? (uint32_t)place[2] : 0, known ? (uint32_t)place[3] : 0 };
+}
+
+static VkExtent2D choose_size(const struct window_params *params, VkExtent2D room)
 {
     GLFWmonitor *monitor = glfwGetPrimaryMonitor();
     float scale[2] = { 1.0f, 1.0f };
-    int place[4] = { 0 };
-    if (monitor) {
+    if (monitor)
         glfwGetMonitorContentScale(monitor, &scale[0], &scale[1]);
-        glfwGetMonitorWorkarea(monitor, &place[0], &place[1], &place[2], &place[3]);
-    }
-    const bool known = place[2] > 0 && place[3] > 0;
-    const VkExtent2D room = { known ? (uint32_t)place[2] : 0, known ? (uint32_t)place[3] : 0 };
     return params->fit(params->user, fmaxf(scale[0], scale[1]), room);
+}
+
+/* Window managers tell of a title bar and borders before a window is shown. */
+static VkExtent2D without_frame(struct window *w, VkExtent2D room)
+{
+    int left, top, right, bottom;
+    glfwGetWindowFrameSize(w->handle, &left, &top, &right, &bottom);
+    const uint32_t width = (uint32_t)(left + right);
+    const uint32_t height = (uint32_t)(top + bottom);
+    return room.width > width && room.height > height
+               ? (VkExtent2D){ room.width - width, room.height - height }
+               : room;
 }
 
 /* Connects to the window system. GLFW 3.4 tries Wayland too, whose library prints an error where it
@@ -308,14 +325,18 @@ enum status window_init(struct window *w, const struct window_params *params)
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE); /* a full screen stays while others have keys */
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "firn");
-    const VkExtent2D size = choose_size(params);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    const VkExtent2D room = find_room(glfwGetPrimaryMonitor());
+    VkExtent2D size = choose_size(params, room);
     w->handle = glfwCreateWindow((int)size.width, (int)size.height, params->title, NULL, NULL);
     if (!w->handle)
         return failed("cannot open a window");
     window_set_background(w, params->background);
     listen(w);
     ask_for_size(w);
+    size = choose_size(params, without_frame(w, room));
     fit_framebuffer(w, size.width, size.height);
+    glfwShowWindow(w->handle);
     glfwPollEvents();
     ask_for_size(w);
     return STATUS_OK;
