@@ -8,10 +8,11 @@
 #ifndef SHADERS_CONSTANTS_H
 #define SHADERS_CONSTANTS_H
 
+/* Bits of CONSTANT_TEXTURED, beside 1 << MATERIAL_USE_... of kinds that some material has */
 #define CONSTANT_TEXTURED_ANY 0x80000000u /* some surroundings have textures */
 
 #define CONSTANT_BACKGROUND      0  /* GLOBALS_SKY ... */
-#define CONSTANT_TEXTURED        1  /* CONSTANT_TEXTURED_ANY, and 1 << MATERIAL_USE_...: of which kinds */
+#define CONSTANT_TEXTURED        1  /* bits as above; 0: none has any */
 #define CONSTANT_LIT             2  /* 1: some surroundings are lit */
 #define CONSTANT_LIGHTS          3  /* number of valid elements of globals.lights */
 #define CONSTANT_BUMP_UV         4  /* 1: bumps are mapped by the mesh's uv; 0: triplanar */
