@@ -32,7 +32,7 @@ OPTIONS = ('debug', 'optimization', 'werror', 'warning_level', 'b_ndebug', 'b_lt
 FOLDERS = ('graph', 'shaders', 'src', 'firn.p', *(f'{name}.p' for name in TESTS))
 EYE, DENSITY = (0.5, 1.0, 4.0), 0.2
 VIEW = ('sphere', '--size', '48x36', '--eye', ','.join(map(str, EYE)), '--target', '0,0,0',
-        '--aov', 'P,Z', *PLAIN, '-q')
+        '--aov', 'P,Z', '--samples', '1', *PLAIN, '-q')
 NOTHING = 1e10  # Z where no surface is seen
 ROUNDING = 2 ** -9  # of halves, relative, added up by two blends
 
