@@ -49,7 +49,7 @@ struct frame_cube {
     bool in_turn;   /* at most env_cube.faces faces a frame are due; else there is no limit */
     struct frame_cube_state states[FRAME_CUBE_FACES]; /* of the faces when they were drawn */
     struct frame_cube_light light;                    /* which was drawn last, if has_light */
-    struct frame_cube_light faces_light;              /* in which the faces were drawn, if has_.. */
+    struct frame_cube_light faces_light;              /* of the faces, if has_faces_light */
     bool has_light, has_faces_light;
 };
 
