@@ -146,6 +146,7 @@ vec3 trace_end(trace_way way, trace_hit hit, out float passing)
     bool is_around = hit.part == TREE_SURROUNDINGS || hit.part == TREE_MOVERS;
     int turns = is_around ? int(trace.one) : 0;
     passing = 0.0;
+    shares.is_lit = false; /* also where a way that is too long ends in an object */
     while (turns > 0) {
         turns -= int(trace.one);
         if (trace_has(TRACE_HAS_GROUND)) {
