@@ -61,13 +61,15 @@ struct app_scene {
     const char *animation;        /* of the model file, or "none"; NULL: its first one, if any */
     struct place place;           /* of the model file */
     bool is_placed;               /* by an option */
+    bool has_own_environment;     /* it is the asset's, and not said by an option */
     float env_rotate;             /* degrees */
     float env_exposure;           /* stops */
     bool no_background;           /* pictures do not show it */
     struct app_vector background; /* linear */
     struct reader_params reader;
     struct settings settings;
-    const char *preset;                                                 /* file; NULL: none */
+    struct settings stated; /* of a window: what options and hands said, without a scene's own */
+    const char *preset;     /* file; NULL: none */
     bool is_set[SETTINGS_FIELD_COUNT], is_preset[SETTINGS_FIELD_COUNT]; /* by --set, --preset */
     bool is_own[SETTINGS_FIELD_COUNT];                                  /* by the asset's row */
     bool quiet;                                                         /* no notes */
@@ -272,6 +274,13 @@ struct scene_params app_describe_scene(const struct app_scene *given,
 /* Loads the scene that the options name, an animated one as it is at motion.time, and settles what
  * depends on it: settings.refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_scene *given);
+
+/* What a scene of this name is in unless an option says another thing; NULL: the built-in sky. */
+struct asset;
+const struct asset *app_own_environment(const char *name);
+
+/* Puts into settings, where nobody has said another value, what a scene brings, which is loaded. */
+void app_settle_settings(struct app_scene *given, const struct scene *scene);
 
 /*
  * The same in two parts: what can be wrong, and what only takes a while and may run beside others

@@ -23,21 +23,21 @@
 /* From which times the brightness of white on, in powers of two, a file's lights are too much. */
 #define BRIGHT_STOPS 4.0
 
-/* --set over --material over --preset over the model's own index over the default. */
-static void settle_ior(struct app_scene *given, struct scene *scene)
+/* --set over --material over --preset over the model's own index over the default. Returns whether
+ * it is the model's. */
+static bool settle_ior(struct app_scene *given, const struct scene *scene)
 {
     const struct model *model = &scene->model;
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const size_t index = settings_index(ior);
-    if (given->is_set[index])
-        return;
-    if (given->material)
-        settings_put(&given->settings, ior, (double)material_preset_find(given->material)->ior);
-    else if (model->has_ior && !given->is_preset[index]) {
+    const bool is_own =
+        !given->is_set[index] && !given->material && model->has_ior && !given->is_preset[index];
+    if (is_own)
         settings_put(&given->settings, ior, (double)model->ior);
-        scene->settled_ior = model->ior;
-    }
+    else if (!given->is_set[index] && given->material)
+        settings_put(&given->settings, ior, (double)material_preset_find(given->material)->ior);
+    return is_own;
 }
 
 static void switch_off(struct app_scene *given, const struct technique *technique)
@@ -74,13 +74,14 @@ static void undress(struct app_scene *given, const struct scene *scene)
 }
 
 /* What the inclusions are made of belongs to one object. */
-static void check_inclusions(struct app_scene *given, const struct scene *scene)
+static void check_inclusions(struct app_scene *given, const struct scene *scene, bool says)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
         if (scene->model.object_count < 2 || !(*t)->is_of_ice || !(*t)->is_on(&given->settings))
             continue;
-        log_warning("%s: left out, because the scene has %u refractive objects",
-                    (*t)->title ? (*t)->title : (*t)->name, scene->model.object_count);
+        if (says)
+            log_warning("%s: left out, because the scene has %u refractive objects",
+                        (*t)->title ? (*t)->title : (*t)->name, scene->model.object_count);
         settings_put(&given->settings, &(*t)->settings[0]->rows[0], 0);
     }
 }
@@ -152,7 +153,7 @@ static void settle(void *user, const struct scene *scene, struct scene_params *p
     const struct settling *settling = user;
     note_ice(settling->given, scene);
     undress(settling->given, scene);
-    check_inclusions(settling->given, scene);
+    check_inclusions(settling->given, scene, true);
     *params = app_describe_scene(settling->given, settling->maps);
 }
 
@@ -162,17 +163,22 @@ static bool is_valley(const struct app_scene *given)
     return given->environment && asset_is_valley(given->environment);
 }
 
+const struct asset *app_own_environment(const char *name)
+{
+    const struct asset *scene = asset_find(name, ASSET_SCENE);
+    const char *own = scene ? scene->environment : scene_find_builtin(name) ? NULL : "studio";
+    return own ? asset_find(own, ASSET_ENVIRONMENT) : NULL;
+}
+
 /* A person's file is in the studio, and an asset in its own environment, unless options say what
  * surrounds it. */
 static void choose_environment(struct app_scene *given)
 {
-    const struct asset *scene = asset_find(given->name, ASSET_SCENE);
-    const char *name = scene ? scene->environment : "studio";
-    const struct asset *environment = name ? asset_find(name, ASSET_ENVIRONMENT) : NULL;
-    if (given->environment || given->surroundings || given->background.is_given || !environment ||
-        scene_find_builtin(given->name))
+    const struct asset *environment = app_own_environment(given->name);
+    if (given->environment || given->surroundings || given->background.is_given || !environment)
         return;
-    if (asset_is_there(environment))
+    given->has_own_environment = asset_is_there(environment);
+    if (given->has_own_environment)
         given->environment = environment->name;
     else if (!given->quiet)
         log_note("%s: not found, so the surroundings are the built-in sky; set FIRN_ASSETS to the "
@@ -198,6 +204,15 @@ static enum status take_settings(struct app_scene *given)
         given->is_own[index] = true;
     }
     return STATUS_OK;
+}
+
+void app_settle_settings(struct app_scene *given, const struct scene *scene)
+{
+    if (take_settings(given) != STATUS_OK)
+        return; /* as when it was loaded */
+    undress(given, scene);
+    check_inclusions(given, scene, false);
+    (void)settle_ior(given, scene);
 }
 
 static struct melting melting_of(const struct app_scene *given)
@@ -355,7 +370,7 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
     if (status != STATUS_OK) {
         scene_finish(scene);
     } else {
-        settle_ior(given, scene);
+        scene->settled_ior = settle_ior(given, scene) ? scene->model.ior : 0.0f;
         check_box(given, scene);
         check_lights(given, scene);
         note_brightness(given, scene);

@@ -10,8 +10,8 @@ static bool differ(float a, float b)
 
 bool history_same(const struct view_state *a, const struct view_state *b)
 {
-    return a->rung == b->rung && a->other == b->other && a->split == b->split &&
-           !memcmp(&a->right, &b->right, sizeof(a->right)) &&
+    return a->scene == b->scene && a->rung == b->rung && a->other == b->other &&
+           a->split == b->split && !memcmp(&a->right, &b->right, sizeof(a->right)) &&
            !differ(a->env_rotate, b->env_rotate) &&
            !memcmp(&a->settings, &b->settings, sizeof(a->settings));
 }

@@ -1,8 +1,8 @@
 /*
  * history.h: what hands have changed, to be taken back and done again.
  *
- * A list of whole states: the one in use and those before and after it. Camera and panels are not
- * in it.
+ * A list of whole states: the one in use and those before and after it. Panels are not in it, and a
+ * camera only as it was when its scene was left (opened.h).
  */
 #ifndef FIRN_VIEW_HISTORY_H
 #define FIRN_VIEW_HISTORY_H
@@ -29,7 +29,10 @@ enum view_other {
 
 /* All that undo brings back. */
 struct view_state {
+    uint32_t scene; /* a number of the view's for each scene, or environment, that it opens */
     struct settings settings;
+    struct settings stated;            /* without what the scene brings, and */
+    bool is_set[SETTINGS_FIELD_COUNT]; /* which of it options and hands have said */
     const struct technique *rung;
     enum view_other other;
     const struct technique *split; /* the rung on the right; NULL: it has none */

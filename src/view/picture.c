@@ -521,18 +521,17 @@ static bool same_frame(const struct picture *p, const struct app_picture *a,
            frame_draws_cube(&b->scene.settings, &p->scene);
 }
 
-enum status picture_change(struct picture **picture, const struct settings *settings,
+enum status picture_change(struct picture **picture, const struct app_scene *scene,
                            const struct technique *rung, bool *remade)
 {
     struct picture *p = *picture;
     const struct app_picture before = p->state;
     struct app_picture wanted = p->state;
     *remade = false;
-    wanted.scene.settings = *settings;
+    wanted.scene = *scene;
     wanted.is_rung_named = p->state.is_rung_named || rung != p->state.rung;
     wanted.rung = rung;
-    memset(wanted.scene.is_set, true, sizeof(wanted.scene.is_set)); /* all is in the settings */
-    if (settings_changed(&before.scene.settings, settings) == SETTING_AFFECTS_SCENE) {
+    if (settings_changed(&before.scene.settings, &scene->settings) == SETTING_AFFECTS_SCENE) {
         *remade = true;
         return replace(picture, &wanted, true);
     }
@@ -552,12 +551,21 @@ static bool is_environment(const char *path)
     return path_ends_in(path, ".exr") || path_ends_in(path, ".hdr") || scene_is_environment(path);
 }
 
+static void leave_environment(struct app_scene *scene)
+{
+    scene->environment = NULL;
+    scene->has_own_environment = false;
+    scene->env_rotate = scene->env_exposure = 0.0f;
+}
+
 enum status picture_load(struct picture **picture, const char *path, bool *remade)
 {
     const bool environment = is_environment(path);
     struct app_picture state = (*picture)->state;
+    state.scene.settings = state.scene.stated;
     if (environment) {
         state.scene.environment = path;
+        state.scene.has_own_environment = false;
         state.scene.background.is_given = false;
     } else {
         state.scene.name = path;
@@ -567,6 +575,8 @@ enum status picture_load(struct picture **picture, const char *path, bool *remad
         state.scene.animation = NULL;
         state.scene.node_material_count = 0;
         state.eye.is_given = state.target.is_given = state.orbit.is_given = false;
+        if (state.scene.has_own_environment)
+            leave_environment(&state.scene);
     }
     const enum status status = replace(picture, &state, environment);
     *remade = status == STATUS_OK;

@@ -70,17 +70,17 @@ MUST_USE enum status picture_upload(struct picture *picture);
 MUST_USE enum status picture_resize(struct picture *picture, VkExtent2D size);
 
 /*
- * Takes other settings and another rung. *remade: the renderer is another one, and so is
- * renderer_picture(). A new scene keeps the camera.
+ * Takes other settings, in a scene that is else the state's, and another rung. *remade: the
+ * renderer is another one, and so is renderer_picture(). A new scene keeps the camera.
  */
-MUST_USE enum status picture_change(struct picture **picture, const struct settings *settings,
+MUST_USE enum status picture_change(struct picture **picture, const struct app_scene *scene,
                                     const struct technique *rung, bool *remade);
 
 /*
  * Another object (a model file) or, by its ending (.exr, .hdr) or its name (sky, or that of an
- * asset), another environment. If that fails
- * *picture stays; else it is another one, of the same size, and *remade. An environment keeps the
- * camera.
+ * asset), another environment. If that fails *picture stays; else it is another one, of the same
+ * size, and *remade. An environment keeps the camera. What the object before has brought with it,
+ * settings and an environment, goes with it, unless a hand has set another value.
  */
 MUST_USE enum status picture_load(struct picture **picture, const char *path, bool *remade);
 

@@ -166,6 +166,7 @@ static void finish(struct view *v)
     session_finish(&v->session);
     ui_pictures_finish(&v->pictures);
     picture_destroy(v->picture);
+    opened_forget(&v->opened, NULL);
     watch_destroy(v->watch);
     window_finish(&v->window);
 }
@@ -529,6 +530,7 @@ enum status view_run(const struct app_options *options)
     enum status status = STATUS_OK;
     if (options->view.session)
         status = view_read_session(&v->session, options->view.session, reader);
+    v->first.scene.stated = v->first.scene.settings;
     if (v->session.scene)
         view_apply_session(&v->session, &v->first);
     if (!v->first.samples)

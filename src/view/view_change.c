@@ -20,8 +20,10 @@ enum {
 struct view_state view_state_now(const struct view *v)
 {
     const struct app_picture *p = &v->picture->state;
-    return (struct view_state){
+    struct view_state state = {
+        .scene = v->scene,
         .settings = frame_settings(&p->scene.settings, &v->picture->scene),
+        .stated = p->scene.stated,
         .rung = p->rung,
         .other = v->compare.other,
         .split = p->split,
@@ -29,6 +31,18 @@ struct view_state view_state_now(const struct view *v)
                                                 : (struct settings){ .values = { 0 } },
         .env_rotate = p->scene.env_rotate,
     };
+    memcpy(state.is_set, p->scene.is_set, sizeof(state.is_set));
+    return state;
+}
+
+struct settings view_brought(const struct view *v)
+{
+    const struct app_scene *given = &v->options->picture.scene;
+    struct app_scene own = v->picture->state.scene;
+    own.settings = given->settings;
+    memcpy(own.is_set, given->is_set, sizeof(own.is_set));
+    app_settle_settings(&own, &v->picture->scene);
+    return frame_settings(&own.settings, &v->picture->scene);
 }
 
 struct change {
@@ -36,13 +50,21 @@ struct change {
     const struct view_state *state;
 };
 
+static void put_settings(struct app_scene *scene, const struct view_state *state)
+{
+    scene->settings = state->settings;
+    scene->stated = state->stated;
+    memcpy(scene->is_set, state->is_set, sizeof(scene->is_set));
+}
+
 static enum status change_picture(void *user)
 {
     const struct change *change = user;
     struct view *v = change->view;
     bool remade = false;
-    const enum status status =
-        picture_change(&v->picture, &change->state->settings, change->state->rung, &remade);
+    struct app_scene scene = v->picture->state.scene;
+    put_settings(&scene, change->state);
+    const enum status status = picture_change(&v->picture, &scene, change->state->rung, &remade);
     if (remade)
         screen_disconnect(&v->screen);
     return status;
@@ -55,6 +77,56 @@ static bool has_other_side(const struct view *v, const struct view_state *state)
            memcmp(&state->right, &now.right, sizeof(now.right)) != 0;
 }
 
+/* ---- other scenes ---- */
+
+void view_enter_scene(struct view *v, const struct view_state *before)
+{
+    v->scene = ++v->scene_count;
+    const struct view_state now = view_state_now(v);
+    if (!v->history.count)
+        history_add(&v->history, before, 0);
+    history_add(&v->history, &now, 0);
+    opened_forget(&v->opened, &v->history);
+}
+
+static enum status return_to_scene(void *user)
+{
+    const struct change *change = user;
+    struct view *v = change->view;
+    const struct app_picture *now = &v->picture->state;
+    const struct opened *to = opened_find(v->opened, change->state->scene);
+    struct app_picture state = to->state;
+    state.width = now->width;
+    state.height = now->height;
+    state.split = now->split;
+    state.rung = change->state->rung;
+    state.scene.env_rotate = change->state->env_rotate;
+    put_settings(&state.scene, change->state);
+    return picture_use(&v->picture, &state);
+}
+
+/* Whether the scene of a state is there. What is around an object does not move the camera. */
+static enum status return_to(struct view *v, const struct view_state *state)
+{
+    struct change change = { v, state };
+    const struct opened *to = opened_find(v->opened, state->scene);
+    if (state->scene == v->scene || !to)
+        return STATUS_OK;
+    const bool is_object = strcmp(to->name, v->picture->state.scene.name) != 0;
+    const struct camera camera = is_object ? to->camera : v->picture->camera;
+    enum status status = opened_add(&v->opened, v->scene, v->picture);
+    screen_disconnect(&v->screen);
+    if (status == STATUS_OK)
+        status = worker_run(&v->window, return_to_scene, &change);
+    if (status != STATUS_OK)
+        return status;
+    v->scene = state->scene;
+    view_use_camera(v, &camera);
+    return STATUS_OK;
+}
+
+/* ---- settings ---- */
+
 bool view_use(struct view *v, const struct view_state *state)
 {
     const double start = clock_seconds();
@@ -62,6 +134,8 @@ bool view_use(struct view *v, const struct view_state *state)
     view_attempt(v);
     view_compare_stop(v);
     enum status status = screen_wait(&v->screen);
+    if (status == STATUS_OK)
+        status = return_to(v, state);
     if (status == STATUS_OK)
         status = worker_run(&v->window, change_picture, &change);
     const float turn = v->picture->state.scene.env_rotate;
@@ -94,16 +168,43 @@ static void print_cost(const struct view_state *before, const struct view_state 
         snprintf(words, size, " (%s in %.0f ms)", what, seconds * 1e3);
 }
 
-bool view_change(struct view *v, const struct view_state *state, uint32_t gesture)
+/* What is marked was said by a hand, and so is what differs from settings of before, unless the
+ * hand has brought back what was there without it. `marked` may be NULL. */
+static void state_settings(const struct view *v, struct view_state *state,
+                           const struct settings *before, const bool *marked)
+{
+    const struct app_scene *given = &v->options->picture.scene;
+    const struct settings brought = view_brought(v);
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            const double value = settings_get(&state->settings, row);
+            const double old = settings_get(before, row);
+            const double own = settings_get(&brought, row);
+            const size_t index = settings_index(row);
+            const bool is_marked = marked && marked[index];
+            if (!(value < old || value > old) && !is_marked)
+                continue;
+            state->is_set[index] = is_marked || given->is_set[index] || value < own || value > own;
+            settings_put(&state->stated, row,
+                         state->is_set[index] ? value : settings_get(&given->settings, row));
+        }
+    }
+}
+
+bool view_change(struct view *v, const struct view_state *wanted, uint32_t gesture)
 {
     char name[WORDS_SIZE / 2];
     char cost[WORDS_SIZE / 2];
     char words[WORDS_SIZE];
     const double start = clock_seconds();
     const struct view_state before = view_state_now(v);
+    struct view_state state = *wanted;
     if (!v->history.count)
         history_add(&v->history, &before, 0);
-    if (!view_use(v, state))
+    state_settings(v, &state, &before.settings, NULL);
+    if (!view_use(v, &state))
         return false;
     const struct view_state now = view_state_now(v);
     history_add(&v->history, &now, gesture);
@@ -131,8 +232,12 @@ void view_undo(struct view *v, bool again)
         return;
     }
     history_name(&before, to, name, sizeof(name));
-    if (!view_use(v, to))
+    if (!view_use(v, to)) {
+        (void)(again ? history_undo(&v->history) : history_redo(&v->history));
         return;
+    }
+    if (to->scene != before.scene)
+        snprintf(name, sizeof(name), "%s is back", v->picture->state.scene.name);
     print_cost(&before, to, clock_seconds() - start, cost, sizeof(cost));
     snprintf(words, sizeof(words), "%s: %s%s", again ? "redo" : "undo", name, cost);
     if (*cost)
@@ -150,26 +255,50 @@ void view_load_preset(struct view *v, const char *path)
     scene.settings = state.settings;
     scene.preset = path;
     memset(scene.is_set, 0, sizeof(scene.is_set)); /* it may change everything */
+    memset(scene.is_preset, 0, sizeof(scene.is_preset));
     view_attempt(v);
     if (option_preset_read(&scene) != STATUS_OK) {
         view_fail(v, "no preset was loaded");
         return;
     }
     state.settings = scene.settings;
+    state_settings(v, &state, &state.settings, scene.is_preset);
     if (!view_change(v, &state, 0))
         return;
     snprintf(words, sizeof(words), "settings of %s", path);
     ui_say(v->ui, words);
 }
 
-static char *print_preset(const struct settings *settings, size_t *size)
+/* Defaults in the place of what the scene brings. */
+static void print_defaults(const struct view *v, const struct view_state *state, FILE *out)
+{
+    const struct settings brought = view_brought(v);
+    const struct settings defaults = settings_default();
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            const double value = settings_get(&state->settings, row);
+            const double usual = settings_get(&defaults, row);
+            const double own = settings_get(&brought, row);
+            if (value < usual || value > usual || !(own < usual || own > usual))
+                continue;
+            fprintf(out, "%s=", row->name);
+            settings_print(&state->settings, row, out);
+            fputc('\n', out);
+        }
+    }
+}
+
+static char *print_preset(const struct view *v, const struct view_state *state, size_t *size)
 {
     char *text = NULL;
     FILE *out = open_memstream(&text, size);
     if (!out)
         return NULL;
     fputs("# settings for firn --preset\n", out);
-    settings_print_changes(settings, "", out);
+    settings_print_changes(&state->settings, "", out);
+    print_defaults(v, state, out);
     if (fclose(out) == 0)
         return text;
     free(text);
@@ -183,7 +312,7 @@ void view_save_preset(struct view *v)
     const struct view_state state = view_state_now(v);
     char *folder = place_presets(true);
     char *path = folder ? place_new(folder, "preset", ".txt") : NULL;
-    char *text = path ? print_preset(&state.settings, &size) : NULL;
+    char *text = path ? print_preset(v, &state, &size) : NULL;
     if (text && file_write(path, text, size) == STATUS_OK) {
         snprintf(words, sizeof(words), "saved %s", path);
         ui_say(v->ui, words);
@@ -222,13 +351,16 @@ static void load(struct view *v, struct opening *opening)
 {
     const double start = clock_seconds();
     char words[RELOAD_SIZE];
+    const struct view_state before = view_state_now(v);
     view_say(v, "loading");
     screen_disconnect(&v->screen);
     view_compare_stop(v);
     view_attempt(v);
-    if (worker_run(&v->window, open_file, opening) != STATUS_OK) {
+    if (opened_add(&v->opened, v->scene, v->picture) != STATUS_OK ||
+        worker_run(&v->window, open_file, opening) != STATUS_OK) {
         view_fail(v, "not opened");
     } else {
+        view_enter_scene(v, &before);
         snprintf(words, sizeof(words), "%s %s (another scene, made in %.0f ms)",
                  opening->drop == DROP_ENVIRONMENT ? "around the object:" : "opened", opening->path,
                  (clock_seconds() - start) * 1e3);

@@ -6,6 +6,7 @@
 #include "src/view/echo.h"
 #include "src/view/history.h"
 #include "src/view/look.h"
+#include "src/view/opened.h"
 #include "src/view/picture.h"
 #include "src/view/reloads.h"
 #include "src/view/screen.h"
@@ -44,6 +45,8 @@ struct view {
     VkExtent2D wanted;          /* of the picture; it is shown scaled until it has this size: */
     double resize_at;           /* seconds; 0: it has */
     struct history history;
+    struct opened *opened;       /* scenes that were left */
+    uint32_t scene, scene_count; /* the one in use; those that there were before it */
     struct reloads reloads;
     struct camera bookmarks[VIEW_BOOKMARK_COUNT];
     bool bookmarked[VIEW_BOOKMARK_COUNT];
@@ -98,6 +101,12 @@ void view_slide(struct view *view, double to); /* the divider: a part of the pic
 /* ---- view_change.c: what undo takes back ---- */
 
 struct view_state view_state_now(const struct view *view);
+
+/* The picture is of another scene, which undo may leave; `before`: the state until then. */
+void view_enter_scene(struct view *view, const struct view_state *before);
+
+/* The settings that the scene would have if no hand had changed any. */
+struct settings view_brought(const struct view *view);
 
 /* Uses a state. False: what cannot be has been logged and said, what was there stays. */
 bool view_use(struct view *view, const struct view_state *state);

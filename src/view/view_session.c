@@ -34,7 +34,9 @@ void view_apply_session(const struct session *session, struct app_picture *state
     scene->env_rotate = session->environment ? session->state.env_rotate : 0.0f;
     scene->env_exposure = session->environment ? session->env_exposure : 0.0f;
     scene->settings = session->state.settings;
+    scene->stated = scene->settings;
     memset(scene->is_set, true, sizeof(scene->is_set)); /* all is in the settings */
+    scene->has_own_environment = false;
     scene->animation = scene->surroundings = scene->material = NULL;
     scene->cracks = scene->bump = scene->bump_mask = scene->air = NULL;
     scene->node_material_count = 0;
@@ -46,8 +48,33 @@ void view_apply_session(const struct session *session, struct app_picture *state
     state->eye.is_given = state->target.is_given = state->orbit.is_given = false;
 }
 
+/* What the scene would have brought was said by nobody: it goes with the scene. */
+static void tell_own(struct view *v)
+{
+    const struct app_scene *given = &v->options->picture.scene;
+    struct app_scene *scene = &v->picture->state.scene;
+    const struct asset *environment = app_own_environment(scene->name);
+    const struct settings own = view_brought(v);
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            const double value = settings_get(&scene->settings, row);
+            const double brought = settings_get(&own, row);
+            if (value < brought || value > brought || given->is_set[settings_index(row)])
+                continue;
+            scene->is_set[settings_index(row)] = false;
+            settings_put(&scene->stated, row, settings_get(&given->settings, row));
+        }
+    }
+    scene->has_own_environment =
+        environment && scene->environment && !strcmp(scene->environment, environment->name);
+}
+
 enum status view_resume_session(struct view *v, const struct session *session)
 {
+    tell_own(v);
+    v->scene = ++v->scene_count;
     struct view_state state = view_state_now(v);
     if (session->has_camera)
         view_use_camera(v, &session->camera);
@@ -56,6 +83,7 @@ enum status view_resume_session(struct view *v, const struct session *session)
     v->elapsed = 0.0;
     v->elapsed = (double)session->time - (double)view_time(v);
     v->history.count = v->history.at = 0;
+    opened_forget(&v->opened, NULL);
     state.other = session->state.other;
     state.split = session->state.split;
     state.right = session->state.right;

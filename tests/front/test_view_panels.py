@@ -6,7 +6,7 @@ import shlex
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from case import CRACKED, PLAIN, long, main, unsanitized  # noqa: E402
+from case import CRACKED, PAPER, PLAIN, long, main, unsanitized  # noqa: E402
 from desktop import PATIENCE, wait_until  # noqa: E402
 from test_view import CHECKED, TRIANGLES, WindowCase, png_pixels, png_size  # noqa: E402
 
@@ -362,6 +362,32 @@ class Panels(PanelsCase):
     @staticmethod
     def eye(command):
         return '--eye ' + command.partition('--eye ')[2].split()[0]
+
+    @unsanitized
+    def test_what_a_scene_brings_goes_with_it(self):
+        """And comes with it: by opening, by undo. What a hand or an option has set stays."""
+        cheap = ('bubbles.count=0', 'air.count=0', 'cracks.count=0', 'env_cube.size=64')
+        sets = [word for setting in (*cheap, 'ice_caustics.light=none')  # no light: the default
+                for word in ('--set', setting)]
+        window = self.start_with_panels('--quiet', *sets, scene='ice-cube', plain=PAPER)
+        cube = self.command(window)
+        self.assertIn('light.count=0 ', cube)
+        self.assertIn('--env alps ', cube)
+        valley = self.open_other(window, 'valley')
+        self.assertEqual(set(re.findall(r'--set (\S+)', valley)), {*cheap, 'motion.count=2'})
+        self.assertNotIn('--env ', valley)
+        mine = self.wait_for_command(window, 'tonemap.exposure=0.5 ',
+                                     act=lambda: self.press(window, 'e'))
+        brighter = self.open_other(window, 'ice-cube')
+        self.assertEqual(brighter.replace('exposure=0.5', 'exposure=0.9'), cube)
+        self.find('valley, paused', act=lambda: self.press(window, 'ctrl+z'))
+        self.assertEqual(self.command(window), mine)
+        self.press_to_end(window, 'alt+F4')
+
+    def open_other(self, window, scene):
+        """Its command."""
+        self.find(f'{scene}, paused', act=lambda: self.find_and_choose(window, f'open {scene}'))
+        return self.command(window)
 
     @long
     def test_files_sizes_and_a_point(self):

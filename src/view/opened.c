@@ -1,0 +1,79 @@
+/* opened.c: a list. */
+#include "src/view/opened.h"
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+
+static void finish(struct opened *one)
+{
+    free(one->name);
+    free(one->environment);
+    free(one);
+}
+
+static bool has_names(const struct opened *one, const struct app_scene *scene)
+{
+    return one->name && !one->environment == !scene->environment;
+}
+
+static void forget(struct opened **list, uint32_t number)
+{
+    while (*list && (*list)->number != number)
+        list = &(*list)->next;
+    struct opened *found = *list;
+    if (!found)
+        return;
+    *list = found->next;
+    finish(found);
+}
+
+enum status opened_add(struct opened **list, uint32_t number, const struct picture *now)
+{
+    const struct app_scene *scene = &now->state.scene;
+    struct opened *one = calloc(1, sizeof(*one));
+    if (!one)
+        return log_out_of_memory(NULL);
+    one->number = number;
+    one->state = now->state;
+    one->camera = now->camera;
+    one->state.scene.name = one->name = strdup(scene->name);
+    one->environment = scene->environment ? strdup(scene->environment) : NULL;
+    one->state.scene.environment = one->environment;
+    if (!has_names(one, scene)) {
+        finish(one);
+        return log_out_of_memory(NULL);
+    }
+    forget(list, number);
+    one->next = *list;
+    *list = one;
+    return STATUS_OK;
+}
+
+const struct opened *opened_find(const struct opened *list, uint32_t number)
+{
+    while (list && list->number != number)
+        list = list->next;
+    return list;
+}
+
+static bool is_of(const struct history *history, uint32_t number)
+{
+    for (uint32_t i = 0; history && i < history->count; i++) {
+        if (history->states[i].scene == number)
+            return true;
+    }
+    return false;
+}
+
+void opened_forget(struct opened **list, const struct history *history)
+{
+    while (*list) {
+        struct opened *one = *list;
+        if (is_of(history, one->number)) {
+            list = &one->next;
+            continue;
+        }
+        *list = one->next;
+        finish(one);
+    }
+}
