@@ -14,7 +14,7 @@ enum {
 
 static const double wide = 50.0;        /* a range so many times the initial value, or 1 */
 static const double too_wide = 1e4;     /* for whole numbers to be found by sliding */
-static const float label_share = 0.46f; /* of a row's width */
+static const float label_share = 0.5f; /* of a row's width */
 
 /* Units in words take more room than the numbers. */
 static const struct {
