@@ -1,7 +1,8 @@
 """Counts the pixels that show something else in one frame of a turntable alone.
 
-pops.py FIRN [FRAMES [SCENE...]]: prints, of each scene and rung, the mean number of such pixels a
-frame, at 1024 x 768 with one sample, and how many are the rung's own. A pixel pops where its
+pops.py FIRN [FRAMES [SCENE[:LEVEL]...]]: prints, of each scene and rung, the mean number of such
+pixels a frame, at 1024 x 768 with one sample, and how many are the rung's own. It is drawn with
+--plain, or with all that is in it, at a --quality. A pixel pops where its
 green differs by more than a tenth, the same way, from both frames beside it, which differ from one
 another by less than a third of that. Detail finer than a pixel pops in the reference, too: a rung's
 own pops are those that the reference has neither there nor in a pixel beside it.
@@ -18,19 +19,21 @@ from exr_file import Exr  # noqa: E402
 
 FIRN = sys.argv[1]
 FRAMES = int(sys.argv[2]) if len(sys.argv) > 2 else 8
-SCENES = sys.argv[3:] or ['valley', 'sphere', 'teapot']
+SCENES = sys.argv[3:] or ['valley', 'sphere', 'teapot', 'valley:normal', 'ice-cube:normal']
 STEP = 0.8  # degrees a frame
 LEAST = 0.1
 WIDTH, HEIGHT = 1024, 768
 RUNGS = ('reference', 'trace', 'bounce')
-PICTURE = ('--plain', '--size', f'{WIDTH}x{HEIGHT}', '--samples', 1, '--pixel-filter', 'point',
+PICTURE = ('--size', f'{WIDTH}x{HEIGHT}', '--samples', 1, '--pixel-filter', 'point',
            '-q', '--set', 'motion.fps=1', '--set', f'motion.ice={STEP}', '--set',
            'motion.objects=0')
 
 
 def draw(scene, rung, folder):
     """The green of each frame."""
-    words = ('render', scene, '-r', rung, *PICTURE, '--frames', f'0-{FRAMES + 1}',
+    name, _, level = scene.partition(':')
+    how = ('--quality', level) if level else ('--plain',)
+    words = ('render', name, '-r', rung, *how, *PICTURE, '--frames', f'0-{FRAMES + 1}',
              '-o', folder / '#.exr')
     subprocess.run((FIRN, *map(str, words)), env=environment({}), check=True)
     for i in range(FRAMES + 2):
