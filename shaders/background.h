@@ -12,6 +12,10 @@
 #define BACKGROUND_EXTRAS      12 /* of the surroundings' vertices (mesh.h) */
 #define BACKGROUND_SPLIT       10 /* what surfaces reflect (lit.h); 6 to 9 are ice_caustics.h's */
 
+/* Outputs of surroundings that mirror objects. */
+#define BACKGROUND_OUT_SURFACE 1 /* a normal (lib/octahedron.glsl), roughness, mean of the share: */
+#define BACKGROUND_OUT_GLOSSY  2 /* radiance of the share that mirrors the environment */
+
 /* Push constants of one view: that of the picture, or a face of a cube. */
 struct background_push {
     mat4s clip_from_world;

@@ -1,7 +1,9 @@
 /* background_materials.glsl: main() of surroundings with materials; with BACKGROUND_SHINE, with the
- * ice's caustics and shadow; with BACKGROUND_EXTRA, with struct mesh_extra of the vertices. */
+ * ice's caustics and shadow; with BACKGROUND_EXTRA, with struct mesh_extra of the vertices; with
+ * BACKGROUND_MIRROR, with what is mirrored apart from the picture that shows it. */
 #include "background.h"
 #include "lib/lit.glsl"
+#include "lib/octahedron.glsl"
 #include "mesh.h"
 
 layout(push_constant, scalar) uniform Push
@@ -19,6 +21,10 @@ layout(location = 5) in vec2 other_uv;
 layout(location = 6) in vec4 tangent;
 #endif
 layout(location = 0) out vec4 color;
+#ifdef BACKGROUND_MIRROR
+layout(location = BACKGROUND_OUT_SURFACE) out vec4 out_surface;
+layout(location = BACKGROUND_OUT_GLOSSY) out vec4 out_glossy;
+#endif
 
 /* Returns a vector along the ray that sees the point. */
 vec3 seen_along()
@@ -103,15 +109,25 @@ void main()
         discard;
     vec3 through;
     vec3 sun = sun_light(through);
+#ifdef BACKGROUND_MIRROR
+    out_surface = out_glossy = vec4(0.0);
+#endif
     if ((material & MESH_UNLIT) != 0u) {
         color = vec4(albedo * (1.0 + through * max(dot(n, frame.sun_dir), 0.0)), alpha);
         return;
     }
     lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
     float n_dot_v = clamp(dot(n, to_eye), 0.0, 1.0);
-    vec3 around = lit_by_environment(s, lit_split(s.roughness, n_dot_v),
-                                     lit_glossy(mirrored, s.roughness, lod), lit_matt(n));
+    lit_shares shares = lit_shares_of(s, lit_split(s.roughness, n_dot_v));
+    vec3 glossy = shares.glossy * lit_glossy(mirrored, s.roughness, lod);
+    vec3 matt = shares.matt * lit_matt(n);
     sun *= lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
     vec3 lit = lit_by_lights(s, push.eye + eye_to_point, n, to_eye);
-    color = vec4(around * mix(1.0, open, scales.y) + sun + lit + glow, alpha);
+    open = mix(1.0, open, scales.y);
+    color = vec4((glossy + matt) * open + sun + lit + glow, alpha);
+#ifdef BACKGROUND_MIRROR
+    float share = dot(shares.glossy, vec3(1.0 / 3.0));
+    out_surface = vec4(octahedron_of(n), s.roughness, share * open);
+    out_glossy = vec4(glossy * open, 0.0);
+#endif
 }

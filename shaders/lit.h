@@ -63,11 +63,14 @@ ABI_FUNCTION vec2s lit_split_at(float roughness, float n_dot_v)
                     glm_clamp(roughness, 0.0f, 1.0f) * last);
 }
 
-/* Returns the radiance of a surface in an environment: `split` is its pair of the table, `glossy`
- * the light from the mirror's direction, blurred by the roughness, `matt` that on a matt white
- * surface. */
-ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, vec3s glossy,
-                                      vec3s matt)
+/* What a surface reflects of an even environment: light from the mirror's direction, blurred by the
+ * roughness, and light that would fall on a matt white surface. */
+struct lit_shares {
+    vec3s glossy, matt;
+};
+
+/* Returns the shares of a surface; `split` is its pair of the table. */
+ABI_FUNCTION ABI_STRUCT(lit_shares) lit_shares_of(ABI_STRUCT(lit_surface) s, vec2s split)
 {
     vec3s one = ABI_VEC3(1.0f, 1.0f, 1.0f);
     vec3s f90 = glms_vec3_scale(one, s.f90);
@@ -77,8 +80,19 @@ ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, ve
     vec3s again = glms_vec3_scale(mean, missing);
     vec3s more = glms_vec3_div(glms_vec3_mul(once, again), glms_vec3_sub(one, again));
     float kept = 1.0f - glms_vec3_max(glms_vec3_add(once, more));
-    vec3s base = glms_vec3_add(more, glms_vec3_scale(s.diffuse, kept));
-    return glms_vec3_add(glms_vec3_mul(once, glossy), glms_vec3_mul(base, matt));
+    ABI_STRUCT(lit_shares) shares;
+    shares.glossy = once;
+    shares.matt = glms_vec3_add(more, glms_vec3_scale(s.diffuse, kept));
+    return shares;
+}
+
+/* Returns the radiance of a surface in an environment: `split` is its pair of the table, `glossy`
+ * and `matt` are the light of struct lit_shares. */
+ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, vec3s glossy,
+                                      vec3s matt)
+{
+    ABI_STRUCT(lit_shares) shares = lit_shares_of(s, split);
+    return glms_vec3_add(glms_vec3_mul(shares.glossy, glossy), glms_vec3_mul(shares.matt, matt));
 }
 
 /* Returns the radiance of a surface for light from direction `l` that gives a matt white surface

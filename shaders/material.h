@@ -34,4 +34,6 @@
 #define MATERIAL_WRAPS_COUNT            3
 #define MATERIAL_OTHER_SET              9
 
+#define MATERIAL_ROUGH 0.6f /* roughness from which on a surface mirrors no objects */
+
 #endif

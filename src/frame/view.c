@@ -217,6 +217,16 @@ VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals
     return area;
 }
 
+VkRect2D frame_view_foot_area(const struct frame_view *view, const struct globals *globals,
+                              VkExtent2D size)
+{
+    struct box box = view->scene->box;
+    const float height = box.max.y - box.min.y;
+    box.max.y = box.min.y + 0.1f * height;
+    box.min.y -= 1.3f * height;
+    return frame_view_box_area(view, globals, box, size, 0.2f);
+}
+
 /* The panorama's sun, whose disc has that radius. */
 static void place_environment_sun(const struct frame_view *view, float radius, struct globals *g)
 {

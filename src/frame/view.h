@@ -31,6 +31,11 @@ bool frame_view_is_beyond(const struct frame_view *view);
 VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals *globals,
                              struct box box, VkExtent2D size, float room);
 
+/* Returns the pixels of a picture of `size` that show the objects' mirror image in a floor below
+ * them, with a margin for floors that are not even. */
+VkRect2D frame_view_foot_area(const struct frame_view *view, const struct globals *globals,
+                              VkExtent2D size);
+
 /* Returns the push constants for face 0 to 5 of the environment cube, in Vulkan's order. */
 struct background_push frame_view_face(const struct frame_view *view, uint32_t face);
 

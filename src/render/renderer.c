@@ -306,6 +306,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
     const VkExtent2D size = frame_exec->frame->plan->view;
     frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
     frame.lookup_area = lookup_area(r, &view, &globals, size);
+    frame.foot_area = frame_view_foot_area(&view, &globals, size);
     frame.due = frame_exec == &r->picture ? frame_cube_due(&r->cube, &view, &globals)
                                           : (struct frame_due){ FRAME_CUBE_ALL, true };
     VkResult result = rg_exec_begin(frame_exec->exec, slot);

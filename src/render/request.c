@@ -1,6 +1,7 @@
 /* request.c: what the renderer's plans draw and read back. */
 #include "src/render/request.h"
 #include "src/frame/view.h"
+#include "src/scene/material_rows.h"
 #include "src/scene/scene.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/technique.h"
@@ -46,6 +47,8 @@ static struct technique_choice choose(const struct renderer_params *params,
         .has_materials = params->scene->material_rows != NULL,
         .is_beyond = purpose == TECHNIQUE_PICTURE && params->is_beyond,
         .has_extras = params->scene->extra_rows != NULL,
+        .has_mirrors =
+            params->scene->material_rows && material_rows_has_mirrors(&params->scene->model),
         .disperses = frame_media_disperse(params->scene, params->settings),
         .has_cube = params->scene->cube.texels != NULL,
         .has_rays = params->gpu && params->gpu->has_rays, /* `firn graph` has no device */

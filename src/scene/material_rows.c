@@ -118,13 +118,32 @@ bool material_rows_has_lit(const struct mesh *mesh)
     return false;
 }
 
-bool material_rows_has_rich(const struct model *model)
+/* Returns whether a triangle of the surroundings has a material that `is_such`. */
+static bool has(const struct model *model, bool (*is_such)(const struct material *))
 {
     const struct mesh *mesh = &model->surroundings;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const uint32_t material = mesh->vertices[i].material >> MESH_SURFACE_SHIFT;
-        if (material > 0 && is_rich(&model->materials[material - 1]))
+        if (material > 0 && is_such(&model->materials[material - 1]))
             return true;
     }
     return false;
+}
+
+bool material_rows_has_rich(const struct model *model)
+{
+    return has(model, is_rich);
+}
+
+/* A texture may make a rough surface smooth in places. */
+static bool is_mirror(const struct material *m)
+{
+    const bool is_even = m->textures[MATERIAL_METALLIC_ROUGHNESS].layer == 0;
+    return !is_matt(m) && (m->specular > 0.0f || m->metallic > 0.0f) &&
+           (!is_even || m->roughness < MATERIAL_ROUGH);
+}
+
+bool material_rows_has_mirrors(const struct model *model)
+{
+    return has(model, is_mirror);
 }

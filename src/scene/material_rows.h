@@ -21,6 +21,10 @@ vec4s *material_rows_make_extras(const struct mesh *mesh);
 /* Returns whether light falls on any triangle, which is not so if all are unlit. */
 bool material_rows_has_lit(const struct mesh *mesh);
 
+/* Returns whether surroundings have a surface that may be smooth enough for an image of what is
+ * near it. */
+bool material_rows_has_mirrors(const struct model *model);
+
 /* Returns whether surroundings have a surface that is more than a matt one of one texture that
  * repeats. */
 bool material_rows_has_rich(const struct model *model);

@@ -23,6 +23,7 @@ const struct quality_row quality_rows[] = {
     { "refract.steps", { [HIGH] = "12" } },
     { "refract_bounce.exits", { [DRAFT] = "1" } },
     { "air.steps", { [DRAFT] = "0", [HIGH] = "8" } },
+    { "mirror.steps", { [DRAFT] = "0", [HIGH] = "16" } },
     { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
     { "ground.light", { [HIGH] = "traced" } },
     { "tonemap.dither", { [HIGH] = "on" } },

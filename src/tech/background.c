@@ -9,6 +9,7 @@
 #include "shaders/material.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_caustics.h"
+#include "src/tech/mirror.h"
 #include "src/tech/row_builder.h"
 
 static rg_record_fn record_surroundings, record_sky;
@@ -87,6 +88,13 @@ static const struct rg_shader *const frags[3][2] = {
     { &background_extra_frag, &background_extra_shine_frag },
 };
 
+/* The same for mirror.h; surroundings without materials mirror nothing. */
+static const struct rg_shader *const mirror_frags[3][2] = {
+    { NULL },
+    { &background_materials_mirror_frag, &background_materials_shine_mirror_frag },
+    { &background_extra_mirror_frag, &background_extra_shine_mirror_frag },
+};
+
 struct rg_technique background_make(struct row_builder *builder,
                                     const struct background_rows *wanted)
 {
@@ -105,12 +113,19 @@ struct rg_technique background_make(struct row_builder *builder,
     struct rg_pass *rows = row_builder_rows(builder, passes, 2);
     if (!rows)
         return (struct rg_technique){ 0 };
+    const struct rg_target targets[] = {
+        { wanted->color, color_load },
+        [BACKGROUND_OUT_SURFACE] = { &mirror_surface, RG_LOAD_DISCARD },
+        [BACKGROUND_OUT_GLOSSY] = { &mirror_glossy, RG_LOAD_DISCARD },
+    };
+    const uint32_t target_count = wanted->mirrors ? BACKGROUND_OUT_GLOSSY + 1 : 1;
     rows[0].name = row_builder_name(builder, wanted->name, "surroundings");
-    rows[0].color = row_builder_target(builder, (struct rg_target){ wanted->color, color_load });
+    rows[0].color = row_builder_targets(builder, targets, target_count);
     rows[0].depth = (struct rg_target){ wanted->depth, depth_load };
     if (has_extras)
         rows[0].vert = &background_extra_vert;
-    rows[0].frag = frags[has_extras ? 2 : wanted->has_materials][wanted->shine];
+    rows[0].frag = (wanted->mirrors ? mirror_frags
+                                    : frags)[has_extras ? 2 : wanted->has_materials][wanted->shine];
     rows[0].uses = row_builder_uses(builder, uses, 4);
     rows[0].record = wanted->record_surroundings;
     rows[1].name = row_builder_name(builder, wanted->name, "sky");
@@ -118,7 +133,7 @@ struct rg_technique background_make(struct row_builder *builder,
     rows[1].depth = (struct rg_target){ wanted->depth, RG_LOAD_KEEP };
     rows[1].record = wanted->record_sky;
     for (size_t i = 0; i < 2; i++) {
-        rows[i].color_count = 1;
+        rows[i].color_count = i == 0 ? target_count : 1;
         rows[i].repeat = wanted->repeat;
         rows[i].when = wanted->when;
     }
@@ -137,6 +152,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
         .shine = !choice->has_pool && ice_caustics.is_on(choice->settings),
         .has_materials = choice->has_materials,
         .has_extras = choice->has_extras,
+        .mirrors = mirror_is_drawn(choice),
         .record_surroundings = record_surroundings,
         .record_sky = record_sky,
     };

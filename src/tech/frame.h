@@ -71,6 +71,7 @@ struct rg_frame {
     const struct rg_mesh *meshes; /* of the techniques, for frame_draw_mesh() */
     VkRect2D object_area;         /* pixels of the view that contain the whole object */
     VkRect2D lookup_area;         /* pixels of the view in which shaders look up its faces */
+    VkRect2D foot_area;           /* pixels in which ground at its foot may mirror it */
     struct background_push view;
     float time;                      /* seconds */
     vec2s light_jitter;              /* as in struct frame_view */

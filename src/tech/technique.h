@@ -38,6 +38,7 @@ struct technique_choice {
     bool has_pool;         /* the scene is a pool of water */
     bool has_materials;    /* surroundings have materials (scene.material_rows) */
     bool has_extras;       /* surroundings have scene.extra_rows */
+    bool has_mirrors;      /* and surfaces that mirror */
     bool has_cube;         /* the scene has an environment cube of its own */
     bool keeps_depth;      /* the objects are drawn again, over the finished picture */
     bool is_limited;       /* rows draw where rays look up one of the objects, and no farther */

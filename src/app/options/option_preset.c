@@ -7,7 +7,8 @@
 /* The preset of this name: an object among the paper's surroundings, in the paper's light. */
 static const char paper[] = "paper";
 static const char *const paper_lines[] = { "ice_caustics.light=none", "ground.light=open",
-                                           "tonemap.exposure=0", "tonemap.dither=off", NULL };
+                                           "mirror.steps=0",          "tonemap.exposure=0",
+                                           "tonemap.dither=off",      NULL };
 
 static enum status apply_line(struct app_scene *scene, const char *assignment, uint32_t number)
 {

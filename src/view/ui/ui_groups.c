@@ -67,6 +67,7 @@ static const struct {
     { UI_LIGHT, "ice_caustics.light" },
     { UI_LIGHT, "landscape.flat" },
     { UI_LIGHT, "ground.light" },
+    { UI_LIGHT, "mirror.steps" },
     { UI_LIGHT, "light.azimuth" },
     { UI_LIGHT, "light.elevation" },
     { UI_LIGHT, "light.distance" },
