@@ -107,7 +107,7 @@ static enum status upload(struct renderer *r)
         status = log_out_of_memory(NULL);
     }
     for (size_t i = 0; i < techniques_count && status == STATUS_OK; i++)
-        r->meshes[i] = uploaded_scene_mesh(&r->scene->meshes[i]);
+        r->meshes[i] = uploaded_scene_mesh(&r->scene->meshes[i], false);
     return status;
 }
 
@@ -290,8 +290,8 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
     struct rg_frame frame = {
         .settings = r->params.settings,
         .scene = r->params.scene,
-        .object = uploaded_scene_mesh(&s->object),
-        .surroundings = uploaded_scene_mesh(&s->surroundings),
+        .object = uploaded_scene_mesh(&s->object, r->params.is_coarse),
+        .surroundings = uploaded_scene_mesh(&s->surroundings, r->params.is_coarse),
         .objects = frame_exec == &r->picture ? r->objects.all : NULL,
         .object_count = frame_exec == &r->picture ? r->objects.count : 0,
         .meshes = r->meshes,

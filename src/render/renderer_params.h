@@ -14,6 +14,7 @@ struct renderer_params {
     struct gpu *gpu;
     const struct scene *scene;
     const struct uploaded_scene *uploaded; /* the scene on the device; NULL: it is uploaded */
+    bool is_coarse; /* draw uploaded_scene_add_coarse()'s triangles, where `uploaded` has some */
     const struct settings *settings;
     const struct technique *rung;
     uint32_t width, height; /* pixels */

@@ -1,11 +1,16 @@
 /* uploaded_scene.c: uploads what techniques need of a scene. */
 #include "src/render/uploaded_scene.h"
+#include <meshoptimizer.h>
 #include <stdlib.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
 #include "src/render/ray_groups.h"
 #include "src/scene/mips.h"
 #include "src/tech/techniques.h"
+
+/* Of coarse meshes, relative to their size. Surroundings may lie on each other: water on stone. */
+static const float object_error = 0.003f;
+static const float surroundings_error = 0.0003f;
 
 static enum status upload_mesh(struct gpu *gpu, const struct mesh *mesh, struct uploaded_mesh *to,
                                const char *name)
@@ -155,6 +160,39 @@ enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
     return status;
 }
 
+/* `error`: of the shape, of its size. What would hardly have fewer triangles keeps them. */
+static enum status add_coarse(struct gpu *gpu, const struct mesh *mesh, struct uploaded_mesh *to,
+                              float error)
+{
+    const size_t size = (size_t)mesh->index_count * sizeof(*mesh->indices);
+    if (!mesh->index_count || to->coarse.buffer)
+        return STATUS_OK;
+    uint32_t *indices = malloc(size);
+    if (!indices)
+        return log_out_of_memory(NULL);
+    const size_t count =
+        meshopt_simplify(indices, mesh->indices, mesh->index_count, mesh->vertices[0].position.raw,
+                         mesh->vertex_count, sizeof(mesh->vertices[0]), 0, error, 0, NULL);
+    enum status status = STATUS_OK;
+    if (count && 4 * count < (size_t)3 * mesh->index_count)
+        status = gpu_buffer_create(gpu, &to->coarse, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, indices,
+                                   count * sizeof(*indices), "scene.coarse");
+    free(indices);
+    return status;
+}
+
+enum status uploaded_scene_add_coarse(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                      const struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    enum status status = STATUS_OK;
+    if (model->object_count <= 1)
+        status = add_coarse(gpu, &model->object, &on_gpu->object, object_error);
+    if (status == STATUS_OK)
+        status = add_coarse(gpu, &model->surroundings, &on_gpu->surroundings, surroundings_error);
+    return status;
+}
+
 enum status uploaded_scene_init_tree(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                      const struct scene *scene)
 {
@@ -209,6 +247,7 @@ static void destroy_mesh(struct gpu *gpu, struct uploaded_mesh *mesh)
 {
     gpu_buffer_destroy(gpu, &mesh->vertices);
     gpu_buffer_destroy(gpu, &mesh->indices);
+    gpu_buffer_destroy(gpu, &mesh->coarse);
 }
 
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu)
@@ -227,12 +266,14 @@ void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu)
     *on_gpu = (struct uploaded_scene){ 0 };
 }
 
-struct rg_mesh uploaded_scene_mesh(const struct uploaded_mesh *mesh)
+struct rg_mesh uploaded_scene_mesh(const struct uploaded_mesh *mesh, bool is_coarse)
 {
+    const struct gpu_buffer *indices =
+        is_coarse && mesh->coarse.buffer ? &mesh->coarse : &mesh->indices;
     return (struct rg_mesh){
         .vertices = mesh->vertices.buffer,
-        .indices = mesh->indices.buffer,
-        .index_count = (uint32_t)(mesh->indices.size / sizeof(uint32_t)),
+        .indices = indices->buffer,
+        .index_count = (uint32_t)(indices->size / sizeof(uint32_t)),
     };
 }
 

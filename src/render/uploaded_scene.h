@@ -9,6 +9,7 @@
 /* A mesh's buffers; {0} if it has no triangles. */
 struct uploaded_mesh {
     struct gpu_buffer vertices, indices;
+    struct gpu_buffer coarse; /* indices of fewer triangles; {0}: there are none */
 };
 
 /* An image or a buffer that a technique imports. */
@@ -45,10 +46,19 @@ MUST_USE enum status uploaded_scene_init_tree(struct uploaded_scene *on_gpu, str
 MUST_USE enum status uploaded_scene_need_rays(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                               const struct scene *scene);
 
+/*
+ * Adds fewer triangles of the same vertices for the object, unless there are several, and for the
+ * surroundings: renderers with params.is_coarse draw those. They are 0.003 of the object's size
+ * off, and 0.0003 of the surroundings'. A driver for the CPU shades whole blocks of pixels for each
+ * triangle. STATUS_TRY_AGAIN: no memory for them; the scene is as it was.
+ */
+MUST_USE enum status uploaded_scene_add_coarse(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                               const struct scene *scene);
+
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu);
 
-/* Returns what rg_cmd needs to draw the mesh. */
-struct rg_mesh uploaded_scene_mesh(const struct uploaded_mesh *mesh);
+/* Returns what rg_cmd needs to draw the mesh, or its coarse triangles if it has some. */
+struct rg_mesh uploaded_scene_mesh(const struct uploaded_mesh *mesh, bool is_coarse);
 
 /* Returns the image that was uploaded for a declaration, or VK_NULL_HANDLE. */
 VkImage uploaded_scene_image(const struct uploaded_scene *on_gpu, const struct rg_image *declared);

@@ -307,6 +307,12 @@ bool picture_wants_quick(const struct picture *p)
 enum status picture_make_quick(struct picture *p, const struct renderer_shot *shot)
 {
     const struct quick_params params = quick_params(p);
+    enum status status = uploaded_scene_add_coarse(&p->uploaded, p->gpu, &p->scene);
+    if (status == STATUS_OK && p->right_scene)
+        status =
+            uploaded_scene_add_coarse(&p->right_scene->uploaded, p->gpu, &p->right_scene->scene);
+    if (status != STATUS_OK && status != STATUS_TRY_AGAIN)
+        return status;
     return quick_make(&p->quick, &params, shot);
 }
 

@@ -79,6 +79,7 @@ static enum status fit_all(struct quick *q, const struct quick_params *p)
 {
     struct renderer_params left = p->left;
     struct renderer_params right = p->right;
+    left.is_coarse = right.is_coarse = q->level >= QUICK_COARSE;
     left.settings = &q->settings;
     right.settings = &q->right_settings;
     q->version = p->version;

@@ -1,7 +1,7 @@
 /*
  * quick.h: what draws a picture while something moves: renderers of its scene and rungs with the
  * settings of --quality draft, and fewer still (quick_settings()); where that is too slow in half
- * the size, without cracks, air and bubbles, and then without bumps, too.
+ * the size, with coarser meshes, then without cracks, air and bubbles, then without bumps, too.
  *
  * They are made after the first picture, or once it is still, so the first movement finds them, and
  * follow its settings, size and rungs when they are drawn with. A picture that takes no longer than
@@ -24,6 +24,7 @@ struct quick_params {
 /* What is left out. */
 enum quick_level {
     QUICK_WHOLE,  /* nothing that can be seen well */
+    QUICK_COARSE, /* small triangles */
     QUICK_BARE,   /* what is in the ice: cracks, air, bubbles */
     QUICK_SMOOTH, /* bumps, too */
 };

@@ -116,7 +116,7 @@ static struct rg_plan *compile(const struct rg_device *device, const struct scen
 static struct rg_frame make_frame(const struct uploaded_scene *on_gpu, vec3s center)
 {
     struct rg_frame frame = {
-        .surroundings = uploaded_scene_mesh(&on_gpu->surroundings),
+        .surroundings = uploaded_scene_mesh(&on_gpu->surroundings, false),
     };
     for (uint32_t i = 0; i < 6; i++) {
         const struct camera_basis basis = camera_cube_basis(i);

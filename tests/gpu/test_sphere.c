@@ -3,6 +3,7 @@
 
 #include "tests/support/check.h"
 
+#include "src/render/uploaded_scene.h"
 #include "src/scene/generate/generate.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
@@ -384,9 +385,33 @@ static void objects_before_the_sky_are_where_they_are(void **state)
     assert_true(distance < 0.25 * infinite);
 }
 
+/* What a window's movements draw. Of the same error, more triangles become as many. */
+static void coarse_triangles_have_the_shape(void **state)
+{
+    uint32_t counts[2];
+    for (uint32_t i = 0; i < 2; i++) {
+        struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, i ? 40000 : 10000);
+        struct uploaded_scene on_gpu;
+        assert_int_equal(uploaded_scene_init(&on_gpu, *state, &scene), STATUS_OK);
+        assert_int_equal(uploaded_scene_add_coarse(&on_gpu, *state, &scene), STATUS_OK);
+        const struct rg_mesh whole = uploaded_scene_mesh(&on_gpu.object, false);
+        const struct rg_mesh coarse = uploaded_scene_mesh(&on_gpu.object, true);
+        assert_ptr_equal(coarse.vertices, whole.vertices);
+        assert_int_equal(whole.index_count, scene.model.object.index_count);
+        counts[i] = coarse.index_count / 3;
+        uploaded_scene_finish(&on_gpu, *state);
+        scene_finish(&scene);
+    }
+    print_message("coarse triangles: %u and %u\n", counts[0], counts[1]);
+    /* A chord of angle a is a^2 / 8 of the radius below the sphere. */
+    assert_in_range(counts[0], 300, 2500);
+    assert_in_range(counts[1], 300, 2500);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(coarse_triangles_have_the_shape),
         cmocka_unit_test(layers_are_those_of_a_sphere),
         cmocka_unit_test(pixels_are_consistent),
         cmocka_unit_test(exit_follows_from_the_normals),

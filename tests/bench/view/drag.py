@@ -1,9 +1,9 @@
 """How fluid a drag is, and how soon a picture in full size follows.
 
-drag.py FIRN: of three runs of the default scene in the size of the first window, medians of what
-`firn view` reports of movements, beside what is wanted, as ratios. On a machine that does other
-things as well it says little: `chrt -r 5` helps. Fails if pictures of a movement take longer than
-one in full size.
+drag.py FIRN [SCENE]: of three runs of the scene, ice-cube, in the size of the first window, medians
+of what `firn view` reports of movements, beside what is wanted, as ratios. On a machine that does
+other things as well it says little: `chrt -r 5` helps. Fails if pictures of a movement take longer
+than one in full size.
 """
 import pathlib
 import re
@@ -17,6 +17,7 @@ from case import environment  # noqa: E402
 from desktop import Desktop, wait_until  # noqa: E402
 
 RUNS, MOVES, STEP = 3, 150, 0.016
+SCENE = sys.argv[2] if len(sys.argv) > 2 else 'ice-cube'
 WANTED = (('from picture to picture', 1000 / 30), ('the same, 95 %', 50), ('hand to picture', 50),
           ('the same, 95 %', 100), ('full size after', 300))
 LINE = (r'moving: \d+ pictures, median ([\d.]+) ms, 95 % ([\d.]+) ms; hand to picture ([\d.]+) ms, '
@@ -24,10 +25,10 @@ LINE = (r'moving: \d+ pictures, median ([\d.]+) ms, 95 % ([\d.]+) ms; hand to pi
 
 
 def run(desktop, firn, folder):
-    words = [firn, 'view', 'ice-cube', '--size', '1160x850']
+    words = [firn, 'view', SCENE, '--size', '1160x850']
     with subprocess.Popen(words, env=environment({'DISPLAY': desktop.env['DISPLAY']}), cwd=folder,
                           stderr=subprocess.PIPE, text=True) as process:
-        window = desktop.find('firn: ice-cube, paused')
+        window = desktop.find(f'firn: {SCENE}, paused')
         desktop.do('windowfocus', '--sync', window, 'mousemove', '--window', window, 400, 400)
         for _ in range(2):  # the first drag learns what a frame costs
             moves = ['mousemove_relative', '--', 2, 1, 'sleep', STEP] * MOVES
@@ -40,7 +41,7 @@ def run(desktop, firn, folder):
 
 def full_frame(desktop, firn, folder):
     """Milliseconds."""
-    words = subprocess.run([firn, 'view', 'ice-cube', '--size', '1160x850', '--frames', '10',
+    words = subprocess.run([firn, 'view', SCENE, '--size', '1160x850', '--frames', '10',
                             '--time-step', '0.04'], cwd=folder, check=True, stderr=subprocess.PIPE,
                            env=environment({'DISPLAY': desktop.env['DISPLAY']}), text=True).stderr
     return float(re.search(r'frames, ([\d.]+) ms each', words)[1])
