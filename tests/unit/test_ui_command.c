@@ -25,13 +25,19 @@ static void parse(struct fixture *f, const char *text, size_t skip)
     assert_false(done);
 }
 
-/* What `firn view` would have of these words, in a window of 320x240. */
+/* What `firn view` would have of these words, in a window of 320x240, of an object of ice: scenes
+ * of others bring no cracks. */
 static void start(struct fixture *f, const char *words)
 {
+    static struct object object;
+    static struct material ice = { .flags = MATERIAL_IS_BARE };
     char text[512];
     *f = (struct fixture){ 0 };
     snprintf(text, sizeof(text), "--samples 1 %s", words); /* of which the last one counts */
     parse(f, text, 0);
+    f->scene.model.objects = &object;
+    f->scene.model.materials = &ice;
+    f->scene.model.object_count = 1;
     f->scene.box = (struct box){ .min = { { -1, -1, -1 } }, .max = { { 1, 1, 1 } } };
     f->options.picture.width = 320;
     f->options.picture.height = 240;
