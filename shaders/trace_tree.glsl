@@ -63,13 +63,10 @@ uvec4 trace_corner(int word)
 
 struct trace_ray {
     vec3 origin, dir;
-    vec3 inverse;                               /* 1 / dir */
-    vec3 near_origin, far_origin, step_inverse; /* in the tree's steps */
-    uvec3 near_shift, far_shift;                /* to the bounds that it meets first, last */
-    uint mask;                                  /* of a bound */
+    vec3 inverse, minus_origin; /* 1 / dir, -origin / dir */
     float side;  /* 1: inside the object that it begins on, -1: outside of it, 0: on none */
     float reach; /* within which faces are not met that it could only see from the other side */
-    vec3 cull;   /* `dir` as of cones; 0 if they do not count */
+    vec3 cull;   /* `side` times `dir`; 0 if the cones of nodes do not count */
     bool is_in_bubble;
     int from; /* a triangle that is not met */
 };
@@ -97,34 +94,34 @@ trace_ray trace_ray_of(vec3 origin, vec3 dir, float side, float reach, int from,
 {
     vec3 safe = mix(dir, vec3(1e-20), lessThan(abs(dir), vec3(1e-20)));
     vec3 inverse = 1.0 / safe;
-    float culled = trace_has(TRACE_HAS_CULLING) ? side / TREE_CONE_STEP : 0.0;
-    return trace_ray(origin, dir, inverse, vec3(0.0), vec3(0.0), vec3(0.0), uvec3(0u), uvec3(0u),
-                     0u, side, reach, culled * dir, is_in_bubble, from);
+    vec3 cull = (trace_has(TRACE_HAS_CULLING) ? side : 0.0) * dir;
+    return trace_ray(origin, dir, inverse, -origin * inverse, side, reach, cull, is_in_bubble,
+                     from);
 }
 
 /* Returns whether a ray meets a box before `far`, and where it enters. Numbers from 0 on are in the
  * order of their bits, and a box with a bound below 0 is not met, whichever that is: so bits are
  * compared, because lavapipe takes four instructions for the lesser of two floats, which may be
  * no numbers. */
-bool trace_meets_box(trace_ray ray, uvec3 sides, float far, out float enter)
+bool trace_meets_box(trace_ray ray, vec3 low, vec3 high, float far, out float enter)
 {
-    vec3 near_sides = uintBitsToFloat(sides >> ray.near_shift & ray.mask | 0x3f800000u);
-    vec3 far_sides = uintBitsToFloat(sides >> ray.far_shift & ray.mask | 0x3f800000u);
-    ivec3 near_at = floatBitsToInt((near_sides + ray.near_origin) * ray.step_inverse);
-    ivec3 far_at = floatBitsToInt((far_sides + ray.far_origin) * ray.step_inverse);
-    int first = max(max(near_at.x, near_at.y), max(near_at.z, 0));
-    int last = min(min(far_at.x, far_at.y), min(far_at.z, floatBitsToInt(far)));
+    vec3 a = low * ray.inverse + ray.minus_origin;
+    vec3 b = high * ray.inverse + ray.minus_origin;
+    ivec3 near_sides = min(floatBitsToInt(a), floatBitsToInt(b));
+    ivec3 far_sides = max(floatBitsToInt(a), floatBitsToInt(b));
+    int first = max(max(near_sides.x, near_sides.y), max(near_sides.z, 0));
+    int last = min(min(far_sides.x, far_sides.y), min(far_sides.z, floatBitsToInt(far)));
     enter = intBitsToFloat(first);
     return first <= last;
 }
 
-/* Returns whether some triangle in a child's cone may face a ray. */
-bool trace_faces(uvec4 child, trace_ray ray)
+/* Returns whether some triangle in a cone may face a ray; its bytes need not be divided by 127. */
+bool trace_faces(uint cone, trace_ray ray)
 {
     if (!trace_has(TRACE_HAS_CULLING))
         return true;
-    vec3 axis = vec3(ivec3(child.xyz) >> 2 * TREE_STEP_BITS);
-    return dot(axis, ray.cull) + float(child.w >> TREE_CONE_SHIFT & TREE_CONE_OPEN) >= 0.0;
+    ivec4 c = ivec4(cone << 24, cone << 16, cone << 8, cone) >> 24;
+    return dot(vec3(c.xyz), ray.cull) + float(c.w) >= 0.0;
 }
 
 /* Where a ray, from the centre on, enters and leaves a sphere, or, if `dir` is across an axis, a
@@ -209,51 +206,36 @@ void trace_meet_triangle(trace_ray ray, int i, int part, bool counts, inout trac
     }
 }
 
-/* Gives a ray the steps of its tree. Bounds are the lowest bits of a float between 1 and 2, which
- * lavapipe need not convert; the ray's origin is rounded there, so boxes are larger by as much. */
-void trace_enter_tree(inout trace_ray ray, int root)
-{
-    uvec4 place = trace_node(TREE_NODE_WORDS * (root - 1));
-    vec3 step = uintBitsToFloat(trace_node(TREE_NODE_WORDS * (root - 1) + 1).xyz);
-    vec3 minus_origin = (uintBitsToFloat(place.xyz) - ray.origin) / step * exp2(-23.0) - 1.0;
-    vec3 room = sign(ray.inverse) * 1.8e-7 * abs(minus_origin);
-    uvec3 is_against = uvec3(lessThan(ray.inverse, vec3(0.0)));
-    ray.near_origin = minus_origin - room;
-    ray.far_origin = minus_origin + room;
-    ray.step_inverse = ray.inverse * step * exp2(23.0);
-    ray.near_shift = is_against * place.w;
-    ray.far_shift = place.w - ray.near_shift;
-    ray.mask = (1u << place.w) - 1u;
-}
-
 void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
 {
     int stack[TREE_DEPTH_MAX + 2];
     int top = 0;
     int node = root;
-    trace_enter_tree(ray, root);
     stack[0] = trace_nothing;
     do {
         while (node >= 0) {
-            int at = TREE_NODE_WORDS * (node & int(TREE_CHILD));
+            int at = TREE_NODE_WORDS * node;
             uvec4 a = trace_node(at), b = trace_node(at + 1);
+            uvec4 c = trace_node(at + 2), d = trace_node(at + 3);
             float enter_0, enter_1;
-            bool meets_0 = trace_meets_box(ray, a.xyz, hit.t, enter_0);
-            bool faces_0 = trace_faces(a, ray);
+            bool meets_0 = trace_meets_box(ray, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz),
+                                           hit.t, enter_0);
+            bool faces_0 = trace_faces(b.w, ray);
             meets_0 = meets_0 && faces_0;
-            bool meets_1 = trace_meets_box(ray, b.xyz, hit.t, enter_1);
-            bool faces_1 = trace_faces(b, ray);
+            bool meets_1 = trace_meets_box(ray, uintBitsToFloat(c.xyz), uintBitsToFloat(d.xyz),
+                                           hit.t, enter_1);
+            bool faces_1 = trace_faces(d.w, ray);
             meets_1 = meets_1 && faces_1;
             bool second = meets_1 && (!meets_0 || enter_1 < enter_0);
-            int near = second ? int(b.w) : int(a.w);
-            int far = second ? int(a.w) : int(b.w);
+            int near = second ? int(c.w) : int(a.w);
+            int far = second ? int(a.w) : int(c.w);
             int popped = stack[top];
             bool none = !meets_0 && !meets_1;
             stack[top + 1] = far;
             top += none ? -1 : int(meets_0 && meets_1);
             node = none ? popped : near;
         }
-        int leaf = node < 0 ? node & int(TREE_CHILD) : 0;
+        int leaf = node < 0 ? node & 0x7fffffff : 0;
         int k = leaf >> 3, end = k + (leaf & 7);
         do {
             trace_meet_triangle(ray, k, part, k < end, hit);
@@ -261,7 +243,7 @@ void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
             if (k >= end && node < 0 && node != trace_nothing) {
                 node = stack[top];
                 top--;
-                leaf = node >= 0 ? 0 : node & int(TREE_CHILD);
+                leaf = node >= 0 ? 0 : node & 0x7fffffff;
                 k = leaf >> 3;
                 end = k + (leaf & 7);
             }

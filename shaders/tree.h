@@ -1,13 +1,10 @@
 /*
  * tree.h: the layout of trees of triangles (src/scene/tree.h), in words of four 32-bit numbers.
  *
- * A node has two children, of a word each. Of its first three numbers, one for each axis, the
- * lowest bits are the low bound of the child's box and the next ones the high bound, in steps of
- * the tree; in trees of objects the highest four are the mean normal of its triangles, signed,
- * times TREE_CONE_AXIS. Of the last number, bits 0 to 26 are the child, and 27 to 30 the sine of
- * the widest angle to the mean normal times TREE_CONE_AXIS / TREE_CONE_STEP. A child is a node, or,
- * with TREE_LEAF, the first triangle << 3 | number of triangles. Before a root are two words: the
- * place of the bound 0, and how many bits a bound has; and the size of a step on each axis.
+ * A node has two children, each of two words: the low corner of its box, and the child; the high
+ * corner, and the cone of its triangles' normals: three bytes of a mean normal, and one of the sine
+ * of the widest angle to it, all signed and normalised. A child is a node, or, with TREE_LEAF, the
+ * first triangle << 3 | number of triangles.
  *
  * A triangle has three words, the rows of an affine map to (u, v, w): u and v are the weights of
  * the second and third corner, w is the distance before its plane (Woop 2004, DynRT). Its corners
@@ -27,7 +24,7 @@
 #ifndef SHADERS_TREE_H
 #define SHADERS_TREE_H
 
-#define TREE_NODE_WORDS     2
+#define TREE_NODE_WORDS     4
 #define TREE_TRIANGLE_WORDS 3
 #define TREE_CORNER_WORDS   3
 #define TREE_SURFACE_WORDS  4
@@ -35,13 +32,7 @@
 #define TREE_NUMBER         0x10000u
 #define TREE_LEAF           0x80000000u
 #define TREE_NOTHING        0xffffffffu
-#define TREE_STEP_BITS      14 /* of a bound, beside cones */
-#define TREE_STEP_BITS_MOST 16 /* without */
-#define TREE_CHILD          0x07ffffffu
-#define TREE_CONE_SHIFT     27
-#define TREE_CONE_OPEN      15u /* all directions */
-#define TREE_CONE_AXIS      7
-#define TREE_CONE_STEP      0.55
+#define TREE_CONE_OPEN      0x7f000000u /* all directions */
 #define TREE_DEPTH_MAX      30
 #define TREE_TRIANGLES_MAX  (1u << 24)
 #define TREE_SHELLS_FEW     32    /* objects that bits of a word tell apart */

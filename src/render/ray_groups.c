@@ -119,9 +119,9 @@ static uint32_t number_of(const struct tree *tree, uint32_t triangle)
 /* Widens a range of triangles to those of a leaf or, if `child` is a node, lists the node. */
 static void visit(uint32_t child, uint32_t range[static 2], uint32_t *stack, uint32_t *top)
 {
-    const uint32_t first = (child & TREE_CHILD) >> 3, count = child & 7;
+    const uint32_t first = (child & ~TREE_LEAF) >> 3, count = child & 7;
     if (!(child & TREE_LEAF)) {
-        stack[(*top)++] = child & TREE_CHILD;
+        stack[(*top)++] = child;
     } else if (count) {
         range[0] = first < range[0] ? first : range[0];
         range[1] = first + count > range[1] ? first + count : range[1];
@@ -140,7 +140,7 @@ static void find_range(const struct tree *tree, uint32_t part, uint32_t range[st
         const uint32_t(*words)[4] =
             (const uint32_t(*)[4]) & tree->nodes.all[(size_t)stack[--top] * TREE_NODE_WORDS];
         visit(words[0][3], range, stack, &top);
-        visit(words[1][3], range, stack, &top);
+        visit(words[2][3], range, stack, &top);
     }
 }
 
@@ -191,13 +191,11 @@ static double extent_of(const struct tree *tree)
     for (uint32_t part = 0; part < INCLUSIONS_AT; part++) {
         if (tree->roots[part] == TREE_NOTHING)
             continue;
-        const uint32_t(*place)[4] =
-            (const uint32_t(*)[4]) &
-            tree->nodes.all[((size_t)tree->roots[part] - 1) * TREE_NODE_WORDS];
-        for (int k = 0; k < 3; k++) {
-            const double low = number(place[0][k]);
-            const double high = low + number(place[1][k]) * ldexp(1.0, (int)place[0][3]);
-            most = fmax(most, fmax(fabs(low), fabs(high)));
+        const uint32_t(*words)[4] =
+            (const uint32_t(*)[4]) & tree->nodes.all[(size_t)tree->roots[part] * TREE_NODE_WORDS];
+        for (int i = 0; i < TREE_NODE_WORDS * 3; i++) {
+            const double x = fabs(number(words[i / 3][i % 3]));
+            most = x < 1e30 ? fmax(most, x) : most;
         }
     }
     int power;

@@ -38,18 +38,14 @@ static void meet_triangle(const struct tree *tree, uint32_t triangle, const stru
     *hit = (struct tree_hit){ t, u, v, triangle, 0, towards > 0.0 };
 }
 
-/* `place`: the words before the root. */
-static bool meets_box(const uint32_t child[static 4], const uint32_t (*place)[4],
+static bool meets_box(const uint32_t low[static 4], const uint32_t high[static 4],
                       const struct tree_ray *ray, double far)
 {
-    const uint32_t bits = place[0][3], most = (1u << bits) - 1;
     double enter = 0.0;
     for (int k = 0; k < 3; k++) {
         const double inverse = 1.0 / (double)ray->dir.raw[k];
-        const double from = number(place[0][k]) - (double)ray->origin.raw[k];
-        const double step = number(place[1][k]);
-        const double a = (from + step * (child[k] & most)) * inverse;
-        const double b = (from + step * (child[k] >> bits & most)) * inverse;
+        const double a = (number(low[k]) - (double)ray->origin.raw[k]) * inverse;
+        const double b = (number(high[k]) - (double)ray->origin.raw[k]) * inverse;
         enter = fmax(enter, fmin(a, b));
         far = fmin(far, fmax(a, b));
     }
@@ -64,20 +60,18 @@ bool tree_meet(const struct tree *tree, uint32_t part, const struct tree_ray *ra
     *hit = (struct tree_hit){ .t = DBL_MAX, .triangle = TREE_NOTHING };
     if (tree->triangle_count && tree->roots[part] != TREE_NOTHING)
         stack[count++] = tree->roots[part];
-    const size_t before = count ? (size_t)stack[0] - 1 : 0;
-    const uint32_t(*place)[4] = (const uint32_t(*)[4]) & tree->nodes.all[before * TREE_NODE_WORDS];
     while (count) {
         const size_t word = (size_t)stack[--count] * TREE_NODE_WORDS;
-        for (size_t w = word; w < word + TREE_NODE_WORDS; w++) {
-            const uint32_t *child = tree->nodes.all[w];
-            if (!meets_box(child, place, ray, hit->t))
+        for (size_t w = word; w < word + TREE_NODE_WORDS; w += 2) {
+            const uint32_t *low = tree->nodes.all[w];
+            if (!meets_box(low, tree->nodes.all[w + 1], ray, hit->t))
                 continue;
-            if (!(child[3] & TREE_LEAF)) {
-                stack[count++] = child[3] & TREE_CHILD;
+            if (!(low[3] & TREE_LEAF)) {
+                stack[count++] = low[3];
                 continue;
             }
-            const uint32_t first = (child[3] & TREE_CHILD) >> 3;
-            for (uint32_t i = first; i < first + (child[3] & 7); i++)
+            const uint32_t first = (low[3] & ~TREE_LEAF) >> 3;
+            for (uint32_t i = first; i < first + (low[3] & 7); i++)
                 meet_triangle(tree, i, ray, hit);
         }
     }

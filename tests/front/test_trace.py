@@ -313,8 +313,8 @@ class Trace(Case):
         self.assertNotIn('tree:', lines('bounce'))
         self.write('two.gltf', (glass(), [0, 0, 0], 1), (glass(), [3, 0, 0], 1))
         tree = json.loads(self.succeed('info', 'two.gltf', '--json', env=NO_DRIVER).stdout)['tree']
-        self.assertEqual(tree['triangles'], 24)  # of six words of 16 bytes, and nodes have two,
-        self.assertEqual(tree['bytes'], 32 * (tree['nodes'] + 1) + 96 * 24)  # and so have steps
+        self.assertEqual(tree['triangles'], 24)  # of six words of 16 bytes, and nodes have four
+        self.assertEqual(tree['bytes'], 64 * tree['nodes'] + 96 * 24)
         self.assertGreater(tree['ms'], 0)
         self.assertRegex(self.succeed('info', 'two.gltf', env=NO_DRIVER).stdout.decode(),
                          r'\ntree that its rays meet: \d+ nodes, 24 triangles, 0\.0 MiB, built in ')
