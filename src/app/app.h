@@ -282,6 +282,9 @@ const struct asset *app_own_environment(const char *name);
 /* Puts into settings, where nobody has said another value, what a scene brings, which is loaded. */
 void app_settle_settings(struct app_scene *given, const struct scene *scene);
 
+/* Returns what a scene, which is loaded, has by itself: without options and hands. */
+struct settings app_own_settings(const struct app_scene *given, const struct scene *scene);
+
 /*
  * The same in two parts: what can be wrong, and what only takes a while and may run beside others
  * that read the first. The second returns NULL, or what there was no memory for, and does not log:

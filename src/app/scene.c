@@ -215,6 +215,17 @@ void app_settle_settings(struct app_scene *given, const struct scene *scene)
     (void)settle_ior(given, scene);
 }
 
+struct settings app_own_settings(const struct app_scene *given, const struct scene *scene)
+{
+    struct app_scene own = *given;
+    own.plain = false;
+    own.settings = settings_default();
+    memset(own.is_set, 0, sizeof(own.is_set));
+    memset(own.is_preset, 0, sizeof(own.is_preset));
+    app_settle_settings(&own, scene);
+    return own.settings;
+}
+
 static struct melting melting_of(const struct app_scene *given)
 {
     const struct ice_params *ice = settings_of(&given->settings, &ice_settings);

@@ -376,6 +376,10 @@ class Panels(PanelsCase):
         cube = self.command(window)
         self.assertIn('light.count=0 ', cube)
         self.assertIn('--env alps ', cube)
+        self.wait_for_command(window, 'exposure=1.4 ', act=lambda: self.press(window, 'e'))
+        self.find_row(window, 'tonemap.exposure')
+        self.wait_for_command(window, 'exposure=0.9 ',
+                              act=lambda: self.click(window, 'reset tonemap.exposure'))
         valley = self.open_other(window, 'valley')
         self.assertEqual(set(re.findall(r'--set (\S+)', valley)), {*cheap, 'motion.count=2'})
         self.assertNotIn('--env ', valley)

@@ -149,22 +149,10 @@ static void print_ior(FILE *out, const struct ui_command *c)
     print_setting(out, &c->picture->scene.settings, row);
 }
 
-/* What `firn render` of the scene has by itself. */
-static struct settings brought_by(const struct ui_command *c)
-{
-    struct app_scene own = c->picture->scene;
-    own.plain = false;
-    own.settings = settings_default();
-    memset(own.is_set, 0, sizeof(own.is_set));
-    memset(own.is_preset, 0, sizeof(own.is_preset));
-    app_settle_settings(&own, c->scene);
-    return own.settings;
-}
-
 static void print_settings(FILE *out, const struct ui_command *c)
 {
     const struct settings defaults = settings_default();
-    const struct settings brought = brought_by(c);
+    const struct settings brought = app_own_settings(&c->picture->scene, c->scene);
     struct settings settings = frame_settings(&c->picture->scene.settings, c->scene);
     settings_put(&settings, settings_find("motion.time"), (double)c->time);
     const struct setting_group *group;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/frame/list.h"
 #include "src/scene/asset.h"
 #include "src/scene/material.h"
 #include "src/settings/quality.h"
@@ -186,20 +187,21 @@ static void lists(const struct ui *ui, enum ui_group group, const struct ui_view
     }
 }
 
-static void groups(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
+static void groups(struct ui *ui, const struct ui_view *view, const struct ui_settings *settings,
+                   struct ui_wish *wish)
 {
     for (enum ui_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
         imgui_id_begin(ui_group_name(g));
-        wish->changed = ui_settings_heading(&wish->settings, g, &ui->open[g]) || wish->changed;
+        wish->changed = ui_settings_heading(settings, g, &ui->open[g]) || wish->changed;
         if (ui->open[g]) {
             lists(ui, g, view, wish);
-            wish->changed = ui_settings_group(&wish->settings, g, &ui->more[g]) || wish->changed;
+            wish->changed = ui_settings_group(settings, g, &ui->more[g]) || wish->changed;
         }
         imgui_id_end();
     }
 }
 
-static void search(struct ui *ui, struct ui_wish *wish)
+static void search(struct ui *ui, const struct settings *usual, struct ui_wish *wish)
 {
     static const char all[] = "reset all";
     if (ui->focus_search)
@@ -208,20 +210,24 @@ static void search(struct ui *ui, struct ui_wish *wish)
     imgui_line_of_text("##search", "find a setting (/)", ui->filter, sizeof(ui->filter));
     imgui_same_line(0.0f);
     if (imgui_button(all)) {
-        wish->settings = settings_default();
+        wish->settings = *usual;
         wish->changed = true;
     }
-    imgui_tip("reset all settings to their defaults");
+    imgui_tip("reset all settings to what the scene has");
 }
 
 static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
-    search(ui, wish);
+    const struct scene *scene = &view->picture->scene;
+    const struct settings own = app_own_settings(&view->picture->state.scene, scene);
+    const struct settings usual = frame_settings(&own, scene);
+    const struct ui_settings settings = { &wish->settings, &usual };
+    search(ui, &usual, wish);
     imgui_scroll_begin("rows");
     if (*ui->filter)
-        wish->changed = ui_settings_found(&wish->settings, ui->filter) || wish->changed;
+        wish->changed = ui_settings_found(&settings, ui->filter) || wish->changed;
     else
-        groups(ui, view, wish);
+        groups(ui, view, &settings, wish);
     imgui_scroll_end();
 }
 

@@ -12,8 +12,8 @@ enum {
     LABEL_SIZE = 64,
 };
 
-static const double wide = 50.0;        /* a range so many times the initial value, or 1 */
-static const double too_wide = 1e4;     /* for whole numbers to be found by sliding */
+static const double wide = 50.0;       /* a range so many times the initial value, or 1 */
+static const double too_wide = 1e4;    /* for whole numbers to be found by sliding */
 static const float label_share = 0.5f; /* of a row's width */
 
 /* Units in words take more room than the numbers. */
@@ -48,11 +48,16 @@ enum ui_widget ui_settings_widget(const struct setting *row)
 
 /* ---- a row ---- */
 
-bool ui_settings_is_initial(const struct settings *settings, const struct setting *row)
+static void reset(const struct ui_settings *settings, const struct setting *row)
 {
-    struct settings initial = *settings;
-    settings_put(&initial, row, row->initial);
-    return !memcmp(&initial, settings, sizeof(initial));
+    settings_put(settings->now, row, settings_get(settings->usual, row));
+}
+
+static bool is_usual(const struct ui_settings *settings, const struct setting *row)
+{
+    struct settings usual = *settings->now;
+    reset(&(struct ui_settings){ &usual, settings->usual }, row);
+    return !memcmp(&usual, settings->now, sizeof(usual));
 }
 
 /* "cracks.count" to "cracks count". */
@@ -150,7 +155,7 @@ static void describe(const struct setting *row, char *text, size_t size)
         snprintf(text, size, "%s: %s%s", row->name, row->help, costs[row->affects]);
 }
 
-/* Its name, marked if it is not the default; what a hand changes begins at `x`. */
+/* Its name, marked if it is not as usual; what a hand changes begins at `x`. */
 static void head(const struct setting *row, const char *label, bool changed, float x)
 {
     const struct theme *theme = imgui_theme();
@@ -169,35 +174,35 @@ static void head(const struct setting *row, const char *label, bool changed, flo
     imgui_same_line(x);
 }
 
-bool ui_settings_row(struct settings *settings, const struct setting *row)
+bool ui_settings_row(const struct ui_settings *settings, const struct setting *row)
 {
-    const double before = settings_get(settings, row);
-    const bool initial = ui_settings_is_initial(settings, row);
-    const float reset = imgui_width("\xc3\x97");
+    const double before = settings_get(settings->now, row);
+    const bool usual = is_usual(settings, row);
+    const float button = imgui_width("\xc3\x97");
     const float x = imgui_room() * label_share;
     double value = before;
     char label[LABEL_SIZE];
     char id[LABEL_SIZE + 16];
     char text[400];
     print_label(row, label);
-    head(row, label, !initial, x);
-    imgui_next_width(imgui_room() - reset - 6.0f * imgui_scale());
+    head(row, label, !usual, x);
+    imgui_next_width(imgui_room() - button - 6.0f * imgui_scale());
     snprintf(id, sizeof(id), "##%s", row->name);
     bool changed = widget(row, id, &value);
     describe(row, text, sizeof(text));
     imgui_tip(text);
     if (changed)
-        settings_put(settings, row, value);
-    if (!initial) {
+        settings_put(settings->now, row, value);
+    if (!usual) {
         imgui_same_line(0.0f);
         snprintf(id, sizeof(id), "\xc3\x97##reset %s", row->name);
         if (imgui_button(id)) {
-            settings_put(settings, row, row->initial);
+            reset(settings, row);
             changed = true;
         }
-        snprintf(text, sizeof(text), "reset %s to %s%g", row->name,
-                 row->type == SETTING_CHOICE ? "choice " : "", row->initial);
-        imgui_tip(row->type == SETTING_CHOICE ? "reset to the default" : text);
+        snprintf(text, sizeof(text), "reset %s to %g", row->name,
+                 settings_get(settings->usual, row));
+        imgui_tip(row->type == SETTING_CHOICE ? "reset to what the scene has" : text);
     }
     return changed;
 }
@@ -213,32 +218,32 @@ bool ui_settings_fit(const struct setting *row, const char *words)
     return ui_words_fit(words, texts, sizeof(texts) / sizeof(texts[0]));
 }
 
-static bool reset_button(struct settings *settings, enum ui_group group, float x)
+static bool reset_button(const struct ui_settings *settings, enum ui_group group, float x)
 {
     const struct setting *row;
-    bool initial = true;
+    bool usual = true;
     char id[LABEL_SIZE];
     for (uint32_t i = 0; (row = ui_group_row(group, i)); i++)
-        initial = initial && ui_settings_is_initial(settings, row);
-    if (initial)
+        usual = usual && is_usual(settings, row);
+    if (usual)
         return false;
     imgui_same_line(x);
     snprintf(id, sizeof(id), "\xc3\x97##reset %s", ui_group_name(group));
     const bool pressed = imgui_small_button(id);
-    imgui_tip("reset this group to its defaults");
+    imgui_tip("reset this group to what the scene has");
     for (uint32_t i = 0; pressed && (row = ui_group_row(group, i)); i++)
-        settings_put(settings, row, row->initial);
+        reset(settings, row);
     return pressed;
 }
 
-bool ui_settings_heading(struct settings *settings, enum ui_group group, bool *open)
+bool ui_settings_heading(const struct ui_settings *settings, enum ui_group group, bool *open)
 {
     const float x = imgui_room() - imgui_width("\xc3\x97");
     imgui_group(ui_group_name(group), open);
     return reset_button(settings, group, x);
 }
 
-bool ui_settings_group(struct settings *settings, enum ui_group group, bool *more)
+bool ui_settings_group(const struct ui_settings *settings, enum ui_group group, bool *more)
 {
     const struct setting *row;
     bool changed = false;
@@ -274,7 +279,7 @@ static enum fit fit_of(const struct setting *row, const char *words)
     return ui_words_distance(words, row->name, true) != UI_WORDS_NONE ? FIT_LETTERS : FIT_NOTHING;
 }
 
-static uint32_t show_found(struct settings *settings, const char *words, enum fit fit,
+static uint32_t show_found(const struct ui_settings *settings, const char *words, enum fit fit,
                            bool *changed)
 {
     const struct setting *row;
@@ -290,7 +295,7 @@ static uint32_t show_found(struct settings *settings, const char *words, enum fi
     return count;
 }
 
-bool ui_settings_found(struct settings *settings, const char *words)
+bool ui_settings_found(const struct ui_settings *settings, const char *words)
 {
     bool changed = false;
     uint32_t count = show_found(settings, words, FIT_NAME, &changed);

@@ -20,21 +20,25 @@ enum ui_widget {
 /* What fits a row. */
 enum ui_widget ui_settings_widget(const struct setting *row);
 
-bool ui_settings_is_initial(const struct settings *settings, const struct setting *row);
+/* What hands change, and what it is reset to: what the scene has by itself. */
+struct ui_settings {
+    struct settings *now;
+    const struct settings *usual;
+};
 
-/* A row's name, its widget, its help and, where it is not the default, a mark and a reset. */
-bool ui_settings_row(struct settings *settings, const struct setting *row);
+/* A row's name, its widget, its help and, where it is not as usual, a mark and a reset. */
+bool ui_settings_row(const struct ui_settings *settings, const struct setting *row);
 
 /* The heading of a group, which opens and closes it, with a reset of all in it. */
-bool ui_settings_heading(struct settings *settings, enum ui_group group, bool *open);
+bool ui_settings_heading(const struct ui_settings *settings, enum ui_group group, bool *open);
 
 /* The rows of a group; those wanted less only with `more`, which a hand changes. */
-bool ui_settings_group(struct settings *settings, enum ui_group group, bool *more);
+bool ui_settings_group(const struct ui_settings *settings, enum ui_group group, bool *more);
 
 /* Whether name, help, group or synonyms hold each of the words, which blanks separate. */
 bool ui_settings_fit(const struct setting *row, const char *words);
 
 /* The rows of all groups that words fit. */
-bool ui_settings_found(struct settings *settings, const char *words);
+bool ui_settings_found(const struct ui_settings *settings, const char *words);
 
 #endif
