@@ -180,11 +180,14 @@ class Panels(PanelsCase):
         self.desktop.do('windowsize', '--sync', window, 305, 340)
         rungs = [name for name in self.names('rungs') if name != 'reference']
         wait_until('buttons of rungs', lambda: all(map(self.control, rungs)), self.words)
-        shown = self.at_rest(window)
         self.assertGreater(self.control('paper')[3], 25)  # rows of pixels; a line of text has 15
-        parts = {self.picture_of(shown, 305, left + 4, top + 4, width - 8, 16)  # above its name
-                 for left, top, width, _ in map(self.control, rungs)}
-        self.assertEqual(len(parts), len(rungs))
+
+        def each_has_its_own():  # they come one by one
+            shown = self.desktop.pixels(window)
+            parts = {self.picture_of(shown, 305, left + 4, top + 4, width - 8, 16)  # above its name
+                     for left, top, width, _ in map(self.control, rungs)}
+            return len(parts) == len(rungs)
+        wait_until('a picture of each rung', each_has_its_own, self.words)
         self.wait_for_command(window, ' --refraction wyman ',
                               act=lambda: self.click(window, 'wyman'))
         self.fold(window, 'Quality', 'rung', False)
