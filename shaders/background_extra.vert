@@ -1,9 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "background.h"
+#include "lib/extra.glsl"
 #include "lib/pose.glsl"
-
-layout(set = 0, binding = BACKGROUND_EXTRAS) uniform sampler2D extras;
 
 layout(push_constant, scalar) uniform Push
 {
@@ -23,13 +22,6 @@ layout(location = 3) out vec2 out_uv;
 layout(location = 4) flat out uint out_material;
 layout(location = 5) out vec2 out_other_uv;
 layout(location = 6) out vec4 out_tangent;
-
-/* Returns a texel of this vertex. */
-vec4 extra_texel(int index)
-{
-    int at = gl_VertexIndex * MESH_EXTRA_TEXELS + index;
-    return texelFetch(extras, ivec2(at % MESH_EXTRA_WIDTH, at / MESH_EXTRA_WIDTH), 0);
-}
 
 void main()
 {

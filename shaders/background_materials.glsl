@@ -4,6 +4,7 @@
 #include "background.h"
 #include "lib/lit.glsl"
 #include "lib/octahedron.glsl"
+#include "lib/see_through.glsl"
 #include "mesh.h"
 
 layout(push_constant, scalar) uniform Push
@@ -35,22 +36,6 @@ vec3 seen_along()
 #ifdef BACKGROUND_SHINE
 #include "lib/ice_shine.glsl"
 #endif
-
-/* Returns whether a pixel of a blended surface lets the background through: of the samples of a
- * pixel, as many as the alpha says (Enderton et al. 2010, "Stochastic transparency"). */
-bool is_seen_through(float alpha, uint row)
-{
-    float of_pixel = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    float of_row = 0.7548777 * float(row);
-    return alpha <= fract(of_pixel + of_row + frame.sample_share);
-}
-
-bool is_hole(float alpha, float kind, float cutoff, uint row)
-{
-    if (kind == float(MATERIAL_KIND_CUTOUT))
-        return alpha < cutoff;
-    return kind == float(MATERIAL_KIND_BLENDED) && is_seen_through(alpha, row);
-}
 
 /* Returns the side of a square as large as a pixel on the surface, by the pixel's longer side, but
  * at least 1/2. */

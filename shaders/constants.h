@@ -9,7 +9,8 @@
 #define SHADERS_CONSTANTS_H
 
 /* Bits of CONSTANT_TEXTURED, beside 1 << MATERIAL_USE_... of kinds that some material has */
-#define CONSTANT_TEXTURED_ANY 0x80000000u /* some surroundings have textures */
+#define CONSTANT_TEXTURED_ANY   0x80000000u /* some surroundings have textures */
+#define CONSTANT_TEXTURED_HOLES 0x40000000u /* some material is cut out or blended */
 
 #define CONSTANT_BACKGROUND      0  /* GLOBALS_SKY ... */
 #define CONSTANT_TEXTURED        1  /* bits as above; 0: none has any */

@@ -27,7 +27,7 @@ vec3 lit_bend_along(vec3 n, vec3 texel, vec2 scales, vec3 along_u, vec3 against_
     return normalize(slope.x * tangent + slope.y * bitangent + slope.z * n);
 }
 
-#ifndef LIT_TRACED
+#if !defined LIT_TRACED && !defined LIT_COARSE
 /* Turns a normal, of a point that lies at `point`. */
 vec3 lit_bend(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2 uv)
 {
@@ -107,7 +107,7 @@ vec2 lit_split(float roughness, float n_dot_v)
     return textureLod(splits, at / float(LIT_SPLIT_SIDE), 0.0).rg;
 }
 
-#ifndef LIT_TRACED
+#if !defined LIT_TRACED && !defined LIT_COARSE
 /* Returns the mip level of the environment picture in which a pixel's mirrored rays are a texel
  * apart, but not below `least`. */
 float lit_mirror_lod(vec3 dir, float least)

@@ -32,11 +32,24 @@ float lit_wrap(float x, float wrap, float size)
     return clamp(x, 0.5 / size, 1.0 - 0.5 / size);
 }
 
-/* Rays have no derivatives along the picture: they read the first mip level. */
+/* Returns coordinates in a texture; `wraps`: as a material's row says it. */
+vec2 lit_wrapped(sampler2DArray of, vec2 at, float wraps)
+{
+    vec2 size = vec2(textureSize(of, 0).xy);
+    float wrap_v = floor(wraps / float(MATERIAL_WRAPS_COUNT));
+    return vec2(lit_wrap(at.x, wraps - wrap_v * float(MATERIAL_WRAPS_COUNT), size.x),
+                lit_wrap(at.y, wrap_v, size.y));
+}
+
+/* Rays have no derivatives along the picture: they read the first mip level (LIT_TRACED). Nor have
+ * vertices: they read one with as few texels as there may be vertices beside each other
+ * (LIT_COARSE). */
 vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 {
 #ifdef LIT_TRACED
     return textureLod(of, at, 0.0);
+#elif defined LIT_COARSE
+    return textureLod(of, at, log2(float(textureSize(of, 0).x) / 64.0));
 #else
     return textureGrad(of, at, blur * dFdx(uv), blur * dFdy(uv));
 #endif
@@ -59,11 +72,7 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
     v.w -= v.w >= float(MATERIAL_OTHER_SET) ? float(MATERIAL_OTHER_SET) : 0.0;
 #endif
     vec2 at = vec2(dot(u.xyz, vec3(uv, 1.0)), dot(v.xyz, vec3(uv, 1.0)));
-    vec2 size = vec2(textureSize(of, 0).xy);
-    float wrap_v = floor(v.w / float(MATERIAL_WRAPS_COUNT));
-    vec2 wrapped = vec2(lit_wrap(at.x, v.w - wrap_v * float(MATERIAL_WRAPS_COUNT), size.x),
-                        lit_wrap(at.y, wrap_v, size.y));
-    return lit_fetch(of, vec3(wrapped, u.w - 1.0), at, blur);
+    return lit_fetch(of, vec3(lit_wrapped(of, at, v.w), u.w - 1.0), at, blur);
 }
 
 /* Returns a texel of the base colour, of a vertex whose texture has this layer + 1: vertices
@@ -76,6 +85,7 @@ vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
     return lit_fetch(textures, vec3(uv, float(layer - 1u)), uv, blur);
 }
 
+#ifndef LIT_COARSE
 /* Returns the base colour and alpha of a surface for layers, without the vertices' colour; scenes
  * may have no rows. */
 vec4 material_base(uint material, vec2 uv)
@@ -90,6 +100,7 @@ vec4 material_base(uint material, vec2 uv)
         return vec4(1.0);
     return textureGrad(textures, vec3(uv, float(layer - 1u)), dFdx(uv), dFdy(uv));
 }
+#endif
 
 /* Returns whether layers look through a point: a hole, or where a blended surface is less than half
  * there. */

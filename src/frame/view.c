@@ -348,7 +348,8 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
 static uint32_t textured(const struct model *model)
 {
     const bool any = model->textures.count + model->numbers.count > 0;
-    return any ? CONSTANT_TEXTURED_ANY | material_rows_uses(model) : 0;
+    const uint32_t holes = material_rows_has_holes(model) ? CONSTANT_TEXTURED_HOLES : 0;
+    return any ? CONSTANT_TEXTURED_ANY | material_rows_uses(model) | holes : holes;
 }
 
 struct frame_constants frame_view_constants(const struct scene *scene,

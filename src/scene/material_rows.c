@@ -84,6 +84,15 @@ vec4s *material_rows_make(const struct model *model)
     return rows;
 }
 
+bool material_rows_has_holes(const struct model *model)
+{
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        if (kind_of(&model->materials[i]) != MATERIAL_KIND_OPAQUE)
+            return true;
+    }
+    return false;
+}
+
 uint32_t material_rows_uses(const struct model *model)
 {
     uint32_t uses = 0;

@@ -14,6 +14,9 @@ vec4s *material_rows_make(const struct model *model);
 /* Returns what materials have textures of: bit i for enum material_texture_use i. */
 uint32_t material_rows_uses(const struct model *model);
 
+/* Whether some material is cut out or blended. */
+bool material_rows_has_holes(const struct model *model);
+
 /* Returns the extras of a mesh that has some as vertex shaders read them (shaders/mesh.h),
  * malloc'd: rows of MESH_EXTRA_WIDTH texels. NULL when out of memory. */
 vec4s *material_rows_make_extras(const struct mesh *mesh);

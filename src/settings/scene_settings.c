@@ -266,6 +266,12 @@ static const char *const ground_lights[] = {
     NULL,
 };
 
+static const char *const ground_shadings[] = {
+    [GROUND_VERTICES] = "vertices",
+    [GROUND_PIXELS] = "pixels",
+    NULL,
+};
+
 static const struct setting ground_rows[] = {
     {
         .name = "ground.light",
@@ -276,6 +282,17 @@ static const struct setting ground_rows[] = {
         .affects = SETTING_AFFECTS_PLAN,
         .help = "light on lit surroundings: open, as without objects, or traced past and through "
                 "them (rungs trace and reference)",
+    },
+    {
+        .name = "ground.shading",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct ground_params, shading),
+        .initial = GROUND_PIXELS,
+        .max = GROUND_PIXELS,
+        .choices = ground_shadings,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "where light on surroundings with materials is computed: in pixels, or at vertices "
+                "but for the sun's, as while a window moves: quicker, and mirrors no objects",
     },
 };
 

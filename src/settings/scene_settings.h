@@ -80,9 +80,15 @@ enum ground_light {
     GROUND_TRACED, /* by rays */
 };
 
+enum ground_shading {
+    GROUND_VERTICES,
+    GROUND_PIXELS,
+};
+
 /* Light on what is around the objects. */
 struct ground_params {
-    uint32_t light; /* enum ground_light */
+    uint32_t light;   /* enum ground_light */
+    uint32_t shading; /* enum ground_shading: where light is computed */
 };
 
 /* Of what is drawn before the picture and blended over it. */

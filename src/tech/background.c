@@ -7,6 +7,7 @@
 #include "shaders/embedded.h"
 #include "shaders/lit.h"
 #include "shaders/material.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_caustics.h"
 #include "src/tech/mirror.h"
@@ -95,6 +96,27 @@ static const struct rg_shader *const mirror_frags[3][2] = {
     { &background_extra_mirror_frag, &background_extra_shine_mirror_frag },
 };
 
+/* The same where most of the light is computed at vertices. */
+static const struct rg_shader *const vertices_verts[2] = {
+    &background_vertices_vert,
+    &background_vertices_extra_vert,
+};
+static const struct rg_shader *const vertices_frags[2] = {
+    &background_vertices_frag,
+    &background_vertices_shine_frag,
+};
+
+static void light_vertices(struct rg_pass *row, struct row_builder *builder,
+                           const struct background_rows *wanted)
+{
+    struct rg_use *uses = row_builder_own_uses(builder, row->uses);
+    for (struct rg_use *u = uses; u && (u->image || u->buffer); u++)
+        u->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    row->vert = vertices_verts[wanted->has_extras];
+    row->frag = vertices_frags[wanted->shine];
+    row->uses = uses;
+}
+
 struct rg_technique background_make(struct row_builder *builder,
                                     const struct background_rows *wanted)
 {
@@ -103,7 +125,7 @@ struct rg_technique background_make(struct row_builder *builder,
     const enum rg_load depth_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
     const bool has_extras = wanted->has_materials && wanted->has_extras;
     const struct rg_use *const textures =
-        wanted->repeat == RG_PER_LAYER ? cube_texture_uses : texture_uses;
+        wanted->repeat == RG_PER_LAYER || wanted->at_vertices ? cube_texture_uses : texture_uses;
     const struct rg_use *const uses[] = {
         wanted->has_materials ? textures : plain_uses,
         wanted->has_materials ? material_uses : NULL,
@@ -128,6 +150,8 @@ struct rg_technique background_make(struct row_builder *builder,
                                     : frags)[has_extras ? 2 : wanted->has_materials][wanted->shine];
     rows[0].uses = row_builder_uses(builder, uses, 4);
     rows[0].record = wanted->record_surroundings;
+    if (wanted->at_vertices && wanted->has_materials)
+        light_vertices(&rows[0], builder, wanted);
     rows[1].name = row_builder_name(builder, wanted->name, "sky");
     rows[1].color = row_builder_target(builder, (struct rg_target){ wanted->color, RG_LOAD_KEEP });
     rows[1].depth = (struct rg_target){ wanted->depth, RG_LOAD_KEEP };
@@ -144,6 +168,7 @@ struct rg_technique background_make(struct row_builder *builder,
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
+    const struct ground_params *ground = settings_of(choice->settings, &ground_settings);
     const struct background_rows rows = {
         .name = "background",
         .color = &frame_color,
@@ -152,6 +177,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
         .shine = !choice->has_pool && ice_caustics.is_on(choice->settings),
         .has_materials = choice->has_materials,
         .has_extras = choice->has_extras,
+        .at_vertices = ground->shading == GROUND_VERTICES,
         .mirrors = mirror_is_drawn(choice),
         .record_surroundings = record_surroundings,
         .record_sky = record_sky,

@@ -11,7 +11,8 @@ struct background_rows {
     bool keep;                            /* keep the images' content: the object, drawn before */
     bool shine;                           /* lit by ice_caustics.h */
     bool has_materials, has_extras;       /* of technique_choice */
-    bool mirrors; /* surroundings with materials fill the images of mirror.h, too */
+    bool at_vertices; /* surroundings with materials are lit there, and do not mirror */
+    bool mirrors;     /* surroundings with materials fill the images of mirror.h, too */
     enum rg_repeat repeat;
     rg_record_fn *record_surroundings, *record_sky; /* both push a struct background_push */
     rg_when_fn *when;                               /* of both */

@@ -20,6 +20,7 @@
 #include <cglm/struct.h>
 #include "shaders/embedded.h"
 #include "shaders/mirror.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 
 static const float edge_share = 0.08f; /* of the area that is drawn */
@@ -185,8 +186,10 @@ static bool is_on(const struct settings *settings)
 
 bool mirror_is_drawn(const struct technique_choice *choice)
 {
-    return is_on(choice->settings) && choice->has_mirrors && !choice->has_pool &&
-           choice->purpose == TECHNIQUE_PICTURE && choice->rung && !choice->rung->rung.meets_tree;
+    const struct ground_params *ground = settings_of(choice->settings, &ground_settings);
+    return is_on(choice->settings) && ground->shading == GROUND_PIXELS && choice->has_mirrors &&
+           !choice->has_pool && choice->purpose == TECHNIQUE_PICTURE && choice->rung &&
+           !choice->rung->rung.meets_tree;
 }
 
 static struct rg_technique make_object_rows(const struct technique_choice *choice,

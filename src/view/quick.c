@@ -4,6 +4,7 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/settings/quality.h"
+#include "src/settings/scene_settings.h"
 
 /* What a movement has less than a draft, from a level on. */
 static const struct {
@@ -17,6 +18,7 @@ static const struct {
     { "refract_bounce.count", 2.0, QUICK_WHOLE },
     { "refract_bounce.steps", 4.0, QUICK_WHOLE },
     { "refract_bounce.halvings", 4.0, QUICK_WHOLE },
+    { "ground.shading", GROUND_VERTICES, QUICK_COARSE },
     { "air.count", 0.0, QUICK_BARE }, /* the scene keeps its own */
     { "cracks.count", 0.0, QUICK_BARE },
     { "bubbles.count", 0.0, QUICK_BARE },

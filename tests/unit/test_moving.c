@@ -1,5 +1,6 @@
 /* test_moving.c: a moving picture is a draft, whose size follows what frames cost. */
 #include "src/settings/quality.h"
+#include "src/settings/scene_settings.h"
 #include "src/view/moving.h"
 #include "src/view/quick.h"
 #include "tests/support/check.h"
@@ -92,6 +93,7 @@ static void movements_are_drafts(void **state)
             quality_put(&settings, row, level);
         struct settings quick = quick_settings(&settings, QUICK_COARSE);
         assert_int_equal(quality_of(&quick), 0);
+        assert_true(value_of(&quick, "ground.shading") == (double)GROUND_VERTICES);
         assert_true(value_of(&quick, "cracks.count") == value_of(&settings, "cracks.count"));
         quick = quick_settings(&settings, QUICK_BARE);
         assert_true(value_of(&quick, "cracks.count") == 0.0);

@@ -85,6 +85,7 @@ static const struct {
     { UI_QUALITY, "env_cube.size" },
     { UI_QUALITY, "env_cube.dynamic" },
     { UI_QUALITY, "refract_bounce.count" },
+    { UI_QUALITY, "ground.shading" },
     { UI_QUALITY, "texture.anisotropy" },
     { UI_QUALITY, "target.scale" },
     { UI_WATER, "pool.water" },

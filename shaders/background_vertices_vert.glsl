@@ -1,0 +1,125 @@
+/* background_vertices_vert.glsl: main() of the vertices of surroundings with materials whose light
+ * is computed here, but for what changes within a triangle (background_vertices_frag.glsl): the
+ * sun's on the matt base. With BACKGROUND_EXTRA, with struct mesh_extra of the vertices. */
+#define LIT_COARSE
+#include "background.h"
+#include "lib/lit.glsl"
+#include "lib/pose.glsl"
+#ifdef BACKGROUND_EXTRA
+#include "lib/extra.glsl"
+#endif
+
+layout(push_constant, scalar) uniform Push
+{
+    background_push push;
+};
+
+layout(location = MESH_POSITION) in vec3 position;
+layout(location = MESH_NORMAL) in vec3 normal;
+layout(location = MESH_COLOR) in vec3 color;
+layout(location = MESH_UV) in vec2 uv;
+layout(location = MESH_MATERIAL) in uint material;
+
+layout(location = 0) out vec3 out_point;
+layout(location = 1) flat out uint out_material;
+layout(location = 2) out vec3 out_matt;
+layout(location = 3) out vec3 out_sun;
+layout(location = 4) out vec3 out_glossy;
+layout(location = 5) out vec3 out_normal;
+layout(location = 6) out vec4 out_uv;
+layout(location = 7) flat out vec4 out_places;
+layout(location = 8) out vec2 out_glow_uv;
+layout(location = 9) flat out vec3 out_others;
+
+/* Returns the radiance of a surface without the sun's. */
+vec3 radiance(lit_surface s, vec3 point, vec3 n, vec3 to_eye, float open)
+{
+    vec2 split = lit_split(s.roughness, clamp(dot(n, to_eye), 0.0, 1.0));
+    vec3 around = lit_glossy(reflect(-to_eye, n), s.roughness, push.environment_lod);
+    return open * lit_by_environment(s, split, around, lit_matt(n)) +
+           lit_by_lights(s, point, n, to_eye);
+}
+
+/* Where a surface has a texture. */
+struct place {
+    vec2 uv;
+    float layer; /* -1: nowhere */
+    float wraps; /* lit_wrapped() */
+};
+
+place place_of(uint row, int use)
+{
+    vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
+    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use + 1);
+    bool is_other = v.w >= float(MATERIAL_OTHER_SET);
+    vec2 own = uv;
+#ifdef BACKGROUND_EXTRA
+    own = is_other ? lit_other_uv : uv;
+#endif
+    vec2 at = vec2(dot(u.xyz, vec3(own, 1.0)), dot(v.xyz, vec3(own, 1.0)));
+    return place(at, u.w - 1.0, is_other ? v.w - float(MATERIAL_OTHER_SET) : v.w);
+}
+
+/* Says where the textures of pixels are. */
+void put_textures(uint row)
+{
+    uint layer = material & MESH_TEXTURE_MASK;
+    place base = place_of(row, MATERIAL_USE_BASE_COLOR);
+    place bump = place_of(row, MATERIAL_USE_NORMAL);
+    if (base.layer < 0.0)
+        base = place(uv, float(layer) - 1.0, float(MATERIAL_WRAPS_REPEAT));
+    out_uv = vec4(base.uv, bump.uv);
+    out_places = vec4(base.layer, base.wraps, bump.layer, bump.wraps);
+    place glow = place_of(row, MATERIAL_USE_EMISSION);
+    out_glow_uv = glow.uv;
+    out_others = vec3(glow.layer, glow.wraps, material_texel(row, MATERIAL_ROW_SCALES).x);
+}
+
+/* Computes the light on a surface. It is linear in the albedo of the matt base, by which pixels
+ * multiply it. */
+void put_light(uint row, vec3 point, vec3 n, vec3 to_eye)
+{
+    vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
+    vec3 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, 1.0).rgb;
+    vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, 1.0);
+    float open = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, uv, 1.0).r;
+    float specular = lit_texel(numbers, row, MATERIAL_USE_SPECULAR, uv, 1.0).a * factors.z;
+    vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, uv, 1.0).rgb;
+    f0 *= material_texel(row, MATERIAL_ROW_F0).rgb;
+    open = mix(1.0, open, material_texel(row, MATERIAL_ROW_SCALES).y);
+    float metallic = factors.x * rough.b;
+    lit_surface s = lit_surface_of(color * base, metallic, factors.y * rough.g, f0, specular);
+    s.diffuse = vec3(0.0);
+    vec3 reflected = radiance(s, point, n, to_eye, open);
+    vec3 glint = lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
+    s.diffuse = color * (1.0 - metallic);
+    out_matt = radiance(s, point, n, to_eye, open) - reflected;
+    out_sun = lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread) - glint;
+    out_sun *= sky_sun() / max(dot(n, frame.sun_dir), 1e-3);
+    out_glossy = reflected + sky_sun() * glint;
+    if ((constant_textured & 1u << MATERIAL_USE_EMISSION) == 0u)
+        out_glossy += material_texel(row, MATERIAL_ROW_EMISSION).rgb;
+}
+
+void main()
+{
+    /* `precise`, because the layers' depth test compares with the depth of the picture's pass. */
+    precise vec3 point = pose_surroundings(position, material);
+    precise vec4 clip = push.clip_from_world * vec4(point, 1.0);
+    gl_Position = clip;
+    vec3 n = normalize(pose_surroundings_normal(normal, material));
+    vec3 to_eye = -normalize(constant_orthographic != 0u ? push.forward : point - push.eye);
+    n = dot(n, to_eye) < 0.0 ? -n : n;
+    uint row = material >> MESH_SURFACE_SHIFT;
+    out_point = point;
+    out_normal = n;
+    out_material = material;
+#ifdef BACKGROUND_EXTRA
+    lit_other_uv = extra_texel(1).xy;
+#endif
+    put_textures(row);
+    out_matt = color;
+    out_sun = out_glossy = vec3(0.0);
+    if ((material & MESH_UNLIT) == 0u)
+        put_light(row, point, n, to_eye);
+}

@@ -1,0 +1,15 @@
+/* extra.glsl: what some vertices of surroundings have more than others (struct mesh_extra). */
+#ifndef LIB_EXTRA_GLSL
+#define LIB_EXTRA_GLSL
+#include "background.h"
+#include "mesh.h"
+
+layout(set = 0, binding = BACKGROUND_EXTRAS) uniform sampler2D extras;
+
+/* Returns a texel of this vertex. */
+vec4 extra_texel(int index)
+{
+    int at = gl_VertexIndex * MESH_EXTRA_TEXELS + index;
+    return texelFetch(extras, ivec2(at % MESH_EXTRA_WIDTH, at / MESH_EXTRA_WIDTH), 0);
+}
+#endif

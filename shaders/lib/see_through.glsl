@@ -1,0 +1,25 @@
+/* see_through.glsl: the holes of surfaces with materials, and what is seen through them. */
+#ifndef LIB_SEE_THROUGH_GLSL
+#define LIB_SEE_THROUGH_GLSL
+#include "lib/constants.glsl"
+#include "lib/globals.glsl"
+#include "material.h"
+
+/* Returns whether a pixel of a blended surface lets the background through: of the samples of a
+ * pixel, as many as the alpha says (Enderton et al. 2010, "Stochastic transparency"). */
+bool is_seen_through(float alpha, uint row)
+{
+    float of_pixel = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float of_row = 0.7548777 * float(row);
+    return alpha <= fract(of_pixel + of_row + frame.sample_share);
+}
+
+bool is_hole(float alpha, float kind, float cutoff, uint row)
+{
+    if ((constant_textured & CONSTANT_TEXTURED_HOLES) == 0u)
+        return false;
+    if (kind == float(MATERIAL_KIND_CUTOUT))
+        return alpha < cutoff;
+    return kind == float(MATERIAL_KIND_BLENDED) && is_seen_through(alpha, row);
+}
+#endif
