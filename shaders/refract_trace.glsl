@@ -507,8 +507,9 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
     trace_cross given_cross;
     trace_begin(eye, e);
     bool is_given = trace_given(e, view_slant(ray), given, given_cross);
-    bool is_going = true;
-    do {
+    /* groups of pixels beside rasterised objects trace nothing */
+    bool is_going = !is_given || given_cross.is_met;
+    while (is_going) {
         trace_hit hit = trace_meet(trace_start_of(way), !(is_first && is_given));
         trace_cross c = trace_cross_at(way, hit, channel);
         if (is_given && is_first) {
@@ -522,7 +523,7 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
         }
         if (trace_step(hit, c))
             is_going = trace_next();
-    } while (is_going);
+    }
 #ifndef TRACE_RAYS
     for (int i = 0; i < stop_count; i++) {
         trace_stop stop = stops[0];
