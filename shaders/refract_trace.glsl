@@ -40,6 +40,7 @@ const int trace_waits_max = 2;
 const int trace_stops_max = 3; /* ways of a pixel */
 #endif
 const int trace_length_max = 40; /* straight parts of a way */
+const float trace_left = -2.0;   /* side of a way that meets no object any more */
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
 const float trace_gathered_branch = 0.1; /* of light that brings light to surroundings */
@@ -49,7 +50,7 @@ struct trace_way {
     vec3 origin, dir, weight;
     uvec4 inside;      /* objects that it is in */
     int from;          /* the triangle on which it begins; below 0: none */
-    float side, reach; /* as of trace_ray */
+    float side, reach; /* as of trace_ray; side may be trace_left */
     uint seed;
     float kind; /* 1: it is reflected by the first surface, else 0 */
     int left;   /* straight parts that it may still have */
@@ -117,6 +118,7 @@ struct trace_cross {
     bool is_entering, is_thin, is_real;
     bool is_inclusion;
     float eta;
+    float horizon; /* sine beyond which rays that leave the outer side meet no object */
     bool is_bumpy; /* a normal texture bends `n` */
     dress own;     /* of the surface, if TRACE_HAS_DRESS */
 };
@@ -145,6 +147,7 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
     c.is_thin = false;
     c.is_real = true;
     c.is_inclusion = false;
+    c.horizon = float(floatBitsToUint(n2.w) >> TREE_HORIZON_SHIFT) / float(TREE_HORIZON_STEPS);
     if (trace_has(TRACE_HAS_MEDIA)) {
         uint below = trace_top_without(way.inside, c.rank);
         uint above = max(below, c.rank);
@@ -190,7 +193,7 @@ trace_way trace_leave(trace_way way, trace_hit hit, trace_cross c, vec3 dir, boo
     next.origin = way.origin + hit.t * way.dir;
     next.dir = dir;
     next.from = hit.triangle;
-    next.side = is_inside ? 1.0 : -1.0;
+    next.side = is_inside ? 1.0 : outward > c.horizon ? trace_left : -1.0;
     next.reach = is_astray || trace_has(TRACE_HAS_CULLING) ? 1e30 : trace.hair;
     if (trace_has(TRACE_HAS_INCLUSIONS) && c.is_inclusion) {
         next.side = trace_has(TRACE_HAS_CULLING) ? way.side : 0.0;
@@ -268,12 +271,12 @@ void trace_put_stop(trace_way at)
 }
 #endif
 
-/* Lets a way wait; one that leaves a convex object has ended. */
+/* Lets a way wait; one that has left the objects has ended. */
 void trace_put(trace_way other)
 {
 #ifndef TRACE_RAYS
     parts_left--;
-    if (trace_has(TRACE_IS_CONVEX) && !trace_is_in(other)) {
+    if (trace_has_left(other)) {
         trace_put_stop(other);
         return;
     }
@@ -490,7 +493,7 @@ bool trace_step(trace_hit hit, trace_cross c)
     } else if (crosses) {
         is_over = !trace_cross_surface(hit, c);
 #ifndef TRACE_RAYS
-        if (trace_has(TRACE_IS_CONVEX) && !trace_is_in(way) && !is_over) {
+        if (trace_has_left(way) && !is_over) {
             is_over = true;
             crosses = false;
         }
@@ -519,6 +522,7 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
             c.rank = given_cross.rank;
             c.is_met = given_cross.is_met;
             c.is_entering = true;
+            c.horizon = 2.0;
             c.eta = refract_frame.etas[channel];
         }
         if (trace_step(hit, c))

@@ -62,6 +62,7 @@ trace_cross trace_inclusion_at(trace_way way, trace_hit hit, vec3 n, float eta)
     c.is_real = true;
     c.is_entering = side > 0.0;
     c.is_inclusion = true;
+    c.horizon = 2.0;
     c.is_bumpy = false;
     c.own = trace_own(0u);
     c.eta = way.is_in_bubble ? 1.0 / eta : eta;

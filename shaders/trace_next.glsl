@@ -3,6 +3,12 @@
 #ifndef TRACE_NEXT_GLSL
 #define TRACE_NEXT_GLSL
 
+/* Returns whether a way that has met a surface meets no object any more. */
+bool trace_has_left(trace_way way)
+{
+    return trace_has(TRACE_IS_CONVEX) ? !trace_is_in(way) : way.side == trace_left;
+}
+
 /* Returns the parts that a way may meet next, a bit each. */
 uint trace_parts_of(trace_way way)
 {
@@ -18,7 +24,8 @@ uint trace_parts_of(trace_way way)
     if (!trace_has(TRACE_HAS_HOLES | TRACE_HAS_GROUND) && is_first && !trace_eye_is_inside())
         around = 0u;
 #endif
-    bool has_left = trace_has(TRACE_IS_CONVEX) && way.side < 0.0 && !is_first;
+    bool has_left =
+        trace_has(TRACE_IS_CONVEX) ? way.side < 0.0 && !is_first : way.side == trace_left;
     uint objects = has_left ? 0u : 1u << TREE_OBJECTS;
     return objects | around | (meets_inclusions ? 1u << TREE_INCLUSIONS : 0u);
 }

@@ -310,7 +310,7 @@ uint trace_number(int triangle)
 {
     int at = TREE_CORNER_WORDS * max(triangle, 0);
     uint number = trace_corner(at).w / TREE_NUMBER;
-    uint surface = trace_corner(at + 2).w;
+    uint surface = trace_corner(at + 2).w & TREE_SURFACE_MASK;
     return number != 0u ? number : trace_corner(int(surface) + 3).w / 2u;
 }
 

@@ -13,7 +13,9 @@
  * object's own, and the place of TREE_SURFACE_WORDS more words, or 0: three colours and, in what is
  * left, the u and v of the three corners. The last number is that of the surroundings' object times
  * 2, and odd if TREE_EXTRA_WORDS more follow: three tangents with their sides, and the second u and
- * v.
+ * v. From TREE_HORIZON_SHIFT on the place has bits of its own: TREE_HORIZON_STEPS times the sine of
+ * the elevation above the triangle's outer side beyond which no triangle of the objects is seen
+ * from it, or TREE_HORIZON_UNKNOWN (src/scene/tree_horizon.h).
  *
  * A bubble is a triangle whose rows are its centre and `stretch` (src/scene/bubble.h), its axis and
  * 1 for a capsule, and (0, 0, 0, radius).
@@ -24,21 +26,25 @@
 #ifndef SHADERS_TREE_H
 #define SHADERS_TREE_H
 
-#define TREE_NODE_WORDS     4
-#define TREE_TRIANGLE_WORDS 3
-#define TREE_CORNER_WORDS   3
-#define TREE_SURFACE_WORDS  4
-#define TREE_EXTRA_WORDS    5
-#define TREE_NUMBER         0x10000u
-#define TREE_LEAF           0x80000000u
-#define TREE_NOTHING        0xffffffffu
-#define TREE_CONE_OPEN      0x7f000000u /* all directions */
-#define TREE_DEPTH_MAX      30
-#define TREE_TRIANGLES_MAX  (1u << 24)
-#define TREE_SHELLS_FEW     32    /* objects that bits of a word tell apart */
-#define TREE_SHELLS_MAX     65535 /* objects; 16 bits each */
-#define TREE_NESTED_MAX     8     /* of more than a few objects, those that a point is inside */
-#define TREE_MEDIA_MAX      255   /* materials of more than a few objects */
+#define TREE_NODE_WORDS      4
+#define TREE_TRIANGLE_WORDS  3
+#define TREE_CORNER_WORDS    3
+#define TREE_SURFACE_WORDS   4
+#define TREE_EXTRA_WORDS     5
+#define TREE_NUMBER          0x10000u
+#define TREE_LEAF            0x80000000u
+#define TREE_NOTHING         0xffffffffu
+#define TREE_CONE_OPEN       0x7f000000u /* all directions */
+#define TREE_SURFACE_MASK    0x0fffffffu
+#define TREE_HORIZON_SHIFT   28
+#define TREE_HORIZON_STEPS   14
+#define TREE_HORIZON_UNKNOWN 15
+#define TREE_DEPTH_MAX       30
+#define TREE_TRIANGLES_MAX   (1u << 24)
+#define TREE_SHELLS_FEW      32    /* objects that bits of a word tell apart */
+#define TREE_SHELLS_MAX      65535 /* objects; 16 bits each */
+#define TREE_NESTED_MAX      8     /* of more than a few objects, those that a point is inside */
+#define TREE_MEDIA_MAX       255   /* materials of more than a few objects */
 
 /* parts of a scene */
 #define TREE_OBJECTS      0

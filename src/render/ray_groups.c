@@ -113,7 +113,7 @@ static uint32_t number_of(const struct tree *tree, uint32_t triangle)
 {
     const uint32_t number = corner_word(tree, triangle, 0)[3] / TREE_NUMBER;
     const uint32_t surface = corner_word(tree, triangle, 2)[3];
-    return number ? number : tree->corners.all[(size_t)surface + 3][3] / 2;
+    return number ? number : tree->corners.all[(size_t)(surface & TREE_SURFACE_MASK) + 3][3] / 2;
 }
 
 /* Widens a range of triangles to those of a leaf or, if `child` is a node, lists the node. */

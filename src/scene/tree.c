@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/scene/tree_horizon.h"
 #include "src/scene/tree_shape.h"
 
 static uint32_t bits(float x)
@@ -340,8 +341,10 @@ static void lay_part(struct tree *tree, uint32_t index, const struct tree_part *
             continue;
         }
         const bool is_shown = has_surface(part, triangle);
+        const uint32_t horizon = shape->horizons ? shape->horizons[i] : TREE_HORIZON_UNKNOWN;
         const uint32_t last[3] = { rank_bits(part, triangle), material_bits(part, triangle),
-                                   is_shown ? tree->corners.count : 0 };
+                                   (is_shown ? tree->corners.count : 0) |
+                                       horizon << TREE_HORIZON_SHIFT };
         put_triangle(&tree->triangles, part, triangle);
         for (uint32_t k = 0; k < 3; k++)
             put(tree->corners.all[word++], tree_corner(part, triangle, k)->normal.raw, last[k]);
@@ -458,7 +461,11 @@ static bool build(struct tree *tree, const struct tree_params *params)
     struct tree_part parts[TREE_PART_COUNT] = { 0 };
     struct tree_shape shapes[TREE_PART_COUNT] = { 0 };
     bool done = tree_parts_init(parts, params, params->rest != NULL) &&
-                shape_parts(shapes, parts, params, &work) && make(tree, parts, shapes);
+                shape_parts(shapes, parts, params, &work);
+    if (done && !params->rest)
+        shapes[TREE_OBJECTS].horizons =
+            tree_horizons(&shapes[TREE_OBJECTS], &parts[TREE_OBJECTS], work.threads);
+    done = done && make(tree, parts, shapes);
     if (done && params->rest && !params->rest->is_known)
         done = keep_shapes(params->rest, shapes);
     tree->is_closed = done && tree_part_is_closed(&parts[TREE_OBJECTS]);

@@ -45,6 +45,7 @@ struct tree_shape {
     uint32_t node_count;         /* places of nodes */
     uint32_t root;               /* of the whole part */
     uint32_t depth;              /* nodes that a way within a group may have */
+    uint8_t *horizons;           /* of its triangles: tree_horizon.h; NULL: they are unknown */
 };
 
 /* Returns how many nodes a way has to a leaf if each node halves its triangles. */

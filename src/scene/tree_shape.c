@@ -92,6 +92,7 @@ void tree_shape_finish(struct tree_shape *shape)
     free(shape->draft.order);
     free(shape->draft.nodes);
     free(shape->groups);
+    free(shape->horizons);
     *shape = (struct tree_shape){ 0 };
 }
 

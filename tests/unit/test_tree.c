@@ -407,6 +407,85 @@ static void test_apart(void **state)
     model_finish(&model);
 }
 
+static vec3s row_of(const struct tree *tree, uint32_t triangle, uint32_t row)
+{
+    vec3s v;
+    memcpy(v.raw, tree->triangles.all[(size_t)triangle * TREE_TRIANGLE_WORDS + row], sizeof(v.raw));
+    return v;
+}
+
+/* Returns the weight of the middle of a triangle by a row, less its last number. */
+static float middle_of(const struct tree *tree, uint32_t triangle, uint32_t row)
+{
+    float last;
+    memcpy(&last, &tree->triangles.all[(size_t)triangle * TREE_TRIANGLE_WORDS + row][3],
+           sizeof(last));
+    return (row < 2 ? 1.0f / 3.0f : 0.0f) - last;
+}
+
+/* Returns the middle of a triangle, from its map. */
+static vec3s find_middle(const struct tree *tree, uint32_t triangle)
+{
+    mat3s m;
+    vec3s weights;
+    for (uint32_t row = 0; row < 3; row++) {
+        weights.raw[row] = middle_of(tree, triangle, row);
+        for (int k = 0; k < 3; k++)
+            m.raw[k][row] = row_of(tree, triangle, row).raw[k];
+    }
+    return glms_mat3_mulv(glms_mat3_inv(m), weights);
+}
+
+static uint32_t horizon_of(const struct tree *tree, uint32_t triangle)
+{
+    return tree->corners.all[(size_t)triangle * TREE_CORNER_WORDS + 2][3] >> TREE_HORIZON_SHIFT;
+}
+
+/* Rays above the horizon of a triangle meet nothing; returns how many horizons are known. */
+static uint32_t check_horizons(const struct tree *tree)
+{
+    uint32_t seed = 5, known = 0;
+    for (uint32_t i = 0; i < tree->triangle_count; i++) {
+        const float sine = (float)horizon_of(tree, i) / (float)TREE_HORIZON_STEPS;
+        const vec3s normal = row_of(tree, i, 2);
+        struct tree_hit hit;
+        if (horizon_of(tree, i) == TREE_HORIZON_UNKNOWN || sine > 0.99f)
+            continue;
+        known++;
+        for (int turn = 0; turn < 8; turn++) {
+            const vec3s aside = glms_vec3_normalize(glms_vec3_cross(normal, pick_point(&seed, 1)));
+            const vec3s dir = glms_vec3_add(glms_vec3_scale(normal, sine + 0.002f),
+                                            glms_vec3_scale(aside, sqrtf(1.0f - sine * sine)));
+            const struct tree_ray ray = { find_middle(tree, i), dir, 1e-5, i };
+            assert_false(tree_meet(tree, TREE_OBJECTS, &ray, &hit));
+        }
+    }
+    return known;
+}
+
+/* Many triangles of a teapot see no other one straight above them, most of a ball none at all. */
+static void test_horizons(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct model model = { 0 };
+        struct tree tree;
+        assert_true((i ? generate_sphere : generate_teapot)(&model.object, i ? 960 : 3000));
+        struct tree_params params = { .model = &model, .threads = 2 };
+        assert_int_equal(tree_init(&tree, &params), STATUS_OK);
+        assert_true(check_horizons(&tree) > tree.triangle_count * (i ? 9u : 6u) / 10);
+        for (uint32_t k = 0; i && k < tree.triangle_count; k++)
+            assert_true(horizon_of(&tree, k) == 2 || horizon_of(&tree, k) == TREE_HORIZON_UNKNOWN);
+        tree_finish(&tree);
+        params.rest = tree_rest_create(); /* of what moves they are not sought */
+        assert_int_equal(tree_init(&tree, &params), STATUS_OK);
+        assert_int_equal(check_horizons(&tree), 0);
+        tree_finish(&tree);
+        tree_rest_destroy(params.rest);
+        mesh_finish(&model.object);
+    }
+}
+
 static void test_nothing(void **state)
 {
     (void)state;
@@ -430,7 +509,7 @@ int main(void)
         cmocka_unit_test(test_depth),       cmocka_unit_test(test_shells),
         cmocka_unit_test(test_many_shells), cmocka_unit_test(test_nothing),
         cmocka_unit_test(test_poses),       cmocka_unit_test(test_deformed),
-        cmocka_unit_test(test_apart),
+        cmocka_unit_test(test_apart),       cmocka_unit_test(test_horizons),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
