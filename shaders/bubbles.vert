@@ -4,9 +4,9 @@
 #include "lib/constants.glsl"
 #include "lib/globals.glsl"
 
-layout(set = 0, binding = BUBBLES_SPHERES, scalar) readonly buffer Spheres
+layout(set = 0, binding = BUBBLES_DRAWN, scalar) readonly buffer Drawn
 {
-    bubbles_sphere spheres[];
+    bubbles_drawn spheres[];
 };
 
 layout(location = 0) out vec3 out_eye_to_point;
@@ -19,7 +19,7 @@ void main()
 {
     const vec2 corners[] = { vec2(-1, -1), vec2(1, -1), vec2(-1, 1),
                              vec2(-1, 1),  vec2(1, -1), vec2(1, 1) };
-    bubbles_sphere sphere = spheres[gl_VertexIndex / 6];
+    bubbles_drawn sphere = spheres[gl_VertexIndex / 6];
     vec2 corner = corners[gl_VertexIndex % 6];
     vec3 axis = sphere.center - frame.eye;
     float d2 = dot(axis, axis);

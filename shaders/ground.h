@@ -12,6 +12,7 @@
 #define GROUND_GLOSSY_SEED 40u
 #define GROUND_SUN_SEED    41u
 #define GROUND_WAY_SEED    42u
+#define GROUND_CHANCE_SEED 43u /* and the numbers after it, one for each way */
 
 /* Returns a point of the unit sphere for one of the unit square; both are filled evenly. */
 ABI_FUNCTION vec3s ground_sphere(vec2s at)

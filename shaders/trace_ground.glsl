@@ -22,6 +22,7 @@
 const int ground_holes_max = 8;  /* in the way of the sun */
 const float ground_blur = 0.25;  /* the least width of a distribution that mirrors the sun */
 const float ground_bent = 0.5;   /* roughness of the sky as ways see it that an object has bent */
+const float ground_sure = 0.03;  /* share of a pixel's light that is followed in any case */
 const float ground_least = 1e-6; /* light by which one is divided */
 
 /* Returns the radiance of the sky without the sun's disc. */
@@ -65,21 +66,26 @@ float ground_open(vec3 some, vec3 all, inout vec3 weight)
 }
 
 /* Lets a way go from a surface, with a weight for what it finds, and by how much more it counts if
- * that is the sky, straight. It is in the same media as the way that is followed. */
-void ground_put(trace_hit hit, vec3 dir, vec3 weight, float open)
+ * that is the sky, straight. It is in the same media as the way that is followed. Of ways that
+ * bring little, some are followed, whose difference to that sky counts for the others, too. */
+void ground_put(trace_hit hit, vec3 dir, vec3 weight, float open, uint own)
 {
     vec3 facet = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
     facet = trace_posed(facet, hit.part);
     bool is_below = dot(dir, facet) * dot(way.dir, facet) >= 0.0;
     float most = max(weight.r, max(weight.g, weight.b));
-    if (most <= trace_branch_min || waits >= trace_waits_max || is_below) {
-        trace_add(open * weight * ground_sky(dir), way.kind);
+    float chance = clamp(most / ground_sure, 1e-3, 1.0);
+    vec2 at = microfacet_point(trace.sample_index, microfacet_hash(way.seed, own));
+    vec3 straight = open * weight * ground_sky(dir);
+    if (most <= trace_branch_min || waits >= trace_waits_max || is_below || at.x >= chance) {
+        trace_add(straight, way.kind);
         return;
     }
+    trace_add((1.0 - 1.0 / chance) * straight, way.kind);
     trace_way other = way;
     other.origin = way.origin + hit.t * way.dir;
     other.dir = dir;
-    other.weight = weight;
+    other.weight = weight / chance;
     other.from = hit.triangle;
     other.side = 0.0;
     other.reach = 1e30;
@@ -111,12 +117,12 @@ void ground_gather(trace_hit hit, vec3 weight)
     vec3 matt = weight * shares.matt / float(GROUND_MATT_WAYS);
     float open = ground_open(sum, float(GROUND_MATT_WAYS) * shares.on_matt, matt);
     for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++)
-        ground_put(hit, dirs[i], matt * counts[i], open);
+        ground_put(hit, dirs[i], matt * counts[i], open, GROUND_CHANCE_SEED + i);
     vec3 h = microfacet_sample(shares.normal, way.dir, shares.roughness,
                                ground_point(GROUND_GLOSSY_SEED));
     vec3 dir = reflect(way.dir, h), sky = ground_sky(dir), glossy = weight * shares.glossy;
     float open_glossy = ground_open(sky, shares.mirrored, glossy);
-    ground_put(hit, dir, glossy, open_glossy);
+    ground_put(hit, dir, glossy, open_glossy, GROUND_CHANCE_SEED + uint(GROUND_MATT_WAYS));
     /* What is brought where the way is free has been added already. */
     trace_add(-open * matt * sum - open_glossy * glossy * sky, way.kind);
 }

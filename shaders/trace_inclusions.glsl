@@ -22,17 +22,11 @@ vec3 trace_bubble_normal(int triangle, vec3 point)
 {
     vec4 first = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle));
     vec3 from = point - first.xyz;
-    if (trace_has(TRACE_HAS_SHAPES)) {
-        vec4 second = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle + 1));
-        vec4 last = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle + 2));
-        vec3 axis = second.xyz;
-        if (second.w > 0.0)
-            from -= clamp(dot(from, axis), -first.w, first.w) * axis;
-        else
-            from = trace_to_sphere(trace_to_sphere(from, axis, first.w, last.w), axis, first.w,
-                                   last.w);
-    }
-    return normalize(from);
+    if (!trace_has(TRACE_HAS_SHAPES))
+        return normalize(from);
+    vec4 second = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle + 1));
+    vec4 last = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle + 2));
+    return bubble_normal(from, second.xyz, first.w, last.w, second.w > 0.0);
 }
 
 /* Returns a crossing of an inclusion by a way in the ice, or in a bubble; `n` is the interpolated

@@ -7,6 +7,7 @@
  */
 #ifndef TRACE_TREE_GLSL
 #define TRACE_TREE_GLSL
+#include "lib/bubble_shape.glsl"
 #include "refract_trace.h"
 
 layout(set = 0, binding = TRACE_FRAME, scalar) uniform Trace
@@ -124,48 +125,13 @@ bool trace_faces(uint cone, trace_ray ray)
     return dot(vec3(c.xyz), ray.cull) + float(c.w) >= 0.0;
 }
 
-/* Where a ray, from the centre on, enters and leaves a sphere, or, if `dir` is across an axis, a
- * cylinder; x > y: it misses. */
-vec2 trace_cross_sphere(vec3 from, vec3 dir, float radius)
-{
-    float square = trace_has(TRACE_HAS_SHAPES) ? max(dot(dir, dir), 1e-20) : 1.0;
-    float along = dot(from, dir) / square;
-    vec3 aside = from - along * dir;
-    float root2 = (radius * radius - dot(aside, aside)) / square;
-    float root = sqrt(max(root2, 0.0));
-    return root2 > 0.0 ? vec2(-along - root, -along + root) : vec2(1e30, -1e30);
-}
-
-/* The same of a capsule: two spheres, and between them a cylinder. */
-vec2 trace_cross_capsule(vec3 from, vec3 dir, vec3 axis, float half_length, float radius)
-{
-    float at = dot(from, axis), pace = dot(dir, axis);
-    pace = abs(pace) < 1e-10 ? 1e-10 : pace;
-    vec2 sides = (vec2(-half_length, half_length) - at) / pace;
-    vec2 cut = trace_cross_sphere(from - at * axis, dir - pace * axis, radius);
-    cut = vec2(max(cut.x, min(sides.x, sides.y)), min(cut.y, max(sides.x, sides.y)));
-    cut = cut.x <= cut.y ? cut : vec2(1e30, -1e30);
-    vec2 low = trace_cross_sphere(from + half_length * axis, dir, radius);
-    vec2 high = trace_cross_sphere(from - half_length * axis, dir, radius);
-    return vec2(min(cut.x, min(low.x, high.x)), max(cut.y, max(low.y, high.y)));
-}
-
-/* Makes a sphere of an ellipsoid around the origin. */
-vec3 trace_to_sphere(vec3 v, vec3 axis, float stretch, float radius)
-{
-    return v + (radius / (radius + stretch) - 1.0) * dot(v, axis) * axis;
-}
-
 /* Where a ray enters and leaves a bubble, by its rows; x > y: it misses. */
 vec2 trace_cross_bubble(trace_ray ray, vec4 first, vec4 second, float radius)
 {
     vec3 from = ray.origin - first.xyz;
     if (!trace_has(TRACE_HAS_SHAPES))
-        return trace_cross_sphere(from, ray.dir, radius);
-    if (second.w > 0.0)
-        return trace_cross_capsule(from, ray.dir, second.xyz, first.w, radius);
-    return trace_cross_sphere(trace_to_sphere(from, second.xyz, first.w, radius),
-                              trace_to_sphere(ray.dir, second.xyz, first.w, radius), radius);
+        return bubble_cross_sphere(from, ray.dir, 1.0, radius);
+    return bubble_cross(from, ray.dir, second.xyz, first.w, radius, second.w > 0.0);
 }
 
 /* Meets a crack or a bubble. A ray in a bubble meets nothing but bubbles, where it leaves them; one

@@ -140,11 +140,11 @@ static vec3s ground_albedo_at(const struct ground *g)
     c = glms_vec3_lerp(c, forest, wooded);
     /* Snow lies on ledges and in gullies; strata, which dip to the east, break off in bands. */
     const float strata = alps_noise(0.0F, height + 0.12F * x + 60.0F * patch, 75.0F, 3, 103);
-    const float line = 1420.0F + 380.0F * patch - 420.0F * moist;
+    const float line = 1750.0F + 420.0F * patch - 420.0F * moist;
     const float even = 0.45F * level + 0.55F * g->normal.y;
     const float lying =
         glm_smoothstep(line - 160.0F, line + 420.0F, height + 140.0F * fine) *
-        glm_smoothstep(0.66F, 0.78F, even + 0.08F * fine + 0.07F * strata + 0.06F * moist);
+        glm_smoothstep(0.70F, 0.80F, even + 0.08F * fine + 0.10F * strata + 0.06F * moist);
     return glms_vec3_lerp(c, snow, lying);
 }
 

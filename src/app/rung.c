@@ -124,19 +124,6 @@ static void warn_of_materials(const struct app_picture *picture, const struct sc
                     picture->scene.name, scene->model.object_count, words);
 }
 
-static void warn_of_bubbles(const struct app_picture *picture, const struct scene *scene)
-{
-    if (!picture->rung->rung.rows || picture->rung->rung.meets_tree)
-        return;
-    for (uint32_t i = 0; i < scene->bubbles.count; i++) {
-        if (bubble_is_sphere(&scene->bubbles.all[i]))
-            continue;
-        log_warning("bubbles.shape: drawn as spheres of the same volume; --refraction trace draws "
-                    "what they are");
-        return;
-    }
-}
-
 /* Returns whether a corner of the surroundings is well inside the box of the first object. */
 static bool holds_surroundings(const struct model *model)
 {
@@ -322,7 +309,6 @@ void app_choose_rung(struct app_picture *picture, const struct scene *scene,
                     picture->scene.name, picture->rung->rung.name);
     warn_of_ground(picture, scene);
     warn_of_clouds(picture, scene);
-    warn_of_bubbles(picture, scene);
     warn_of_settings(picture);
     warn_of_files(picture, scene);
     warn_of_outside(&picture->scene, scene);

@@ -17,7 +17,7 @@ enum asset_kind {
 };
 
 enum {
-    ASSET_SETTING_COUNT = 12, /* the last one is NULL */
+    ASSET_SETTING_COUNT = 16, /* the last one is NULL */
 };
 
 struct asset {

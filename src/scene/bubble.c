@@ -62,16 +62,6 @@ struct box bubble_box(const struct bubble *bubble)
     return box;
 }
 
-struct bubbles_sphere bubble_ball(const struct bubble *bubble)
-{
-    const float radius = bubble->radius, stretch = bubble->stretch;
-    const float longer = (bubble->is_capsule ? 1.5f : 1.0f) * stretch / radius;
-    return (struct bubbles_sphere){
-        .center = bubble->center,
-        .radius = bubble_is_sphere(bubble) ? radius : radius * cbrtf(1.0f + longer),
-    };
-}
-
 bool bubble_holds(const struct bubble *bubble, vec3s point)
 {
     double v[3];

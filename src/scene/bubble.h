@@ -7,7 +7,6 @@
 #ifndef FIRN_SCENE_BUBBLE_H
 #define FIRN_SCENE_BUBBLE_H
 
-#include "shaders/bubbles.h"
 #include "src/scene/mesh.h"
 
 struct bubble {
@@ -25,10 +24,6 @@ static inline bool bubble_is_sphere(const struct bubble *bubble)
 }
 
 struct box bubble_box(const struct bubble *bubble);
-
-/* Returns the sphere of the same centre and volume. It is not outside of the sphere around the
- * bubble. */
-struct bubbles_sphere bubble_ball(const struct bubble *bubble);
 
 /* Returns whether a point is inside. */
 bool bubble_holds(const struct bubble *bubble, vec3s point);

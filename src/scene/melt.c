@@ -313,6 +313,31 @@ enum status melt_model(struct model *model, const struct melting *melting, float
     return log_out_of_memory("melting ice");
 }
 
+/* Shortens a capsule from the end that the surface has come to first. */
+static void shorten(const struct depth_field *depth, struct bubble *bubble)
+{
+    enum {
+        HALVINGS = 12
+    };
+
+    const vec3s ends[2] = {
+        glms_vec3_muladds(bubble->axis, -bubble->stretch, bubble->center),
+        glms_vec3_muladds(bubble->axis, bubble->stretch, bubble->center),
+    };
+    const bool is_second = melt_parts_depth(depth, ends[1]) > melt_parts_depth(depth, ends[0]);
+    const vec3s deep = ends[is_second], shallow = ends[!is_second];
+    float whole = 0.0f, cut = 1.0f; /* shares of the length, from the deep end */
+    if (melt_parts_depth(depth, shallow) >= bubble->radius)
+        return;
+    for (int i = 0; i < HALVINGS; i++) {
+        const float share = 0.5f * (whole + cut);
+        const vec3s at = glms_vec3_lerp(deep, shallow, share);
+        *(melt_parts_depth(depth, at) >= bubble->radius ? &whole : &cut) = share;
+    }
+    bubble->center = glms_vec3_lerp(deep, shallow, 0.5f * whole);
+    bubble->stretch *= whole;
+}
+
 bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object)
 {
     struct depth_field depth;
@@ -321,8 +346,10 @@ bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object)
         return false;
     for (uint32_t i = 0; i < bubbles->count; i++) {
         struct bubble *bubble = &bubbles->all[i];
-        const float reach = bubble->radius + fmaxf(bubble->stretch, 0.0f);
-        const float share = melt_parts_depth(&depth, bubble->center) / reach;
+        const float longer = bubble->is_capsule ? 0.0f : fmaxf(bubble->stretch, 0.0f);
+        if (bubble->is_capsule)
+            shorten(&depth, bubble);
+        const float share = melt_parts_depth(&depth, bubble->center) / (bubble->radius + longer);
         if (share < 0.05f)
             continue;
         bubble->radius *= fminf(share, 1.0f);

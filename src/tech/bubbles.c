@@ -1,21 +1,23 @@
 /*
- * bubbles.c: bubbles of air in the ice, each drawn as a square whose fragments trace a ray.
+ * bubbles.c: bubbles of air in the ice, each drawn as a rectangle whose fragments trace a ray.
  *
  * Closed forms of geometrical optics: with b the sine of the angle of incidence, light beyond
  * b = 1.0003 / 1.3091 is totally reflected, 41.6 % of the disc; other light leaves turned outward
- * by 2 (theta_t - theta_i). Reflectances are those of Fresnel's equations. Spheres do not overlap
- * and are drawn farthest first, sorted by the centre's squared distance less the squared radius,
- * which is exact for them.
+ * by 2 (theta_t - theta_i). Reflectances are those of Fresnel's equations. Through ellipsoids and
+ * capsules rays are followed. Spheres do not overlap and are drawn farthest first, sorted by the
+ * centre's squared distance less the squared radius, which is exact for them, and for other shapes
+ * where the spheres around them do not overlap.
  *
- * Limits: ellipsoids and capsules are drawn as spheres of the same volume. Bubbles show the
- * environment cube; the ice's surface bends neither the ray from the eye nor the ray from the
- * bubble. Because the picture behind is already bent, transmitted light counts only by the squared
- * sine of its angle inside (bubble_cover), so that the middle of a bubble shows the picture behind
- * it, where a true bubble shows it smaller. Light that is reflected inside the bubble is treated as
- * transmitted. A bubble around the eye is invisible. Convex objects only, as for ice_depth.
+ * Limits: bubbles show the environment cube; the ice's surface bends neither the ray from the eye
+ * nor the ray from the bubble. Because the picture behind is already bent, transmitted light counts
+ * only by the squared sine of its angle inside (bubble_cover), so that the middle of a bubble shows
+ * the picture behind it, where a true bubble shows it smaller. Light that is reflected inside the
+ * bubble is treated as transmitted. A bubble around the eye is invisible, and so is what is no
+ * sphere if the eye is in the sphere around it. Convex objects only, as for ice_depth.
  */
 #include "src/tech/bubbles.h"
 #include <cglm/struct.h>
+#include <math.h>
 #include <stdlib.h>
 #include "shaders/bubbles.h"
 #include "shaders/embedded.h"
@@ -23,16 +25,16 @@
 #include "src/tech/frame.h"
 #include "src/tech/ice_depth.h"
 
-static rg_record_fn record_spheres;
+static rg_record_fn record_bubbles;
 
 const struct rg_image bubbles_color = {
     .name = "bubbles.color",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
-const struct rg_buffer bubbles_spheres = {
-    .name = "bubbles.spheres",
-    .size = BUBBLES_COUNT_MAX * sizeof(struct bubbles_sphere),
+const struct rg_buffer bubbles_all = {
+    .name = "bubbles.all",
+    .size = BUBBLES_COUNT_MAX * sizeof(struct bubbles_drawn),
     .memory = RG_MEMORY_UPLOAD,
 };
 
@@ -53,34 +55,41 @@ static const struct rg_use uses[] = {
         .sampler = &frame_linear,
     },
     {
-        .buffer = &bubbles_spheres,
+        .buffer = &bubbles_all,
         .access = RG_STORAGE_READ,
-        .binding = BUBBLES_SPHERES,
+        .binding = BUBBLES_DRAWN,
         .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
     },
     { 0 },
 };
 
-static const struct rg_pass passes[] = {
-    {
-        .name = "bubbles.spheres",
-        .color = RG_TARGETS({ &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
-        .uses = uses,
-        .vert = &bubbles_vert,
-        .frag = &bubbles_frag,
-        .record = record_spheres,
-    },
+/* Without other shapes than spheres. */
+static const struct rg_pass spheres_row = {
+    .name = "bubbles.spheres",
+    .color = RG_TARGETS({ &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
+    .uses = uses,
+    .vert = &bubbles_vert,
+    .frag = &bubbles_frag,
+    .record = record_bubbles,
 };
 
-static void record_spheres(struct rg_cmd *cmd, const struct rg_frame *frame)
+static const struct rg_pass shapes_row = {
+    .name = "bubbles.shapes",
+    .color = RG_TARGETS({ &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
+    .uses = uses,
+    .vert = &bubbles_shapes_vert,
+    .frag = &bubbles_shapes_frag,
+    .record = record_bubbles,
+};
+
+static void record_bubbles(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     if (frame->scene->bubbles.count)
         rg_cmd_draw(cmd, 6 * frame->scene->bubbles.count);
 }
 
-static const char *const shape_names[] = {
-    "sphere", "prolate", "oblate", "capsule", "mixed", NULL
-};
+static const char *const shape_names[] = { "sphere", "prolate", "oblate", "capsule",
+                                           "mixed",  "grown",   NULL };
 
 static const struct setting rows[] = {
     {
@@ -119,8 +128,9 @@ static const struct setting rows[] = {
         .max = GENERATE_BUBBLES_SHAPE_COUNT - 1,
         .choices = shape_names,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "shape of the bubbles: spheres, long or flat ellipsoids, capsules, or a mixture; "
-                "rungs other than trace and reference draw spheres",
+        .help = "shape of the bubbles: spheres, long or flat ellipsoids, capsules, a mixture, or "
+                "grown: "
+                "worms and eggs in rows along which ice grows",
     },
     {
         .name = "bubbles.stretch",
@@ -142,18 +152,29 @@ static bool is_on(const struct settings *settings)
     return params->count > 0;
 }
 
-/* ---- the spheres of a frame ---- */
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    const struct bubbles_params *params = settings_of(choice->settings, &bubbles_settings);
+    const bool are_spheres = params->shape == GENERATE_BUBBLES_SPHERE;
+    (void)builder;
+    if (!params->count)
+        return (struct rg_technique){ 0 };
+    return (struct rg_technique){ "bubbles", are_spheres ? &spheres_row : &shapes_row, 1 };
+}
 
-struct far_sphere {
-    struct bubbles_sphere sphere;
-    float power; /* of the eye: squared length of its tangents to the sphere; of an orthographic
-                    camera: distance along its axis */
+/* ---- the bubbles of a frame ---- */
+
+struct far_bubble {
+    struct bubbles_drawn drawn;
+    float power; /* of the eye: squared length of its tangents to the sphere around the bubble; of
+                    an orthographic camera: distance along its axis */
 };
 
 static int compare_far(const void *a, const void *b)
 {
-    const struct far_sphere *x = a;
-    const struct far_sphere *y = b;
+    const struct far_bubble *x = a;
+    const struct far_bubble *y = b;
     return (x->power < y->power) - (x->power > y->power);
 }
 
@@ -162,23 +183,30 @@ static int compare_far(const void *a, const void *b)
 void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals)
 {
     const struct bubbles *all = &view->scene->bubbles;
-    struct bubbles_sphere *sorted = memory;
-    struct far_sphere order[BUBBLES_COUNT_MAX];
+    struct bubbles_drawn *sorted = memory;
+    struct far_bubble order[BUBBLES_COUNT_MAX];
     for (uint32_t i = 0; i < all->count; i++) {
-        struct bubbles_sphere s = bubble_ball(&all->all[i]);
-        s.center = glms_mat4_mulv3(globals->world_from_object, s.center, 1.0f);
-        const vec3s to = glms_vec3_sub(s.center, globals->eye);
+        const struct bubble *bubble = &all->all[i];
+        const struct bubbles_drawn drawn = {
+            .center = glms_mat4_mulv3(globals->world_from_object, bubble->center, 1.0f),
+            .radius = bubble->radius,
+            .axis = glms_mat4_mulv3(globals->world_from_object, bubble->axis, 0.0f),
+            .stretch = bubble->stretch,
+            .is_capsule = bubble->is_capsule,
+        };
+        const vec3s to = glms_vec3_sub(drawn.center, globals->eye);
+        const float reach = drawn.radius + fmaxf(drawn.stretch, 0.0f);
         const float power = view->camera.height > 0.0f ? glms_vec3_dot(to, globals->forward)
-                                                       : glms_vec3_norm2(to) - s.radius * s.radius;
-        order[i] = (struct far_sphere){ s, power };
+                                                       : glms_vec3_norm2(to) - reach * reach;
+        order[i] = (struct far_bubble){ drawn, power };
     }
     qsort(order, all->count, sizeof(order[0]), compare_far);
     for (uint32_t i = 0; i < all->count; i++)
-        sorted[i] = order[i].sphere;
+        sorted[i] = order[i].drawn;
 }
 
 static const struct technique_upload uploads[] = {
-    { &bubbles_spheres, bubbles_write },
+    { &bubbles_all, bubbles_write },
     { 0 },
 };
 
@@ -203,5 +231,5 @@ const struct technique bubbles = {
     .is_met = true,
     .layers = layers,
     .uploads = uploads,
-    .parts = { { PHASE_INCLUSIONS, .graph = RG_TECHNIQUE("bubbles", passes) } },
+    .parts = { { PHASE_INCLUSIONS, .rows = make_rows } },
 };

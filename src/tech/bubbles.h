@@ -5,11 +5,11 @@
 
 extern const struct rg_image bubbles_color; /* premultiplied colour; 0 without bubbles */
 
-/* An array of BUBBLES_COUNT_MAX struct bubbles_sphere in world space; the first ones, as many as
+/* An array of BUBBLES_COUNT_MAX struct bubbles_drawn in world space; the first ones, as many as
  * the scene has, are valid. */
-extern const struct rg_buffer bubbles_spheres;
+extern const struct rg_buffer bubbles_all;
 
-/* Fills bubbles_spheres, farthest first, so that later spheres may hide earlier ones but not the
+/* Fills bubbles_all, farthest first, so that later spheres may hide earlier ones but not the
  * other way around. */
 void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals);
 

@@ -4,6 +4,7 @@
  *
  * Surroundings are directions as colours: see picture.h.
  */
+#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -17,7 +18,7 @@ enum {
 
 static const double eta = 1.3091 / 1.0003; /* from the ice into the bubble */
 
-static struct scene open_scene(const struct bubbles_sphere *spheres, uint32_t count)
+static struct scene open_scene(const struct bubble *spheres, uint32_t count)
 {
     const vec3s center = { { 0, 0, 0 } };
     struct scene scene = picture_sphere_scene(center, 4000);
@@ -25,7 +26,7 @@ static struct scene open_scene(const struct bubbles_sphere *spheres, uint32_t co
     scene.bubbles.all = calloc(count, sizeof(*scene.bubbles.all));
     assert_non_null(scene.bubbles.all);
     for (uint32_t i = 0; i < count; i++)
-        scene.bubbles.all[i] = (struct bubble){ spheres[i].center, spheres[i].radius };
+        scene.bubbles.all[i] = spheres[i];
     scene.bubbles.count = count;
     return scene;
 }
@@ -51,7 +52,7 @@ struct meeting {
     struct vec outward; /* from the centre to the ray, unit */
 };
 
-static struct meeting meet(struct vec eye, struct vec e, struct bubbles_sphere sphere)
+static struct meeting meet(struct vec eye, struct vec e, struct bubble sphere)
 {
     const struct vec to_center = vec_add(vec_from(sphere.center), -1, eye);
     const double along = vec_dot(to_center, e);
@@ -111,7 +112,7 @@ static struct shade shade(struct vec e, struct meeting m)
 static void light_that_passes(void **state)
 {
     static const double published[][2] = { { 0.2, 7.2729 }, { 0.4, 15.9760 }, { 0.6, 29.7431 } };
-    const struct bubbles_sphere sphere = { { { 0, 0, 0 } }, 0.5F };
+    const struct bubble sphere = { { { 0, 0, 0 } }, 0.5F };
     struct scene scene = open_scene(&sphere, 1);
     const struct picture_request request = request_of(&scene, 0, 40, 1.6F);
     struct render_result result = picture_render(*state, &request);
@@ -144,7 +145,7 @@ static void light_that_passes(void **state)
 /* All of the light where alpha is 1. */
 static void total_reflection(void **state)
 {
-    const struct bubbles_sphere sphere = { { { 0, 0, 0 } }, 0.5F };
+    const struct bubble sphere = { { { 0, 0, 0 } }, 0.5F };
     struct scene scene = open_scene(&sphere, 1);
     const struct picture_request request = request_of(&scene, 0, 40, 1.6F);
     struct render_result result = picture_render(*state, &request);
@@ -175,7 +176,7 @@ static void total_reflection(void **state)
 
 /* Compares every pixel with the bubbles behind each other; the rim's pixels apart. */
 static void check_picture(struct gpu *gpu, const struct picture_request *request,
-                          const struct bubbles_sphere *spheres)
+                          const struct bubble *spheres)
 {
     struct render_result result = picture_render(gpu, request);
     const struct picture_layer layer = picture_layer(&result.image, "bubbles");
@@ -208,12 +209,12 @@ static void check_picture(struct gpu *gpu, const struct picture_request *request
 /* Two bubbles, one before the other: from both sides, in either order, and turned half around. */
 static void the_nearer_bubble_hides_the_other(void **state)
 {
-    static const struct bubbles_sphere spheres[3] = {
+    static const struct bubble spheres[3] = {
         { { { 0.1F, 0, 0.4F } }, 0.25F },
         { { { -0.1F, 0.1F, -0.4F } }, 0.35F },
         { { { 0.1F, 0, 0.4F } }, 0.25F },
     };
-    static const struct bubbles_sphere turned[2] = {
+    static const struct bubble turned[2] = {
         { { { -0.1F, 0, -0.4F } }, 0.25F },
         { { { 0.1F, 0.1F, 0.4F } }, 0.35F },
     };
@@ -250,8 +251,8 @@ static size_t count_on_ice(struct gpu *gpu, const struct picture_request *reques
 /* Bubbles that lie across the surface, beside the ice, before and behind it. */
 static void clipped_to_the_ice(void **state)
 {
-    static const struct bubbles_sphere across = { { { 0.9F, 0, 0 } }, 0.3F };
-    static const struct bubbles_sphere outside[3] = {
+    static const struct bubble across = { { { 0.9F, 0, 0 } }, 0.3F };
+    static const struct bubble outside[3] = {
         { { { 1.2F, 0, 0 } }, 0.15F },
         { { { 0, 0, 1.2F } }, 0.15F },
         { { { 0, 0, -1.2F } }, 0.15F },
@@ -269,7 +270,7 @@ static void clipped_to_the_ice(void **state)
 /* The nearer the eye, the wider a sphere's outline is than the sphere. */
 static void close_up(void **state)
 {
-    const struct bubbles_sphere sphere = { { { 0, 0, 0 } }, 0.9F };
+    const struct bubble sphere = { { { 0, 0, 0 } }, 0.9F };
     struct scene scene = open_scene(&sphere, 1);
     const struct picture_request request = request_of(&scene, 0, 1.3F, 100);
     struct render_result result = picture_render(*state, &request);
@@ -290,7 +291,7 @@ static void close_up(void **state)
 /* An eye in a bubble sees none of it; as many as there can be are drawn. */
 static void extremes(void **state)
 {
-    const struct bubbles_sphere sphere = { { { 0, 0, 0 } }, 0.5F };
+    const struct bubble sphere = { { { 0, 0, 0 } }, 0.5F };
     struct scene scene = open_scene(&sphere, 1);
     struct picture_request request = request_of(&scene, 0, 0.25F, 40);
     assert_int_equal(count_on_ice(*state, &request), 0);
@@ -309,7 +310,7 @@ static void extremes(void **state)
 /* In surroundings of one colour there is nothing to see of them, nor of the ice. */
 static void in_even_light(void **state)
 {
-    const struct bubbles_sphere sphere = { { { 0, 0, 0 } }, 0.5F };
+    const struct bubble sphere = { { { 0, 0, 0 } }, 0.5F };
     struct scene scene = open_scene(&sphere, 1);
     scene.background = SCENE_COLOR;
     scene.background_color = (vec3s){ { 0.25F, 0.5F, 0.75F } };
@@ -326,10 +327,68 @@ static void in_even_light(void **state)
     scene_finish(&scene);
 }
 
+/* Light through a sphere is followed as its closed forms have it. */
+static void spheres_as_shapes(void **state)
+{
+    const struct bubble spheres[2] = { { { { -0.4F, 0.1F, 0 } }, 0.3F },
+                                       { { { 0.3F, 0, -0.3F } }, 0.4F } };
+    const struct settings settings = picture_settings("bubbles.shape=capsule");
+    struct scene scene = open_scene(spheres, 2);
+    struct picture_request request = request_of(&scene, 0, 4, 40);
+    struct render_result closed = picture_render(*state, &request);
+    request.settings = &settings;
+    struct render_result followed = picture_render(*state, &request);
+    size_t apart = 0;
+    for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
+        const struct vec a = picture_at(picture_layer(&closed.image, "bubbles"), i);
+        const struct vec b = picture_at(picture_layer(&followed.image, "bubbles"), i);
+        apart += vec_difference(a, b) > 0.02;
+    }
+    assert_true(apart < 20); /* at outlines */
+    render_result_finish(&closed);
+    render_result_finish(&followed);
+    scene_finish(&scene);
+}
+
+/* Rays that meet what is long, and no others, see it; in even light all of them see that light. */
+static void long_ones(void **state)
+{
+    const vec3s axis = glms_vec3_normalize((vec3s){ { 2, 1, -1 } });
+    const struct bubble both[2] = {
+        { .center = { { 0, 0.3F, 0.1F } }, 0.08F, 0.5F, axis, .is_capsule = true },
+        { .center = { { 0, -0.3F, 0 } }, 0.1F, 0.3F, axis },
+    };
+    const struct settings settings = picture_settings("bubbles.shape=grown");
+    struct scene scene = open_scene(both, 2);
+    scene.background = SCENE_COLOR;
+    scene.background_color = (vec3s){ { 0.25F, 0.5F, 0.75F } };
+    struct picture_request request = request_of(&scene, 0, 4, 40);
+    request.settings = &settings;
+    struct render_result result = picture_render(*state, &request);
+    const float *alpha = image_find(&result.image, "bubbles.A");
+    size_t wrong = 0, seen = 0;
+    for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
+        const struct vec e = picture_pixel_ray(&request, i);
+        const vec3s dir = { { (float)e.x, (float)e.y, (float)e.z } };
+        double at[2];
+        const bool is_met = bubble_cross(&both[0], request.camera.eye, dir, at) ||
+                            bubble_cross(&both[1], request.camera.eye, dir, at);
+        const struct vec bubble = picture_at(picture_layer(&result.image, "bubbles"), i);
+        const struct vec even = vec_scale(vec_from(scene.background_color), (double)alpha[i]);
+        CHECK_NEAR(vec_difference(bubble, even), 0, 1e-3);
+        wrong += is_met != (alpha[i] > 0.0F);
+        seen += is_met;
+    }
+    assert_in_range(seen, 1500, 8000);
+    assert_true(wrong < 20);
+    render_result_finish(&result);
+    scene_finish(&scene);
+}
+
 /* What is over the ice hides the ice by alpha, and what stands before the ice hides that. */
 static void over_the_ice(void **state)
 {
-    const struct bubbles_sphere sphere = { { { 0, 0, 0 } }, 0.5F };
+    const struct bubble sphere = { { { 0, 0, 0 } }, 0.5F };
     const struct settings settings = picture_settings("bubbles.count=0");
     struct scene scene = open_scene(&sphere, 1);
     const struct picture_quad quad = { .top_left = { { -0.4F, 0.4F, 2 } },
@@ -374,6 +433,8 @@ int main(void)
         cmocka_unit_test(close_up),
         cmocka_unit_test(extremes),
         cmocka_unit_test(in_even_light),
+        cmocka_unit_test(spheres_as_shapes),
+        cmocka_unit_test(long_ones),
         cmocka_unit_test(over_the_ice),
     };
     return RUN_ON_DEVICE(tests);

@@ -270,7 +270,7 @@ static void test_object_area_around_the_eye(void **state)
 static void test_bubbles_are_sorted(void **state)
 {
     (void)state;
-    struct bubbles_sphere spheres[3] = {
+    struct bubbles_drawn spheres[3] = {
         { { { 0.0f, 0.0f, 0.9f } }, 0.05f },
         { { { 0.0f, 0.0f, 0.0f } }, 0.8f },
         { { { 0.9f, 0.0f, 0.15f } }, 0.1f },
@@ -280,7 +280,7 @@ static void test_bubbles_are_sorted(void **state)
         all[i] = (struct bubble){ spheres[i].center, spheres[i].radius };
     const struct scene scene = { .bubbles = { all, 3 } };
     const struct frame_view view = { .scene = &scene };
-    struct bubbles_sphere sorted[3];
+    struct bubbles_drawn sorted[3];
     struct globals globals = { .world_from_object = glms_mat4_identity(),
                                .eye = { { 0.0f, 0.0f, 3.0f } } };
     bubbles_write(sorted, &view, &globals);

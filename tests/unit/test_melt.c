@@ -207,21 +207,29 @@ static void ice_stands_where_it_stood(void **state)
 
 static void bubbles_shrink_at_the_surface(void **state)
 {
-    static const vec3s places[] = { { { 0, -0.2f, 0 } },
-                                    { { 0.78f, 0, 0 } },
-                                    { { 0.5f, -0.2f, 0 } } };
+    static const vec3s places[] = {
+        { { 0, -0.2f, 0 } }, { { 0.78f, 0, 0 } }, { { 0.5f, -0.2f, 0 } }, { { 0.2f, -0.2f, 0.1f } }
+    };
     struct model model = bare(generate_ice_cube);
-    struct bubbles bubbles = { calloc(3, sizeof(*bubbles.all)), 3 };
+    struct bubbles bubbles = { calloc(4, sizeof(*bubbles.all)), 4 };
     struct melted melted;
     (void)state;
     assert_non_null(bubbles.all);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 4; i++)
         bubbles.all[i] = (struct bubble){ .center = places[i], .radius = 0.15f };
+    bubbles.all[3].axis = (vec3s){ { 1, 0, 0 } };
+    bubbles.all[3].stretch = 0.4f;
+    bubbles.all[3].radius = 0.02f;
+    bubbles.all[3].is_capsule = true;
     assert_int_equal(melt_model(&model, &(struct melting){ .share = 0.4f }, 0, &melted), STATUS_OK);
     assert_true(melt_bubbles(&bubbles, &model.object));
-    assert_int_equal(bubbles.count, 2); /* the one at the side is gone */
+    assert_int_equal(bubbles.count, 3); /* the one at the side is gone */
     CHECK_NEAR(bubbles.all[0].radius, 0.15f, 1e-6);
     check_between((double)bubbles.all[1].radius, 0.01, 0.149);
+    const struct bubble *shorter = &bubbles.all[2]; /* at one end */
+    CHECK_NEAR(shorter->radius, 0.02f, 1e-6);
+    check_between((double)shorter->stretch, 0.2, 0.399);
+    CHECK_NEAR(shorter->center.x - shorter->stretch, -0.2f, 1e-5);
     free(bubbles.all);
     melted_finish(&melted);
     mesh_finish(&model.object);

@@ -1,9 +1,9 @@
 /* bubbles.c: bubbles inside a closed mesh, whose spheres do not overlap. */
+#include "src/scene/generate/bubbles.h"
 #include <assert.h>
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
-#include "src/scene/generate/generate.h"
 #include "src/scene/generate/random.h"
 
 enum {
@@ -44,12 +44,9 @@ static bool straddles(const vec3s corners[3], int axis)
     return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0);
 }
 
-/*
- * Returns the least distance of the surface along the three axes, or 0 for points outside. A ray
- * from a point inside a closed surface crosses it an odd number of times. A ray through an edge may
- * miss it, so the rays along all three axes must agree.
- */
-static float clearance(const struct mesh *mesh, vec3s point)
+/* A ray from a point inside a closed surface crosses it an odd number of times. A ray through an
+ * edge may miss it, so the rays along all three axes must agree. */
+float bubbles_clearance(const struct mesh *mesh, vec3s point)
 {
     uint32_t leaves[3] = { 0 };
     float nearest = HUGE_VALF;
@@ -121,7 +118,7 @@ static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh,
             glms_vec3_add(box_center(box), glms_vec3_mul(half, random_box(random)));
         if (!is_free(bubbles, center, radius))
             continue;
-        if (clearance(mesh, center) < radius * 1.7320508f + rim)
+        if (bubbles_clearance(mesh, center) < radius * 1.7320508f + rim)
             continue;
         bubbles->all[bubbles->count++] =
             shape_bubble((struct bubble){ center, radius }, params, box_center(box), random);
@@ -139,6 +136,10 @@ bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
     *bubbles = (struct bubbles){ .all = calloc(params->count, sizeof(*bubbles->all)) };
     if (!bubbles->all)
         return false;
+    if (params->shape == GENERATE_BUBBLES_GROWN) {
+        bubbles_grow(bubbles, object, params);
+        return true;
+    }
     uint32_t failures = 0;
     for (uint32_t i = 0; i < params->count && failures < FAILURES_MAX; i++) {
         struct random random = random_begin(params->seed, i);

@@ -13,6 +13,7 @@
 #ifndef FIRN_SCENE_GENERATE_GENERATE_H
 #define FIRN_SCENE_GENERATE_GENERATE_H
 
+#include "shaders/bubbles.h"
 #include "src/scene/bubble.h"
 #include "src/scene/mesh.h"
 
@@ -118,6 +119,7 @@ enum generate_bubbles_shape {
     GENERATE_BUBBLES_OBLATE,  /* flat ellipsoids */
     GENERATE_BUBBLES_CAPSULE,
     GENERATE_BUBBLES_MIXED, /* each of the shapes above */
+    GENERATE_BUBBLES_GROWN, /* worms and eggs, in rows along which ice grows */
     GENERATE_BUBBLES_SHAPE_COUNT,
 };
 
@@ -138,7 +140,9 @@ struct bubbles {
 /*
  * Many small bubbles and few large ones in a closed mesh: the whole spheres around them are inside
  * if it is convex, else at least their centres. Bubbles that fit nowhere are left out. Their axes
- * point more or less to the middle. The shape changes neither the places nor the longest diameters.
+ * point more or less to the middle. The shape changes neither the places nor the longest diameters,
+ * but for those that have grown: they are in groups, of worms side by side, of beads behind each
+ * other, and of eggs.
  * Returns false when out of memory; *bubbles is then {0}.
  */
 bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,

@@ -1,0 +1,57 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "bubbles.h"
+#include "lib/bubble.glsl"
+#include "lib/bubble_shape.glsl"
+#include "lib/globals.glsl"
+#include "lib/ice_clip.glsl"
+#include "lib/optics.glsl"
+#include "lib/view_ray.glsl"
+
+layout(set = 0, binding = BUBBLES_ENV_CUBE) uniform samplerCube env_cube;
+
+layout(location = 0) in vec3 eye_to_point; /* to a point of the rectangle */
+layout(location = 1) flat in vec3 eye_to_center;
+layout(location = 2) flat in float radius;
+layout(location = 3) flat in vec4 axis; /* w: stretch */
+layout(location = 4) flat in float is_capsule;
+
+layout(location = 0) out vec4 bubble; /* premultiplied */
+
+vec2 cross_at(vec3 from, vec3 dir)
+{
+    return bubble_cross(from, dir, axis.xyz, axis.w, radius, is_capsule > 0.5);
+}
+
+vec3 normal_at(vec3 from)
+{
+    return bubble_normal(from, axis.xyz, axis.w, radius, is_capsule > 0.5);
+}
+
+/* As bubbles.frag, but light that goes through is followed to where it leaves. */
+void main()
+{
+    vec3 e = view_dir(eye_to_point);
+    vec3 from = eye_to_point - eye_to_center; /* a point of the ray, from the centre on */
+    vec2 at = cross_at(from, e);
+    if (at.x > at.y)
+        discard;
+    vec3 hit = from + at.x * e;
+    vec4 clip = frame.fitted_clip_from_world * vec4(frame.eye + eye_to_center + hit, 1.0);
+    if (!ice_clip_keeps(clip.z / clip.w))
+        discard;
+
+    float eta = frame.outside_in_air / frame.eta; /* from ice to air */
+    vec3 n = normal_at(hit);
+    n = dot(n, e) < 0.0 ? n : -e;
+    float share = optics_fresnel(e, n, eta);
+    bubble = share * vec4(textureLod(env_cube, optics_reflect(e, n), 0.0).rgb, 1.0);
+    if (share < 1.0) {
+        vec3 inside = refract(e, n, eta);
+        vec3 last = hit + max(cross_at(hit, inside).y, 0.0) * inside;
+        vec3 passed = refract(inside, -normal_at(last), 1.0 / eta);
+        float b2 = 1.0 - dot(n, e) * dot(n, e);
+        float cover = (1.0 - share) * bubble_cover(sqrt(b2), eta);
+        bubble += cover * vec4(textureLod(env_cube, passed, 0.0).rgb, 1.0);
+    }
+}
