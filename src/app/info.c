@@ -215,6 +215,19 @@ static void print_animations(const struct model *model)
                (double)model->animations[i].seconds);
 }
 
+/* Devices that have ray queries use structures of their own instead, which `firn profile` tells. */
+static void print_tree(const struct tree *tree)
+{
+    printf("tree that its rays meet: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
+           tree_node_count(tree), tree->triangle_count, (double)tree_size(tree) / (1 << 20),
+           tree->read ? "from the cache" : "built", tree->ms);
+    printf("cost of a ray, in tests of a triangle: %.1f through the objects' box",
+           tree->costs[TREE_OBJECTS]);
+    if (tree->costs[TREE_SURROUNDINGS] > 0.0)
+        printf(", %.1f through that of the surroundings", tree->costs[TREE_SURROUNDINGS]);
+    printf("\n");
+}
+
 static void print_text(struct scene *scene, const struct technique *rung)
 {
     const struct model *model = &scene->model;
@@ -234,10 +247,7 @@ static void print_text(struct scene *scene, const struct technique *rung)
                (double)model->camera.fov_deg);
     printf("rung unless --refraction names one: %s\n", rung->rung.name);
     if (tree_node_count(scene->tree))
-        printf("tree that its rays meet: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
-               tree_node_count(scene->tree), scene->tree->triangle_count,
-               (double)tree_size(scene->tree) / (1 << 20),
-               scene->tree->read ? "from the cache" : "built", scene->tree->ms);
+        print_tree(scene->tree);
     print_cameras(model);
     print_extensions(model);
     print_lights(model);
@@ -429,9 +439,10 @@ static json_t *animations_of(const struct model *model)
 
 static json_t *tree_of(const struct tree *tree)
 {
-    return json_pack("{s:i, s:i, s:I, s:f, s:b}", "nodes", (int)tree_node_count(tree), "triangles",
-                     (int)tree->triangle_count, "bytes", (json_int_t)tree_size(tree), "ms",
-                     tree->ms, "cached", tree->read > 0);
+    return json_pack("{s:i, s:i, s:I, s:f, s:b, s:f, s:f}", "nodes", (int)tree_node_count(tree),
+                     "triangles", (int)tree->triangle_count, "bytes", (json_int_t)tree_size(tree),
+                     "ms", tree->ms, "cached", tree->read > 0, "cost", tree->costs[TREE_OBJECTS],
+                     "surrounding_cost", tree->costs[TREE_SURROUNDINGS]);
 }
 
 static enum status print_json(const char *name, const struct scene *scene,

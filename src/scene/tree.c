@@ -419,6 +419,8 @@ static bool make(struct tree *tree, const struct tree_part *parts, const struct 
     tree->corners.count = tree->triangle_count * TREE_CORNER_WORDS;
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
         lay_part(tree, i, &parts[i], &shapes[i]);
+    for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
+        tree->costs[i] = parts[i].count ? tree_cost(&shapes[i].draft, shapes[i].root) : 0.0;
     return !media_words(tree) || lay_media(tree, parts[TREE_OBJECTS].model);
 }
 

@@ -31,6 +31,8 @@ struct tree {
     uint32_t shells;                 /* objects */
     uint32_t medium_count;           /* materials of more than TREE_SHELLS_FEW objects, or 0 */
     uint32_t media;                  /* among the corners: the word of rank 0, or 0 */
+    double costs[TREE_PART_COUNT];   /* of a ray that meets a part's box, in tests of a triangle,
+                                        by the surface area heuristic; 0: no triangles */
     uint32_t depth;                  /* most nodes on a way from a root; at most TREE_DEPTH_MAX */
     bool is_closed; /* each side of a triangle of the objects is that of another one, reversed */
     bool is_apart;  /* no box around a triangle of the surroundings meets that around the objects */

@@ -316,8 +316,11 @@ class Trace(Case):
         self.assertEqual(tree['triangles'], 24)  # of six words of 16 bytes, and nodes have four
         self.assertEqual(tree['bytes'], 64 * tree['nodes'] + 96 * 24)
         self.assertGreater(tree['ms'], 0)
-        self.assertRegex(self.succeed('info', 'two.gltf', env=NO_DRIVER).stdout.decode(),
-                         r'\ntree that its rays meet: \d+ nodes, 24 triangles, 0\.0 MiB, built in ')
+        self.assertTrue(3 < tree['cost'] < 24, tree['cost'])
+        self.assertEqual(tree['surrounding_cost'], 0)
+        text = self.succeed('info', 'two.gltf', env=NO_DRIVER).stdout.decode()
+        self.assertRegex(text, r'\ntree that its rays meet: \d+ nodes, 24 triangles, 0\.0 MiB, ')
+        self.assertRegex(text, r'\ncost of a ray, in tests of a triangle: \d+\.\d through ')
         self.assertNotIn(b'tree', self.succeed('info', 'sphere', env=NO_DRIVER).stdout)
 
     def test_settings_without_effect_are_named(self):
