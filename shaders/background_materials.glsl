@@ -2,6 +2,7 @@
  * ice's caustics and shadow; with BACKGROUND_EXTRA, with struct mesh_extra of the vertices; with
  * BACKGROUND_MIRROR, with what is mirrored apart from the picture that shows it. */
 #include "background.h"
+#include "lib/contact.glsl"
 #include "lib/lit.glsl"
 #include "lib/octahedron.glsl"
 #include "lib/see_through.glsl"
@@ -105,7 +106,8 @@ void main()
     float n_dot_v = clamp(dot(n, to_eye), 0.0, 1.0);
     lit_shares shares = lit_shares_of(s, lit_split(s.roughness, n_dot_v));
     vec3 glossy = shares.glossy * lit_glossy(mirrored, s.roughness, lod);
-    vec3 matt = shares.matt * lit_matt(n);
+    vec3 on_matt = lit_matt(n), matt = shares.matt * on_matt;
+    contact_shade(s, shares, push.eye + eye_to_point, n, on_matt, matt, glossy);
     sun *= lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
     vec3 lit = lit_by_lights(s, push.eye + eye_to_point, n, to_eye);
     open = mix(1.0, open, scales.y);

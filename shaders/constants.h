@@ -32,6 +32,7 @@
 #define CONSTANT_REFRACT_EXITS   17 /* refract_bounce.exits */
 #define CONSTANT_ORTHOGRAPHIC    18 /* 1: all rays of the picture have one direction */
 #define CONSTANT_TRACE           19 /* bits of refract_trace.h */
-#define CONSTANT_COUNT           20
+#define CONSTANT_CONTACT         20 /* 1: objects hide light from surroundings (contact.c) */
+#define CONSTANT_COUNT           21
 
 #endif

@@ -141,10 +141,10 @@ static bool is_in_picture(const struct globals *globals)
 }
 
 /* Whether a technique that is on lights the surroundings through the objects. */
-static bool is_relit(const struct settings *settings)
+static bool is_relit(const struct frame_view *view)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
-        if ((*t)->relights && (*t)->is_on(settings))
+        if ((*t)->relights && (*t)->is_on(view->settings) && (*t)->relights(view->scene))
             return true;
     }
     return false;
@@ -211,7 +211,7 @@ static uint32_t faces_due(const struct frame_cube *cube, const struct frame_view
 struct frame_due frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
                                 const struct globals *globals)
 {
-    if (!is_relit(view->settings))
+    if (!is_relit(view))
         return (struct frame_due){ .faces = faces_due(cube, view, globals) };
     const struct frame_cube_light now = light_of(view, globals);
     return (struct frame_due){

@@ -6,9 +6,10 @@
  * or the cube's centre has changed since, or if a moving object was or is visible in it. While the
  * object is outside of the picture no face is due, because no shader reads them.
  *
- * Light through objects is due if anything has changed that may decide it, such as the place of the
- * sun on its disc, which is another one in each sample. What it lights is in the cube's faces, too,
- * but for the first sample alone: seen through ice, the edge of a shadow need not be soft.
+ * Light through objects, and what they hide of it, is due if anything has changed that may decide
+ * it, such as the place of the sun on its disc, which is another one in each sample. What it lights
+ * is in the cube's faces, too, but for the first sample alone: seen through ice, the edge of a
+ * shadow need not be soft.
  */
 #ifndef FIRN_FRAME_CUBE_H
 #define FIRN_FRAME_CUBE_H

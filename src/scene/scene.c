@@ -439,6 +439,9 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = melt(scene, params);
     if (status == STATUS_OK && !scene->has_pool)
         status = add_surfaces(scene, params->has_cloud);
+    if (status == STATUS_OK && scene->material_rows && has_object)
+        status = contact_find(&scene->contact, &scene->model.object, scene->model.objects,
+                              scene->model.object_count);
     if (status == STATUS_OK && has_object && !scene->has_pool)
         status = scene_fill_object(scene, params);
     if (status == STATUS_OK)

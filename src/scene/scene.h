@@ -8,6 +8,7 @@
 
 #include "src/scene/bump_maps.h"
 #include "src/scene/clouds.h"
+#include "src/scene/contact.h"
 #include "src/scene/environment.h"
 #include "src/scene/generate/generate.h"
 #include "src/scene/import/decode.h"
@@ -61,6 +62,7 @@ struct scene {
     struct scene_files files;
     struct melted melted;     /* what has melted of the ice; {0}: nothing */
     struct clouds clouds;     /* in the space of the mesh of all objects */
+    struct contact contact;   /* bodies around the objects, in their space */
     struct bubbles bubbles;   /* in the object's space */
     struct tree *tree;        /* of the model's triangles; empty until scene_need_tree() */
     struct tree_rest *rest;   /* of an animated model, at time 0; NULL: it is not animated */

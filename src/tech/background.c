@@ -8,6 +8,7 @@
 #include "shaders/lit.h"
 #include "shaders/material.h"
 #include "src/settings/scene_settings.h"
+#include "src/tech/contact.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_caustics.h"
 #include "src/tech/mirror.h"
@@ -131,6 +132,7 @@ struct rg_technique background_make(struct row_builder *builder,
         wanted->has_materials ? material_uses : NULL,
         wanted->shine ? ice_caustics_uses : NULL,
         has_extras ? extra_uses : NULL,
+        wanted->has_materials && !wanted->at_vertices ? contact_uses : NULL,
     };
     struct rg_pass *rows = row_builder_rows(builder, passes, 2);
     if (!rows)
@@ -148,7 +150,7 @@ struct rg_technique background_make(struct row_builder *builder,
         rows[0].vert = &background_extra_vert;
     rows[0].frag = (wanted->mirrors ? mirror_frags
                                     : frags)[has_extras ? 2 : wanted->has_materials][wanted->shine];
-    rows[0].uses = row_builder_uses(builder, uses, 4);
+    rows[0].uses = row_builder_uses(builder, uses, 5);
     rows[0].record = wanted->record_surroundings;
     if (wanted->at_vertices && wanted->has_materials)
         light_vertices(&rows[0], builder, wanted);

@@ -425,6 +425,12 @@ void ice_caustics_write_light(void *memory, const struct frame_view *view,
     }
 }
 
+static bool relights(const struct scene *scene)
+{
+    (void)scene;
+    return true;
+}
+
 static const struct technique_upload uploads[] = {
     { &ice_caustics_globals, ice_caustics_write_globals },
     { &ice_caustics_light, ice_caustics_write_light },
@@ -444,7 +450,7 @@ const struct technique ice_caustics = {
     .settings = { &ice_caustics_settings },
     .is_on = is_on,
     .is_traced = true,
-    .relights = true,
+    .relights = relights,
     .title = "light through the ice",
     .parts = { { PHASE_LIGHT, .rows = make_maps }, { PHASE_FINISH, .rows = make_layer } },
     .uploads = uploads,

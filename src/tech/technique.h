@@ -168,10 +168,12 @@ struct technique {
     /* Returns whether the feature is on; 0 in the first row of its settings must switch it off.
      * NULL: the feature cannot be switched off. */
     bool (*is_on)(const struct settings *settings);
-    bool is_traced;    /* the reference models the feature */
-    bool is_of_ice;    /* only ice has the feature, unless it is asked for */
-    bool is_met;       /* rungs that meet the scene's tree meet the feature: it has no rows then */
-    bool relights;     /* while it is on, light comes through the objects: src/frame/cube.h */
+    bool is_traced; /* the reference models the feature */
+    bool is_of_ice; /* only ice has the feature, unless it is asked for */
+    bool is_met;    /* rungs that meet the scene's tree meet the feature: it has no rows then */
+    /* Returns whether, while it is on, light comes through the objects of a scene, or they hide it
+     * (src/frame/cube.h); NULL: neither. */
+    bool (*relights)(const struct scene *scene);
     const char *title; /* name of the feature for people; NULL: `name` */
     struct technique_part parts[TECHNIQUE_PART_COUNT];
     struct technique_rung rung;

@@ -216,7 +216,7 @@ class CommandLine(Case):
         self.assertEqual(drawn('--quality', 'high'), drawn())
         self.assertEqual(drawn('--preset', 'paper'),
                          drawn('--samples', '1', '--set', 'ice_caustics.light=none', '--set',
-                               'mirror.steps=0'))
+                               'mirror.steps=0', '--set', 'contact.strength=0'))
         for words, wanted in (
                 (('--quality', 'high'), ('samples=6', 'refract.steps=12', 'trace.branch=0.005')),
                 (('--quality', 'draft'),

@@ -6,9 +6,13 @@
 
 /* The preset of this name: an object among the paper's surroundings, in the paper's light. */
 static const char paper[] = "paper";
-static const char *const paper_lines[] = { "ice_caustics.light=none", "ground.light=open",
-                                           "mirror.steps=0",          "tonemap.exposure=0",
-                                           "tonemap.dither=off",      NULL };
+static const char *const paper_lines[] = { "ice_caustics.light=none",
+                                           "ground.light=open",
+                                           "mirror.steps=0",
+                                           "contact.strength=0",
+                                           "tonemap.exposure=0",
+                                           "tonemap.dither=off",
+                                           NULL };
 
 static enum status apply_line(struct app_scene *scene, const char *assignment, uint32_t number)
 {

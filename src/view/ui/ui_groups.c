@@ -68,6 +68,7 @@ static const struct {
     { UI_LIGHT, "landscape.flat" },
     { UI_LIGHT, "ground.light" },
     { UI_LIGHT, "mirror.steps" },
+    { UI_LIGHT, "contact.strength" },
     { UI_LIGHT, "light.azimuth" },
     { UI_LIGHT, "light.elevation" },
     { UI_LIGHT, "light.distance" },

@@ -35,6 +35,7 @@ static const struct {
     { "sky.sun_strength", "brightness intensity daylight lighting" },
     { "env.sun_strength", "brightness intensity daylight lighting" },
     { "ice_caustics.light", "shadow shine sunlight focus" },
+    { "contact.strength", "occlusion ao ambient shadow foot ground dark" },
     { "mirror.steps", "reflection wet polished glossy floor table ssr" },
     { "ice_caustics.shadow", "shade dark" },
     { "env_cube.size", "reflection resolution sharp sharpness pixelated" },

@@ -1,0 +1,30 @@
+/* contact.h: shared by contact.c, contact_map.frag and lib/contact.glsl. */
+#ifndef SHADERS_CONTACT_H
+#define SHADERS_CONTACT_H
+#include "abi.h"
+
+/* Bindings beside those of background.h. */
+#define CONTACT_BINDING 13 /* struct contact_bodies */
+#define CONTACT_MAP     14 /* what bodies do to light on the level of their foot */
+
+#define CONTACT_BODIES 4   /* at most */
+#define CONTACT_SIDE   128 /* texels a side of the map */
+
+/* A body: of the light that it brings to a point beside it, as much has come from the sky and from
+ * the ground as follows; the rest is lost in it. */
+struct contact_body {
+    vec3s min, max; /* of a box, in the space of the objects, metres */
+    vec3s sky, ground;
+    float straight; /* share of the sky's light that comes from nearly where the body is seen */
+};
+
+struct contact_bodies {
+    ABI_STRUCT(contact_body) all[CONTACT_BODIES];
+    uint32_t count;
+    float strength;  /* 0: no effect; 1: as much as there is */
+    vec3s middle;    /* of the map, on the level of the foot; world, metres */
+    float half_side; /* of the map, metres */
+    float height;    /* above and below that level the effect ends, metres */
+};
+
+#endif

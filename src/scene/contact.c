@@ -1,0 +1,176 @@
+/* contact.c: finds bodies around objects. */
+#include "src/scene/contact.h"
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include "src/base/log.h"
+
+#define SLACK 0.02f /* by which a member may reach out of a body, of its diagonal */
+#define FLAT  0.15f /* height of films, of their width */
+
+enum {
+    STEPS = 16 /* along each axis, to find how full a box is */
+};
+
+/* An object, and how far its points reach along each normal. */
+struct reach {
+    float most[CONTACT_PLANES];
+    struct box box;
+    float volume;
+    bool is_taken;
+};
+
+/* The faces' directions first, then the edges'. */
+static vec3s direction(uint32_t plane)
+{
+    const float side = plane & 1 ? 1.0f : -1.0f;
+    vec3s dir = glms_vec3_zero();
+    if (plane < 6) {
+        dir.raw[plane / 2] = side;
+        return dir;
+    }
+    const uint32_t axis = (plane - 6) / 4;
+    dir.raw[(axis + 1) % 3] = side * sqrtf(0.5f);
+    dir.raw[(axis + 2) % 3] = plane & 2 ? sqrtf(0.5f) : -sqrtf(0.5f);
+    return dir;
+}
+
+static float volume_of(const struct mesh *part)
+{
+    double six = 0.0;
+    for (uint32_t i = 0; i < part->index_count; i += 3) {
+        const vec3s origin = part->vertices[part->indices[0]].position;
+        vec3s v[3];
+        for (uint32_t c = 0; c < 3; c++)
+            v[c] = glms_vec3_sub(part->vertices[part->indices[i + c]].position, origin);
+        six += (double)glms_vec3_dot(v[0], glms_vec3_cross(v[1], v[2]));
+    }
+    return (float)fabs(six) / 6.0f;
+}
+
+static struct reach reach_of(const struct mesh *part)
+{
+    struct reach reach = { .volume = part->index_count ? volume_of(part) : 0.0f };
+    vec3s dirs[CONTACT_PLANES];
+    for (uint32_t k = 0; k < CONTACT_PLANES; k++) {
+        dirs[k] = direction(k);
+        reach.most[k] = -INFINITY;
+    }
+    for (uint32_t i = 0; i < part->index_count; i++) {
+        const vec3s at = part->vertices[part->indices[i]].position;
+        for (uint32_t k = 0; k < CONTACT_PLANES; k++)
+            reach.most[k] = fmaxf(reach.most[k], glms_vec3_dot(at, dirs[k]));
+    }
+    for (size_t axis = 0; axis < 3 && part->index_count; axis++) {
+        reach.box.min.raw[axis] = -reach.most[2 * axis];
+        reach.box.max.raw[axis] = reach.most[2 * axis + 1];
+    }
+    return reach;
+}
+
+static bool is_film(const struct reach *reach)
+{
+    const vec3s sides = glms_vec3_sub(reach->box.max, reach->box.min);
+    return sides.y < FLAT * fmaxf(sides.x, sides.z);
+}
+
+/* Returns the share of its box that a shape fills. */
+static float filled(const struct contact_shape *shape)
+{
+    const vec3s sides = glms_vec3_sub(shape->box.max, shape->box.min);
+    const uint32_t all = STEPS * STEPS * STEPS;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < all; i++) {
+        const uint32_t x = i % STEPS, y = i / STEPS % STEPS, z = i / STEPS / STEPS;
+        const vec3s at = { { (float)x + 0.5f, (float)y + 0.5f, (float)z + 0.5f } };
+        const vec3s point = glms_vec3_add(
+            shape->box.min, glms_vec3_mul(glms_vec3_scale(at, 1.0f / (float)STEPS), sides));
+        bool is_inside = true;
+        for (uint32_t k = 6; k < CONTACT_PLANES && is_inside; k++)
+            is_inside = glms_vec3_dot(glms_vec3(shape->planes[k]), point) <= shape->planes[k].w;
+        count += is_inside;
+    }
+    return (float)(count ? count : 1) / (float)all;
+}
+
+/* ---- bodies ---- */
+
+static bool holds(const struct reach *body, const struct reach *other)
+{
+    const float slack = SLACK * box_diagonal(body->box);
+    for (uint32_t k = 0; k < CONTACT_PLANES; k++) {
+        if (other->most[k] > body->most[k] + slack)
+            return false;
+    }
+    return true;
+}
+
+/* Makes an object a member, whose volume is no more that of the object around it. */
+static void add_member(struct contact_shape *shape, const struct object *objects, uint32_t object,
+                       float share)
+{
+    if (shape->member_count == CONTACT_MEMBERS)
+        return;
+    for (uint32_t i = 0; objects && i < shape->member_count; i++) {
+        if (objects[object].within == shape->members[i].object + 1)
+            shape->members[i].share -= share;
+    }
+    shape->members[shape->member_count++] = (struct contact_member){ object, share };
+}
+
+static void make_shape(struct contact_shape *shape, struct reach *reaches,
+                       const struct object *objects, uint32_t count, uint32_t largest)
+{
+    const struct reach *body = &reaches[largest];
+    const vec3s sides = glms_vec3_sub(body->box.max, body->box.min);
+    shape->box = body->box;
+    for (uint32_t k = 0; k < CONTACT_PLANES; k++)
+        shape->planes[k] = glms_vec4(direction(k), body->most[k]);
+    const float full = filled(shape);
+    const float volume = fmaxf(full * sides.x * sides.y * sides.z, 1e-30f);
+    shape->slim = sqrtf(full);
+    add_member(shape, objects, largest, fminf(body->volume / volume, 1.0f));
+    for (uint32_t i = 0; i < count; i++) {
+        if (i == largest || reaches[i].is_taken || !holds(body, &reaches[i]))
+            continue;
+        reaches[i].is_taken = true;
+        if (reaches[i].volume > 0.01f * volume)
+            add_member(shape, objects, i, reaches[i].volume / volume);
+    }
+    reaches[largest].is_taken = true;
+}
+
+/* Returns the largest object that no body has, or `count`. */
+static uint32_t find_largest(const struct reach *reaches, uint32_t count)
+{
+    uint32_t largest = count;
+    for (uint32_t i = 0; i < count; i++) {
+        if (!reaches[i].is_taken &&
+            (largest == count || box_diagonal(reaches[i].box) > box_diagonal(reaches[largest].box)))
+            largest = i;
+    }
+    return largest;
+}
+
+enum status contact_find(struct contact *contact, const struct mesh *mesh,
+                         const struct object *objects, uint32_t count)
+{
+    const uint32_t all = count ? count : 1;
+    *contact = (struct contact){ 0 };
+    struct reach *reaches = calloc(all, sizeof(*reaches));
+    if (!reaches)
+        return log_out_of_memory(NULL);
+    for (uint32_t i = 0; i < all; i++) {
+        const struct mesh part = count ? object_part(&objects[i], mesh) : *mesh;
+        reaches[i] = reach_of(&part);
+        reaches[i].is_taken = part.index_count == 0 || is_film(&reaches[i]);
+    }
+    uint32_t largest = find_largest(reaches, all);
+    while (largest < all && contact->count < CONTACT_BODIES) {
+        make_shape(&contact->shapes[contact->count++], reaches, count ? objects : NULL, all,
+                   largest);
+        largest = find_largest(reaches, all);
+    }
+    free(reaches);
+    return STATUS_OK;
+}

@@ -1,0 +1,233 @@
+/*
+ * contact.c: what objects hide of the light on what is around them, and bring to it instead.
+ *
+ * A box is around each object, as slim as its shape (src/scene/contact.h). A lit surface near it
+ * sees the sky where the box is not: what the box hides of the light on a matt surface is the sum
+ * over its outline (Lambert 1760), as bright as the environment is in that direction. In exchange
+ * it brings light of the sky and of the ground that goes through the object or is mirrored by it,
+ * less what is absorbed (src/scene/contact_light.h): clear things hide little, and in an even
+ * environment nothing. A map has the result for a level surface at the objects' foot, seen from
+ * above; surroundings look it up, and the less of it counts the farther they are above or below.
+ *
+ * Limits: an object brings the same shares of light to all points around it. The light is that of
+ * the whole sky, of what is straight behind it, or of the surface itself, not of the place that is
+ * seen there. Walls are not shaded. A hollow object is one that is thinner throughout. Bubbles,
+ * cracks and frost are not counted; a cloud is taken to be even. CONTACT_BODIES bodies at most;
+ * films and puddles have none. Surroundings do not shade each other. Glossy light of surfaces that
+ * mirror.c makes mirrors is left to that.
+ */
+#include "src/tech/contact.h"
+#include <cglm/struct.h>
+#include <math.h>
+#include "shaders/constants.h"
+#include "shaders/contact.h"
+#include "shaders/embedded.h"
+#include "src/scene/contact_light.h"
+#include "src/tech/frame.h"
+#include "src/tech/frame_cloud.h"
+#include "src/tech/frame_media.h"
+
+static const struct rg_buffer bodies = {
+    .name = "contact.bodies",
+    .size = sizeof(struct contact_bodies),
+    .memory = RG_MEMORY_UPLOAD,
+};
+
+static const struct rg_image map = {
+    .name = "contact.map",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .width = CONTACT_SIDE,
+    .height = CONTACT_SIDE,
+    .persistent = true, /* read in frames in which it is not due */
+};
+
+static const struct rg_fallback no_change = { { 0 } };
+
+#define USE_BODIES \
+    { \
+        .buffer = &bodies, .access = RG_UNIFORM, .binding = CONTACT_BINDING \
+    }
+
+const struct rg_use contact_uses[] = {
+    USE_BODIES,
+    FRAME_SAMPLE(map, CONTACT_MAP, .sampler = &frame_linear, .fallback = &no_change),
+    { 0 },
+};
+
+static bool is_due(const struct rg_frame *frame, uint32_t repetition)
+{
+    (void)repetition;
+    return frame->due.light || !frame->scene->contact.count;
+}
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "contact.map",
+        .color = RG_TARGETS({ &map, RG_LOAD_DISCARD }),
+        .uses = RG_USES(FRAME_USE_GLOBALS, USE_BODIES,
+                        FRAME_SAMPLE(frame_surface_light, BACKGROUND_LIGHT,
+                                     .sampler = &frame_environment_sampler)),
+        .vert = &screen_vert,
+        .frag = &contact_map_frag,
+        .record = frame_draw_screen,
+        .when = is_due,
+    },
+};
+
+static const float reach = 4.0f; /* half side of the map, radii of the objects' sphere */
+
+static const struct setting rows[] = {
+    {
+        .name = "contact.strength",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct contact_params, strength),
+        .initial = 1,
+        .max = 1,
+        .switches = SETTING_AFFECTS_PLAN,
+        .help = "how much objects darken the light around them, relative to the light that they "
+                "keep from it (0: not at all; trace and reference: ground.light)",
+    },
+};
+
+const struct setting_group contact_settings = SETTING_GROUP("contact", rows, struct contact_params);
+
+static float strength_of(const struct settings *settings)
+{
+    const struct contact_params *params = settings_of(settings, &contact_settings);
+    return params->strength;
+}
+
+static bool is_on(const struct settings *settings)
+{
+    return strength_of(settings) > 0.0f;
+}
+
+/* ---- media ---- */
+
+/* Returns the mean density of a cloud in a ball or a cube, whose depths have the same shares. */
+static float cloud_mean(void)
+{
+    const int steps = 32;
+    float sum = 0.0f;
+    for (int i = 0; i < steps; i++) {
+        const float depth = ((float)i + 0.5f) / (float)steps;
+        sum += 3.0f * (1.0f - depth) * (1.0f - depth) * cloud_share(depth);
+    }
+    return sum / (float)steps;
+}
+
+/* Returns the medium of a body: the mean of its members'. */
+static struct contact_medium medium_of(const struct frame_view *view, const struct globals *globals,
+                                       const struct contact_shape *shape)
+{
+    const uint32_t outside = frame_media_count(view->scene) - 1;
+    const float around = frame_medium_at(view->scene, view->settings, outside).ior[1];
+    const float turned = (1.0f - globals->cloud_cosine) * cloud_mean();
+    struct contact_medium medium = { .ior = 1.0f };
+    for (uint32_t i = 0; i < shape->member_count; i++) {
+        const struct contact_member *member = &shape->members[i];
+        const struct frame_medium own =
+            frame_medium_at(view->scene, view->settings, member->object);
+        const struct cloud_place cloud =
+            frame_cloud_of(view->scene, view->settings, member->object);
+        const float share = fmaxf(member->share, 0.0f);
+        medium.ior += share * (own.ior[1] / around - 1.0f);
+        medium.absorption = glms_vec3_muladds(own.absorption, share, medium.absorption);
+        medium.scattering += share * turned * cloud.extinction;
+        if (i == 0) {
+            medium.tint = own.tint;
+            medium.shine = own.shine;
+        }
+    }
+    medium.ior = fmaxf(medium.ior, 1.0f);
+    return medium;
+}
+
+/* ---- bodies ---- */
+
+/* Moves a corner of the box around a shape towards its upright axis. */
+static vec3s slimmer(const struct contact_shape *shape, vec3s corner)
+{
+    const vec3s middle = box_center(shape->box);
+    corner.x = glm_lerp(middle.x, corner.x, shape->slim);
+    corner.z = glm_lerp(middle.z, corner.z, shape->slim);
+    return corner;
+}
+
+/* Returns the height of the lowest corner of a box of the objects' space in the world. */
+static float lowest(struct box box, mat4s world)
+{
+    float least = INFINITY;
+    for (int corner = 0; corner < 8; corner++) {
+        const vec3s at = { { corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                             corner & 4 ? box.max.z : box.min.z } };
+        least = fminf(least, glms_mat4_mulv3(world, at, 1.0f).y);
+    }
+    return least;
+}
+
+static void write_bodies(void *memory, const struct frame_view *view, const struct globals *globals)
+{
+    struct contact_bodies *all = memory;
+    const struct contact *found = &view->scene->contact;
+    const mat4s world = globals->world_from_object;
+    const vec3s up = { { world.m01, world.m11, world.m21 } }; /* that of the world, for objects */
+    const struct box box = view->scene->box;
+    all->strength = strength_of(view->settings);
+    all->count = is_on(view->settings) ? found->count : 0;
+    all->middle = globals->center;
+    all->middle.y = lowest(box, world);
+    all->half_side = reach * fmaxf(globals->radius, 1e-6f);
+    all->height = fmaxf(globals->center.y - all->middle.y, 1e-6f);
+    for (uint32_t i = 0; i < all->count; i++) {
+        const struct contact_shape *shape = &found->shapes[i];
+        const struct contact_medium medium = medium_of(view, globals, shape);
+        const struct contact_light light = contact_light_of(shape, &medium, up);
+        all->all[i] = (struct contact_body){
+            .min = slimmer(shape, shape->box.min),
+            .max = slimmer(shape, shape->box.max),
+            .sky = light.sky,
+            .ground = light.ground,
+            .straight = light.straight,
+        };
+    }
+}
+
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct row_builder *builder)
+{
+    (void)builder;
+    if (!is_on(choice->settings) || !choice->has_materials)
+        return (struct rg_technique){ 0 };
+    return (struct rg_technique)RG_TECHNIQUE("contact", passes);
+}
+
+static bool relights(const struct scene *scene)
+{
+    return scene->contact.count > 0;
+}
+
+static const struct technique_upload uploads[] = {
+    { &bodies, write_bodies },
+    { 0 },
+};
+
+static void write_constants(const struct technique_subject *subject, uint32_t *values)
+{
+    const bool is_met = subject->rung && subject->rung->rung.meets_tree;
+    values[CONSTANT_CONTACT] = is_on(subject->settings) && !is_met;
+}
+
+const struct technique contact = {
+    .name = "contact",
+    .help = "what objects hide of the light on lit surroundings",
+    .settings = { &contact_settings },
+    .is_on = is_on,
+    .is_traced = true,
+    .is_met = true,
+    .relights = relights,
+    .title = "darkness at the objects' foot",
+    .parts = { { PHASE_LIGHT, SCENE_OF_OBJECT, .rows = make_rows } },
+    .uploads = uploads,
+    .write_constants = write_constants,
+};
