@@ -3,6 +3,7 @@
  * sun's on the matt base. With BACKGROUND_EXTRA, with struct mesh_extra of the vertices. */
 #define LIT_COARSE
 #include "background.h"
+#include "lib/contact.glsl"
 #include "lib/lit.glsl"
 #include "lib/pose.glsl"
 #ifdef BACKGROUND_EXTRA
@@ -34,10 +35,11 @@ layout(location = 9) flat out vec3 out_others;
 /* Returns the radiance of a surface without the sun's. */
 vec3 radiance(lit_surface s, vec3 point, vec3 n, vec3 to_eye, float open)
 {
-    vec2 split = lit_split(s.roughness, clamp(dot(n, to_eye), 0.0, 1.0));
-    vec3 around = lit_glossy(reflect(-to_eye, n), s.roughness, push.environment_lod);
-    return open * lit_by_environment(s, split, around, lit_matt(n)) +
-           lit_by_lights(s, point, n, to_eye);
+    lit_shares shares = lit_shares_of(s, lit_split(s.roughness, clamp(dot(n, to_eye), 0.0, 1.0)));
+    vec3 mirrored = lit_glossy(reflect(-to_eye, n), s.roughness, push.environment_lod);
+    vec3 on_matt = lit_matt(n), matt = shares.matt * on_matt, glossy = shares.glossy * mirrored;
+    contact_shade(s, shares, point, n, on_matt, matt, glossy);
+    return open * (glossy + matt) + lit_by_lights(s, point, n, to_eye);
 }
 
 /* Where a surface has a texture. */

@@ -132,7 +132,7 @@ struct rg_technique background_make(struct row_builder *builder,
         wanted->has_materials ? material_uses : NULL,
         wanted->shine ? ice_caustics_uses : NULL,
         has_extras ? extra_uses : NULL,
-        wanted->has_materials && !wanted->at_vertices ? contact_uses : NULL,
+        wanted->has_materials ? contact_uses : NULL,
     };
     struct rg_pass *rows = row_builder_rows(builder, passes, 2);
     if (!rows)

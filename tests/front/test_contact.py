@@ -43,6 +43,8 @@ class Contact(Case):
         clear = self.planes('--background', '1,1,1')
         for name in 'RGB':
             self.assertLess(max(abs(clear[name][i] - 1) for i in FLOOR), 0.02)
+        at_vertices = self.planes('--background', '1,1,1', '--set', 'ground.shading=vertices')
+        self.assertLess(max(abs(at_vertices['G'][i] - 1) for i in FLOOR), 0.02)
         self.write(1e-4)
         black = self.planes('--background', '1,1,1')
         self.assertLess(max(black['G'][i] for i in FOOT), 0.8)
