@@ -128,10 +128,8 @@ struct rg_technique background_make(struct row_builder *builder,
     const struct rg_use *const textures =
         wanted->repeat == RG_PER_LAYER || wanted->at_vertices ? cube_texture_uses : texture_uses;
     const struct rg_use *const uses[] = {
-        wanted->has_materials ? textures : plain_uses,
-        wanted->has_materials ? material_uses : NULL,
-        wanted->shine ? ice_caustics_uses : NULL,
-        has_extras ? extra_uses : NULL,
+        wanted->has_materials ? textures : plain_uses, wanted->has_materials ? material_uses : NULL,
+        wanted->shine ? ice_caustics_uses : NULL,      has_extras ? extra_uses : NULL,
         wanted->has_materials ? contact_uses : NULL,
     };
     struct rg_pass *rows = row_builder_rows(builder, passes, 2);
