@@ -409,6 +409,18 @@ static enum status melt(struct scene *scene, const struct scene_params *params)
     return status;
 }
 
+/* Leaves what the scene shares with the one before to one of them: to this one if it is sound. */
+static void part_from(struct scene *before, struct scene *scene, bool shares_environment,
+                      enum status status)
+{
+    struct scene *other = status == STATUS_OK ? before : scene;
+    if (status == STATUS_OK)
+        take_rest(scene, before);
+    if (shares_environment)
+        forget_environment(other, before);
+    other->files = (struct scene_files){ 0 };
+}
+
 enum status scene_load(struct scene *scene, const struct scene_params *given)
 {
     struct scene_params own = *given;
@@ -446,13 +458,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         status = scene_fill_object(scene, params);
     if (status == STATUS_OK)
         status = make_place_for_tree(scene, params->before);
-    if (status == STATUS_OK && params->before)
-        take_rest(scene, params->before);
-    struct scene *other = status == STATUS_OK ? params->before : scene;
-    if (params->before && params->environment)
-        forget_environment(other, params->before);
     if (params->before)
-        other->files = (struct scene_files){ 0 };
+        part_from(params->before, scene, params->environment != NULL, status);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;

@@ -191,9 +191,9 @@ class FirstMinutes(PanelsCase):
     def names_come_first(self, window):
         """Settings whose help alone has the word come after those that are called so."""
         self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
-        self.desktop.do('key', 'ctrl+a', 'type', 'bub')  # names come before helps
         wait_until('names first', lambda: self.control('refract.outside') and self.control(
-            'bubbles.seed')[1] < self.control('refract.outside')[1], self.words)
+            'bubbles.seed')[1] < self.control('refract.outside')[1], self.words,
+                   act=lambda: self.desktop.do('key', 'ctrl+a', 'type', 'bub'), again=15)
         self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
 
     @long
