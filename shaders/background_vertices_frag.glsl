@@ -23,7 +23,10 @@ layout(location = 0) out vec4 color;
 /* Returns a texel at a place: layer, -1 for none, and wraps. */
 vec4 texel_at(sampler2DArray of, vec2 at, vec2 place)
 {
-    vec4 texel = texture(of, vec3(lit_wrapped(of, at, place.y), place.x));
+    vec3 wrapped = vec3(lit_wrapped(of, at, place.y), place.x);
+    vec4 texel = texture(of, wrapped);
+    if (constant_tiled != 0u)
+        texel = texture(of, wrapped, frame.lod_bias);
     return place.x < 0.0 ? vec4(1.0) : texel;
 }
 

@@ -129,8 +129,7 @@ static const struct setting rows[] = {
         .choices = shape_names,
         .affects = SETTING_AFFECTS_SCENE,
         .help = "shape of the bubbles: spheres, long or flat ellipsoids, capsules, a mixture, or "
-                "grown: "
-                "worms and eggs in rows along which ice grows",
+                "grown: worms and eggs, in rows along which ice grows",
     },
     {
         .name = "bubbles.stretch",

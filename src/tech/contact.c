@@ -84,8 +84,8 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 1,
         .switches = SETTING_AFFECTS_PLAN,
-        .help = "how much objects darken the light around them, relative to the light that they "
-                "keep from it (0: not at all; trace and reference: ground.light)",
+        .help = "how much objects darken what they stand on: 0 not at all, 1 as much as they hide "
+                "of its light, and clear ones little (trace and reference: ground.light)",
     },
 };
 
