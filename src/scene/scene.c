@@ -334,9 +334,9 @@ static enum status add_surfaces(struct scene *scene, bool has_cloud)
 
 static enum status make_place_for_tree(struct scene *scene, const struct scene *before)
 {
-    const bool is_first = scene->model.animation && !(before && before->rest);
+    const bool is_first = scene->is_animated && !(before && before->rest);
     scene->tree = calloc(1, sizeof(*scene->tree));
-    scene->rest = is_first ? tree_rest_create() : NULL;
+    scene->rest = is_first ? tree_rest_create(scene->model.animation) : NULL;
     return scene->tree && (scene->rest || !is_first) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
@@ -375,7 +375,7 @@ static enum status load_surroundings(struct scene *scene, const struct scene_par
 /* The environment cube is drawn from the middle of the object, and cameras are often near it. */
 static enum status sort_surroundings(struct scene *scene)
 {
-    struct mesh_order *sorted = scene->model.animation ? &scene->sorted : NULL;
+    struct mesh_order *sorted = scene->is_animated ? &scene->sorted : NULL;
     return mesh_sort_by_distance(&scene->model.surroundings, box_center(scene->box), sorted)
                ? STATUS_OK
                : log_out_of_memory("surroundings");
@@ -398,7 +398,6 @@ static enum status melt(struct scene *scene, const struct scene_params *params)
     struct model *model = &scene->model;
     const enum status status =
         melt_model(model, &params->melting, params->pose.time, &scene->melted);
-    scene->is_animated = model->animation || params->melting.speed > 0.0f;
     if (status != STATUS_OK || !(scene->melted.share > 0.0f))
         return status;
     if (scene->has_pool)
@@ -439,6 +438,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
         scene->box = mesh_box(has_object ? &scene->model.object : &scene->model.surroundings);
     scene->framed = scene->box;
     scene->time = params->pose.time;
+    scene->is_animated = scene->model.animation || params->melting.speed > 0.0f;
     know_shape(scene);
     if (status == STATUS_OK)
         status = load_surroundings(scene, params);

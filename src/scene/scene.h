@@ -65,8 +65,8 @@ struct scene {
     struct contact contact;   /* bodies around the objects, in their space */
     struct bubbles bubbles;   /* in the object's space */
     struct tree *tree;        /* of the model's triangles; empty until scene_need_tree() */
-    struct tree_rest *rest;   /* of an animated model, at time 0; NULL: it is not animated */
-    struct mesh_order sorted; /* of the surroundings, if the model is animated */
+    struct tree_rest *rest;   /* of a scene that is animated, at time 0; NULL: it is not */
+    struct mesh_order sorted; /* of the surroundings, if the scene is animated */
     float settled_ior;        /* the value of refract.ior that comes from the model; 0: none */
     bool has_pool;            /* the scene is a pool, with the object, if any, in it */
     bool is_animated;         /* its shapes change in time: the model is animated, or ice melts */

@@ -10,6 +10,9 @@
 #include "src/scene/tree_horizon.h"
 #include "src/scene/tree_shape.h"
 
+/* By how much a deformed tree's cost may grow; that of a part is all that rays meet of it. */
+static const double object_growth_max = 1.5, part_growth_max = 1.1;
+
 static uint32_t bits(float x)
 {
     uint32_t word;
@@ -392,7 +395,7 @@ static bool shape_parts(struct tree_shape *shapes, const struct tree_part *parts
     bool done = true;
     if (is_posed) {
         const struct tree_params at_rest = { .model = &rest->model, .sorted = rest->sorted };
-        done = tree_parts_init(rest_parts, &at_rest, true);
+        done = tree_parts_init(rest_parts, &at_rest, rest->by_objects);
     }
     for (uint32_t i = 0; i < TREE_PART_COUNT && done; i++) {
         struct tree_shape *at_rest = is_posed && i != TREE_INCLUSIONS ? &rest->shapes[i] : NULL;
@@ -457,14 +460,16 @@ static bool is_too_large(const struct model *model)
 static bool build(struct tree *tree, const struct tree_params *params)
 {
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    const bool by_objects = params->rest && params->rest->by_objects;
     struct tree_work work = { .threads = params->threads ? params->threads
                                          : cores > 0     ? (uint32_t)cores
-                                                         : 1 };
+                                                         : 1,
+                              .growth_max = by_objects ? object_growth_max : part_growth_max };
     struct tree_part parts[TREE_PART_COUNT] = { 0 };
     struct tree_shape shapes[TREE_PART_COUNT] = { 0 };
-    bool done = tree_parts_init(parts, params, params->rest != NULL) &&
-                shape_parts(shapes, parts, params, &work);
-    if (done && !params->rest)
+    bool done =
+        tree_parts_init(parts, params, by_objects) && shape_parts(shapes, parts, params, &work);
+    if (done && !by_objects)
         shapes[TREE_OBJECTS].horizons =
             tree_horizons(&shapes[TREE_OBJECTS], &parts[TREE_OBJECTS], work.threads);
     done = done && make(tree, parts, shapes);
@@ -508,16 +513,17 @@ enum status tree_init(struct tree *tree, const struct tree_params *params)
     return STATUS_OK;
 }
 
-struct tree_rest *tree_rest_create(void)
+struct tree_rest *tree_rest_create(bool by_objects)
 {
     struct tree_rest *rest = calloc(1, sizeof(*rest));
-    if (rest)
-        rest->shapes = calloc(TREE_PART_COUNT, sizeof(*rest->shapes));
-    if (rest && !rest->shapes) {
-        free(rest);
+    if (!rest)
         return NULL;
-    }
-    return rest;
+    rest->by_objects = by_objects;
+    rest->shapes = calloc(TREE_PART_COUNT, sizeof(*rest->shapes));
+    if (rest->shapes)
+        return rest;
+    free(rest);
+    return NULL;
 }
 
 void tree_rest_take(struct tree_rest *rest, struct model *model, struct mesh_order *sorted)

@@ -49,20 +49,21 @@ struct tree {
 struct tree_shape;
 
 /*
- * What the poses of a model have in common: the model at rest, and the shapes of its objects'
- * trees. In a pose a tree keeps its shape, and its boxes are fitted to the triangles; so the words
- * of a pose do not depend on the poses before. Objects that are alike share a shape. Objects that
- * are not moved, turned or scaled evenly, but deformed, get a new tree once theirs costs rays half
- * as much again as at rest.
+ * What the poses of a model have in common: the model at rest, and the shapes of its trees. In a
+ * pose a tree keeps its shape, and its boxes are fitted to the triangles; so the words of a pose do
+ * not depend on the poses before. What is not moved, turned or scaled evenly, but deformed, gets a
+ * new tree once its own costs rays half as much again as at rest, or, if it is a part's, a tenth.
  */
 struct tree_rest {
+    bool by_objects;           /* each object has a tree, and those that are alike share a shape;
+                                  else parts have one, and horizons */
     struct model model;        /* its meshes, objects and opaque_starts alone */
     struct mesh_order sorted;  /* of its surroundings */
     bool is_known;             /* false: the first tree_init() has the model at rest itself */
     struct tree_shape *shapes; /* of the parts; found by the first tree_init() */
 };
 
-struct tree_rest *tree_rest_create(void); /* NULL: out of memory */
+struct tree_rest *tree_rest_create(bool by_objects); /* NULL: out of memory */
 void tree_rest_destroy(struct tree_rest *rest);
 
 /* Takes the model at rest, unless it is known: its meshes, objects and opaque_starts, which *model
@@ -75,7 +76,7 @@ struct tree_params {
     struct mesh_order sorted;      /* of its surroundings */
     const struct mesh *cracks;     /* in the ice */
     const struct bubbles *bubbles; /* in the ice */
-    struct tree_rest *rest;        /* of a model that has poses; NULL: one tree for all objects */
+    struct tree_rest *rest;        /* of a model that has poses; NULL: it has none */
     uint32_t threads;              /* at most; 0: one for each core */
     bool is_cached; /* large trees, of poses those at rest, are kept in files between runs */
 };

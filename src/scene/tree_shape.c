@@ -281,11 +281,11 @@ static bool has_groups_of(const struct tree_part *part, const struct tree_part *
 /* Whether the tree of a group at rest is not good for what the group has become. */
 static bool is_worn(const struct tree_shape *shape, const struct tree_part *part,
                     const struct tree_shape *rest, const struct tree_part *rest_part,
-                    uint32_t index)
+                    uint32_t index, double growth_max)
 {
     const struct tree_range *range = &rest->groups[index];
     const double before = tree_cost(&rest->draft, range->root);
-    if (!(tree_cost(&shape->draft, shape->groups[index].root) > TREE_GROWTH_MAX * before))
+    if (!(tree_cost(&shape->draft, shape->groups[index].root) > growth_max * before))
         return false;
     const struct group known = { rest_part, range->first, range->count };
     const struct group group = { part, range->first, range->count };
@@ -310,7 +310,7 @@ bool tree_shape_pose(struct tree_shape *shape, const struct tree_part *part,
     for (uint32_t i = 0; i < group_count; i++) {
         struct tree_range *range = &shape->groups[i];
         tree_refit(&shape->draft, range->root);
-        if (!is_worn(shape, part, rest, rest_part, i)) {
+        if (!is_worn(shape, part, rest, rest_part, i, work->growth_max)) {
             work->fitted++;
             continue;
         }

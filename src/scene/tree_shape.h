@@ -13,6 +13,7 @@
 /* What has been done. */
 struct tree_work {
     uint32_t threads;
+    double growth_max;              /* of a tree's cost, before a new one is built */
     bool is_cached;                 /* large trees are read from files, and written to them */
     uint32_t built, shared, fitted; /* groups whose tree is new, that of an alike one, kept */
     uint32_t read;                  /* those whose tree is from a file */
@@ -24,10 +25,9 @@ MUST_USE bool tree_shape_make(struct tree_shape *shape, const struct tree_part *
 
 /*
  * Makes the tree of a part from its shape at rest. Groups that are moved, turned or scaled evenly
- * keep theirs; of others those are built anew whose rays cost more than TREE_GROWTH_MAX times as
+ * keep theirs; of others those are built anew whose rays cost more than work->growth_max times as
  * much as at rest, or all if the groups are not those at rest. Returns false when out of memory.
  */
-#define TREE_GROWTH_MAX 1.5
 MUST_USE bool tree_shape_pose(struct tree_shape *shape, const struct tree_part *part,
                               const struct tree_shape *rest, const struct tree_part *rest_part,
                               struct tree_work *work);

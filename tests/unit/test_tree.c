@@ -271,7 +271,7 @@ static void pose(struct model *model, float time, uint32_t kept)
 /* Begins what poses have in common, as a scene does. */
 static struct tree_rest *begin(void)
 {
-    struct tree_rest *rest = tree_rest_create();
+    struct tree_rest *rest = tree_rest_create(true);
     assert_non_null(rest);
     pose(&rest->model, 0.0f, MOVING);
     rest->is_known = true;
@@ -322,7 +322,7 @@ static void check_rays(const struct tree *tree, const struct mesh *mesh)
 static void test_poses(void **state)
 {
     (void)state;
-    struct tree_rest *rest = tree_rest_create(), *other = begin();
+    struct tree_rest *rest = tree_rest_create(true), *other = begin();
     struct model model;
     struct tree before, tree, fresh;
     pose(&model, 0.0f, MOVING);
@@ -477,13 +477,75 @@ static void test_horizons(void **state)
         for (uint32_t k = 0; i && k < tree.triangle_count; k++)
             assert_true(horizon_of(&tree, k) == 2 || horizon_of(&tree, k) == TREE_HORIZON_UNKNOWN);
         tree_finish(&tree);
-        params.rest = tree_rest_create(); /* of what moves they are not sought */
+        params.rest = tree_rest_create(true); /* of what moves they are not sought */
         assert_int_equal(tree_init(&tree, &params), STATUS_OK);
         assert_int_equal(check_horizons(&tree), 0);
         tree_finish(&tree);
         tree_rest_destroy(params.rest);
         mesh_finish(&model.object);
     }
+}
+
+/* A ball that has been pressed flat and, if `wildness` is not 0, torn. */
+static void deform(struct model *model, float flatness, float wildness)
+{
+    uint32_t seed = 7;
+    *model = (struct model){ 0 };
+    assert_true(generate_sphere(&model->object, 3000));
+    for (uint32_t i = 0; i < model->object.vertex_count; i++) {
+        vec3s *p = &model->object.vertices[i].position;
+        p->y *= 1.0f - flatness;
+        *p = glms_vec3_add(*p, pick_point(&seed, wildness));
+    }
+}
+
+static void check_meets(const struct tree *tree, const struct mesh *mesh)
+{
+    uint32_t seed = 3, met = 0;
+    for (int i = 0; i < 100; i++) {
+        const struct tree_ray ray = {
+            { { pick(&seed), 20.0f, pick(&seed) } }, { { 0.0f, -1.0f, 0.0f } }, 0.0, TREE_NOTHING
+        };
+        const double expected = meet_all(mesh, ray.origin, ray.dir);
+        struct tree_hit hit;
+        assert_int_equal(tree_meet(tree, TREE_OBJECTS, &ray, &hit), expected < DBL_MAX);
+        if (expected < DBL_MAX)
+            CHECK_NEAR(hit.t, expected, 1e-4);
+        met += expected < DBL_MAX;
+    }
+    assert_true(met > 50);
+}
+
+/* The only tree of a part is kept while its triangles hardly move apart, with horizons that are
+ * those of the pose. */
+static void test_melted(void **state)
+{
+    (void)state;
+    struct tree_rest *rest = tree_rest_create(false), *other = tree_rest_create(false);
+    struct model model;
+    struct tree tree, fresh;
+    deform(&model, 0.0f, 0.0f);
+    tree = grow(&model, rest);
+    assert_int_equal(tree.built, 1);
+    tree_finish(&tree);
+    rest->model = model;
+    deform(&other->model, 0.0f, 0.0f);
+    rest->is_known = other->is_known = true;
+    for (int torn = 0; torn < 2; torn++) {
+        deform(&model, 0.05f, torn ? 0.5f : 0.0f);
+        tree = grow(&model, rest);
+        assert_int_equal(tree.built, torn);
+        assert_int_equal(tree.fitted, 1 - torn);
+        check_meets(&tree, &model.object);
+        assert_true(check_horizons(&tree) > tree.triangle_count / 2 || torn);
+        fresh = grow(&model, other);
+        check_same_trees(&tree, &fresh);
+        tree_finish(&fresh);
+        tree_finish(&tree);
+        model_finish(&model);
+    }
+    tree_rest_destroy(rest);
+    tree_rest_destroy(other);
 }
 
 static void test_nothing(void **state)
@@ -510,6 +572,7 @@ int main(void)
         cmocka_unit_test(test_many_shells), cmocka_unit_test(test_nothing),
         cmocka_unit_test(test_poses),       cmocka_unit_test(test_deformed),
         cmocka_unit_test(test_apart),       cmocka_unit_test(test_horizons),
+        cmocka_unit_test(test_melted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

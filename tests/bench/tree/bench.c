@@ -31,7 +31,7 @@ static double peak(void)
 static double move(struct model *model)
 {
     double seconds = 1e9;
-    struct tree_rest *rest = tree_rest_create();
+    struct tree_rest *rest = tree_rest_create(true);
     const struct tree_params params = { .model = model, .rest = rest, .threads = THREADS };
     for (int i = 0; rest && i < TURNS; i++) {
         struct tree tree;
