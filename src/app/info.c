@@ -8,6 +8,10 @@
 #include "src/base/log.h"
 #include "src/tech/techniques.h"
 
+enum {
+    TRIANGLES_MANY = 1000000,
+};
+
 /* ---- facts ---- */
 
 static const char *const support_names[MODEL_SUPPORT_COUNT] = {
@@ -215,17 +219,32 @@ static void print_animations(const struct model *model)
                (double)model->animations[i].seconds);
 }
 
-/* Devices that have ray queries use structures of their own instead, which `firn profile` tells. */
 static void print_tree(const struct tree *tree)
 {
-    printf("tree that its rays meet: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
+    static const struct {
+        uint32_t part;
+        const char *of;
+    } parts[] = { { TREE_OBJECTS, "the objects" }, { TREE_SURROUNDINGS, "the surroundings" } };
+
+    const char *separator = ", in tests of a triangle: ";
+    printf("tree that rays of trace meet: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
            tree_node_count(tree), tree->triangle_count, (double)tree_size(tree) / (1 << 20),
            tree->read ? "from the cache" : "built", tree->ms);
-    printf("cost of a ray, in tests of a triangle: %.1f through the objects' box",
-           tree->costs[TREE_OBJECTS]);
-    if (tree->costs[TREE_SURROUNDINGS] > 0.0)
-        printf(", %.1f through that of the surroundings", tree->costs[TREE_SURROUNDINGS]);
-    printf("\n");
+    printf("cost of a ray");
+    for (size_t i = 0; i < sizeof(parts) / sizeof(parts[0]); i++) {
+        if (!(tree->costs[parts[i].part] > 0.0))
+            continue;
+        printf("%s%.1f through the box of %s", separator, tree->costs[parts[i].part], parts[i].of);
+        separator = ", ";
+    }
+    printf("\nsome devices have structures of their own instead: firn list devices\n");
+}
+
+/* Whether the tree of a scene that has no use for it takes too long to be told. */
+static bool has_many_triangles(const struct model *model)
+{
+    return ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3 >
+           TRIANGLES_MANY;
 }
 
 static void print_text(struct scene *scene, const struct technique *rung)
@@ -248,6 +267,9 @@ static void print_text(struct scene *scene, const struct technique *rung)
     printf("rung unless --refraction names one: %s\n", rung->rung.name);
     if (tree_node_count(scene->tree))
         print_tree(scene->tree);
+    else if (has_many_triangles(model))
+        printf("tree that rays of trace meet: not built of so many triangles for another rung; "
+               "firn profile --refraction trace tells\n");
     print_cameras(model);
     print_extensions(model);
     print_lights(model);
@@ -493,7 +515,7 @@ enum status app_info(const struct app_options *o)
     if (status != STATUS_OK)
         return status;
     app_choose_rung(&picture, &scene, NULL);
-    if (picture.rung->rung.meets_tree)
+    if (picture.rung->rung.meets_tree || !has_many_triangles(&scene.model))
         status = scene_need_tree(&scene, !o->run.gpu.no_cache);
     if (status == STATUS_TRY_AGAIN) {
         scene_finish(&scene);

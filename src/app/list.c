@@ -132,6 +132,16 @@ static enum status list_settings(void)
     return STATUS_OK;
 }
 
+/* What rays of the rung `trace` go through on a device that firn can use. */
+static const char *rays_of(const struct gpu_device *device)
+{
+    if (!device->has_rays)
+        return "; rays go through firn's tree";
+    return device->type == VK_PHYSICAL_DEVICE_TYPE_CPU
+               ? "; rays go through firn's tree, by trace.rays=query through its own structures"
+               : "; rays go through its acceleration structures";
+}
+
 static enum status list_devices(void)
 {
     struct gpu_device *devices = NULL;
@@ -139,7 +149,7 @@ static enum status list_devices(void)
     enum status status = gpu_list(&devices, &count);
     for (uint32_t i = 0; i < count; i++)
         printf("  %u  %s (%s), Vulkan %s%s%s\n", i, devices[i].name, devices[i].kind,
-               devices[i].version, devices[i].refused[0] ? "; not usable: " : "",
+               devices[i].version, devices[i].refused[0] ? "; not usable: " : rays_of(&devices[i]),
                devices[i].refused);
     if (status == STATUS_OK && !count)
         printf("  none: install a Vulkan driver (on Debian: mesa-vulkan-drivers)\n");

@@ -163,11 +163,11 @@ static enum status devices(json_t **all)
     *all = status == STATUS_OK ? json_array() : NULL;
     for (uint32_t i = 0; i < count && *all; i++) {
         const struct gpu_device *device = &found[i];
-        *all = json_text_append(*all,
-                                json_pack("{s:i, s:s, s:s, s:s, s:b, s:s*}", "number", (int)i,
-                                          "name", device->name, "kind", device->kind, "vulkan",
-                                          device->version, "usable", device->refused[0] == '\0',
-                                          "refused", device->refused[0] ? device->refused : NULL));
+        *all = json_text_append(
+            *all, json_pack("{s:i, s:s, s:s, s:s, s:b, s:b, s:s*}", "number", (int)i, "name",
+                            device->name, "kind", device->kind, "vulkan", device->version, "usable",
+                            device->refused[0] == '\0', "ray_queries", device->has_rays, "refused",
+                            device->refused[0] ? device->refused : NULL));
     }
     free(found);
     return status == STATUS_OK && !*all ? log_out_of_memory(NULL) : status;

@@ -88,6 +88,7 @@ struct gpu_device {
     const char *kind;  /* the type in words: "discrete GPU", "integrated GPU", "CPU", ... */
     char refused[128]; /* why firn cannot use it; "" if it can */
     char version[64];  /* of Vulkan and driver: "1.3.230, Mesa 22.3.6 (LLVM 15.0.6)" */
+    bool has_rays;     /* of gpu_list() alone: it has acceleration structures and ray queries */
 };
 
 /* Describes the open device, as gpu_list() does. */

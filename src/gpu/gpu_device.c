@@ -185,6 +185,16 @@ void gpu_describe(const struct gpu *gpu, struct gpu_device *device)
     gpu_choose_describe(gpu, gpu->physical, device);
 }
 
+static bool has_rays(VkPhysicalDevice physical)
+{
+    struct gpu_features features;
+    struct gpu_offer offer;
+    if (gpu_offer_find(physical, &offer) != VK_SUCCESS)
+        return false;
+    (void)gpu_features_choose(physical, offer.rays, &features);
+    return features.rays;
+}
+
 enum status gpu_list(struct gpu_device **devices, uint32_t *count)
 {
     VkPhysicalDevice physical[DEVICES_MAX];
@@ -204,8 +214,10 @@ enum status gpu_list(struct gpu_device **devices, uint32_t *count)
             result = VK_ERROR_OUT_OF_HOST_MEMORY;
     }
     if (result == VK_SUCCESS) {
-        for (uint32_t i = 0; i < *count; i++)
+        for (uint32_t i = 0; i < *count; i++) {
             gpu_choose_describe(&gpu, physical[i], &(*devices)[i]);
+            (*devices)[i].has_rays = !(*devices)[i].refused[0] && has_rays(physical[i]);
+        }
     } else {
         *count = 0;
         if (result != VK_ERROR_INCOMPATIBLE_DRIVER)
