@@ -58,6 +58,7 @@ struct trace_way {
     bool is_gathered; /* it brings light to surroundings (trace_ground.glsl) */
     float open;       /* by how much its end counts if nothing was in its way; 0: an object bent it;
                          below 0: it came out of one in which it began */
+    vec3 shift, turn; /* of origin and direction, from pixel to pixel (trace_footprint.glsl) */
 };
 
 struct trace_seen {
@@ -118,11 +119,13 @@ struct trace_cross {
     bool is_entering, is_thin, is_real;
     bool is_inclusion;
     float eta;
-    float horizon; /* sine beyond which rays that leave the outer side meet no object */
-    bool is_bumpy; /* a normal texture bends `n` */
-    dress own;     /* of the surface, if TRACE_HAS_DRESS */
+    float horizon;    /* sine beyond which rays that leave the outer side meet no object */
+    bool is_bumpy;    /* a normal texture bends `n` */
+    dress own;        /* of the surface, if TRACE_HAS_DRESS */
+    vec3 shift, bend; /* of the point that is met and of `n`, from pixel to pixel */
 };
 
+#include "trace_footprint.glsl"
 #include "trace_inclusions.glsl"
 #include "trace_next.glsl"
 
@@ -143,6 +146,7 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
     c.facet *= c.is_entering ? 1.0 : -1.0;
     c.n *= c.is_entering ? 1.0 : -1.0;
     c.n = dot(c.n, way.dir) < 0.0 ? c.n : c.facet;
+    footprint_meet(way, hit, c);
     c.is_met = c.rank != 0u;
     c.is_thin = false;
     c.is_real = true;
@@ -192,6 +196,7 @@ trace_way trace_leave(trace_way way, trace_hit hit, trace_cross c, vec3 dir, boo
     bool is_astray = is_inside ? outward >= 0.0 : outward <= 0.0;
     next.origin = way.origin + hit.t * way.dir;
     next.dir = dir;
+    footprint_leave(way, c, dir, is_through, next);
     next.from = hit.triangle;
     next.side = is_inside ? 1.0 : outward > c.horizon ? trace_left : -1.0;
     next.reach = is_astray || trace_has(TRACE_HAS_CULLING) ? 1e30 : trace.hair;
@@ -235,7 +240,7 @@ void trace_begin(vec3 eye, vec3 e)
     uint seed = microfacet_hash(uint(gl_FragCoord.x), uint(gl_FragCoord.y));
     bool is_in_bubble = trace_has(TRACE_HAS_INCLUSIONS) && trace.is_in_bubble != 0u;
     way = trace_way(eye, e, vec3(1.0), trace_eye_inside(), -1, side, 1e30, seed, 0.0,
-                    trace_length_max, is_in_bubble, false, 1.0);
+                    trace_length_max, is_in_bubble, false, 1.0, footprint_shift, footprint_turn);
     for (int i = 0; i < trace_waits_max; i++)
         later[i] = way;
     waits = 0;
@@ -576,6 +581,7 @@ void main()
 {
     vec3 from = view_at(ray, 0.0);
     vec3 e = normalize(view_at(ray, 1.0) - from);
+    footprint_of_pixel(from, e);
     trace_colors(refract_frame.eye + from, e);
     if (!seen.is_object)
         discard;

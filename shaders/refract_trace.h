@@ -42,6 +42,7 @@
 #define TRACE_HAS_GROUND     32768  /* light on surroundings is traced; with TRACE_RAYS */
 #define TRACE_HAS_CLOUD      65536  /* some ice is cloudy; with TRACE_RAYS */
 #define TRACE_IS_STORED      131072 /* the words of trees are in storage buffers */
+#define TRACE_HAS_FOOTPRINT  262144 /* trace_footprint.glsl; with TRACE_RAYS */
 
 /* The texels of a medium in trace_frame.media. */
 #define TRACE_IOR    0 /* of red, green and blue light; roughness */

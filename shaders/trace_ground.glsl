@@ -22,7 +22,7 @@
 const int ground_holes_max = 8;  /* in the way of the sun */
 const float ground_blur = 0.25;  /* the least width of a distribution that mirrors the sun */
 const float ground_bent = 0.5;   /* roughness of the sky as ways see it that an object has bent */
-const float ground_sure = 0.03;  /* share of a pixel's light that is followed in any case */
+const float ground_sure = 0.01;  /* share of a pixel's light that is followed in any case */
 const float ground_least = 1e-6; /* light by which one is divided */
 
 /* Returns the radiance of the sky without the sun's disc. */
@@ -148,7 +148,7 @@ vec3 trace_end(trace_way way, trace_hit hit, out float passing)
 {
     vec3 light = trace_has(TRACE_HAS_GROUND) && way.is_gathered
                      ? lit_glossy(way.dir, ground_blur_of(way), 0.0)
-                     : environment_radiance(environment, way.dir, 0.0);
+                     : environment_radiance(environment, way.dir, footprint_lod(way));
     bool is_around = hit.part == TREE_SURROUNDINGS || hit.part == TREE_MOVERS;
     int turns = is_around ? int(trace.one) : 0;
     passing = 0.0;

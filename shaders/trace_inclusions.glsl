@@ -60,6 +60,8 @@ trace_cross trace_inclusion_at(trace_way way, trace_hit hit, vec3 n, float eta)
     c.is_bumpy = false;
     c.own = trace_own(0u);
     c.eta = way.is_in_bubble ? 1.0 / eta : eta;
+    c.shift = way.shift + hit.t * way.turn;
+    c.bend = vec3(0.0);
     return c;
 }
 

@@ -43,6 +43,7 @@ void main()
 {
     vec3 from = view_at(ray, 0.0);
     vec3 e = normalize(view_at(ray, 1.0) - from);
+    footprint_of_pixel(from, e);
     trace_colors(refract_frame.eye + from, e);
     out_exit = vec4(0.0);
     out_refraction = vec4(0.0);

@@ -25,6 +25,7 @@ const struct quality_row quality_rows[] = {
     { "air.steps", { [DRAFT] = "0", [HIGH] = "8" } },
     { "mirror.steps", { [DRAFT] = "0", [HIGH] = "16" } },
     { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
+    { "trace.footprint", { [HIGH] = "on" } },
     { "ground.light", { [HIGH] = "traced" } },
     { "tonemap.dither", { [HIGH] = "on" } },
     { "reference.photons", { [DRAFT] = "200000", [HIGH] = "4000000" } },

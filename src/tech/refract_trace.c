@@ -107,6 +107,8 @@ static uint32_t features(const struct scene *scene, const struct settings *setti
     bits |= scene->material_rows ? TRACE_HAS_MATERIALS : 0;
     bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
     bits |= has_motion(settings) ? TRACE_HAS_MOTION : 0;
+    const struct trace_params *params = settings_of(settings, &trace_settings);
+    bits |= params->footprint ? TRACE_HAS_FOOTPRINT : 0;
     return bits;
 }
 
@@ -343,7 +345,7 @@ static const struct rg_use surface_uses[] = {
 };
 
 static const struct rg_use light_uses[] = {
-    FRAME_SAMPLE(frame_environment, BACKGROUND_ENVIRONMENT, .sampler = &around),
+    FRAME_SAMPLE(frame_environment, BACKGROUND_ENVIRONMENT, .sampler = &frame_environment_sampler),
     FRAME_SAMPLE(frame_surface_light, BACKGROUND_LIGHT, .sampler = &around),
     FRAME_SAMPLE(frame_surface_split, BACKGROUND_SPLIT, .sampler = &frame_linear),
     FRAME_SAMPLE(frame_lights, BACKGROUND_LIGHTS, .sampler = NULL),
@@ -485,6 +487,15 @@ static const struct setting rows[] = {
         .affects = SETTING_AFFECTS_PLAN,
         .help = "how rays find triangles: by a tree in the shader, or by ray queries of the "
                 "device (auto: queries, if it has them and is no CPU)",
+    },
+    {
+        .name = "trace.footprint",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct trace_params, footprint),
+        .max = 1,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "see an environment picture through objects as blurred as their surfaces spread a "
+                "pixel's rays, less with each sample (rung trace)",
     },
 };
 

@@ -19,6 +19,7 @@ struct trace_params {
     float branch;          /* share of a path's light from which a reflection is followed */
     uint32_t surroundings; /* enum trace_surroundings */
     uint32_t rays;         /* enum trace_rays_by */
+    uint32_t footprint;    /* 0 or 1 */
 };
 
 /* Number of straight parts of the refracted path inside objects. */

@@ -202,6 +202,22 @@ class Trace(Case):
         self.assertLess(light[-1], 8 * light[len(light) // 2])
 
     @unsanitized
+    def test_what_a_pixel_sees_of_the_sky(self):
+        """A hollow ball of glass crowds small lamps: one sample is nearer to many if it sees them
+        as blurred as its pixel does, and many are as sharp as without."""
+        (self.folder / 'hollow.gltf').write_text(balls(0.75, (glass(1.5), [0, 0, 0], 1)))
+        sky = [4.0 if x % 8 < 2 and y % 8 < 2 else 0.1 for y in range(128) for x in range(256)]
+        (self.folder / 'lamps.exr').write_bytes(write_exr((256, 128), {'Y': sky}))
+        words = ('hollow.gltf', '--env', 'lamps.exr', *SIZE, '--size', '48x36', '--pixel-filter',
+                 'box', '--set', 'trace.surroundings=rays', '-r', 'trace')
+        one, many = ('--set', 'trace.footprint=on'), ('--samples', 64)
+        truth, seen, blurred, sharp = (
+            self.planes(*words, *more)['G'] for more in (many, (), one, (*one, *many)))
+        errors = [sum(abs(a - b) for a, b in zip(x, truth)) for x in (seen, blurred, sharp)]
+        self.assertLess(errors[1], 0.8 * errors[0])
+        self.assertLess(errors[2], 0.1 * errors[0])
+
+    @unsanitized
     def test_a_bar_before_the_sky(self):
         """Behind a ball and beside it: the lookup by distance takes half of the error, or more."""
         bar = ('v -.25 -6 -4 .1 .05 .02', 'v .25 -6 -4 .1 .05 .02', 'v .25 6 -4 .1 .05 .02',
