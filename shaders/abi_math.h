@@ -20,6 +20,7 @@
 #define atan2f         atan
 #define cosf           cos
 #define exp2f          exp2
+#define expf           exp
 #define fabsf          abs
 #define floorf         floor
 #define fmaxf          max

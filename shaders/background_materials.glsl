@@ -87,9 +87,11 @@ void main()
     vec3 to_eye = -normalize(seen_along());
     vec3 n = normalize(normal);
     n = dot(n, to_eye) < 0.0 ? -n : n;
+    vec3 top = n; /* of the surface that mirrors; n is that of the matt base */
     if (bent != vec4(1.0))
         n = LIT_BEND(row, n, normal, bent.rgb, scales.xy, eye_to_point, uv);
-    vec3 mirrored = reflect(-to_eye, n);
+    top = scales.w > 0.0 ? top : n;
+    vec3 mirrored = reflect(-to_eye, top);
     float lod = lit_mirror_lod(mirrored, push.environment_lod);
     if (is_hole(base.a * factors.w, reflectance.w, emission.w, row))
         discard;
@@ -103,18 +105,18 @@ void main()
         return;
     }
     lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
-    float n_dot_v = clamp(dot(n, to_eye), 0.0, 1.0);
+    float n_dot_v = clamp(dot(top, to_eye), 0.0, 1.0);
     lit_shares shares = lit_shares_of(s, lit_split(s.roughness, n_dot_v));
     vec3 glossy = shares.glossy * lit_glossy(mirrored, s.roughness, lod);
     vec3 on_matt = lit_matt(n), matt = shares.matt * on_matt;
     contact_shade(s, shares, push.eye + eye_to_point, n, on_matt, matt, glossy);
-    sun *= lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
-    vec3 lit = lit_by_lights(s, push.eye + eye_to_point, n, to_eye);
+    sun *= lit_by_light_on(s, top, n, to_eye, frame.sun_dir, frame.sun_spread);
+    vec3 lit = lit_by_lights_on(s, push.eye + eye_to_point, top, n, to_eye);
     open = mix(1.0, open, scales.y);
     color = vec4((glossy + matt) * open + sun + lit + glow, alpha);
 #ifdef BACKGROUND_MIRROR
     float share = dot(shares.glossy, vec3(1.0 / 3.0));
-    out_surface = vec4(octahedron_of(n), s.roughness, share * open);
+    out_surface = vec4(octahedron_of(top), s.roughness, share * open);
     out_glossy = vec4(glossy * open, 0.0);
 #endif
 }

@@ -9,6 +9,7 @@
 layout(location = CRACKS_POSITION) in vec3 position;
 layout(location = CRACKS_NORMAL) in vec3 normal;
 layout(location = CRACKS_EYE_TO_POINT) in vec3 eye_to_point;
+layout(location = CRACKS_OPEN) in float open;
 layout(location = CRACKS_LIGHTS) flat in vec4 lights[GLOBALS_LIGHT_COUNT];
 layout(location = CRACKS_LOOK) flat in cracks_look look;
 

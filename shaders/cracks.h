@@ -15,15 +15,22 @@
 #define CRACKS_POSITION     0 /* divided by the radius of the object's sphere */
 #define CRACKS_NORMAL       1
 #define CRACKS_EYE_TO_POINT 2
-#define CRACKS_LIGHTS       3 /* array; xyz: from the eye to a light; w: highlight strength */
-#define CRACKS_LOOK         7 /* struct cracks_look */
+#define CRACKS_OPEN         3 /* as of CRACKS_OPEN_OF */
+#define CRACKS_LIGHTS       4 /* array; xyz: from the eye to a light; w: highlight strength */
+#define CRACKS_LOOK         8 /* struct cracks_look */
 
 #define CRACKS_MAX 64 /* cracks.count, at most */
+
+/* Of vertices of cracks, the red of their colour: the square of the gap there, in gaps of
+ * cracks_look. So it is even from a sheet's middle to its rim, as that of a crack which something
+ * has pulled open (Sneddon 1946). */
+#define CRACKS_OPEN_OF(color) ((color).r)
 
 struct cracks_look {
     float strength;   /* of the highlights */
     float shininess;  /* Blinn and Phong's exponent */
     float bump;       /* slope of the roughness; 0: smooth */
+    float gap;        /* in the middle of a crack, micrometres */
     uint32_t surface; /* 1: cracks are flat opaque red */
 };
 

@@ -1,6 +1,7 @@
 /* cracks_gap.glsl: main() of cracks filled with air; the clipping method defines crack_is_inside().
  */
 #include "cracks.glsl"
+#include "cracks_law.h"
 #include "lib/optics.glsl"
 
 layout(set = 0, binding = CRACKS_ENV_CUBE) uniform samplerCube env_cube;
@@ -16,9 +17,11 @@ void main()
         return;
     }
     crack_point c = crack_here();
-    float share = optics_gap(c.e, c.n, frame.outside_in_air / frame.eta);
     float shine = crack_highlight(c);
     float over = min(shine, 1.0);
-    vec3 mirrored = share * texture(env_cube, pose_object_normal(optics_reflect(c.e, c.n))).rgb;
+    float width = look.gap * sqrt(max(open, 0.0));
+    vec3 shares = cracks_reflectance(-dot(c.n, c.e), frame.outside_in_air / frame.eta, width);
+    vec3 mirrored = shares * texture(env_cube, pose_object_normal(optics_reflect(c.e, c.n))).rgb;
+    float share = dot(shares, vec3(1.0 / 3.0));
     color = vec4(vec3(shine) + (1.0 - over) * mirrored, over + (1.0 - over) * share);
 }

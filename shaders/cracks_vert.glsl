@@ -14,10 +14,12 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = MESH_POSITION) in vec3 position;
 layout(location = MESH_NORMAL) in vec3 normal;
+layout(location = MESH_COLOR) in vec3 color;
 
 layout(location = CRACKS_POSITION) out vec3 out_position;
 layout(location = CRACKS_NORMAL) out vec3 out_normal;
 layout(location = CRACKS_EYE_TO_POINT) out vec3 out_eye_to_point;
+layout(location = CRACKS_OPEN) out float out_open;
 layout(location = CRACKS_LIGHTS) flat out vec4 out_lights[GLOBALS_LIGHT_COUNT];
 layout(location = CRACKS_LOOK) flat out cracks_look out_look;
 
@@ -28,6 +30,7 @@ void main()
     out_position = position / frame.radius;
     out_normal = normal;
     out_eye_to_point = position - eye;
+    out_open = CRACKS_OPEN_OF(color);
     for (int i = 0; i < GLOBALS_LIGHT_COUNT; i++)
         out_lights[i] = vec4(pose_to_object(frame.lights[i].xyz) - eye, frame.lights[i].w);
     out_look = look;

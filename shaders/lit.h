@@ -96,9 +96,11 @@ ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, ve
 }
 
 /* Returns the radiance of a surface for light from direction `l` that gives a matt white surface
- * which faces it radiance 1. `n`, `v` (towards the eye) and `l` are unit. The distribution is at
- * least as wide as `spread`, which is half the light's angular radius. */
-ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec3s l, float spread)
+ * which faces it radiance 1. `n`, `v` (towards the eye) and `l` are unit; `base` is the normal of
+ * the matt base, which is another below a film (MATERIAL_IS_FILM). The distribution is at least as
+ * wide as `spread`, which is half the light's angular radius. */
+ABI_FUNCTION vec3s lit_by_light_on(ABI_STRUCT(lit_surface) s, vec3s n, vec3s base, vec3s v, vec3s l,
+                                   float spread)
 {
     float n_dot_l = glms_vec3_dot(n, l);
     if (n_dot_l <= 0.0f)
@@ -116,8 +118,14 @@ ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec
     vec3s f90 = ABI_VEC3(s.f90, s.f90, s.f90);
     vec3s fresnel = glms_vec3_lerp(s.f0, f90, grazing);
     vec3s matt = glms_vec3_scale(s.diffuse, 1.0f - glms_vec3_max(fresnel));
-    return glms_vec3_scale(glms_vec3_add(matt, glms_vec3_scale(fresnel, distribution * visibility)),
-                           n_dot_l);
+    vec3s glossy = glms_vec3_scale(fresnel, distribution * visibility * n_dot_l);
+    return glms_vec3_add(glms_vec3_scale(matt, fmaxf(glms_vec3_dot(base, l), 0.0f)), glossy);
+}
+
+/* The same of a surface without a film. */
+ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec3s l, float spread)
+{
+    return lit_by_light_on(s, n, n, v, l, spread);
 }
 
 /* Returns the share of a light's intensity that arrives after a distance in metres, as

@@ -8,7 +8,7 @@
 #define MATERIAL_ROW_FACTORS  0 /* metallic, roughness, specular, alpha */
 #define MATERIAL_ROW_F0       1 /* reflectance of a dielectric at normal incidence, rgb; kind */
 #define MATERIAL_ROW_EMISSION 2 /* rgb; alpha cutoff */
-#define MATERIAL_ROW_SCALES   3 /* of the normal's slopes, of the occlusion; 1: is dressed */
+#define MATERIAL_ROW_SCALES   3 /* of the normal's slopes, of the occlusion; 1: dressed; 1: film */
 #define MATERIAL_ROW_TEXTURES \
     4 /* two texels each of enum material_texture_use: the row of u and
                                    layer + 1; the row of v and

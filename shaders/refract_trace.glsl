@@ -394,8 +394,9 @@ void trace_note(trace_hit hit, trace_cross c, float fresnel, bool is_total)
 bool trace_cross_surface(trace_hit hit, trace_cross c)
 {
     trace_parting p = trace_part_at(c);
+    vec3 shares = trace_shares_of(hit, c, way.dir, p.fresnel);
     vec3 through = trace_through(hit, c, p);
-    vec3 back = way.weight * p.fresnel * p.reflected_share;
+    vec3 back = way.weight * shares * p.reflected_share;
     bool is_total = p.fresnel >= 1.0 || through == vec3(0.0);
     if (trace_has(TRACE_HAS_GROUND))
         way.open = way.open > 0.0 && trace_is_in(way) ? -1.0 : min(way.open, 0.0);
@@ -405,7 +406,10 @@ bool trace_cross_surface(trace_hit hit, trace_cross c)
         other.weight = back;
         other.kind = is_first ? 1.0 : way.kind;
         trace_put(other);
-        through *= 1.0 - p.fresnel;
+        through *= 1.0 - shares;
+    } else if (trace_is_crack(c) && p.fresnel > 0.5) { /* the greater part gets the other's light */
+        is_total = true;
+        back = way.weight;
     }
     bool is_mirror = is_first && is_total;
     way = trace_leave(way, hit, c, is_total ? p.reflected : p.refracted, !is_total);

@@ -66,6 +66,7 @@ struct trace_frame {
     uint32_t ice;                         /* rank of the object that has the inclusions */
     uint32_t is_in_bubble;                /* 1: the eye is */
     float crack_slope;                    /* of the roughness of cracks; 0: they are smooth */
+    float crack_gap;                      /* in their middle, micrometres */
     float branch;                         /* share of a path's light that is followed apart */
     float hair;        /* metres: how near a ray's origin may be to a face by rounding alone */
     uint32_t one;      /* 1: compilers must not know */

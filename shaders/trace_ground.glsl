@@ -118,8 +118,8 @@ void ground_gather(trace_hit hit, vec3 weight)
     float open = ground_open(sum, float(GROUND_MATT_WAYS) * shares.on_matt, matt);
     for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++)
         ground_put(hit, dirs[i], matt * counts[i], open, GROUND_CHANCE_SEED + i);
-    vec3 h = microfacet_sample(shares.normal, way.dir, shares.roughness,
-                               ground_point(GROUND_GLOSSY_SEED));
+    vec3 h =
+        microfacet_sample(shares.top, way.dir, shares.roughness, ground_point(GROUND_GLOSSY_SEED));
     vec3 dir = reflect(way.dir, h), sky = ground_sky(dir), glossy = weight * shares.glossy;
     float open_glossy = ground_open(sky, shares.mirrored, glossy);
     ground_put(hit, dir, glossy, open_glossy, GROUND_CHANCE_SEED + uint(GROUND_MATT_WAYS));

@@ -2,6 +2,8 @@
  * holes, of what is outside. */
 #ifndef TRACE_INCLUSIONS_GLSL
 #define TRACE_INCLUSIONS_GLSL
+#include "cracks.h"
+#include "cracks_law.h"
 #include "cracks_noise.h"
 #include "trace_shells.glsl"
 
@@ -27,6 +29,40 @@ vec3 trace_bubble_normal(int triangle, vec3 point)
     vec4 second = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle + 1));
     vec4 last = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle + 2));
     return bubble_normal(from, second.xyz, first.w, last.w, second.w > 0.0);
+}
+
+/* Returns a crack's reflectance for red, green and blue light. */
+vec3 trace_crack_shares(trace_hit hit, vec3 dir, vec3 n, float eta)
+{
+    vec3 shares = vec3(0.0);
+    int turns = int(trace.one);
+    while (turns > 0) {
+        turns -= int(trace.one);
+        vec3 corners;
+        for (int k = 0; k < 3; k++)
+            corners[k] = unpackHalf2x16(trace_corner(TREE_CORNER_WORDS * hit.triangle + k).w).y;
+        float open = dot(corners, vec3(1.0 - hit.u - hit.v, hit.u, hit.v));
+        shares =
+            cracks_reflectance(min(-dot(dir, n), 1.0), eta, trace.crack_gap * sqrt(max(open, 0.0)));
+    }
+    return shares;
+}
+
+bool trace_is_crack(trace_cross c)
+{
+    return trace_has(TRACE_HAS_INCLUSIONS) && c.is_inclusion && c.is_thin;
+}
+
+/* Returns the reflectance of a surface for red, green and blue light, whose mean `fresnel` becomes.
+ */
+vec3 trace_shares_of(trace_hit hit, trace_cross c, vec3 dir, inout float fresnel)
+{
+    vec3 shares = vec3(fresnel);
+    if (trace_is_crack(c)) {
+        shares = trace_crack_shares(hit, dir, c.n, c.eta);
+        fresnel = dot(shares, vec3(1.0 / 3.0));
+    }
+    return shares;
 }
 
 /* Returns a crossing of an inclusion by a way in the ice, or in a bubble; `n` is the interpolated

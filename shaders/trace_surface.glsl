@@ -24,7 +24,7 @@ struct trace_point {
 struct trace_shares {
     vec3 matt, glossy; /* shares of the light on a matt white surface, and of what is mirrored */
     vec3 on_matt, mirrored; /* that light, where nothing is in its way */
-    vec3 normal;            /* with bumps */
+    vec3 normal, top;       /* with bumps, of the matt base and of the surface that mirrors */
     float roughness;
     bool is_lit;
 };
@@ -135,7 +135,7 @@ vec3 trace_matt(trace_point p, vec3 to_eye, vec3 albedo, bool is_base)
     if (constant_lit == 0u || (p.material & MESH_UNLIT) != 0u)
         return albedo * (1.0 + through * max(dot(p.normal, frame.sun_dir), 0.0));
     vec3 open = trace_has(TRACE_HAS_MATERIALS) ? lit_matt(p.normal) : sky_ambient(p.normal);
-    shares = trace_shares(albedo, vec3(0.0), open, open, p.normal, 1.0, !is_base);
+    shares = trace_shares(albedo, vec3(0.0), open, open, p.normal, p.normal, 1.0, !is_base);
     if (!trace_has(TRACE_HAS_MATERIALS))
         return albedo * (trace_has(TRACE_HAS_SUN | TRACE_HAS_GROUND) ? sky_ambient(p.normal) + sun
                                                                      : sky_light(p.normal));
@@ -206,19 +206,20 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
     vec3 n = p.normal;
     if (bent != vec4(1.0))
         n = trace_bent(p, n, bent.rgb, scales.xy);
+    vec3 top = scales.w > 0.0 ? p.normal : n;
     lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
-    float n_dot_v = clamp(dot(n, -dir), 0.0, 1.0);
+    float n_dot_v = clamp(dot(top, -dir), 0.0, 1.0);
     vec2 split = lit_split(s.roughness, n_dot_v);
-    vec3 mirrored = lit_glossy(reflect(dir, n), s.roughness, 0.0), on_matt = lit_matt(n);
+    vec3 mirrored = lit_glossy(reflect(dir, top), s.roughness, 0.0), on_matt = lit_matt(n);
     vec3 around = lit_by_environment(s, split, mirrored, on_matt);
     vec3 unhidden = vec3(mix(1.0, open, scales.y));
     shares = trace_shares(lit_by_environment(s, split, vec3(0.0), unhidden),
                           lit_by_environment(s, split, unhidden, vec3(0.0)), on_matt, mirrored, n,
-                          s.roughness, true);
+                          top, s.roughness, true);
     vec3 through;
     vec3 sun = trace_sun(p.position, false, through) *
-               lit_by_light(s, n, -dir, frame.sun_dir, max(frame.sun_spread, sun_spread));
-    return around * unhidden + sun + lit_by_lights(s, p.position, n, -dir) + glow;
+               lit_by_light_on(s, top, n, -dir, frame.sun_dir, max(frame.sun_spread, sun_spread));
+    return around * unhidden + sun + lit_by_lights_on(s, p.position, top, n, -dir) + glow;
 }
 
 #endif

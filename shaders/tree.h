@@ -17,8 +17,9 @@
  * the elevation above the triangle's outer side beyond which no triangle of the objects is seen
  * from it, or TREE_HORIZON_UNKNOWN (src/scene/tree_horizon.h).
  *
- * A bubble is a triangle whose rows are its centre and `stretch` (src/scene/bubble.h), its axis and
- * 1 for a capsule, and (0, 0, 0, radius).
+ * Corners of a crack have in the upper half of the fourth number how open it is there (cracks.h), a
+ * half float, and 0 in the lower one. A bubble is a triangle whose rows are its centre and
+ * `stretch` (src/scene/bubble.h), its axis and 1 for a capsule, and (0, 0, 0, radius).
  *
  * Where a scene has more than TREE_SHELLS_FEW objects, a word for each rank is behind the corners,
  * the one of rank 0 for the outside: its first number is the object's medium, from 1 on.

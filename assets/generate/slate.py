@@ -137,8 +137,14 @@ def tone(x, z):
     return scale(base, shade * (1 - 0.45 * wetness(x, z)))
 
 
+def texture_places(mesh):
+    """Where points are in textures of the whole slab."""
+    half, near, far, _ = SLAB
+    return [((x + half) / (2 * half), (z - near) / (far - near)) for x, _, z in mesh.points]
+
+
 def slab(columns=102, rows=84):
-    half, near, far, thick = SLAB
+    thick = SLAB[3]
     grid = [place(2 * i / columns - 1, 2 * j / rows - 1)
             for j in range(rows + 1) for i in range(columns + 1)]
     points = [(x, height(x, z), z) for x, z in grid]
@@ -165,7 +171,7 @@ def slab(columns=102, rows=84):
             a, b = layer * count + k, layer * count + (k + 1) % count
             side_faces += [(a, a + count, b + count), (a, b + count, b)]
     mesh = top.join(Mesh(sides, side_faces))
-    mesh.uvs = [((x + half) / (2 * half), (z - near) / (far - near)) for x, _, z in mesh.points]
+    mesh.uvs = texture_places(mesh)
     return mesh.painted(lambda p, n: tone(p[0], p[2]))
 
 

@@ -82,8 +82,9 @@ vec3 lit_glossy(vec3 dir, float roughness, float lod)
     return mix(sharper, blurred, layer - first);
 }
 
-/* Returns what a surface at `point` reflects of the lights of files, which have no shadows. */
-vec3 lit_by_lights(lit_surface s, vec3 point, vec3 n, vec3 to_eye)
+/* Returns what a surface at `point` reflects of the lights of files, which have no shadows; `base`
+ * is as of lit_by_light_on(). */
+vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
 {
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < constant_scene_lights; i++) {
@@ -95,9 +96,15 @@ vec3 lit_by_lights(lit_surface s, vec3 point, vec3 n, vec3 to_eye)
         vec3 l = way / max(far, 1e-6);
         float arriving = lit_arriving(far, direction.w, dot(-l, direction.xyz), cone.xy);
         vec3 light = texelFetch(lights, ivec2(LIT_LIGHT_COLOR, i), 0).rgb * arriving;
-        sum += light / 3.14159265 * lit_by_light(s, n, to_eye, l, LIT_LIGHT_SPREAD);
+        sum += light / 3.14159265 * lit_by_light_on(s, n, base, to_eye, l, LIT_LIGHT_SPREAD);
     }
     return sum;
+}
+
+/* The same of a surface without a film. */
+vec3 lit_by_lights(lit_surface s, vec3 point, vec3 n, vec3 to_eye)
+{
+    return lit_by_lights_on(s, point, n, n, to_eye);
 }
 
 /* Returns what a surface reflects of an even environment. */

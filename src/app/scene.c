@@ -269,7 +269,7 @@ struct scene_params app_describe_scene(const struct app_scene *given, struct bum
         .has_cloud = air_is_medium(&given->settings),
         .bubbles = { holes->count, holes->seed, holes->size, holes->shape, holes->stretch },
         .bump = bump.is_on(&given->settings) || frost.is_on(&given->settings) ? maps : NULL,
-        .cracks = { sheets->count, sheets->seed, sheets->clip == CRACKS_CLIP_PRECUT,
+        .cracks = { sheets->count, sheets->seed, sheets->size, sheets->clip == CRACKS_CLIP_PRECUT,
                     given->cracks },
         .pictures = { given->bump, given->bump_mask, given->air },
         .decode = &given->reader,

@@ -244,11 +244,13 @@ struct fork branch_fork(const struct tracing *tracing, const struct branch *b,
     struct fork fork = { .parting = parting_at(tracing, b->ray.dir, meeting) };
     const struct parting *p = &fork.parting;
     fork.reflected = leave(tracing, b, meeting, p->reflected, false);
-    fork.reflected.weight = glms_vec3_scale(b->weight, p->fresnel * p->reflected_share);
+    fork.reflected.weight =
+        glms_vec3_scale(glms_vec3_mul(b->weight, p->colors), p->reflected_share);
     fork.refracted = leave(tracing, b, meeting, p->refracted, true);
     fork.refracted.weight =
-        glms_vec3_scale(glms_vec3_mul(b->weight, surface->tint),
-                        (1.0f - p->fresnel) * p->refracted_share * (1.0f - surface->shine));
+        glms_vec3_scale(glms_vec3_mul(glms_vec3_mul(b->weight, surface->tint),
+                                      glms_vec3_sub(glms_vec3_one(), p->colors)),
+                        p->refracted_share * (1.0f - surface->shine));
     return fork;
 }
 

@@ -58,7 +58,7 @@ struct ground_ways ground_gather(const struct tracing *tracing, const struct bra
         put(tracing, b, hit, dir, glms_vec3_scale(matt, ground_weight(n, tracing->guide, dir)),
             &ways);
     }
-    const vec3s h = microfacet_sample(n, b->ray.dir, shares.roughness,
+    const vec3s h = microfacet_sample(shares.top, b->ray.dir, shares.roughness,
                                       random_point(tracing, b->seed, GROUND_GLOSSY_SEED));
     const vec3s mirrored = glms_vec3_muladds(h, -2.0f * glms_vec3_dot(h, b->ray.dir), b->ray.dir);
     put(tracing, b, hit, mirrored, glms_vec3_mul(weight, shares.glossy), &ways);

@@ -41,6 +41,7 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
         .radiance = radiance,
         .world_from_object = glms_mat4_pick3(radiance->globals->world_from_object),
         .crack_slope = cracks_params->look.bump,
+        .crack_gap = cracks_params->look.gap,
         .is_uneven = has_bumps || frost_amount > 0.0f,
         .has_bumps = has_bumps,
         .is_mapped_by_uv = bump_params->mapping == BUMP_UV,

@@ -16,6 +16,7 @@ struct inclusions {
     const struct radiance *radiance; /* borrowed */
     mat3s world_from_object;         /* its rotation */
     float crack_slope;               /* of the cracks' roughness; 0: smooth */
+    float crack_gap;                 /* in their middle, micrometres */
     bool is_uneven;                  /* has bumps or frost, which inclusions_surface_at() tells */
     bool has_bumps;                  /* with a map */
     bool is_mapped_by_uv;            /* the map, by the mesh's uv */

@@ -8,6 +8,8 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include "shaders/bump_normal.h"
+#include "shaders/cracks.h"
+#include "shaders/cracks_law.h"
 #include "src/reference/microfacet.h"
 
 enum {
@@ -63,7 +65,7 @@ static struct parting part_thin(vec3s d, vec3s n, double eta)
     return parting;
 }
 
-/* Parts light at a crack: a gap too thin to displace it, but wider than a wavelength. */
+/* Parts light at a crack: a gap too thin to displace it. */
 static struct parting part_gap(const struct tracing *tracing, vec3s dir,
                                const struct meeting *meeting)
 {
@@ -79,6 +81,10 @@ static struct parting part_gap(const struct tracing *tracing, vec3s dir,
     struct parting parting = part_thin(dir, n, eta);
     if (parting_dot(parting.reflected, facet) <= 0.0)
         parting.reflected = part_at(dir, facet, eta).reflected;
+    const float open = fmaxf(CRACKS_OPEN_OF(hit->surface.color), 0.0f);
+    parting.colors = cracks_reflectance((float)fmin(-parting_dot(dir, n), 1.0), (float)eta,
+                                        tracing->inclusions->crack_gap * sqrtf(open));
+    parting.fresnel = (parting.colors.x + parting.colors.y + parting.colors.z) / 3.0f;
     return parting;
 }
 
@@ -175,10 +181,10 @@ static void keep_sides(struct parting *parting, vec3s dir, const struct face *fa
     parting->reflected = even.reflected;
 }
 
-struct parting parting_at(const struct tracing *tracing, vec3s dir, const struct meeting *meeting)
+/* Parts light at the surface of an object. */
+static struct parting part_face(const struct tracing *tracing, vec3s dir,
+                                const struct meeting *meeting)
 {
-    if (meeting->hit.part == BVH_CRACKS)
-        return part_gap(tracing, dir, meeting);
     const struct face face = face_at(tracing, dir, meeting);
     const bool is_rough = face.roughness > ROUGHNESS_MIN;
     const vec3s m = is_rough ? microfacet_sample(face.n, dir, face.roughness,
@@ -191,5 +197,14 @@ struct parting parting_at(const struct tracing *tracing, vec3s dir, const struct
         parting.reflected = part_at(dir, face.facet, face.eta).reflected;
     if (face.is_bumpy)
         keep_sides(&parting, dir, &face, is_rough);
+    return parting;
+}
+
+struct parting parting_at(const struct tracing *tracing, vec3s dir, const struct meeting *meeting)
+{
+    if (meeting->hit.part == BVH_CRACKS)
+        return part_gap(tracing, dir, meeting);
+    struct parting parting = part_face(tracing, dir, meeting);
+    parting.colors = (vec3s){ { parting.fresnel, parting.fresnel, parting.fresnel } };
     return parting;
 }

@@ -7,6 +7,7 @@
 /* Reflection and refraction at an object's surface. */
 struct parting {
     float fresnel; /* reflectance; 1: total reflection */
+    vec3s colors;  /* the same for red, green and blue light, whose mean it is */
     vec3s reflected, refracted;
     float reflected_share, refracted_share; /* of the light in these directions: what a rough
                                                surface does not mask */

@@ -303,9 +303,21 @@ static struct lit_surface surface_of(const struct radiance *radiance, const stru
                           glms_vec3_mul(material_f0(m), glms_vec3(tint)), specular);
 }
 
+/* The normals of a surface: of the one that mirrors, and of its matt base. */
+struct normals {
+    vec3s top, base;
+};
+
+static struct normals normals_of(const struct radiance *radiance, const struct material *m,
+                                 const struct radiance_point *point, vec3s n)
+{
+    const vec3s base = bent(radiance, m, point, n);
+    return (struct normals){ m->flags & MATERIAL_IS_FILM ? n : base, base };
+}
+
 /* Returns what a surface at `point` reflects of the lights of files, which have no shadows. */
 static vec3s lights_on(const struct radiance *radiance, const struct lit_surface *surface,
-                       vec3s point, vec3s n, vec3s to_eye)
+                       vec3s point, struct normals n, vec3s to_eye)
 {
     const struct scene *scene = radiance->scene;
     vec3s sum = glms_vec3_zero();
@@ -322,7 +334,8 @@ static vec3s lights_on(const struct radiance *radiance, const struct lit_surface
                                             -glms_vec3_dot(l, axis), (vec2s){ { cone.x, cone.y } });
         const vec3s light =
             glms_vec3_scale(glms_vec3(row[LIT_LIGHT_COLOR]), arriving / 3.14159265f);
-        sum = glms_vec3_muladd(light, lit_by_light(*surface, n, to_eye, l, LIT_LIGHT_SPREAD), sum);
+        sum = glms_vec3_muladd(
+            light, lit_by_light_on(*surface, n.top, n.base, to_eye, l, LIT_LIGHT_SPREAD), sum);
     }
     return sum;
 }
@@ -348,17 +361,17 @@ static vec3s light_of_matt(const struct radiance *radiance, const struct radianc
 /* Returns what a surface with a material reflects of the sun. Refracted light is taken as if it all
  * came from its mean direction. */
 static vec3s reflected_sun(const struct radiance *radiance, const struct lit_surface *surface,
-                           const struct radiance_point *point, vec3s n)
+                           const struct radiance_point *point, struct normals n)
 {
     const struct radiance_sun *sun = sun_at(point);
     const vec3s to_eye = glms_vec3_negate(point->dir);
-    const vec3s direct = lit_by_light(*surface, n, to_eye, radiance->globals->sun_dir,
-                                      radiance->globals->sun_spread);
-    const float cosine = glms_vec3_dot(n, sun->through_dir);
+    const vec3s direct = lit_by_light_on(*surface, n.top, n.base, to_eye,
+                                         radiance->globals->sun_dir, radiance->globals->sun_spread);
+    const float cosine = glms_vec3_dot(n.base, sun->through_dir);
     vec3s reflected = glms_vec3_scale(direct, sun->own);
     if (cosine > 0.0f) {
-        const vec3s by_one =
-            lit_by_light(*surface, n, to_eye, sun->through_dir, radiance->globals->sun_spread);
+        const vec3s by_one = lit_by_light_on(*surface, n.top, n.base, to_eye, sun->through_dir,
+                                             radiance->globals->sun_spread);
         const vec3s share = glms_vec3_scale(by_one, 1.0f / fmaxf(cosine, LEAST_COSINE));
         reflected = glms_vec3_muladd(share, sun->through, reflected);
     }
@@ -370,23 +383,24 @@ static vec3s light_of_base(const struct radiance *radiance, const struct radianc
                            vec3s n, vec3s albedo)
 {
     const struct lit_surface surface = lit_surface_of(albedo, 0.0f, 1.0f, glms_vec3_zero(), 0.0f);
-    const vec3s lamps =
-        lights_on(radiance, &surface, point->vertex->position, n, glms_vec3_negate(point->dir));
+    const vec3s lamps = lights_on(radiance, &surface, point->vertex->position,
+                                  (struct normals){ n, n }, glms_vec3_negate(point->dir));
     return glms_vec3_muladd(albedo, light_of_matt(radiance, point, n), lamps);
 }
 
 /* Returns the radiance of a surface with a material. */
 static vec3s light_of(const struct radiance *radiance, const struct material *m,
-                      const struct radiance_point *point, vec3s n, vec3s albedo)
+                      const struct radiance_point *point, struct normals n, vec3s albedo)
 {
     const struct coordinates uv = coordinates_of(point);
     const vec3s to_eye = glms_vec3_negate(point->dir);
     const struct lit_surface surface = surface_of(radiance, m, uv, albedo);
-    const float n_dot_v = glm_clamp(glms_vec3_dot(n, to_eye), 0.0f, 1.0f);
-    const vec3s mirrored = glms_vec3_muladds(n, -2.0f * glms_vec3_dot(n, point->dir), point->dir);
+    const float n_dot_v = glm_clamp(glms_vec3_dot(n.top, to_eye), 0.0f, 1.0f);
+    const vec3s mirrored =
+        glms_vec3_muladds(n.top, -2.0f * glms_vec3_dot(n.top, point->dir), point->dir);
     const vec3s around = lit_by_environment(surface, split_of(radiance, surface.roughness, n_dot_v),
                                             glossy_light(radiance, mirrored, surface.roughness),
-                                            matt_light(radiance, n));
+                                            matt_light(radiance, n.base));
     const vec3s sun = reflected_sun(radiance, &surface, point, n);
     const float open = texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x;
     const vec4s glow = texel_of(radiance, m, MATERIAL_EMISSION, uv);
@@ -413,7 +427,7 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
     const vec3s n = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal;
     if (!m || point->is_base)
         return light_of_base(radiance, point, n, albedo);
-    return light_of(radiance, m, point, bent(radiance, m, point, n), albedo);
+    return light_of(radiance, m, point, normals_of(radiance, m, point, n), albedo);
 }
 
 vec3s radiance_open(const struct radiance *radiance, vec3s dir)
@@ -435,13 +449,16 @@ bool radiance_shares_at(const struct radiance *radiance, const struct radiance_p
         .normal = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal,
         .roughness = 1.0f,
     };
+    shares->top = shares->normal;
     if (vertex->material & MESH_UNLIT || !m)
         return !(vertex->material & MESH_UNLIT);
     const struct coordinates uv = coordinates_of(point);
     const struct lit_surface surface = surface_of(radiance, m, uv, albedo);
-    shares->normal = bent(radiance, m, point, shares->normal);
+    const struct normals n = normals_of(radiance, m, point, shares->normal);
+    shares->normal = n.base;
+    shares->top = n.top;
     shares->roughness = surface.roughness;
-    const float n_dot_v = glm_clamp(-glms_vec3_dot(shares->normal, point->dir), 0.0f, 1.0f);
+    const float n_dot_v = glm_clamp(-glms_vec3_dot(shares->top, point->dir), 0.0f, 1.0f);
     const vec2s split = split_of(radiance, surface.roughness, n_dot_v);
     const float open = texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x;
     const vec3s all = glms_vec3_fill(1.0f + m->occlusion_strength * (open - 1.0f));

@@ -40,7 +40,7 @@ struct radiance_point {
 /* What a surface makes of the light around it. */
 struct radiance_shares {
     vec3s matt, glossy; /* shares of the light on a matt white surface, and of what is mirrored */
-    vec3s normal;       /* with bumps, on the ray's side */
+    vec3s normal, top;  /* with bumps, on the ray's side: of the matt base, of what mirrors */
     float roughness;
 };
 

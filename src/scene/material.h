@@ -23,7 +23,9 @@ enum {
     MATERIAL_IS_TWO_SIDED = 64,
     MATERIAL_IS_LEGACY = 128, /* the file's index is 0: at every angle the specular colour alone
                                  says how much is reflected; `ior` is the default */
-    MATERIAL_FLAGS = 255,
+    MATERIAL_IS_FILM = 256,   /* of water on something opaque, whose colour and normal texture are
+                               those of the matt base; the surface itself is even */
+    MATERIAL_FLAGS = 511,
 };
 
 /* The textures of a material, by what they are multiplied with. */

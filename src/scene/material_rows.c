@@ -64,8 +64,9 @@ static void fill(vec4s *row, const struct material *m)
     row[MATERIAL_ROW_FACTORS] = (vec4s){ { m->metallic, m->roughness, specular, m->alpha } };
     row[MATERIAL_ROW_F0] = glms_vec4(f0, (float)kind_of(m));
     row[MATERIAL_ROW_EMISSION] = glms_vec4(m->emission, m->alpha_cutoff);
-    row[MATERIAL_ROW_SCALES] = (vec4s){ { m->normal_scale, m->occlusion_strength,
-                                          material_is_dressed(m) ? 1.0f : 0.0f, 0.0f } };
+    row[MATERIAL_ROW_SCALES] =
+        (vec4s){ { m->normal_scale, m->occlusion_strength, material_is_dressed(m) ? 1.0f : 0.0f,
+                   m->flags & MATERIAL_IS_FILM ? 1.0f : 0.0f } };
     for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++)
         fill_texture(&row[MATERIAL_ROW_TEXTURES + 2 * i], &m->textures[i]);
 }

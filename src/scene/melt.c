@@ -22,6 +22,8 @@
 #define HOLLOW_FINE  0.45f /* depth of smaller ones in them, relative to them */
 #define HOLLOW_OFTEN 2.1f
 #define HOLLOWS_DUE  0.1f   /* share of the volume after which they are there */
+#define OPENS_AT     0.1f   /* depth below which cracks grow wider, of the greatest */
+#define WIDER        20.0f  /* by which they do at the surface, of their gap, when all has melted */
 #define FLOATING     0.917f /* share of floating ice that is below water */
 #define PUDDLE       0.164f /* thickness of spread water, in halves of the ice's width: 2.3 mm */
 #define PUDDLE_LEFT  0.917f /* volume of the water of ice */
@@ -228,7 +230,7 @@ static bool is_floating(const struct model *model, uint32_t object)
     return false;
 }
 
-/* Makes air in the ice, and water below it, follow. */
+/* Makes air in the ice, and water below and around it, follow. */
 static bool follow(struct model *model, const struct mesh *grown, const struct ice *ice,
                    const struct object *of)
 {
@@ -246,6 +248,7 @@ static bool follow(struct model *model, const struct mesh *grown, const struct i
         else if (has_index(model, i, ICE_MOST, WATER_MOST))
             done = melt_parts_spread(model, i, &parts);
     }
+    done = done && melt_parts_spread_films(model, &parts);
     melt_parts_finish(&parts);
     return done;
 }
@@ -357,6 +360,22 @@ bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object)
         bubbles->all[left++] = *bubble;
     }
     bubbles->count = left;
+    depth_field_finish(&depth);
+    return true;
+}
+
+bool melt_cracks(struct mesh *cracks, const struct mesh *object, float share)
+{
+    struct depth_field depth;
+    if (!depth_field_init(&depth, object))
+        return false;
+    for (uint32_t i = 0; i < cracks->vertex_count; i++) {
+        struct mesh_vertex *vertex = &cracks->vertices[i];
+        const float deep = melt_parts_depth(&depth, vertex->position);
+        const float near = 1.0f - glm_smoothstep(0.0f, OPENS_AT * depth.most, deep);
+        const float wider = 1.0f + WIDER * share * near;
+        vertex->color = glms_vec3_scale(vertex->color, wider * wider);
+    }
     depth_field_finish(&depth);
     return true;
 }

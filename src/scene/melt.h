@@ -5,8 +5,8 @@
  * Ice is what has the index of ice, and the object of a scene without materials. It keeps its
  * triangles. What stood on something sinks onto it, and what floated keeps its share above water.
  * Shells of air in the ice stay where they are in it; as its surface reaches them they open, shrink
- * and are gone. Shells of water below it, where it stands, spread as far as what has melted fills
- * them. Hollows appear on its surface.
+ * and are gone; cracks grow wider there. Shells of water below it, where it stands, and films on
+ * what is around it spread as far as what has melted fills them. Hollows appear on its surface.
  *
  * Errors: the water that the ice floats in keeps its level. Spread water does not see what is in
  * its way. Air that has come out of the ice leaves no drops.
@@ -38,6 +38,10 @@ MUST_USE enum status melt_model(struct model *model, const struct melting *melti
 /* Shrinks bubbles that were in the grown object, and leaves out those that are outside of the
  * melted one. Returns false when out of memory. */
 bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object);
+
+/* Opens cracks where the surface of an object, of which a share has melted, is near. Returns false
+ * when out of memory. */
+bool melt_cracks(struct mesh *cracks, const struct mesh *object, float share);
 
 void melted_finish(struct melted *melted); /* {0} is fine */
 

@@ -233,14 +233,15 @@ static void spread_part(const struct parts *parts, const struct part *part, stru
     }
 }
 
-bool melt_parts_spread(struct model *model, uint32_t object, const struct melt_parts_ice *ice)
+/* Spreads those parts of an object of a mesh that are below the ice. */
+static bool spread(struct mesh *mesh, const struct object *object, const struct model *model,
+                   const struct melt_parts_ice *ice)
 {
-    struct mesh *mesh = &model->object;
     const vec3s foot = box_center(ice->object->box);
     const struct reach before = reach_of(ice->object, ice->grown, foot);
-    const struct reach after = reach_of(ice->object, mesh, foot);
+    const struct reach after = reach_of(ice->object, &model->object, foot);
     struct parts parts;
-    if (!parts_init(&parts, mesh, &model->objects[object]))
+    if (!parts_init(&parts, mesh, object))
         return false;
     for (uint32_t i = 0; i < parts.weld.count; i++) {
         if (is_below(&parts.all[i], &ice->object->box))
@@ -248,6 +249,147 @@ bool melt_parts_spread(struct model *model, uint32_t object, const struct melt_p
     }
     parts_finish(&parts);
     return true;
+}
+
+bool melt_parts_spread(struct model *model, uint32_t object, const struct melt_parts_ice *ice)
+{
+    return spread(&model->object, &model->objects[object], model, ice);
+}
+
+/* ---- films on what is around the objects ---- */
+
+static bool is_film(const struct model *model, const struct mesh_vertex *vertex)
+{
+    const uint32_t index = vertex->material >> MESH_SURFACE_SHIFT;
+    return index && model->materials[index - 1].flags & MATERIAL_IS_FILM;
+}
+
+/* The triangles of the surroundings that are films, or are not; the vertices are those of all. */
+static bool choose(struct mesh *chosen, const struct model *model, bool are_films)
+{
+    const struct mesh *all = &model->surroundings;
+    *chosen = *all;
+    chosen->indices = malloc((all->index_count + (size_t)1) * sizeof(*chosen->indices));
+    chosen->index_count = 0;
+    if (!chosen->indices)
+        return false;
+    for (uint32_t i = 0; i < all->index_count; i++) {
+        if (is_film(model, &all->vertices[all->indices[i]]) == are_films)
+            chosen->indices[chosen->index_count++] = all->indices[i];
+    }
+    return true;
+}
+
+/* Returns the height of the highest triangle at a place, or -INFINITY. */
+static float ground_at(const struct mesh *ground, float x, float z)
+{
+    float height = -INFINITY;
+    for (uint32_t i = 0; i < ground->index_count; i += 3) {
+        vec3s p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = ground->vertices[ground->indices[i + (uint32_t)k]].position;
+        if (fminf(p[0].x, fminf(p[1].x, p[2].x)) > x || fmaxf(p[0].x, fmaxf(p[1].x, p[2].x)) < x ||
+            fminf(p[0].z, fminf(p[1].z, p[2].z)) > z || fmaxf(p[0].z, fmaxf(p[1].z, p[2].z)) < z)
+            continue;
+        const float ax = p[1].x - p[0].x, az = p[1].z - p[0].z;
+        const float bx = p[2].x - p[0].x, bz = p[2].z - p[0].z;
+        const float area = ax * bz - az * bx;
+        const float u = ((x - p[0].x) * bz - (z - p[0].z) * bx) / area;
+        const float v = (ax * (z - p[0].z) - az * (x - p[0].x)) / area;
+        if (u >= -1e-3f && v >= -1e-3f && u + v <= 1.001f)
+            height = fmaxf(height, p[0].y + u * (p[1].y - p[0].y) + v * (p[2].y - p[0].y));
+    }
+    return height;
+}
+
+/* How texture coordinates grow with places. */
+struct growth {
+    vec2s by_x, by_z;
+};
+
+/* Returns that of vertices whose coordinates grow evenly, by least squares. */
+static struct growth growth_of(const struct mesh *mesh)
+{
+    const float count = fmaxf((float)mesh->index_count, 1.0f);
+    float x = 0, z = 0, xx = 0, xz = 0, zz = 0;
+    vec2s by_x = glms_vec2_zero(), by_z = glms_vec2_zero();
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        x += mesh->vertices[mesh->indices[i]].position.x / count;
+        z += mesh->vertices[mesh->indices[i]].position.z / count;
+    }
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        const struct mesh_vertex *v = &mesh->vertices[mesh->indices[i]];
+        const float dx = v->position.x - x, dz = v->position.z - z;
+        xx += dx * dx;
+        xz += dx * dz;
+        zz += dz * dz;
+        by_x = glms_vec2_add(by_x, glms_vec2_scale(v->uv, dx));
+        by_z = glms_vec2_add(by_z, glms_vec2_scale(v->uv, dz));
+    }
+    const float area = xx * zz - xz * xz;
+    if (!(area > 1e-6f * xx * zz))
+        return (struct growth){ 0 };
+    return (struct growth){
+        glms_vec2_divs(glms_vec2_sub(glms_vec2_scale(by_x, zz), glms_vec2_scale(by_z, xz)), area),
+        glms_vec2_divs(glms_vec2_sub(glms_vec2_scale(by_z, xx), glms_vec2_scale(by_x, xz)), area),
+    };
+}
+
+/* Turns normals of films as their triangles have turned. `turned` is a copy of them, with normals
+ * that its triangles had before. */
+static void turn_normals(const struct model *model, struct mesh *films, struct mesh *turned)
+{
+    for (uint32_t i = 0; i < films->vertex_count; i++) {
+        struct mesh_vertex *v = &films->vertices[i];
+        if (is_film(model, v))
+            v->normal = glms_vec3_sub(v->normal, turned->vertices[i].normal);
+        turned->vertices[i].position = v->position;
+    }
+    mesh_make_normals(turned);
+    for (uint32_t i = 0; i < films->vertex_count; i++) {
+        struct mesh_vertex *v = &films->vertices[i];
+        if (!is_film(model, v))
+            continue;
+        v->normal = glms_vec3_normalize(glms_vec3_add(v->normal, turned->vertices[i].normal));
+    }
+}
+
+/* Moves films' textures and heights after vertices that were elsewhere before. */
+static void follow_ground(struct mesh *films, const struct mesh *before,
+                          const struct growth *growth, const struct mesh *ground)
+{
+    for (uint32_t i = 0; i < films->vertex_count; i++) {
+        struct mesh_vertex *v = &films->vertices[i];
+        const vec3s from = before->vertices[i].position;
+        const float dx = v->position.x - from.x, dz = v->position.z - from.z;
+        if (fabsf(dx) + fabsf(dz) <= 0.0f)
+            continue;
+        const float fall =
+            ground_at(ground, v->position.x, v->position.z) - ground_at(ground, from.x, from.z);
+        v->uv = glms_vec2_muladds(growth->by_x, dx, glms_vec2_muladds(growth->by_z, dz, v->uv));
+        if (fall < 0.0f && isfinite(fall))
+            v->position.y += fall;
+    }
+}
+
+bool melt_parts_spread_films(struct model *model, const struct melt_parts_ice *ice)
+{
+    struct mesh films, ground = { 0 }, before = { 0 };
+    bool done = choose(&films, model, true) && choose(&ground, model, false);
+    const struct object object = { .index_count = films.index_count };
+    if (done && films.index_count) {
+        const struct growth growth = growth_of(&films);
+        done = mesh_append(&before, &films) && spread(&films, &object, model, ice);
+        if (done) {
+            mesh_make_normals(&before);
+            follow_ground(&films, &before, &growth, &ground);
+            turn_normals(model, &films, &before);
+        }
+    }
+    free(films.indices);
+    free(ground.indices);
+    mesh_finish(&before);
+    return done;
 }
 
 void melt_parts_finish(struct melt_parts_ice *ice)

@@ -27,6 +27,11 @@ bool melt_parts_shrink(struct model *model, uint32_t object, struct melt_parts_i
  * out of memory. */
 bool melt_parts_spread(struct model *model, uint32_t object, const struct melt_parts_ice *ice);
 
+/* The same of films of water on what is around the objects (MATERIAL_IS_FILM). They go down with
+ * the ground; where it rises they stay level, so that it rises out of them. Textures stay where
+ * they are. */
+bool melt_parts_spread_films(struct model *model, const struct melt_parts_ice *ice);
+
 void melt_parts_finish(struct melt_parts_ice *ice);
 
 /* Returns the depth at a point below a field's surface, metres; 0 outside. */

@@ -78,6 +78,7 @@ struct scene {
 struct scene_cracks {
     uint32_t count; /* 0: none */
     uint32_t seed;
+    float size;       /* relative to the usual one */
     bool cut;         /* clip them to the object, which must be closed */
     const char *file; /* model of a crack, read by scene_load(); NULL: they are made */
 };

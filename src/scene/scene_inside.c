@@ -14,6 +14,7 @@ static void fit_sheet(struct mesh *sheet)
     for (uint32_t i = 0; i < sheet->vertex_count; i++) {
         struct mesh_vertex *v = &sheet->vertices[i];
         v->position = glms_vec3_scale(glms_vec3_sub(v->position, box_center(box)), scale);
+        v->color = glms_vec3_one();
     }
 }
 
@@ -73,8 +74,11 @@ enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cr
     const struct mesh *object = &scene->model.object;
     struct solid solid = { 0 };
     mesh_finish(&scene->cracks);
-    bool done = generate_cracks(&scene->cracks, grown_box(scene), cracks->count, cracks->seed,
-                                &scene->files.crack_sheet);
+    const struct generate_cracks params = { cracks->count, cracks->seed, cracks->size };
+    bool done =
+        generate_cracks(&scene->cracks, grown_box(scene), &params, &scene->files.crack_sheet);
+    if (done && cracks->count && scene->melted.share > 0.0f)
+        done = melt_cracks(&scene->cracks, object, scene->melted.share);
     if (done && cracks->count && cracks->cut) {
         done = solid_init(&solid, object) &&
                solid_cut(&solid, &scene->cracks, box_diagonal(scene->box) / 128.0f);

@@ -5,8 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "shaders/cracks.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
+#include "src/image/half.h"
 #include "src/scene/tree_horizon.h"
 #include "src/scene/tree_shape.h"
 
@@ -81,6 +83,13 @@ static void put_bubble(struct tree_words *words, const struct bubble *bubble)
     put(words->all[words->count++], bubble->center.raw, bits(bubble->stretch));
     put(words->all[words->count++], bubble->axis.raw, bits(bubble->is_capsule ? 1.0f : 0.0f));
     put(words->all[words->count++], zero, bits(bubble->radius));
+}
+
+/* Returns what a corner of a crack has behind its normal. */
+static uint32_t open_bits(const struct tree_part *part, uint32_t triangle, uint32_t corner)
+{
+    const float open = CRACKS_OPEN_OF(tree_corner(part, triangle, corner)->color);
+    return (uint32_t)half_from_float(open) << 16;
 }
 
 /* Returns the rank of an object, and TREE_NUMBER times its number. */
@@ -350,7 +359,8 @@ static void lay_part(struct tree *tree, uint32_t index, const struct tree_part *
                                        horizon << TREE_HORIZON_SHIFT };
         put_triangle(&tree->triangles, part, triangle);
         for (uint32_t k = 0; k < 3; k++)
-            put(tree->corners.all[word++], tree_corner(part, triangle, k)->normal.raw, last[k]);
+            put(tree->corners.all[word++], tree_corner(part, triangle, k)->normal.raw,
+                part->is_inclusion ? open_bits(part, triangle, k) : last[k]);
         if (is_shown)
             put_surface(&tree->corners, part, triangle);
     }

@@ -11,8 +11,9 @@
  *
  * cracks.refract=normals is the experiment of the paper's section 5, which is too strong, as the
  * paper says: light leaves a crack in the direction in which it enters. cracks.refract=gap follows
- * that law: light that a thin parallel gap of air does not reflect goes straight on. cracks.surface
- * paints the sheets red and opaque, as the paper's figures 5c and 5d do to show them.
+ * that law: light that a thin parallel gap of air does not reflect goes straight on; it is thinner
+ * towards the rim, where it reflects colours and then nothing (shaders/cracks_law.h).
+ * cracks.surface paints the sheets red and opaque, as the paper's figures 5c and 5d do.
  *
  * Error: cracks are seen along the straight ray, not the refracted one, and their light is not
  * refracted by the surface above them. Cracks behind each other are blended in the order of the
@@ -193,6 +194,16 @@ static const struct setting rows[] = {
         .help = "random seed of the cracks",
     },
     {
+        .name = "cracks.size",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct cracks_params, size),
+        .initial = 1,
+        .min = 0.05,
+        .max = 4,
+        .affects = SETTING_AFFECTS_SCENE,
+        .help = "width of the cracks, relative to sheets that are about as wide as the ice",
+    },
+    {
         .name = "cracks.clip",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct cracks_params, clip),
@@ -237,6 +248,15 @@ static const struct setting rows[] = {
         .initial = 0.35,
         .max = 4,
         .help = "roughness of the cracks' surface (0: smooth)",
+    },
+    {
+        .name = "cracks.gap",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct cracks_params, look.gap),
+        .initial = 2.4,
+        .min = 0.01,
+        .max = 1000,
+        .help = "gap in the middle of cracks, micrometres, where they reflect as gaps of air",
     },
     {
         .name = "cracks.surface",

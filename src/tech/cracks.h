@@ -22,6 +22,7 @@ enum cracks_refract {
 struct cracks_params {
     struct cracks_look look;
     uint32_t count, seed; /* of the scene's cracks */
+    float size;           /* factor on theirs */
     uint32_t clip;        /* enum cracks_clip */
     uint32_t refract;     /* enum cracks_refract */
 };

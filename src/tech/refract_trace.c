@@ -252,6 +252,7 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
         .one = 1,
         .ice = view->scene->model.object_count ? view->scene->model.objects[0].rank : 1,
         .crack_slope = cracks_of->look.bump,
+        .crack_gap = cracks_of->look.gap,
         .media_at = tree->media,
         .objects_turn = turn_of(globals->world_from_object),
         .movers_turn = turn_of(globals->world_from_movers),

@@ -315,6 +315,19 @@ class Surfaces(Cards):
         self.check_all()
 
     @unsanitized
+    def test_films(self):
+        """Below a film the matt base alone is bent."""
+        color = (0.2, 0.6, 0.9)
+        slope = tuple(round(127.5 + 127.5 * x) for x in TILT) + (255,)
+        film = {'normalTexture': self.scene.texture(slope), 'extras': {'film': True}}
+        black = self.card('even mirror', pbr((0, 0, 0, 1), 0, 0.3))
+        self.card('normal texture, film', {**pbr((0, 0, 0, 1), 0, 0.3), **film}, black)
+        matt = extended(pbr((*color, 1)), materials_specular={'specularFactor': 0})
+        self.card('normal texture, below a film', {**matt, **film},
+                  self.card('matt normals', matt, normal=TILT))
+        self.check_all()
+
+    @unsanitized
     def test_places_in_textures(self):
         red, green, blue, grey = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (99,) * 4
         four = self.scene.texture(red, green, blue, grey, width=2)

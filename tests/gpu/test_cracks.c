@@ -21,7 +21,7 @@ enum {
 };
 
 /* Every fragment that is kept shows: a gap reflects 3.5 % at least. */
-#define GAPS "cracks.refract=gap", "cracks.strength=0", "cracks.bump=0"
+#define GAPS "cracks.refract=gap", "cracks.strength=0", "cracks.bump=0", "cracks.gap=1000"
 
 static const double pi = 3.14159265358979323846;
 /* Relative: a device may round to halves either way. */
@@ -86,7 +86,7 @@ static struct scene open_scene(const char *name)
 
 static void crack(struct scene *scene, uint32_t count, uint32_t seed, bool cut)
 {
-    const struct scene_cracks cracks = { .count = count, .seed = seed, .cut = cut };
+    const struct scene_cracks cracks = { .count = count, .seed = seed, .size = 1, .cut = cut };
     assert_int_equal(scene_make_cracks(scene, &cracks), STATUS_OK);
 }
 
@@ -319,10 +319,10 @@ static void test_cracks_turn_with_the_ice(void **state)
 static void test_seeds_and_counts(void **state)
 {
     static const struct scene_cracks kinds[] = {
-        { .count = 2, .seed = 1 },
-        { .count = 2, .seed = 1 },
-        { .count = 2, .seed = 2 },
-        { .count = 64, .seed = 1 },
+        { .count = 2, .seed = 1, .size = 1 },
+        { .count = 2, .seed = 1, .size = 1 },
+        { .count = 2, .seed = 2, .size = 1 },
+        { .count = 64, .seed = 1, .size = 1 },
     };
     const struct settings settings = settings_default();
     struct scene scene = open_scene("valley");
@@ -377,7 +377,7 @@ static void test_surface(void **state)
     struct scene scene = open_scene("torus");
     crack(&scene, 2, 3, false);
     for (size_t k = 0; k < 2; k++) {
-        size_t shown[2];
+        size_t shown[2], wrong = 0;
         for (size_t c = 0; c < 2; c++) {
             const struct settings gap = SETTINGS(clips[c], GAPS);
             const struct settings red = SETTINGS(clips[c], kinds[k], "cracks.surface=on");
@@ -388,8 +388,10 @@ static void test_surface(void **state)
             for (size_t i = 0; i < PIXELS; i++) {
                 const float whole = kept[i] > 0.0f ? 1.0f : 0.0f;
                 shown[c] += kept[i] > 0.0f;
-                assert_true(image_find(&b.image, "cracks.A")[i] == whole);
-                assert_true(image_find(&b.image, "cracks.R")[i] == whole);
+                const float shows = image_find(&b.image, "cracks.R")[i];
+                assert_true(image_find(&b.image, "cracks.A")[i] == shows);
+                assert_true(shows == 0.0f || shows == 1.0f);
+                wrong += shows != whole; /* at rims, where gaps are closed */
                 assert_true(image_find(&b.image, "cracks.G")[i] == 0.0f);
                 assert_true(image_find(&b.image, "cracks.B")[i] == 0.0f);
             }
@@ -397,7 +399,7 @@ static void test_surface(void **state)
             render_result_finish(&b);
         }
         print_message("%s: %zu pixels red, %zu without clipping\n", kinds[k], shown[0], shown[1]);
-        assert_true(shown[0] > 2000 && shown[1] * 4 > shown[0] * 5);
+        assert_true(shown[0] > 2000 && shown[1] * 4 > shown[0] * 5 && wrong < 50);
     }
     scene_finish(&scene);
 }
@@ -419,6 +421,7 @@ static void add_flat_crack(struct scene *scene, double degrees)
         scene->cracks.vertices[i].position = glms_vec3_scale(right, x);
         scene->cracks.vertices[i].position.y = y;
         scene->cracks.vertices[i].normal = (vec3s){ { s, 0, c } };
+        scene->cracks.vertices[i].color = glms_vec3_one();
     }
     memcpy(scene->cracks.indices, corners, sizeof(corners));
 }

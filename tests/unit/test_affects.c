@@ -23,12 +23,13 @@ static void describe_scene(const struct app_scene *o, char text[static TEXT_SIZE
 {
     struct bump_maps_params maps;
     const struct scene_params p = app_describe_scene(o, &maps);
-    int length = snprintf(
-        text, TEXT_SIZE, "%u %u %d %u|%u %u %a %a %d|%u %u %a %d %a|%u %u %d|%a %a %a",
-        p.object_triangles, p.landscape_triangles, p.flat, p.mover_count, p.air.count, p.air.seed,
-        (double)p.air.size, (double)p.air.frequency, p.has_cloud, p.bubbles.count, p.bubbles.seed,
-        (double)p.bubbles.size, (int)p.bubbles.shape, (double)p.bubbles.stretch, p.cracks.count,
-        p.cracks.seed, p.cracks.cut, (double)p.pool.size, (double)p.pool.depth, (double)p.pool.ice);
+    int length =
+        snprintf(text, TEXT_SIZE, "%u %u %d %u|%u %u %a %a %d|%u %u %a %d %a|%u %u %a %d|%a %a %a",
+                 p.object_triangles, p.landscape_triangles, p.flat, p.mover_count, p.air.count,
+                 p.air.seed, (double)p.air.size, (double)p.air.frequency, p.has_cloud,
+                 p.bubbles.count, p.bubbles.seed, (double)p.bubbles.size, (int)p.bubbles.shape,
+                 (double)p.bubbles.stretch, p.cracks.count, p.cracks.seed, (double)p.cracks.size,
+                 p.cracks.cut, (double)p.pool.size, (double)p.pool.depth, (double)p.pool.ice);
     if (p.bump)
         length += snprintf(&text[length], TEXT_SIZE - (size_t)length, "|%a %u", (double)maps.smooth,
                            maps.seed);

@@ -11,7 +11,8 @@ static const struct box box = { { { 3, -2, 7 } }, { { 5, 0, 8 } } };
 static void generate(struct mesh *mesh, uint32_t count, uint32_t seed)
 {
     *mesh = (struct mesh){ 0 };
-    assert_true(generate_cracks(mesh, box, count, seed, &(struct mesh){ 0 }));
+    const struct generate_cracks params = { count, seed, 1 };
+    assert_true(generate_cracks(mesh, box, &params, &(struct mesh){ 0 }));
 }
 
 static bool is_same(const struct mesh *a, const struct mesh *b, uint32_t vertex_count)
@@ -127,7 +128,8 @@ static void test_own_sheet(void **state)
         sheet.vertices[i].normal.y = 1;
         sheet.indices[i] = i;
     }
-    assert_true(generate_cracks(&mesh, box, 4, 7, &sheet));
+    const struct generate_cracks params = { 4, 7, 1 };
+    assert_true(generate_cracks(&mesh, box, &params, &sheet));
     assert_int_equal(mesh.vertex_count, 12);
     assert_int_equal(mesh.index_count, 12);
     const float half = box_diagonal(box) / 2;

@@ -307,7 +307,8 @@ static void materials(void **state)
     const char *material =
         "'name':'paint','alphaMode':'MASK','alphaCutoff':0.25,'doubleSided':true,"
         "'emissiveFactor':[1,0.5,0],'pbrMetallicRoughness':{'baseColorFactor':[0.5,0.25,1,0.75],"
-        "'metallicFactor':0.125,'roughnessFactor':0.375},'extras':{'priority':-7},'extensions':{"
+        "'metallicFactor':0.125,'roughnessFactor':0.375},'extras':{'priority':-7,'film':true},"
+        "'extensions':{"
         "'KHR_materials_emissive_strength':{'emissiveStrength':8},"
         "'KHR_materials_specular':{'specularFactor':0.5,'specularColorFactor':[1,2,3]},"
         "'KHR_materials_ior':{'ior':1.25},'KHR_materials_dispersion':{'dispersion':0.5},"
@@ -317,7 +318,7 @@ static void materials(void **state)
     const struct material *m = &model.materials[0];
     assert_string_equal(m->name, "paint");
     assert_int_equal(m->flags, MATERIAL_IS_CUTOUT | MATERIAL_IS_TWO_SIDED | MATERIAL_HAS_IOR |
-                                   MATERIAL_HAS_PRIORITY);
+                                   MATERIAL_HAS_PRIORITY | MATERIAL_IS_FILM);
     assert_int_equal(m->priority, -7);
     const float numbers[][2] = {
         { m->base_color.x, 0.5F },

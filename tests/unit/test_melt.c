@@ -235,6 +235,77 @@ static void bubbles_shrink_at_the_surface(void **state)
     mesh_finish(&model.object);
 }
 
+/* Cracks grow wider at the surface, and are as wide as before deep below it. */
+static void cracks_open_at_the_surface(void **state)
+{
+    const float deep[] = { 0, 0.5f, 0.9f, 2 };
+    struct mesh block = { 0 }, cracks;
+    (void)state;
+    assert_true(generate_ice_cube(&block, 500));
+    const float side = mesh_box(&block).max.x;
+    assert_true(mesh_init(&cracks, 4, 0));
+    for (int i = 0; i < 4; i++) {
+        cracks.vertices[i].position = (vec3s){ { deep[i] * side, 0, 0 } };
+        cracks.vertices[i].color = (vec3s){ { 0.5f, 0.5f, 0.5f } };
+    }
+    assert_true(melt_cracks(&cracks, &block, 0.5f));
+    CHECK_NEAR(cracks.vertices[0].color.x, 0.5, 1e-6);
+    for (int i = 1; i < 4; i++)
+        assert_true(cracks.vertices[i].color.x >= cracks.vertices[i - 1].color.x);
+    CHECK_NEAR(cracks.vertices[3].color.x, 0.5 * 11 * 11, 1e-3); /* as 1 + 20 m */
+    mesh_finish(&block);
+    mesh_finish(&cracks);
+}
+
+/* Films around the ice spread, with their textures, and go down where the ground does. */
+static void films_spread(void **state)
+{
+    static const uint32_t corners[6] = { 0, 1, 2, 0, 2, 3 };
+    struct material materials[2] = { material_make("stone"), material_make("film") };
+    struct object ice = { 0 };
+    struct model model = bare(generate_ice_cube);
+    struct melted melted;
+    (void)state;
+    const struct box box = mesh_box(&model.object);
+    materials[0].ior = 1.31f;
+    materials[0].transmission = 1;
+    materials[1].flags |= MATERIAL_IS_FILM;
+    ice.index_count = model.object.index_count;
+    ice.box = box;
+    model.objects = &ice;
+    model.object_count = 1;
+    model.materials = materials;
+    model.material_count = 2;
+    assert_true(mesh_init(&model.surroundings, 8, 12));
+    for (uint32_t i = 0; i < 8; i++) { /* stone that falls towards +x, and a square of water */
+        struct mesh_vertex *v = &model.surroundings.vertices[i];
+        const float half = i < 4 ? 20 : 2;
+        const float x = i % 4 == 1 || i % 4 == 2 ? half : -half, z = i % 4 >= 2 ? half : -half;
+        v->position = (vec3s){ { x, box.min.y + (i < 4 ? -0.1f * x - 1 : 0.01f), z } };
+        v->normal = (vec3s){ { 0, 1, 0 } };
+        v->uv = (vec2s){ { 0.25f * x + 3, 0.5f * z } };
+        v->material = (i < 4 ? 0u : 2u) << MESH_SURFACE_SHIFT;
+    }
+    for (uint32_t i = 0; i < 12; i++)
+        model.surroundings.indices[i] = corners[i % 6] + i / 6 * 4;
+    assert_int_equal(melt_model(&model, &(struct melting){ .share = 0.5f }, 0, &melted), STATUS_OK);
+    for (uint32_t i = 4; i < 8; i++) {
+        const struct mesh_vertex *v = &model.surroundings.vertices[i];
+        const double x = (double)v->position.x, z = (double)v->position.z;
+        check_between(fabs(x), 2.5, 5);
+        CHECK_NEAR(fabs(z), fabs(x), 1e-4);
+        CHECK_NEAR(v->uv.x, 0.25 * x + 3, 1e-4);
+        CHECK_NEAR(v->uv.y, 0.5 * z, 1e-4);
+        const double fall = x > 0 ? 0.1 * (x - 2) : 0; /* it stays level where the stone rises */
+        CHECK_NEAR(v->position.y, (double)box.min.y + 0.01 - fall, 1e-4);
+        CHECK_NEAR(model.surroundings.vertices[i - 4].position.x,
+                   i % 4 == 1 || i % 4 == 2 ? 20 : -20, 0);
+    }
+    melted_finish(&melted);
+    mesh_finish(&model.object);
+    mesh_finish(&model.surroundings);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -243,6 +314,8 @@ int main(void)
         cmocka_unit_test(nothing_leaps),
         cmocka_unit_test(ice_stands_where_it_stood),
         cmocka_unit_test(bubbles_shrink_at_the_surface),
+        cmocka_unit_test(cracks_open_at_the_surface),
+        cmocka_unit_test(films_spread),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

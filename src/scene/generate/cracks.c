@@ -68,9 +68,11 @@ static bool make_sheet(struct mesh *mesh, uint32_t model)
         uint32_t row = i / (CELLS + 1);
         uint32_t column = i % (CELLS + 1);
         vec2s uv = { { (float)column / CELLS, (float)row / CELLS } };
+        const float u = 2.0F * uv.x - 1.0F, v = 2.0F * uv.y - 1.0F;
+        const float open = (1.0F - u * u) * (1.0F - v * v); /* 1 less the disc's radius squared */
         mesh->vertices[i] = (struct mesh_vertex){
-            .position = sheet_point(2.0F * uv.x - 1.0F, 2.0F * uv.y - 1.0F, model),
-            .color = glms_vec3_one(),
+            .position = sheet_point(u, v, model),
+            .color = { { open, open, open } },
             .uv = uv,
         };
     }
@@ -107,10 +109,11 @@ static vec4s random_in_ball(uint32_t *state, int count)
     return v;
 }
 
-static bool add_crack(struct mesh *mesh, const struct mesh *sheet, struct box box, uint32_t *state)
+static bool add_crack(struct mesh *mesh, const struct mesh *sheet, struct box box, float wide,
+                      uint32_t *state)
 {
     float half = box_diagonal(box) / 2.0F;
-    float size = half * (0.8F + 0.15F * random_value(state));
+    float size = wide * half * (0.8F + 0.15F * random_value(state));
     vec4s axis = random_in_ball(state, 4);
     versors turn = glms_quat_normalize((versors){ { axis.x, axis.y, axis.z, axis.w } });
     vec3s shift = glms_vec3_scale(glms_vec3(random_in_ball(state, 3)), 0.3F * half);
@@ -127,18 +130,19 @@ static bool add_crack(struct mesh *mesh, const struct mesh *sheet, struct box bo
     return true;
 }
 
-bool generate_cracks(struct mesh *mesh, struct box box, uint32_t count, uint32_t seed,
+bool generate_cracks(struct mesh *mesh, struct box box, const struct generate_cracks *params,
                      const struct mesh *own)
 {
     struct mesh sheets[MODEL_COUNT] = { 0 };
-    uint32_t wanted = count < CRACKS_MAX ? count : CRACKS_MAX;
+    const uint32_t wanted = params->count < CRACKS_MAX ? params->count : CRACKS_MAX;
     bool done = true;
     *mesh = (struct mesh){ 0 };
     for (uint32_t i = 0; i < MODEL_COUNT && done; i++)
         done = own->index_count || make_sheet(&sheets[i], i);
     for (uint32_t i = 0; i < wanted && done; i++) {
-        uint32_t state = noise_hash(noise_hash(seed) ^ i); /* independent of `count` */
-        done = add_crack(mesh, own->index_count ? own : &sheets[i % MODEL_COUNT], box, &state);
+        uint32_t state = noise_hash(noise_hash(params->seed) ^ i); /* not of the count */
+        done = add_crack(mesh, own->index_count ? own : &sheets[i % MODEL_COUNT], box, params->size,
+                         &state);
     }
     for (uint32_t i = 0; i < MODEL_COUNT; i++)
         mesh_finish(&sheets[i]);

@@ -148,13 +148,19 @@ struct bubbles {
 bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
                       const struct generate_bubbles *params);
 
+struct generate_cracks {
+    uint32_t count, seed;
+    float size;
+};
+
 /*
  * Sheets for cracks in an object that fills a box: `count` of them (at most CRACKS_MAX), about as
- * large as the box, near its centre, open, curved, irregular, partly outside of it. For one seed,
- * a smaller count gives the first sheets of a larger one. If `own` is not empty, all are copies of
- * it, which is in the unit ball.
+ * large as the box times `size`, near its centre, open, curved, irregular, partly outside of it.
+ * For one seed, a smaller count gives the first sheets of a larger one. If `own` is not empty, all
+ * are copies of it, which is in the unit ball. Colours are those of shaders/cracks.h; sheets of
+ * `own` are as wide everywhere.
  */
-bool generate_cracks(struct mesh *mesh, struct box box, uint32_t count, uint32_t seed,
+bool generate_cracks(struct mesh *mesh, struct box box, const struct generate_cracks *params,
                      const struct mesh *own);
 
 #endif

@@ -110,6 +110,16 @@ static void read_cloud(const struct gltf_object *object, struct material *m)
                          (double)MATERIAL_CLOUD_MAX);
 }
 
+/* Whether a surface is that of water on something opaque: "extras": { "film": true }. */
+static void read_film(const struct gltf_object *object, struct material *m)
+{
+    const json_t *film = json_object_get(json_object_get(object->json, "extras"), "film");
+    if (json_is_true(film))
+        m->flags |= MATERIAL_IS_FILM;
+    else if (film && !json_is_false(film))
+        (void)gltf_fault(object, "extras.film: expected true or false");
+}
+
 static bool has_picture(const struct gltf_texture *texture)
 {
     return texture->image != gltf_none;
@@ -157,6 +167,7 @@ static void read_material(struct gltf *gltf, uint32_t index)
     check_clear(&object, material);
     read_priority(&object, &material->material);
     read_cloud(&object, &material->material);
+    read_film(&object, &material->material);
     vec3s color = material->material.base_color;
     gltf->import->clamped_materials += model_color_clamp(&color, false);
     material->material.base_color = color;
