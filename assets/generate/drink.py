@@ -3,9 +3,9 @@ import math
 import random
 
 import surroundings as around
-from files import Model, glass, lit
-from shapes import (Mesh, add, beads_mesh, crack, crowd, film, ice, ice_surface, lathe, mix,
-                    noise, rounded, scale, smooth_normals, smoothstep, sub, tube, turned, unit,
+from files import Model, glass, lit, png
+from shapes import (Mesh, add, beads_mesh, crack, cross, crowd, film, ice, ice_surface, lathe,
+                    mix, noise, rounded, scale, smooth_normals, smoothstep, sub, turned, unit,
                     with_normals, worms)
 
 BASE, FLOOR, HEIGHT = 0.0002, 0.0105, 0.09  # heights of the glass: foot, inner floor, rim
@@ -65,31 +65,53 @@ def water():
     return mesh
 
 
+PRINT = (128, 1024)  # texels around and along the straw
+
+
+def paper():
+    """Colours of the straw: a red stripe is wound around it once in 21 mm, and so is the paper,
+    whose edge shows; fibres, and ink that has run a little."""
+    width, height = PRINT
+    length = math.dist(*STRAW[:2])
+    rows = []
+    for j in range(height):
+        along = length * (j + 0.5) / height
+        row = bytearray()
+        for i in range(width):
+            turn = (i + 0.5) / width
+            c, s = math.cos(2 * math.pi * turn), math.sin(2 * math.pi * turn)
+            at = (2.6 * c, 2.6 * s, 1000 * along)  # mm
+            fibre = noise(scale(at, 2.2), 7) + 0.7 * noise((9 * at[0], 9 * at[1], at[2]), 8)
+            stripe = (along / 0.021 + turn + 0.012 * noise(scale(at, 3), 9)) % 1
+            edge = (along / 0.021 + turn + 0.27) % 1 < 0.012
+            shade = 21 + 5 * fibre - (13 if edge else 0)
+            row.append(int(min(max(shade, 0), 31)) + (32 if stripe < 0.5 else 0))
+        rows.append(row)
+    return png(rows, [*around.ramp([(.7, .68, .62), (.91, .89, .85), (.97, .96, .93)], 32),
+                      *around.ramp([(.46, .1, .11), (.79, .17, .19), (.9, .33, .34)], 32)])
+
+
 def straw():
-    """Paper, open at both ends, with stripes."""
+    """Open at both ends, of paper()."""
     foot, top, radius = STRAW
     ahead = unit(sub(top, foot))
-    length = math.dist(foot, top)
-    shares = [0.0]
-    while shares[-1] < 1:  # each stripe begins and ends at a pair of near rings
-        end = min(shares[-1] + 0.0105 / length, 1)
-        shares += [end] if end == 1 else [end - 0.0002 / length, end]
-    path = [mix(foot, top, share) for share in shares]
-    outer = tube(path, lambda _: radius, 40, caps=False)
-    inner = tube(path, lambda _: radius - 0.00035, 40, caps=False).inside_out()
-    count = len(outer.points)
-    mesh = Mesh(outer.points, outer.faces, outer.normals).join(inner)
-    last = count - 40
-    for k in range(40):  # both rims
-        n = (k + 1) % 40
-        mesh.faces += [(k, count + n, n), (k, count + k, count + n)]
-        mesh.faces += [(last + k, last + n, count + last + n),
-                       (last + k, count + last + n, count + last + k)]
-
-    def stripes(p, _):
-        along = sum(a * b for a, b in zip(sub(p, foot), ahead))
-        return (0.75, 0.73, 0.68) if int(along / 0.0105 + 0.001) % 2 else (0.58, 0.03, 0.035)
-    return mesh.painted(stripes)
+    side = unit(cross(ahead, (0, 0, 1)))
+    up = cross(ahead, side)
+    mesh = Mesh([], [], [])
+    count = 41  # the last column is the first one, with other coordinates
+    for r, out in ((radius, 1), (radius - 0.00035, -1)):
+        for share in (0, 1):
+            for k in range(count):
+                a = 2 * math.pi * k / (count - 1)
+                away = add(scale(side, math.cos(a)), scale(up, math.sin(a)))
+                mesh.points.append(add(mix(foot, top, share), scale(away, r)))
+                mesh.normals.append(scale(away, out))
+                mesh.uvs.append((k / (count - 1), share) if out > 0 else (0.5, 0.075))
+    for k in range(count - 1):
+        a, b, c, d = (i * count + k for i in range(4))
+        mesh.faces += [(a, a + 1, b + 1), (a, b + 1, b), (c, d + 1, c + 1), (c, d, d + 1),
+                       (a, c + 1, a + 1), (a, c, c + 1), (b, b + 1, d + 1), (b, d + 1, d)]
+    return mesh
 
 
 FORM = {'exponent': 8, 'waves': 0.00075, 'cell': 0.0045, 'bulge': 0.07}  # of cubes
@@ -256,7 +278,8 @@ def make():
     wood = lit('wood', 1, baseColorTexture={'index': years},
                metallicRoughnessTexture={'index': fibres})
     model.add('table', around.boards(9, 0.085, 1.1, lamplit, 12, 1), wood)
-    model.add('straw', straw(), lit('straw', 0.4))
+    printed = model.texture(paper())
+    model.add('straw', straw(), lit('straw', 0.5, baseColorTexture={'index': printed}))
     model.add('water', water(), WATER)
     model.add('spilled', spilled(), WATER)
     for i, cube in enumerate(cubes()):

@@ -39,7 +39,8 @@ def backdrop():
 
 
 def lamp(rows, box):
-    """Adds a box to the rows; its edges are two texels wide."""
+    """Adds a box to the rows; its edges are two texels wide. Its colour may be a function of the
+    direction."""
     azimuth, elevation, half_width, half_height, radiance, ends, color = box
     middle = direction(math.radians(azimuth), math.radians(elevation))
     across = unit(cross(middle, (0, 1, 0)))
@@ -63,8 +64,9 @@ def lamp(rows, box):
             share = (smoothstep(1, 1 - 0.012 / half_width, abs(u)) *
                      smoothstep(1, 1 - 0.012 / half_height, abs(v)))
             light = radiance * (ends + (1 - ends) * math.exp(-1.4 * (u * u + v * v)))
+            seen = color(d) if callable(color) else color
             for c in range(3):
-                rows[y][c][x] += share * (light * color[c] - rows[y][c][x])
+                rows[y][c][x] += share * (light * seen[c] - rows[y][c][x])
 
 
 def make():

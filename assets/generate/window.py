@@ -2,7 +2,7 @@
 import math
 
 from files import exr
-from shapes import mix, scale, smoothstep
+from shapes import mix, noise, scale, smoothstep
 from studio import HEIGHT, WIDTH, lamp
 
 # A window's middle: azimuth to the right of -Z and elevation, degrees; half width and half height
@@ -13,7 +13,9 @@ WINDOWS = (
     (-163, 33, 0.22, 0.13, 1, 1, 1.7, (1.0, 0.96, 0.9)),
 )
 BAR = 0.012  # half of a bar between panes
-GARDEN = (0.5, (0.86, 0.95, 0.76))  # below the sky: share of its radiance, and colour
+# Trees in the haze behind the windows: elevation of their tops, degrees, and how uneven they are;
+# colours of leaves in the shade and in the sun
+TREES = (27, 9, (0.1, 0.14, 0.06), (0.62, 0.72, 0.38))
 # It comes through the window to the left: azimuth and elevation as in environment.h; light
 SUN = (246, 33, 0.42, 0.36, 0.28)
 GLOW = (-4, 7, (0.72, 0.61, 0.44))  # the lit wall: azimuth and elevation, degrees; radiance
@@ -42,6 +44,19 @@ def walls():
     return rows
 
 
+def outside(d):
+    """What is seen behind the windows, as out of focus, as a share of the sky's light."""
+    tops, uneven, shade, sun = TREES
+    height = math.degrees(math.asin(d[1]))
+    top = tops + uneven * (noise(scale(d, 5), 3) + 0.5 * noise(scale(d, 13), 4))
+    leaves = smoothstep(-0.35, 0.45, noise(scale(d, 17), 5) + 0.5 * noise(scale(d, 37), 6))
+    leaves = mix(mix(shade, sun, leaves), (0.55, 0.62, 0.66), 0.25)
+    gaps = smoothstep(0.35, 0.6, noise(scale(d, 29), 7)) * smoothstep(12, 0, top - height)
+    clouds = smoothstep(-0.3, 0.5, noise((4 * d[0], 11 * d[1], 4 * d[2]), 8))
+    sky = mix((0.84, 0.93, 1.06), (1.08, 1.07, 1.05), max(clouds, smoothstep(50, 24, height)))
+    return mix(sky, leaves, smoothstep(-2, 2, top - height) * (1 - 0.8 * gaps))
+
+
 def panes(window):
     """The boxes of studio.py that a window is made of."""
     azimuth, elevation, across, up, columns, lines, radiance, color = window
@@ -50,11 +65,9 @@ def panes(window):
         for j in range(lines):
             aside = (2 * i - columns + 1) * (across + BAR)
             high = (2 * j - lines + 1) * (up + BAR)
-            is_low = lines > 1 and j == 0
-            share, tint = GARDEN if is_low else (1 - 0.16 * (lines - 1 - j), (1, 1, 1))
             yield (azimuth + math.degrees(math.atan(aside)) / level,
-                   elevation + math.degrees(math.atan(high)), across, up, share * radiance, 0.8,
-                   tuple(a * b for a, b in zip(color, tint)))
+                   elevation + math.degrees(math.atan(high)), across, up, radiance, 0.9,
+                   lambda d: tuple(a * b for a, b in zip(color, outside(d))))
 
 
 def make():

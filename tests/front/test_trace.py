@@ -91,7 +91,7 @@ class Trace(Case):
     def test_a_drink(self):
         # a pixel of dew is many lenses; the reference scatters light in clouds at random
         self.check(0.028, 'drink', '--env', 'studio', *SIZE, '--set', 'ground.light=open',
-                   '--set', 'air.clouds=0')
+                   '--set', 'air.clouds=0', '--set', 'trace.footprint=off')
 
     @unsanitized
     def test_thin_and_dispersive(self):
