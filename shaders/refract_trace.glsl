@@ -230,6 +230,7 @@ bool trace_given(vec3 e, float scale, inout trace_hit hit, inout trace_cross c)
     c.rank = depth > 0.0 ? 1u : 0u;
     c.is_met = depth > 0.0;
     c.is_entering = true;
+    c.horizon = trace_grid_horizon(start + hit.t * e);
     return depth == 0.0 || dot(c.n, e) < -0.05;
 #endif
 }
@@ -531,7 +532,7 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
             c.rank = given_cross.rank;
             c.is_met = given_cross.is_met;
             c.is_entering = true;
-            c.horizon = 2.0;
+            c.horizon = given_cross.horizon;
             c.eta = refract_frame.etas[channel];
         }
         if (trace_step(hit, c))

@@ -58,10 +58,11 @@ struct trace_frame {
     ABI_STRUCT(cloud_place) clouds[TRACE_CLOUDS_MAX];
     vec4s guide;                     /* as of ground.h */
     vec4s objects_turn, movers_turn; /* trace_pose() of trace_tree.glsl */
+    vec4s grid_low, grid_scale;      /* struct tree; w: 0 */
     uint32_t roots[TREE_PART_COUNT];
     uint32_t parts;                       /* that have triangles, a bit each */
     uint32_t inside[TREE_NESTED_MAX / 2]; /* struct tree_shells of the eye */
-    uint32_t media_at;                    /* struct tree */
+    uint32_t media_at, grid_at;           /* struct tree */
     uint32_t sample_index;                /* of the picture, from 0 */
     uint32_t ice;                         /* rank of the object that has the inclusions */
     uint32_t is_in_bubble;                /* 1: the eye is */

@@ -37,4 +37,19 @@ trace_start trace_start_of(trace_way way)
                        trace_parts_of(way));
 }
 
+#ifndef TRACE_RAYS
+/* Returns the sine beyond which rays that leave a point of an object's outer side meet none, to
+ * tell it of rasterised points, whose triangles are not known. */
+float trace_grid_horizon(vec3 point)
+{
+    vec3 own = trace_unposed_point(point, TREE_OBJECTS);
+    vec3 cells = (own - trace.grid_low.xyz) * trace.grid_scale.xyz;
+    uvec3 cell = uvec3(clamp(cells, vec3(0.0), vec3(float(TREE_GRID - 1))));
+    uint at = cell.x + uint(TREE_GRID) * (cell.y + uint(TREE_GRID) * cell.z);
+    uvec4 word = trace_corner(int(trace.grid_at + at / 32u));
+    uint steps = word[at / 8u % 4u] >> 4u * (at % 8u) & 15u;
+    return trace.grid_at == 0u ? 2.0 : float(steps) / float(TREE_HORIZON_STEPS);
+}
+#endif
+
 #endif

@@ -21,6 +21,10 @@
  * half float, and 0 in the lower one. A bubble is a triangle whose rows are its centre and
  * `stretch` (src/scene/bubble.h), its axis and 1 for a capsule, and (0, 0, 0, radius).
  *
+ * Of a single object with horizons, TREE_GRID_WORDS are behind the corners: its box in TREE_GRID
+ * cells each way, x first, 8 in a number. A cell has the greatest horizon of the triangles in it,
+ * above the plane of any normal between those of their corners.
+ *
  * Where a scene has more than TREE_SHELLS_FEW objects, a word for each rank is behind the corners,
  * the one of rank 0 for the outside: its first number is the object's medium, from 1 on.
  */
@@ -40,6 +44,8 @@
 #define TREE_HORIZON_SHIFT   28
 #define TREE_HORIZON_STEPS   14
 #define TREE_HORIZON_UNKNOWN 15
+#define TREE_GRID            16
+#define TREE_GRID_WORDS      (TREE_GRID * TREE_GRID * TREE_GRID / 32)
 #define TREE_DEPTH_MAX       30
 #define TREE_TRIANGLES_MAX   (1u << 24)
 #define TREE_SHELLS_FEW      32    /* objects that bits of a word tell apart */

@@ -426,12 +426,15 @@ static bool make(struct tree *tree, const struct tree_part *parts, const struct 
 {
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
         count_words(tree, &parts[i], &shapes[i]);
-    tree->corners.count += media_words(tree);
+    const struct tree_shape *objects = &shapes[TREE_OBJECTS];
+    tree->corners.count += media_words(tree) + (tree_has_grid(tree, objects) ? TREE_GRID_WORDS : 0);
     if (!reserve(&tree->nodes) || !reserve(&tree->triangles) || !reserve(&tree->corners))
         return false;
     tree->corners.count = tree->triangle_count * TREE_CORNER_WORDS;
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
         lay_part(tree, i, &parts[i], &shapes[i]);
+    if (tree_has_grid(tree, objects))
+        tree_grid_lay(tree, objects, &parts[TREE_OBJECTS]);
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
         tree->costs[i] = parts[i].count ? tree_cost(&shapes[i].draft, shapes[i].root) : 0.0;
     return !media_words(tree) || lay_media(tree, parts[TREE_OBJECTS].model);

@@ -31,6 +31,8 @@ struct tree {
     uint32_t shells;                 /* objects */
     uint32_t medium_count;           /* materials of more than TREE_SHELLS_FEW objects, or 0 */
     uint32_t media;                  /* among the corners: the word of rank 0, or 0 */
+    uint32_t grid;                   /* among the corners: the first of TREE_GRID_WORDS, or 0 */
+    vec3s grid_low, grid_scale;      /* corner of the grid; cells a metre */
     double costs[TREE_PART_COUNT];   /* of a ray that meets a part's box, in tests of a triangle,
                                         by the surface area heuristic; 0: no triangles */
     uint32_t depth;                  /* most nodes on a way from a root; at most TREE_DEPTH_MAX */

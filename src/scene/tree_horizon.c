@@ -260,3 +260,78 @@ uint8_t *tree_horizons(const struct tree_shape *shape, const struct tree_part *p
     }
     return search.horizons;
 }
+
+/* ---- the grid ---- */
+
+bool tree_has_grid(const struct tree *tree, const struct tree_shape *objects)
+{
+    return objects->horizons && tree->shells == 1;
+}
+
+/* Returns the horizon of a triangle above any plane whose normal is between those of its corners,
+ * in steps. */
+static uint8_t widest_of(const struct tree_shape *shape, const struct tree_part *part, uint32_t at)
+{
+    const struct search search = { .shape = shape, .part = part };
+    const double horizon = (double)shape->horizons[at] / TREE_HORIZON_STEPS;
+    const uint32_t triangle = part->triangles[shape->draft.order[at]];
+    struct outlook from;
+    double cosine = 1.0;
+    if (horizon > 1.0 || !look_out(&from, &search, at))
+        return TREE_HORIZON_UNKNOWN;
+    for (uint32_t k = 0; k < 3; k++) {
+        const float *normal = tree_corner(part, triangle, k)->normal.raw;
+        cosine = fmin(cosine, (double)(dot(normal, from.plane) / sqrtf(dot(normal, normal))));
+    }
+    const double angle = asin(horizon) + acos(fmax(cosine, 0.0));
+    if (!(cosine > 0.0 && angle < 1.5))
+        return TREE_HORIZON_UNKNOWN;
+    return (uint8_t)ceil(TREE_HORIZON_STEPS * sin(angle));
+}
+
+struct grid {
+    uint8_t cells[TREE_GRID][TREE_GRID][TREE_GRID]; /* horizons */
+    bool is_met[TREE_GRID][TREE_GRID][TREE_GRID];   /* triangles are in a cell */
+};
+
+static void put_horizon(struct grid *grid, const int first[static 3], const int last[static 3],
+                        uint8_t horizon)
+{
+    for (int z = first[2]; z <= last[2]; z++) {
+        for (int y = first[1]; y <= last[1]; y++) {
+            for (int x = first[0]; x <= last[0]; x++) {
+                uint8_t *cell = &grid->cells[z][y][x];
+                *cell = grid->is_met[z][y][x] && *cell > horizon ? *cell : horizon;
+                grid->is_met[z][y][x] = true;
+            }
+        }
+    }
+}
+
+void tree_grid_lay(struct tree *tree, const struct tree_shape *objects,
+                   const struct tree_part *part)
+{
+    static const float aside = 0.1f; /* cells, by which points may be beside their triangles */
+    const struct tree_box *all = &objects->draft.nodes[objects->root].box;
+    struct grid grid = { 0 };
+    memset(grid.cells, TREE_HORIZON_UNKNOWN, sizeof(grid.cells));
+    for (int k = 0; k < 3; k++) {
+        tree->grid_low.raw[k] = all->low[k];
+        tree->grid_scale.raw[k] = (float)TREE_GRID / fmaxf(all->high[k] - all->low[k], 1e-9f);
+    }
+    for (uint32_t i = 0; i < part->count; i++) {
+        const struct tree_box own = tree_box_of(part, part->triangles[objects->draft.order[i]]);
+        int first[3], last[3];
+        for (int k = 0; k < 3; k++) {
+            const float low = tree->grid_low.raw[k], scale = tree->grid_scale.raw[k];
+            first[k] = (int)fmaxf((own.low[k] - low) * scale - aside, 0.0f);
+            last[k] = (int)fminf((own.high[k] - low) * scale + aside, TREE_GRID - 1);
+        }
+        put_horizon(&grid, first, last, widest_of(objects, part, i));
+    }
+    tree->grid = tree->corners.count;
+    tree->corners.count += TREE_GRID_WORDS;
+    for (uint32_t i = 0; i < sizeof(grid.cells); i++)
+        tree->corners.all[tree->grid + i / 32][i / 8 % 4] |= (uint32_t)(&grid.cells[0][0][0])[i]
+                                                             << i % 8 * 4;
+}

@@ -22,4 +22,12 @@ enum {
 uint8_t *tree_horizons(const struct tree_shape *shape, const struct tree_part *part,
                        uint32_t threads);
 
+/* Whether a tree has the grid of shaders/tree.h: rays begin on a single object, whose horizons are
+ * known. */
+bool tree_has_grid(const struct tree *tree, const struct tree_shape *objects);
+
+/* Writes the grid to the next words of the corners, which have room for it. */
+void tree_grid_lay(struct tree *tree, const struct tree_shape *objects,
+                   const struct tree_part *part);
+
 #endif

@@ -300,11 +300,11 @@ static void check_same_trees(const struct tree *a, const struct tree *b)
     check_same(&a->corners, &b->corners);
 }
 
-static void check_rays(const struct tree *tree, const struct mesh *mesh)
+static void check_rays(const struct tree *tree, const struct mesh *mesh, int objects)
 {
     uint32_t seed = 3, met = 0;
     for (int i = 0; i < 200; i++) {
-        const float x = 4.0f * (float)(i % MOVING);
+        const float x = 4.0f * (float)(i % objects);
         const vec3s origin = { { x + pick(&seed), 20.0f, pick(&seed) } };
         const struct tree_ray ray = { origin, { { 0.0f, -1.0f, 0.0f } }, 0.0, TREE_NOTHING };
         const double expected = meet_all(mesh, origin, ray.dir);
@@ -337,7 +337,7 @@ static void test_poses(void **state)
         assert_int_equal(tree.built, 0);
         assert_int_equal(tree.fitted, MOVING);
         assert_true(tree.depth <= TREE_DEPTH_MAX);
-        check_rays(&tree, &model.object);
+        check_rays(&tree, &model.object, MOVING);
         if (i == 3) {
             fresh = grow(&model, other);
             assert_int_equal(fresh.built, 1);
@@ -372,7 +372,7 @@ static void test_deformed(void **state)
     tree = grow(&model, rest);
     assert_int_equal(tree.built, 3);
     assert_int_equal(tree.fitted, MOVING - 3);
-    check_rays(&tree, &model.object);
+    check_rays(&tree, &model.object, MOVING);
     fresh = grow(&model, other);
     check_same_trees(&tree, &fresh);
     tree_finish(&fresh);
@@ -441,24 +441,56 @@ static uint32_t horizon_of(const struct tree *tree, uint32_t triangle)
     return tree->corners.all[(size_t)triangle * TREE_CORNER_WORDS + 2][3] >> TREE_HORIZON_SHIFT;
 }
 
-/* Rays above the horizon of a triangle meet nothing; returns how many horizons are known. */
+/* Returns the horizon of the cell of the grid that a point is in. */
+static uint32_t cell_horizon(const struct tree *tree, vec3s point)
+{
+    uint32_t at = 0;
+    for (int k = 2; k >= 0; k--) {
+        const float place = (point.raw[k] - tree->grid_low.raw[k]) * tree->grid_scale.raw[k];
+        at = TREE_GRID * at + (uint32_t)fminf(fmaxf(place, 0.0f), TREE_GRID - 1);
+    }
+    return tree->corners.all[tree->grid + at / 32][at / 8 % 4] >> at % 8 * 4 & 15;
+}
+
+/* Checks that rays from a triangle's middle above a horizon meet nothing. Returns 0 if there are
+ * none. */
+static uint32_t check_horizon(const struct tree *tree, uint32_t i, vec3s normal, uint32_t steps,
+                              uint32_t *seed)
+{
+    const float sine = (float)steps / (float)TREE_HORIZON_STEPS;
+    struct tree_hit hit;
+    if (steps == TREE_HORIZON_UNKNOWN || sine > 0.99f)
+        return 0;
+    for (int turn = 0; turn < 8; turn++) {
+        const vec3s aside = glms_vec3_normalize(glms_vec3_cross(normal, pick_point(seed, 1)));
+        const vec3s dir = glms_vec3_add(glms_vec3_scale(normal, sine + 0.002f),
+                                        glms_vec3_scale(aside, sqrtf(1.0f - sine * sine)));
+        const struct tree_ray ray = { find_middle(tree, i), dir, 1e-5, i };
+        assert_false(tree_meet(tree, TREE_OBJECTS, &ray, &hit));
+    }
+    return 1;
+}
+
+/* Returns how many horizons are known. */
 static uint32_t check_horizons(const struct tree *tree)
 {
     uint32_t seed = 5, known = 0;
+    for (uint32_t i = 0; i < tree->triangle_count; i++)
+        known += check_horizon(tree, i, row_of(tree, i, 2), horizon_of(tree, i), &seed);
+    return known;
+}
+
+/* The same by cells and corners' normals. */
+static uint32_t check_grid(const struct tree *tree)
+{
+    uint32_t seed = 5, known = 0;
+    assert_int_equal(tree->corners.count, tree->grid + TREE_GRID_WORDS);
     for (uint32_t i = 0; i < tree->triangle_count; i++) {
-        const float sine = (float)horizon_of(tree, i) / (float)TREE_HORIZON_STEPS;
-        const vec3s normal = row_of(tree, i, 2);
-        struct tree_hit hit;
-        if (horizon_of(tree, i) == TREE_HORIZON_UNKNOWN || sine > 0.99f)
-            continue;
-        known++;
-        for (int turn = 0; turn < 8; turn++) {
-            const vec3s aside = glms_vec3_normalize(glms_vec3_cross(normal, pick_point(&seed, 1)));
-            const vec3s dir = glms_vec3_add(glms_vec3_scale(normal, sine + 0.002f),
-                                            glms_vec3_scale(aside, sqrtf(1.0f - sine * sine)));
-            const struct tree_ray ray = { find_middle(tree, i), dir, 1e-5, i };
-            assert_false(tree_meet(tree, TREE_OBJECTS, &ray, &hit));
-        }
+        const uint32_t steps = cell_horizon(tree, find_middle(tree, i));
+        vec3s n;
+        memcpy(n.raw, tree->corners.all[(size_t)i * TREE_CORNER_WORDS + i % 3], sizeof(n.raw));
+        assert_true(steps >= horizon_of(tree, i));
+        known += check_horizon(tree, i, glms_vec3_normalize(n), steps, &seed);
     }
     return known;
 }
@@ -474,6 +506,7 @@ static void test_horizons(void **state)
         struct tree_params params = { .model = &model, .threads = 2 };
         assert_int_equal(tree_init(&tree, &params), STATUS_OK);
         assert_true(check_horizons(&tree) > tree.triangle_count * (i ? 9u : 6u) / 10);
+        assert_true(check_grid(&tree) > tree.triangle_count * (i ? 9u : 1u) / 10);
         for (uint32_t k = 0; i && k < tree.triangle_count; k++)
             assert_true(horizon_of(&tree, k) == 2 || horizon_of(&tree, k) == TREE_HORIZON_UNKNOWN);
         tree_finish(&tree);
@@ -499,23 +532,6 @@ static void deform(struct model *model, float flatness, float wildness)
     }
 }
 
-static void check_meets(const struct tree *tree, const struct mesh *mesh)
-{
-    uint32_t seed = 3, met = 0;
-    for (int i = 0; i < 100; i++) {
-        const struct tree_ray ray = {
-            { { pick(&seed), 20.0f, pick(&seed) } }, { { 0.0f, -1.0f, 0.0f } }, 0.0, TREE_NOTHING
-        };
-        const double expected = meet_all(mesh, ray.origin, ray.dir);
-        struct tree_hit hit;
-        assert_int_equal(tree_meet(tree, TREE_OBJECTS, &ray, &hit), expected < DBL_MAX);
-        if (expected < DBL_MAX)
-            CHECK_NEAR(hit.t, expected, 1e-4);
-        met += expected < DBL_MAX;
-    }
-    assert_true(met > 50);
-}
-
 /* The only tree of a part is kept while its triangles hardly move apart, with horizons that are
  * those of the pose. */
 static void test_melted(void **state)
@@ -536,7 +552,7 @@ static void test_melted(void **state)
         tree = grow(&model, rest);
         assert_int_equal(tree.built, torn);
         assert_int_equal(tree.fitted, 1 - torn);
-        check_meets(&tree, &model.object);
+        check_rays(&tree, &model.object, 1);
         assert_true(check_horizons(&tree) > tree.triangle_count / 2 || torn);
         fresh = grow(&model, other);
         check_same_trees(&tree, &fresh);
