@@ -40,7 +40,7 @@ def below_water(dry):
 def make():
     model = Model()
     model.used.add('KHR_texture_transform')
-    ice, dry = block(40), stone(model)
+    ice, dry = block(40), stone(model, is_shaded=True)
     for name, mesh, material in (('slab', slab(44, 36), dry),
                                  ('water', water(ice), below_water(dry)),
                                  ('cube', ice, ICE)):

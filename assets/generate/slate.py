@@ -19,6 +19,8 @@ WAVES = ((7, 10, 0.00009), (19, 27, 0.00005), (61, 83, 0.000015), (128, 128, 0.0
 LEDGE = 0.00022  # height of its ledges
 FISSURE = 0.00035  # depth of its cracks
 STEP = 0.0008  # height of a layer of the stone
+REACHES = (1, 2, 4)  # texels at which ledges are looked for that hide the sky
+SHADE = 2  # by how much they do, beside the sine of the elevation that they reach
 FILM = 0.0012  # thickness of the puddle
 CLIMB = (0.0012, 0.0009)  # how high water climbs at the ice, and how far from it, metres
 SHEET = (0.037, 0.0003)  # water that has run over the stone: mean radius, how high it stands
@@ -175,17 +177,40 @@ def slab(columns=102, rows=84):
     return mesh.painted(lambda p, n: tone(p[0], p[2]))
 
 
-def damp():
-    """Roughness over the whole slab, in green."""
+def openness():
+    """How much of the sky the ledges leave to each texel of the slab, 0 to 1."""
+    half, near, far, _ = SLAB
+    apart = (2 * half / SIDE, (far - near) / SIDE)
+    high = [[height((i + 0.5) * apart[0] - half, near + (j + 0.5) * apart[1])
+             for i in range(SIDE)] for j in range(SIDE)]
+    ways = [(x, z, math.hypot(x * apart[0], z * apart[1]))
+            for x, z in ((1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1))]
+    rows = []
+    for j in range(SIDE):
+        rows.append([])
+        for i in range(SIDE):
+            hidden = 0
+            for x, z, length in ways:
+                slope = max((high[min(max(j + k * z, 0), SIDE - 1)]
+                             [min(max(i + k * x, 0), SIDE - 1)] - high[j][i]) / (k * length)
+                            for k in REACHES)
+                hidden += max(slope, 0) / math.hypot(1, slope)
+            rows[-1].append(max(1 - SHADE * hidden / len(ways), 0))
+    return rows
+
+
+def damp(is_shaded=False):
+    """Roughness over the whole slab, in green; how open it is to the sky, in red."""
     half, near, far, _ = SLAB
     rows = []
+    shades = openness() if is_shaded else [[1] * SIDE] * SIDE
     for row in range(SIDE):
         z = near + (row + 0.5) / SIDE * (far - near)
         values = bytearray()
         for column in range(SIDE):
             wet = wetness(((column + 0.5) / SIDE * 2 - 1) * half, z)
             value = 0.6 - 0.47 * wet + 0.05 * (lattice(column, row, 1, 5) - 0.5)
-            values += bytes((255, int(255 * value), 0))
+            values += bytes((int(255 * shades[row][column]), int(255 * value), 0))
         rows.append(values)
     return png_colors(rows)
 
@@ -340,17 +365,20 @@ def cracks():
     return mesh
 
 
-def stone(model):
+def stone(model, is_shaded=False):
+    """Where light is not traced, its ledges do not shade it: `is_shaded` is a texture of that."""
     normals, tones = (model.texture(data) for data in grain())
     half, near, far, _ = SLAB
     often = {'scale': [round(2 * half / TILE, 4), round((far - near) / TILE, 4)]}
     transform = {'KHR_texture_transform': often}
+    wet = {'index': model.texture(damp(is_shaded))}
     return {
         'name': 'slate',
         'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 1,
                                  'baseColorTexture': {'index': tones, 'extensions': transform},
-                                 'metallicRoughnessTexture': {'index': model.texture(damp())}},
+                                 'metallicRoughnessTexture': wet},
         'normalTexture': {'index': normals, 'scale': 0.45, 'extensions': transform},
+        **({'occlusionTexture': wet} if is_shaded else {}),
     }
 
 
