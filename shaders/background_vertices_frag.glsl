@@ -8,16 +8,17 @@
 #include "lib/ice_shine.glsl"
 #endif
 
-layout(location = 0) in vec3 point;
-layout(location = 1) flat in uint material;
-layout(location = 2) in vec3 matt;
-layout(location = 3) in vec3 sun;
-layout(location = 4) in vec3 glossy;
-layout(location = 5) in vec3 normal;
-layout(location = 6) in vec4 uv;
-layout(location = 7) flat in vec4 places; /* of the textures of colours and of normals */
-layout(location = 8) in vec2 glow_uv;
-layout(location = 9) flat in vec3 others; /* place of the texture of emission, scale of bumps */
+layout(location = 0) flat in uint material;
+layout(location = 1) in vec3 matt; /* with BACKGROUND_SHINE, without the sun's */
+layout(location = 2) in vec3 glossy;
+layout(location = 3) in vec2 uv;
+layout(location = 4) in vec2 glow_uv;
+layout(location = 5) flat in vec4 places; /* of the textures of colour and emission */
+#ifdef BACKGROUND_SHINE
+layout(location = 6) in vec3 sun;         /* light on the matt base, without shadow and caustics */
+layout(location = 7) in vec4 seen_by_sun; /* ice_light_clip() */
+layout(location = 8) flat in float open;  /* share of the sun's direct light: 0 if unlit, or 1 */
+#endif
 layout(location = 0) out vec4 color;
 
 /* Returns a texel at a place: layer, -1 for none, and wraps. */
@@ -30,23 +31,13 @@ vec4 texel_at(sampler2DArray of, vec2 at, vec2 place)
     return place.x < 0.0 ? vec4(1.0) : texel;
 }
 
-/* Returns the unit normal with bumps. */
-vec3 bent_normal()
-{
-    vec3 n = normalize(normal);
-    if ((constant_textured & 1u << MATERIAL_USE_NORMAL) == 0u)
-        return n;
-    vec4 texel = texel_at(numbers, uv.zw, places.zw);
-    return texel == vec4(1.0) ? n : lit_bend(n, texel.rgb, vec2(others.z), point, uv.zw);
-}
-
 /* Returns emission that has a texture in some material; vertices have the rest. */
 vec3 glow()
 {
     if ((constant_textured & 1u << MATERIAL_USE_EMISSION) == 0u)
         return vec3(0.0);
     vec3 emission = material_texel(material >> MESH_SURFACE_SHIFT, MATERIAL_ROW_EMISSION).rgb;
-    return emission * texel_at(textures, glow_uv, others.xy).rgb;
+    return emission * texel_at(textures, glow_uv, places.zw).rgb;
 }
 
 bool is_gone(float alpha)
@@ -59,16 +50,13 @@ bool is_gone(float alpha)
 
 void main()
 {
-    vec4 base = constant_textured != 0u ? texel_at(textures, uv.xy, places.xy) : vec4(1.0);
-    float cosine = max(dot(bent_normal(), frame.sun_dir), 0.0);
-    vec3 lit = sun * cosine, unlit = vec3(1.0);
+    vec4 base = constant_textured != 0u ? texel_at(textures, uv, places.xy) : vec4(1.0);
+    vec3 on_base = matt;
 #ifdef BACKGROUND_SHINE
-    ice_shine shine = ice_shine_at(point);
-    lit *= shine.own + shine.through;
-    unlit += sky_sun() * shine.through * cosine;
+    ice_shine shine = ice_shine_seen(seen_by_sun);
+    on_base += sun * (open * shine.own + shine.through);
 #endif
-    unlit = (material & MESH_UNLIT) != 0u ? unlit : vec3(1.0);
-    color = vec4((matt * unlit + lit) * base.rgb + glossy + glow(), 1.0);
+    color = vec4(on_base * base.rgb + glossy + glow(), 1.0);
     if (is_gone(base.a)) /* after all derivatives */
         discard;
 }

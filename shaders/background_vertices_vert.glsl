@@ -1,6 +1,10 @@
 /* background_vertices_vert.glsl: main() of the vertices of surroundings with materials whose light
- * is computed here, but for what changes within a triangle (background_vertices_frag.glsl): the
- * sun's on the matt base. With BACKGROUND_EXTRA, with struct mesh_extra of the vertices. */
+ * is computed here, without bumps, but for what changes within a triangle
+ * (background_vertices_frag.glsl). With BACKGROUND_EXTRA, with struct mesh_extra of the vertices;
+ * with BACKGROUND_SHINE, for pixels with the ice's caustics and shadow.
+ *
+ * What pixels need of uniforms is handed on, too, because lavapipe's pixels fetch each float of a
+ * uniform separately. */
 #define LIT_COARSE
 #include "background.h"
 #include "lib/contact.glsl"
@@ -8,6 +12,9 @@
 #include "lib/pose.glsl"
 #ifdef BACKGROUND_EXTRA
 #include "lib/extra.glsl"
+#endif
+#ifdef BACKGROUND_SHINE
+#include "lib/ice_light.glsl"
 #endif
 
 layout(push_constant, scalar) uniform Push
@@ -21,16 +28,17 @@ layout(location = MESH_COLOR) in vec3 color;
 layout(location = MESH_UV) in vec2 uv;
 layout(location = MESH_MATERIAL) in uint material;
 
-layout(location = 0) out vec3 out_point;
-layout(location = 1) flat out uint out_material;
-layout(location = 2) out vec3 out_matt;
-layout(location = 3) out vec3 out_sun;
-layout(location = 4) out vec3 out_glossy;
-layout(location = 5) out vec3 out_normal;
-layout(location = 6) out vec4 out_uv;
-layout(location = 7) flat out vec4 out_places;
-layout(location = 8) out vec2 out_glow_uv;
-layout(location = 9) flat out vec3 out_others;
+layout(location = 0) flat out uint out_material;
+layout(location = 1) out vec3 out_matt;
+layout(location = 2) out vec3 out_glossy;
+layout(location = 3) out vec2 out_uv;
+layout(location = 4) out vec2 out_glow_uv;
+layout(location = 5) flat out vec4 out_places;
+#ifdef BACKGROUND_SHINE
+layout(location = 6) out vec3 out_sun;
+layout(location = 7) out vec4 out_seen_by_sun;
+layout(location = 8) flat out float out_open;
+#endif
 
 /* Returns the radiance of a surface without the sun's. */
 vec3 radiance(lit_surface s, vec3 point, vec3 n, vec3 to_eye, float open)
@@ -67,19 +75,17 @@ void put_textures(uint row)
 {
     uint layer = material & MESH_TEXTURE_MASK;
     place base = place_of(row, MATERIAL_USE_BASE_COLOR);
-    place bump = place_of(row, MATERIAL_USE_NORMAL);
+    place glow = place_of(row, MATERIAL_USE_EMISSION);
     if (base.layer < 0.0)
         base = place(uv, float(layer) - 1.0, float(MATERIAL_WRAPS_REPEAT));
-    out_uv = vec4(base.uv, bump.uv);
-    out_places = vec4(base.layer, base.wraps, bump.layer, bump.wraps);
-    place glow = place_of(row, MATERIAL_USE_EMISSION);
+    out_uv = base.uv;
     out_glow_uv = glow.uv;
-    out_others = vec3(glow.layer, glow.wraps, material_texel(row, MATERIAL_ROW_SCALES).x);
+    out_places = vec4(base.layer, base.wraps, glow.layer, glow.wraps);
 }
 
-/* Computes the light on a surface. It is linear in the albedo of the matt base, by which pixels
- * multiply it. */
-void put_light(uint row, vec3 point, vec3 n, vec3 to_eye)
+/* Computes the light on a surface; returns the sun's on its matt base. Both are linear in that
+ * base's albedo, by which pixels multiply it. */
+vec3 put_light(uint row, vec3 point, vec3 n, vec3 to_eye)
 {
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
     vec3 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, 1.0).rgb;
@@ -96,11 +102,10 @@ void put_light(uint row, vec3 point, vec3 n, vec3 to_eye)
     vec3 glint = lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
     s.diffuse = color * (1.0 - metallic);
     out_matt = radiance(s, point, n, to_eye, open) - reflected;
-    out_sun = lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread) - glint;
-    out_sun *= sky_sun() / max(dot(n, frame.sun_dir), 1e-3);
     out_glossy = reflected + sky_sun() * glint;
     if ((constant_textured & 1u << MATERIAL_USE_EMISSION) == 0u)
         out_glossy += material_texel(row, MATERIAL_ROW_EMISSION).rgb;
+    return sky_sun() * (lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread) - glint);
 }
 
 void main()
@@ -113,15 +118,21 @@ void main()
     vec3 to_eye = -normalize(constant_orthographic != 0u ? push.forward : point - push.eye);
     n = dot(n, to_eye) < 0.0 ? -n : n;
     uint row = material >> MESH_SURFACE_SHIFT;
-    out_point = point;
-    out_normal = n;
     out_material = material;
 #ifdef BACKGROUND_EXTRA
     lit_other_uv = extra_texel(1).xy;
 #endif
     put_textures(row);
     out_matt = color;
-    out_sun = out_glossy = vec3(0.0);
-    if ((material & MESH_UNLIT) == 0u)
-        put_light(row, point, n, to_eye);
+    out_glossy = vec3(0.0);
+    bool is_lit = (material & MESH_UNLIT) == 0u;
+    vec3 sun = is_lit ? put_light(row, point, n, to_eye) : vec3(0.0);
+#ifdef BACKGROUND_SHINE
+    /* caustics are added to what is unlit */
+    out_sun = is_lit ? sun : sky_sun() * color * max(dot(n, frame.sun_dir), 0.0);
+    out_seen_by_sun = ice_light_clip(point);
+    out_open = is_lit ? 1.0 : 0.0;
+#else
+    out_matt += sun;
+#endif
 }

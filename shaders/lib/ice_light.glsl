@@ -27,7 +27,7 @@ vec4 ice_light_ice(sampler2D picture, vec2 uv)
 {
     vec2 at = (uv - 0.5) * light.reach + 0.5;
     bool beside = any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)));
-    return beside ? vec4(0.0) : texture(picture, at);
+    return beside ? vec4(0.0) : textureLod(picture, at, 0.0);
 }
 
 /* Returns whether a position is before the ice's front faces. */

@@ -13,18 +13,23 @@ struct ice_shine {
     float own;    /* share of the sun's direct light that the ice does not cover */
 };
 
-/* Returns the light at a point. Points that are hidden from the sun get none through the ice. */
-ice_shine ice_shine_at(vec3 point)
+/* Returns the light at a point in the sun's view, ice_light_clip(). Points that are hidden from the
+ * sun get none through the ice. */
+ice_shine ice_shine_seen(vec4 clip)
 {
-    vec4 clip = ice_light_clip(point);
     vec2 uv = ice_light_uv(clip);
     if (clip.w <= 0.0 || any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0))))
         return ice_shine(vec3(0.0), 1.0);
-    vec4 found = texture(shine_map, uv);
+    vec4 found = textureLod(shine_map, uv, 0.0);
     if (ice_light_is_hidden(shine_ground, clip))
         found.rgb = vec3(0.0);
     bool covered = constant_ice_shadow != 0u && !ice_light_is_before(shine_front, clip);
     return ice_shine(found.rgb, covered ? 1.0 - found.a : 1.0);
+}
+
+ice_shine ice_shine_at(vec3 point)
+{
+    return ice_shine_seen(ice_light_clip(point));
 }
 
 #endif

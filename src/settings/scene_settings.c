@@ -291,8 +291,9 @@ static const struct setting ground_rows[] = {
         .max = GROUND_PIXELS,
         .choices = ground_shadings,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "where light on surroundings with materials is computed: in pixels, or at vertices "
-                "but for the sun's, as while a window moves: quicker, and mirrors no objects",
+        .help =
+            "where light on surroundings with materials is computed: in pixels, or at vertices, "
+            "as while a window moves: quicker, without bumps, and mirrors no objects",
     },
 };
 

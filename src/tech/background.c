@@ -98,9 +98,9 @@ static const struct rg_shader *const mirror_frags[3][2] = {
 };
 
 /* The same where most of the light is computed at vertices. */
-static const struct rg_shader *const vertices_verts[2] = {
-    &background_vertices_vert,
-    &background_vertices_extra_vert,
+static const struct rg_shader *const vertices_verts[2][2] = {
+    { &background_vertices_vert, &background_vertices_shine_vert },
+    { &background_vertices_extra_vert, &background_vertices_extra_shine_vert },
 };
 static const struct rg_shader *const vertices_frags[2] = {
     &background_vertices_frag,
@@ -113,7 +113,7 @@ static void light_vertices(struct rg_pass *row, struct row_builder *builder,
     struct rg_use *uses = row_builder_own_uses(builder, row->uses);
     for (struct rg_use *u = uses; u && (u->image || u->buffer); u++)
         u->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    row->vert = vertices_verts[wanted->has_extras];
+    row->vert = vertices_verts[wanted->has_extras][wanted->shine];
     row->frag = vertices_frags[wanted->shine];
     row->uses = uses;
 }
