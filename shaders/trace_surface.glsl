@@ -212,7 +212,8 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
     vec2 split = lit_split(s.roughness, n_dot_v);
     vec3 mirrored = lit_glossy(reflect(dir, top), s.roughness, 0.0), on_matt = lit_matt(n);
     vec3 around = lit_by_environment(s, split, mirrored, on_matt);
-    vec3 unhidden = vec3(mix(1.0, open, scales.y));
+    /* where light is traced, rays find what hides it */
+    vec3 unhidden = vec3(trace_has(TRACE_HAS_GROUND) ? 1.0 : mix(1.0, open, scales.y));
     shares = trace_shares(lit_by_environment(s, split, vec3(0.0), unhidden),
                           lit_by_environment(s, split, unhidden, vec3(0.0)), on_matt, mirrored, n,
                           top, s.roughness, true);

@@ -46,7 +46,7 @@ struct ground_ways ground_gather(const struct tracing *tracing, const struct bra
 {
     struct ground_ways ways = { .count = 0 };
     struct radiance_shares shares;
-    if (!tracing->traces_ground || b->is_gathered ||
+    if (!tracing->radiance->is_traced || b->is_gathered ||
         !radiance_shares_at(tracing->radiance, point, &shares))
         return ways;
     const vec3s weight = glms_vec3_scale(b->weight, 1.0f - passing);

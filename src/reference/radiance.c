@@ -388,6 +388,15 @@ static vec3s light_of_base(const struct radiance *radiance, const struct radianc
     return glms_vec3_muladd(albedo, light_of_matt(radiance, point, n), lamps);
 }
 
+/* Returns the share of the light around that reaches a surface, by its texture of occlusion. */
+static float open_of(const struct radiance *radiance, const struct material *m,
+                     struct coordinates uv)
+{
+    if (radiance->is_traced)
+        return 1.0f;
+    return 1.0f + m->occlusion_strength * (texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x - 1.0f);
+}
+
 /* Returns the radiance of a surface with a material. */
 static vec3s light_of(const struct radiance *radiance, const struct material *m,
                       const struct radiance_point *point, struct normals n, vec3s albedo)
@@ -402,9 +411,8 @@ static vec3s light_of(const struct radiance *radiance, const struct material *m,
                                             glossy_light(radiance, mirrored, surface.roughness),
                                             matt_light(radiance, n.base));
     const vec3s sun = reflected_sun(radiance, &surface, point, n);
-    const float open = texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x;
     const vec4s glow = texel_of(radiance, m, MATERIAL_EMISSION, uv);
-    const vec3s shaded = glms_vec3_scale(around, 1.0f + m->occlusion_strength * (open - 1.0f));
+    const vec3s shaded = glms_vec3_scale(around, open_of(radiance, m, uv));
     const vec3s lamps = lights_on(radiance, &surface, point->vertex->position, n, to_eye);
     return glms_vec3_muladd(m->emission, glms_vec3(glow),
                             glms_vec3_add(shaded, glms_vec3_add(sun, lamps)));
@@ -460,8 +468,7 @@ bool radiance_shares_at(const struct radiance *radiance, const struct radiance_p
     shares->roughness = surface.roughness;
     const float n_dot_v = glm_clamp(-glms_vec3_dot(shares->top, point->dir), 0.0f, 1.0f);
     const vec2s split = split_of(radiance, surface.roughness, n_dot_v);
-    const float open = texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x;
-    const vec3s all = glms_vec3_fill(1.0f + m->occlusion_strength * (open - 1.0f));
+    const vec3s all = glms_vec3_fill(open_of(radiance, m, uv));
     shares->matt = lit_by_environment(surface, split, glms_vec3_zero(), all);
     shares->glossy = lit_by_environment(surface, split, all, glms_vec3_zero());
     return true;

@@ -16,6 +16,8 @@ struct radiance {
     const struct scene *scene;     /* borrowed */
     const struct globals *globals; /* borrowed */
     float linear[256];             /* linear values of the textures' bytes */
+    bool is_traced; /* ground.h finds what hides the light around, so textures of occlusion do not
+                       count; set by the caller */
 };
 
 /* What objects make of the light at a point. */

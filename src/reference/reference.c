@@ -380,8 +380,6 @@ static struct tracing tracing_of(const struct job *job)
 {
     const struct reference_params *params =
         settings_of(job->reference->request.settings, &reference_settings);
-    const struct ground_params *ground =
-        settings_of(job->reference->request.settings, &ground_settings);
     struct tracing tracing = {
         .bvh = &job->bvh,
         .radiance = &job->radiance,
@@ -390,7 +388,6 @@ static struct tracing tracing_of(const struct job *job)
         .basin = job->reference->request.scene->has_pool ? &job->basin : NULL,
         .earlier = &job->earlier,
         .has_layers = job->reference->request.layers != 0,
-        .traces_ground = ground->light == GROUND_TRACED,
         .guide = surface_light_guide(&job->radiance.scene->environment,
                                      job->radiance.scene->surface_light),
         .params = *params,
@@ -472,7 +469,9 @@ static bool prepare(struct job *job, const struct renderer_shot *shot)
         return false;
     if (request->scene->has_pool)
         basin_set_media(&job->basin, request->scene, request->settings, &job->media);
+    const struct ground_params *ground = settings_of(request->settings, &ground_settings);
     job->radiance = radiance_of(view.scene, &job->globals);
+    job->radiance.is_traced = ground->light == GROUND_TRACED;
     job->inclusions = inclusions_of(&job->radiance, request->settings);
     job->tracing = tracing_of(job);
     return true;

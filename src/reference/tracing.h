@@ -24,7 +24,6 @@ struct tracing {
     const struct basin *basin;     /* NULL: the scene is no pool */
     const struct photons *photons; /* NULL: the sun shines everywhere, and is not refracted */
     const struct first_surface_earlier *earlier; /* for layers; NULL: nothing moves */
-    bool traces_ground;                          /* light on surroundings: ground.h */
     vec4s guide;                                 /* surface_light_guide() */
     struct media_set eye_inside;                 /* whitted_immerse() of the eye */
     bool has_layers; /* else of what a ray sees only colour, alpha and remaining are of use */

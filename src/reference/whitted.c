@@ -56,7 +56,7 @@ static bool hide_sun(const struct tracing *tracing, const struct bvh_hit *hit,
                      const struct branch *b, bool is_found, struct radiance_sun *sun)
 {
     const vec3s light = tracing->radiance->globals->sun_light;
-    if (!tracing->traces_ground || !(glms_vec3_max(light) > 0.0f))
+    if (!tracing->radiance->is_traced || !(glms_vec3_max(light) > 0.0f))
         return false;
     if (!is_found)
         *sun = (struct radiance_sun){ .sky = glms_vec3_one(), .own = 1.0f };

@@ -216,6 +216,16 @@ def split(roughness, cosine):
 
 
 class Surfaces(Cards):
+    def test_occlusion_of_traced_light(self):
+        """Rays find what hides light, so textures of occlusion do not count."""
+        occluded = pbr(occlusionTexture=self.scene.texture((51, 0, 0, 255)))
+        place = self.card('occluded', occluded, is_=(1, 1, 1))
+        even = {c: [1] * 512 for c in 'RGB'}
+        for rung in ['trace'] + ['reference'] * HAS_REFERENCE:
+            with self.subTest(rung=rung):
+                found = self.draw(even, '-r', rung, '--set', 'ground.light=traced', '--samples', 4)
+                self.check(found[place], (1, 1, 1), rung, 0.02)
+
     @long
     def test_in_even_light(self):
         """White keeps all light; a colour is kept as the formulas say."""
