@@ -15,6 +15,9 @@
 /* Share of the ice's height, from below, along which water climbs it. */
 #define LOWEST 0.25f
 
+/* Share of the way to water's edge that ice covers at most; it bulges above the rest. */
+#define WITHIN 0.9f
+
 enum {
     BEARINGS = 64,
 };
@@ -173,6 +176,17 @@ static void reach_put(struct reach *reach, vec3s p)
     *out = fmaxf(*out, hypotf(p.x - reach->foot.x, p.z - reach->foot.z));
 }
 
+/* Gives directions of no point the reach of the nearest ones. */
+static void reach_fill(struct reach *reach)
+{
+    const struct reach known = *reach;
+    for (uint32_t i = 0; i < BEARINGS; i++) {
+        for (uint32_t k = 1; k <= BEARINGS / 2 && !(reach->out[i] > 0.0f); k++)
+            reach->out[i] =
+                fmaxf(known.out[(i + k) % BEARINGS], known.out[(i + BEARINGS - k) % BEARINGS]);
+    }
+}
+
 /* Returns the reach in the direction of a point. */
 static float reach_at(const struct reach *reach, vec3s p)
 {
@@ -193,18 +207,22 @@ static struct reach reach_of(const struct object *object, const struct mesh *mes
         if (p.y <= low)
             reach_put(&reach, p);
     }
+    reach_fill(&reach);
     return reach;
 }
 
 /* Water that has climbed the ice stays there: what is nearer than the ice's surface moves with it,
- * and the rest is stretched. */
+ * and so does what is close outside, but the farther, the more it spreads. */
 static float spread_from(float out, float before, float after, float edge, float share)
 {
-    if (!(before > 0.0f && edge > 1.01f * before))
+    if (!(before > 0.0f && edge > 0.0f))
         return share * out;
-    if (out < before)
-        return out * after / before;
-    return after + (out - before) * (share * edge - after) / (edge - before);
+    const float from = fminf(before, WITHIN * edge);
+    if (out < from)
+        return out * after / from;
+    const float way = (out - from) / (edge - from);
+    const float least = after + out - from;
+    return glm_lerp(least, fmaxf(share * edge, least), way * way);
 }
 
 /* Spreads a part; the ice reaches as far as `before` and `after` tell. */
@@ -220,6 +238,7 @@ static void spread_part(const struct parts *parts, const struct part *part, stru
         if (part_of(parts, i) == part)
             reach_put(&edge, mesh->vertices[i].position);
     }
+    reach_fill(&edge);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         vec3s *p = &mesh->vertices[i].position;
         if (part_of(parts, i) != part)
@@ -354,9 +373,10 @@ static void turn_normals(const struct model *model, struct mesh *films, struct m
     }
 }
 
-/* Moves films' textures and heights after vertices that were elsewhere before. */
+/* Moves films' textures and heights after vertices that were elsewhere before. Stone that stood out
+ * of the water does not make it thinner elsewhere: `level` is the ground's height below the ice. */
 static void follow_ground(struct mesh *films, const struct mesh *before,
-                          const struct growth *growth, const struct mesh *ground)
+                          const struct growth *growth, const struct mesh *ground, float level)
 {
     for (uint32_t i = 0; i < films->vertex_count; i++) {
         struct mesh_vertex *v = &films->vertices[i];
@@ -364,8 +384,8 @@ static void follow_ground(struct mesh *films, const struct mesh *before,
         const float dx = v->position.x - from.x, dz = v->position.z - from.z;
         if (fabsf(dx) + fabsf(dz) <= 0.0f)
             continue;
-        const float fall =
-            ground_at(ground, v->position.x, v->position.z) - ground_at(ground, from.x, from.z);
+        const float fall = ground_at(ground, v->position.x, v->position.z) -
+                           fminf(ground_at(ground, from.x, from.z), level);
         v->uv = glms_vec2_muladds(growth->by_x, dx, glms_vec2_muladds(growth->by_z, dz, v->uv));
         if (fall < 0.0f && isfinite(fall))
             v->position.y += fall;
@@ -382,7 +402,8 @@ bool melt_parts_spread_films(struct model *model, const struct melt_parts_ice *i
         done = mesh_append(&before, &films) && spread(&films, &object, model, ice);
         if (done) {
             mesh_make_normals(&before);
-            follow_ground(&films, &before, &growth, &ground);
+            const vec3s foot = box_center(ice->object->box);
+            follow_ground(&films, &before, &growth, &ground, ground_at(&ground, foot.x, foot.z));
             turn_normals(model, &films, &before);
         }
     }

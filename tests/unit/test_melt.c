@@ -306,6 +306,68 @@ static void films_spread(void **state)
     mesh_finish(&model.surroundings);
 }
 
+enum {
+    AROUND = 64,
+};
+
+static bool generate_fine_ball(struct mesh *mesh, uint32_t triangles)
+{
+    return generate_sphere(mesh, 10 * triangles);
+}
+
+/* Melts a ball in a film whose rings have these radii, as shares of the ball's. Writes by how much
+ * each ring grew, at least and at most. */
+static void grow_rings(const float radii[3], float grown[3][2])
+{
+    struct material film = material_make("film");
+    struct model model = bare(generate_fine_ball);
+    struct mesh *mesh = &model.surroundings;
+    struct melted melted;
+    const struct box box = mesh_box(&model.object);
+    film.flags |= MATERIAL_IS_FILM;
+    model.materials = (struct material[]){ model.materials[0], film };
+    model.material_count = 2;
+    assert_true(mesh_init(mesh, 3 * AROUND, 2 * AROUND * 6));
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const float turn = (float)(i % AROUND) / (float)AROUND * 2 * GLM_PIf;
+        const float out = radii[i / AROUND] * box.max.x;
+        mesh->vertices[i].position =
+            (vec3s){ { out * cosf(turn), box.min.y + 0.01f, out * sinf(turn) } };
+        mesh->vertices[i].material = 2u << MESH_SURFACE_SHIFT;
+    }
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        const uint32_t k = i / 6, next = k / AROUND * AROUND + (k + 1) % AROUND;
+        mesh->indices[i] =
+            (const uint32_t[]){ k, next, next + AROUND, k, next + AROUND, k + AROUND }[i % 6];
+    }
+    assert_int_equal(melt_model(&model, &(struct melting){ .share = 0.9f }, 0, &melted), STATUS_OK);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const vec3s p = mesh->vertices[i].position;
+        const float by = hypotf(p.x, p.z) / (radii[i / AROUND] * box.max.x);
+        float *range = grown[i / AROUND];
+        range[0] = i % AROUND ? fminf(range[0], by) : by;
+        range[1] = i % AROUND ? fmaxf(range[1], by) : by;
+    }
+    melted_finish(&melted);
+    mesh_finish(&model.object);
+    mesh_finish(&model.surroundings);
+}
+
+/* Water at the foot of ice goes with it, however near it ends, and where ice bulges over its edge.
+ * The reach of the ball's foot is 0.8 to 0.87 of its radius. */
+static void water_stays_at_the_foot(void **state)
+{
+    static const float radii[2][3] = { { 0.5f, 0.9f, 1.1f }, { 0.4f, 0.65f, 0.78f } };
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        float grown[3][2];
+        grow_rings(radii[i], grown);
+        check_between((double)grown[0][1], 0.2, 0.8);
+        check_between((double)grown[1][1], 0.2, 0.95);
+        check_between((double)grown[2][0], 1.3, 4);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -316,6 +378,7 @@ int main(void)
         cmocka_unit_test(bubbles_shrink_at_the_surface),
         cmocka_unit_test(cracks_open_at_the_surface),
         cmocka_unit_test(films_spread),
+        cmocka_unit_test(water_stays_at_the_foot),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
