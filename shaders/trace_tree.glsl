@@ -64,10 +64,8 @@ uvec4 trace_corner(int word)
 
 struct trace_ray {
     vec3 origin, dir;
-    vec3 inverse, minus_origin; /* 1 / dir, -origin / dir */
     float side;  /* 1: inside the object that it begins on, -1: outside of it, 0: on none */
     float reach; /* within which faces are not met that it could only see from the other side */
-    vec3 cull;   /* `side` times `dir`; 0 if the cones of nodes do not count */
     bool is_in_bubble;
     int from; /* a triangle that is not met */
 };
@@ -91,23 +89,36 @@ const float trace_edge = 1e-6;
 const int trace_nothing = int(TREE_LEAF);
 const uint trace_around = 1u << TREE_SURROUNDINGS | 1u << TREE_MOVERS; /* parts, a bit each */
 
-trace_ray trace_ray_of(vec3 origin, vec3 dir, float side, float reach, int from, bool is_in_bubble)
+/* What of a ray its boxes need, in a part's grid. */
+struct trace_slabs {
+    vec3 inverse, minus_origin; /* 1 / dir, -origin / dir */
+    vec3 cull;                  /* 2 * side * dir of a ray; 0 if the cones of nodes do not count */
+    int mask, shift;            /* of a low plane, and to a high one */
+};
+
+trace_slabs trace_slabs_of(trace_ray ray, int root)
 {
-    vec3 safe = mix(dir, vec3(1e-20), lessThan(abs(dir), vec3(1e-20)));
-    vec3 inverse = 1.0 / safe;
-    vec3 cull = (trace_has(TRACE_HAS_CULLING) ? side : 0.0) * dir;
-    return trace_ray(origin, dir, inverse, -origin * inverse, side, reach, cull, is_in_bubble,
-                     from);
+    uvec4 grid = trace_node(TREE_NODE_WORDS * (root - 1));
+    vec3 scale = uintBitsToFloat(trace_node(TREE_NODE_WORDS * (root - 1) + 1).xyz);
+    vec3 safe = mix(ray.dir, vec3(1e-20), lessThan(abs(ray.dir), vec3(1e-20)));
+    vec3 inverse = 1.0 / (scale * safe);
+    vec3 origin = (ray.origin - uintBitsToFloat(grid.xyz)) * scale;
+    int shift = int(grid.w);
+    bool has_cones = trace_has(TRACE_HAS_CULLING) && shift < TREE_PLANE_BITS;
+    vec3 cull = (has_cones ? 2.0 * ray.side : 0.0) * ray.dir;
+    return trace_slabs(inverse, -origin * inverse, cull, (1 << shift) - 1, shift);
 }
 
-/* Returns whether a ray meets a box before `far`, and where it enters. Numbers from 0 on are in the
- * order of their bits, and a box with a bound below 0 is not met, whichever that is: so bits are
- * compared, because lavapipe takes four instructions for the lesser of two floats, which may be
- * no numbers. */
-bool trace_meets_box(trace_ray ray, vec3 low, vec3 high, float far, out float enter)
+/* Returns whether a ray meets the box of a child before `far`, and where it enters. Numbers from 0
+ * on are in the order of their bits, and a box with a bound below 0 is not met, whichever that is:
+ * so bits are compared, because lavapipe takes four instructions for the lesser of two floats,
+ * which may be no numbers. */
+bool trace_meets_box(trace_slabs slabs, uvec4 child, float far, out float enter)
 {
-    vec3 a = low * ray.inverse + ray.minus_origin;
-    vec3 b = high * ray.inverse + ray.minus_origin;
+    ivec3 low = ivec3(child.xyz) & slabs.mask;
+    ivec3 high = ivec3(child.xyz) >> slabs.shift & slabs.mask;
+    vec3 a = vec3(low) * slabs.inverse + slabs.minus_origin;
+    vec3 b = vec3(high) * slabs.inverse + slabs.minus_origin;
     ivec3 near_sides = min(floatBitsToInt(a), floatBitsToInt(b));
     ivec3 far_sides = max(floatBitsToInt(a), floatBitsToInt(b));
     int first = max(max(near_sides.x, near_sides.y), max(near_sides.z, 0));
@@ -116,13 +127,14 @@ bool trace_meets_box(trace_ray ray, vec3 low, vec3 high, float far, out float en
     return first <= last;
 }
 
-/* Returns whether some triangle in a cone may face a ray; its bytes need not be divided by 127. */
-bool trace_faces(uint cone, trace_ray ray)
+/* Returns whether some triangle in the cone of a child may face a ray. */
+bool trace_faces(trace_slabs slabs, uvec4 child)
 {
     if (!trace_has(TRACE_HAS_CULLING))
         return true;
-    ivec4 c = ivec4(cone << 24, cone << 16, cone << 8, cone) >> 24;
-    return dot(vec3(c.xyz), ray.cull) + float(c.w) >= 0.0;
+    vec3 axis = vec3(ivec3(child.xyz) >> TREE_CONE_SHIFT);
+    int sine = int(child.w) >> TREE_SINE_SHIFT & TREE_CONE_OPEN;
+    return dot(axis, slabs.cull) + float(sine) >= 0.0;
 }
 
 /* Where a ray enters and leaves a bubble, by its rows; x > y: it misses. */
@@ -174,27 +186,25 @@ void trace_meet_triangle(trace_ray ray, int i, int part, bool counts, inout trac
 
 void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
 {
+    trace_slabs slabs = trace_slabs_of(ray, root);
     int stack[TREE_DEPTH_MAX + 2];
     int top = 0;
     int node = root;
     stack[0] = trace_nothing;
     do {
         while (node >= 0) {
-            int at = TREE_NODE_WORDS * node;
-            uvec4 a = trace_node(at), b = trace_node(at + 1);
-            uvec4 c = trace_node(at + 2), d = trace_node(at + 3);
+            uvec4 child_0 = trace_node(TREE_NODE_WORDS * node);
+            uvec4 child_1 = trace_node(TREE_NODE_WORDS * node + 1);
             float enter_0, enter_1;
-            bool meets_0 = trace_meets_box(ray, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz),
-                                           hit.t, enter_0);
-            bool faces_0 = trace_faces(b.w, ray);
+            bool meets_0 = trace_meets_box(slabs, child_0, hit.t, enter_0);
+            bool faces_0 = trace_faces(slabs, child_0);
             meets_0 = meets_0 && faces_0;
-            bool meets_1 = trace_meets_box(ray, uintBitsToFloat(c.xyz), uintBitsToFloat(d.xyz),
-                                           hit.t, enter_1);
-            bool faces_1 = trace_faces(d.w, ray);
+            bool meets_1 = trace_meets_box(slabs, child_1, hit.t, enter_1);
+            bool faces_1 = trace_faces(slabs, child_1);
             meets_1 = meets_1 && faces_1;
             bool second = meets_1 && (!meets_0 || enter_1 < enter_0);
-            int near = second ? int(c.w) : int(a.w);
-            int far = second ? int(a.w) : int(c.w);
+            int near = int((second ? child_1.w : child_0.w) & TREE_CHILD_MASK);
+            int far = int((second ? child_0.w : child_1.w) & TREE_CHILD_MASK);
             int popped = stack[top];
             bool none = !meets_0 && !meets_1;
             stack[top + 1] = far;
@@ -244,7 +254,7 @@ void trace_meet_posed(trace_start start, int part, inout trace_hit hit)
     }
     float own_side = part == TREE_OBJECTS ? start.side : 0.0;
     trace_ray ray =
-        trace_ray_of(own_origin, own_dir, own_side, start.reach, start.from, start.is_in_bubble);
+        trace_ray(own_origin, own_dir, own_side, start.reach, start.is_in_bubble, start.from);
 #ifdef TRACE_QUERY
     if (part != TREE_INCLUSIONS) {
         trace_query_part(ray, part, hit);

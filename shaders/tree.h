@@ -1,10 +1,16 @@
 /*
  * tree.h: the layout of trees of triangles (src/scene/tree.h), in words of four 32-bit numbers.
  *
- * A node has two children, each of two words: the low corner of its box, and the child; the high
- * corner, and the cone of its triangles' normals: three bytes of a mean normal, and one of the sine
- * of the widest angle to it, all signed and normalised. A child is a node, or, with TREE_LEAF, the
- * first triangle << 3 | number of triangles.
+ * A node has two children, each of one word. Its first three numbers have the planes of the child's
+ * box across each axis, the low one and, so many bits higher, the high one, in steps of the part's
+ * grid. Where planes have less than TREE_PLANE_BITS, the cone of the triangles' normals follows
+ * from TREE_CONE_SHIFT on: TREE_CONE_AXIS times a mean normal, signed. The fourth number is the
+ * child: a node, or, with TREE_LEAF, the first triangle << 3 | number of triangles; from
+ * TREE_SINE_SHIFT on it has 2 * TREE_CONE_AXIS times the sine of the widest angle to that normal,
+ * or TREE_CONE_OPEN: all directions.
+ *
+ * Before the root of a part is its grid: the corner where planes are 0, and the bits of a plane;
+ * steps a metre along each axis.
  *
  * A triangle has three words, the rows of an affine map to (u, v, w): u and v are the weights of
  * the second and third corner, w is the distance before its plane (Woop 2004, DynRT). Its corners
@@ -31,7 +37,7 @@
 #ifndef SHADERS_TREE_H
 #define SHADERS_TREE_H
 
-#define TREE_NODE_WORDS      4
+#define TREE_NODE_WORDS      2
 #define TREE_TRIANGLE_WORDS  3
 #define TREE_CORNER_WORDS    3
 #define TREE_SURFACE_WORDS   4
@@ -39,7 +45,12 @@
 #define TREE_NUMBER          0x10000u
 #define TREE_LEAF            0x80000000u
 #define TREE_NOTHING         0xffffffffu
-#define TREE_CONE_OPEN       0x7f000000u /* all directions */
+#define TREE_CHILD_MASK      0x87ffffffu
+#define TREE_PLANE_BITS      16
+#define TREE_CONE_SHIFT      28
+#define TREE_CONE_AXIS       7
+#define TREE_SINE_SHIFT      27
+#define TREE_CONE_OPEN       15
 #define TREE_SURFACE_MASK    0x0fffffffu
 #define TREE_HORIZON_SHIFT   28
 #define TREE_HORIZON_STEPS   14

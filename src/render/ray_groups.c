@@ -5,6 +5,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/alike.h"
+#include "src/scene/tree_nodes.h"
 
 enum {
     GROUPS_MAX = 1 << 17,            /* of a part, else it is one group */
@@ -139,8 +140,8 @@ static void find_range(const struct tree *tree, uint32_t part, uint32_t range[st
     while (top) {
         const uint32_t(*words)[4] =
             (const uint32_t(*)[4]) & tree->nodes.all[(size_t)stack[--top] * TREE_NODE_WORDS];
-        visit(words[0][3], range, stack, &top);
-        visit(words[2][3], range, stack, &top);
+        for (int i = 0; i < TREE_NODE_WORDS; i++)
+            visit(words[i][3] & TREE_CHILD_MASK, range, stack, &top);
     }
 }
 
@@ -191,12 +192,9 @@ static double extent_of(const struct tree *tree)
     for (uint32_t part = 0; part < INCLUSIONS_AT; part++) {
         if (tree->roots[part] == TREE_NOTHING)
             continue;
-        const uint32_t(*words)[4] =
-            (const uint32_t(*)[4]) & tree->nodes.all[(size_t)tree->roots[part] * TREE_NODE_WORDS];
-        for (int i = 0; i < TREE_NODE_WORDS * 3; i++) {
-            const double x = fabs(number(words[i / 3][i % 3]));
-            most = x < 1e30 ? fmax(most, x) : most;
-        }
+        const struct tree_box box = tree_nodes_extent(tree, part);
+        for (int k = 0; k < 3; k++)
+            most = fmax(most, fmax(fabs((double)box.low[k]), fabs((double)box.high[k])));
     }
     int power;
     (void)frexp(most, &power);

@@ -10,6 +10,7 @@
 #include "src/base/log.h"
 #include "src/image/half.h"
 #include "src/scene/tree_horizon.h"
+#include "src/scene/tree_nodes.h"
 #include "src/scene/tree_shape.h"
 
 /* By how much a deformed tree's cost may grow; that of a part is all that rays meet of it. */
@@ -20,13 +21,6 @@ static uint32_t bits(float x)
     uint32_t word;
     memcpy(&word, &x, sizeof(word));
     return word;
-}
-
-static float number(uint32_t word)
-{
-    float x;
-    memcpy(&x, &word, sizeof(x));
-    return x;
 }
 
 /* ---- words ---- */
@@ -173,162 +167,16 @@ static void put_surface(struct tree_words *words, const struct tree_part *part, 
         put_extras(words, part, triangle);
 }
 
-/* ---- nodes ---- */
-
-/* The directions of normals: a unit mean, and the widest angle to it, radians. */
-struct cone {
-    double axis[3], angle;
-};
-
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static double angle_of(const double *a, const double *b)
-{
-    return acos(fmax(-1.0, fmin(1.0, dot(a, b))));
-}
-
-/* Returns a cone around both. */
-static struct cone joined(const struct cone *a, const struct cone *b)
-{
-    struct cone cone = { .angle = 4.0 };
-    if (a->angle < 0.0 || b->angle < 0.0)
-        return a->angle < 0.0 ? *b : *a;
-    for (int k = 0; k < 3; k++)
-        cone.axis[k] = a->axis[k] + b->axis[k];
-    const double length = sqrt(dot(cone.axis, cone.axis));
-    if (!(length > 1e-3))
-        return cone;
-    for (int k = 0; k < 3; k++)
-        cone.axis[k] /= length;
-    cone.angle =
-        fmax(a->angle + angle_of(cone.axis, a->axis), b->angle + angle_of(cone.axis, b->axis));
-    return cone;
-}
-
-/* Returns the cone of a leaf's triangles, from their maps; one without an area has none. */
-static struct cone cone_of(const struct tree *tree, uint32_t first, uint32_t count)
-{
-    struct cone cone = { .angle = -1.0 };
-    for (uint32_t i = first; i < first + count; i++) {
-        const uint32_t *row = tree->triangles.all[(size_t)i * TREE_TRIANGLE_WORDS + 2];
-        struct cone one = { .angle = 0.0 };
-        for (int k = 0; k < 3; k++)
-            one.axis[k] = (double)number(row[k]);
-        if (!(dot(one.axis, one.axis) > 0.5))
-            continue;
-        cone = joined(&cone, &one);
-    }
-    return cone;
-}
-
-/* Light that meets only the far side of all triangles has a cosine with the axis of more than the
- * sine of the angle. The bytes are rounded so that the cone gets wider. */
-static uint32_t packed(const struct cone *cone)
-{
-    uint32_t word;
-    if (!(cone->angle >= 0.0 && cone->angle < 1.4))
-        return TREE_CONE_OPEN;
-    word = (uint32_t)fmin(ceil(127.0 * (sin(cone->angle) + 0.01)), 127.0) << 24;
-    for (int k = 0; k < 3; k++)
-        word |= ((uint32_t)(int)rint(cone->axis[k] * 126.0) & 255u) << (8 * k);
-    return word;
-}
-
-/* A tree while it is laid out. */
-struct layout {
-    struct tree *tree;
-    const struct tree_shape *shape;
-    uint32_t first; /* triangle of the tree for the part's first one */
-    float room;     /* by which boxes are enlarged: their planes are computed with rounding */
-    bool has_cones;
-};
-
-static uint32_t lay_node(struct layout *layout, uint32_t at, uint32_t depth, struct cone *cone);
-
-/* Writes a child's words, and widens the cone of its parent. */
-static void lay_child(struct layout *layout, uint32_t word, uint32_t at, uint32_t depth,
-                      struct cone *cone)
-{
-    struct tree *tree = layout->tree;
-    const struct tree_node *node = &layout->shape->draft.nodes[at];
-    const uint32_t first = layout->first + node->first;
-    struct cone own;
-    uint32_t child;
-    float low[3], high[3];
-    if (node->children[0]) {
-        child = lay_node(layout, at, depth, &own);
-    } else {
-        child = TREE_LEAF | first << 3 | node->count;
-        own = cone_of(tree, first, node->count);
-    }
-    for (int k = 0; k < 3; k++) {
-        low[k] = node->box.low[k] - layout->room;
-        high[k] = node->box.high[k] + layout->room;
-    }
-    put(tree->nodes.all[word], low, child);
-    put(tree->nodes.all[word + 1], high, layout->has_cones ? packed(&own) : TREE_CONE_OPEN);
-    *cone = joined(cone, &own);
-}
-
-/* Lays out a node that is no leaf, and what is below; returns its index. */
-static uint32_t lay_node(struct layout *layout, uint32_t at, uint32_t depth, struct cone *cone)
-{
-    struct tree *tree = layout->tree;
-    const uint32_t word = tree->nodes.count;
-    const struct tree_node *node = &layout->shape->draft.nodes[at];
-    tree->nodes.count += TREE_NODE_WORDS;
-    tree->depth = depth > tree->depth ? depth : tree->depth;
-    *cone = (struct cone){ .angle = -1.0 };
-    lay_child(layout, word, node->children[0], depth + 1, cone);
-    lay_child(layout, word + 2, node->children[1], depth + 1, cone);
-    return word / TREE_NODE_WORDS;
-}
-
-/* Lays out a tree. A single leaf gets a node whose other child has an empty box. */
-static uint32_t lay_tree(struct layout *layout)
-{
-    static const float nowhere[2][3] = { { 2e30f, 2e30f, 2e30f }, { 2e30f, 2e30f, 2e30f } };
-    struct tree *tree = layout->tree;
-    struct cone cone = { .angle = -1.0 };
-    const uint32_t root = layout->shape->root;
-    if (layout->shape->draft.nodes[root].children[0])
-        return lay_node(layout, root, 1, &cone);
-    const uint32_t word = tree->nodes.count;
-    tree->nodes.count += TREE_NODE_WORDS;
-    lay_child(layout, word, root, 1, &cone);
-    put(tree->nodes.all[word + 2], nowhere[0], TREE_LEAF);
-    put(tree->nodes.all[word + 3], nowhere[1], TREE_CONE_OPEN);
-    return word / TREE_NODE_WORDS;
-}
-
-static uint32_t count_inner(const struct tree_draft *draft, uint32_t at)
-{
-    const uint32_t *children = draft->nodes[at].children;
-    return children[0] ? 1 + count_inner(draft, children[0]) + count_inner(draft, children[1]) : 0;
-}
-
 /* ---- a scene ---- */
-
-static float room_of(const struct tree_box *box)
-{
-    float most = 0.0f;
-    for (int k = 0; k < 3; k++)
-        most = fmaxf(most, fmaxf(fabsf(box->low[k]), fabsf(box->high[k])));
-    return 4e-7f * most;
-}
 
 static void count_words(struct tree *tree, const struct tree_part *part,
                         const struct tree_shape *shape)
 {
-    const uint32_t inner = part->count ? count_inner(&shape->draft, shape->root) : 0;
     uint32_t surfaces = 0;
     for (uint32_t i = 0; i < part->count; i++)
         surfaces += has_surface(part, part->triangles[i]);
     tree->triangle_count += part->count;
-    tree->nodes.count += (inner > 0 ? inner : 1) * TREE_NODE_WORDS;
+    tree->nodes.count += part->count ? tree_nodes_count(shape) : 0;
     tree->triangles.count += part->count * TREE_TRIANGLE_WORDS;
     tree->corners.count += part->count * TREE_CORNER_WORDS + surfaces * TREE_SURFACE_WORDS;
     if (surfaces && part->mesh->extras)
@@ -339,11 +187,8 @@ static void count_words(struct tree *tree, const struct tree_part *part,
 static void lay_part(struct tree *tree, uint32_t index, const struct tree_part *part,
                      const struct tree_shape *shape)
 {
-    struct layout layout = { .tree = tree,
-                             .shape = shape,
-                             .first = tree->triangles.count / TREE_TRIANGLE_WORDS,
-                             .has_cones = part->is_object };
-    size_t word = (size_t)layout.first * TREE_CORNER_WORDS;
+    const uint32_t first = tree->triangles.count / TREE_TRIANGLE_WORDS;
+    size_t word = (size_t)first * TREE_CORNER_WORDS;
     tree->roots[index] = TREE_NOTHING;
     for (uint32_t i = 0; i < part->count; i++) {
         const uint32_t triangle = part->triangles[shape->draft.order[i]];
@@ -364,10 +209,9 @@ static void lay_part(struct tree *tree, uint32_t index, const struct tree_part *
         if (is_shown)
             put_surface(&tree->corners, part, triangle);
     }
-    if (!part->count)
-        return;
-    layout.room = room_of(&shape->draft.nodes[shape->root].box);
-    tree->roots[index] = lay_tree(&layout);
+    if (part->count)
+        tree->roots[index] =
+            tree_nodes_lay(tree, shape, first, part->is_object && part->model->object_count < 2);
 }
 
 static uint32_t media_words(const struct tree *tree)
@@ -583,7 +427,10 @@ void tree_finish(struct tree *tree)
 
 uint32_t tree_node_count(const struct tree *tree)
 {
-    return tree->nodes.count / TREE_NODE_WORDS;
+    uint32_t count = tree->nodes.count / TREE_NODE_WORDS;
+    for (uint32_t i = 0; i < TREE_PART_COUNT && count; i++)
+        count -= tree->roots[i] != TREE_NOTHING; /* its grid */
+    return count;
 }
 
 uint32_t tree_words_most(const struct tree *tree)

@@ -2,7 +2,7 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
-#include "src/scene/tree.h"
+#include "src/scene/tree_nodes.h"
 
 static double number(uint32_t word)
 {
@@ -38,14 +38,13 @@ static void meet_triangle(const struct tree *tree, uint32_t triangle, const stru
     *hit = (struct tree_hit){ t, u, v, triangle, 0, towards > 0.0 };
 }
 
-static bool meets_box(const uint32_t low[static 4], const uint32_t high[static 4],
-                      const struct tree_ray *ray, double far)
+static bool meets_box(const struct tree_box *box, const struct tree_ray *ray, double far)
 {
     double enter = 0.0;
     for (int k = 0; k < 3; k++) {
         const double inverse = 1.0 / (double)ray->dir.raw[k];
-        const double a = (number(low[k]) - (double)ray->origin.raw[k]) * inverse;
-        const double b = (number(high[k]) - (double)ray->origin.raw[k]) * inverse;
+        const double a = ((double)box->low[k] - (double)ray->origin.raw[k]) * inverse;
+        const double b = ((double)box->high[k] - (double)ray->origin.raw[k]) * inverse;
         enter = fmax(enter, fmin(a, b));
         far = fmin(far, fmax(a, b));
     }
@@ -57,21 +56,25 @@ bool tree_meet(const struct tree *tree, uint32_t part, const struct tree_ray *ra
 {
     uint32_t stack[TREE_DEPTH_MAX + 2];
     uint32_t count = 0;
+    const uint32_t(*nodes)[4] = (const uint32_t(*)[4])tree->nodes.all, (*grid)[4] = NULL;
     *hit = (struct tree_hit){ .t = DBL_MAX, .triangle = TREE_NOTHING };
-    if (tree->triangle_count && tree->roots[part] != TREE_NOTHING)
+    if (tree->triangle_count && tree->roots[part] != TREE_NOTHING) {
         stack[count++] = tree->roots[part];
+        grid = &nodes[(size_t)(tree->roots[part] - 1) * TREE_NODE_WORDS];
+    }
     while (count) {
         const size_t word = (size_t)stack[--count] * TREE_NODE_WORDS;
-        for (size_t w = word; w < word + TREE_NODE_WORDS; w += 2) {
-            const uint32_t *low = tree->nodes.all[w];
-            if (!meets_box(low, tree->nodes.all[w + 1], ray, hit->t))
+        for (size_t w = word; w < word + TREE_NODE_WORDS; w++) {
+            const struct tree_box box = tree_nodes_box(grid, nodes[w]);
+            const uint32_t child = nodes[w][3] & TREE_CHILD_MASK;
+            if (!meets_box(&box, ray, hit->t))
                 continue;
-            if (!(low[3] & TREE_LEAF)) {
-                stack[count++] = low[3];
+            if (!(child & TREE_LEAF)) {
+                stack[count++] = child;
                 continue;
             }
-            const uint32_t first = (low[3] & ~TREE_LEAF) >> 3;
-            for (uint32_t i = first; i < first + (low[3] & 7); i++)
+            const uint32_t first = (child & ~TREE_LEAF) >> 3;
+            for (uint32_t i = first; i < first + (child & 7); i++)
                 meet_triangle(tree, i, ray, hit);
         }
     }
