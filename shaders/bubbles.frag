@@ -7,6 +7,8 @@
 #include "lib/optics.glsl"
 #include "lib/view_ray.glsl"
 
+#include "bubbles_seen.glsl"
+
 layout(set = 0, binding = BUBBLES_ENV_CUBE) uniform samplerCube env_cube;
 
 layout(location = 0) in vec3 eye_to_point; /* to a point of the square */
@@ -29,7 +31,7 @@ void main()
     if (constant_orthographic != 0u)
         hit = eye_to_center + aside - radius * sqrt(1.0 - b * b) * e;
     vec4 clip = frame.fitted_clip_from_world * vec4(frame.eye + hit, 1.0);
-    if (!ice_clip_keeps(clip.z / clip.w))
+    if (bubble_is_hidden(e, hit) || !ice_clip_keeps(clip.z / clip.w))
         discard;
 
     float eta = frame.outside_in_air / frame.eta; /* from ice to air */

@@ -6,6 +6,7 @@
 
 #define BUBBLES_ENV_CUBE 3 /* radiance around the object */
 #define BUBBLES_DRAWN    4 /* storage buffer, farthest first */
+#define BUBBLES_CRACKS   5 /* cracks.met, of bubbles_seen.glsl */
 
 #define BUBBLES_COUNT_MAX 4096
 

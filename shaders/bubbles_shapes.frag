@@ -8,6 +8,8 @@
 #include "lib/optics.glsl"
 #include "lib/view_ray.glsl"
 
+#include "bubbles_seen.glsl"
+
 layout(set = 0, binding = BUBBLES_ENV_CUBE) uniform samplerCube env_cube;
 
 layout(location = 0) in vec3 eye_to_point; /* to a point of the rectangle */
@@ -38,7 +40,7 @@ void main()
         discard;
     vec3 hit = from + at.x * e;
     vec4 clip = frame.fitted_clip_from_world * vec4(frame.eye + eye_to_center + hit, 1.0);
-    if (!ice_clip_keeps(clip.z / clip.w))
+    if (bubble_is_hidden(e, eye_to_center + hit) || !ice_clip_keeps(clip.z / clip.w))
         discard;
 
     float eta = frame.outside_in_air / frame.eta; /* from ice to air */

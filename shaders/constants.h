@@ -33,6 +33,7 @@
 #define CONSTANT_ORTHOGRAPHIC    18 /* 1: all rays of the picture have one direction */
 #define CONSTANT_TRACE           19 /* bits of refract_trace.h */
 #define CONSTANT_CONTACT         20 /* 1: objects hide light from surroundings (contact.c) */
-#define CONSTANT_COUNT           21
+#define CONSTANT_CRACKS_MET      21 /* 1: the rung follows what cracks mirror (cracks.met) */
+#define CONSTANT_COUNT           22
 
 #endif

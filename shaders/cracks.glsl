@@ -2,6 +2,7 @@
 #ifndef CRACKS_GLSL
 #define CRACKS_GLSL
 #include "cracks.h"
+#include "cracks_law.h"
 #include "cracks_noise.h"
 #include "lib/constants.glsl"
 #include "lib/pose.glsl"
@@ -31,6 +32,18 @@ crack_point crack_here()
     if (dot(n, c.e) > 0.0) /* cracks are visible from both sides */
         c.n = -c.n;
     return c;
+}
+
+/* Returns the width of a gap here, micrometres. */
+float crack_width()
+{
+    return look.gap * sqrt(max(open, 0.0));
+}
+
+/* Returns the shares of light that a gap reflects towards the eye. */
+vec3 crack_shares(crack_point c)
+{
+    return cracks_reflectance(-dot(c.n, c.e), frame.outside_in_air / frame.eta, crack_width());
 }
 
 /* Returns Blinn and Phong's highlights of the lights on the eye's side. */

@@ -19,6 +19,10 @@
 #define CRACKS_LIGHTS       4 /* array; xyz: from the eye to a light; w: highlight strength */
 #define CRACKS_LOOK         8 /* struct cracks_look */
 
+/* Share of light that a gap mirrors, as far as the straight ray tells, beyond which cracks.met
+ * shows it before others. */
+#define CRACKS_MET_MUCH 0.2f
+
 #define CRACKS_MAX 64 /* cracks.count, at most */
 
 /* Of vertices of cracks, the red of their colour: the square of the gap there, in gaps of

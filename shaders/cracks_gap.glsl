@@ -1,7 +1,6 @@
 /* cracks_gap.glsl: main() of cracks filled with air; the clipping method defines crack_is_inside().
  */
 #include "cracks.glsl"
-#include "cracks_law.h"
 #include "lib/optics.glsl"
 
 layout(set = 0, binding = CRACKS_ENV_CUBE) uniform samplerCube env_cube;
@@ -19,8 +18,7 @@ void main()
     crack_point c = crack_here();
     float shine = crack_highlight(c);
     float over = min(shine, 1.0);
-    float width = look.gap * sqrt(max(open, 0.0));
-    vec3 shares = cracks_reflectance(-dot(c.n, c.e), frame.outside_in_air / frame.eta, width);
+    vec3 shares = constant_cracks_met != 0u ? vec3(0.0) : crack_shares(c);
     vec3 mirrored = shares * texture(env_cube, pose_object_normal(optics_reflect(c.e, c.n))).rgb;
     float share = dot(shares, vec3(1.0 / 3.0));
     color = vec4(vec3(shine) + (1.0 - over) * mirrored, over + (1.0 - over) * share);

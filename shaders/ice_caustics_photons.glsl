@@ -8,6 +8,7 @@
 #endif
 #define REFRACT_BOUNCE
 #define REFRACT_MARCH push.march
+#define MARCH_GROUND
 #include "lib/constants.glsl"
 #include "lib/ice_light.glsl"
 
@@ -76,6 +77,11 @@ bool is_below(vec4 clip)
 {
     float depth = refract_depth_at_uv(ground, ice_light_uv(clip));
     return depth > 0.0 && clip.z / clip.w <= depth;
+}
+
+bool march_is_in_ground(vec3 point)
+{
+    return is_below(ice_light_clip(point));
 }
 
 /* Returns in xy where a ray meets the ground in the map, and in z 1, or 0 if it does not. A ray

@@ -2,6 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/constants.glsl"
 #include "over.h"
+#ifdef BUBBLES_BENT
+#include "over_bend.glsl"
+#endif
 
 layout(set = 0, binding = OVER_HIGHLIGHT) uniform sampler2D highlights;
 layout(set = 0, binding = OVER_AIR) uniform sampler2D air;
@@ -33,7 +36,11 @@ void main()
     if ((constant_over & OVER_HAS_AIR) != 0u)
         color = vec4(light, 1.0) * here(air).r;
     if ((constant_over & OVER_HAS_BUBBLES) != 0u)
+#ifdef BUBBLES_BENT
+        cover(bend_bubbles(bubbles));
+#else
         cover(here(bubbles));
+#endif
     if ((constant_over & OVER_HAS_CRACKS) != 0u)
         cover(here(cracks));
     if ((constant_over & OVER_HAS_HIGHLIGHT) != 0u)

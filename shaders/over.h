@@ -9,6 +9,13 @@
 #define OVER_CRACKS      4
 #define OVER_ENVIRONMENT 5 /* equirectangular picture */
 
+/* With BUBBLES_BENT: of the front faces, and of bubbles (within.glsl). */
+#define OVER_FRONT_DEPTH  6
+#define OVER_SHADING      7
+#define OVER_BUBBLE_DEPTH 8
+
+#define OVER_BEND 1 /* location of what over.vert passes to over_bend.glsl: 1 to 8 */
+
 #define OVER_SMALL 1 /* the image that over_whole.frag enlarges */
 
 /* CONSTANT_OVER: a bit for each image to blend; IS_SMALL: those but highlights are smaller than the

@@ -2,6 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/air_light.glsl"
 #include "over.h"
+#ifdef BUBBLES_BENT
+#define OVER_VERTEX
+#include "over_bend.glsl"
+#endif
 
 layout(set = 0, binding = OVER_ENVIRONMENT) uniform sampler2D environment;
 
@@ -13,4 +17,7 @@ void main()
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
     gl_Position = vec4(corner, 0.0, 1.0);
     out_light = (constant_over & OVER_HAS_AIR) != 0u ? air_light(environment) : vec3(0.0);
+#ifdef BUBBLES_BENT
+    bend_hand_on(corner);
+#endif
 }

@@ -19,7 +19,9 @@
 #define REFRACT_DRESS_FRONT 9
 #define REFRACT_DRESS_BACK  10
 #define REFRACT_DRESS_SHINE 11
-#define REFRACT_OVER        1 /* of refract_over.frag: the image that is blended over a picture */
+/* Of rungs that meet cracks: cracks_met.glsl writes it. */
+#define REFRACT_CRACKS 6
+#define REFRACT_OVER   1 /* of refract_over.frag: the image that is blended over a picture */
 
 /* Outputs of the front faces' vertex shaders. */
 #define REFRACT_EYE_TO_POINT 0

@@ -116,6 +116,15 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
     return mix(from, to, is_past ? ends.before : cube_divide(ends)).xyz;
 }
 
+/* Returns whether a point is behind what the cube shows: where ice stands in wet ground, no air is
+ * below its face, which mirrors nothing there. */
+bool refract_is_in_ground(vec3 point)
+{
+    vec3 from_center = point - frame.cube_center;
+    return constant_refract_lookup == REFRACT_LOOKUP_DISTANCE &&
+           cube_behind(vec4(from_center, 1.0)) > 0.0;
+}
+
 vec3 refract_environment(vec3 point, vec3 dir)
 {
     vec3 found = dir;

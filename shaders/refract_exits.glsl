@@ -25,6 +25,8 @@ layout(location = REFRACT_SEEN_MEAN) flat in vec3 mean; /* radiance of the surro
 #define REFRACT_MARCH params.march
 #include "refract_march.glsl"
 
+#include "refract_cracks.glsl"
+
 /* Places at which a ray only seems to leave, at most. */
 const uint exits_mistakes = 2u;
 
@@ -34,6 +36,8 @@ const float exits_weak = 0.1;
 
 /* A ray inside. */
 struct exits_ray {
+    float crack;     /* length to a crack that mirrors it; within_none: none does any more */
+    vec3 crack_n;    /* unit normal there */
     refract_way way; /* its direction is that towards the face */
     vec3 n;          /* outward normal of the face; 0 where none was found */
     float share;     /* that is reflected there */
@@ -58,7 +62,7 @@ void exits_next(march_space space, float inverse_eta, bool is_weak, inout exits_
 {
     const uint bounces = space.march.bounces;
     const uint last = is_weak ? min(ray.faces + 1u, bounces) : bounces;
-    const uint most = space.march.bounces + exits_mistakes;
+    const uint most = space.march.bounces + exits_mistakes + constant_cracks_met;
     uint mistakes = 0u;
     bool hidden = false;
     ray.share = 0.0;
@@ -72,12 +76,19 @@ void exits_next(march_space space, float inverse_eta, bool is_weak, inout exits_
     for (uint i = 0u; ray.faces <= last && i <= most; i++) {
         bool near_front, jumps;
         float t = march_seek(space, ray.way.point, ray.way.dir, hidden, near_front, jumps);
+        bool is_mirrored = ray.crack < t;
+        t = min(t, ray.crack);
 #ifdef REFRACT_CLOUD
         ray.scattered += exp(-refract_frame.absorb * ray.way.path) *
                          refract_cloud(frame.cloud, ray.way.point, ray.way.dir, t, ray.straight);
 #endif
         ray.way.point += t * ray.way.dir;
         ray.way.path += t;
+        ray.crack = within_none;
+        if (is_mirrored) {
+            ray.way.dir = reflect(ray.way.dir, ray.crack_n);
+            continue;
+        }
         vec3 n = march_nearer_normal(space, ray.way.point, near_front);
         bool is_found = dot(n, ray.way.dir) > 0.0;
         hidden = (!is_found || jumps) && mistakes < exits_mistakes;
@@ -85,6 +96,12 @@ void exits_next(march_space space, float inverse_eta, bool is_weak, inout exits_
         if (hidden)
             continue;
         float share = is_found ? optics_fresnel(ray.way.dir, n, inverse_eta) : 0.0;
+        if (refract_is_in_ground(ray.way.point)) {
+            n = normalize(ray.way.point - frame.cube_center);
+            ray.way.dir = n;
+            is_found = true;
+            share = 0.0;
+        }
         if (share < 1.0) {
             ray.share = share;
             ray.n = is_found ? n : ray.n;
@@ -100,6 +117,31 @@ void exits_next(march_space space, float inverse_eta, bool is_weak, inout exits_
     }
 }
 
+/*
+ * Lets a ray that has entered meet a crack. The greater part of its light, whose shares are
+ * returned, is followed: mirrored or straight on. `other` is the light of the lesser one, which
+ * sees the environment cube at once.
+ */
+vec3 exits_meet_crack(march_space space, inout exits_ray ray, out vec3 other)
+{
+    cracks_hit hit = cracks_find(space, ray.way.point, ray.way.dir);
+    float c = -dot(hit.n, ray.way.dir);
+    vec3 shares = cracks_reflectance(c, frame.outside_in_air / refract_frame.eta, hit.width);
+    bool is_mirrored = dot(shares, vec3(1.0)) > 1.5;
+    vec3 mirrored = optics_reflect(ray.way.dir, hit.n);
+    other = (is_mirrored ? 1.0 - shares : shares) *
+            textureLod(env_cube, is_mirrored ? ray.way.dir : mirrored, 0.0).rgb;
+    vec3 followed = is_mirrored ? shares : 1.0 - shares;
+    if (hit.t >= within_none) {
+        other = vec3(0.0);
+        followed = vec3(1.0);
+    } else if (is_mirrored) {
+        ray.crack = hit.t;
+        ray.crack_n = hit.n;
+    }
+    return followed;
+}
+
 vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
 {
     float eta = refract_frame.etas[channel];
@@ -107,6 +149,11 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
     exits_ray ray;
     ray.way = refract_leave_at_front(optics_refract(e, n_f, eta));
     ray.faces = 0u;
+    ray.crack = within_none;
+    ray.crack_n = vec3(0.0);
+    vec3 other = vec3(0.0), followed = vec3(1.0);
+    if (constant_cracks_met != 0u)
+        followed = exits_meet_crack(space, ray, other);
 #ifdef REFRACT_CLOUD
     ray.straight = 1.0;
 #endif
@@ -141,7 +188,7 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
         ray.faces++;
         ray.way.dir = reflect(ray.way.dir, ray.n);
     }
-    return light;
+    return other + followed * light;
 }
 
 #endif

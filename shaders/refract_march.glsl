@@ -7,6 +7,11 @@
 #include "refract_inside.glsl"
 #include "refract_way.glsl"
 
+#ifdef MARCH_GROUND
+/* Returns whether a place is in the ground: no air is below a face that stands in it. */
+bool march_is_in_ground(vec3 point);
+#endif
+
 /* Traces a ray. `leaving` is the transmittance of its last surface: 0 if light does not leave. */
 refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
 {
@@ -22,6 +27,12 @@ refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
         vec3 n = march_normal(space, way.point, way.dir, near_front);
         if (dot(n, way.dir) <= 0.0) /* no face was found: the ray goes straight on */
             break;
+#ifdef MARCH_GROUND
+        if (march_is_in_ground(way.point)) {
+            leaving = 1.0;
+            break;
+        }
+#endif
         bool total = optics_refract_k(way.dir, n, 1.0 / eta) < 0.0;
         leaving = 1.0 - optics_fresnel(way.dir, n, 1.0 / eta);
         way.dir = optics_refract(way.dir, -n, 1.0 / eta);

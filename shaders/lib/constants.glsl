@@ -23,6 +23,7 @@ layout(constant_id = CONSTANT_HIDDEN) const uint constant_hidden = 0u;
 layout(constant_id = CONSTANT_SCENE_LIGHTS) const uint constant_scene_lights = 0u;
 layout(constant_id = CONSTANT_ORTHOGRAPHIC) const uint constant_orthographic = 0u;
 layout(constant_id = CONSTANT_CONTACT) const uint constant_contact = 0u;
+layout(constant_id = CONSTANT_CRACKS_MET) const uint constant_cracks_met = 0u;
 layout(constant_id = CONSTANT_TRACE) const uint constant_trace = 0u;
 
 #endif

@@ -8,12 +8,13 @@
  * centre's squared distance less the squared radius, which is exact for them, and for other shapes
  * where the spheres around them do not overlap.
  *
- * Limits: bubbles show the environment cube; the ice's surface bends neither the ray from the eye
- * nor the ray from the bubble. Because the picture behind is already bent, transmitted light counts
- * only by the squared sine of its angle inside (bubble_cover), so that the middle of a bubble shows
- * the picture behind it, where a true bubble shows it smaller. Light that is reflected inside the
- * bubble is treated as transmitted. A bubble around the eye is invisible, and so is what is no
- * sphere if the eye is in the sphere around it. Convex objects only, as for ice_depth.
+ * Limits: bubbles show the environment cube; the ice's surface does not bend the ray from the
+ * bubble, nor, unless bubbles_are_bent(), that from the eye. Because the picture behind is already
+ * bent, transmitted light counts only by the squared sine of its angle inside (bubble_cover), so
+ * that the middle of a bubble shows the picture behind it, where a true bubble shows it smaller.
+ * Light that is reflected inside the bubble is treated as transmitted. A bubble around the eye is
+ * invisible, and so is what is no sphere if the eye is in the sphere around it. Convex objects
+ * only, as for ice_depth.
  */
 #include "src/tech/bubbles.h"
 #include <cglm/struct.h>
@@ -22,14 +23,22 @@
 #include "shaders/bubbles.h"
 #include "shaders/embedded.h"
 #include "shaders/ice_depth.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/cracks.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_depth.h"
+#include "src/tech/row_builder.h"
 
 static rg_record_fn record_bubbles;
 
 const struct rg_image bubbles_color = {
     .name = "bubbles.color",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_image bubbles_depth = {
+    .name = "bubbles.depth",
+    .format = VK_FORMAT_R32_SFLOAT,
 };
 
 const struct rg_buffer bubbles_all = {
@@ -80,6 +89,18 @@ static const struct rg_pass shapes_row = {
     .vert = &bubbles_shapes_vert,
     .frag = &bubbles_shapes_frag,
     .record = record_bubbles,
+};
+
+static const struct rg_fallback no_cracks = { { 0 } };
+
+static const struct rg_use bent_uses[] = {
+    FRAME_SAMPLE(cracks_met, BUBBLES_CRACKS, .same_texel = true, .fallback = &no_cracks),
+    { 0 },
+};
+
+static const struct rg_target bent_targets[] = {
+    { &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER },
+    { &bubbles_depth, RG_LOAD_CLEAR },
 };
 
 static void record_bubbles(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -151,15 +172,33 @@ static bool is_on(const struct settings *settings)
     return params->count > 0;
 }
 
+/* With several objects, the faces' maps have only those of the nearest. */
+bool bubbles_are_bent(const struct technique_choice *choice)
+{
+    const struct target_params *target = settings_of(choice->settings, &target_settings);
+    return is_on(choice->settings) && choice->rung && choice->rung->rung.bends_bubbles &&
+           choice->rung->rung.bends_bubbles(choice->settings) && choice->object_count <= 1 &&
+           target->scale >= 1.0f;
+}
+
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
     const struct bubbles_params *params = settings_of(choice->settings, &bubbles_settings);
     const bool are_spheres = params->shape == GENERATE_BUBBLES_SPHERE;
-    (void)builder;
     if (!params->count)
         return (struct rg_technique){ 0 };
-    return (struct rg_technique){ "bubbles", are_spheres ? &spheres_row : &shapes_row, 1 };
+    const struct rg_pass *row = are_spheres ? &spheres_row : &shapes_row;
+    if (!bubbles_are_bent(choice))
+        return (struct rg_technique){ "bubbles", row, 1 };
+    struct rg_pass *bent = row_builder_rows(builder, row, 1);
+    if (!bent)
+        return (struct rg_technique){ 0 };
+    bent->color = bent_targets;
+    bent->color_count = sizeof(bent_targets) / sizeof(bent_targets[0]);
+    bent->uses = row_builder_uses(builder, (const struct rg_use *const[]){ uses, bent_uses }, 2);
+    bent->frag = are_spheres ? &bubbles_bent_frag : &bubbles_shapes_bent_frag;
+    return (struct rg_technique){ "bubbles", bent, 1 };
 }
 
 /* ---- the bubbles of a frame ---- */

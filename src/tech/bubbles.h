@@ -5,6 +5,12 @@
 
 extern const struct rg_image bubbles_color; /* premultiplied colour; 0 without bubbles */
 
+/* Depths of the nearest bubbles (shaders/within.glsl), if bubbles_are_bent(). */
+extern const struct rg_image bubbles_depth;
+
+/* Returns whether over.c shows them along rays that the ice's surface has bent. */
+bool bubbles_are_bent(const struct technique_choice *choice);
+
 /* An array of BUBBLES_COUNT_MAX struct bubbles_drawn in world space; the first ones, as many as
  * the scene has, are valid. */
 extern const struct rg_buffer bubbles_all;

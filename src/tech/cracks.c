@@ -15,11 +15,15 @@
  * towards the rim, where it reflects colours and then nothing (shaders/cracks_law.h).
  * cracks.surface paints the sheets red and opaque, as the paper's figures 5c and 5d do.
  *
- * Error: cracks are seen along the straight ray, not the refracted one, and their light is not
- * refracted by the surface above them. Cracks behind each other are blended in the order of the
- * mesh, not of depth.
+ * A rung that bends what is inside (technique_rung.bends_cracks) meets gaps on the ray that the
+ * surface has bent, and follows the greater part of the light on from there.
+ *
+ * Error: other rungs see cracks along the straight ray, not the refracted one, and their light is
+ * not refracted by the surface above them. Cracks behind each other are blended in the order of the
+ * mesh, not of depth; of those that are met, one is.
  */
 #include "src/tech/cracks.h"
+#include "shaders/constants.h"
 #include "shaders/embedded.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_depth.h"
@@ -35,6 +39,11 @@ const struct rg_image cracks_color = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
+const struct rg_image cracks_met = {
+    .name = "cracks.met",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
 static const struct rg_image cracks_depth = {
     .name = "cracks.depth",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -45,7 +54,7 @@ static const struct rg_image cracks_depth = {
 /* A method of clipping: its shaders and their uses. */
 struct clipping {
     const struct rg_use *uses, *normal_uses;
-    const struct rg_shader *vert, *color, *gap, *normal;
+    const struct rg_shader *vert, *color, *gap, *normal, *met;
     bool before_back; /* the depth test rejects fragments behind the ice */
 };
 
@@ -76,6 +85,7 @@ static const struct clipping convex = {
     .color = &cracks_convex_color_frag,
     .gap = &cracks_convex_gap_frag,
     .normal = &cracks_convex_normal_frag,
+    .met = &cracks_convex_met_frag,
     .before_back = true,
 };
 
@@ -87,6 +97,7 @@ static const struct clipping none = {
     .color = &cracks_free_color_frag,
     .gap = &cracks_free_gap_frag,
     .normal = &cracks_free_normal_frag,
+    .met = &cracks_free_met_frag,
 };
 
 static const struct clipping interval = {
@@ -94,6 +105,7 @@ static const struct clipping interval = {
     .color = &cracks_interval_color_frag,
     .gap = &cracks_interval_gap_frag,
     .normal = &cracks_interval_normal_frag,
+    .met = &cracks_interval_met_frag,
     .before_back = true,
 };
 
@@ -144,6 +156,16 @@ static const struct rg_pass color_before_back_row = {
 static const struct rg_pass normal_row = {
     .name = "cracks.normal",
     .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }),
+    .depth = { &cracks_depth, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } },
+    .depth_compare = VK_COMPARE_OP_LESS,
+    .vertices = &frame_mesh_layout,
+    .push_size = sizeof(struct cracks_look),
+    .record = record_cracks,
+};
+
+static const struct rg_pass met_row = {
+    .name = "cracks.met",
+    .color = RG_TARGETS({ &cracks_met, RG_LOAD_CLEAR }),
     .depth = { &cracks_depth, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } },
     .depth_compare = VK_COMPARE_OP_LESS,
     .vertices = &frame_mesh_layout,
@@ -263,6 +285,7 @@ static const struct setting rows[] = {
         .type = SETTING_SWITCH,
         .offset = offsetof(struct cracks_params, look.surface),
         .max = 1,
+        .switches = SETTING_AFFECTS_PLAN,
         .help = "flat red instead of shading on the visible parts of cracks, for debugging",
     },
 };
@@ -281,6 +304,14 @@ bool cracks_are_in_ice(const struct settings *settings)
 {
     const struct cracks_params *params = settings_of(settings, &cracks_settings);
     return params->count && params->clip != CRACKS_CLIP_NONE;
+}
+
+bool cracks_are_met(const struct settings *settings, const struct technique *rung)
+{
+    const struct cracks_params *params = settings_of(settings, &cracks_settings);
+    return rung && rung->rung.bends_cracks && rung->rung.bends_cracks(settings) &&
+           cracks_are_in_ice(settings) && params->refract == CRACKS_REFRACT_GAP &&
+           !params->look.surface;
 }
 
 /* Without cracks the rows draw an empty layer; they are culled unless the layer is requested. */
@@ -305,16 +336,17 @@ static struct rg_technique make_normals(const struct technique_choice *choice,
                                         struct row_builder *builder)
 {
     const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
-    if (!params->count || params->refract != CRACKS_REFRACT_NORMALS)
+    const bool are_met = cracks_are_met(choice->settings, choice->rung);
+    if (!are_met && (!params->count || params->refract != CRACKS_REFRACT_NORMALS))
         return (struct rg_technique){ 0 };
     const struct clipping clipping = find_clipping(choice, builder);
-    struct rg_pass *row = row_builder_rows(builder, &normal_row, 1);
+    struct rg_pass *row = row_builder_rows(builder, are_met ? &met_row : &normal_row, 1);
     if (!row)
         return (struct rg_technique){ 0 };
     row->uses = clipping.normal_uses;
     row->vert = &cracks_vert;
-    row->frag = clipping.normal;
-    return (struct rg_technique){ "cracks_normal", row, 1 };
+    row->frag = are_met ? clipping.met : clipping.normal;
+    return (struct rg_technique){ are_met ? "cracks_met" : "cracks_normal", row, 1 };
 }
 
 static struct rg_technique make_over(const struct technique_choice *choice,
@@ -342,6 +374,11 @@ static const struct frame_layer layers[] = {
     { 0 },
 };
 
+static void write_constants(const struct technique_subject *subject, uint32_t *values)
+{
+    values[CONSTANT_CRACKS_MET] = cracks_are_met(subject->settings, subject->rung);
+}
+
 const struct technique cracks = {
     .name = "cracks",
     .help = "cracks in the ice",
@@ -355,4 +392,5 @@ const struct technique cracks = {
                { PHASE_FINISH, .rows = make_over } },
     .layers = layers,
     .mesh = find_sheets,
+    .write_constants = write_constants,
 };

@@ -30,6 +30,10 @@ struct cracks_params {
 /* Premultiplied colours: highlights, and reflections of gaps. */
 extern const struct rg_image cracks_color;
 
+/* What gaps that reflect much show of themselves, for rungs that follow light on from there
+ * (shaders/cracks_met.glsl); 0 without one. Nothing writes it unless cracks_are_met(). */
+extern const struct rg_image cracks_met;
+
 extern const struct setting_group cracks_settings;
 
 extern const struct technique cracks;
@@ -37,5 +41,8 @@ extern const struct technique cracks;
 /* Returns whether there are cracks that are clipped to the ice, which over.c draws over the ice;
  * other cracks are drawn over the finished picture. */
 bool cracks_are_in_ice(const struct settings *settings);
+
+/* Returns whether a rung, which may be NULL, follows what cracks mirror. */
+bool cracks_are_met(const struct settings *settings, const struct technique *rung);
 
 #endif

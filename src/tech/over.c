@@ -14,6 +14,7 @@
 #include "src/tech/bubbles.h"
 #include "src/tech/cracks.h"
 #include "src/tech/frame.h"
+#include "src/tech/ice_normal.h"
 #include "src/tech/refract.h"
 #include "src/tech/row_builder.h"
 #include "src/tech/surface.h"
@@ -27,6 +28,13 @@ static const struct rg_use uses[] = {
     FRAME_SAMPLE(air_cover, OVER_AIR, .same_texel = true),
     FRAME_SAMPLE(bubbles_color, OVER_BUBBLES, .same_texel = true),
     FRAME_SAMPLE(cracks_color, OVER_CRACKS, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_use bent_uses[] = {
+    FRAME_SAMPLE(ice_normal_front_depth, OVER_FRONT_DEPTH, .same_texel = true),
+    FRAME_SAMPLE(ice_normal_shading, OVER_SHADING, .same_texel = true),
+    FRAME_READ(bubbles_depth, OVER_BUBBLE_DEPTH),
     { 0 },
 };
 
@@ -46,11 +54,14 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
 {
     const bool meets = rung && rung->rung.meets_tree;
     const struct target_params *target = settings_of(settings, &target_settings);
+    const struct light_params *light = settings_of(settings, &light_settings);
+    /* The rung has shown all but highlights. */
+    const bool is_without_cracks = cracks_are_met(settings, rung) && !light->count;
     return (surface.is_on(settings) ? OVER_HAS_HIGHLIGHT : 0u) |
            (air.is_on(settings) && !((meets || is_cloudy) && air_is_medium(settings)) ? OVER_HAS_AIR
                                                                                       : 0u) |
            (bubbles.is_on(settings) && !meets ? OVER_HAS_BUBBLES : 0u) |
-           (cracks_are_in_ice(settings) && !meets ? OVER_HAS_CRACKS : 0u) |
+           (cracks_are_in_ice(settings) && !meets && !is_without_cracks ? OVER_HAS_CRACKS : 0u) |
            (target->scale < 1.0f ? OVER_IS_SMALL : 0u);
 }
 
@@ -68,8 +79,14 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
             use->binding == OVER_AIR || use->binding == OVER_BUBBLES || use->binding == OVER_CRACKS;
         if (use->image && is_layer && !(found & 1u << use->binding))
             use->image = &surface_highlight;
+        if (use->image == &bubbles_color && bubbles_are_bent(choice))
+            use->same_texel = false;
     }
-    rows->uses = row_builder_uses(builder, (const struct rg_use *const[]){ changed }, 1);
+    const bool bends = (found & OVER_HAS_BUBBLES) && bubbles_are_bent(choice);
+    rows->uses = row_builder_uses(
+        builder, (const struct rg_use *const[]){ changed, bends ? bent_uses : NULL }, 2);
+    rows->vert = bends ? &over_bent_vert : &over_vert;
+    rows->frag = bends ? &over_bent_frag : &over_frag;
     return (struct rg_technique){ "over", rows, 1 };
 }
 

@@ -24,12 +24,15 @@
 
 static rg_record_fn record_screen;
 
+static const struct rg_fallback no_cracks = { { 0 } };
+
 static const struct rg_use uses[] = {
     REFRACT_USE_SEEN_CUBE,
     FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
     FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
     FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT_MAP),
+    FRAME_SAMPLE(cracks_met, REFRACT_CRACKS, .fallback = &no_cracks),
     { 0 },
 };
 
@@ -39,6 +42,7 @@ static const struct rg_use wide_uses[] = {
     FRAME_READ(ice_normal_wide_back_depth, REFRACT_DEPTH_BACK),
     FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
     FRAME_READ(ice_normal_wide_front_depth, REFRACT_DEPTH_FRONT_MAP),
+    FRAME_SAMPLE(cracks_met, REFRACT_CRACKS, .fallback = &no_cracks),
     { 0 },
 };
 
@@ -96,6 +100,13 @@ static const char *const nested_choices[] = {
     [REFRACT_BOUNCE_NESTED_OFF] = "off",
     [REFRACT_BOUNCE_NESTED_ON] = "on",
     [REFRACT_BOUNCE_NESTED_ALL] = "all",
+    NULL,
+};
+
+static const char *const bent_choices[] = {
+    [REFRACT_BOUNCE_BENT_OFF] = "off",
+    [REFRACT_BOUNCE_BENT_CRACKS] = "cracks",
+    [REFRACT_BOUNCE_BENT_ALL] = "all",
     NULL,
 };
 
@@ -163,6 +174,17 @@ static const struct setting rows[] = {
         .help = "refraction also at faces that others hide, of hollow objects, folded ones such as "
                 "a teapot, and objects in objects (all: of every concave object)",
     },
+    {
+        .name = "refract_bounce.bent",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct refract_bounce_params, bent),
+        .initial = REFRACT_BOUNCE_BENT_CRACKS,
+        .max = REFRACT_BOUNCE_BENT_ALL,
+        .choices = bent_choices,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "inclusions seen along rays that the surface has bent: none, gaps of cracks, which "
+                "mirror the object's inside then, or bubbles, too",
+    },
 };
 
 const struct setting_group refract_bounce_settings =
@@ -199,6 +221,18 @@ static void choose(struct technique_choice *choice, const struct scene *scene)
                       !choice->is_dressed && cracks_of->refract == CRACKS_REFRACT_OFF;
 }
 
+static bool bends_cracks(const struct settings *settings)
+{
+    const struct refract_bounce_params *params = settings_of(settings, &refract_bounce_settings);
+    return params->bent != REFRACT_BOUNCE_BENT_OFF;
+}
+
+static bool bends_bubbles(const struct settings *settings)
+{
+    const struct refract_bounce_params *params = settings_of(settings, &refract_bounce_settings);
+    return params->bent == REFRACT_BOUNCE_BENT_ALL;
+}
+
 static void write_constants(const struct technique_subject *subject, uint32_t *values)
 {
     const struct refract_bounce_params *params =
@@ -224,5 +258,10 @@ const struct technique refract_bounce = {
     .parts = REFRACT_PARTS,
     .write_constants = write_constants,
     .write_globals = write_globals,
-    .rung = { .name = "bounce", .rows = &rung, .by_pixel = true, .choose = choose },
+    .rung = { .name = "bounce",
+              .rows = &rung,
+              .by_pixel = true,
+              .bends_cracks = bends_cracks,
+              .bends_bubbles = bends_bubbles,
+              .choose = choose },
 };

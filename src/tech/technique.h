@@ -107,6 +107,10 @@ struct technique_rung {
     bool is_as_printed; /* automatic settings have the paper's values, in place of exact ones */
     bool is_whole;      /* its rows draw all refractive objects at once */
     bool meets_tree;    /* it reads the tree of the scene's triangles (scene.tree) */
+    /* Return whether cracks that are gaps, and bubbles, are seen along rays that the surface has
+     * bent; NULL: they are not. */
+    bool (*bends_cracks)(const struct settings *settings);
+    bool (*bends_bubbles)(const struct settings *settings);
     /* Sets what a choice, of which the rest is known, has of its rung; may be NULL. */
     void (*choose)(struct technique_choice *choice, const struct scene *scene);
     /* Makes a row of ice_caustics.c that of photons which go through the triangles of the whole

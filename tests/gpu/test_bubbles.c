@@ -314,16 +314,23 @@ static void in_even_light(void **state)
     struct scene scene = open_scene(&sphere, 1);
     scene.background = SCENE_COLOR;
     scene.background_color = (vec3s){ { 0.25F, 0.5F, 0.75F } };
-    const struct picture_request request = request_of(&scene, 0, 4, 40);
-    struct render_result result = picture_render(*state, &request);
-    const float *alpha = image_find(&result.image, "bubbles.A");
-    for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
-        const struct vec color = vec_from(scene.background_color);
-        const struct vec bubble = picture_at(picture_layer(&result.image, "bubbles"), i);
-        CHECK_NEAR(vec_difference(bubble, vec_scale(color, (double)alpha[i])), 0, 1e-3);
-        CHECK_NEAR(vec_difference(picture_at(picture_layer(&result.image, ""), i), color), 0, 2e-3);
+    struct picture_request request = request_of(&scene, 0, 4, 40);
+    const struct settings settings = picture_settings("refract_bounce.bent=all");
+    static const char *const rungs[] = { NULL, "bounce" };
+    request.settings = &settings;
+    for (size_t r = 0; r < 2; r++) {
+        request.rung = rungs[r];
+        struct render_result result = picture_render(*state, &request);
+        const float *alpha = image_find(&result.image, "bubbles.A");
+        for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
+            const struct vec color = vec_from(scene.background_color);
+            const struct vec bubble = picture_at(picture_layer(&result.image, "bubbles"), i);
+            const struct vec seen = picture_at(picture_layer(&result.image, ""), i);
+            CHECK_NEAR(vec_difference(bubble, vec_scale(color, (double)alpha[i])), 0, 1e-3);
+            CHECK_NEAR(vec_difference(seen, color), 0, 2e-3);
+        }
+        render_result_finish(&result);
     }
-    render_result_finish(&result);
     scene_finish(&scene);
 }
 

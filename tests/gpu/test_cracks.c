@@ -492,6 +492,51 @@ static void test_gaps_lose_no_light(void **state)
     scene_finish(&scene);
 }
 
+/* By bounce, light is followed on from a crack that mirrors all: seen through the middle of a ball,
+ * none of it is bent, but for what is reflected where it leaves. */
+static void test_gap_is_followed(void **state)
+{
+    const struct settings settings = SETTINGS(GAPS, "cracks.clip=precut");
+    struct scene scene = open_scene("sphere");
+    picture_use_directions(&scene, 1024);
+    add_flat_crack(&scene, 52);
+    const struct picture_request request = {
+        .scene = &scene,
+        .settings = &settings,
+        .camera = camera_orbit(0, 0, 4, box_center(scene.box), 30),
+        .width = FLAT_SIZE,
+        .height = FLAT_SIZE,
+        .rung = "bounce",
+    };
+    struct render_result result = picture_render(*state, &request);
+    const double turn = 104 * pi / 180;
+    const struct vec mirrored = picture_direction_color((struct vec){ sin(turn), 0, cos(turn) });
+    const struct vec straight = picture_direction_color((struct vec){ 0, 0, -1 });
+    const struct vec seen = picture_at(picture_layer(&result.image, ""), MIDDLE);
+    print_message("%.3f from what it mirrors, %.3f from what is behind\n",
+                  vec_difference(seen, mirrored), vec_difference(seen, straight));
+    assert_true(vec_difference(seen, mirrored) < 0.1);
+    assert_true(vec_difference(seen, straight) > 0.3);
+    render_result_finish(&result);
+    scene_finish(&scene);
+}
+
+/* It loses no light, either. */
+static void test_even_light_by_bounce(void **state)
+{
+    const struct settings settings = SETTINGS("cracks.refract=gap", "light.count=0");
+    struct scene scene = open_scene("valley");
+    crack(&scene, 5, 4, false);
+    struct picture_request request = request_of(&scene, &settings);
+    request.rung = "bounce";
+    struct render_result result = picture_render(*state, &request);
+    const float *picture = image_find(&result.image, "G");
+    for (size_t i = 0; i < PIXELS; i++)
+        CHECK_NEAR(picture[i], 0.25, 1e-3);
+    render_result_finish(&result);
+    scene_finish(&scene);
+}
+
 /* The paper's experiment: the normal of the nearest crack in the place of the back face's. */
 static void test_normals(void **state)
 {
@@ -533,6 +578,8 @@ int main(void)
         cmocka_unit_test(test_surface),
         cmocka_unit_test(test_gap_reflects),
         cmocka_unit_test(test_gaps_lose_no_light),
+        cmocka_unit_test(test_gap_is_followed),
+        cmocka_unit_test(test_even_light_by_bounce),
         cmocka_unit_test(test_normals),
     };
     return RUN_ON_DEVICE(tests);
