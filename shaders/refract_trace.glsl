@@ -26,6 +26,9 @@
 #include "refract_environment.glsl"
 #endif
 #include "trace_shells.glsl"
+#ifdef TRACE_SMOOTH
+#include "trace_smooth.glsl"
+#endif
 
 layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 #ifndef TRACE_RAYS
@@ -52,7 +55,7 @@ struct trace_way {
     int from;          /* the triangle on which it begins; below 0: none */
     float side, reach; /* as of trace_ray; side may be trace_left */
     uint seed;
-    float kind; /* 1: it is reflected by the first surface, else 0 */
+    float kind; /* 1: it is reflected by the first surface; 2: of trace_smooth.glsl; else 0 */
     int left;   /* straight parts that it may still have */
     bool is_in_bubble;
     bool is_gathered; /* it brings light to surroundings (trace_ground.glsl) */
@@ -250,6 +253,9 @@ void trace_begin(vec3 eye, vec3 e)
     is_first = true;
     is_main = true;
     is_straight = true;
+#ifdef TRACE_SMOOTH
+    smooth_begin();
+#endif
 #ifndef TRACE_RAYS
     for (int i = 0; i < trace_stops_max; i++)
         stops[i] = trace_stop(eye, e, vec3(0.0), 0.0);
@@ -262,6 +268,10 @@ void trace_begin(vec3 eye, vec3 e)
 
 void trace_add(vec3 light, float kind)
 {
+#ifdef TRACE_SMOOTH
+    matt.gathered += kind > 1.5 ? light : vec3(0.0);
+    light = kind > 1.5 ? vec3(0.0) : light;
+#endif
     seen.refraction += kind > 0.5 ? vec3(0.0) : light;
     seen.reflection += kind > 0.5 ? light : vec3(0.0);
 }
@@ -548,24 +558,7 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
 #endif
 }
 
-/* Traces a pixel: with TRACE_COLORS its colours apart, as their indices differ; the first, green,
- * has what is no colour. Drivers copy functions to where they are called, so there is one call. */
-void trace_colors(vec3 eye, vec3 e)
-{
-#ifdef TRACE_COLORS
-    trace_seen all;
-    for (int i = 0; i < 3; i++) {
-        int channel = i == 0 ? 1 : 2 * (i - 1);
-        trace_pixel(eye, e, channel);
-        all = i == 0 ? seen : all;
-        all.refraction[channel] = seen.refraction[channel];
-        all.reflection[channel] = seen.reflection[channel];
-    }
-    seen = all;
-#else
-    trace_pixel(eye, e, 1);
-#endif
-}
+#include "trace_colors.glsl"
 
 /* Returns the picture's depth of a point. */
 float trace_depth(vec3 point)
@@ -579,22 +572,5 @@ float trace_depth(vec3 point)
 #elif defined(TRACE_PHOTONS)
 #include "trace_photons.glsl"
 #else
-layout(location = REFRACT_OUT_COLOR) out vec4 color;
-layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;
-
-void main()
-{
-    vec3 from = view_at(ray, 0.0);
-    vec3 e = normalize(view_at(ray, 1.0) - from);
-    footprint_of_pixel(from, e);
-    trace_colors(refract_frame.eye + from, e);
-    if (!seen.is_object)
-        discard;
-    vec3 eye_to_point = from + seen.distance * e;
-    color = vec4(seen.refraction + seen.reflection, 1.0);
-    highlight = seen.is_ground ? -1.0 : surface_highlight(e, eye_to_point, seen.normal);
-    gl_FragDepth = seen.distance > 0.0 ? trace_depth(start + seen.distance * e) : 1.0;
-    if (seen.is_ground) /* the background is not drawn over it */
-        gl_FragDepth = min(gl_FragDepth * 1.0001, 1.0);
-}
+#include "trace_picture.glsl"
 #endif

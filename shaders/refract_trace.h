@@ -23,6 +23,11 @@
 #define TRACE_OUT_MEDIA 5
 #define TRACE_OUT_LAST  6
 
+/* Of the picture's pass with TRACE_SMOOTH, besides those of refract.h: trace_smooth.glsl. */
+#define TRACE_OUT_GATHERED 2
+#define TRACE_OUT_SHARE    3
+#define TRACE_OUT_PLACE    4
+
 /* CONSTANT_TRACE, bits */
 #define TRACE_IS_CONVEX      1   /* one convex object: what leaves it does not enter again */
 #define TRACE_HAS_CULLING    2   /* one closed object: a ray meets only faces that it can see */

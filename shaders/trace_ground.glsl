@@ -19,10 +19,11 @@
 #include "lib/microfacet.glsl"
 #include "trace_surface.glsl"
 
-const int ground_holes_max = 8;  /* in the way of the sun */
-const float ground_blur = 0.25;  /* the least width of a distribution that mirrors the sun */
-const float ground_bent = 0.5;   /* roughness of the sky as ways see it that an object has bent */
-const float ground_sure = 0.01;  /* share of a pixel's light that is followed in any case */
+const int ground_holes_max = 8; /* in the way of the sun */
+const float ground_blur = 0.25; /* the least width of a distribution that mirrors the sun */
+const float ground_bent = 0.5;  /* roughness of the sky as ways see it that an object has bent */
+const float ground_sure = 0.01; /* share of a pixel's light that is followed in any case */
+const int GROUND_WAYS = GROUND_MATT_WAYS + 1;
 const float ground_least = 1e-6; /* light by which one is divided */
 
 /* Returns the radiance of the sky without the sun's disc. */
@@ -100,31 +101,75 @@ vec2 ground_point(uint own)
     return microfacet_point(trace.sample_index, microfacet_hash(way.seed, own));
 }
 
+/* Light of a surface's ways, the last of them of its reflection. */
+struct ground_ways {
+    vec3 dirs[GROUND_WAYS], weights[GROUND_WAYS];
+    vec3 skies[GROUND_WAYS]; /* what each brings where it is free, which has been added already */
+    float open[GROUND_WAYS];
+};
+
+ground_ways ground_ways_of(vec3 weight)
+{
+    ground_ways ways;
+    vec3 sum = vec3(0.0);
+    vec3 matt = weight * shares.matt / float(GROUND_MATT_WAYS), glossy = weight * shares.glossy;
+    for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++) {
+        ways.dirs[i] =
+            ground_dir(shares.normal, trace.guide, i, ground_point(GROUND_MATT_SEED + i));
+        float count = ground_weight(shares.normal, trace.guide, ways.dirs[i]);
+        ways.weights[i] = vec3(count);
+        ways.skies[i] = count * ground_sky(ways.dirs[i]);
+        sum += ways.skies[i];
+    }
+    float open = ground_open(sum, float(GROUND_MATT_WAYS) * shares.on_matt, matt);
+    for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++) {
+        ways.weights[i] *= matt;
+        ways.skies[i] *= open * matt;
+        ways.open[i] = open;
+    }
+    vec3 h =
+        microfacet_sample(shares.top, way.dir, shares.roughness, ground_point(GROUND_GLOSSY_SEED));
+    vec3 dir = reflect(way.dir, h), sky = ground_sky(dir);
+    float open_glossy = ground_open(sky, shares.mirrored, glossy);
+    ways.dirs[GROUND_MATT_WAYS] = dir;
+    ways.weights[GROUND_MATT_WAYS] = glossy;
+    ways.skies[GROUND_MATT_WAYS] = open_glossy * glossy * sky;
+    ways.open[GROUND_MATT_WAYS] = open_glossy;
+    return ways;
+}
+
+void ground_follow(trace_hit hit, ground_ways ways, uint i, float chance)
+{
+    ground_put(hit, ways.dirs[i], ways.weights[i] / chance, ways.open[i], GROUND_CHANCE_SEED + i);
+    trace_add(-ways.skies[i] / chance, way.kind);
+}
+
 /* Traces the light of the surface that has been asked for last, instead of adding it. `weight`: of
  * the light that it sends. */
 void ground_gather(trace_hit hit, vec3 weight)
 {
     if (way.is_gathered || !shares.is_lit)
         return;
-    vec3 dirs[GROUND_MATT_WAYS];
-    float counts[GROUND_MATT_WAYS];
-    vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++) {
-        dirs[i] = ground_dir(shares.normal, trace.guide, i, ground_point(GROUND_MATT_SEED + i));
-        counts[i] = ground_weight(shares.normal, trace.guide, dirs[i]);
-        sum += counts[i] * ground_sky(dirs[i]);
+#ifdef TRACE_SMOOTH
+    float kind = way.kind;
+    int turns = smooth_is_due() ? int(trace.one) : 0;
+    smooth_note(way.origin + hit.t * way.dir, shares.top, weight * (shares.matt + shares.glossy));
+    way.kind = smooth_kind;
+    while (turns > 0) {
+        ground_ways ways = ground_ways_of(weight);
+        float much = dot(ways.skies[0], vec3(1.0)), more = dot(ways.skies[1], vec3(1.0));
+        float second = clamp(more / max(much + more, ground_least), 0.1, 0.9);
+        bool is_second = ground_point(SMOOTH_PICK_SEED).x < second;
+        turns -= int(trace.one);
+        ground_follow(hit, ways, is_second ? 1u : 0u, is_second ? second : 1.0 - second);
+        ground_follow(hit, ways, uint(GROUND_MATT_WAYS), 1.0);
     }
-    vec3 matt = weight * shares.matt / float(GROUND_MATT_WAYS);
-    float open = ground_open(sum, float(GROUND_MATT_WAYS) * shares.on_matt, matt);
-    for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++)
-        ground_put(hit, dirs[i], matt * counts[i], open, GROUND_CHANCE_SEED + i);
-    vec3 h =
-        microfacet_sample(shares.top, way.dir, shares.roughness, ground_point(GROUND_GLOSSY_SEED));
-    vec3 dir = reflect(way.dir, h), sky = ground_sky(dir), glossy = weight * shares.glossy;
-    float open_glossy = ground_open(sky, shares.mirrored, glossy);
-    ground_put(hit, dir, glossy, open_glossy, GROUND_CHANCE_SEED + uint(GROUND_MATT_WAYS));
-    /* What is brought where the way is free has been added already. */
-    trace_add(-open * matt * sum - open_glossy * glossy * sky, way.kind);
+    way.kind = kind;
+#else
+    ground_ways ways = ground_ways_of(weight);
+    for (uint i = 0u; i < uint(GROUND_WAYS); i++)
+        ground_follow(hit, ways, i, 1.0);
+#endif
 }
 
 /* Makes surroundings that are seen straight what the pixel shows. */

@@ -265,6 +265,10 @@ static void warn_of_ground(const struct app_picture *picture, const struct scene
         material_rows_has_lit(&scene->model.surroundings) && !picture->scene.quiet)
         log_note("ground.light=traced: drawn without, as if nothing were in the way of light; "
                  "--refraction trace draws it");
+    if (ground->light == GROUND_TRACED && ground->smooth && picture->columns && rung->meets_tree &&
+        scene->material_rows && material_rows_has_lit(&scene->model.surroundings) &&
+        !picture->scene.quiet)
+        log_note("ground.smooth: off, since tiles do not know each other");
 }
 
 /* Names cloudy ice that the rung draws otherwise. */

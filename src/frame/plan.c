@@ -72,6 +72,8 @@ static void want_all(struct frame_plan *p, const struct frame_request *request)
         if (request->layers & 1u << i && is_drawn(p, layer->image))
             want(p, layer->image);
     }
+    for (size_t i = 0; i < FRAME_SMOOTH_COUNT && request->choice.smooths; i++)
+        want(p, frame_smooth_layers[i].image);
     if (request->display)
         want(p, &frame_display);
     if (request->cube_back)

@@ -159,14 +159,19 @@ bool adaptive_go_on(struct adaptive *adaptive)
     return cover(a, (struct tile){ 0, 0, a->columns, a->rows }) > 0;
 }
 
+uint32_t adaptive_count(const struct adaptive *adaptive, uint32_t x, uint32_t y)
+{
+    return adaptive->counts[y / CELL * adaptive->columns + x / CELL];
+}
+
 void adaptive_even(const struct adaptive *adaptive, struct image *image,
                    const struct frame_layer *layer)
 {
     for (uint32_t p = 0; p < 4 && layer->planes[p] && layer->mean; p++) {
         float *plane = image_find(image, layer->planes[p]);
         for (size_t i = 0; plane && i < (size_t)adaptive->width * adaptive->height; i++) {
-            const size_t x = i % adaptive->width / CELL, y = i / adaptive->width / CELL;
-            const uint32_t count = adaptive->counts[y * adaptive->columns + x];
+            const uint32_t count = adaptive_count(adaptive, (uint32_t)(i % adaptive->width),
+                                                  (uint32_t)(i / adaptive->width));
             plane[i] *= (float)ADAPTIVE_SAMPLES / (float)count;
         }
     }

@@ -51,6 +51,9 @@ bool adaptive_go_on(struct adaptive *adaptive);
 void adaptive_even(const struct adaptive *adaptive, struct image *image,
                    const struct frame_layer *layer);
 
+/* Returns the samples of a pixel. */
+uint32_t adaptive_count(const struct adaptive *adaptive, uint32_t x, uint32_t y);
+
 /* Returns the samples of a pixel, on average. */
 float adaptive_mean(const struct adaptive *adaptive);
 

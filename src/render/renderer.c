@@ -40,7 +40,8 @@ bool renderer_wants_capture(const struct renderer_params *params)
 
 bool renderer_wants_resolve(const struct renderer_params *params)
 {
-    return params->refines || (params->display && params->samples > 1);
+    return params->refines ||
+           (params->display && (params->samples > 1 || renderer_smooths(params)));
 }
 
 static VkImage find_import(const struct renderer *r, const struct rg_image *image)
@@ -218,6 +219,7 @@ void renderer_destroy(struct renderer *renderer)
     uploaded_scene_finish(&renderer->tree, renderer->params.gpu);
     tree_finish(&renderer->own_tree);
     image_finish(&renderer->sums);
+    image_finish(&renderer->ground);
     free(renderer->meshes);
     free(renderer);
 }
@@ -352,6 +354,7 @@ enum status renderer_fetch(struct renderer *r, struct image *image, const struct
         if (wants_layer(r, i) && texels)
             accumulate_sample(image, part, techniques_layer(i), texels, sample);
     }
+    renderer_smooth_fetch(r, part, sample, slot);
     return STATUS_OK;
 }
 
@@ -476,9 +479,9 @@ static enum status resolve_display(struct renderer *r, const struct image *image
     return status;
 }
 
-static bool make_planes(const struct renderer *r, struct image *image)
+static bool make_planes(struct renderer *r, struct image *image)
 {
-    bool many = r->params.samples > 1;
+    const bool many = r->params.samples > 1 || renderer_smooths(&r->params);
     image_init(image, r->tile.width, r->tile.height);
     if (r->params.linear || (r->params.display && many)) {
         if (!accumulate_add_planes(image, &frame_beauty))
@@ -488,10 +491,10 @@ static bool make_planes(const struct renderer *r, struct image *image)
         if (wants_layer(r, i) && !accumulate_add_planes(image, techniques_layer(i)))
             return false;
     }
-    return true;
+    return renderer_smooth_begin(r);
 }
 
-static void take_means(const struct renderer *r, struct image *image)
+static enum status take_means(struct renderer *r, struct image *image)
 {
     if (image_find(image, frame_beauty.planes[0]))
         accumulate_mean(image, &frame_beauty, r->params.samples);
@@ -499,6 +502,7 @@ static void take_means(const struct renderer *r, struct image *image)
         if (wants_layer(r, i))
             accumulate_mean(image, techniques_layer(i), r->params.samples);
     }
+    return renderer_smooth_end(r, image);
 }
 
 enum status renderer_render(struct renderer *r, const struct renderer_shot *shot,
@@ -520,7 +524,7 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
     warm_up_end(r->warm_up);
     r->warm_up = NULL;
     if (status == STATUS_OK)
-        take_means(r, &result->image);
+        status = take_means(r, &result->image);
     if (status == STATUS_OK && r->resolve.exec) {
         status = resolve_display(r, &result->image, &result->rgba);
     } else if (status == STATUS_OK && r->params.display) {

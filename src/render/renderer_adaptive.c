@@ -44,6 +44,7 @@ enum status renderer_draw_adaptive(struct renderer *r, const struct renderer_sho
         if (r->params.layers & 1u << i)
             adaptive_even(&adaptive, &result->image, techniques_layer(i));
     }
+    renderer_smooth_even(r, &adaptive);
     result->samples = adaptive_mean(&adaptive);
     adaptive_finish(&adaptive);
     return status;

@@ -9,6 +9,7 @@
 #include "src/render/renderer.h"
 #include "src/render/uploaded_scene.h"
 
+struct adaptive;
 struct warm_up;
 
 struct renderer {
@@ -31,9 +32,10 @@ struct renderer {
     struct frame_cube cube;       /* the cube that the picture's frames draw */
     bool stays;                   /* on the device: what `picture` draws now */
     struct renderer_costs costs;
-    uint32_t last_slot; /* slot of the picture's executor with the last sample */
-    uint32_t sum_count; /* samples in: */
-    struct image sums;  /* of the samples of renderer_refine() */
+    uint32_t last_slot;  /* slot of the picture's executor with the last sample */
+    uint32_t sum_count;  /* samples in: */
+    struct image sums;   /* of the samples of renderer_refine() */
+    struct image ground; /* frame_smooth_layers and "samples"; {0}: nothing is smoothed */
 };
 
 /* What params need beside the picture: a cube that is drawn once, a mean of samples, the tree. */
@@ -67,6 +69,17 @@ MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_exec *
 /* Waits for a sample, and adds it to a part of the result's image. */
 MUST_USE enum status renderer_fetch(struct renderer *renderer, struct image *image,
                                     const struct tile *part, uint32_t sample, uint32_t slot);
+
+/*
+ * Light on surroundings that is smoothed (smooth.h), renderer_smooth.c: makes its planes, if the
+ * params ask for them; adds a sample; after samples of which parts have fewer, makes its means like
+ * those of adaptive_even(); adds the light to the picture.
+ */
+bool renderer_smooth_begin(struct renderer *renderer); /* false: out of memory */
+void renderer_smooth_fetch(struct renderer *renderer, const struct tile *part, uint32_t sample,
+                           uint32_t slot);
+void renderer_smooth_even(struct renderer *renderer, const struct adaptive *adaptive);
+MUST_USE enum status renderer_smooth_end(struct renderer *renderer, struct image *image);
 
 /* Draws the samples of a result whose params.adapts; sums are those of ADAPTIVE_SAMPLES. */
 MUST_USE enum status renderer_draw_adaptive(struct renderer *renderer,

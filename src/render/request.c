@@ -3,6 +3,7 @@
 #include "src/frame/view.h"
 #include "src/scene/material_rows.h"
 #include "src/scene/scene.h"
+#include "src/settings/scene_settings.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/technique.h"
 
@@ -35,6 +36,15 @@ struct tiling renderer_tiling(const struct renderer_params *params)
     };
 }
 
+/* Returns whether a picture can be smoothed: it is read back, and is whole. */
+static bool is_smoothed(const struct renderer_params *params)
+{
+    const struct ground_params *ground = settings_of(params->settings, &ground_settings);
+    const bool is_read = params->linear || params->display;
+    const bool stays = params->keep || params->scales || params->refines;
+    return ground->smooth && is_read && !stays && params->columns * params->rows <= 1;
+}
+
 static struct technique_choice choose(const struct renderer_params *params,
                                       enum technique_purpose purpose)
 {
@@ -55,10 +65,17 @@ static struct technique_choice choose(const struct renderer_params *params,
         .has_fast_rays = params->gpu && params->gpu->has_rays &&
                          params->gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU,
         .object_count = params->scene->has_pool ? 0 : params->scene->model.object_count,
+        .smooths = purpose == TECHNIQUE_PICTURE && is_smoothed(params),
     };
     if (params->rung && params->rung->rung.choose)
         params->rung->rung.choose(&choice, params->scene);
+    choice.smooths = choice.smooths && choice.lights_surroundings;
     return choice;
+}
+
+bool renderer_smooths(const struct renderer_params *params)
+{
+    return choose(params, TECHNIQUE_PICTURE).smooths;
 }
 
 bool renderer_is_wide(const struct renderer_params *params)
@@ -68,7 +85,7 @@ bool renderer_is_wide(const struct renderer_params *params)
 
 struct frame_request renderer_picture_request(const struct renderer_params *params)
 {
-    const bool many = params->samples > 1 || params->refines;
+    const bool many = params->samples > 1 || params->refines || renderer_smooths(params);
     const bool scales = params->scales || params->refines;
     const struct tiling tiling = renderer_tiling(params);
     struct frame_request request = {

@@ -21,6 +21,9 @@ void renderer_see(struct renderer_params *params, const struct camera *camera);
  * pictures for which the answer differs are different ones. */
 bool renderer_is_wide(const struct renderer_params *params);
 
+/* Whether light on surroundings is smoothed: smooth.h. */
+bool renderer_smooths(const struct renderer_params *params);
+
 /* Returns whether tiles are interleaved (struct renderer_shot) and there are several. */
 bool renderer_is_interleaved(const struct renderer_params *params);
 

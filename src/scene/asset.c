@@ -26,7 +26,7 @@ const struct asset assets[] = {
         .kind = ASSET_SCENE,
         .environment = "window",
         .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.reach=1.5",
-                      "ground.light=traced", "trace.footprint=on" },
+                      "ground.light=traced", "ground.smooth=on", "trace.footprint=on" },
         .help = "tumbler of water with three ice cubes and a straw",
     },
     {
@@ -47,8 +47,8 @@ const struct asset assets[] = {
         .kind = ASSET_SCENE,
         .environment = "alps",
         .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.reach=1.2",
-                      "ground.light=traced", "trace.footprint=on", "lens.f_stop=120",
-                      "tonemap.exposure=0.9" },
+                      "ground.light=traced", "ground.smooth=on", "trace.footprint=on",
+                      "lens.f_stop=120", "tonemap.exposure=0.9" },
         .help = "melting block of ice on wet slate, before mountains",
     },
     {

@@ -28,6 +28,7 @@ const struct quality_row quality_rows[] = {
     { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
     { "trace.footprint", { [HIGH] = "on" } },
     { "ground.light", { [HIGH] = "traced" } },
+    { "ground.smooth", { [HIGH] = "on" } },
     { "tonemap.dither", { [HIGH] = "on" } },
     { "reference.photons", { [DRAFT] = "200000", [HIGH] = "4000000" } },
     { 0 },

@@ -295,6 +295,15 @@ static const struct setting ground_rows[] = {
             "where light on surroundings with materials is computed: in pixels, or at vertices, "
             "as while a window moves: quicker, without bumps, and mirrors no objects",
     },
+    {
+        .name = "ground.smooth",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct ground_params, smooth),
+        .max = 1,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "trace fewer rays of ground.light=traced, and smooth what they find over pixels of "
+                "a surface, the less the more samples (whole pictures of files by rung trace)",
+    },
 };
 
 const struct setting_group ground_settings =

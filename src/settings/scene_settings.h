@@ -89,6 +89,7 @@ enum ground_shading {
 struct ground_params {
     uint32_t light;   /* enum ground_light */
     uint32_t shading; /* enum ground_shading: where light is computed */
+    uint32_t smooth;  /* 0 or 1 */
 };
 
 /* Of what is drawn before the picture and blended over it. */

@@ -10,6 +10,7 @@
 #include "src/scene/camera.h"
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
+#include "src/tech/layer.h"
 
 struct technique;
 struct window_frame;
@@ -153,5 +154,13 @@ void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame);
 /* Draws the mesh that the technique's `mesh` function returned. */
 void frame_draw_mesh(struct rg_cmd *cmd, const struct rg_frame *frame,
                      const struct technique *technique);
+
+enum {
+    FRAME_SMOOTH_COUNT = 3
+};
+
+/* What shaders/trace_smooth.glsl writes if a choice smooths: light, and the share of samples that
+ * gather it; the share of all; the place. None of them is a layer of --aov. */
+extern const struct frame_layer frame_smooth_layers[FRAME_SMOOTH_COUNT];
 
 #endif

@@ -45,6 +45,20 @@ const struct rg_image trace_last = {
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
+static const struct rg_image smooth_images[FRAME_SMOOTH_COUNT] = {
+    { .name = "refract_trace.gathered", .format = VK_FORMAT_R16G16B16A16_SFLOAT },
+    { .name = "refract_trace.share", .format = VK_FORMAT_R16G16B16A16_SFLOAT },
+    { .name = "refract_trace.place", .format = VK_FORMAT_R32G32B32A32_SFLOAT },
+};
+
+const struct frame_layer frame_smooth_layers[FRAME_SMOOTH_COUNT] = {
+    { .image = &smooth_images[0],
+      .planes = { "light.R", "light.G", "light.B", "due" },
+      .mean = true },
+    { .image = &smooth_images[1], .planes = { "share.R", "share.G", "share.B" }, .mean = true },
+    { .image = &smooth_images[2], .planes = { "place.X", "place.Y", "place.Z", "normal" } },
+};
+
 /* ---- what the scene has ---- */
 
 /* Surfaces of less roughness are smooth; src/reference/whitted.c has the same limit. */
@@ -292,6 +306,14 @@ static const struct rg_target color_targets[] = {
     [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } },
 };
 
+static const struct rg_target smooth_targets[] = {
+    [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
+    [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } },
+    [TRACE_OUT_GATHERED] = { &smooth_images[0], RG_LOAD_CLEAR },
+    [TRACE_OUT_SHARE] = { &smooth_images[1], RG_LOAD_CLEAR },
+    [TRACE_OUT_PLACE] = { &smooth_images[2], RG_LOAD_CLEAR },
+};
+
 static const struct rg_target layer_targets[] = {
     [REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR },
     [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR },
@@ -397,6 +419,10 @@ static struct rg_technique make_row(const struct technique_choice *choice,
             { &refract_trace_rays_query_colors_frag,
               &refract_trace_rays_query_colors_aov_frag } } },
     };
+    static const struct rg_shader *const smooth_frags[2][2] = {
+        { &refract_trace_rays_smooth_frag, &refract_trace_rays_smooth_colors_frag },
+        { &refract_trace_rays_query_smooth_frag, &refract_trace_rays_query_smooth_colors_frag },
+    };
     const struct rg_use *const uses[] = {
         tree_uses,
         choice->meets_surroundings ? surface_uses : cube_uses,
@@ -414,6 +440,11 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     row->vert = choice->meets_surroundings ? &refract_seen_vert : &refract_seen_mean_vert;
     row->frag = frags[choice->queries][choice->meets_surroundings][choice->disperses][is_layers];
+    if (choice->smooths && !is_layers) {
+        row->color = smooth_targets;
+        row->color_count = sizeof(smooth_targets) / sizeof(smooth_targets[0]);
+        row->frag = smooth_frags[choice->queries][choice->disperses];
+    }
     row->record = choice->lights_surroundings || is_layers ? frame_draw_screen : record_objects;
     return (struct rg_technique){ refract_trace.name, row, 1 };
 }

@@ -54,6 +54,7 @@ struct technique_choice {
     bool is_nested;           /* objects are drawn with those within them, as one (ice_nested.h) */
     bool meets_surroundings;  /* its rays meet the surroundings' triangles */
     bool lights_surroundings; /* and light them: then they are shaded, too, all over the picture */
+    bool smooths;             /* that light is smoothed, if the picture can be: request.c */
     bool queries;             /* its rays go through acceleration structures */
 };
 
