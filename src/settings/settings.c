@@ -98,18 +98,16 @@ const struct setting *settings_row(const struct setting_group *group, size_t off
     return &group->rows[i];
 }
 
-void settings_put(struct settings *settings, const struct setting *row, double value)
+static void put_field(unsigned char *field, const struct setting *row, double value)
 {
-    unsigned char *field = &settings->values[row_offset(row)];
     if (row->type == SETTING_FLOAT)
         memcpy(field, &(float){ (float)value }, sizeof(float));
     else
         memcpy(field, &(uint32_t){ (uint32_t)value }, sizeof(uint32_t));
 }
 
-double settings_get(const struct settings *settings, const struct setting *row)
+static double get_field(const unsigned char *field, const struct setting *row)
 {
-    const unsigned char *field = &settings->values[row_offset(row)];
     float number;
     uint32_t count;
     if (row->type == SETTING_FLOAT) {
@@ -120,13 +118,25 @@ double settings_get(const struct settings *settings, const struct setting *row)
     return count;
 }
 
+void settings_put(struct settings *settings, const struct setting *row, double value)
+{
+    put_field(&settings->values[row_offset(row)], row, value);
+}
+
+double settings_get(const struct settings *settings, const struct setting *row)
+{
+    return get_field(&settings->values[row_offset(row)], row);
+}
+
 enum setting_effect settings_changed(const struct settings *before, const struct settings *after)
 {
     enum setting_effect most = SETTING_AFFECTS_NOTHING;
     for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
         for (size_t r = 0; r < walk.group->row_count; r++) {
             const struct setting *row = &walk.group->rows[r];
-            const double a = settings_get(before, row), b = settings_get(after, row);
+            const size_t field = walk.offset + row->offset;
+            const double a = get_field(&before->values[field], row);
+            const double b = get_field(&after->values[field], row);
             if (!(a < b) && !(a > b))
                 continue;
             most = most > SETTING_AFFECTS_FRAME ? most : SETTING_AFFECTS_FRAME;
@@ -143,7 +153,8 @@ struct settings settings_default(void)
     struct settings settings = { 0 };
     for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
         for (size_t r = 0; r < walk.group->row_count; r++)
-            settings_put(&settings, &walk.group->rows[r], walk.group->rows[r].initial);
+            put_field(&settings.values[walk.offset + walk.group->rows[r].offset],
+                      &walk.group->rows[r], walk.group->rows[r].initial);
     }
     return settings;
 }
