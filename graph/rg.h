@@ -259,10 +259,10 @@ typedef void rg_record_fn(struct rg_cmd *cmd, const struct rg_frame *frame);
  * Says whether a conditional pass runs in a frame; `repetition` is 0 for a row without repetitions.
  * It is asked once for each recording of each pass, and must answer the same for the same frame and
  * repetition. A pass that does not run leaves all content as it was, clears included; its barriers
- * are recorded all the same. So content that only conditional passes write is available only to
- * passes with the same condition (of several writers: that of the last one), unless it is
- * persistent or imported. Where the answer depends on the repetition, a pass may read of such
- * content only what the same repetition has written.
+ * are recorded with those of the next one that runs. So content that only conditional passes write
+ * is available only to passes with the same condition (of several writers: that of the last one),
+ * unless it is persistent or imported. Where the answer depends on the repetition, a pass may read
+ * of such content only what the same repetition has written.
  */
 typedef bool rg_when_fn(const struct rg_frame *frame, uint32_t repetition);
 

@@ -100,5 +100,6 @@ void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands)
             exec->vk.CmdFillBuffer(commands, rg_exec_buffer(exec, i, exec->slot)->buffer, 0,
                                    VK_WHOLE_SIZE, 0);
     }
-    rg_exec_record_batch(exec, commands, plan->first_initial_barrier, plan->initial_barrier_count);
+    rg_exec_add_batch(exec, commands, plan->first_initial_barrier, plan->initial_barrier_count);
+    rg_exec_record_batch(exec, commands);
 }

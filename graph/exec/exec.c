@@ -59,8 +59,8 @@ static VkResult make_arrays(struct rg_exec *exec)
                 RG_MAKE_ARRAY(exec, exec->has_content, resource_count) &&
                 RG_MAKE_ARRAY(exec, exec->passes, plan->pass_count) &&
                 RG_MAKE_KEYED_ARRAY(exec, 1, exec->slots, slot_count) &&
-                RG_MAKE_ARRAY(exec, exec->image_batch, barrier_count) &&
-                RG_MAKE_ARRAY(exec, exec->buffer_batch, barrier_count) &&
+                RG_MAKE_ARRAY(exec, exec->batch.images, barrier_count) &&
+                RG_MAKE_ARRAY(exec, exec->batch.buffers, barrier_count) &&
                 RG_MAKE_ARRAY(exec, exec->image_sets, exec->image_set_count);
     for (uint32_t i = 0; done && i < exec->image_set_count; i++) {
         struct exec_image_set *set = &exec->image_sets[i];

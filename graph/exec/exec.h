@@ -85,6 +85,16 @@ struct exec_move {
     VkImageLayout from;
 };
 
+/* Barriers that are recorded in one call: those of a pass that runs, and of passes before it that
+ * do not. */
+struct exec_batch {
+    VkImageMemoryBarrier2 *images; /* room for all barriers of the plan */
+    VkBufferMemoryBarrier2 *buffers;
+    uint32_t image_count, buffer_count;
+    VkMemoryBarrier2 all; /* their stages and accesses together */
+    bool is_merged;       /* they are of several passes */
+};
+
 struct rg_exec {
     struct rg_exec_params params;
     struct rg_functions vk;
@@ -122,8 +132,7 @@ struct rg_exec {
     bool can_count;     /* the device has drawIndirectCount */
     bool has_addresses; /* the plan has buffers with device addresses */
     VkBuffer triangle;  /* made with `warm_up_only`: vertices and indices, all zero */
-    VkImageMemoryBarrier2 *image_batch; /* room for all barriers of the plan */
-    VkBufferMemoryBarrier2 *buffer_batch;
+    struct exec_batch batch;
 };
 
 /* The pass being recorded. */
@@ -274,10 +283,15 @@ void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer comm
                                 const VkImageSubresourceRange *range,
                                 const VkClearColorValue *color);
 
+/* batch.c */
+/* Adds barriers of the plan to those that wait. */
+void rg_exec_add_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
+                       uint32_t count);
+/* Records the barriers that wait. */
+void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands);
+
 /* record.c */
 extern const VkCommandBufferBeginInfo rg_exec_commands_once; /* they are submitted once */
-void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
-                          uint32_t count);
 /* Records passes `first` to `first + count - 1`; with the last pass, also the end of the frame. */
 VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                         uint32_t count);

@@ -1,64 +1,7 @@
-/* record.c: records barriers, targets and labels of passes; the functions of rg_cmd.h. */
+/* record.c: records targets and labels of passes; the functions of rg_cmd.h. */
 #include <assert.h>
 #include "graph/exec/exec.h"
 #include "graph/rg_cmd.h"
-
-/* ---- barriers ---- */
-
-static VkImageMemoryBarrier2 image_barrier(const struct rg_exec *exec, const struct rg_barrier *b)
-{
-    return (VkImageMemoryBarrier2){
-        .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-        .srcStageMask = b->src_stages,
-        .srcAccessMask = b->src_access,
-        .dstStageMask = b->dst_stages,
-        .dstAccessMask = b->dst_access,
-        .oldLayout = b->old_layout,
-        .newLayout = b->new_layout,
-        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .image = exec->image_set->images[b->image],
-        .subresourceRange = b->range,
-    };
-}
-
-static VkBufferMemoryBarrier2 buffer_barrier(const struct rg_exec *exec, const struct rg_barrier *b)
-{
-    return (VkBufferMemoryBarrier2){
-        .sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2,
-        .srcStageMask = b->src_stages,
-        .srcAccessMask = b->src_access,
-        .dstStageMask = b->dst_stages,
-        .dstAccessMask = b->dst_access,
-        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .buffer = rg_exec_buffer(exec, b->buffer, exec->slot)->buffer,
-        .size = VK_WHOLE_SIZE,
-    };
-}
-
-void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
-                          uint32_t count)
-{
-    uint32_t images = 0;
-    uint32_t buffers = 0;
-    for (uint32_t i = first; i < first + count; i++) {
-        const struct rg_barrier *b = &exec->plan->barriers[i];
-        if (b->image != RG_NONE)
-            exec->image_batch[images++] = image_barrier(exec, b);
-        else
-            exec->buffer_batch[buffers++] = buffer_barrier(exec, b);
-    }
-    const VkDependencyInfo info = {
-        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-        .bufferMemoryBarrierCount = buffers,
-        .pBufferMemoryBarriers = exec->buffer_batch,
-        .imageMemoryBarrierCount = images,
-        .pImageMemoryBarriers = exec->image_batch,
-    };
-    if (count)
-        exec->vk.CmdPipelineBarrier2(commands, &info);
-}
 
 /* ---- targets ---- */
 
@@ -226,10 +169,11 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
                                                 .pLabelName = row->name,
                                             });
     rg_time_begin_pass(exec, commands, index);
-    rg_exec_record_batch(exec, commands, cmd.plan_pass->first_barrier,
-                         cmd.plan_pass->barrier_count);
-    if (is_drawn(&cmd, frame))
+    rg_exec_add_batch(exec, commands, cmd.plan_pass->first_barrier, cmd.plan_pass->barrier_count);
+    if (is_drawn(&cmd, frame)) {
+        rg_exec_record_batch(exec, commands);
         rg_exec_record_work(&cmd, frame);
+    }
     rg_time_end_pass(exec, commands, index);
     if (exec->vk.CmdEndDebugUtilsLabelEXT)
         exec->vk.CmdEndDebugUtilsLabelEXT(commands);
@@ -256,7 +200,8 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint
     for (uint32_t p = first; p < first + count; p++)
         record_pass(exec, p, commands, frame);
     if (first + count == plan->pass_count)
-        rg_exec_record_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
+        rg_exec_add_batch(exec, commands, plan->first_final_barrier, plan->final_barrier_count);
+    rg_exec_record_batch(exec, commands);
     RG_CALL(exec, NULL, EndCommandBuffer, commands);
     result = exec->refused;
 fail:
