@@ -25,7 +25,7 @@ LINE = (r'moving: \d+ pictures, median ([\d.]+) ms, 95 % ([\d.]+) ms; hand to pi
 
 
 def run(desktop, firn, folder):
-    words = [firn, 'view', SCENE, '--size', '1160x850']
+    words = [firn, 'view', SCENE]
     with subprocess.Popen(words, env=environment({'DISPLAY': desktop.env['DISPLAY']}), cwd=folder,
                           stderr=subprocess.PIPE, text=True) as process:
         window = desktop.find(f'firn: {SCENE}, paused')
@@ -41,8 +41,8 @@ def run(desktop, firn, folder):
 
 def full_frame(desktop, firn, folder):
     """Milliseconds."""
-    words = subprocess.run([firn, 'view', SCENE, '--size', '1160x850', '--frames', '10',
-                            '--time-step', '0.04'], cwd=folder, check=True, stderr=subprocess.PIPE,
+    words = subprocess.run([firn, 'view', SCENE, '--frames', '10', '--time-step', '0.04'],
+                           cwd=folder, check=True, stderr=subprocess.PIPE,
                            env=environment({'DISPLAY': desktop.env['DISPLAY']}), text=True).stderr
     return float(re.search(r'frames, ([\d.]+) ms each', words)[1])
 
