@@ -56,8 +56,12 @@ static const struct feature needed[] = {
 };
 
 static const struct feature welcome[] = {
-    { CORE(samplerAnisotropy) }, { CORE(pipelineStatisticsQuery) }, { CORE(occlusionQueryPrecise) },
-    { V12(hostQueryReset) },     { V12(timelineSemaphore) },
+    { CORE(samplerAnisotropy) },
+    { CORE(pipelineStatisticsQuery) },
+    { CORE(occlusionQueryPrecise) },
+    { V12(hostQueryReset) },
+    { V12(timelineSemaphore) },
+    { V13(robustImageAccess) }, /* rays of shaders/within.glsl may leave the image */
 };
 
 /* Of a device that has gpu_ray_extensions. */

@@ -1,6 +1,7 @@
 /* request.c: what the renderer's plans draw and read back. */
 #include "src/render/request.h"
 #include "src/frame/view.h"
+#include "src/render/smooth.h"
 #include "src/scene/material_rows.h"
 #include "src/scene/scene.h"
 #include "src/settings/scene_settings.h"
@@ -36,13 +37,15 @@ struct tiling renderer_tiling(const struct renderer_params *params)
     };
 }
 
-/* Returns whether a picture can be smoothed: it is read back, and is whole. */
+/* Returns whether a picture is smoothed: it is read back, is whole, and has few samples. Those of
+ * many are as the window refines them. */
 static bool is_smoothed(const struct renderer_params *params)
 {
     const struct ground_params *ground = settings_of(params->settings, &ground_settings);
     const bool is_read = params->linear || params->display;
     const bool stays = params->keep || params->scales || params->refines;
-    return ground->smooth && is_read && !stays && params->columns * params->rows <= 1;
+    const bool is_few = params->adapts || params->samples < SMOOTH_ENOUGH;
+    return ground->smooth && is_few && is_read && !stays && params->columns * params->rows <= 1;
 }
 
 static struct technique_choice choose(const struct renderer_params *params,

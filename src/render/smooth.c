@@ -10,7 +10,7 @@ enum {
 };
 
 /* Pixels that have gathered light in more samples do without a step, the widest ones first. */
-static const float enough[STEPS] = { 32.0f, 16.0f, 8.0f, 6.0f };
+static const float enough[STEPS] = { SMOOTH_ENOUGH, 16.0f, 8.0f, 6.0f };
 
 /* A pixel's light: how far it is from that of a sky that nothing hides. */
 struct light {

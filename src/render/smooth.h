@@ -14,6 +14,10 @@
 #include <stdbool.h>
 #include "src/image/image.h"
 
+enum {
+    SMOOTH_ENOUGH = 32 /* samples that need no filter */
+};
+
 /*
  * Adds smoothed light to the planes R, G and B of a picture, if it has them. `ground` has the
  * planes of frame_smooth_layers (src/tech/frame.h), means of the samples, and "samples", of each

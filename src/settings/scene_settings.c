@@ -302,7 +302,7 @@ static const struct setting ground_rows[] = {
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
         .help = "trace fewer rays of ground.light=traced, and smooth what they find over pixels of "
-                "a surface, the less the more samples (whole pictures of files by rung trace)",
+                "a surface, below 32 samples (whole pictures of files by rung trace)",
     },
 };
 
