@@ -43,7 +43,10 @@ const int trace_waits_max = 2;
 const int trace_stops_max = 3; /* ways of a pixel */
 #endif
 const int trace_length_max = 40; /* straight parts of a way */
-const float trace_left = -2.0;   /* side of a way that meets no object any more */
+/* Straight parts of a pixel after which no way is parted: llvmpipe ends loops after 65 535 rounds
+ * of a group of pixels, and what they have not followed yet would be lost. */
+const int trace_parted_max = 256;
+const float trace_left = -2.0; /* side of a way that meets no object any more */
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
 const float trace_gathered_branch = 0.1; /* of light that brings light to surroundings */
@@ -80,6 +83,7 @@ struct trace_seen {
 trace_way way;                    /* that is followed */
 trace_way later[trace_waits_max]; /* those that wait, the last one first */
 int waits;
+int lengths; /* straight parts of all ways so far */
 trace_seen seen;
 vec3 start;       /* of the pixel's ray */
 bool is_first;    /* it has met no surface */
@@ -248,6 +252,7 @@ void trace_begin(vec3 eye, vec3 e)
     for (int i = 0; i < trace_waits_max; i++)
         later[i] = way;
     waits = 0;
+    lengths = 0;
     start = eye;
     seen = trace_seen(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0, 0u);
     is_first = true;
@@ -307,7 +312,7 @@ void trace_put(trace_way other)
 bool trace_is_parted(vec3 weight)
 {
     float most = max(weight.r, max(weight.g, weight.b));
-    bool has_room = waits < trace_waits_max;
+    bool has_room = waits < trace_waits_max && lengths < trace_parted_max;
 #ifndef TRACE_RAYS
     has_room = has_room && parts_left > 0;
 #endif
@@ -506,6 +511,7 @@ bool trace_step(trace_hit hit, trace_cross c)
         seen.path += is_main && trace_is_in(way) && !is_first ? hit.t : 0.0;
     }
     way.left--;
+    lengths++;
     bool crosses = c.is_met && way.left >= 0;
     bool is_over = false;
     if (crosses && !c.is_real) {

@@ -282,6 +282,12 @@ class Trace(Case):
         for more in ((), ('--eye', '0.3,0.2,0.9', '--target', '0,0,0')):
             light = self.planes('nested.gltf', *WHITE, *SIZE, '-r', 'trace', *more)
             self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
+        shells = [(glass(index), at, size) for index, at, size in (
+            (1.8, [0, 0, 0], 1), (1, [0.02, 0, 0], 0.96), (1.8, [0, 0.02, 0], 0.92),
+            (1, [0.02, 0, 0], 0.88), (1.8, [0, 0.02, 0], 0.84))]
+        (self.folder / 'shells.gltf').write_text(balls(0.75, *shells))  # of very many reflections
+        light = self.planes('shells.gltf', *WHITE, *SIZE, '-r', 'trace')
+        self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
         light = self.planes('teapot', *WHITE, *SIZE, '-r', 'trace')
         self.assertLess(max(abs(x - 1) for name in 'RGB' for x in light[name]), 2e-3)
 
