@@ -72,6 +72,7 @@ struct view {
     struct view_costs costs;
     struct view_refine refine;
     struct view_compare compare;
+    bool has_look_panel; /* a frame has shown it */
     struct look look;
     struct look_choice look_wanted; /* by hands */
     struct view_seen look_seen;     /* by look.layers */

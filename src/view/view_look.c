@@ -47,9 +47,15 @@ void view_look(struct view *v)
     struct look *look = &v->look;
     struct picture *p = v->picture;
     const bool wanted = look->is_open || v->aims || look_replaces(&v->look_wanted);
+    const bool opens = look->is_open && !v->has_look_panel;
     p->instead = VK_NULL_HANDLE;
+    v->has_look_panel = look->is_open;
     if (!wanted || !v->refine.shown)
         return;
+    if (opens) { /* its layers may take seconds: the panel is there first */
+        ui_wake(v->ui);
+        return;
+    }
     const bool drawn = look->layers.width && look->drawn == v->look_wanted.layer &&
                        view_refine_is_same(&v->look_seen, &v->refine.seen);
     const bool shown = drawn && look->sample_count == v->refine.shown &&
