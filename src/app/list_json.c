@@ -87,9 +87,11 @@ static json_t *value_of(const struct setting *row, double value)
 {
     switch (row->type) {
     case SETTING_FLOAT:
+        if (setting_is_auto(row, value))
+            return json_string("auto");
         return json_real(json_text_float((float)value));
     case SETTING_COUNT:
-        if (row->has_auto && value < row->min)
+        if (setting_is_auto(row, value))
             return json_string("auto");
         return json_integer((json_int_t)value);
     case SETTING_SWITCH:

@@ -26,13 +26,25 @@ struct setting {
     enum setting_type type;
     size_t offset; /* of the field in the group's struct */
     double initial, min, max;
-    bool has_auto;                /* of a count: 0, which is below `min`, is the word "auto" */
+    bool has_auto;                /* setting_auto() is the word "auto" */
     const char *unit;             /* "degrees"; NULL: none */
     const char *const *choices;   /* ends at NULL */
     const char *help;             /* one line, no full stop */
     enum setting_effect affects;  /* of any change; SETTING_AFFECTS_NOTHING means FRAME */
     enum setting_effect switches; /* of a change from 0 or to it, if that affects more */
 };
+
+/* Returns what stands for the word "auto", which is below `min`. */
+static inline double setting_auto(const struct setting *row)
+{
+    return row->type == SETTING_FLOAT ? -1.0 : 0.0;
+}
+
+/* Whether a value is the word "auto". */
+static inline bool setting_is_auto(const struct setting *row, double value)
+{
+    return row->has_auto && value < row->min;
+}
 
 struct setting_group {
     const char *name;

@@ -240,7 +240,7 @@ static enum status set_number(const struct assignment *a, const char *text)
     char *end;
     double value = strtod(text, &end);
     if (row->has_auto && !strcmp(text, "auto")) {
-        settings_put(a->settings, row, 0.0);
+        settings_put(a->settings, row, setting_auto(row));
         return STATUS_OK;
     }
     if (end == text || *end || isspace((unsigned char)*text) || !isfinite(value) ||
@@ -317,7 +317,7 @@ void settings_print(const struct settings *settings, const struct setting *row, 
         fputs(value > 0.0 ? "on" : "off", out);
     else if (row->type == SETTING_CHOICE)
         fputs(row->choices[(size_t)value], out);
-    else if (row->has_auto && value < row->min)
+    else if (setting_is_auto(row, value))
         fputs("auto", out);
     else if (row->type == SETTING_COUNT)
         fprintf(out, "%.0f", value);

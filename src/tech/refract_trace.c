@@ -12,14 +12,11 @@
  * cube (shaders/refract_environment.glsl). Bumps and planes of air are not met.
  */
 #include "src/tech/refract_trace.h"
-#include <math.h>
 #include <string.h>
 #include "shaders/constants.h"
 #include "shaders/embedded.h"
 #include "shaders/refract_trace.h"
-#include "src/scene/material_rows.h"
 #include "src/scene/surface_light.h"
-#include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
 #include "src/tech/cracks.h"
 #include "src/tech/first_surface.h"
@@ -31,6 +28,7 @@
 #include "src/tech/refract.h"
 #include "src/tech/row_builder.h"
 #include "src/tech/surface.h"
+#include "src/tech/trace_settings.h"
 
 static rg_record_fn record_objects;
 static technique_rows_fn color_rows, layer_rows;
@@ -58,101 +56,6 @@ const struct frame_layer frame_smooth_layers[FRAME_SMOOTH_COUNT] = {
     { .image = &smooth_images[1], .planes = { "share.R", "share.G", "share.B" }, .mean = true },
     { .image = &smooth_images[2], .planes = { "place.X", "place.Y", "place.Z", "normal" } },
 };
-
-/* ---- what the scene has ---- */
-
-/* Surfaces of less roughness are smooth; src/reference/whitted.c has the same limit. */
-#define ROUGHNESS_MIN 1e-3f
-
-static uint32_t object_count(const struct scene *scene)
-{
-    return frame_media_count(scene) - 1;
-}
-
-/* Returns the bits that tell of the objects' media. */
-static uint32_t objects_constant(const struct scene *scene, const struct settings *settings)
-{
-    const uint32_t count = object_count(scene);
-    uint32_t bits = count > 1 ? TRACE_HAS_MEDIA : 0;
-    bits |= count > TREE_SHELLS_FEW ? TRACE_HAS_MANY : 0;
-    for (uint32_t i = 0; i < count; i++) {
-        const struct frame_medium medium = frame_medium_at(scene, settings, i);
-        bits |= medium.is_thin ? TRACE_HAS_MEDIA : 0;
-        bits |= medium.roughness > ROUGHNESS_MIN ? TRACE_HAS_ROUGH : 0;
-        bits |= medium.shine > 0.0f ? TRACE_HAS_SHINE : 0;
-        bits |= glms_vec3_min(medium.tint) < 1.0f ? TRACE_HAS_TINT : 0;
-        bits |= medium.is_dressed ? TRACE_HAS_DRESS | TRACE_HAS_SHINE : 0;
-    }
-    return bits;
-}
-
-/* Returns whether rays bring light to what is around the objects: where something of it is lit. */
-static bool lights_surroundings(const struct scene *scene, const struct settings *settings)
-{
-    const struct ground_params *ground = settings_of(settings, &ground_settings);
-    return ground->light == GROUND_TRACED && material_rows_has_lit(&scene->model.surroundings);
-}
-
-static bool has_motion(const struct settings *settings)
-{
-    const struct motion_params *motion = settings_of(settings, &motion_settings);
-    return fabsf(motion->ice) > 0.0f || fabsf(motion->objects) > 0.0f;
-}
-
-/* Returns CONSTANT_TRACE. */
-static uint32_t features(const struct scene *scene, const struct settings *settings)
-{
-    const struct model *model = &scene->model;
-    const uint32_t count = object_count(scene);
-    uint32_t bits = objects_constant(scene, settings);
-    bits |= scene->bubbles.count || scene->cracks.index_count ? TRACE_HAS_INCLUSIONS : 0;
-    for (uint32_t i = 0; i < scene->bubbles.count; i++)
-        bits |= bubble_is_sphere(&scene->bubbles.all[i]) ? 0 : TRACE_HAS_SHAPES;
-    if (count == 1 && scene->tree && scene->tree->is_closed && !(bits & TRACE_HAS_MEDIA))
-        bits |= scene->is_convex ? TRACE_IS_CONVEX | TRACE_HAS_CULLING : TRACE_HAS_CULLING;
-    for (uint32_t i = 0; i < model->material_count; i++) {
-        if (model->materials[i].flags & (MATERIAL_IS_CUTOUT | MATERIAL_IS_BLENDED))
-            bits |= TRACE_HAS_HOLES;
-    }
-    bits |= ice_caustics.is_on(settings) ? TRACE_HAS_SUN : 0;
-    bits |= lights_surroundings(scene, settings) ? TRACE_HAS_GROUND : 0;
-    bits |= frame_has_cloud(scene, settings) ? TRACE_HAS_CLOUD : 0;
-    bits |= scene->tree && scene->tree->is_stored ? TRACE_IS_STORED : 0;
-    bits |= scene->material_rows ? TRACE_HAS_MATERIALS : 0;
-    bits |= model->object.extras || model->surroundings.extras ? TRACE_HAS_EXTRAS : 0;
-    bits |= has_motion(settings) ? TRACE_HAS_MOTION : 0;
-    const struct trace_params *params = settings_of(settings, &trace_settings);
-    bits |= params->footprint ? TRACE_HAS_FOOTPRINT : 0;
-    return bits;
-}
-
-/* Whether a corner of the surroundings is within `reach` of a point. */
-static bool is_near(const struct mesh *mesh, vec3s point, float reach)
-{
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (glms_vec3_distance2(mesh->vertices[i].position, point) < reach * reach)
-            return true;
-    }
-    return false;
-}
-
-/* Returns whether rays that leave the objects meet the triangles around them, as trace.surroundings
- * says. With `auto` they do if there are several objects, one that is cloudy, not wholly
- * transmissive or has textures, or a corner of the surroundings within two radii of the object's
- * middle. */
-static bool meets_surroundings(const struct scene *scene, const struct settings *settings)
-{
-    const struct trace_params *params = settings_of(settings, &trace_settings);
-    const struct model *model = &scene->model;
-    if (params->surroundings != TRACE_AUTO)
-        return params->surroundings == TRACE_RAYS;
-    if (lights_surroundings(scene, settings))
-        return true;
-    if (features(scene, settings) & (TRACE_HAS_SHINE | TRACE_HAS_DRESS | TRACE_HAS_CLOUD))
-        return true;
-    return object_count(scene) > 1 ||
-           is_near(&model->surroundings, box_center(scene->box), box_diagonal(scene->box));
-}
 
 /* ---- what is uploaded ---- */
 
@@ -246,22 +149,21 @@ static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
     return false;
 }
 
-/* The scene has its tree: see scene_need_tree(). */
 /* Returns what trace_pose() of trace_tree.glsl does, of a turn about a vertical axis. */
 static vec4s turn_of(mat4s pose)
 {
     return (vec4s){ { pose.raw[0][0], pose.raw[2][0], pose.raw[3][0], pose.raw[3][2] } };
 }
 
+/* The scene has its tree: see scene_need_tree(). */
 static void write_frame(void *memory, const struct frame_view *view, const struct globals *globals)
 {
     struct trace_frame *trace = memory;
-    const struct trace_params *params = settings_of(view->settings, &trace_settings);
     const struct tree *tree = view->scene->tree;
     const struct cracks_params *cracks_of = settings_of(view->settings, &cracks_settings);
     *trace = (struct trace_frame){
         .sample_index = view->sample,
-        .branch = params->branch,
+        .branch = trace_branch(view->scene, view->settings),
         .hair = 1e-4f * globals->radius,
         .one = 1,
         .ice = view->scene->model.object_count ? view->scene->model.objects[0].rank : 1,
@@ -273,9 +175,9 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
         .grid_scale = glms_vec4(tree->grid_scale, 0.0f),
         .objects_turn = turn_of(globals->world_from_object),
         .movers_turn = turn_of(globals->world_from_movers),
-        .is_apart = has_motion(view->settings) ? tree->is_apart_turning : tree->is_apart,
+        .is_apart = trace_has_motion(view->settings) ? tree->is_apart_turning : tree->is_apart,
     };
-    if (lights_surroundings(view->scene, view->settings))
+    if (trace_lights_surroundings(view->scene, view->settings))
         trace->guide = surface_light_guide(&view->scene->environment, view->scene->surface_light);
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++) {
         trace->roots[i] = tree->roots[i];
@@ -477,64 +379,7 @@ static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-/* ---- settings ---- */
-
-static const char *const surroundings[] = {
-    [TRACE_AUTO] = "auto",
-    [TRACE_CUBE] = "cube",
-    [TRACE_RAYS] = "rays",
-    NULL,
-};
-
-static const char *const rays_by[] = {
-    [TRACE_BY_DEVICE] = "auto",
-    [TRACE_BY_TREE] = "tree",
-    [TRACE_BY_QUERY] = "query",
-    NULL,
-};
-
-static const struct setting rows[] = {
-    {
-        .name = "trace.branch",
-        .type = SETTING_FLOAT,
-        .offset = offsetof(struct trace_params, branch),
-        .initial = 0.03,
-        .max = 1,
-        .help = "minimum share of a path's light at which an internal reflection is followed as "
-                "well (0: always)",
-    },
-    {
-        .name = "trace.surroundings",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct trace_params, surroundings),
-        .max = TRACE_RAYS,
-        .choices = surroundings,
-        .affects = SETTING_AFFECTS_PLAN,
-        .help = "source of the light of rays that leave the objects: the environment cube, or rays "
-                "to the triangles of the surroundings (auto: by the scene)",
-    },
-    {
-        .name = "trace.rays",
-        .type = SETTING_CHOICE,
-        .offset = offsetof(struct trace_params, rays),
-        .max = TRACE_BY_QUERY,
-        .choices = rays_by,
-        .affects = SETTING_AFFECTS_PLAN,
-        .help = "how rays find triangles: by a tree in the shader, or by ray queries of the "
-                "device (auto: queries, if it has them and is no CPU)",
-    },
-    {
-        .name = "trace.footprint",
-        .type = SETTING_SWITCH,
-        .offset = offsetof(struct trace_params, footprint),
-        .max = 1,
-        .affects = SETTING_AFFECTS_PLAN,
-        .help = "see an environment picture through objects as blurred as their surfaces spread a "
-                "pixel's rays, less with each sample (rung trace)",
-    },
-};
-
-const struct setting_group trace_settings = SETTING_GROUP("trace", rows, struct trace_params);
+/* ---- the rung ---- */
 
 static void choose(struct technique_choice *choice, const struct scene *scene)
 {
@@ -542,14 +387,14 @@ static void choose(struct technique_choice *choice, const struct scene *scene)
     choice->queries = params->rays == TRACE_BY_DEVICE
                           ? choice->has_fast_rays
                           : params->rays == TRACE_BY_QUERY && choice->has_rays;
-    choice->meets_surroundings = meets_surroundings(scene, choice->settings);
+    choice->meets_surroundings = trace_meets_surroundings(scene, choice->settings);
     choice->lights_surroundings =
-        choice->meets_surroundings && lights_surroundings(scene, choice->settings);
+        choice->meets_surroundings && trace_lights_surroundings(scene, choice->settings);
 }
 
 static void write_constants(const struct technique_subject *subject, uint32_t *values)
 {
-    values[CONSTANT_TRACE] = features(subject->scene, subject->settings);
+    values[CONSTANT_TRACE] = trace_features(subject->scene, subject->settings);
 }
 
 static const struct frame_layer layers[] = {

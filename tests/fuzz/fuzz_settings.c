@@ -31,7 +31,7 @@ static void check_all(const struct settings *settings)
         for (size_t r = 0; r < group->row_count; r++) {
             const struct setting *row = &group->rows[r];
             const double value = settings_get(settings, row);
-            const bool is_auto = row->has_auto && !(value > 0.0) && !(value < 0.0);
+            const bool is_auto = setting_is_auto(row, value);
             /* a float's limits are those of its doubles, rounded */
             FUZZ_CHECK(row->type == SETTING_CHOICE || row->type == SETTING_SWITCH || is_auto ||
                        ((float)value >= (float)row->min && (float)value <= (float)row->max));

@@ -56,8 +56,10 @@ static void check_words(const struct setting_group *group, const struct setting 
 static void check_range(const struct setting_group *group, const struct setting *row)
 {
     assert_true(row->min < row->max);
-    const bool is_auto = row->has_auto && row->initial == 0.0;
-    assert_true(!row->has_auto || (row->type == SETTING_COUNT && row->min > 0.0));
+    const bool is_auto = setting_is_auto(row, row->initial);
+    assert_true(!is_auto || row->initial == setting_auto(row));
+    assert_true(!row->has_auto || setting_is_auto(row, setting_auto(row)));
+    assert_true(!row->has_auto || row->type == SETTING_FLOAT || row->type == SETTING_COUNT);
     assert_true((row->min <= row->initial || is_auto) && row->initial <= row->max);
     assert_int_equal(row->offset % 4, 0);
     assert_true(row->offset + 4 <= group->params_size);

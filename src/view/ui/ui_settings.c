@@ -83,7 +83,10 @@ static bool slider(const char *label, const struct setting *row, float *value, b
     char format[64];
     const char *unit = sign_of(row->unit);
     snprintf(format, sizeof(format), "%%.4g%s%s", isalnum((unsigned char)*unit) ? " " : "", unit);
-    const struct imgui_slide slide = { (float)row->min, (float)row->max, format, logarithmic };
+    const double low = row->has_auto ? row->min - 0.05 * (row->max - row->min) : row->min;
+    const struct imgui_slide slide = { (float)low, (float)row->max,
+                                       setting_is_auto(row, (double)*value) ? "auto" : format,
+                                       logarithmic };
     return imgui_slider(label, value, &slide);
 }
 
@@ -129,10 +132,9 @@ static bool widget(const struct setting *row, const char *label, double *value)
                       : slider(label, row, &number, kind == UI_LOGARITHMIC);
         break;
     }
-    const double least = row->has_auto && count < row->min ? 0.0 : row->min;
-    *value = fmin(fmax(row->type == SETTING_FLOAT ? (double)number : count, least), row->max);
-    if (row->has_auto && *value < row->min)
-        *value = 0.0;
+    const double moved = row->type == SETTING_FLOAT ? (double)number : count;
+    *value =
+        setting_is_auto(row, moved) ? setting_auto(row) : fmin(fmax(moved, row->min), row->max);
     return changed;
 }
 
@@ -200,8 +202,11 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
             reset(settings, row);
             changed = true;
         }
-        snprintf(text, sizeof(text), "reset %s to %g", row->name,
-                 settings_get(settings->usual, row));
+        const double usually = settings_get(settings->usual, row);
+        if (setting_is_auto(row, usually))
+            snprintf(text, sizeof(text), "reset %s to auto", row->name);
+        else
+            snprintf(text, sizeof(text), "reset %s to %g", row->name, usually);
         imgui_tip(row->type == SETTING_CHOICE ? "reset to what the scene has" : text);
     }
     return changed;
