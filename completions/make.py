@@ -15,7 +15,8 @@ from help import COMMANDS, LISTS, Command, choices, names  # noqa: E402
 NAMED = {'refraction': 'rungs', 'split': 'rungs', 'material': 'materials', 'show': 'layers',
          'env': 'environments', 'quality': 'qualities'}
 LISTED = {'rungs': 'rungs', 'aov': 'layers'}
-WORDS = {'clock': ('auto', 'timestamps', 'submits'), 'present': ('fifo', 'mailbox', 'immediate'),
+WORDS = {'clock': ('auto', 'timestamps', 'submits'),
+         'present': ('auto', 'fifo', 'mailbox', 'immediate'),
          'sharing': ('batches', 'memory', 'nothing'), 'curve': ('aces', 'hable', 'reinhard'),
          'overlay': ('on', 'off'), 'only': ('heat',), 'sandbox': ('on', 'off'),
          'pixel-filter': ('blackman-harris', 'box', 'point'), 'png-bits': ('8', '16'),

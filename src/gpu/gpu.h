@@ -50,6 +50,7 @@ struct gpu {
     VkCommandPool pool;             /* for uploads */
     bool portability_subset;        /* the device has this extension, so it is enabled */
     float max_anisotropy;           /* of samplers; 0: not supported */
+    bool has_host_memory;           /* with windows, on a CPU: images in memory of the host */
     bool has_rays;                  /* acceleration structures and ray queries */
     bool has_statistics;            /* pipeline statistics and exact occlusion queries */
     bool validated;                 /* the validation layer was found and is enabled */

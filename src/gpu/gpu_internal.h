@@ -49,7 +49,8 @@ uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physica
 /* Which of the extensions that firn may enable a device has. */
 struct gpu_offer {
     bool portability_subset, swapchain;
-    bool rays; /* all of gpu_ray_extensions */
+    bool host_memory; /* images in memory of the host */
+    bool rays;        /* all of gpu_ray_extensions */
 };
 
 /* What building acceleration structures, and ray queries, need. */

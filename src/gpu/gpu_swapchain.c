@@ -21,6 +21,7 @@ static const struct {
     VkPresentModeKHR mode;
     const char *name;
 } modes[] = {
+    { GPU_SWAPCHAIN_ANY, "auto" },
     { VK_PRESENT_MODE_FIFO_KHR, "fifo" },
     { VK_PRESENT_MODE_MAILBOX_KHR, "mailbox" },
     { VK_PRESENT_MODE_IMMEDIATE_KHR, "immediate" },
@@ -86,6 +87,8 @@ static enum status choose_mode(const struct gpu *gpu, struct gpu_swapchain *s,
     if (result != VK_SUCCESS && result != VK_INCOMPLETE)
         return gpu_failed("vkGetPhysicalDeviceSurfacePresentModesKHR", result);
     s->mode = VK_PRESENT_MODE_FIFO_KHR;
+    if (wanted == GPU_SWAPCHAIN_ANY)
+        return STATUS_OK;
     for (uint32_t i = 0; i < count; i++) {
         if (offer[i] == wanted)
             s->mode = wanted;
@@ -117,19 +120,16 @@ static VkSemaphore make_semaphore(const struct gpu *gpu, VkResult *result)
 }
 
 enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *s, VkSurfaceKHR surface,
-                               VkPresentModeKHR mode)
+                               VkPresentModeKHR mode, const struct gpu_canvas *canvas)
 {
     *s = (struct gpu_swapchain){ .surface = surface, .stale = true };
     enum status status = choose_format(gpu, s);
+    if (mode == GPU_SWAPCHAIN_ANY && gpu->has_host_memory && s->format == VK_FORMAT_B8G8R8A8_UNORM)
+        s->canvas = canvas;
     if (status == STATUS_OK)
         status = choose_mode(gpu, s, mode);
     if (status == STATUS_OK)
         status = find_usage(gpu, s);
-    VkResult result = VK_SUCCESS;
-    for (uint32_t i = 0; i < GPU_SWAPCHAIN_SLOT_COUNT && status == STATUS_OK; i++)
-        s->acquired[i] = make_semaphore(gpu, &result);
-    if (result != VK_SUCCESS)
-        status = gpu_failed("vkCreateSemaphore", result);
     return status;
 }
 
@@ -139,11 +139,27 @@ static void free_images(const struct gpu *gpu, struct gpu_swapchain *s)
 {
     for (uint32_t i = 0; s->drawn && i < s->image_count; i++)
         vkDestroySemaphore(gpu->device, s->drawn[i], NULL);
+    for (uint32_t i = 0; i < GPU_SWAPCHAIN_SLOT_COUNT; i++) {
+        vkDestroySemaphore(gpu->device, s->acquired[i], NULL);
+        s->acquired[i] = VK_NULL_HANDLE;
+    }
+    if (s->canvas)
+        gpu_canvas_free(gpu, s->canvas, s->canvas_images);
     free(s->drawn);
     free(s->images);
     s->drawn = NULL;
     s->images = NULL;
     s->image_count = 0;
+}
+
+static enum status make_room(struct gpu_swapchain *s, uint32_t count)
+{
+    s->images = calloc(count, sizeof(*s->images));
+    s->drawn = calloc(count, sizeof(*s->drawn));
+    if (!s->images || !s->drawn)
+        return gpu_failed("calloc", VK_ERROR_OUT_OF_HOST_MEMORY);
+    s->image_count = count;
+    return STATUS_OK;
 }
 
 static enum status find_images(struct gpu *gpu, struct gpu_swapchain *s)
@@ -152,11 +168,13 @@ static enum status find_images(struct gpu *gpu, struct gpu_swapchain *s)
     VkResult result = vkGetSwapchainImagesKHR(gpu->device, s->swapchain, &count, NULL);
     if (result != VK_SUCCESS)
         return gpu_failed("vkGetSwapchainImagesKHR", result);
-    s->images = calloc(count, sizeof(*s->images));
-    s->drawn = calloc(count, sizeof(*s->drawn));
-    if (!s->images || !s->drawn)
-        return gpu_failed("calloc", VK_ERROR_OUT_OF_HOST_MEMORY);
-    s->image_count = count;
+    const enum status status = make_room(s, count);
+    if (status != STATUS_OK)
+        return status;
+    for (uint32_t i = 0; i < GPU_SWAPCHAIN_SLOT_COUNT; i++)
+        s->acquired[i] = make_semaphore(gpu, &result);
+    if (result != VK_SUCCESS)
+        return gpu_failed("vkCreateSemaphore", result);
     result = vkGetSwapchainImagesKHR(gpu->device, s->swapchain, &count, s->images);
     if (result != VK_SUCCESS)
         return gpu_failed("vkGetSwapchainImagesKHR", result);
@@ -230,6 +248,14 @@ static enum status create(struct gpu *gpu, struct gpu_swapchain *s,
     return find_images(gpu, s);
 }
 
+static enum status take_canvas(struct gpu_swapchain *s)
+{
+    const enum status status = make_room(s, GPU_CANVAS_COUNT);
+    for (uint32_t i = 0; i < s->image_count; i++)
+        s->images[i] = s->canvas_images[i].image;
+    return status;
+}
+
 enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchain *s, VkExtent2D size)
 {
     VkSurfaceCapabilitiesKHR has;
@@ -242,6 +268,9 @@ enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchain *s, VkE
         return gpu_failed("vkGetPhysicalDeviceSurfaceCapabilitiesKHR", result);
     s->extent = choose_extent(&has, size);
     s->stale = s->extent.width == 0 || s->extent.height == 0;
+    if (!s->stale && s->canvas && gpu_canvas_make(gpu, s->canvas, s->extent, s->canvas_images))
+        return take_canvas(s);
+    s->canvas = s->stale ? s->canvas : NULL;
     if (!s->stale)
         return create(gpu, s, &has);
     vkDestroySwapchainKHR(gpu->device, s->swapchain, NULL);
@@ -255,8 +284,6 @@ void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *s)
         return;
     (void)vkDeviceWaitIdle(gpu->device); /* destroyed even if the device is lost */
     free_images(gpu, s);
-    for (uint32_t i = 0; i < GPU_SWAPCHAIN_SLOT_COUNT; i++)
-        vkDestroySemaphore(gpu->device, s->acquired[i], NULL);
     if (s->swapchain)
         vkDestroySwapchainKHR(gpu->device, s->swapchain, NULL);
     *s = (struct gpu_swapchain){ 0 };
@@ -267,6 +294,11 @@ void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *s)
 enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *s, uint32_t slot,
                                   uint32_t *index)
 {
+    if (s->canvas) {
+        *index = (s->shown + 1) % GPU_CANVAS_COUNT;
+        s->canvas->wait(s->canvas->user, *index);
+        return STATUS_OK;
+    }
     const VkResult result = vkAcquireNextImageKHR(gpu->device, s->swapchain, UINT64_MAX,
                                                   s->acquired[slot], VK_NULL_HANDLE, index);
     if (result == VK_SUCCESS)
@@ -279,8 +311,21 @@ enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *s, uint
                                               : gpu_failed("vkAcquireNextImageKHR", result);
 }
 
+/* What a CPU has drawn, the host reads at once. */
+static enum status show(struct gpu *gpu, struct gpu_swapchain *s, uint32_t index)
+{
+    const VkResult result = vkQueueWaitIdle(gpu->queue);
+    if (result != VK_SUCCESS)
+        return gpu_failed("vkQueueWaitIdle", result);
+    s->canvas->show(s->canvas->user, index, s->extent, s->canvas_images[index].row_size);
+    s->shown = index;
+    return STATUS_OK;
+}
+
 enum status gpu_swapchain_present(struct gpu *gpu, struct gpu_swapchain *s, uint32_t index)
 {
+    if (s->canvas)
+        return show(gpu, s, index);
     const VkPresentInfoKHR info = {
         .sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR,
         .waitSemaphoreCount = 1,

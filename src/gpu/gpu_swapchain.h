@@ -13,7 +13,10 @@
  *
  * A slot is a frame in flight; a caller uses a slot again only when its frame is done.
  *
- * Ownership: the surface is the caller's and outlives the swapchain.
+ * With a canvas the images are its, not the driver's; there are no semaphores then, and presenting
+ * waits for the queue.
+ *
+ * Ownership: surface and canvas are the caller's and outlive the swapchain.
  * Errors:    logged once; as of gpu.h. A surface of zero size (a minimised window) is no error:
  *            then there is no VkSwapchainKHR, and `stale` stays true.
  */
@@ -21,6 +24,7 @@
 #define FIRN_GPU_SWAPCHAIN_H
 
 #include "src/gpu/gpu.h"
+#include "src/gpu/gpu_canvas.h"
 
 enum {
     GPU_SWAPCHAIN_SLOT_COUNT = 2, /* frames in flight */
@@ -28,9 +32,15 @@ enum {
 
 #define GPU_SWAPCHAIN_NONE UINT32_MAX /* no image */
 
+/* As a present mode: a canvas if that is possible, else FIFO. */
+#define GPU_SWAPCHAIN_ANY VK_PRESENT_MODE_MAX_ENUM_KHR
+
 struct gpu_swapchain {
     VkSurfaceKHR surface;
-    VkSwapchainKHR swapchain; /* VK_NULL_HANDLE while the surface has no size */
+    VkSwapchainKHR swapchain;        /* VK_NULL_HANDLE while the surface has no size, and with: */
+    const struct gpu_canvas *canvas; /* NULL: the images are the driver's */
+    struct gpu_canvas_image canvas_images[GPU_CANVAS_COUNT];
+    uint32_t shown; /* of these */
     VkFormat format;
     bool encodes; /* the format encodes linear colours that are written to it as sRGB */
     bool copies;  /* images can be copied into its images */
@@ -46,10 +56,11 @@ struct gpu_swapchain {
 /*
  * Chooses a format with eight bits a channel, without sRGB encoding if possible, and a present
  * mode: `mode` or, with a warning, FIFO, which every surface supports. Creates no images: `stale`
- * is true.
+ * is true. The canvas may be NULL.
  */
 MUST_USE enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *swapchain,
-                                        VkSurfaceKHR surface, VkPresentModeKHR mode);
+                                        VkSurfaceKHR surface, VkPresentModeKHR mode,
+                                        const struct gpu_canvas *canvas);
 
 /* Waits for the device and recreates the images. `size`, in pixels, is the window's size, which
  * counts for surfaces that let the program choose. */
@@ -68,7 +79,7 @@ MUST_USE enum status gpu_swapchain_present(struct gpu *gpu, struct gpu_swapchain
 /* Waits for the device and frees everything. A {0} or half-built swapchain is fine. */
 void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *swapchain);
 
-/* The name of a present mode, "fifo", "mailbox" or "immediate", or NULL; and the mode of a name,
+/* The name of a mode, "auto", "fifo", "mailbox" or "immediate", or NULL; and the mode of a name,
  * which returns false if there is none. */
 const char *gpu_swapchain_mode_name(VkPresentModeKHR mode);
 bool gpu_swapchain_mode_find(const char *name, VkPresentModeKHR *mode);

@@ -16,10 +16,10 @@ enum {
 };
 
 enum status screen_init(struct screen *s, struct gpu *gpu, VkSurfaceKHR surface,
-                        VkPresentModeKHR mode)
+                        VkPresentModeKHR mode, const struct gpu_canvas *canvas)
 {
     *s = (struct screen){ .gpu = gpu };
-    const enum status status = gpu_swapchain_init(gpu, &s->swapchain, surface, mode);
+    const enum status status = gpu_swapchain_init(gpu, &s->swapchain, surface, mode, canvas);
     present_tables_init(&s->tables, s->swapchain.format);
     overlay_tables_init(&s->overlay, &s->tables.window, s->swapchain.copies);
     return status;

@@ -41,9 +41,9 @@ struct screen {
     double waited; /* by the host in that frame: for its image, and to have it shown; seconds */
 };
 
-/* Must not move afterwards. The surface is the caller's. */
+/* Must not move afterwards. Surface and canvas, which may be NULL, are the caller's. */
 MUST_USE enum status screen_init(struct screen *screen, struct gpu *gpu, VkSurfaceKHR surface,
-                                 VkPresentModeKHR mode);
+                                 VkPresentModeKHR mode, const struct gpu_canvas *canvas);
 void screen_finish(struct screen *screen); /* {0} and half-built are fine */
 
 /* Makes the swapchain anew if it does not fit a window of this size; *remade says so. Afterwards

@@ -9,6 +9,7 @@
 #include "src/view/recent.h"
 #include "src/view/view_internal.h"
 #include "src/view/watch.h"
+#include "src/view/window_canvas.h"
 #include "src/view/worker.h"
 
 static const double rest_seconds = 0.12; /* of a window's size, before it is drawn for it */
@@ -84,7 +85,10 @@ static enum status open_device(void *user)
     if (status == STATUS_OK)
         status = window_surface(&v->window, &v->gpu, &v->surface);
     if (status == STATUS_OK)
-        status = screen_init(&v->screen, &v->gpu, v->surface, v->options->view.present);
+        v->canvas = window_canvas_open(v->window.handle);
+    if (status == STATUS_OK)
+        status = screen_init(&v->screen, &v->gpu, v->surface, v->options->view.present,
+                             window_canvas_of(v->canvas));
     return status;
 }
 
@@ -139,6 +143,8 @@ static void leave_device(struct view *v)
 {
     v->window.listen = NULL;
     screen_finish(&v->screen);
+    window_canvas_close(v->canvas);
+    v->canvas = NULL;
     view_compare_stop(v);
     if (v->gpu.device) {
         look_finish(&v->look, &v->gpu);

@@ -30,6 +30,7 @@ struct view {
     struct signals stop;
     struct echo echo; /* of what is logged */
     struct window window;
+    struct window_canvas *canvas; /* NULL: pictures go through the driver */
     struct gpu_window_system system;
     struct gpu gpu;
     VkSurfaceKHR surface;

@@ -22,25 +22,37 @@ union symbol {
     set_handler_fn *set_handler;
 };
 
-void window_x11_background(struct GLFWwindow *window, uint32_t color)
+/* Returns NULL and 0 if GLFW uses no X11. */
+static Display *find(struct GLFWwindow *window, Window *id)
 {
     void *program = dlopen(NULL, RTLD_LAZY);
-    void *x11 = dlopen("libX11.so.6", RTLD_LAZY);
     const union symbol get_display = { program ? dlsym(program, "glfwGetX11Display") : NULL };
     const union symbol get_window = { program ? dlsym(program, "glfwGetX11Window") : NULL };
-    const union symbol change = { x11 ? dlsym(x11, "XChangeWindowAttributes") : NULL };
-    if (get_display.get_display && get_window.get_window && change.change) {
-        Display *display = get_display.get_display();
-        XSetWindowAttributes wanted = { .background_pixel = color,
-                                        .bit_gravity = NorthWestGravity };
-        if (display)
-            change.change(display, get_window.get_window(window), CWBackPixel | CWBitGravity,
-                          &wanted);
-    }
-    if (x11)
-        dlclose(x11);
+    Display *display = get_display.get_display ? get_display.get_display() : NULL;
+    *id = display && get_window.get_window ? get_window.get_window(window) : 0;
     if (program)
         dlclose(program);
+    return display;
+}
+
+uint32_t window_x11_id(struct GLFWwindow *window)
+{
+    Window id;
+    (void)find(window, &id);
+    return (uint32_t)id;
+}
+
+void window_x11_background(struct GLFWwindow *window, uint32_t color)
+{
+    void *x11 = dlopen("libX11.so.6", RTLD_LAZY);
+    const union symbol change = { x11 ? dlsym(x11, "XChangeWindowAttributes") : NULL };
+    XSetWindowAttributes wanted = { .background_pixel = color, .bit_gravity = NorthWestGravity };
+    Window id;
+    Display *display = find(window, &id);
+    if (id && change.change)
+        change.change(display, id, CWBackPixel | CWBitGravity, &wanted);
+    if (x11)
+        dlclose(x11);
 }
 
 /* Xlib must not be called here. */
@@ -63,6 +75,12 @@ void window_x11_go_on(void)
         dlclose(x11);
 }
 #else
+uint32_t window_x11_id(struct GLFWwindow *window)
+{
+    (void)window;
+    return 0;
+}
+
 void window_x11_background(struct GLFWwindow *window, uint32_t color)
 {
     (void)window;

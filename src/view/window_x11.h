@@ -8,6 +8,9 @@
 
 struct GLFWwindow;
 
+/* Returns the number of a window; 0 without X11. */
+uint32_t window_x11_id(struct GLFWwindow *window);
+
 /* Fills new area of a window with a colour, 0xRRGGBB, and keeps what is in the old area while it is
  * resized. */
 void window_x11_background(struct GLFWwindow *window, uint32_t color);
