@@ -28,7 +28,7 @@ enum {
 
 static const float sun_azimuth = 248.0F, sun_elevation = 22.0F; /* degrees, as firn counts them */
 static const float sun_irradiance = 10.5F;                      /* above the air, each channel */
-static const float turbidity = 8.5F, ground_albedo = 0.3F;
+static const float turbidity = 5.5F, ground_albedo = 0.3F;
 static const float eye_height = 900.0F, lake_height_km = 1.2F; /* over the lake; over the sea */
 static const float planet = 6360e3F;                           /* radius, metres */
 static const float farthest = 52e3F;
@@ -45,7 +45,8 @@ struct scene {
 struct ground {
     vec3s point, normal;
     float distance, flow;
-    float level; /* cosine of the slope over tens of metres, on which things grow or lie */
+    float level;  /* cosine of the slope over tens of metres, on which things grow or lie */
+    float across; /* metres across the way that things fall there, from anywhere */
 };
 
 static vec3s color(float r, float g, float b)
@@ -123,29 +124,38 @@ static vec3s ground_albedo_at(const struct ground *g)
     const float x = g->point.x, z = g->point.z, height = g->point.y;
     const float patch = alps_noise(x, z, 900.0F, 5, 91), fine = alps_noise(x, z, 60.0F, 5, 97);
     const float level = g->level, moist = glm_clamp(logf(1.0F + g->flow) / 4.0F, 0.0F, 1.0F);
-    const vec3s rock = glms_vec3_lerp(color(0.17F, 0.165F, 0.155F), color(0.30F, 0.28F, 0.25F),
+    const vec3s rock = glms_vec3_lerp(color(0.12F, 0.122F, 0.122F), color(0.25F, 0.245F, 0.235F),
                                       glm_clamp(0.5F + 0.7F * patch + 0.4F * fine, 0.0F, 1.0F));
     const vec3s scree = glms_vec3_scale(color(0.21F, 0.20F, 0.185F), 1.0F + 0.25F * fine);
     const vec3s meadow = glms_vec3_lerp(color(0.055F, 0.075F, 0.026F), color(0.10F, 0.095F, 0.045F),
                                         glm_clamp(0.5F + patch + 0.5F * fine, 0.0F, 1.0F));
-    const vec3s forest = glms_vec3_scale(color(0.022F, 0.034F, 0.017F), 1.0F + 0.6F * fine);
+    const float crowns = alps_noise(x, z, 26.0F, 2, 113); /* single trees, and the gaps between */
+    const vec3s forest =
+        glms_vec3_scale(color(0.018F, 0.028F, 0.016F), 1.0F + 0.5F * fine + 0.8F * crowns);
     const vec3s snow = color(0.74F, 0.76F, 0.80F); /* old, with dust */
     vec3s c = glms_vec3_lerp(rock, scree, glm_smoothstep(0.70F, 0.80F, level + 0.05F * fine));
     const float grown = glm_smoothstep(0.74F, 0.88F, level + 0.08F * patch + 0.05F * moist) *
                         (1.0F - glm_smoothstep(900.0F, 1500.0F, height + 500.0F * patch));
     c = glms_vec3_lerp(c, meadow, grown);
-    const float wooded = glm_smoothstep(-0.05F, 0.12F, alps_noise(x, z, 1500.0F, 6, 53)) *
-                         glm_smoothstep(0.60F, 0.75F, level) * glm_smoothstep(8.0F, 40.0F, height) *
-                         (1.0F - glm_smoothstep(350.0F, 700.0F, height + 300.0F * patch));
+    /* Falls of snow and stone have cleared lanes in the forest. */
+    const float lane =
+        glm_smoothstep(0.1F, 0.3F, alps_noise(g->across, 0.1F * height, 170.0F, 3, 59));
+    const float wooded =
+        glm_smoothstep(-0.16F, -0.06F,
+                       alps_noise(x, z, 1500.0F, 6, 53) + 0.35F * crowns - 0.16F * lane) *
+        glm_smoothstep(0.55F, 0.70F, level) * glm_smoothstep(8.0F, 40.0F, height) *
+        (1.0F - glm_smoothstep(650.0F, 1050.0F, height + 350.0F * patch + 250.0F * crowns));
     c = glms_vec3_lerp(c, forest, wooded);
     /* Snow lies on ledges and in gullies; strata, which dip to the east, break off in bands. */
     const float strata = alps_noise(0.0F, height + 0.12F * x + 60.0F * patch, 75.0F, 3, 103);
     const float line = 1750.0F + 420.0F * patch - 420.0F * moist;
     const float even = 0.45F * level + 0.55F * g->normal.y;
+    const float track = alps_noise(g->across, 0.08F * height, 70.0F, 3, 109); /* of falls */
     const float lying =
         glm_smoothstep(line - 160.0F, line + 420.0F, height + 140.0F * fine) *
-        glm_smoothstep(0.70F, 0.80F, even + 0.08F * fine + 0.10F * strata + 0.06F * moist);
-    return glms_vec3_lerp(c, snow, lying);
+        glm_smoothstep(0.70F, 0.80F,
+                       even + 0.08F * fine + 0.10F * strata + 0.06F * moist + 0.16F * track);
+    return glms_vec3_lerp(c, glms_vec3_scale(snow, 1.0F + 0.12F * track), lying);
 }
 
 /* Dims light by the air to a place and adds what the air sends, in one step (its density in the
@@ -232,7 +242,9 @@ static void paint_land(const struct scene *scene, float azimuth, uint32_t rows, 
         g.point = color(ax * t, height, az * t);
         g.normal = normal_at(scene, g.point.x, g.point.z, t);
         const vec3s slope = slope_at(scene, g.point.x, g.point.z, fmaxf(35.0F, 0.004F * t));
-        g.level = 1.0F / sqrtf(1.0F + slope.x * slope.x + slope.z * slope.z);
+        const float steep = sqrtf(slope.x * slope.x + slope.z * slope.z);
+        g.level = 1.0F / sqrtf(1.0F + steep * steep);
+        g.across = (g.point.x * slope.z - g.point.z * slope.x) / fmaxf(steep, 1e-3F);
         const vec3s light = ground_radiance(scene, &g, direction(azimuth, up));
         for (int y = row < 0 ? 0 : row; y < painted; y++) {
             column[y] = light;
@@ -317,15 +329,19 @@ static bool paint(const struct scene *scene, struct image *image)
     return ok;
 }
 
-/* Keeps seven bits of a texel's mantissa: a quarter of the bytes, and no step that an eye sees. */
+/* Keeps seven bits of a texel's mantissa, and six where the next texel is another: a quarter of the
+ * bytes, and no step that an eye sees. */
 static void round_texels(struct image *image)
 {
+    const size_t count = (size_t)image->width * image->height;
     for (uint32_t p = 0; p < image->plane_count; p++) {
         float *texels = image->planes[p].texels;
-        for (size_t i = 0; i < (size_t)image->width * image->height; i++) {
+        for (size_t i = 0; i < count; i++) {
+            const float next = texels[i + 1 < count ? i + 1 : i];
+            const float steps = fabsf(next - texels[i]) > 0.03F * texels[i] ? 128.0F : 256.0F;
             int exponent = 0;
             const float mantissa = frexpf(texels[i], &exponent);
-            texels[i] = ldexpf(roundf(mantissa * 256.0F) / 256.0F, exponent);
+            texels[i] = ldexpf(roundf(mantissa * steps) / steps, exponent);
         }
     }
 }

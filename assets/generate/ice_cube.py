@@ -4,13 +4,11 @@ Light goes through nothing but the ice: its cloud is the material's, and the pro
 and cracks. Its meltwater is a film: a smooth surface, below which the stone is dark.
 """
 from files import Model, lit
-from shapes import Mesh, dot, film, scale
-from slate import (ANGLE, EYE, ICE, SHEET, TARGET, VIEW, block, meltwater, run_out, slab, stone,
+from shapes import Mesh, dot, scale
+from slate import (ANGLE, BUMPS, EYE, ICE, TARGET, VIEW, block, meltwater, slab, stone,
                    texture_places, tone)
 
 WET = 0.7  # how bright stone is below water
-BENT = 0.6  # how uneven
-THICK, CLIMB = 0.0006, (0.0007, 0.0007)  # of the meltwater, as FILM and CLIMB of slate.py
 
 
 def without_walls(mesh):
@@ -22,9 +20,7 @@ def without_walls(mesh):
 
 
 def water(ice):
-    """The puddle around the ice, and the sheet that has run out of it."""
-    mesh = without_walls(meltwater(ice, THICK, CLIMB, 64))
-    mesh.join(without_walls(film(run_out, 0, SHEET[1], 0.003, (0, 0), 5, 64)))
+    mesh = without_walls(meltwater(ice, 112))
     mesh.uvs = texture_places(mesh)
     return mesh.painted(lambda p, n: scale(tone(p[0], p[2]), WET))
 
@@ -33,15 +29,15 @@ def below_water(dry):
     """Stone that water covers: its mirror is that of the water."""
     colors = {'baseColorTexture': dry['pbrMetallicRoughness']['baseColorTexture']}
     return {**lit('wet slate', 0.04, **colors),
-            'normalTexture': {**dry['normalTexture'], 'scale': BENT},
+            'normalTexture': {**dry['normalTexture'], 'scale': BUMPS},
             'extensions': {'KHR_materials_ior': {'ior': 1.333}}, 'extras': {'film': True}}
 
 
 def make():
     model = Model()
     model.used.add('KHR_texture_transform')
-    ice, dry = block(40), stone(model, is_shaded=True)
-    for name, mesh, material in (('slab', slab(44, 36), dry),
+    ice, dry = block(40), stone(model)
+    for name, mesh, material in (('slab', slab(60, 50), dry),
                                  ('water', water(ice), below_water(dry)),
                                  ('cube', ice, ICE)):
         model.add(name, mesh.placed(VIEW, (0, 0, 0)), material)
