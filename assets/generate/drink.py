@@ -3,10 +3,10 @@ import math
 import random
 
 import surroundings as around
-from files import Model, glass, lit, png
-from shapes import (Mesh, add, beads_mesh, crack, cross, crowd, film, ice, ice_surface, lathe,
-                    mix, noise, rounded, scale, smooth_normals, smoothstep, sub, turned, unit,
-                    with_normals, worms)
+from files import TRANSMISSION, Model, glass, lit, png
+from shapes import (Mesh, add, beads_mesh, crack, cross, crowd, dot, film, ice, ice_surface, lathe,
+                    lattice, mix, noise, rounded, scale, sheet, smooth_normals, smoothstep, sub,
+                    turned, unit, with_normals, worms)
 
 BASE, FLOOR, HEIGHT = 0.0002, 0.0105, 0.09  # heights of the glass: foot, inner floor, rim
 FOOT, RIM, WALL = 0.0335, 0.0395, 0.0024  # radii outside, and how thick the wall is at the rim
@@ -22,8 +22,10 @@ CUBES = (
     ((-0.0071, 0.0303, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
 )
 STRAW = ((-0.0195, 0.0137, 0.0), (0.0375, 0.1341, -0.036), 0.0026)  # foot, top, radius
-DROPS = (1300, 0.00036, 0.0013)  # that are tried; least and greatest radius
-TRACKS = 9  # of drops that ran down
+DROPS = (2100, 0.0003, 0.0013)  # that are tried; least and greatest radius
+DEWY = (0.0105, 0.0705)  # lower and upper end of the dew
+MATT = 0.11  # share of light that the densest breath scatters
+TRACKS = 13  # of drops that ran down
 
 
 def inner_radius(y):
@@ -70,12 +72,14 @@ PRINT = (128, 1024)  # texels around and along the straw
 
 def paper():
     """Colours of the straw: a red stripe is wound around it once in 21 mm, and so is the paper,
-    whose edge shows; fibres, and ink that has run a little."""
+    whose edge shows; fibres, and ink that has run a little; dark and deep where it is wet."""
     width, height = PRINT
-    length = math.dist(*STRAW[:2])
+    foot, top, _ = STRAW
+    length = math.dist(foot, top)
     rows = []
     for j in range(height):
         along = length * (j + 0.5) / height
+        high = foot[1] + (top[1] - foot[1]) * (j + 0.5) / height - LEVEL
         row = bytearray()
         for i in range(width):
             turn = (i + 0.5) / width
@@ -84,11 +88,15 @@ def paper():
             fibre = noise(scale(at, 2.2), 7) + 0.7 * noise((9 * at[0], 9 * at[1], at[2]), 8)
             stripe = (along / 0.021 + turn + 0.012 * noise(scale(at, 3), 9)) % 1
             edge = (along / 0.021 + turn + 0.27) % 1 < 0.012
-            shade = 21 + 5 * fibre - (13 if edge else 0)
-            row.append(int(min(max(shade, 0), 31)) + (32 if stripe < 0.5 else 0))
+            is_wet = high < 0.0035 + 0.0012 * noise(scale(at, 0.6), 10)  # it soaks
+            shade = 19 + 7 * fibre - (13 if edge else 0)
+            row.append(int(min(max(shade, 0), 31)) + (32 if stripe < 0.5 else 0) +
+                       (64 if is_wet else 0))
         rows.append(row)
-    return png(rows, [*around.ramp([(.7, .68, .62), (.91, .89, .85), (.97, .96, .93)], 32),
-                      *around.ramp([(.46, .1, .11), (.79, .17, .19), (.9, .33, .34)], 32)])
+    dry = [*around.ramp([(.58, .56, .51), (.8, .78, .74), (.89, .875, .84)], 32),
+           *around.ramp([(.36, .07, .08), (.66, .11, .13), (.78, .24, .25)], 32)]
+    wet = [tuple(0.93 * v ** 1.4 for v in color) for color in dry]
+    return png(rows, dry + wet)
 
 
 def straw():
@@ -99,26 +107,43 @@ def straw():
     up = cross(ahead, side)
     mesh = Mesh([], [], [])
     count = 41  # the last column is the first one, with other coordinates
-    for r, out in ((radius, 1), (radius - 0.00035, -1)):
-        for share in (0, 1):
-            for k in range(count):
-                a = 2 * math.pi * k / (count - 1)
-                away = add(scale(side, math.cos(a)), scale(up, math.sin(a)))
-                mesh.points.append(add(mix(foot, top, share), scale(away, r)))
-                mesh.normals.append(scale(away, out))
-                mesh.uvs.append((k / (count - 1), share) if out > 0 else (0.5, 0.075))
-    for k in range(count - 1):
-        a, b, c, d = (i * count + k for i in range(4))
-        mesh.faces += [(a, a + 1, b + 1), (a, b + 1, b), (c, d + 1, c + 1), (c, d, d + 1),
-                       (a, c + 1, a + 1), (a, c, c + 1), (b, b + 1, d + 1), (b, d + 1, d)]
+    # Rings: outside from foot to top, the upper cut, inside from top to foot, the lower cut.
+    thin = radius - 0.00048
+    for r, share, out in ((radius, 0, 1), (radius, 1, 1), (radius, 1, 0), (thin, 1, 0),
+                          (thin, 1, -1), (thin, 0, -1), (thin, 0, 0), (radius, 0, 0)):
+        for k in range(count):
+            a = 2 * math.pi * k / (count - 1)
+            away = add(scale(side, math.cos(a)), scale(up, math.sin(a)))
+            mesh.points.append(add(mix(foot, top, share), scale(away, r)))
+            mesh.normals.append(scale(away, out) if out else scale(ahead, 2 * share - 1))
+            mesh.uvs.append((k / (count - 1), share) if out > 0 else (0.5, 0.075))
+    for first in range(0, 8 * count, 2 * count):
+        for a in range(first, first + count - 1):
+            b = a + count
+            mesh.faces += [(a, a + 1, b + 1), (a, b + 1, b)]
     return mesh
 
 
-FORM = {'exponent': 8, 'waves': 0.00075, 'cell': 0.0045, 'bulge': 0.07}  # of cubes
+# Of cubes; and in which directions, seen from the camera, parts of each have broken off, how far
+# from its middle.
+FORM = {'exponent': 9, 'waves': 0.00075, 'cell': 0.0045, 'bulge': 0.07}
+CHIPS = (
+    (((-0.35, 0.75, 0.56), 0.0178), ((0.8, -0.2, 0.56), 0.0163)),
+    (((0.62, 0.66, 0.42), 0.0176), ((-0.75, 0.3, 0.6), 0.0168)),
+    (((0.1, 0.6, 0.79), 0.0172), ((-0.7, -0.5, 0.5), 0.0168)),
+)
+
+
+def form(i):
+    """The form of a cube in its own space."""
+    turn = turned(*CUBES[i][1])
+    back = tuple(zip(*turn))
+    return {**FORM, 'chips': [(unit(tuple(dot(row, way) for row in back)), far)
+                              for way, far in CHIPS[i]]}
 
 
 def cubes():
-    return [ice(half, 46, 40 + 13 * i, **FORM).placed(turned(*turn), at)
+    return [ice(half, 46, 40 + 13 * i, **form(i)).placed(turned(*turn), at)
             for i, (at, turn, half) in enumerate(CUBES)]
 
 
@@ -137,8 +162,8 @@ def bubbles():
     pick = random.Random(77)
     for i, ((at, turn, half), cube) in enumerate(zip(CUBES, cubes())):
         matrix = turned(*turn)
-        inside = [*worms(half, 190, 900 + i, bend=0.6),
-                  *crowd(half, 700, 940 + i, 0.00007, 0.0005)]
+        inside = [*worms(half, 160, 900 + i, bend=0.6),
+                  *crowd(half, 480, 940 + i, 0.00008, 0.0005)]
         for where, along, *form in inside:
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
@@ -156,7 +181,7 @@ def cracks():
     """Sheets, each of which ends at its cube's surface, if it reaches it."""
     mesh = Mesh([], [], [])
     for i, (at, turn, half) in enumerate(CUBES):
-        surface = ice_surface(half, 40 + 13 * i, **FORM)
+        surface = ice_surface(half, 40 + 13 * i, **form(i))
 
         def is_inside(p, surface=surface, half=half):
             shares = [v / h for v, h in zip(p, half)]
@@ -165,6 +190,8 @@ def cracks():
         for k, tilt in enumerate(((70 + 9 * i, 20, 0), (15, 80 - 14 * i, 40),
                                   (-50, 40, 75 + 8 * i), (35, -30 + 20 * i, 110),
                                   (95, 130, 10 + 25 * i))):
+            if (i, k) == (2, 0):  # it would lie level before the straw, like a blade in the water
+                continue
             radius = 0.0121 if k == 1 else 0.0112 - 0.0012 * k  # one goes through all of the cube
             aside = 1 - k if k < 3 else k - 4.5
             lean, away = turned(*tilt), scale((0.0022, -0.0018, 0.0026), aside)
@@ -178,70 +205,153 @@ def outer_radius(y):
     return FOOT + (RIM - FOOT) * (y - BASE) / (HEIGHT - BASE)
 
 
-def scattered(pick):
+def tracks(pick):
+    """Where drops ran down: angle, lower and upper end, half of the width."""
+    for _ in range(TRACKS):
+        high = DEWY[0] + (DEWY[1] - DEWY[0]) * pick.uniform(0.35, 0.95)
+        low = high - pick.uniform(0.012, 0.045)
+        yield pick.uniform(0, 2 * math.pi), max(low, DEWY[0]), high, pick.uniform(0.0009, 0.002)
+
+
+def moist(angle, y):
+    """How much dew is there, from 0 to 1: it ends, unevenly, above the water and the table."""
+    c, s = math.cos(angle), math.sin(angle)
+    uneven = noise((2.2 * c, 2.2 * s, 60 * y), 21) + 0.5 * noise((7 * c, 7 * s, 200 * y), 22)
+    top = DEWY[1] + 0.0016 * uneven
+    return (smoothstep(top + 0.0015, top - 0.004, y) *
+            smoothstep(DEWY[0] - 0.001, DEWY[0] + 0.004 + 0.002 * uneven, y))
+
+
+def scattered(pick, ran):
     """Drops (angle, height, radius): large ones first, none on another one or in a track."""
     tries, least, most = DROPS
-    bottom, top = 0.006, LEVEL + 0.003
-    tracks = []
-    for _ in range(TRACKS):
-        high = bottom + (top - bottom) * pick.uniform(0.35, 0.95)
-        low = high - pick.uniform(0.012, 0.04)
-        tracks.append((pick.uniform(0, 2 * math.pi), max(low, bottom), high,
-                       pick.uniform(0.0009, 0.0015)))
-    kept = [(angle, low, 1.25 * half) for angle, low, _, half in tracks]
-    radii = sorted(((least ** -1.2 + pick.random() * (most ** -1.2 - least ** -1.2)) ** (-1 / 1.2)
-                    for _ in range(tries)), reverse=True)
+    steep = 1.7  # as many of a radius as its power of -2.7
+    kept = [(angle, low, 1.25 * half) for angle, low, _, half in ran]
+    near = {}  # the drops around each cell of 3 mm
+
+    def cells(angle, y):
+        i, j = int(angle * FOOT / 0.003), int(y / 0.003)
+        return [(a, b) for a in (i - 1, i, i + 1) for b in (j - 1, j, j + 1)]
+
+    def keep(row):
+        for cell in cells(*row[:2]):
+            near.setdefault(cell, []).append(row)
+    for row in kept:
+        keep(row)
+    radii = sorted(((least ** -steep + pick.random() * (most ** -steep - least ** -steep)) **
+                    (-1 / steep) for _ in range(tries)), reverse=True)
     for radius in radii:
-        angle, y = pick.uniform(0, 2 * math.pi), pick.uniform(bottom, top)
-        if any(low < y < high and abs(math.remainder(angle - a, 2 * math.pi)) * FOOT < half
-               for a, low, high, half in tracks):
+        angle, y = pick.uniform(0, 2 * math.pi), pick.uniform(DEWY[0], DEWY[1] + 0.002)
+        if pick.random() > moist(angle, y) or any(
+                low < y < high and abs(math.remainder(angle - a, 2 * math.pi)) * FOOT < half
+                for a, low, high, half in ran):
             continue
         across = outer_radius(y)
         if all(math.hypot(math.remainder(angle - a, 2 * math.pi) * across, y - b) >
-               1.1 * (radius + r) for a, b, r in kept):
+               1.12 * (radius + r) for a, b, r in near.get(cells(angle, y)[4], ())):
             kept.append((angle, y, radius))
+            keep(kept[-1])
     return kept
 
 
 def drop(angle, y, radius):
-    """A cap of water that hangs a little, and reaches into the glass."""
-    segments, rings = (7, 1) if radius < 0.0003 else (9, 2) if radius < 0.0006 else (14, 4)
+    """A cap of water that hangs a little, is not quite round, and reaches into the glass."""
+    segments, rings = (6, 1) if radius < 0.00033 else (8, 2) if radius < 0.0006 else (14, 4)
     slope = (RIM - FOOT) / (HEIGHT - BASE)
     c, s = math.cos(angle), math.sin(angle)
     up = unit((slope * c, 1, slope * s))
     aside, out = (-s, 0, c), unit((c, -slope, s))
     middle = (outer_radius(y) * c, y, outer_radius(y) * s)
-    contact = math.radians(55)
+    contact = math.radians(48)
     ball = radius / math.sin(contact)
+    first, second = 977 * angle, 3331 * y / LEVEL  # phases of the outline
 
-    def at(share, turn, deep=0.0):
+    def at(share, turn):
+        uneven = 1 + share * (0.07 * math.cos(2 * turn + first) +
+                              0.06 * math.cos(3 * turn + second))
         flat = radius * share
-        high = math.sqrt(ball * ball - flat * flat) - ball * math.cos(contact) - deep
-        v = 1.12 * flat * math.sin(turn) - 0.3 * max(high, 0)
-        return add(middle, add(scale(aside, flat * math.cos(turn)),
+        high = math.sqrt(ball * ball - flat * flat) - ball * math.cos(contact)
+        v = 1.1 * flat * uneven * math.sin(turn) - 0.3 * high
+        return add(middle, add(scale(aside, flat * uneven * math.cos(turn)),
                                add(scale(up, v), scale(out, high))))
+
+    def normal(share, turn):
+        return unit(cross(sub(at(share, turn), at(share - 0.02, turn)),
+                          sub(at(share, turn + 0.02), at(share, turn - 0.02))))
     turns = [2 * math.pi * k / segments for k in range(segments)]
-    points = [at(0, 0)]
+    points, normals = [at(0, 0)], [out]
     for i in range(1, rings + 2):
         share = math.sin(i / (rings + 1) * math.pi / 2)
         points += [at(share, turn) for turn in turns]
-    points += [at(0.97, turn, 0.0003) for turn in turns]
-    points.append(add(middle, scale(out, -0.0003)))
+        normals += [normal(share, turn) for turn in turns]
+    points.append(add(middle, scale(out, -0.0003 - 0.2 * radius)))
+    normals.append(scale(out, -1))
     faces = []
     last = len(points) - 1
     for k in range(segments):
         n = (k + 1) % segments
-        faces.append((0, 1 + n, 1 + k))
-        for i in range(rings + 1):
+        faces += [(0, 1 + n, 1 + k), (last, last - segments + k, last - segments + n)]
+        for i in range(rings):
             a, b = 1 + i * segments, 1 + (i + 1) * segments
             faces += [(a + k, a + n, b + n), (a + k, b + n, b + k)]
-        faces.append((last, last - segments + k, last - segments + n))
-    return Mesh(points, faces)
+    return Mesh(points, faces, normals)
 
 
-def dew():
+BREATH = (768, 384)  # texels around half of the glass and up it
+
+
+def breath(ran, drops):
+    """
+    Which share of light the glass lets pass unscattered, as transmission: a fog of the finest
+    drops lies between the others, but not where drops ran, nor around those that drank it. Its left
+    to right is the front of the glass, and again its back.
+    """
+    width, height = BREATH
+    rows = []
+    for j in range(height):
+        y = HEIGHT * (1 - (j + 0.5) / height)
+        rows.append([])
+        for i in range(width):
+            angle = math.pi * (i + 0.5) / width
+            at = (2.2 * math.cos(angle), 2.2 * math.sin(angle), 60 * y)
+            fog = moist(angle, y)
+            if fog:
+                fog *= 0.7 + 0.5 * noise(at, 31) + 0.25 * lattice(i, j, 0, 32)
+            rows[-1].append(fog)
+
+    def wipe(angle, low, high, half, soft):
+        """Takes the fog away within `half`, in metres, of an upright line."""
+        for j in range(max(int(height * (1 - (high + 2 * half) / HEIGHT)), 0),
+                       min(int(height * (1 - (low - 2 * half) / HEIGHT)) + 1, height)):
+            y = HEIGHT * (1 - (j + 0.5) / height)
+            away = y - min(max(y, low), high)
+            reach = 2 * half / outer_radius(y)
+            for i in range(max(int(width * (angle - reach) / math.pi), 0),
+                           min(int(width * (angle + reach) / math.pi) + 1, width)):
+                aside = (math.pi * (i + 0.5) / width - angle) * outer_radius(y)
+                rows[j][i] *= smoothstep(half, (1 + soft) * half, math.hypot(aside, away))
+    for angle, low, high, half in ran:
+        wipe(angle, low, high, half, 0.25)
+    for angle, y, radius in drops:
+        if radius > 0.0003:
+            wipe(angle, y, y, 1.12 * radius, 0.35)
+    steps = [bytes(round(min(max(v, 0), 1) * 40) for v in row) for row in rows]
+    return png(steps, [(1 - MATT * k / 40,) * 3 for k in range(41)])
+
+
+def breathed(mesh):
+    """Coordinates for breath(): around from the right to the left, and up the outside."""
+    for x, y, z in mesh.points:
+        r = math.hypot(x, z)
+        is_outside = r > outer_radius(y) - 0.0006 or y < 0.004
+        mesh.uvs.append((math.acos(min(max(x / r, -1), 1)) / math.pi if r else 0.5,
+                         1 - min(max(y / HEIGHT, 0.001), 0.999) if is_outside else 0.001))
+    return mesh
+
+
+def dew(drops):
     mesh = Mesh([], [], [])
-    for row in scattered(random.Random(55)):
+    for row in drops:
         mesh.join(drop(*row))
     return mesh
 
@@ -269,23 +379,105 @@ def spilled():
 
 def lamplit(x, z):
     """The table's light: less of it farther from the window to the left, behind."""
-    return 1 - 0.72 * smoothstep(-0.16, 0.2, x + 0.4 * z)
+    return (1 - 0.72 * smoothstep(-0.16, 0.2, x + 0.4 * z)) * (
+        1 - 0.35 * smoothstep(0.06, 0.3, math.hypot(x + 0.02, z)))
+
+
+BOARD = 0.085  # how wide one is
+GRAIN = (1024, (176, 176, 208, 272, 352))  # texels along the boards, and across each, from behind
+LONG = 0.62  # of the table, after which its grain repeats
+
+
+def board(seed, width, height):
+    """
+    A board cut along a log, as rows of shades from 0 to 47. Years are shells around the pith, which
+    lies aslant below the board, so they come up as arches; they bend around knots.
+    """
+    pick = random.Random(seed)
+    pith = pick.uniform(-0.02, 0.02) if seed % 3 else pick.uniform(0.05, 0.08)
+    deep, lean = pick.uniform(0.012, 0.03), pick.uniform(0.02, 0.09) * pick.choice((-1, 1))
+    fibres = [around.row_noise(width, pick.randrange(9, 70), seed + 10 + k) for k in range(61)]
+    wander = [around.row_noise(width, cells, seed + k) for k, cells in enumerate((3, 7, 17))]
+    bands = [pick.uniform(0.55, 1.25) for _ in range(64)]  # how dark a year's late wood is
+    tone = pick.uniform(4, 15)
+    rows = []
+    for j in range(height):
+        z = BOARD * ((j + 0.5) / height - 0.5)
+        fine = [fibres[k] for k in ((j * 7) % 61, (j // 2 * 5 + 11) % 61, (j // 5 * 13 + 3) % 61)]
+        edge = min(j + 0.5, height - 0.5 - j) * BOARD / height  # how far the joint is
+        row = bytearray()
+        for i in range(width):
+            x = LONG * (i + 0.5) / width
+            sway = (0.008 * (wander[0][i] - 0.5) + 0.003 * (wander[1][i] - 0.5))
+            below = deep + lean * (x - LONG / 2) + 0.012 * (wander[0][i] - 0.5)
+            r = math.hypot(z - pith + sway, below) + 0.0006 * wander[2][i]
+            dark = 0.0
+            for kx, kz, size in KNOTS.get(seed, ()):
+                away = math.hypot((x - kx) / 2.1, z - kz) / size
+                if away < 6:
+                    r += 0.012 * math.exp(-0.5 * away * away) + 0.001 * math.exp(-away / 3)
+                    dark += 20 * smoothstep(1.15, 0.7, away)
+            year = r / YEAR
+            whole = int(year)
+            t = year - whole
+            late = smoothstep(0.25, 0.93, t) if t < 0.93 else (1 - t) / 0.07
+            shade = (tone + 9 * late * bands[whole % 64] + dark + 6 * fine[0][i] + 6 * fine[1][i] +
+                     7 * fine[2][i] - 5)
+            if edge < 0.00045:
+                shade = 47
+            row.append(int(min(max(shade, 0), 47)))
+        rows.append(row)
+    return rows
+
+
+# Of boards, by their seeds: place along and across, size.
+KNOTS = {43: ((0.425, 0.014, 0.0042),), 41: ((0.17, -0.01, 0.005),)}
+YEAR = 0.0034  # how thick the years are
+
+
+def table_wood():
+    """Five boards, each of its own wood."""
+    width, heights = GRAIN
+    rows = [row for k, height in enumerate(heights) for row in board(40 + k, width, height)]
+    return png(rows, around.ramp([(.68, .515, .36), (.56, .41, .275), (.43, .3, .19),
+                                  (.3, .2, .12), (.13, .08, .048)], 48))
+
+
+def table():
+    """Boards from left to right, level at height 0: the five of table_wood(), and again."""
+    width, heights = GRAIN
+    ends = [sum(heights[:k]) / sum(heights) for k in range(6)]
+    mesh = Mesh([], [], [])
+    for i in range(10):
+        z = (i - 4.5) * BOARD
+        wood = sheet((-0.55, 0, z + BOARD), (1.1, 0, 0), (0, 0, -BOARD), 12, 1)
+        top, bottom = ends[i % 5], ends[i % 5 + 1]
+        wood.uvs = [((u - 0.5) * 1.1 / LONG + 0.5 + i // 5 * 0.37, bottom + (top - bottom) * v)
+                    for u, v in wood.uvs]
+        mesh.join(wood)
+    return mesh.painted(lambda p, n: (lamplit(p[0], p[2]),) * 3)
 
 
 def make():
     model = Model()
-    years, fibres = (model.texture(data) for data in around.wood(21, width=256))
-    wood = lit('wood', 1, baseColorTexture={'index': years},
-               metallicRoughnessTexture={'index': fibres})
-    model.add('table', around.boards(9, 0.085, 1.1, lamplit, 12, 1), wood)
+    pick = random.Random(55)
+    ran = [*tracks(pick)]
+    drops = scattered(pick, ran)
+    grain = {'index': model.texture(table_wood())}
+    # Late wood is dark, and the denser, the smoother: its green is its roughness, too.
+    wood = lit('wood', 0.95, baseColorTexture=grain, metallicRoughnessTexture=grain)
+    model.add('table', table(), wood)
+    clouded = {**GLASS, 'extensions': {**GLASS['extensions'], TRANSMISSION: {
+        'transmissionFactor': 1,
+        'transmissionTexture': {'index': model.texture(breath(ran, drops))}}}}
     printed = model.texture(paper())
-    model.add('straw', straw(), lit('straw', 0.5, baseColorTexture={'index': printed}))
+    model.add('straw', straw(), lit('straw', 0.8, baseColorTexture={'index': printed}))
     model.add('water', water(), WATER)
     model.add('spilled', spilled(), WATER)
     for i, cube in enumerate(cubes()):
         model.add(f'cube {i + 1}', cube, ICE)
-    model.add('glass', tumbler(), GLASS)
-    model.add('dew', dew(), WATER)
+    model.add('glass', breathed(tumbler()), clouded)
+    model.add('dew', dew(drops), WATER)
     model.add('bubbles', bubbles(), AIR)
     model.add('cracks', cracks(), AIR)
     model.camera((0.0135, 0.092, 0.262), (0.002, 0.0475, 0), 26)

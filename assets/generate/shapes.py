@@ -230,17 +230,21 @@ def sphere(radius, n):
 
 
 def ice_surface(half, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03, stretch=1.0,
-                fine=0.35):
+                fine=0.35, chips=()):
     """
     Where a block that has begun to melt ends, as a function of points on a cube of half width 1:
     rounded, uneven, with shallow hollows, `stretch` as tall as wide, and smaller ones in them,
-    `fine` as deep.
+    `fine` as deep. Each of `chips`, (direction, distance), breaks off what is farther from the
+    middle in that direction.
     """
     def at(p):
         r = sum(abs(v) ** exponent for v in p) ** (-1 / exponent)
         q = [v * r * h for v, h in zip(p, half)]
         d = unit(q)
         q = scale(q, 1 + bulge * noise(scale(d, 1.3), seed))
+        for way, most in chips:
+            most *= 1 + 0.03 * noise(scale(q, 300), seed + 3)
+            q = scale(q, min(most / max(dot(q, way), 1e-9), 1))
         place = (q[0] / cell, q[1] / cell / stretch, q[2] / cell)
         depth = waves * (hollows(place, seed + 7) + fine * hollows(scale(place, 2.1), seed + 11))
         return add(q, scale(d, depth))

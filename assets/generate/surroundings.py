@@ -28,37 +28,6 @@ def row_noise(count, cells, seed):
     return out
 
 
-def wood(seed, width=192, height=512):
-    """
-    A board, the grain along u: years as uneven lines that darken slowly and end sharply, fibres as
-    long thin streaks. Returns its colours, and in green its roughness.
-    """
-    bend = [4.2 * a + 1.1 * b for a, b in zip(row_noise(width, 3, seed),
-                                               row_noise(width, 9, seed + 1))]
-    fibres = [row_noise(width, 5 + k % 7, seed + 10 + k) for k in range(97)]
-    rows = []
-    for y in range(height):
-        v = y / height
-        tone = 9 * lattice(y, 1, 0, seed)
-        a, b = fibres[(y * 7) % 97], fibres[(y // 3 * 5 + 11) % 97]
-        # The years lie close at the board's edges and far apart along its middle.
-        base = 40 * (v - 0.5) * (0.35 + abs(v - 0.5)) + 60
-        edge = min(y, height - 1 - y)  # the joint between two boards
-        pull = 1.6 - 2.2 * abs(v - 0.5)
-        row = bytearray()
-        for x in range(width):
-            year = base + bend[x] * pull
-            whole = int(year)
-            t = year - whole
-            late = t ** 3 if t < 0.86 else (1 - t) * 4.5
-            value = 11 + 33 * late * (0.5 + ((whole * 37) % 11) / 11) + tone + 9 * a[x] + 9 * b[x]
-            row.append(63 if edge < 2 else int(min(max(value, 0), 63)))
-        rows.append(row)
-    colors = png(rows, ramp([(.78, .635, .49), (.65, .50, .365), (.46, .325, .21),
-                                (.23, .15, .095)]))
-    return colors, png(rows, ramp([(1, .26, 0), (1, .4, 0), (1, .52, 0)]))
-
-
 def slate(seed, side=256):
     """Dark split stone; its borders do not show where it repeats."""
     rows = [bytearray(side) for _ in range(side)]
@@ -94,20 +63,6 @@ def tiles(seed, side=256):
         rows.append(row)
     return png(rows, ramp([(.15, .14, .13), (.17, .27, .31), (.30, .42, .45), (.78, .75, .69),
                            (.93, .91, .86)]))
-
-
-def boards(count, width, length, light, columns=26, rows=6):
-    """Boards side by side along x, level at height 0; light(x, z) is multiplied in."""
-    table = Mesh([], [], [])
-    for i in range(count):
-        z = (i - count / 2) * width
-        # From left to right, and towards the eye: the front is on top.
-        board = sheet((-length / 2, 0, z + width), (length, 0, 0), (0, 0, -width),
-                      columns, rows)
-        shift, flip = lattice(i, 5, 0, 3), i % 2
-        board.uvs = [(u * length / 0.26 + shift, 1 - v if flip else v) for u, v in board.uvs]
-        table.join(board)
-    return table.painted(lambda p, n: (light(p[0], p[2]),) * 3)
 
 
 def floor(half, tile, light, steps=30):

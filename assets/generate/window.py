@@ -8,17 +8,17 @@ from studio import HEIGHT, WIDTH, lamp
 # A window's middle: azimuth to the right of -Z and elevation, degrees; half width and half height
 # of a pane as tangents of angles; panes across and up; radiance of the sky; colour
 WINDOWS = (
-    (-66, 33, 0.15, 0.22, 2, 3, 10, (1.0, 0.97, 0.92)),
-    (70, 29, 0.19, 0.21, 1, 3, 5.5, (0.86, 0.93, 1.0)),
+    (-61, 34, 0.18, 0.24, 2, 3, 7.4, (0.97, 0.99, 1.03)),
+    (70, 29, 0.21, 0.23, 1, 3, 4.6, (0.86, 0.93, 1.0)),
     (-163, 33, 0.22, 0.13, 1, 1, 1.7, (1.0, 0.96, 0.9)),
 )
 BAR = 0.012  # half of a bar between panes
 # Trees in the haze behind the windows: elevation of their tops, degrees, and how uneven they are;
 # colours of leaves in the shade and in the sun
-TREES = (27, 9, (0.1, 0.14, 0.06), (0.62, 0.72, 0.38))
+TREES = (19, 7, (0.13, 0.15, 0.13), (0.5, 0.53, 0.46))
 # It comes through the window to the left: azimuth and elevation as in environment.h; light
 SUN = (246, 33, 0.42, 0.36, 0.28)
-GLOW = (-4, 7, (0.72, 0.61, 0.44))  # the lit wall: azimuth and elevation, degrees; radiance
+GLOW = (-3, 9, (0.84, 0.69, 0.49))  # the lit wall: azimuth and elevation, degrees; radiance
 
 
 def walls():
@@ -28,13 +28,13 @@ def walls():
     for y in range(HEIGHT):
         height = (0.5 - (y + 0.5) / HEIGHT) * 180
         low = smoothstep(-40, -12, height)
-        room = mix((0.03, 0.024, 0.02), (0.044, 0.038, 0.032), low)
+        room = mix((0.03, 0.024, 0.019), (0.046, 0.037, 0.028), low)
         room = mix(room, (0.1, 0.094, 0.086), smoothstep(30, 75, height))
         tall = math.exp(-((height - elevation) / 20) ** 2) * low
         row = [[], [], []]
         for x in range(WIDTH):
             aside = ((x + 0.5) / WIDTH * 360 - 180) - azimuth
-            broad, narrow = (math.exp(-(aside / width) ** 2) for width in (38, 15))
+            broad, narrow = (math.exp(-(aside / width) ** 2) for width in (27, 12))
             share = tall * (0.45 * broad + 0.55 * narrow)
             for channel, value in zip(row, room):
                 channel.append(value)
@@ -50,7 +50,7 @@ def outside(d):
     height = math.degrees(math.asin(d[1]))
     top = tops + uneven * (noise(scale(d, 5), 3) + 0.5 * noise(scale(d, 13), 4))
     leaves = smoothstep(-0.35, 0.45, noise(scale(d, 17), 5) + 0.5 * noise(scale(d, 37), 6))
-    leaves = mix(mix(shade, sun, leaves), (0.55, 0.62, 0.66), 0.25)
+    leaves = mix(mix(shade, sun, leaves), (0.55, 0.62, 0.7), 0.45)
     gaps = smoothstep(0.35, 0.6, noise(scale(d, 29), 7)) * smoothstep(12, 0, top - height)
     clouds = smoothstep(-0.3, 0.5, noise((4 * d[0], 11 * d[1], 4 * d[2]), 8))
     sky = mix((0.84, 0.93, 1.06), (1.08, 1.07, 1.05), max(clouds, smoothstep(50, 24, height)))

@@ -26,7 +26,8 @@ const struct asset assets[] = {
         .kind = ASSET_SCENE,
         .environment = "window",
         .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.reach=1.5",
-                      "ground.light=traced", "ground.smooth=on", "trace.footprint=on" },
+                      "ground.light=traced", "ground.smooth=on", "trace.footprint=on",
+                      "trace.branch=0.045", "lens.f_stop=32", "lens.focus=0.24" },
         .help = "tumbler of water with three ice cubes and a straw",
     },
     {

@@ -1,8 +1,9 @@
 """beside.py: firn's reference beside a path tracer that shares no code with it, paths.c.
 
 Usage: beside.py FIRN SCENE.glb PANORAMA.exr [SAMPLES [WIDTHxHEIGHT [FILTER]]]
-It needs a C compiler (CC, or cc). Both draw the file's camera, with no sun and clear ice, and
-surfaces that are not clear as if they sent the light of their colours (KHR_materials_unlit).
+It needs a C compiler (CC, or cc). Both draw the file's camera, with no sun, clear ice and glass
+that nothing dims, and surfaces that are not clear as if they sent the light of their colours
+(KHR_materials_unlit).
 FILTER: point, the default: one ray goes through each pixel's middle, which paths.c follows by
 chance SAMPLES times, and the reference once, both ways at each surface; flat: the same, with the
 triangles' own normals; or box: both draw means over pixels of as many rays. Printed: the mean
@@ -52,12 +53,14 @@ class Glb:
         return [*struct.iter_unpack(kind, self.view(accessor['bufferView']))][:accessor['count']]
 
     def unlit(self):
-        """The file, in which what is not clear sends light of its colours."""
+        """The file, wholly clear or, what is not clear at all, sending light of its colours."""
         for material in self.json['materials']:
             more = material.setdefault('extensions', {})
             if 'KHR_materials_transmission' not in more:
                 more['KHR_materials_unlit'] = {}
                 material['pbrMetallicRoughness'].pop('metallicRoughnessTexture', None)
+            else:
+                more['KHR_materials_transmission'].pop('transmissionTexture', None)
         self.json['extensionsUsed'] = sorted({'KHR_materials_unlit',
                                               *self.json['extensionsUsed']})
         text = json.dumps(self.json).encode()
