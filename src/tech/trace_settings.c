@@ -33,7 +33,7 @@ static const struct setting rows[] = {
         .max = 1,
         .has_auto = true,
         .help = "minimum share of a path's light at which an internal reflection is followed as "
-                "well (0: always; auto: 0.015 for one clear object whose rays meet the "
+                "well (0: always; auto: 0.015 if all objects are clear and rays meet the "
                 "surroundings, else 0.03)",
     },
     {
@@ -165,8 +165,8 @@ static const float branch_of_clear = 0.015f, branch_of_others = 0.03f;
 
 float trace_branch(const struct scene *scene, const struct settings *settings)
 {
-    const uint32_t unclear = TRACE_HAS_MEDIA | TRACE_HAS_ROUGH | TRACE_HAS_SHINE | TRACE_HAS_DRESS |
-                             TRACE_HAS_CLOUD | TRACE_HAS_INCLUSIONS;
+    const uint32_t unclear = TRACE_HAS_ROUGH | TRACE_HAS_SHINE | TRACE_HAS_DRESS | TRACE_HAS_CLOUD |
+                             TRACE_HAS_INCLUSIONS;
     const struct trace_params *params = settings_of(settings, &trace_settings);
     if (params->branch >= 0.0f)
         return params->branch;

@@ -42,7 +42,7 @@ bool trace_meets_surroundings(const struct scene *scene, const struct settings *
 bool trace_has_motion(const struct settings *settings);
 
 /* Returns the share of light from which reflections inside are followed, as trace.branch says. With
- * `auto` it is less for one clear object whose rays meet what is around it. */
+ * `auto` it is less if all objects are clear and rays meet what is around them. */
 float trace_branch(const struct scene *scene, const struct settings *settings);
 
 #endif

@@ -123,7 +123,7 @@ class Trace(Case):
     def test_surroundings(self):
         self.check(0.004, 'sphere', *SIZE, '--set', 'trace.surroundings=rays',
                    '--set', 'refract.fresnel=exact', '--set', 'motion.count=2')
-        # one clear object: its first reflections inside are followed without a word
+        # of a clear object first reflections inside are followed without a word
         self.check(0.002, 'valley', *SIZE[:-2], '--set', 'trace.surroundings=rays')
 
     @unsanitized
