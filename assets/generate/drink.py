@@ -12,7 +12,7 @@ BASE, FLOOR, HEIGHT = 0.0002, 0.0105, 0.09  # heights of the glass: foot, inner 
 FOOT, RIM, WALL = 0.0335, 0.0395, 0.0024  # radii outside, and how thick the wall is at the rim
 LEVEL = 0.066  # of the water
 GLASS = glass('glass', 1.5, 3, 0.0024, (0.93, 0.97, 0.95), 0.1)
-ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=13)
+ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=8)
 WATER = glass('water', 1.333, 1, 0.07, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
 # Where each cube is, how it is turned, and its half widths.
@@ -23,7 +23,7 @@ CUBES = (
 )
 STRAW = ((-0.0195, 0.0137, 0.0), (0.0375, 0.1341, -0.036), 0.0026)  # foot, top, radius
 DROPS = (2100, 0.0003, 0.0013)  # that are tried; least and greatest radius
-DEWY = (0.0105, 0.0705)  # lower and upper end of the dew
+DEWY = (0.0125, 0.0705)  # lower and upper end of the dew
 MATT = 0.11  # share of light that the densest breath scatters
 TRACKS = 13  # of drops that ran down
 
@@ -95,7 +95,7 @@ def paper():
         rows.append(row)
     dry = [*around.ramp([(.58, .56, .51), (.8, .78, .74), (.89, .875, .84)], 32),
            *around.ramp([(.36, .07, .08), (.66, .11, .13), (.78, .24, .25)], 32)]
-    wet = [tuple(0.93 * v ** 1.4 for v in color) for color in dry]
+    wet = [tuple(0.86 * v ** 1.45 for v in color) for color in dry]
     return png(rows, dry + wet)
 
 
@@ -439,8 +439,8 @@ def table_wood():
     """Five boards, each of its own wood."""
     width, heights = GRAIN
     rows = [row for k, height in enumerate(heights) for row in board(40 + k, width, height)]
-    return png(rows, around.ramp([(.68, .515, .36), (.56, .41, .275), (.43, .3, .19),
-                                  (.3, .2, .12), (.13, .08, .048)], 48))
+    return png(rows, around.ramp([(.66, .48, .315), (.54, .375, .235), (.41, .27, .16),
+                                  (.28, .175, .1), (.12, .07, .04)], 48))
 
 
 def table():
