@@ -25,6 +25,7 @@ LEVEL = 0.00035  # of the water around the ice, over the stone's mean height
 RIM = 0.0032  # how far from its edge the water thins out
 CLIMB = (0.0009, 0.0008)  # how high water climbs at the ice, and how far from it, metres
 REACH = 0.0255  # mean radius of the water
+ROOM = 0.0055  # and how wide it is at least around the ice
 DAMP = 0.038  # and of the stone that is wet around it
 EYE, TARGET, ANGLE = (0.0056, 0.0226, -0.104), (-0.0012, 0.0186, 0), 27
 ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=4)
@@ -217,7 +218,8 @@ def meltwater(mesh, segments=224):
     edge, points = [], [(0, LEVEL + CLIMB[0], 0)]
     for k in range(segments):
         angle = 2 * math.pi * k / segments
-        edge.append((shore(angle) * math.cos(angle), -shore(angle) * math.sin(angle)))
+        out = max(shore(angle), inner[k] + ROOM)
+        edge.append((out * math.cos(angle), -out * math.sin(angle)))
     for share in (-1, *shares):
         for k, (x, z) in enumerate(edge):
             out = math.hypot(x, z)

@@ -18,6 +18,9 @@
 /* Share of the way to water's edge that ice covers at most; it bulges above the rest. */
 #define WITHIN 0.9f
 
+/* How deep a film fills hollows that it runs over, by how deep it was. */
+#define HOLLOW 3.0f
+
 enum {
     BEARINGS = 64,
 };
@@ -374,7 +377,8 @@ static void turn_normals(const struct model *model, struct mesh *films, struct m
 }
 
 /* Moves films' textures and heights after vertices that were elsewhere before. Stone that stood out
- * of the water does not make it thinner elsewhere: `level` is the ground's height below the ice. */
+ * of the water does not make it thinner elsewhere: `level` is the ground's height below the ice.
+ * Hollows are filled, the deeper, the deeper the water was: it stays level, but for its rim. */
 static void follow_ground(struct mesh *films, const struct mesh *before,
                           const struct growth *growth, const struct mesh *ground, float level)
 {
@@ -384,8 +388,9 @@ static void follow_ground(struct mesh *films, const struct mesh *before,
         const float dx = v->position.x - from.x, dz = v->position.z - from.z;
         if (fabsf(dx) + fabsf(dz) <= 0.0f)
             continue;
-        const float fall = ground_at(ground, v->position.x, v->position.z) -
-                           fminf(ground_at(ground, from.x, from.z), level);
+        const float deep = from.y - fminf(ground_at(ground, from.x, from.z), level);
+        const float filled = deep > 0.0f ? HOLLOW * deep : deep;
+        const float fall = ground_at(ground, v->position.x, v->position.z) + filled - from.y;
         v->uv = glms_vec2_muladds(growth->by_x, dx, glms_vec2_muladds(growth->by_z, dz, v->uv));
         if (fall < 0.0f && isfinite(fall))
             v->position.y += fall;
