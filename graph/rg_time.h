@@ -40,7 +40,8 @@ struct rg_measure {
     bool statistics; /* work is counted too, which takes time of its own */
 };
 
-/* What one pass costs. Without a clock its times are 0, without statistics its counts. */
+/* What one pass costs. Without a clock its times are 0, without statistics its counts. By
+ * timestamps, one that does not run (rg_pass.when) ends where it begins. */
 struct rg_pass_time {
     uint64_t begin, end;   /* of the device, from the beginning of the frame's first pass */
     uint64_t record_begin; /* of the host, from the frame's start */

@@ -69,6 +69,7 @@ struct exec_slot {
     bool submitted;
     struct rg_times times;       /* of its frame, so far */
     struct rg_pass_time *passes; /* of its frame; NULL: not measured */
+    uint32_t stamp_count;        /* timestamps of its frame */
 };
 
 /* The list of what is freed with an executor. */
@@ -254,7 +255,7 @@ uint64_t rg_time_now(void); /* nanoseconds, CLOCK_MONOTONIC */
 void rg_time_begin(struct rg_exec *exec, uint64_t start);
 void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands);
 void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass);
-void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass);
+void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass, bool drawn);
 VkResult rg_time_finish(struct rg_exec *exec, uint32_t index, uint64_t wait_start);
 
 /* region.c */

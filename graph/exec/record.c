@@ -170,11 +170,12 @@ static void record_pass(struct rg_exec *exec, uint32_t index, VkCommandBuffer co
                                             });
     rg_time_begin_pass(exec, commands, index);
     rg_exec_add_batch(exec, commands, cmd.plan_pass->first_barrier, cmd.plan_pass->barrier_count);
-    if (is_drawn(&cmd, frame)) {
+    const bool drawn = is_drawn(&cmd, frame);
+    if (drawn) {
         rg_exec_record_batch(exec, commands);
         rg_exec_record_work(&cmd, frame);
     }
-    rg_time_end_pass(exec, commands, index);
+    rg_time_end_pass(exec, commands, index, drawn);
     if (exec->vk.CmdEndDebugUtilsLabelEXT)
         exec->vk.CmdEndDebugUtilsLabelEXT(commands);
 }

@@ -25,6 +25,7 @@ struct exec_time {
     double period;                 /* nanoseconds */
     uint64_t *results;             /* room for what any pool has of a slot */
     struct rg_pass_time *passes;   /* of all slots */
+    uint32_t *ends;                /* of all slots: the timestamp that ends each pass */
     struct rg_pass_time *finished; /* of the last frame finished */
     struct rg_times times;
 };
@@ -74,6 +75,7 @@ VkResult rg_exec_make_time(struct rg_exec *exec)
     if (!exec->params.measured)
         return result;
     if (!RG_MAKE_ARRAY(exec, time, 1) || !RG_MAKE_ARRAY(exec, time->passes, query_count) ||
+        !RG_MAKE_ARRAY(exec, time->ends, query_count) ||
         !RG_MAKE_ARRAY(exec, time->finished, pass_count) ||
         !RG_MAKE_ARRAY(exec, time->results, (size_t)pass_count * COUNTED_COUNT + 1))
         return VK_ERROR_OUT_OF_HOST_MEMORY;
@@ -145,8 +147,9 @@ static bool is_stamped(const struct exec_slot *slot)
            slot->times.measure.clock == RG_CLOCK_EXACT;
 }
 
-static void stamp(const struct rg_exec *exec, VkCommandBuffer commands, uint32_t index)
+static void stamp(struct rg_exec *exec, VkCommandBuffer commands)
 {
+    const uint32_t index = exec->slots[exec->slot].stamp_count++;
     const VkMemoryBarrier2 all = {
         .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
         .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
@@ -167,13 +170,14 @@ static void stamp(const struct rg_exec *exec, VkCommandBuffer commands, uint32_t
 
 void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands)
 {
-    const struct exec_slot *slot = &exec->slots[exec->slot];
+    struct exec_slot *slot = &exec->slots[exec->slot];
     const uint32_t pass_count = exec->plan->pass_count;
     const uint32_t first = exec->slot * pass_count;
+    slot->stamp_count = 0;
     if (is_stamped(slot)) {
         exec->vk.CmdResetQueryPool(commands, exec->time->stamps, first_stamp(exec, exec->slot),
                                    pass_count + 1);
-        stamp(exec, commands, 0);
+        stamp(exec, commands);
     }
     if (slot->times.measure.statistics) {
         exec->vk.CmdResetQueryPool(commands, exec->time->counts, first, pass_count);
@@ -194,7 +198,9 @@ void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t
     }
 }
 
-void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass)
+/* A pass that does not run ends when the one before does: at each timestamp llvmpipe waits for all
+ * it has to draw. */
+void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass, bool drawn)
 {
     const struct exec_slot *slot = &exec->slots[exec->slot];
     const uint32_t query = exec->slot * exec->plan->pass_count + pass;
@@ -204,23 +210,23 @@ void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t p
         exec->vk.CmdEndQuery(commands, exec->time->samples, query);
         exec->vk.CmdEndQuery(commands, exec->time->counts, query);
     }
-    if (is_stamped(slot))
-        stamp(exec, commands, pass + 1);
+    if (is_stamped(slot) && drawn)
+        stamp(exec, commands);
+    exec->time->ends[query] = slot->stamp_count - 1;
     struct rg_pass_time *time = &slot->passes[pass];
     time->record = rg_time_now() - slot->times.start - time->record_begin;
 }
 
 /* ---- results ---- */
 
-/* Reads all that a pool has of a slot: `count` queries of `values` numbers each. */
-static VkResult read_pool(struct rg_exec *exec, VkQueryPool pool, uint32_t slot, uint32_t count,
+/* Reads `count` queries of a pool, of `values` numbers each. */
+static VkResult read_pool(struct rg_exec *exec, VkQueryPool pool, uint32_t first, uint32_t count,
                           uint32_t values)
 {
     const size_t stride = values * sizeof(uint64_t);
     VkResult result;
-    RG_CALL(exec, NULL, GetQueryPoolResults, exec->device, pool, slot * count, count,
-            count * stride, exec->time->results, stride,
-            VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+    RG_CALL(exec, NULL, GetQueryPoolResults, exec->device, pool, first, count, count * stride,
+            exec->time->results, stride, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
 fail:
     return result;
 }
@@ -230,19 +236,20 @@ static VkResult read_results(struct rg_exec *exec, uint32_t slot)
     const struct exec_time *time = exec->time;
     const uint64_t *results = time->results;
     const uint32_t pass_count = exec->plan->pass_count;
+    const uint32_t *ends = &time->ends[(size_t)slot * pass_count];
     struct rg_pass_time *passes = exec->slots[slot].passes;
     VkResult result = VK_SUCCESS;
     if (is_stamped(&exec->slots[slot]))
-        RG_PASS(read_pool(exec, time->stamps, slot, pass_count + 1, 1));
+        RG_PASS(read_pool(exec, time->stamps, first_stamp(exec, slot),
+                          exec->slots[slot].stamp_count, 1));
     for (uint32_t p = 0; p < pass_count && is_stamped(&exec->slots[slot]); p++) {
-        uint64_t begin = (results[p] - results[0]) & time->stamp_mask;
-        uint64_t end = (results[p + 1] - results[0]) & time->stamp_mask;
-        passes[p].begin = (uint64_t)((double)begin * time->period);
+        uint64_t end = (results[ends[p]] - results[0]) & time->stamp_mask;
+        passes[p].begin = p ? passes[p - 1].end : 0;
         passes[p].end = (uint64_t)((double)end * time->period);
     }
     if (!exec->slots[slot].times.measure.statistics)
         return result;
-    RG_PASS(read_pool(exec, time->counts, slot, pass_count, COUNTED_COUNT));
+    RG_PASS(read_pool(exec, time->counts, slot * pass_count, pass_count, COUNTED_COUNT));
     for (uint32_t p = 0; p < pass_count; p++) {
         const uint64_t *counts = &results[(size_t)p * COUNTED_COUNT];
         passes[p].vertices = counts[0];
@@ -250,7 +257,7 @@ static VkResult read_results(struct rg_exec *exec, uint32_t slot)
         passes[p].fragments = counts[2];
         passes[p].invocations = counts[3];
     }
-    RG_PASS(read_pool(exec, time->samples, slot, pass_count, 1));
+    RG_PASS(read_pool(exec, time->samples, slot * pass_count, pass_count, 1));
     for (uint32_t p = 0; p < pass_count; p++)
         passes[p].samples = results[p];
 fail:
