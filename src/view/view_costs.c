@@ -39,8 +39,8 @@ void view_costs_frame(struct view_costs *c, const struct rg_times *times, uint32
         passes += passes_of(&times[i]);
         slots += (double)times[i].begin * 1e-9;
     }
-    /* until every slot was used, there are no times yet */
-    const bool counts = c->end > 0.0 && c->frame_count >= GPU_SWAPCHAIN_SLOT_COUNT;
+    /* the times are those of the slot's earlier frame, which has waited for one before it */
+    const bool counts = c->end > 0.0 && c->frame_count >= 2 * GPU_SWAPCHAIN_SLOT_COUNT;
     c->last = (struct ui_pace){
         .frame = counts ? whole : 0.0,
         .device = fmax(passes, slots),
@@ -51,7 +51,7 @@ void view_costs_frame(struct view_costs *c, const struct rg_times *times, uint32
         c->counted++;
         c->frames += whole - c->limit;
         c->passes += passes;
-        c->host += fmax(whole - c->limit - slots - screen, 0.0);
+        c->host += whole - c->limit - slots - screen; /* `slots` is of an earlier frame */
     }
     c->frame_count++;
     c->rest = c->limit = 0.0;
@@ -117,9 +117,10 @@ void view_costs_print(const struct view_costs *c, FILE *out)
         fprintf(out, "%u frame%s\n", c->frame_count, c->frame_count == 1 ? "" : "s");
         return;
     }
-    const double beside = fmax(c->frames - c->passes - c->host, 0.0);
+    const double host = fmax(c->host, 0.0);
+    const double beside = fmax(c->frames - c->passes - host, 0.0);
     fprintf(out,
             "%u frames, %.2f ms each: %.2f ms passes, %.2f ms frame loop, %.2f ms presentation\n",
-            c->frame_count, c->frames * scale, c->passes * scale, c->host * scale, beside * scale);
+            c->frame_count, c->frames * scale, c->passes * scale, host * scale, beside * scale);
     print_moving(c, out);
 }
