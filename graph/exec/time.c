@@ -210,9 +210,11 @@ void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t p
         exec->vk.CmdEndQuery(commands, exec->time->samples, query);
         exec->vk.CmdEndQuery(commands, exec->time->counts, query);
     }
-    if (is_stamped(slot) && drawn)
-        stamp(exec, commands);
-    exec->time->ends[query] = slot->stamp_count - 1;
+    if (is_stamped(slot)) {
+        if (drawn)
+            stamp(exec, commands);
+        exec->time->ends[query] = slot->stamp_count - 1;
+    }
     struct rg_pass_time *time = &slot->passes[pass];
     time->record = rg_time_now() - slot->times.start - time->record_begin;
 }

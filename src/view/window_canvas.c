@@ -49,6 +49,14 @@ static void *map(void *user, uint32_t index, size_t size)
     return s->memory;
 }
 
+/* Errors, such as of a window that is gone, and what every client is told, as of new keys. */
+static void forget_events(struct window_canvas *c)
+{
+    xcb_generic_event_t *event;
+    while ((event = xcb_poll_for_queued_event(c->x)))
+        free(event);
+}
+
 static void wait(void *user, uint32_t index)
 {
     struct window_canvas *c = user;
@@ -56,6 +64,7 @@ static void wait(void *user, uint32_t index)
     if (s->is_shown)
         free(xcb_get_input_focus_reply(c->x, s->read, NULL));
     s->is_shown = false;
+    forget_events(c);
 }
 
 static void unmap(void *user, uint32_t index)

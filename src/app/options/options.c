@@ -115,7 +115,7 @@ static const struct option options[] = {
     { "Window", "screenshot", 0, "FILE", APP_VIEW, OUTPUTS(option_output),
       "file for the last frame, .png or .exr, written at the end; repeatable" },
     { "Window", "present", 0, "MODE", APP_VIEW, VIEW(option_present),
-      "present mode: fifo or mailbox (no tearing), or immediate (auto: the fastest)" },
+      "fifo or mailbox (no tearing), immediate, or shared memory, else fifo (auto)" },
     { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(view.fps_limit),
       "limit of the frame rate, frames per second, 1 to 1000 (none)", 1, 1000 },
     { "Window", "overlay", 0, "on|off", APP_VIEW, VIEW(option_overlay),
