@@ -2,7 +2,7 @@
 import math
 
 from files import png, unlit
-from shapes import Mesh, lattice, mix, noise, scale, sheet, smoothstep
+from shapes import Mesh, lattice, mix, scale, sheet, smoothstep
 
 
 def ramp(colors, count=64):
@@ -106,11 +106,6 @@ def painter(albedo, key=(0.5, 0.75, 0.45), fill=0.42):
         base = albedo(p, n) if callable(albedo) else albedo
         return tuple(min(c * share, 1) for c in base)
     return color
-
-
-def speckle(color, size, strength, seed):
-    """A colour that is uneven in spots of a size."""
-    return lambda p, n: scale(color, 1 + strength * noise(scale(p, 1 / size), seed))
 
 
 PAINTED = unlit('painted')  # its vertex colours are all there is
