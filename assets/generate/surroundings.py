@@ -2,7 +2,7 @@
 import math
 
 from files import png, unlit
-from shapes import Mesh, lattice, mix, scale, sheet, smoothstep
+from shapes import lattice, mix, scale, sheet, smoothstep
 
 
 def ramp(colors, count=64):
