@@ -33,9 +33,10 @@ vec3 seen_along()
  * caustics of the ice. */
 vec3 light_on(vec3 n, bool unlit)
 {
-    ice_shine shine = ice_shine_at(push.eye + eye_to_point);
+    ice_shine shine = ice_shine_at(push.eye + eye_to_point, n);
     vec3 sun = sky_sun() * max(dot(n, frame.sun_dir), 0.0);
-    return unlit ? 1.0 + sun * shine.through : sky_ambient(n) + sun * (shine.own + shine.through);
+    return unlit ? 1.0 + sun * shine.through
+                 : sky_ambient(n) + sun * (shine.own * shine.open + shine.through);
 }
 #else
 vec3 light_on(vec3 n, bool unlit)

@@ -53,9 +53,9 @@ vec3 sun_light(out vec3 through)
 {
     through = vec3(0.0);
 #ifdef BACKGROUND_SHINE
-    ice_shine shine = ice_shine_at(push.eye + eye_to_point);
+    ice_shine shine = ice_shine_at(push.eye + eye_to_point, normalize(normal));
     through = sky_sun() * shine.through;
-    return sky_sun() * shine.own + through;
+    return sky_sun() * (shine.own * shine.open) + through;
 #else
     return sky_sun();
 #endif

@@ -18,6 +18,7 @@ layout(location = 5) flat in vec4 places; /* of the textures of colour and emiss
 layout(location = 6) in vec3 sun;         /* light on the matt base, without shadow and caustics */
 layout(location = 7) in vec4 seen_by_sun; /* ice_light_clip() */
 layout(location = 8) flat in float open;  /* share of the sun's direct light: 0 if unlit, or 1 */
+layout(location = 9) in vec4 lifted;      /* the same as seen_by_sun, of ice_light_lifted() */
 #endif
 layout(location = 0) out vec4 color;
 
@@ -53,8 +54,8 @@ void main()
     vec4 base = constant_textured != 0u ? texel_at(textures, uv, places.xy) : vec4(1.0);
     vec3 on_base = matt;
 #ifdef BACKGROUND_SHINE
-    ice_shine shine = ice_shine_seen(seen_by_sun);
-    on_base += sun * (open * shine.own + shine.through);
+    ice_shine shine = ice_shine_seen(seen_by_sun, lifted);
+    on_base += sun * (open * shine.own * shine.open + shine.through);
 #endif
     color = vec4(on_base * base.rgb + glossy + glow(), 1.0);
     if (is_gone(base.a)) /* after all derivatives */

@@ -38,6 +38,7 @@ layout(location = 5) flat out vec4 out_places;
 layout(location = 6) out vec3 out_sun;
 layout(location = 7) out vec4 out_seen_by_sun;
 layout(location = 8) flat out float out_open;
+layout(location = 9) out vec4 out_lifted;
 #endif
 
 /* Returns the radiance of a surface without the sun's. */
@@ -131,6 +132,7 @@ void main()
     /* caustics are added to what is unlit */
     out_sun = is_lit ? sun : sky_sun() * color * max(dot(n, frame.sun_dir), 0.0);
     out_seen_by_sun = ice_light_clip(point);
+    out_lifted = ice_light_clip(ice_light_lifted(point, n));
     out_open = is_lit ? 1.0 : 0.0;
 #else
     out_matt += sun;

@@ -19,6 +19,11 @@
 #define ICE_CAUSTICS_GROUND 7 /* depth of the ground in the sun's view */
 #define ICE_CAUSTICS_FRONT  8 /* depth of the ice's front faces in the sun's view */
 
+/* The sun's view of all surroundings, which may hide it from each other. */
+#define ICE_CAUSTICS_SHADE       24   /* binding: its depth; 0 where there is none */
+#define ICE_CAUSTICS_SHADE_SIZE  2048 /* texels a side */
+#define ICE_CAUSTICS_SHADE_REACH 6.0f /* half its width, in those of the sun's view of the ice */
+
 /* Bindings of the passes that count photons. */
 #define ICE_CAUSTICS_LANDED 1 /* landing points of red; green and blue are 2 and 3 */
 #define ICE_CAUSTICS_COUNTS 4 /* maps of red, green and blue side by side */
@@ -32,6 +37,7 @@ struct ice_caustics_light {
     mat4s clip_from_world;
     float reach;
     float front; /* distance from the eye at which the ground begins, metres */
+    float lift;  /* of points over their own surface in the view of all surroundings, metres */
 };
 
 struct ice_caustics_push {

@@ -9,10 +9,11 @@ layout(push_constant, scalar) uniform Push
 };
 
 layout(location = 0) in vec3 eye_to_point;
+layout(location = 1) in vec3 normal;
 layout(location = 0) out float seen;
 
 void main()
 {
-    ice_shine shine = ice_shine_at(push.eye + eye_to_point);
-    seen = shine.own + shine.through.g;
+    ice_shine shine = ice_shine_at(push.eye + eye_to_point, normalize(normal));
+    seen = shine.own * shine.open + shine.through.g;
 }

@@ -113,13 +113,14 @@ vec3 trace_bent(trace_point p, vec3 n, vec3 texel, vec2 scales)
 
 /* Returns the light of the sun at a point on a matt white surface that faces it; `through`: what of
  * it has come through the objects, on whose own surface (`is_base`) all of it falls. */
-vec3 trace_sun(vec3 point, bool is_base, out vec3 through)
+vec3 trace_sun(trace_point p, bool is_base, out vec3 through)
 {
     through = vec3(0.0);
     float own = trace_has(TRACE_HAS_GROUND) && !is_base ? sun_share : 1.0;
 #ifndef TRACE_PHOTONS
     if (trace_has(TRACE_HAS_SUN) && !is_base) {
-        ice_shine shine = ice_shine_at(point);
+        ice_shine shine = ice_shine_at(p.position, p.outward);
+        own = trace_has(TRACE_HAS_GROUND) ? own : shine.open;
         through = sky_sun() * shine.through;
         return sky_sun() * shine.own * own + through;
     }
@@ -131,7 +132,7 @@ vec3 trace_sun(vec3 point, bool is_base, out vec3 through)
 vec3 trace_matt(trace_point p, vec3 to_eye, vec3 albedo, bool is_base)
 {
     vec3 through;
-    vec3 sun = trace_sun(p.position, is_base, through) * max(dot(p.normal, frame.sun_dir), 0.0);
+    vec3 sun = trace_sun(p, is_base, through) * max(dot(p.normal, frame.sun_dir), 0.0);
     if (constant_lit == 0u || (p.material & MESH_UNLIT) != 0u)
         return albedo * (1.0 + through * max(dot(p.normal, frame.sun_dir), 0.0));
     vec3 open = trace_has(TRACE_HAS_MATERIALS) ? lit_matt(p.normal) : sky_ambient(p.normal);
@@ -218,7 +219,7 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
                           lit_by_environment(s, split, unhidden, vec3(0.0)), on_matt, mirrored, n,
                           top, s.roughness, true);
     vec3 through;
-    vec3 sun = trace_sun(p.position, false, through) *
+    vec3 sun = trace_sun(p, false, through) *
                lit_by_light_on(s, top, n, -dir, frame.sun_dir, max(frame.sun_spread, sun_spread));
     return around * unhidden + sun + lit_by_lights_on(s, p.position, top, n, -dir) + glow;
 }

@@ -5,6 +5,7 @@
 #ifndef LIB_ICE_LIGHT_GLSL
 #define LIB_ICE_LIGHT_GLSL
 #include "ice_caustics.h"
+#include "lib/globals.glsl"
 
 layout(set = 0, binding = ICE_CAUSTICS_LIGHT, scalar) uniform Light
 {
@@ -19,6 +20,19 @@ vec4 ice_light_clip(vec3 point)
 vec2 ice_light_uv(vec4 clip)
 {
     return clip.xy / clip.w * 0.5 + 0.5;
+}
+
+/* Returns a point a little nearer to the sun than the surface it is on, either of whose normals is
+ * `n`, so that the surface's own depth in the sun's view of all surroundings does not hide it. */
+vec3 ice_light_lifted(vec3 point, vec3 n)
+{
+    return point + (dot(n, frame.sun_dir) < 0.0 ? -light.lift : light.lift) * n;
+}
+
+/* Returns a position of the map in the sun's view of all surroundings. */
+vec4 ice_light_shade_clip(vec4 clip)
+{
+    return vec4(clip.xy * (light.reach / ICE_CAUSTICS_SHADE_REACH), clip.zw);
 }
 
 /* Looks up an image of the sun's view of the ice at a position of the map; 0 outside of the
@@ -45,6 +59,18 @@ bool ice_light_is_hidden(sampler2D ground, vec4 clip)
     vec4 d = textureGather(ground, ice_light_uv(clip));
     float farthest = min(min(d.x, d.y), min(d.z, d.w));
     return clip.z / clip.w < farthest * (1.0 - slack);
+}
+
+/* Returns the share of four texels beside each other, weighted by their distances to a place, that
+ * are not nearer to the sun than the place. */
+float ice_light_open(sampler2D shade, vec2 uv, float depth)
+{
+    vec2 at = uv * float(ICE_CAUSTICS_SHADE_SIZE) - 0.5;
+    vec2 part = at - floor(at);
+    uv = (floor(at) + 1.0) / float(ICE_CAUSTICS_SHADE_SIZE);
+    vec4 open = vec4(lessThanEqual(textureGather(shade, uv), vec4(depth)));
+    vec2 across = mix(open.wx, open.zy, part.x); /* of the rows at lower and higher v */
+    return mix(across.x, across.y, part.y);
 }
 
 #endif

@@ -8,28 +8,44 @@ layout(set = 0, binding = ICE_CAUSTICS_MAP) uniform sampler2D shine_map;
 layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D shine_ground;
 layout(set = 0, binding = ICE_CAUSTICS_FRONT) uniform sampler2D shine_front;
 
+layout(set = 0, binding = ICE_CAUSTICS_SHADE) uniform sampler2D shine_shade;
+
 struct ice_shine {
     vec3 through; /* light through the ice, relative to the sun's direct light */
     float own;    /* share of the sun's direct light that the ice does not cover */
+    float open;   /* share of it that surroundings do not hide */
 };
 
-/* Returns the light at a point in the sun's view, ice_light_clip(). Points that are hidden from the
- * sun get none through the ice. */
-ice_shine ice_shine_seen(vec4 clip)
+/* Returns `ice_shine.open` of a lifted point of the sun's view. Shadows fade towards its edge. */
+float ice_shine_open(vec4 clip)
 {
+    vec2 uv = ice_light_uv(ice_light_shade_clip(clip));
+    vec2 inwards = min(uv, 1.0 - uv);
+    float faded = 1.0 - smoothstep(0.0, 0.1, min(inwards.x, inwards.y));
+    if (clip.w <= 0.0 || faded == 1.0)
+        return 1.0;
+    return mix(ice_light_open(shine_shade, uv, clip.z / clip.w), 1.0, faded);
+}
+
+/* Returns the light at a point in the sun's view, ice_light_clip(). Points that are hidden from the
+ * sun get none through the ice; `lifted` is the point for ice_shine_open(). */
+ice_shine ice_shine_seen(vec4 clip, vec4 lifted)
+{
+    float open = ice_shine_open(lifted);
     vec2 uv = ice_light_uv(clip);
     if (clip.w <= 0.0 || any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0))))
-        return ice_shine(vec3(0.0), 1.0);
+        return ice_shine(vec3(0.0), 1.0, open);
     vec4 found = textureLod(shine_map, uv, 0.0);
     if (ice_light_is_hidden(shine_ground, clip))
         found.rgb = vec3(0.0);
     bool covered = constant_ice_shadow != 0u && !ice_light_is_before(shine_front, clip);
-    return ice_shine(found.rgb, covered ? 1.0 - found.a : 1.0);
+    return ice_shine(found.rgb, covered ? 1.0 - found.a : 1.0, open);
 }
 
-ice_shine ice_shine_at(vec3 point)
+/* Returns the light at a point of a surface with a normal, as its vertices have it. */
+ice_shine ice_shine_at(vec3 point, vec3 n)
 {
-    return ice_shine_seen(ice_light_clip(point));
+    return ice_shine_seen(ice_light_clip(point), ice_light_clip(ice_light_lifted(point, n)));
 }
 
 #endif

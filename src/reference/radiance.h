@@ -18,6 +18,7 @@ struct radiance {
     float linear[256];             /* linear values of the textures' bytes */
     bool is_traced; /* ground.h finds what hides the light around, so textures of occlusion do not
                        count; set by the caller */
+    bool hides_sun; /* surroundings keep the sun from each other; set by the caller */
 };
 
 /* What objects make of the light at a point. */

@@ -472,6 +472,9 @@ static bool prepare(struct job *job, const struct renderer_shot *shot)
     const struct ground_params *ground = settings_of(request->settings, &ground_settings);
     job->radiance = radiance_of(view.scene, &job->globals);
     job->radiance.is_traced = ground->light == GROUND_TRACED;
+    const struct ice_caustics_params *sun = settings_of(request->settings, &ice_caustics_settings);
+    const bool is_mapped = !request->scene->has_pool && ice_caustics.is_on(request->settings);
+    job->radiance.hides_sun = job->radiance.is_traced || (is_mapped && sun->ground);
     job->inclusions = inclusions_of(&job->radiance, request->settings);
     job->tracing = tracing_of(job);
     return true;

@@ -51,12 +51,12 @@ static bool find_sun(const struct tracing *tracing, const struct bvh_hit *hit,
     return tracing->photons || is_tile;
 }
 
-/* Lets surroundings hide the sun, where light on them is traced. Returns whether they may. */
+/* Lets surroundings hide the sun. Returns whether they may. */
 static bool hide_sun(const struct tracing *tracing, const struct bvh_hit *hit,
                      const struct branch *b, bool is_found, struct radiance_sun *sun)
 {
     const vec3s light = tracing->radiance->globals->sun_light;
-    if (!tracing->radiance->is_traced || !(glms_vec3_max(light) > 0.0f))
+    if (!tracing->radiance->hides_sun || !(glms_vec3_max(light) > 0.0f))
         return false;
     if (!is_found)
         *sun = (struct radiance_sun){ .sky = glms_vec3_one(), .own = 1.0f };

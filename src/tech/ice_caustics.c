@@ -14,7 +14,11 @@
  * ice's outside. Ground that the sun cannot see behind the ice gets no caustics. Beams end at the
  * first surface on their path in the sun's view, even where they would pass behind it or through
  * holes of a cut-out texture. Each photon covers three by three texels, which blurs the map.
- * Cracks, air, bubbles and frost transmit all light; surroundings cast no shadows.
+ * Cracks, air, bubbles and frost transmit all light.
+ *
+ * Surroundings hide the sun from each other by a depth buffer of all of them in its view, which
+ * points are compared with that are lifted over their own surface (Holbein 2011, "Saying Goodbye to
+ * Shadow Acne"). It reaches ICE_CAUSTICS_SHADE_REACH radii of the ice; its edges are a texel soft.
  */
 #include "src/tech/ice_caustics.h"
 #include <cglm/struct.h>
@@ -30,7 +34,7 @@
 #include "src/tech/refract_bounce.h"
 #include "src/tech/row_builder.h"
 
-static rg_record_fn record_ground, record_photons, record_clear, record_splat;
+static rg_record_fn record_ground, record_shade, record_photons, record_clear, record_splat;
 static rg_record_fn record_layers;
 
 /* What frames read in which it is not due is persistent. */
@@ -75,6 +79,13 @@ static const struct rg_image landed_blue =
     PICTURE("ice_caustics.landed_blue", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 
 const struct rg_image ice_caustics_ground = MAP("ice_caustics.ground", VK_FORMAT_D32_SFLOAT);
+const struct rg_image ice_caustics_shade = {
+    .name = "ice_caustics.shade",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .width = ICE_CAUSTICS_SHADE_SIZE,
+    .height = ICE_CAUSTICS_SHADE_SIZE,
+    .persistent = true,
+};
 const struct rg_image ice_caustics_map = MAP("ice_caustics.map", VK_FORMAT_R16G16B16A16_SFLOAT);
 
 static const struct rg_image counts = {
@@ -98,6 +109,7 @@ const struct rg_use ice_caustics_uses[] = {
     FRAME_SAMPLE(ice_caustics_map, ICE_CAUSTICS_MAP, .sampler = &frame_linear),
     FRAME_READ(ice_caustics_ground, ICE_CAUSTICS_GROUND),
     FRAME_READ(ice_caustics_front_depth, ICE_CAUSTICS_FRONT),
+    FRAME_READ(ice_caustics_shade, ICE_CAUSTICS_SHADE),
     { 0 },
 };
 
@@ -124,7 +136,7 @@ static const struct rg_use traced_uses[] = {
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
 enum {
-    PHOTONS_ROW = 3 /* index in `passes` */
+    PHOTONS_ROW = 4 /* index in `passes` */
 };
 
 static bool is_due(const struct rg_frame *frame, uint32_t repetition)
@@ -171,6 +183,20 @@ static const struct rg_pass passes[] = {
         .frag = &ice_caustics_ground_frag,
         .vertices = &frame_mesh_layout,
         .record = record_ground,
+        .when = is_due,
+    },
+    {
+        .name = "ice_caustics.shade",
+        .depth = { &ice_caustics_shade, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = RG_USES(
+            FRAME_USE_GLOBALS, USE_LIGHT,
+            FRAME_SAMPLE(frame_textures, BACKGROUND_TEXTURES, .sampler = &frame_texture_sampler),
+            FRAME_SAMPLE(frame_materials, BACKGROUND_MATERIALS, .sampler = NULL)),
+        .vert = &ice_caustics_shade_vert,
+        .frag = &ice_caustics_shade_frag,
+        .vertices = &frame_mesh_layout,
+        .record = record_shade,
         .when = is_due,
     },
     {
@@ -235,6 +261,13 @@ static const struct rg_pass seen_row = {
 static void record_ground(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
+}
+
+static void record_shade(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct ice_caustics_params *params = settings_of(frame->settings, &ice_caustics_settings);
+    if (params->ground)
+        rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
 static void push_photons(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -330,6 +363,15 @@ static const struct setting rows[] = {
         .affects = SETTING_AFFECTS_PLAN,
         .help = "block direct sunlight in the ice's shadow (off: caustics are added to it)",
     },
+    {
+        .name = "ice_caustics.ground",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct ice_caustics_params, ground),
+        .initial = 1,
+        .max = 1,
+        .help = "let surroundings keep the sun from each other, up to 6 radii from the ice (off: "
+                "only where ground.light=traced)",
+    },
 };
 
 const struct setting_group ice_caustics_settings =
@@ -418,6 +460,8 @@ void ice_caustics_write_light(void *memory, const struct frame_view *view,
                                    scene_near_plane(view->scene), (vec2s){ { 0.0f, 0.0f } }),
         .reach = params->reach,
         .front = ICE_CAUSTICS_DISTANCE * radius - radius,
+        .lift = 1.5f * 2.0f * ICE_CAUSTICS_MARGIN * ICE_CAUSTICS_SHADE_REACH * radius /
+                ICE_CAUSTICS_SHADE_SIZE,
     };
     for (int column = 0; column < 4; column++) {
         map->clip_from_world.raw[column][0] /= params->reach;

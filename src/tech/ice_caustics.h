@@ -8,6 +8,7 @@ struct ice_caustics_params {
     uint32_t light;  /* ICE_CAUSTICS_NONE ... */
     float reach;     /* half width of the map, radii of the object's bounding sphere */
     uint32_t shadow; /* 1: the ice casts a shadow, which only light that it transmits reaches */
+    uint32_t ground; /* 1: surroundings cast shadows on each other */
 };
 
 /* Upload buffers: the globals of the sun's view of the ice, and the position of the map. */
@@ -17,7 +18,7 @@ extern const struct rg_buffer ice_caustics_light;   /* struct ice_caustics_light
 /* The light map, as seen from the sun. rgb: light relative to the sun's direct light; a: cover of
  * the ice. */
 extern const struct rg_image ice_caustics_map;
-extern const struct rg_image ice_caustics_ground, ice_caustics_front_depth;
+extern const struct rg_image ice_caustics_ground, ice_caustics_front_depth, ice_caustics_shade;
 
 extern const struct setting_group ice_caustics_settings;
 

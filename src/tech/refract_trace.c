@@ -287,6 +287,7 @@ static const struct rg_use sun_uses[] = {
     FRAME_SAMPLE(ice_caustics_map, ICE_CAUSTICS_MAP, .sampler = &frame_linear, .fallback = &no_map),
     FRAME_SAMPLE(ice_caustics_ground, ICE_CAUSTICS_GROUND, .fallback = &no_map),
     FRAME_SAMPLE(ice_caustics_front_depth, ICE_CAUSTICS_FRONT, .fallback = &no_map),
+    FRAME_SAMPLE(ice_caustics_shade, ICE_CAUSTICS_SHADE, .fallback = &no_map),
     { 0 },
 };
 

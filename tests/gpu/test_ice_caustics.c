@@ -126,7 +126,7 @@ static double seen_within(const struct lit_floor *lit, double radius)
 static void check_ball(struct gpu *gpu, double below, bool roof)
 {
     static const char *const no_shadow[] = { "sky.sun_elevation=90", "ice_caustics.shadow=off",
-                                             NULL };
+                                             "ice_caustics.ground=off", NULL };
     static const double radii[] = { 0.15, 0.2, 0.35, 0.5, 0.8, 1.6 };
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 40000);
     add_level(&scene, 20, (float)-below);
@@ -261,12 +261,43 @@ static void a_slab_takes_its_share(void **state)
     scene_finish(&scene);
 }
 
+/* ---- surroundings ---- */
+
+/* The sun stands on +x, 50 degrees high, a level square above the floor. */
+static void surroundings_shade_each_other(void **state)
+{
+    static const char *const slanted[] = { "sky.sun_elevation=50", "sky.sun_azimuth=90", NULL };
+    const double half = 0.4, above = 0.3, below = 3, margin = 0.03;
+    const double shift = above / tan(50 * pi / 180);
+    double sums[2] = { 0 };
+    double counts[2] = { 0 };
+    struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, -3 } }, 1000);
+    add_level(&scene, 5, (float)-below);
+    add_level(&scene, (float)half, (float)(above - below));
+    struct lit_floor lit = draw(*state, &scene, (float)-below, 3, slanted);
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
+        const struct vec at = picture_at(lit.position, i);
+        const double out = fmax(fabs(at.x + shift), fabs(at.z)) - half;
+        if (fabs(out) < margin)
+            continue;
+        sums[out < 0] += (double)lit.light[i];
+        counts[out < 0]++;
+    }
+    print_message("%.4f of 1, %.4f of 0\n", sums[0] / counts[0], sums[1] / counts[1]);
+    assert_true(counts[0] > 2000 && counts[1] > 2000);
+    CHECK_NEAR(sums[0] / counts[0], 1, 0.01);
+    CHECK_NEAR(sums[1] / counts[1], 0, 0.001);
+    render_result_finish(&lit.result);
+    scene_finish(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ball_gathers_light),
         cmocka_unit_test(a_roof_is_not_in_the_way),
         cmocka_unit_test(a_slab_takes_its_share),
+        cmocka_unit_test(surroundings_shade_each_other),
     };
     return RUN_ON_DEVICE(tests);
 }

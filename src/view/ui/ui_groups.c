@@ -74,6 +74,7 @@ static const struct {
     { UI_LIGHT, "light.distance" },
     { UI_LIGHT, "motion.lights" },
     { UI_LIGHT, "ice_caustics.shadow" },
+    { UI_LIGHT, "ice_caustics.ground" },
     { UI_LIGHT, "ice_caustics.reach" },
     { UI_CAMERA, "lens.f_stop" },
     { UI_CAMERA, "lens.focus" },

@@ -38,6 +38,7 @@ static const struct {
     { "contact.strength", "occlusion ao ambient shadow foot ground dark" },
     { "mirror.steps", "reflection wet polished glossy floor table ssr" },
     { "ice_caustics.shadow", "shade dark" },
+    { "ice_caustics.ground", "shadow shade dark" },
     { "env_cube.size", "reflection resolution sharp sharpness pixelated" },
     { "target.scale", "resolution supersampling antialiasing sharp sharpness pixelated" },
     { "motion.ice", "spin turn rotate rotation turntable speed animation" },
