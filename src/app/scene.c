@@ -7,6 +7,7 @@
 #include "src/render/renderer.h"
 #include "src/scene/asset.h"
 #include "src/scene/material.h"
+#include "src/scene/material_rows.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
 #include "src/tech/bubbles.h"
@@ -14,6 +15,7 @@
 #include "src/tech/cracks.h"
 #include "src/tech/frame_media.h"
 #include "src/tech/frost.h"
+#include "src/tech/ice_caustics.h"
 #include "src/tech/local_box.h"
 #include "src/tech/pool.h"
 #include "src/tech/refract.h"
@@ -38,6 +40,20 @@ static bool settle_ior(struct app_scene *given, const struct scene *scene)
     else if (!given->is_set[index] && given->material)
         settings_put(&given->settings, ior, (double)material_preset_find(given->material)->ior);
     return is_own;
+}
+
+/* Where the sun shines on what a file has around its objects, all of it has shadows, and light
+ * gathers in those of clear things. */
+static void settle_sun(struct app_scene *given, const struct scene *scene)
+{
+    const struct setting *row =
+        settings_row(&ice_caustics_settings, offsetof(struct ice_caustics_params, light));
+    const size_t index = settings_index(row);
+    const bool is_said = given->is_set[index] || given->is_preset[index] || given->is_own[index];
+    if (!is_said && !given->plain && !scene_find_builtin(given->name) &&
+        material_rows_has_lit(&scene->model.surroundings) &&
+        glms_vec3_max(frame_sun_light(scene, &given->settings)) > 0.0f)
+        settings_put(&given->settings, row, ICE_CAUSTICS_SUN);
 }
 
 static void switch_off(struct app_scene *given, const struct technique *technique)
@@ -213,6 +229,7 @@ void app_settle_settings(struct app_scene *given, const struct scene *scene)
     undress(given, scene);
     check_inclusions(given, scene, false);
     (void)settle_ior(given, scene);
+    settle_sun(given, scene);
 }
 
 struct settings app_own_settings(const struct app_scene *given, const struct scene *scene)
@@ -382,6 +399,7 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
         scene_finish(scene);
     } else {
         scene->settled_ior = settle_ior(given, scene) ? scene->model.ior : 0.0f;
+        settle_sun(given, scene);
         check_box(given, scene);
         check_lights(given, scene);
         note_brightness(given, scene);

@@ -227,21 +227,30 @@ VkRect2D frame_view_foot_area(const struct frame_view *view, const struct global
     return frame_view_box_area(view, globals, box, size, 0.2f);
 }
 
+vec3s frame_sun_light(const struct scene *scene, const struct settings *settings)
+{
+    const struct sky_params *sky = settings_of(settings, &sky_settings);
+    const struct env_params *env = settings_of(settings, &env_settings);
+    const vec3s own = env->sun == ENV_SUN_OWN ? glms_vec3_one() : scene->environment.sun.light;
+    if (scene->background == SCENE_SKY || scene->has_pool)
+        return glms_vec3_scale(SKY_SUN_COLOR, sky->strength * sky->sun_strength);
+    if (scene->background != SCENE_ENVIRONMENT || env->sun == ENV_SUN_NONE)
+        return glms_vec3_zero();
+    return glms_vec3_scale(own, env->sun_strength);
+}
+
 /* The panorama's sun, whose disc has that radius. */
 static void place_environment_sun(const struct frame_view *view, float radius, struct globals *g)
 {
     const struct env_params *params = settings_of(view->settings, &env_settings);
     const struct environment *environment = &view->scene->environment;
-    const struct environment_sun *sun = &environment->sun;
     const bool is_own = params->sun == ENV_SUN_OWN;
-    g->sun_light = glms_vec3_zero();
     g->sun_spread = 0.5f * radius;
-    if (params->sun == ENV_SUN_NONE || !(is_own || glms_vec3_max(sun->light) > 0.0f))
+    if (params->sun == ENV_SUN_NONE || !(is_own || glms_vec3_max(environment->sun.light) > 0.0f))
         return;
-    g->sun_light = glms_vec3_scale(is_own ? glms_vec3_one() : sun->light, params->sun_strength);
     g->sun_radius = radius;
     g->sun_dir = is_own ? environment_direction(params->sun_azimuth, params->sun_elevation)
-                        : glms_vec3_rotate(sun->dir, environment->turn * 6.28318531f,
+                        : glms_vec3_rotate(environment->sun.dir, environment->turn * 6.28318531f,
                                            (vec3s){ { 0.0f, 1.0f, 0.0f } });
 }
 
@@ -249,13 +258,11 @@ static void place_environment_sun(const struct frame_view *view, float radius, s
  * that its disc has if there is one. */
 static void place_sun(const struct frame_view *view, struct globals *g)
 {
-    const enum scene_background background = view->scene->background;
     const float radius = g->sun_radius;
     g->sun_radius = 0.0f;
     g->sun_spread = LIT_SUN_SPREAD;
-    if (background == SCENE_SKY || view->scene->has_pool)
-        g->sun_light = glms_vec3_scale(SKY_SUN_COLOR, g->sky_strength * g->sun_strength);
-    else if (background == SCENE_ENVIRONMENT)
+    g->sun_light = frame_sun_light(view->scene, view->settings);
+    if (view->scene->background == SCENE_ENVIRONMENT && !view->scene->has_pool)
         place_environment_sun(view, radius, g);
 }
 

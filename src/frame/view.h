@@ -39,6 +39,9 @@ VkRect2D frame_view_foot_area(const struct frame_view *view, const struct global
 /* Returns the push constants for face 0 to 5 of the environment cube, in Vulkan's order. */
 struct background_push frame_view_face(const struct frame_view *view, uint32_t face);
 
+/* Returns the light of the sun on a white surface that faces it, as a radiance; 0 without a sun. */
+vec3s frame_sun_light(const struct scene *scene, const struct settings *settings);
+
 /* Returns the uniform data of a frame. `push` is frame_view_push(). */
 struct globals frame_view_globals(const struct frame_view *view,
                                   const struct background_push *push);

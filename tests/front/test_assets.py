@@ -208,6 +208,24 @@ class Studio(Case):
         for words in ('sphere',), ('a.gltf', '--background', '1,1,1'):
             self.assertNotIn(' env=', self.draw(*words)[1])
 
+    def test_the_sun_brings_shadows(self):
+        """Where it shines on what a file has around its objects, unless options say otherwise."""
+        def light_of(*words):
+            self.succeed('render', 'a.gltf', '--size', '16x16', '--samples', '1', '-r', 'one-sided',
+                         *words, '-o', 'a.exr')
+            words = Exr((self.folder / 'a.exr').read_bytes()).text('firn/settings')
+            return words.partition(' ice_caustics.light=')[2].split()[0]
+        floor = {'pbrMetallicRoughness': {'metallicFactor': 0}}
+        (self.folder / 'a.gltf').write_text(boxes((glass(), [0, 0, 0], 1),
+                                                  (floor, [0, -3, 0], 2)))
+        self.assertEqual(light_of('--env', 'sky'), 'sun')
+        self.assertEqual(light_of('--env', 'alps'), 'sun')
+        for words in ((), ('--env', 'alps', '--set', 'env.sun=none'), ('--env', 'sky', '--plain'),
+                      ('--env', 'sky', '--set', 'ice_caustics.light=none')):
+            self.assertEqual(light_of(*words), 'none', words)
+        (self.folder / 'a.gltf').write_text(boxes((glass(), [0, 0, 0], 1)))
+        self.assertEqual(light_of('--env', 'alps'), 'none')
+
     @long
     def test_an_asset_in_its_own(self):
         """With its own settings, unless options say otherwise."""
