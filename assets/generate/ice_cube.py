@@ -5,8 +5,8 @@ and cracks. Its meltwater is a film: a smooth surface, below which the stone is 
 """
 from files import Model, lit
 from shapes import Mesh, dot, scale
-from slate import (ANGLE, BUMPS, EYE, ICE, TARGET, VIEW, block, meltwater, slab, stone,
-                   texture_places, tone)
+from slate import (ANGLE, BUMPS, EYE, ICE, TARGET, VIEW, block, meltwater, pieces, slab,
+                   stone, texture_places, tone)
 
 WET = 0.7  # how bright stone is below water
 
@@ -37,7 +37,7 @@ def make():
     model = Model()
     model.used.add('KHR_texture_transform')
     ice, dry = block(40), stone(model)
-    for name, mesh, material in (('slab', slab(60, 50), dry),
+    for name, mesh, material in (('slab', slab(60, 50).join(pieces(9, 3, (0.6, 1), 100)), dry),
                                  ('water', water(ice), below_water(dry)),
                                  ('cube', ice, ICE)):
         model.add(name, mesh.placed(VIEW, (0, 0, 0)), material)

@@ -19,7 +19,13 @@ SIDE = 512  # texels of a side of the texture of what is wet
 # the cleavage: waves along and across it in the tile, and their height, metres.
 GRAIN, TILE = 384, 0.037
 WAVES = ((7, 17, 0.00006), (19, 43, 0.000035), (47, 101, 0.000014), (113, 191, 0.000006))
-STEP = 0.0011  # height of a layer of the stone
+# Pieces of broken layers that lie on the stone: middle, half sizes, and turn of the outline;
+# thickness; of how many layers, which have broken apart at the edge.
+FLAKES = (((0.084, 0.05), (0.054, 0.03), 12, 0.0024, 4),
+          ((0.104, 0.058), (0.042, 0.022), 40, 0.0019, 3),
+          ((-0.09, 0.055), (0.05, 0.027), -9, 0.0021, 4),
+          ((-0.04, 0.012), (0.0058, 0.0032), 33, 0.0006, 2),
+          ((0.047, 0.021), (0.0042, 0.0026), -28, 0.0005, 1))
 BUMPS = 0.8  # of the grain, as a share of its slopes
 LEVEL = 0.00035  # of the water around the ice, over the stone's mean height
 RIM = 0.0032  # how far from its edge the water thins out
@@ -62,20 +68,10 @@ def fractal(x, z, seed, octaves):
     return total
 
 
-def plates(x, z):
-    """Height of the broken layers, in layers: there are none around the ice."""
-    wide = 3.2 * fractal(x / 0.045, z / 0.03, 3, 5) + 22 * (0.3 * x + 0.95 * z)
-    whole = math.floor(wide)
-    edge = 0.84 + 0.1 * rough(x / 0.002, z / 0.0016, 6)
-    step = whole + 0.84 * smoothstep(edge, edge + 0.1, wide - whole)
-    return smoothstep(0.045, 0.062, math.hypot(x, z)) * step
-
-
 def height(x, z):
-    """Of the stone: nearly even, with hollows in which water stands, and broken layers far out."""
-    even = 0.00042 * fractal(x / 0.013, z / 0.009, 24, 4)
+    """Of the stone: nearly even, with hollows in which water stands."""
     below = 1 - smoothstep(0.012, 0.019, math.hypot(x, z))  # the ice has melted onto it
-    return STEP * plates(x, z) + even * (1 - 0.7 * below)
+    return 0.00042 * fractal(x / 0.013, z / 0.009, 24, 4) * (1 - 0.7 * below)
 
 
 def wetness(x, z):
@@ -83,7 +79,7 @@ def wetness(x, z):
     out = math.hypot(x, z) / DAMP
     along = (0.88 * x + 0.48 * z) / 0.034, (0.88 * z - 0.48 * x) / 0.0075
     streaks = fractal(x / 0.031, z / 0.021, 21, 3) + 0.55 * fractal(*along, 47, 4)
-    wet = 1.2 - out + 1.1 * streaks - 420 * min(height(x, z) - STEP * plates(x, z), 0.001)
+    wet = 1.2 - out + 1.1 * streaks - 420 * height(x, z)
     return smoothstep(0.08, 0.5, wet)
 
 
@@ -101,7 +97,7 @@ def place(s, t):
 
 def tone(x, z):
     """Albedo: blue-grey, darker where wet, here and there of rust."""
-    shade = 1 + 0.42 * fractal(x / 0.024, z / 0.014, 41, 4)
+    shade = 1 + 0.3 * fractal(x / 0.024, z / 0.014, 41, 4)
     shade += 0.2 * fractal((0.88 * x + 0.48 * z) / 0.02, (0.88 * z - 0.48 * x) / 0.0025, 51, 3)
     rust = smoothstep(0.25, 0.7, fractal(x / 0.03, z / 0.02, 43, 4))
     base = mix((0.145, 0.168, 0.2), (0.2, 0.178, 0.155), 0.4 * rust)
@@ -146,6 +142,97 @@ def slab(columns=102, rows=84):
     mesh = top.join(Mesh(sides, side_faces))
     mesh.uvs = texture_places(mesh)
     return mesh.painted(lambda p, n: tone(p[0], p[2]))
+
+
+def broken(middle, half, turn_deg, seed, corners, parts):
+    """The outline of a piece of a broken layer: straight from corner to corner, and rough."""
+    turn = math.radians(turn_deg)
+    ends = []
+    for k in range(corners):
+        angle = 2 * math.pi * (k + 0.55 * lattice(k, 0, 0, seed)) / corners
+        out = 0.72 + 0.36 * lattice(k, 1, 0, seed)
+        x, z = half[0] * out * math.cos(angle), half[1] * out * math.sin(angle)
+        ends.append((x * math.cos(turn) - z * math.sin(turn),
+                     x * math.sin(turn) + z * math.cos(turn)))
+    outline = []
+    for k, (x, z) in enumerate(ends):
+        to_x, to_z = ends[(k + 1) % corners]
+        for i in range(parts):
+            t = i / parts
+            bay = min(4 * t, 4 - 4 * t, 1) if parts > 1 else 0  # corners stay where they are
+            rugged = 1 + 0.13 * bay * fractal(2.3 * (k + t), 0.7, seed, 5)
+            outline.append((middle[0] + rugged * (x + (to_x - x) * t),
+                            middle[1] + rugged * (z + (to_z - z) * t)))
+    return outline
+
+
+def band(upper, lower):
+    """A wall between two closed rows of points."""
+    count = len(upper)
+    faces = []
+    for k in range(count):
+        a, b = k, (k + 1) % count
+        faces += [(a, b, b + count), (a, b + count, a + count)]
+    return Mesh([*upper, *lower], faces)
+
+
+def flake(middle, outline, thick, layers, seed, shares, tilt=(0, 0)):
+    """A piece of a layer that lies on the stone: flat above, its edge broken layer by layer."""
+    count = len(outline)
+
+    def at(share, k, low):
+        x, z = (m + share * (o - m) for m, o in zip(middle, outline[k]))
+        leaning = tilt[0] * (x - middle[0]) + tilt[1] * (z - middle[1])
+        return (x, height(x, z) + thick * (1 - low) + leaning, z)
+
+    points = [at(0, 0, 0)]
+    for share in shares:
+        points += [at(share, k, 0) for k in range(count)]
+    faces = [(0, 1 + (k + 1) % count, 1 + k) for k in range(count)]
+    for ring in range(len(shares) - 1):
+        for k in range(count):
+            a, b = (1 + ring * count + i % count for i in (k, k + 1))
+            faces += [(a, b, b + count), (a, b + count, a + count)]
+    mesh = Mesh(points, faces)
+    last, out = points[-count:], [1.0] * count
+    for layer in range(layers):
+        if layer:  # a ledge, here and there as good as none
+            farther = [max(rough(0.17 * k, 2.3 * layer, seed) + 0.25, 0.02) for k in range(count)]
+            out = [a + 0.035 * b for a, b in zip(out, farther)]
+            ledge = [(at(o, k, 0)[0], y, at(o, k, 0)[2])
+                     for k, (o, (_, y, _)) in enumerate(zip(out, last))]
+            mesh.join(band(last, ledge))
+            last = ledge
+        lows = [(layer + 1 + (0.55 * rough(0.11 * k, 9.1 * layer, seed) if layer + 1 < layers
+                              else 0.4)) / layers for k in range(count)]
+        below = [at(o, k, low) for k, (o, low) in enumerate(zip(out, lows))]
+        mesh.join(band(last, below))
+        last = below
+    return mesh
+
+
+def chip(i):
+    """A splinter or a grain of grit, where no water has washed it away."""
+    angle = 2 * math.pi * lattice(i, 0, 0, 91)
+    out = 0.038 + 0.06 * lattice(i, 1, 0, 91) ** 1.3
+    middle = (out * math.cos(angle), 0.8 * out * math.sin(angle))
+    size = 0.00018 + 0.0012 * lattice(i, 2, 0, 91) ** 6
+    half = (size, size * (0.4 + 0.5 * lattice(i, 3, 0, 91)))
+    outline = broken(middle, half, 360 * lattice(i, 4, 0, 91), 300 + i, 5, 1)
+    tilt = tuple(0.7 * (lattice(i, 5 + axis, 0, 91) - 0.5) for axis in (0, 1))
+    return flake(middle, outline, size * (0.2 + 0.3 * lattice(i, 7, 0, 91)), 1, 300 + i, (1,), tilt)
+
+
+def pieces(parts=22, layers_max=4, shares=(0.35, 0.62, 0.82, 0.94, 1), chips=320):
+    """All that lies on the stone."""
+    mesh = Mesh([], [], [])
+    for i, (middle, half, turn_deg, thick, layers) in enumerate(FLAKES):
+        outline = broken(middle, half, turn_deg, 80 + i, 7, parts)
+        mesh.join(flake(middle, outline, thick, min(layers, layers_max), 80 + i, shares))
+    for i in range(chips):
+        mesh.join(chip(i))
+    mesh.uvs = texture_places(mesh)
+    return mesh.painted(lambda p, n: scale(tone(p[0], p[2]), 1 + 0.25 * (1 - n[1])))
 
 
 def damp():
@@ -304,7 +391,7 @@ def make():
     model = Model()
     model.used.add('KHR_texture_transform')
     cube = block()
-    for name, mesh, material in (('slab', slab(), stone(model)),
+    for name, mesh, material in (('slab', slab().join(pieces()), stone(model)),
                                  ('water', meltwater(cube), WATER), ('cube', cube, ICE),
                                  ('bubbles', bubbles(), AIR), ('cracks', cracks(), AIR)):
         model.add(name, mesh.placed(VIEW, (0, 0, 0)), material)
