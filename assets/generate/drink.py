@@ -8,23 +8,23 @@ from shapes import (Mesh, add, beads_mesh, crack, cross, crowd, dot, film, ice, 
                     lattice, mix, noise, rounded, scale, sheet, smooth_normals, smoothstep, sub,
                     turned, unit, with_normals, worms)
 
-BASE, FLOOR, HEIGHT = 0.0002, 0.0105, 0.09  # heights of the glass: foot, inner floor, rim
-FOOT, RIM, WALL = 0.0335, 0.0395, 0.0024  # radii outside, and how thick the wall is at the rim
-LEVEL = 0.066  # of the water
+BASE, FLOOR, HEIGHT = 0.0002, 0.0122, 0.1  # heights of the glass: foot, inner floor, rim
+FOOT, RIM, WALL = 0.033, 0.039, 0.0025  # radii outside, and how thick the wall is at the rim
+LEVEL = 0.07  # of the water
 GLASS = glass('glass', 1.5, 3, 0.0024, (0.93, 0.97, 0.95), 0.1)
-ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=8)
+ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=2.5)
 WATER = glass('water', 1.333, 1, 0.07, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
 # Where each cube is, how it is turned, and its half widths.
 CUBES = (
-    ((0.0153, 0.0566, 0.0058), (240.2, -9, 21), (0.014, 0.0136, 0.014)),
-    ((-0.0131, 0.0603, -0.0045), (162.5, 17, -9), (0.0139, 0.0137, 0.0142)),
-    ((-0.0071, 0.0303, 0.01), (217, 12.2, 6.7), (0.0138, 0.014, 0.0136)),
+    ((0.0145, 0.064, 0.007), (247.5, -12.6, 24.2), (0.014, 0.0136, 0.014)),
+    ((-0.016, 0.0661, -0.002), (155.9, 18.7, -11.3), (0.0139, 0.0137, 0.0142)),
+    ((0.003, 0.0318, 0.0068), (228.1, 26, 14.6), (0.0138, 0.014, 0.0136)),
 )
-STRAW = ((-0.0195, 0.0137, 0.0), (0.0375, 0.1341, -0.036), 0.0026)  # foot, top, radius
-DROPS = (2100, 0.0003, 0.0013)  # that are tried; least and greatest radius
-DEWY = (0.0125, 0.0705)  # lower and upper end of the dew
-MATT = 0.11  # share of light that the densest breath scatters
+STRAW = ((-0.0208, 0.0154, -0.0024), (0.035, 0.1441, -0.036), 0.0026)  # foot, top, radius
+DROPS = (1400, 0.0004, 0.0013)  # that are tried; least and greatest radius
+DEWY = (0.0125, 0.0745)  # lower and upper end of the dew
+MATT = 0.025  # share of light that the densest breath scatters
 TRACKS = 13  # of drops that ran down
 
 
@@ -126,11 +126,11 @@ def straw():
 
 # Of cubes; and in which directions, seen from the camera, parts of each have broken off, how far
 # from its middle.
-FORM = {'exponent': 9, 'waves': 0.00075, 'cell': 0.0045, 'bulge': 0.07}
+FORM = {'exponent': 9, 'waves': 0.00045, 'cell': 0.007, 'bulge': 0.04, 'fine': 0.1}
 CHIPS = (
-    (((-0.35, 0.75, 0.56), 0.0178), ((0.8, -0.2, 0.56), 0.0163)),
-    (((0.62, 0.66, 0.42), 0.0176), ((-0.75, 0.3, 0.6), 0.0168)),
-    (((0.1, 0.6, 0.79), 0.0172), ((-0.7, -0.5, 0.5), 0.0168)),
+    (((-0.35, 0.75, 0.56), 0.0184), ((0.8, -0.2, 0.56), 0.0169)),
+    (((0.62, 0.66, 0.42), 0.0181), ((-0.75, 0.3, 0.6), 0.0173)),
+    (((0.1, 0.6, 0.79), 0.0176), ((-0.7, -0.5, 0.5), 0.0171)),
 )
 
 
@@ -162,8 +162,8 @@ def bubbles():
     pick = random.Random(77)
     for i, ((at, turn, half), cube) in enumerate(zip(CUBES, cubes())):
         matrix = turned(*turn)
-        inside = [*worms(half, 160, 900 + i, bend=0.6),
-                  *crowd(half, 480, 940 + i, 0.00008, 0.0005)]
+        inside = [*worms(half, 90, 900 + i, bend=0.6),
+                  *crowd(half, 160, 940 + i, 0.00014, 0.0006)]
         for where, along, *form in inside:
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
@@ -190,7 +190,7 @@ def cracks():
         for k, tilt in enumerate(((70 + 9 * i, 20, 0), (15, 80 - 14 * i, 40),
                                   (-50, 40, 75 + 8 * i), (35, -30 + 20 * i, 110),
                                   (95, 130, 10 + 25 * i))):
-            if (i, k) == (2, 0):  # it would lie level before the straw, like a blade in the water
+            if (i, k) in ((1, 1), (2, 0)):  # white sheets before the straw
                 continue
             radius = 0.0121 if k == 1 else 0.0112 - 0.0012 * k  # one goes through all of the cube
             aside = 1 - k if k < 3 else k - 4.5
@@ -256,13 +256,13 @@ def scattered(pick, ran):
 
 def drop(angle, y, radius):
     """A cap of water that hangs a little, is not quite round, and reaches into the glass."""
-    segments, rings = (6, 1) if radius < 0.00033 else (8, 2) if radius < 0.0006 else (14, 4)
+    segments, rings = (9, 2) if radius < 0.0005 else (12, 3) if radius < 0.0008 else (18, 5)
     slope = (RIM - FOOT) / (HEIGHT - BASE)
     c, s = math.cos(angle), math.sin(angle)
     up = unit((slope * c, 1, slope * s))
     aside, out = (-s, 0, c), unit((c, -slope, s))
     middle = (outer_radius(y) * c, y, outer_radius(y) * s)
-    contact = math.radians(48)
+    contact = math.radians(62)
     ball = radius / math.sin(contact)
     first, second = 977 * angle, 3331 * y / LEVEL  # phases of the outline
 
@@ -379,7 +379,7 @@ def spilled():
 
 def lamplit(x, z):
     """The table's light: less of it farther from the window to the left, behind."""
-    return (1 - 0.72 * smoothstep(-0.16, 0.2, x + 0.4 * z)) * (
+    return (1 - 0.6 * smoothstep(-0.16, 0.2, x + 0.4 * z)) * (
         1 - 0.35 * smoothstep(0.06, 0.3, math.hypot(x + 0.02, z)))
 
 
@@ -480,5 +480,5 @@ def make():
     model.add('dew', dew(drops), WATER)
     model.add('bubbles', bubbles(), AIR)
     model.add('cracks', cracks(), AIR)
-    model.camera((0.0135, 0.092, 0.262), (0.002, 0.0475, 0), 26)
+    model.camera((0.0135, 0.1045, 0.262), (0.002, 0.0505, 0), 26)
     return model.file()

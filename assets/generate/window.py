@@ -8,7 +8,7 @@ from studio import HEIGHT, WIDTH, lamp
 # A window's middle: azimuth to the right of -Z and elevation, degrees; half width and half height
 # of a pane as tangents of angles; panes across and up; radiance of the sky; colour
 WINDOWS = (
-    (-61, 34, 0.18, 0.24, 2, 3, 7.4, (0.97, 0.99, 1.03)),
+    (-61, 34, 0.18, 0.24, 2, 3, 7.4, (1.04, 0.985, 0.91)),
     (70, 29, 0.21, 0.23, 1, 3, 4.6, (0.86, 0.93, 1.0)),
     (-163, 33, 0.22, 0.13, 1, 1, 1.7, (1.0, 0.96, 0.9)),
 )
@@ -50,7 +50,7 @@ def outside(d):
     height = math.degrees(math.asin(d[1]))
     top = tops + uneven * (noise(scale(d, 5), 3) + 0.5 * noise(scale(d, 13), 4))
     leaves = smoothstep(-0.35, 0.45, noise(scale(d, 17), 5) + 0.5 * noise(scale(d, 37), 6))
-    leaves = mix(mix(shade, sun, leaves), (0.55, 0.62, 0.7), 0.45)
+    leaves = mix(mix(shade, sun, leaves), (0.82, 0.86, 0.88), 0.6)
     gaps = smoothstep(0.35, 0.6, noise(scale(d, 29), 7)) * smoothstep(12, 0, top - height)
     clouds = smoothstep(-0.3, 0.5, noise((4 * d[0], 11 * d[1], 4 * d[2]), 8))
     sky = mix((0.84, 0.93, 1.06), (1.08, 1.07, 1.05), max(clouds, smoothstep(50, 24, height)))
