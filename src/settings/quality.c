@@ -13,7 +13,7 @@ enum {
 const struct quality qualities[QUALITY_COUNT] = {
     [DRAFT] = { "draft", "coarse surroundings, infinitely far away, and few reflections", 1 },
     [NORMAL] = { "normal", "the defaults of all settings", 1 },
-    [HIGH] = { "high", "6 samples, all reflections inside, and shadows of all light", 6, true },
+    [HIGH] = { "high", "5 samples, all reflections inside, and shadows of all light", 5, true },
 };
 
 const struct quality_row quality_rows[] = {

@@ -218,7 +218,7 @@ class CommandLine(Case):
                          drawn('--samples', '1', '--set', 'ice_caustics.light=none', '--set',
                                'mirror.steps=0', '--set', 'contact.strength=0'))
         for words, wanted in (
-                (('--quality', 'high'), ('samples=6', 'refract.steps=12', 'trace.branch=0.005')),
+                (('--quality', 'high'), ('samples=5', 'refract.steps=12', 'trace.branch=0.005')),
                 (('--quality', 'draft'),
                  ('samples=1', 'refract_bounce.exits=1', 'trace.branch=0.1')),
                 (('--quality', 'high', '--quality', 'draft'),
