@@ -15,6 +15,7 @@
 #include "src/profile/text.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
+#include "src/scene/material_rows.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/air.h"
 
@@ -159,6 +160,11 @@ static enum status measure(struct job *job)
     app_check_rays(&p->scene.settings, &job->gpu);
     if (!o->run.quiet && reference_leaves_out(&p->scene.settings, names, sizeof(names)))
         log_warning("firn ladder: the reference draws the scene without %s", names);
+    if (!o->run.quiet && o->ladder.furnace &&
+        material_rows_has_lit(&job->scene.model.surroundings))
+        log_warning("%s: the opaque surfaces around its objects take light, so that what shows "
+                    "them is below 1",
+                    p->scene.name);
     if (!o->run.quiet && air_is_medium(&p->scene.settings))
         log_warning(
             "air.model=medium: bounce, one-sided, trace and the reference draw a medium, and "

@@ -13,6 +13,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from case import (  # noqa: E402
     CANT_CREATE, DATA, NO_DEVICE, NO_DRIVER, NO_INPUT, USAGE, Case, long, main, unsanitized)
 from exr_file import Exr  # noqa: E402
+from gltf_file import boxes, glass  # noqa: E402
 from test_show import Png  # noqa: E402
 
 WITHOUT = '--without' in sys.argv
@@ -271,6 +272,14 @@ class Furnace(LadderCase):
                          'absorb.red=1')
         self.assertEqual(done.returncode, FAILED)
         self.assertRegex(done.stdout.decode(), r'(?m)^bounce .* [1-9]\d*$')
+
+    def test_opaque_surfaces_take_light(self):
+        opaque = {'pbrMetallicRoughness': {'metallicFactor': 0}}
+        (self.folder / 'a.gltf').write_text(boxes((glass(), [0, 0, 0], 1),
+                                                  (opaque, [0, -3, 0], 2)))
+        done = self.firn('ladder', 'a.gltf', *SIZE, '--furnace', '--rungs', 'bounce')
+        self.assertEqual(done.returncode, FAILED)
+        self.assertRegex(done.stderr.decode(), 'warning: a.gltf: the opaque surfaces .* take light')
 
 
 class Refused(LadderCase):
