@@ -160,8 +160,7 @@ static enum status measure(struct job *job)
     app_check_rays(&p->scene.settings, &job->gpu);
     if (!o->run.quiet && reference_leaves_out(&p->scene.settings, names, sizeof(names)))
         log_warning("firn ladder: the reference draws the scene without %s", names);
-    if (!o->run.quiet && o->ladder.furnace &&
-        material_rows_has_lit(&job->scene.model.surroundings))
+    if (!o->run.quiet && o->ladder.furnace && material_rows_has_lit(&job->scene.model.surroundings))
         log_warning("%s: the opaque surfaces around its objects take light, so that what shows "
                     "them is below 1",
                     p->scene.name);

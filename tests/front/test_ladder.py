@@ -274,7 +274,7 @@ class Furnace(LadderCase):
         self.assertRegex(done.stdout.decode(), r'(?m)^bounce .* [1-9]\d*$')
 
     def test_opaque_surfaces_take_light(self):
-        opaque = {'pbrMetallicRoughness': {'metallicFactor': 0}}
+        opaque = {'pbrMetallicRoughness': {'baseColorFactor': [0.2, 0.2, 0.2, 1]}}
         (self.folder / 'a.gltf').write_text(boxes((glass(), [0, 0, 0], 1),
                                                   (opaque, [0, -3, 0], 2)))
         done = self.firn('ladder', 'a.gltf', *SIZE, '--furnace', '--rungs', 'bounce')
