@@ -17,7 +17,7 @@
  * Cracks, air, bubbles and frost transmit all light.
  *
  * Surroundings hide the sun from each other by a depth buffer of all of them in its view, which
- * points are compared with that are lifted over their own surface (Holbein 2011, "Saying Goodbye to
+ * points are compared with that are lifted over their own surface (Holbert 2011, "Saying Goodbye to
  * Shadow Acne"). It reaches ICE_CAUSTICS_SHADE_REACH radii of the ice; its edges are a texel soft.
  */
 #include "src/tech/ice_caustics.h"
