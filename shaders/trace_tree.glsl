@@ -9,6 +9,7 @@
 #define TRACE_TREE_GLSL
 #include "lib/bubble_shape.glsl"
 #include "refract_trace.h"
+#include "trace_stack.glsl"
 
 layout(set = 0, binding = TRACE_FRAME, scalar) uniform Trace
 {
@@ -86,7 +87,6 @@ struct trace_hit {
 };
 
 const float trace_edge = 1e-6;
-const int trace_nothing = int(TREE_LEAF);
 const uint trace_around = 1u << TREE_SURROUNDINGS | 1u << TREE_MOVERS; /* parts, a bit each */
 
 /* What of a ray its boxes need, in a part's grid. */
@@ -187,12 +187,10 @@ void trace_meet_triangle(trace_ray ray, int i, int part, bool counts, inout trac
 void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
 {
     trace_slabs slabs = trace_slabs_of(ray, root);
-    int stack[TREE_DEPTH_MAX + 2];
-    int top = 0;
     int node = root;
-    stack[0] = trace_nothing;
+    stack_begin();
     do {
-        while (node >= 0) {
+        while (node >= 0 && stack_has_room()) {
             uvec4 child_0 = trace_node(TREE_NODE_WORDS * node);
             uvec4 child_1 = trace_node(TREE_NODE_WORDS * node + 1);
             float enter_0, enter_1;
@@ -205,11 +203,7 @@ void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
             bool second = meets_1 && (!meets_0 || enter_1 < enter_0);
             int near = int((second ? child_1.w : child_0.w) & TREE_CHILD_MASK);
             int far = int((second ? child_0.w : child_1.w) & TREE_CHILD_MASK);
-            int popped = stack[top];
-            bool none = !meets_0 && !meets_1;
-            stack[top + 1] = far;
-            top += none ? -1 : int(meets_0 && meets_1);
-            node = none ? popped : near;
+            node = stack_next(meets_0 && meets_1, !meets_0 && !meets_1, near, far);
         }
         int leaf = node < 0 ? node & 0x7fffffff : 0;
         int k = leaf >> 3, end = k + (leaf & 7);
@@ -217,13 +211,13 @@ void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
             trace_meet_triangle(ray, k, part, k < end, hit);
             k++;
             if (k >= end && node < 0 && node != trace_nothing) {
-                node = stack[top];
-                top--;
+                node = stack_pop();
                 leaf = node >= 0 ? 0 : node & 0x7fffffff;
                 k = leaf >> 3;
                 end = k + (leaf & 7);
             }
         } while (k < end);
+        node = stack_settle(node);
     } while (node != trace_nothing);
 }
 
