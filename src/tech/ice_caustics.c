@@ -342,7 +342,8 @@ static const struct setting rows[] = {
         .max = ICE_CAUSTICS_SUN,
         .choices = lights,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "light source of the ice's caustics and shadow (none: neither of them)",
+        .help = "light source of caustics and shadows (none: neither of them; files whose "
+                "surroundings the sun lights bring sun)",
     },
     {
         .name = "ice_caustics.reach",
