@@ -95,6 +95,16 @@ ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, ve
     return glms_vec3_add(glms_vec3_mul(shares.glossy, glossy), glms_vec3_mul(shares.matt, matt));
 }
 
+/* Returns the share of what a surface mirrors in air that it mirrors in a medium. `f0`: in air, of
+ * light that meets it straight; `ior`: of the medium, relative to air. */
+ABI_FUNCTION float lit_share_in(float f0, float ior)
+{
+    float root = sqrtf(glm_clamp(f0, 1e-6f, 0.99f));
+    float own = (1.0f + root) / (1.0f - root);
+    float in_medium = (own - ior) / (own + ior);
+    return fminf(in_medium * in_medium / (root * root), 1.0f);
+}
+
 /* Returns the radiance of a surface for light from direction `l` that gives a matt white surface
  * which faces it radiance 1. `n`, `v` (towards the eye) and `l` are unit; `base` is the normal of
  * the matt base, which is another below a film (MATERIAL_IS_FILM). The distribution is at least as

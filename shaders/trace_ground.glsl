@@ -204,7 +204,9 @@ vec3 trace_end(trace_way way, trace_hit hit, out float passing)
             sun_share = ground_sun(hit, way.origin + hit.t * way.dir, way.seed);
             sun_spread = way.is_gathered ? ground_blur : 0.0;
         }
-        light = trace_surface(trace_point_of(hit, way.origin, way.dir), way.dir, false, passing);
+        trace_point point = trace_point_of(hit, way.origin, way.dir);
+        point.ior = trace_is_in(way) ? trace_ior(way.inside) : 1.0;
+        light = trace_surface(point, way.dir, false, passing);
     }
     return light;
 }

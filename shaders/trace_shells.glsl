@@ -90,4 +90,12 @@ vec4 trace_medium(uint rank, int texel)
     return trace.media[int(medium) * TRACE_MEDIUM + texel];
 }
 
+/* Returns the index, for green, of what a ray in objects is in, relative to what is around them. */
+float trace_ior(uvec4 inside)
+{
+    if (!trace_has(TRACE_HAS_MEDIA))
+        return 1.0 / refract_frame.eta;
+    return trace_medium(trace_top(inside), TRACE_IOR).g / trace_medium(0u, TRACE_IOR).g;
+}
+
 #endif

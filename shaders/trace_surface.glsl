@@ -18,6 +18,7 @@ struct trace_point {
     vec4 tangent;            /* unit, and its side; 0: there is none */
     vec3 along_u, against_v; /* how the position grows with the coordinates; 0: they are the same */
     uint material;
+    float ior; /* of the medium that is on it, relative to that around the objects */
 };
 
 /* What a surface makes of the light around it. */
@@ -84,6 +85,7 @@ trace_point trace_point_of(trace_hit hit, vec3 origin, vec3 dir)
     p.color = share.x * c0.xyz + share.y * c1.xyz + share.z * c2.xyz;
     p.uv = uv_0 + hit.u * side_1 + hit.v * side_2;
     p.material = floatBitsToUint(n1.w);
+    p.ior = 1.0;
     /* The rows of the triangle's map are orthogonal to all of its sides but one. */
     at = TREE_TRIANGLE_WORDS * hit.triangle;
     vec3 row_0 = uintBitsToFloat(trace_row(at)).xyz;
@@ -207,7 +209,10 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
     vec3 n = p.normal;
     if (bent != vec4(1.0))
         n = trace_bent(p, n, bent.rgb, scales.xy);
-    vec3 top = scales.w > 0.0 ? p.normal : n;
+    bool is_film = scales.w > 0.0;
+    vec3 top = is_film ? p.normal : n;
+    if (is_film) /* water below ice mirrors next to nothing */
+        specular *= lit_share_in(max(f0.r, max(f0.g, f0.b)), p.ior);
     lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
     float n_dot_v = clamp(dot(top, -dir), 0.0, 1.0);
     vec2 split = lit_split(s.roughness, n_dot_v);

@@ -294,13 +294,16 @@ static vec2s split_of(const struct radiance *radiance, float roughness, float n_
 }
 
 static struct lit_surface surface_of(const struct radiance *radiance, const struct material *m,
-                                     struct coordinates uv, vec3s albedo)
+                                     const struct radiance_point *point, vec3s albedo)
 {
+    const struct coordinates uv = coordinates_of(point);
     const vec4s rough = texel_of(radiance, m, MATERIAL_METALLIC_ROUGHNESS, uv);
     const vec4s tint = texel_of(radiance, m, MATERIAL_SPECULAR_COLOR, uv);
-    const float specular = m->specular * texel_of(radiance, m, MATERIAL_SPECULAR, uv).w;
-    return lit_surface_of(albedo, m->metallic * rough.z, m->roughness * rough.y,
-                          glms_vec3_mul(material_f0(m), glms_vec3(tint)), specular);
+    const vec3s f0 = glms_vec3_mul(material_f0(m), glms_vec3(tint));
+    float specular = m->specular * texel_of(radiance, m, MATERIAL_SPECULAR, uv).w;
+    if (m->flags & MATERIAL_IS_FILM) /* water below ice mirrors next to nothing */
+        specular *= lit_share_in(glms_vec3_max(f0), point->ior);
+    return lit_surface_of(albedo, m->metallic * rough.z, m->roughness * rough.y, f0, specular);
 }
 
 /* The normals of a surface: of the one that mirrors, and of its matt base. */
@@ -403,7 +406,7 @@ static vec3s light_of(const struct radiance *radiance, const struct material *m,
 {
     const struct coordinates uv = coordinates_of(point);
     const vec3s to_eye = glms_vec3_negate(point->dir);
-    const struct lit_surface surface = surface_of(radiance, m, uv, albedo);
+    const struct lit_surface surface = surface_of(radiance, m, point, albedo);
     const float n_dot_v = glm_clamp(glms_vec3_dot(n.top, to_eye), 0.0f, 1.0f);
     const vec3s mirrored =
         glms_vec3_muladds(n.top, -2.0f * glms_vec3_dot(n.top, point->dir), point->dir);
@@ -461,7 +464,7 @@ bool radiance_shares_at(const struct radiance *radiance, const struct radiance_p
     if (vertex->material & MESH_UNLIT || !m)
         return !(vertex->material & MESH_UNLIT);
     const struct coordinates uv = coordinates_of(point);
-    const struct lit_surface surface = surface_of(radiance, m, uv, albedo);
+    const struct lit_surface surface = surface_of(radiance, m, point, albedo);
     const struct normals n = normals_of(radiance, m, point, shares->normal);
     shares->normal = n.base;
     shares->top = n.top;

@@ -37,6 +37,7 @@ struct radiance_point {
                                          where is_base */
     vec3s dir;                      /* unit */
     const struct radiance_sun *sun; /* NULL: no objects are in the way of light */
+    float ior;    /* of the medium that is on it, relative to that around the objects */
     bool is_base; /* only the light of the matt base is asked for: reflections are traced */
 };
 

@@ -64,6 +64,15 @@ static bool hide_sun(const struct tracing *tracing, const struct bvh_hit *hit,
     return true;
 }
 
+/* Returns the index, for green, of the medium that a branch is in, relative to that around the
+ * objects. */
+static float ior_at(const struct tracing *tracing, const struct branch *b)
+{
+    const uint32_t top = media_top(tracing->media, &b->inside, MEDIA_NOTHING);
+    return tracing_medium(tracing, top)->ior[1] /
+           tracing_medium(tracing, tracing->media->outside)->ior[1];
+}
+
 /* Adds the light of what a branch has met around the objects, or of the sky. Through a blended
  * surface the branch goes on, with the weight that is left; returns whether any is. *ways become
  * branches that bring more light to it. */
@@ -84,6 +93,7 @@ static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hi
         .along_u = hit->along_u,
         .along_v = hit->along_v,
         .dir = b->ray.dir,
+        .ior = ior_at(tracing, b),
     };
     struct radiance_sun sun;
     const bool is_found = find_sun(tracing, hit, b, &sun);

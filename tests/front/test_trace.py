@@ -94,6 +94,21 @@ class Trace(Case):
                    '--set', 'air.clouds=0', '--set', 'trace.footprint=off')
 
     @unsanitized
+    def test_a_film_below_glass(self):
+        """Black ground mirrors a ninth of white light, its film none below glass of its index."""
+        black = {**opaque(0), 'extensions': {'KHR_materials_ior': {'ior': 2}}}
+        black['pbrMetallicRoughness']['roughnessFactor'] = 0
+        for film, below in ((True, 0), (False, 8 / 81)):
+            self.write('film.gltf', ({**black, 'extras': {'film': film}}, [0, -50, 0], 50),
+                       (glass(2), [0, 0, 0], 1))
+            for rung in ('trace', 'reference'):
+                found = self.planes('film.gltf', '-r', rung, *SIZE, *WHITE, '--eye', '0,9,0.01',
+                                    '--target', '0,0,0', '--set', 'trace.surroundings=rays')['G']
+                ground, ice = found[24 * 64 + 8], found[24 * 64 + 32]
+                self.assertAlmostEqual(ground, 1 / 9, delta=0.002)
+                self.assertAlmostEqual(ice, 1 / 9 + below, delta=0.002)
+
+    @unsanitized
     def test_thin_and_dispersive(self):
         self.write('thin.gltf', (glass(thickness=0, color=[1, 0.5, 0.5]), [0, 0, 0], 1),
                    (glass(1.4), [0.5, 0, -3], 1))
