@@ -4,11 +4,9 @@ Light goes through nothing but the ice: its cloud is the material's, and the pro
 and cracks. Its meltwater is a film: a smooth surface, below which the stone is dark.
 """
 from files import Model, lit
-from shapes import Mesh, dot, scale
+from shapes import Mesh, dot
 from slate import (ANGLE, BUMPS, EYE, ICE, TARGET, VIEW, block, meltwater, pieces, slab,
                    stone, texture_places, tone)
-
-WET = 0.7  # how bright stone is below water
 
 
 def without_walls(mesh):
@@ -22,7 +20,7 @@ def without_walls(mesh):
 def water(ice):
     mesh = without_walls(meltwater(ice, 112))
     mesh.uvs = texture_places(mesh)
-    return mesh.painted(lambda p, n: scale(tone(p[0], p[2]), WET))
+    return mesh.painted(lambda p, n: tone(p[0], p[2]))
 
 
 def below_water(dry):
