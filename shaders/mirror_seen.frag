@@ -8,14 +8,11 @@ layout(set = 0, binding = MIRROR_DEPTH) uniform sampler2D depths;
 layout(location = 0) out vec4 seen; /* premultiplied */
 layout(location = 1) out float front;
 
-/* The sun's glints in objects are not where the eye sees them for what mirrors the objects. */
-const float brightest = 2.0;
-
 /* Keeps what the picture has before the surroundings are drawn into it: the objects. */
 void main()
 {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    vec3 color = min(texelFetch(picture, at, 0).rgb, vec3(brightest));
+    vec3 color = min(texelFetch(picture, at, 0).rgb, vec3(MIRROR_BRIGHTEST));
     front = texelFetch(depths, at, 0).r;
     seen = front > 0.0 ? vec4(color, 1.0) : vec4(0.0); /* the rest is undefined */
 }

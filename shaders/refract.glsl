@@ -99,7 +99,8 @@ refract_result refract_shade(vec3 e, vec3 n_f)
     return r;
 }
 
-#ifdef REFRACT_LAYERS
+#ifdef REFRACT_MIRRORED /* main() is that of what mirrors */
+#elif defined(REFRACT_LAYERS)
 layout(location = REFRACT_OUT_EXIT) out vec4 out_exit;
 layout(location = REFRACT_OUT_REFRACTION) out vec4 out_refraction;
 layout(location = REFRACT_OUT_REFLECTION) out vec4 out_reflection;

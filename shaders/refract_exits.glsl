@@ -22,6 +22,12 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = REFRACT_SEEN_MEAN) flat in vec3 mean; /* radiance of the surroundings */
 
+#ifdef REFRACT_MIRRORED /* the rest is a small share of an image that is faint itself */
+#define EXITS 1u
+#else
+#define EXITS constant_refract_exits
+#endif
+
 #define REFRACT_MARCH params.march
 #include "refract_march.glsl"
 
@@ -160,18 +166,18 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
     way = ray.way;
     vec3 light = vec3(0.0);
     float left = 1.0;
-    for (uint i = 1u; i <= constant_refract_exits; i++) {
+    for (uint i = 1u; i <= EXITS; i++) {
         exits_next(space, 1.0 / eta, left < exits_weak, ray);
         refract_way leaving = ray.way;
         leaving.dir = optics_refract(ray.way.dir, -ray.n, 1.0 / eta);
         if (i == 1u)
             way = leaving;
         bool is_trapped = ray.faces > space.march.bounces;
-        bool is_last = i == constant_refract_exits || ray.faces >= space.march.bounces ||
-                       left * ray.share < params.least;
+        bool is_last =
+            i == EXITS || ray.faces >= space.march.bounces || left * ray.share < params.least;
         vec3 seen = refract_transmitted(leaving);
         float share = is_trapped ? 0.0 : 1.0 - ray.share; /* that leaves here */
-        if (constant_refract_exits == 1u)
+        if (EXITS == 1u)
             share = 1.0;
         float rest = is_last ? 1.0 - share : 0.0;
         seen = share * seen + rest * mean * exp(-refract_frame.absorb * ray.way.path);

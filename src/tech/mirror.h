@@ -10,7 +10,8 @@ extern const struct rg_image mirror_surface, mirror_glossy;
 extern const struct setting_group mirror_settings;
 
 struct mirror_params {
-    uint32_t steps; /* along a mirrored ray; 0: nothing is mirrored */
+    uint32_t steps;   /* along a mirrored ray; 0: nothing is mirrored */
+    uint32_t refract; /* 1: mirrored rays are refracted by what they meet */
 };
 
 /* Returns whether a frame draws it. */

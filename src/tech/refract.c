@@ -98,14 +98,14 @@ static const struct rg_pass pixel_layer_row = {
     .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
 };
 
-static const struct rg_use dress_uses[] = {
+const struct rg_use refract_dress_uses[] = {
     FRAME_SAMPLE(ice_normal_dress_front, REFRACT_DRESS_FRONT, .sampler = &frame_linear),
     FRAME_SAMPLE(ice_normal_dress_back, REFRACT_DRESS_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_dress_shine, REFRACT_DRESS_SHINE),
     { 0 },
 };
 
-static const struct rg_use cloud_uses[] = {
+const struct rg_use refract_cloud_uses[] = {
     AIR_USE_CLOUDS,
     FRAME_SAMPLE(frame_surface_light, CLOUD_AROUND, .sampler = &frame_environment_sampler),
     { 0 },
@@ -181,8 +181,8 @@ static struct rg_technique make_row(const struct technique_choice *choice,
         : choice->is_wide                    ? rung->wide_uses
                                              : rung->uses,
         bumped ? bump_uses : NULL,
-        choice->is_dressed ? dress_uses : NULL,
-        choice->is_cloudy ? cloud_uses : NULL,
+        choice->is_dressed ? refract_dress_uses : NULL,
+        choice->is_cloudy ? refract_cloud_uses : NULL,
     };
     struct rg_pass *row = row_builder_rows(builder, base, 1);
     if (!row)

@@ -39,7 +39,7 @@ float refract_outside(const struct scene *scene, const struct settings *settings
 /* The shaders of a rung that draws clouds (shaders/refract_cloud.glsl), as in: */
 struct refract_cloudy {
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag, *dress_frag,
-        *dress_layers_frag, *nested_frag, *nested_layers_frag;
+        *dress_layers_frag, *nested_frag, *nested_layers_frag, *mirror_frag, *mirror_dress_frag;
 };
 
 /* How a rung draws the object; refract_color_rows() and refract_layer_rows() make its rows. */
@@ -52,6 +52,9 @@ struct refract_rung {
     /* The same with bodies in bodies, if technique_choice.is_nested. */
     const struct rg_shader *nested_frag, *nested_layers_frag;
     const struct refract_cloudy *cloudy; /* NULL: cloudy ice is clear */
+    /* What rays that surroundings mirror see of the object, without and with dress (mirror.c), with
+     * the rung's `vert` and `uses`. NULL: they see what the eye does. */
+    const struct rg_shader *mirror_frag, *mirror_dress_frag;
     /* NULL: refract.vert, or refract_bump.vert where bumps are shown; refract_seen.vert for rungs
      * by pixel. */
     const struct rg_shader *vert;
@@ -66,6 +69,9 @@ struct refract_rung {
 /* Returns whether a rung draws clouds, of a scene that has some. */
 bool refract_is_cloudy(const struct technique *rung, const struct scene *scene,
                        const struct settings *settings);
+
+/* Uses of rows that draw dress, and clouds; they end at {0}. */
+extern const struct rg_use refract_dress_uses[], refract_cloud_uses[];
 
 /* What a rung of this kind chooses: it draws tints and textures of objects if it has a shader for
  * them, but not with bumps. */

@@ -53,6 +53,8 @@ static const struct refract_cloudy cloudy = {
     .dress_layers_frag = &refract_bounce_dress_cloud_aov_frag,
     .nested_frag = &refract_bounce_nested_cloud_frag,
     .nested_layers_frag = &refract_bounce_nested_cloud_aov_frag,
+    .mirror_frag = &mirror_refract_cloud_frag,
+    .mirror_dress_frag = &mirror_refract_dress_cloud_frag,
 };
 
 static const struct rg_use nested_uses[] = {
@@ -79,6 +81,8 @@ static const struct refract_rung rung = {
     .cloudy = &cloudy,
     .nested_frag = &refract_bounce_nested_frag,
     .nested_layers_frag = &refract_bounce_nested_aov_frag,
+    .mirror_frag = &mirror_refract_frag,
+    .mirror_dress_frag = &mirror_refract_dress_frag,
     .vert = &refract_seen_mean_vert,
     .uses = uses,
     .wide_uses = wide_uses,

@@ -22,8 +22,8 @@ class Mirror(Case):
         super().setUp()
         self.write(1)
 
-    def write(self, color):
-        floor = {'pbrMetallicRoughness': {'metallicFactor': 1, 'roughnessFactor': 0.2}}
+    def write(self, color, roughness=0.2):
+        floor = {'pbrMetallicRoughness': {'metallicFactor': 1, 'roughnessFactor': roughness}}
         box = glass(color=(color, color, color))
         (self.folder / 'box.gltf').write_text(boxes((floor, [0, -50, 0], 50),
                                                     (box, [0, 1.05, 0], 1)))
@@ -44,18 +44,29 @@ class Mirror(Case):
             found = re.search(r'(?m)^pass \d+ mirror\.', done.stdout.decode())
             self.assertEqual(bool(found), is_drawn, words)
 
+    def errors(self, *ways):
+        """Sums of the floor's differences to the rung trace."""
+        truth, *drawn = (
+            [min(planes[name][i], 1) for name in 'RGB' for i in FLOOR] for planes in (
+                self.planes('--env', 'valley', *words)
+                for words in (('-r', 'trace', '--set', 'ground.light=traced', '--samples', 8),
+                              *ways)))
+        return [sum(abs(a - b) for a, b in zip(values, truth)) for values in drawn]
+
     @unsanitized
     def test_beside_rays(self):
         """The floor before dark glass, as the rung trace draws it: half of the error is gone."""
         self.write(0.02)
-        truth, without, found = (
-            [planes[name][i] for name in 'RGB' for i in FLOOR] for planes in (
-                self.planes('--env', 'valley', *words)
-                for words in (('-r', 'trace', '--set', 'ground.light=traced', '--samples', 8), OFF,
-                              ())))
-        errors = [sum(abs(min(a, 1) - min(b, 1)) for a, b in zip(planes, truth))
-                  for planes in (without, found)]
-        self.assertLess(errors[1], 0.5 * errors[0], errors)
+        without, found = self.errors(OFF, ())
+        self.assertLess(found, 0.5 * without)
+
+    @unsanitized
+    def test_refracted(self):
+        """Clear glass, from below: not what the eye sees in it, with and without a tint."""
+        for color in (1, 0.8):
+            self.write(color, 0)
+            as_seen, refracted = self.errors(('--set', 'mirror.refract=off'), ())
+            self.assertLess(refracted, 0.75 * as_seen, color)
 
     @unsanitized
     def test_tiles(self):

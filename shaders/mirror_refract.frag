@@ -1,0 +1,34 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define REFRACT_BOUNCE
+#define REFRACT_EXITS
+#define REFRACT_NEAREST
+#define REFRACT_SEEN
+#define REFRACT_MIRRORED
+#include "mirror.h"
+#include "refract.glsl"
+
+layout(set = 0, binding = MIRROR_POINT) uniform sampler2D points;
+layout(set = 0, binding = MIRROR_DIR) uniform sampler2D dirs;
+
+layout(location = 0) out vec4 refracted; /* premultiplied */
+
+/* What a mirrored ray sees of the object that it meets, as the rung shades the eye's rays. Nothing
+ * is known where it meets the face that the picture has there from behind, and so another one. */
+void main()
+{
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec3 e = normalize(texelFetch(dirs, at, 0).xyz);
+    eye_to_point = texelFetch(points, at, 0).xyz;
+    ivec2 pixel =
+        ivec2(refract_uv(refract_clip(refract_front_point())) * vec2(textureSize(shading, 0)));
+#ifdef REFRACT_DRESS
+    refract_pixel = pixel;
+#endif
+    normal = texelFetch(shading, pixel, 0).xyz;
+    fresnel_paper = optics_fresnel_paper(e, normal);
+    refract_result r = refract_shade(e, normal);
+    vec3 seen = optics_compose(r.reflection, r.refraction, r.fresnel);
+    bool is_met = dot(normal, e) < 0.0;
+    refracted = is_met ? vec4(min(seen, vec3(MIRROR_BRIGHTEST)), 1.0) : vec4(0.0);
+}
