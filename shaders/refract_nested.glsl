@@ -258,6 +258,11 @@ nested_face nested_meet(nested_space space, int channel, inout nested_ray ray)
     face.share = is_found ? optics_fresnel(ray.dir, n, eta) : 0.0;
     face.reflected = is_found ? reflect(ray.dir, n) : ray.dir;
     face.refracted = is_found ? optics_refract(ray.dir, -n, eta) : ray.dir;
+    if (refract_is_in_ground(ray.point)) { /* it sees what it stands in, straight */
+        face.next = -1;
+        face.share = 0.0;
+        face.refracted = normalize(ray.point - frame.cube_center);
+    }
     return face;
 }
 
