@@ -20,6 +20,23 @@ TREES = (19, 7, (0.13, 0.15, 0.13), (0.5, 0.53, 0.46))
 SUN = (246, 33, 0.42, 0.36, 0.28)
 GLOW = (-3, 9, (0.84, 0.69, 0.49))  # the lit wall: azimuth and elevation, degrees; radiance
 
+# Sunlight on the wall, out of focus, that came past leaves: azimuth and elevation of its middle,
+# half width and half height, how far it leans for each degree up, degrees; share of GLOW
+PATCH = (-13.5, 3.5, 5.2, 10.5, 0.34, 0.3)
+
+
+def patch(azimuth, height):
+    """Light of PATCH on the wall, from 0 to 1; bars part it, leaves dapple it."""
+    middle, up, half, tall, lean, _ = PATCH
+    x, y = (azimuth - middle - lean * (height - up)) / half, (height - up) / tall
+    if max(abs(x), abs(y)) > 1.5:
+        return 0.0
+    share = smoothstep(1.25, 0.7, abs(x)) * smoothstep(1.1, 0.9, abs(y))
+    bars = 1 - 0.5 * math.exp(-(x / 0.16) ** 2) - 0.35 * math.exp(-((y + 0.35) / 0.09) ** 2)
+    leaves = smoothstep(-0.5, 0.45, noise((azimuth / 3.1, height / 2.3, 1.5), 11) +
+                        0.4 * noise((azimuth / 1.5, height / 1.2, 2.5), 12))
+    return share * max(bars, 0) * (0.35 + 0.65 * leaves)
+
 
 def walls():
     """Three colours of each row: a lit wall ahead, a dim room, a dark floor."""
@@ -38,6 +55,7 @@ def walls():
             share = tall * (0.45 * broad + 0.55 * narrow)
             for channel, value in zip(row, room):
                 channel.append(value)
+            share += PATCH[-1] * patch(aside + azimuth, height)
             for channel, value in zip(row, scale(color, share)):
                 channel[-1] += value
         rows.append(row)
