@@ -17,14 +17,18 @@ WATER = glass('water', 1.333, 1, 0.07, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
 # Where each cube is, how it is turned, and its half widths.
 CUBES = (
-    ((0.0145, 0.064, 0.007), (247.5, -12.6, 24.2), (0.014, 0.0136, 0.014)),
-    ((-0.016, 0.0661, -0.002), (155.9, 18.7, -11.3), (0.0139, 0.0137, 0.0142)),
-    ((0.003, 0.0318, 0.0068), (228.1, 26, 14.6), (0.0138, 0.014, 0.0136)),
+    ((0.01524, 0.06109, -0.00088), (10.8, -12.4, -113.9), (0.014, 0.0136, 0.014)),
+    ((-0.01458, 0.05965, 0.00326), (139.3, -68.5, 47.5), (0.0139, 0.0137, 0.0142)),
+    ((0.00749, 0.0367, 0.01051), (-176.0, 13.7, -68.6), (0.0138, 0.014, 0.0136)),
 )
 STRAW = ((-0.0208, 0.0154, -0.0024), (0.035, 0.1441, -0.036), 0.0026)  # foot, top, radius
-DROPS = (1400, 0.0004, 0.0013)  # that are tried; least and greatest radius
+DROPS = (1060, 0.00044, 0.0013)  # that are tried; least and greatest radius
 DEWY = (0.0125, 0.0745)  # lower and upper end of the dew
-MATT = 0.025  # share of light that the densest breath scatters
+MATT = 0.22  # share of light that the densest grease scatters
+BREATHED = 0.114  # of which the densest breath scatters
+# Of fingers on the dry glass: angle, height, how far the finger leans, half its width and height
+PRINTS = ((1.94, 0.0862, 0.35, 0.0062, 0.0082), (2.16, 0.0812, 0.5, 0.006, 0.0085),
+          (1.27, 0.0868, -0.2, 0.0058, 0.0078))
 TRACKS = 13  # of drops that ran down
 
 
@@ -124,22 +128,32 @@ def straw():
     return mesh
 
 
-# Of cubes; and in which directions, seen from the camera, parts of each have broken off, how far
-# from its middle.
+# Of cubes; and in which directions, in its own space, parts of each have broken off, how far from
+# its middle.
 FORM = {'exponent': 9, 'waves': 0.00045, 'cell': 0.007, 'bulge': 0.04, 'fine': 0.1}
 CHIPS = (
-    (((-0.35, 0.75, 0.56), 0.0184), ((0.8, -0.2, 0.56), 0.0169)),
-    (((0.62, 0.66, 0.42), 0.0181), ((-0.75, 0.3, 0.6), 0.0173)),
-    (((0.1, 0.6, 0.79), 0.0176), ((-0.7, -0.5, 0.5), 0.0171)),
+    (((0.885, 0.379, 0.27), 0.0184), ((0.199, -0.075, -0.977), 0.0169)),
+    (((-0.839, 0.428, -0.336), 0.0181), ((0.426, 0.096, -0.899), 0.0173)),
+    (((0.576, 0.135, -0.806), 0.0176), ((0.724, -0.57, 0.389), 0.0171)),
 )
 
 
 def form(i):
-    """The form of a cube in its own space."""
-    turn = turned(*CUBES[i][1])
-    back = tuple(zip(*turn))
-    return {**FORM, 'chips': [(unit(tuple(dot(row, way) for row in back)), far)
-                              for way, far in CHIPS[i]]}
+    """Of a cube in its own space."""
+    return {**FORM, 'chips': [(unit(way), far) for way, far in CHIPS[i]]}
+
+
+def reach(i):
+    """A function of places in a cube's own space: shares of the way from its middle to its
+    surface."""
+    half = CUBES[i][2]
+    surface = ice_surface(half, 40 + 13 * i, **form(i))
+
+    def at(p):
+        shares = [v / h for v, h in zip(p, half)]
+        most = max(map(abs, shares))
+        return math.hypot(*p) / math.hypot(*surface([v / most for v in shares]))
+    return at
 
 
 def cubes():
@@ -147,12 +161,56 @@ def cubes():
             for i, (at, turn, half) in enumerate(CUBES)]
 
 
+SINKS = 0.917  # share of ice that is below the water, as heavy as what it takes the place of
+
+
+def above(mesh, level):
+    """How much of a closed mesh is above a level: the mean height of each face, times its area."""
+    volume = 0.0
+    for face in mesh.faces:
+        a, b, c = (mesh.points[i] for i in face)
+        low, mid, high = sorted(p[1] - level for p in (a, b, c))
+        mean = (low + mid + high) / 3 if mid > 0 else 0.0
+        if low < 0 < mid:
+            mean -= low ** 3 / (3 * (mid - low) * (high - low))
+        elif mid <= 0 < high:
+            mean = high ** 3 / (3 * (high - low) * (high - mid))
+        volume += mean * cross(sub(b, a), sub(c, a))[1] / 2
+    return volume
+
+
+def afloat(ice_cubes):
+    """
+    Stops unless the ice swims: together as deep as it must, each cube within the glass and beside
+    straw and other cubes, and the lowest one, which lifts the others, against both of them.
+    """
+    out, all_of = (sum(above(cube, level) for cube in ice_cubes) for level in (LEVEL, -1))
+    assert abs(out / all_of - (1 - SINKS)) < 0.001, f'{out / all_of:.4f} of the ice is dry'
+    foot, top, thick = STRAW
+    along = unit(sub(top, foot))
+    gaps = {}
+    for i, cube in enumerate(ice_cubes):
+        for p in cube.points:
+            assert math.hypot(p[0], p[2]) < inner_radius(p[1]) - 0.0002, f'cube {i + 1}, glass'
+            assert math.dist(p, add(foot, scale(along, dot(sub(p, foot), along)))) > thick, (
+                f'cube {i + 1}, straw')
+        assert min(p[1] for p in cube.points) > FLOOR + 0.0006, f'cube {i + 1}, floor'
+        for k, (at, turn, _) in enumerate(CUBES):
+            back, share = tuple(zip(*turned(*turn))), reach(k)
+            near = (sub(p, at) for p in cube.points if k != i and math.dist(p, at) < 0.021)
+            gaps[i, k] = min((math.hypot(*p) * (1 - 1 / share(tuple(dot(row, p) for row in back)))
+                              for p in near), default=1)
+    assert min(gaps.values()) > 0, 'a cube is in another one'
+    assert max(min(gaps[2, k], gaps[k, 2]) for k in (0, 1)) < 0.0004, 'the lowest lifts nothing'
+    return ice_cubes
+
+
 def clinging(cube, pick):
     """Places on a cube below the water, from which bubbles hang."""
     wet = [(p, n) for p, n in zip(cube.points, cube.normals) if p[1] < LEVEL - 0.003]
-    for _ in range(70):
+    for _ in range(32):
         at, normal = pick.choice(wet)
-        radius = 0.00018 + 0.0005 * pick.random() ** 3
+        radius = 0.00024 + 0.00045 * pick.random() ** 3
         yield add(at, scale(normal, 0.9 * radius)), (0, 1, 0), radius, radius
 
 
@@ -162,8 +220,8 @@ def bubbles():
     pick = random.Random(77)
     for i, ((at, turn, half), cube) in enumerate(zip(CUBES, cubes())):
         matrix = turned(*turn)
-        inside = [*worms(half, 90, 900 + i, bend=0.6),
-                  *crowd(half, 160, 940 + i, 0.00014, 0.0006)]
+        inside = [*worms(half, 60, 900 + i, bend=0.6),
+                  *crowd(half, 110, 940 + i, 0.0002, 0.0006)]
         for where, along, *form in inside:
             where, along = (tuple(sum(a * b for a, b in zip(row, v)) for row in matrix)
                             for v in (where, along))
@@ -177,27 +235,36 @@ def bubbles():
     return beads_mesh(beads)
 
 
+# Near the tops of the upper cubes, so that they mirror a window: cube, turn and place in the cube's
+# own space, radius.
+MIRRORS = (
+    (1, (73, 57), (0.0017, 0.0052, 0.0078), 0.0085),
+    (0, (-34, 68), (-0.0077, -0.006, 0.0037), 0.0075),
+)
+
+
 def cracks():
     """Sheets, each of which ends at its cube's surface, if it reaches it."""
     mesh = Mesh([], [], [])
-    for i, (at, turn, half) in enumerate(CUBES):
-        surface = ice_surface(half, 40 + 13 * i, **form(i))
 
-        def is_inside(p, surface=surface, half=half):
-            shares = [v / h for v, h in zip(p, half)]
-            most = max(map(abs, shares))
-            return math.hypot(*p) < 0.985 * math.hypot(*surface([v / most for v in shares]))
+    def split(i, lean, away, radius, seed):
+        at, turn, _ = CUBES[i]
+        share = reach(i)
+        whole = crack(radius, seed, bend=16, is_inside=lambda p: share(
+            add(tuple(dot(row, p) for row in lean), away)) < 0.985)
+        mesh.join(whole.placed(lean, away).placed(turned(*turn), at))
+    for i in range(len(CUBES)):
         for k, tilt in enumerate(((70 + 9 * i, 20, 0), (15, 80 - 14 * i, 40),
                                   (-50, 40, 75 + 8 * i), (35, -30 + 20 * i, 110),
                                   (95, 130, 10 + 25 * i))):
-            if (i, k) in ((1, 1), (2, 0)):  # white sheets before the straw
+            if (i, k) in ((1, 1), (2, 0), (0, 4), (1, 4), (2, 2), (2, 4)):  # white, or too many
                 continue
             radius = 0.0121 if k == 1 else 0.0112 - 0.0012 * k  # one goes through all of the cube
             aside = 1 - k if k < 3 else k - 4.5
-            lean, away = turned(*tilt), scale((0.0022, -0.0018, 0.0026), aside)
-            sheet = crack(radius, 300 + 10 * i + k, bend=16, is_inside=lambda p: is_inside(
-                add(tuple(sum(a * b for a, b in zip(row, p)) for row in lean), away)))
-            mesh.join(sheet.placed(lean, away).placed(turned(*turn), at))
+            split(i, turned(*tilt), scale((0.0022, -0.0018, 0.0026), aside), radius,
+                  300 + 10 * i + k)
+    for k, (i, tilt, away, radius) in enumerate(MIRRORS):
+        split(i, turned(*tilt), away, radius, 360 + k)
     return mesh
 
 
@@ -297,7 +364,24 @@ def drop(angle, y, radius):
     return Mesh(points, faces, normals)
 
 
-BREATH = (768, 384)  # texels around half of the glass and up it
+def print_at(angle, y):
+    """Grease of PRINTS, from 0 to 1: ridges around a whorl, half a millimetre apart."""
+    most = 0.0
+    for k, (middle, high, lean, wide, tall) in enumerate(PRINTS):
+        x, up = (angle - middle) * outer_radius(y), y - high
+        c, s = math.cos(lean), math.sin(lean)
+        x, up = c * x + s * up, c * up - s * x
+        far = math.hypot(x / wide, up / tall)
+        if far < 1.2:
+            uneven = noise((300 * x, 300 * up, k), 51)
+            ridge = math.hypot(1.3 * x, up + 0.0015) + 0.0005 * noise((450 * x, 450 * up, k), 52)
+            pressed = smoothstep(1.05 + 0.12 * uneven, 0.8, far) * (0.62 + 0.38 * uneven)
+            most = max(most, pressed * (0.3 + 0.7 * smoothstep(
+                -0.3, 0.5, math.sin(2 * math.pi * ridge / 0.00055))))
+    return most
+
+
+BREATH = (1024, 640)  # texels around half of the glass and up it
 
 
 def breath(ran, drops):
@@ -335,8 +419,11 @@ def breath(ran, drops):
     for angle, y, radius in drops:
         if radius > 0.0003:
             wipe(angle, y, y, 1.12 * radius, 0.35)
-    steps = [bytes(round(min(max(v, 0), 1) * 40) for v in row) for row in rows]
-    return png(steps, [(1 - MATT * k / 40,) * 3 for k in range(41)])
+    touched = [[max(BREATHED * min(v, 1), print_at(math.pi * (i + 0.5) / width,
+                                                   HEIGHT * (1 - (j + 0.5) / height)))
+                for i, v in enumerate(row)] for j, row in enumerate(rows)]
+    steps = [bytes(round(min(max(v, 0), 1) * 100) for v in row) for row in touched]
+    return png(steps, [(1 - MATT * k / 100,) * 3 for k in range(101)])
 
 
 def breathed(mesh):
@@ -374,6 +461,33 @@ def spilled():
         mesh.join(film(outline(radius, 0.16, round(1e5 * radius)), 0, 0.28 * radius + 0.0002,
                        0.9 * radius, (away * math.cos(angle), -away * math.sin(angle)),
                        segments=48))
+    return mesh.join(stood())
+
+
+STOOD = (-0.05, -0.014)  # where the glass stood before: x, z
+
+
+def stood():
+    """What is left there of its wet ring: long drops along a circle."""
+    pick = random.Random(47)
+    mesh = Mesh([], [], [])
+    angle = 0.95  # the rest was below the glass
+    while angle < 2 * math.pi - 0.95:
+        long, wide = pick.uniform(0.0015, 0.009) * pick.random() + 0.001, pick.uniform(5e-4, 0.0011)
+        angle += long / FOOT
+        if pick.random() < 0.7:
+            lobes, seed = pick.uniform(0.1, 0.35), pick.randrange(99)
+
+            def outline(a, long=long, wide=wide, lobes=lobes, seed=seed):
+                uneven = 1 + lobes * noise((math.cos(a) * 2, math.sin(a) * 3, seed), seed)
+                return wide * uneven * math.cos(a), -long * math.sin(a)
+            part = film(outline, 0, 0.3 * wide, 0.9 * wide, rings=6, segments=40)
+            for k, (x, y, z) in enumerate(part.points):
+                r, turn = FOOT - 0.003 + x, angle + z / FOOT
+                part.points[k] = (STOOD[0] + r * math.cos(turn), y, STOOD[1] + r * math.sin(turn))
+            part.normals = smooth_normals(part.points, part.faces)
+            mesh.join(part)
+        angle += long / FOOT + pick.uniform(0.0004, 0.004) / FOOT
     return mesh
 
 
@@ -474,7 +588,7 @@ def make():
     model.add('straw', straw(), lit('straw', 0.8, baseColorTexture={'index': printed}))
     model.add('water', water(), WATER)
     model.add('spilled', spilled(), WATER)
-    for i, cube in enumerate(cubes()):
+    for i, cube in enumerate(afloat(cubes())):
         model.add(f'cube {i + 1}', cube, ICE)
     model.add('glass', breathed(tumbler()), clouded)
     model.add('dew', dew(drops), WATER)
