@@ -13,14 +13,21 @@ layout(set = 0, binding = CONTACT_BINDING, scalar) uniform Contact
     contact_bodies contact;
 };
 
+layout(set = 0, binding = CONTACT_HEIGHTS) uniform sampler2D heights;
+layout(set = 0, binding = CONTACT_BELOW) uniform sampler2D undersides;
+
 /* rgb: what is added to the light on a level matt white surface; a: what of the light of the ground
  * itself is added, too */
 layout(location = 0) out vec4 map;
 
-const float wide_sine = 0.6;   /* of a body so wide that it bends no light aside */
-const float blur_width = 0.65; /* of the distribution that blurs as a disc of sine 1 */
-const float deep_share = 0.15; /* depth in a box, of its sides, from which on it hides nothing */
-const float flat_share = 0.6;  /* of the map, in which effects are whole */
+const float wide_sine = 0.6;      /* of a body so wide that it bends no light aside */
+const float blur_width = 0.65;    /* of the distribution that blurs as a disc of sine 1 */
+const float deep_share = 0.15;    /* depth in a box, of its sides, from which on it hides nothing */
+const float mirrored_share = 0.3; /* of light, by surroundings that hide others */
+const int directions = 12;        /* in which the horizon is looked for, each in: */
+const int directed_steps = 10;    /* of which each is longer by more than half */
+const float first_step = 1.5 / float(CONTACT_FINE); /* of the map's side */
+const float flat_share = 0.6;                       /* of the map, in which effects are whole */
 
 /* Returns what an edge between unit directions adds to a sum over an outline: half of the angle
  * that it is seen in, by pi, square to its plane. */
@@ -79,6 +86,35 @@ vec3 light_there(vec3 dir, vec3 around, float sine)
                textureLod(environment_light, vec3(at, first), 0.0).rgb, max(layer - first, 0.0));
 }
 
+/* Returns the height of what stands at a place of the map above the foot, metres: 0 where the room
+ * below it is higher than itself, as below a table. */
+float height_at(vec2 uv)
+{
+    float top = textureLod(heights, uv, 0.0).r, below = textureLod(undersides, uv, 0.0).r;
+    bool stands = below >= 1.0 || below < top - below;
+    return stands ? CONTACT_HIGH * contact.height * top : 0.0;
+}
+
+/* Returns the share of an even sky that surroundings hide from what is highest there: that below
+ * the horizon of each direction (Max 1988). */
+float hidden_by_surroundings(vec2 uv)
+{
+    float own = height_at(uv);
+    float sum = 0.0;
+    for (int i = 0; i < directions; i++) {
+        float turn = 6.2831853 * (float(i) + 0.5) / float(directions);
+        vec2 along = vec2(cos(turn), sin(turn));
+        float steepest = 0.0;
+        for (int k = 0; k < directed_steps; k++) {
+            float far = first_step * pow(1.6, float(k));
+            float rise = height_at(uv + far * along) - own;
+            steepest = max(steepest, rise / (2.0 * contact.half_side * far));
+        }
+        sum += steepest * steepest / (1.0 + steepest * steepest);
+    }
+    return sum / float(directions);
+}
+
 /* What goes through a body nearly straight shows what is behind it, but for what is bright and
  * small: that is bent aside. */
 void main()
@@ -101,6 +137,8 @@ void main()
         light = max(light - hidden * there, 0.0) + hidden * sky;
         of_ground += hidden * dot(contact.all[i].ground, vec3(1.0 / 3.0));
     }
+    float closed = contact.count > 0u ? hidden_by_surroundings(0.5 + 0.5 * at) : 0.0;
+    light *= 1.0 - (1.0 - mirrored_share) * closed;
     float fade = contact.strength * (1.0 - smoothstep(flat_share, 1.0, length(at)));
     map = fade * vec4(light - around, of_ground);
 }

@@ -8,12 +8,15 @@
  * less what is absorbed (src/scene/contact_light.h): clear things hide little, and in an even
  * environment nothing. A map has the result for a level surface at the objects' foot, seen from
  * above; surroundings look it up, and the less of it counts the farther they are above or below.
+ * In the map is as well what surroundings that stand on that level, as high as they are seen from
+ * above, hide of an even sky; they are taken to be of a light grey in the light of that sky.
  *
  * Limits: an object brings the same shares of light to all points around it. The light is that of
  * the whole sky, of what is straight behind it, or of the surface itself, not of the place that is
  * seen there. Walls are not shaded. A hollow object is one that is thinner throughout. Bubbles,
  * cracks and frost are not counted; a cloud is taken to be even. CONTACT_BODIES bodies at most;
- * films and puddles have none. Surroundings do not shade each other. Glossy light of surfaces that
+ * films and puddles have none. Surroundings shade each other around bodies alone, as far as the map
+ * goes, and not where the room below them is higher than they are. Glossy light of surfaces that
  * mirror.c makes mirrors is left to that.
  */
 #include "src/tech/contact.h"
@@ -41,6 +44,21 @@ static const struct rg_image map = {
     .persistent = true, /* read in frames in which it is not due */
 };
 
+/* Of surroundings above the foot, and of what they have lowest that looks down; from above. */
+static const struct rg_image heights = {
+    .name = "contact.heights",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .width = CONTACT_FINE,
+    .height = CONTACT_FINE,
+};
+
+static const struct rg_image undersides = {
+    .name = "contact.undersides",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .width = CONTACT_FINE,
+    .height = CONTACT_FINE,
+};
+
 static const struct rg_fallback no_change = { { 0 } };
 
 #define USE_BODIES \
@@ -60,11 +78,40 @@ static bool is_due(const struct rg_frame *frame, uint32_t repetition)
     return frame->due.light || !frame->scene->contact.count;
 }
 
+static void record_heights(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    if (frame->scene->contact.count) /* else the map is of no change, and does not look them up */
+        rg_cmd_draw_mesh(cmd, &frame->surroundings);
+}
+
 static const struct rg_pass passes[] = {
+    {
+        .name = "contact.heights",
+        .depth = { &heights, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = RG_USES(FRAME_USE_GLOBALS, USE_BODIES),
+        .vert = &contact_heights_vert,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_BACK_BIT, /* ceilings */
+        .record = record_heights,
+        .when = is_due,
+    },
+    {
+        .name = "contact.undersides",
+        .depth = { &undersides, RG_LOAD_CLEAR, { .depthStencil.depth = 1.0f } },
+        .depth_compare = VK_COMPARE_OP_LESS,
+        .uses = RG_USES(FRAME_USE_GLOBALS, USE_BODIES),
+        .vert = &contact_heights_vert,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_FRONT_BIT,
+        .record = record_heights,
+        .when = is_due,
+    },
     {
         .name = "contact.map",
         .color = RG_TARGETS({ &map, RG_LOAD_DISCARD }),
-        .uses = RG_USES(FRAME_USE_GLOBALS, USE_BODIES,
+        .uses = RG_USES(FRAME_USE_GLOBALS, USE_BODIES, FRAME_READ(heights, CONTACT_HEIGHTS),
+                        FRAME_READ(undersides, CONTACT_BELOW),
                         FRAME_SAMPLE(frame_surface_light, BACKGROUND_LIGHT,
                                      .sampler = &frame_environment_sampler)),
         .vert = &screen_vert,

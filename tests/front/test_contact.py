@@ -11,6 +11,7 @@ OFF = ('--set', 'contact.strength=0')
 WIDTH, HEIGHT = 96, 64
 FOOT = range(WIDTH * 48 + 44, WIDTH * 48 + 52)  # pixels of the floor close before the box
 FLOOR = range(WIDTH * 48, WIDTH * HEIGHT)
+NEAR = [WIDTH * y + x for y in range(50, 54) for x in range(36, 60)]
 BOX = ('box.gltf', '-r', 'bounce', '--size', f'{WIDTH}x{HEIGHT}', '--eye', '0,4,6', '--target',
        '0,0.9,0', '--samples', 1, *SMALL_CUBE, '--set', 'light.count=0', '-q')
 
@@ -61,6 +62,27 @@ class Contact(Case):
                               OFF, ())))
         errors = [sum(abs(a - b) for a, b in zip(plane, truth)) for plane in (without, found)]
         self.assertLess(errors[1], 0.5 * errors[0], errors)
+
+
+    @unsanitized
+    def test_opaque(self):
+        """The floor before a dark box, as trace draws it; one in the air changes nothing."""
+        matt = {'pbrMetallicRoughness': {'baseColorFactor': [0.2, 0.2, 0.2, 1],
+                                         'metallicFactor': 0, 'roughnessFactor': 1}}
+
+        def drawn(height, *ways):
+            (self.folder / 'box.gltf').write_text(boxes(
+                (matt, [0, -50, 0], 50), (glass(), [0, 0.501, -1], 0.5),
+                (matt, [0, height, 0.8], 0.5)))
+            return [[planes['G'][i] for i in NEAR] for planes in (
+                self.planes('--background', '1,1,1', *words) for words in ways)]
+
+        truth, without, found = drawn(
+            0.5, ('-r', 'trace', '--set', 'ground.light=traced', '--samples', 16), OFF, ())
+        errors = [sum(abs(a - b) for a, b in zip(plane, truth)) for plane in (without, found)]
+        self.assertLess(errors[1], 0.5 * errors[0], errors)
+        without, found = drawn(2, OFF, ())
+        self.assertLess(max(abs(a - b) for a, b in zip(without, found)), 0.01)
 
 
 if __name__ == '__main__':
