@@ -56,17 +56,28 @@ def water():
     points = rounded(profile)
     points = [(r, y, (nr, ny)) for r, y, nr, ny in points[:-1]]
     points.append((edge + deep, LEVEL + 0.0018, None))
-    for i in range(36):  # the water climbs at the glass
-        r = edge * (1 - (i / 35) ** 2)  # the closer to the glass, the finer
+    for i in range(56):  # the water climbs at the glass
+        r = edge * (1 - (i / 55) ** 2)  # the closer to the glass, the finer
         points.append((r, LEVEL + 0.0018 * math.exp(-(edge - r) / 0.0013), None))
-    mesh = lathe(with_normals(points), 90)
+    mesh = lathe(with_normals(points), 120)
+    things = [(at, tuple(zip(*turned(*turn))), reach(i)) for i, (at, turn, _) in enumerate(CUBES)]
+    foot, top, thick = STRAW
+    along = unit(sub(top, foot))
+
+    def climbs(p):
+        """How far at ice and straw, which is less where it climbs at the glass, too."""
+        gap = math.dist(p, add(foot, scale(along, dot(sub(p, foot), along)))) - thick
+        for at, back, share in things:
+            q = sub(p, at)
+            gap = min(gap, math.hypot(*q) * (1 - 1 / share(tuple(dot(row, q) for row in back))))
+        return 0.0013 * math.exp(-max(gap, 0) / 0.0014) * max(1 - (p[1] - LEVEL) / 0.0018, 0)
 
     def wave(p):
         if p[1] < LEVEL - 0.0005:
             return p
         inside = smoothstep(0, 0.01, edge - math.hypot(p[0], p[2]))
         q = (p[0] / 0.011, 0.5, p[2] / 0.011)
-        return (p[0], p[1] + inside * 0.00016 * noise(q, 4), p[2])
+        return (p[0], p[1] + inside * 0.00016 * noise(q, 4) + climbs(p), p[2])
     mesh.points = [wave(p) for p in mesh.points]
     mesh.normals = smooth_normals(mesh.points, mesh.faces)
     return mesh
@@ -366,7 +377,7 @@ def drop(angle, y, radius):
 
 
 def print_at(angle, y):
-    """Grease of PRINTS, from 0 to 1: ridges around a whorl, half a millimetre apart."""
+    """Grease of PRINTS, from 0 to 1: ridges in loops, half a millimetre apart."""
     most = 0.0
     for k, (middle, high, lean, wide, tall) in enumerate(PRINTS):
         x, up = (angle - middle) * outer_radius(y), y - high
@@ -375,7 +386,8 @@ def print_at(angle, y):
         far = math.hypot(x / wide, up / tall)
         if far < 1.2:
             uneven = noise((300 * x, 300 * up, k), 51)
-            ridge = math.hypot(1.3 * x, up + 0.0015) + 0.0005 * noise((450 * x, 450 * up, k), 52)
+            ridge = (math.hypot(1.3 * (x + 0.5 * up), max(up + 0.001, 0)) +
+                     0.0006 * noise((400 * x, 400 * up, k), 52))
             pressed = smoothstep(1.05 + 0.12 * uneven, 0.8, far) * (0.62 + 0.38 * uneven)
             most = max(most, pressed * (0.3 + 0.7 * smoothstep(
                 -0.3, 0.5, math.sin(2 * math.pi * ridge / 0.00055))))
