@@ -17,7 +17,7 @@ const struct asset assets[] = {
                       "tonemap.exposure=0.9", "bubbles.count=300", "bubbles.size=0.11",
                       "bubbles.shape=grown", "bubbles.stretch=14", "cracks.count=2",
                       "cracks.seed=15", "cracks.refract=gap", "cracks.bump=0.06",
-                      "cracks.clip=convex" },
+                      "cracks.clip=convex", "refract_bounce.least=0.04" },
         .help = "cube of ice on wet slate, before mountains",
     },
     {
