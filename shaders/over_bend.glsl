@@ -65,6 +65,7 @@ vec4 bend_bubbles(sampler2D bubbles)
     ray.way = bend_texels(vec4(dir, 0.0));
     ray.depth = within_depth(from_center, bend.forward, radius);
     ray.pace = max(0.5 * dot(dir, bend.forward) / radius, 1e-3);
+    ray.is_across = false;
     float middle = dot(from_center, dir);
     float outside = dot(from_center, from_center) - radius * radius;
     float most = sqrt(max(middle * middle - outside, 0.0)) - middle;

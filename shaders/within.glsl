@@ -15,7 +15,8 @@ const float within_none = 1e30;
 
 struct within_ray {
     vec4 from, way;    /* in texels of the image: x / w and y / w, from the middle of the first */
-    float depth, pace; /* at the start, and its growth with length */
+    float depth, pace; /* at the start, and its growth with length, which is not 0 */
+    bool is_across;    /* it goes across the view: what it meets may be steeper than it is */
 };
 
 /* Returns the depth of a point that is `from_center` of a sphere away. */
@@ -43,22 +44,28 @@ float within_room(sampler2D image, within_ray ray, float t)
 float within_find(sampler2D image, within_ray ray, float most)
 {
     float step_length = most / float(within_steps);
-    float half_step = 0.5 * step_length * ray.pace;
+    float sense = ray.pace < 0.0 ? -1.0 : 1.0;
+    float half_step = 0.5 * step_length * abs(ray.pace);
     float found = within_none;
+    float closing = ray.pace; /* by which the room shrinks with length */
     float before = -9.0;
     for (uint i = 0u; i < within_steps; i++) {
         float t = (float(i) + 0.5) * step_length;
         float room = within_room(image, ray, t);
-        bool crosses = before > 0.0 && room > -2.0;
+        bool is_shown = room > -2.0;
+        bool crosses = before > 0.0 && is_shown;
+        room *= sense;
         if (room <= half_step && (room > -half_step || crosses)) {
             found = t;
+            if (ray.is_across && before > -2.0)
+                closing = sense * max((before - room) / step_length, 0.25 * abs(ray.pace));
             break;
         }
-        before = room;
+        before = is_shown ? room : -9.0;
     }
     float least = max(found - step_length, 0.0), nearer = found;
     for (uint i = 0u; i < within_nearings && found < within_none; i++) {
-        float t = nearer + within_room(image, ray, nearer) / ray.pace;
+        float t = nearer + within_room(image, ray, nearer) / closing;
         t = clamp(t, least, found + step_length);
         nearer = within_room(image, ray, t) > -2.0 ? t : nearer;
     }

@@ -16,7 +16,7 @@
  * cracks.surface paints the sheets red and opaque, as the paper's figures 5c and 5d do.
  *
  * A rung that bends what is inside (technique_rung.bends_cracks) meets gaps on the ray that the
- * surface has bent, and follows the greater part of the light on from there.
+ * surface has bent, and follows the light on from there.
  *
  * Error: other rungs see cracks along the straight ray, not the refracted one, and their light is
  * not refracted by the surface above them. Cracks behind each other are blended in the order of the

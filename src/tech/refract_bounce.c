@@ -158,6 +158,15 @@ static const struct setting rows[] = {
         .help = "minimum share of a ray's light that is followed to a further exit",
     },
     {
+        .name = "refract_bounce.branch",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_bounce_params, branch),
+        .initial = 0.1,
+        .max = 1,
+        .help = "minimum share of a pixel's light that is followed where a crack parts it, once, "
+                "besides the greater part",
+    },
+    {
         .name = "refract_bounce.margin",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct refract_bounce_params, margin),
@@ -186,8 +195,10 @@ static const struct setting rows[] = {
         .max = REFRACT_BOUNCE_BENT_ALL,
         .choices = bent_choices,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "inclusions seen along rays that the surface has bent: none, gaps of cracks, which "
-                "mirror the object's inside then, or bubbles, too",
+        .help =
+            "inclusions seen along rays that the surface has bent: none, gaps of cracks, which "
+            "mirror the object's inside then, or bubbles, too, and cracks by rays that faces and "
+            "cracks have mirrored",
     },
 };
 
