@@ -10,7 +10,7 @@ from surroundings import ramp
 HALF = (0.0146, 0.0132, 0.0142)  # of the ice
 MIDDLE = (0, 0.0128, 0)
 TURN = turned(24)
-FORM = {'exponent': 7, 'waves': 0.0005, 'cell': 0.0031, 'bulge': 0.045, 'stretch': 1.7,
+FORM = {'exponent': 7, 'waves': 0.00043, 'cell': 0.0031, 'bulge': 0.045, 'stretch': 1.25,
         'fine': 0.55}
 VIEW = turned(165.6)  # of all, towards the finest mountains
 SLAB = (0.15, -0.125, 0.085, 0.012)  # half width, near and far edge, thickness
@@ -100,10 +100,10 @@ def tone(x, z):
     shade = 1 + 0.3 * fractal(x / 0.024, z / 0.014, 41, 4)
     shade += 0.2 * fractal((0.88 * x + 0.48 * z) / 0.02, (0.88 * z - 0.48 * x) / 0.0025, 51, 3)
     rust = smoothstep(0.25, 0.7, fractal(x / 0.03, z / 0.02, 43, 4))
-    base = mix((0.2, 0.236, 0.286), (0.27, 0.245, 0.22), 0.4 * rust)
+    base = mix((0.145, 0.168, 0.2), (0.2, 0.178, 0.155), 0.4 * rust)
     wet = wetness(x, z)
     dark = tuple(v ** (1 + 0.12 * wet) for v in base)  # water deepens its colour
-    return scale(dark, shade * (1 - 0.45 * wet))
+    return scale(dark, shade * (1 - 0.52 * wet))
 
 
 def texture_places(mesh):
