@@ -9,9 +9,7 @@
 
 #include "bubbles_seen.glsl"
 
-layout(set = 0, binding = BUBBLES_ENV_CUBE) uniform samplerCube env_cube;
-
-layout(location = 0) in vec3 eye_to_point; /* to a point of the square */
+layout(location = 0) in vec3 eye_to_square; /* to a point of the square */
 layout(location = 1) flat in vec3 eye_to_center;
 layout(location = 2) flat in float radius;
 
@@ -19,11 +17,11 @@ layout(location = 0) out vec4 bubble; /* premultiplied */
 
 void main()
 {
-    vec3 e = view_dir(eye_to_point);
+    vec3 e = view_dir(eye_to_square);
     float along = dot(eye_to_center, e);
     vec3 aside = along * e - eye_to_center; /* from the centre to the ray, perpendicular to it */
     if (constant_orthographic != 0u)
-        aside = eye_to_point - eye_to_center;
+        aside = eye_to_square - eye_to_center;
     float b = length(aside) / radius;
     if (b >= 1.0)
         discard;
@@ -38,10 +36,8 @@ void main()
     vec3 outward = aside / max(length(aside), 1e-30);
     float share = optics_fresnel(e, (hit - eye_to_center) / radius, eta);
     vec3 reflected = bubble_turn(e, outward, bubble_reflected(b));
-    bubble = share * vec4(textureLod(env_cube, reflected, 0.0).rgb, 1.0);
-    if (share < 1.0) {
-        vec3 passed = bubble_turn(e, outward, bubble_transmitted(b, eta));
-        float cover = (1.0 - share) * bubble_cover(b, eta);
-        bubble += cover * vec4(textureLod(env_cube, passed, 0.0).rgb, 1.0);
-    }
+    vec3 passed = bubble_turn(e, outward, bubble_transmitted(b, eta));
+    float cover = share < 1.0 ? (1.0 - share) * bubble_cover(b, eta) : 0.0;
+    bubble = bubble_through(
+        e, hit, vec4(bubble_light(hit, reflected, share, passed, cover), share + cover));
 }

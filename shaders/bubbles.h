@@ -1,12 +1,12 @@
-/* bubbles.h: shared by bubbles.c and bubbles*.{vert,frag}; bindings 1 and 2 are those of
- * ice_depth.h. */
+/* bubbles.h: shared by bubbles.c and bubbles*.{vert,frag}, beside the bindings of ice_depth.h and
+ * refract.h. */
 #ifndef SHADERS_BUBBLES_H
 #define SHADERS_BUBBLES_H
 #include "abi.h"
 
-#define BUBBLES_ENV_CUBE 3 /* radiance around the object */
-#define BUBBLES_DRAWN    4 /* storage buffer, farthest first */
-#define BUBBLES_CRACKS   5 /* cracks.met, of bubbles_seen.glsl */
+#define BUBBLES_ENV_CUBE 1  /* REFRACT_ENV_CUBE: radiance around the object */
+#define BUBBLES_CRACKS   6  /* cracks.met, of bubbles_seen.glsl */
+#define BUBBLES_DRAWN    20 /* storage buffer, farthest first */
 
 #define BUBBLES_COUNT_MAX 4096
 

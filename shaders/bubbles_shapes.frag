@@ -10,9 +10,7 @@
 
 #include "bubbles_seen.glsl"
 
-layout(set = 0, binding = BUBBLES_ENV_CUBE) uniform samplerCube env_cube;
-
-layout(location = 0) in vec3 eye_to_point; /* to a point of the rectangle */
+layout(location = 0) in vec3 eye_to_rectangle; /* to a point of the rectangle */
 layout(location = 1) flat in vec3 eye_to_center;
 layout(location = 2) flat in float radius;
 layout(location = 3) flat in vec4 axis; /* w: stretch */
@@ -33,8 +31,8 @@ vec3 normal_at(vec3 from)
 /* As bubbles.frag, but light that goes through is followed to where it leaves. */
 void main()
 {
-    vec3 e = view_dir(eye_to_point);
-    vec3 from = eye_to_point - eye_to_center; /* a point of the ray, from the centre on */
+    vec3 e = view_dir(eye_to_rectangle);
+    vec3 from = eye_to_rectangle - eye_to_center; /* a point of the ray, from the centre on */
     vec2 at = cross_at(from, e);
     if (at.x > at.y)
         discard;
@@ -47,13 +45,11 @@ void main()
     vec3 n = normal_at(hit);
     n = dot(n, e) < 0.0 ? n : -e;
     float share = optics_fresnel(e, n, eta);
-    bubble = share * vec4(textureLod(env_cube, optics_reflect(e, n), 0.0).rgb, 1.0);
-    if (share < 1.0) {
-        vec3 inside = refract(e, n, eta);
-        vec3 last = hit + max(cross_at(hit, inside).y, 0.0) * inside;
-        vec3 passed = refract(inside, -normal_at(last), 1.0 / eta);
-        float b2 = 1.0 - dot(n, e) * dot(n, e);
-        float cover = (1.0 - share) * bubble_cover(sqrt(b2), eta);
-        bubble += cover * vec4(textureLod(env_cube, passed, 0.0).rgb, 1.0);
-    }
+    vec3 inside = refract(e, n, eta); /* 0 if all is reflected */
+    vec3 last = hit + max(cross_at(hit, inside).y, 0.0) * inside;
+    vec3 passed = share < 1.0 ? refract(inside, -normal_at(last), 1.0 / eta) : e;
+    float b2 = 1.0 - dot(n, e) * dot(n, e);
+    float cover = share < 1.0 ? (1.0 - share) * bubble_cover(sqrt(b2), eta) : 0.0;
+    vec3 light = bubble_light(eye_to_center + hit, optics_reflect(e, n), share, passed, cover);
+    bubble = bubble_through(e, eye_to_center + hit, vec4(light, share + cover));
 }

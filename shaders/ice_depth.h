@@ -2,7 +2,7 @@
 #ifndef SHADERS_ICE_DEPTH_H
 #define SHADERS_ICE_DEPTH_H
 
-#define ICE_DEPTH_FRONT 1
-#define ICE_DEPTH_BACK  2
+#define ICE_DEPTH_FRONT 22
+#define ICE_DEPTH_BACK  23
 
 #endif

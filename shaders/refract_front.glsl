@@ -1,7 +1,7 @@
 /*
  * refract_front.glsl: the inputs of front faces from refract*.vert, and their normal; with
  * REFRACT_BUMP, with bumps. With REFRACT_SEEN all of this is read from ice_normal.front; with
- * REFRACT_PHOTONS, main() finds it.
+ * REFRACT_PHOTONS, main() finds it, if rays enter at all.
  */
 #ifndef REFRACT_FRONT_GLSL
 #define REFRACT_FRONT_GLSL

@@ -43,7 +43,9 @@ march_space march_space_of_frame()
 {
     mat4 m = refract_frame.clip_from_world;
     vec2 size = vec2(textureSize(depth_back, 0));
-#ifdef REFRACT_SEEN
+#ifdef MARCH_PICTURE
+    vec2 picture = MARCH_PICTURE;
+#elif defined(REFRACT_SEEN)
     vec2 picture = vec2(textureSize(shading, 0)); /* in the middle of the maps */
 #else
     vec2 picture = size;

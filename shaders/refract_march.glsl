@@ -12,16 +12,25 @@
 bool march_is_in_ground(vec3 point);
 #endif
 
-/* Traces a ray. `leaving` is the transmittance of its last surface: 0 if light does not leave. */
-refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
+#ifdef REFRACT_CLOUD
+#include "refract_cloud.glsl"
+
+vec3 march_scattered; /* light of clouds on the way that was traced last */
+float march_straight; /* share of its light that no cloud has scattered; both are set by callers */
+#endif
+
+/* Traces a way inside on to where it leaves. `leaving` is the transmittance of its last surface: 0
+ * if light does not leave. */
+void march_on(march_space space, float eta, inout refract_way way, out float leaving)
 {
-    float eta = refract_frame.etas[channel];
-    refract_way way = refract_leave_at_front(optics_refract(e, n_f, eta));
-    march_space space = march_space_of_frame();
     leaving = 0.0;
     for (uint i = 0u;; i++) {
         bool near_front;
         float t = march_length(space, way.point, way.dir, near_front);
+#ifdef REFRACT_CLOUD
+        march_scattered += exp(-refract_frame.absorb * way.path) *
+                           refract_cloud(frame.cloud, way.point, way.dir, t, march_straight);
+#endif
         way.point += t * way.dir;
         way.path += t;
         vec3 n = march_normal(space, way.point, way.dir, near_front);
@@ -41,6 +50,14 @@ refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
         if (!total || i == space.march.bounces)
             break;
     }
+}
+
+/* Traces a ray that enters. */
+refract_way march_follow(vec3 e, vec3 n_f, int channel, out float leaving)
+{
+    float eta = refract_frame.etas[channel];
+    refract_way way = refract_leave_at_front(optics_refract(e, n_f, eta));
+    march_on(march_space_of_frame(), eta, way, leaving);
     return way;
 }
 

@@ -23,7 +23,6 @@ const struct quality_row quality_rows[] = {
     { "refract.steps", { [HIGH] = "12" } },
     { "refract_bounce.exits", { [DRAFT] = "1" } },
     { "refract_bounce.bent", { [DRAFT] = "off", [HIGH] = "all" } },
-    { "refract_bounce.branch", { [HIGH] = "0.07" } },
     { "air.steps", { [DRAFT] = "0", [HIGH] = "8" } },
     { "mirror.steps", { [DRAFT] = "0", [HIGH] = "16" } },
     { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },

@@ -8,10 +8,11 @@
  * centre's squared distance less the squared radius, which is exact for them, and for other shapes
  * where the spheres around them do not overlap.
  *
- * Limits: bubbles show the environment cube; the ice's surface does not bend the ray from the
- * bubble, nor, unless bubbles_are_bent(), that from the eye. Because the picture behind is already
- * bent, transmitted light counts only by the squared sine of its angle inside (bubble_cover), so
- * that the middle of a bubble shows the picture behind it, where a true bubble shows it smaller.
+ * Limits: unless bubbles_are_bent(), bubbles show the environment cube: the ice's surface bends
+ * neither the ray from the bubble nor that from the eye, and clouds are left out. Of hollow objects
+ * the latter alone is bent. Because the picture behind is already bent, transmitted light counts
+ * only by the squared sine of its angle inside (bubble_cover), so that the middle of a bubble shows
+ * the picture behind it, where a true bubble shows it smaller.
  * Light that is reflected inside the bubble is treated as transmitted. A bubble around the eye is
  * invisible, and so is what is no sphere if the eye is in the sphere around it. Convex objects
  * only, as for ice_depth.
@@ -23,13 +24,17 @@
 #include "shaders/bubbles.h"
 #include "shaders/embedded.h"
 #include "shaders/ice_depth.h"
+#include "shaders/refract.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/cracks.h"
 #include "src/tech/frame.h"
 #include "src/tech/ice_depth.h"
+#include "src/tech/ice_normal.h"
+#include "src/tech/refract.h"
+#include "src/tech/refract_bounce.h"
 #include "src/tech/row_builder.h"
 
-static rg_record_fn record_bubbles;
+static rg_record_fn record_bubbles, record_followed;
 
 const struct rg_image bubbles_color = {
     .name = "bubbles.color",
@@ -98,6 +103,23 @@ static const struct rg_use bent_uses[] = {
     { 0 },
 };
 
+/* The rung's maps, for the light of bubbles. */
+static const struct rg_use followed_uses[] = {
+    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
+    FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
+    { 0 },
+};
+
+static const struct rg_use followed_wide_uses[] = {
+    FRAME_SAMPLE(ice_normal_wide_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_wide_back_depth, REFRACT_DEPTH_BACK),
+    FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_wide_front_depth, REFRACT_DEPTH_FRONT),
+    { 0 },
+};
+
 static const struct rg_target bent_targets[] = {
     { &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER },
     { &bubbles_depth, RG_LOAD_CLEAR },
@@ -107,6 +129,20 @@ static void record_bubbles(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     if (frame->scene->bubbles.count)
         rg_cmd_draw(cmd, 6 * frame->scene->bubbles.count);
+}
+
+/* Of bubbles on bent rays: as they are, with their light followed, and that in cloudy ice. */
+static const struct rg_shader *const bent_frags[3][2] = {
+    { &bubbles_bent_frag, &bubbles_shapes_bent_frag },
+    { &bubbles_followed_frag, &bubbles_shapes_followed_frag },
+    { &bubbles_followed_cloud_frag, &bubbles_shapes_followed_cloud_frag },
+};
+
+static void record_followed(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, settings_of(frame->settings, &refract_bounce_settings),
+                sizeof(struct refract_bounce_params));
+    record_bubbles(cmd, frame);
 }
 
 static const char *const shape_names[] = { "sphere", "prolate", "oblate", "capsule",
@@ -196,8 +232,21 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
         return (struct rg_technique){ 0 };
     bent->color = bent_targets;
     bent->color_count = sizeof(bent_targets) / sizeof(bent_targets[0]);
-    bent->uses = row_builder_uses(builder, (const struct rg_use *const[]){ uses, bent_uses }, 2);
-    bent->frag = are_spheres ? &bubbles_bent_frag : &bubbles_shapes_bent_frag;
+    const bool is_followed = !choice->is_nested, is_cloudy = is_followed && choice->is_cloudy;
+    const struct rg_use *const all_uses[] = {
+        uses,
+        bent_uses,
+        !is_followed      ? NULL
+        : choice->is_wide ? followed_wide_uses
+                          : followed_uses,
+        is_cloudy ? refract_cloud_uses : NULL,
+    };
+    bent->uses = row_builder_uses(builder, all_uses, sizeof(all_uses) / sizeof(all_uses[0]));
+    bent->frag = bent_frags[is_followed + is_cloudy][!are_spheres];
+    if (is_followed) {
+        bent->push_size = sizeof(struct refract_bounce_params);
+        bent->record = record_followed;
+    }
     return (struct rg_technique){ "bubbles", bent, 1 };
 }
 

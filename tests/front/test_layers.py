@@ -146,6 +146,25 @@ class Small(Case):
         self.assertLess(sum(abs(a - b) for a, b in zip(whole, small)), 0.2 * sum(whole))
         self.assertNotEqual(whole, small)
 
+    @unsanitized
+    def test_light_of_bubbles(self):
+        """Followed through the ice, it is even in even light; clouds are before and behind them."""
+        def bubbles(scene, *words):
+            self.succeed('render', scene, '-r', 'bounce', '--quality', 'high', '--samples', 1,
+                         '--size', '96x72', '-q', *words, '--aov', 'bubbles', '-o', 'a.exr')
+            planes = Exr((self.folder / 'a.exr').read_bytes()).read_planes(
+                ('bubbles.G', 'bubbles.A'))
+            return planes['bubbles.G'], planes['bubbles.A']
+
+        for shape in ('sphere', 'mixed'):
+            light, cover = bubbles('sphere', '--background', '1,1,1', '--set', 'bubbles.count=300',
+                                   '--set', 'bubbles.size=0.1', '--set', f'bubbles.shape={shape}')
+            self.assertGreater(sum(cover), 50)
+            self.assertLess(max(abs(a - b) for a, b in zip(light, cover)), 0.01)
+        cloudy, clear = (bubbles('ice-cube', '--set', f'air.clouds={share}') for share in (1, 0))
+        self.assertEqual(cloudy[1], clear[1])
+        self.assertGreater(sum(cloudy[0]), 1.2 * sum(clear[0]))
+
 
 if __name__ == '__main__':
     if '--without' in sys.argv:
