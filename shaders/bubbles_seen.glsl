@@ -5,6 +5,8 @@
  */
 #ifndef BUBBLES_SEEN_GLSL
 #define BUBBLES_SEEN_GLSL
+#include "lib/ice_clip.glsl"
+
 #ifdef BUBBLES_BENT
 #include "within.glsl"
 

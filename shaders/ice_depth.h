@@ -1,4 +1,4 @@
-/* ice_depth.h: bindings of shaders that read ice_depth's images. */
+/* ice_depth.h: bindings of shaders that read ice_depth's images; some read refract.h's, too. */
 #ifndef SHADERS_ICE_DEPTH_H
 #define SHADERS_ICE_DEPTH_H
 
