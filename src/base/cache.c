@@ -1,4 +1,4 @@
-/* cache.c: reads and writes files that save time alone. */
+/* cache.c: disk cache of files that only save time, with hash, ownership check and LRU eviction. */
 #include "src/base/cache.h"
 #include <dirent.h>
 #include <fcntl.h>
@@ -14,7 +14,7 @@ enum {
     PATH_SIZE = FOLDER_SIZE + 152,
 };
 
-/* FNV-1a, 64 bits. The hash is checked because a driver may crash on damaged data. */
+/* Returns the 64-bit FNV-1a hash. It detects damage, because drivers may crash on damaged data. */
 static uint64_t hash(const unsigned char *data, size_t size)
 {
     uint64_t value = 0xcbf29ce484222325;
@@ -33,7 +33,7 @@ bool cache_is_whole(const void *data, size_t size)
     return stored == hash(data, size);
 }
 
-/* The folder "$XDG_CACHE_HOME/firn"; only absolute paths count. */
+/* Returns the folder "$XDG_CACHE_HOME/firn" or "$HOME/.cache/firn"; only absolute paths count. */
 static bool find_folder(char folder[static FOLDER_SIZE])
 {
     const char *cache = getenv("XDG_CACHE_HOME");
@@ -74,14 +74,14 @@ static bool write_all(int file, const char *data, size_t size)
     return true;
 }
 
-/* Returns whether only the user can have written a file or folder, since drivers trust the data. */
+/* Returns true if only the user can have written a file or folder: drivers trust the data. */
 static bool is_own(const struct stat *info)
 {
     return info->st_uid == geteuid() && !(info->st_mode & (S_IWGRP | S_IWOTH));
 }
 
-/* Reads an open file that is regular and small enough, and sound. */
-static char *read_sound(int file, const struct stat *info, const struct cache_file *wanted)
+/* Reads an open regular file if it is small enough and passes is_sound(). */
+static char *read_valid(int file, const struct stat *info, const struct cache_file *wanted)
 {
     if (!S_ISREG(info->st_mode) || info->st_size <= 0 ||
         (uint64_t)info->st_size > (uint64_t)wanted->size_max)
@@ -110,7 +110,7 @@ void *cache_read(const struct cache_file *wanted, size_t *size)
         log_warning("%s: ignored because other users can write it or its folder", path);
         return NULL;
     }
-    char *data = is_regular ? read_sound(file, &info, wanted) : NULL;
+    char *data = is_regular ? read_valid(file, &info, wanted) : NULL;
     if (data)
         (void)futimens(file, NULL);
     close(file);
@@ -120,7 +120,7 @@ void *cache_read(const struct cache_file *wanted, size_t *size)
     return data;
 }
 
-/* Makes the folder, and its parent (~/.cache) if that is missing. */
+/* Creates the cache folder, and its parent (~/.cache) if that is missing. */
 static void make_folder(char *folder)
 {
     char *slash = strrchr(folder, '/');
@@ -150,13 +150,13 @@ void cache_write(const char *name, void *data, size_t size)
         (void)unlink(temporary);
 }
 
-/* ---- what there is too much of ---- */
+/* ---- eviction ---- */
 
-/* Of files whose names begin so: their bytes, and the one that was used longest ago. */
-struct found {
+/* Files with a common prefix: their total size and the least recently used one. */
+struct cache_usage {
     uint64_t bytes;
     struct timespec used;
-    char name[256]; /* "": none */
+    char name[256]; /* "" if there is none */
 };
 
 static bool is_before(const struct timespec *a, const struct timespec *b)
@@ -164,9 +164,9 @@ static bool is_before(const struct timespec *a, const struct timespec *b)
     return a->tv_sec < b->tv_sec || (a->tv_sec == b->tv_sec && a->tv_nsec < b->tv_nsec);
 }
 
-static struct found look(DIR *folder, const char *beginning)
+static struct cache_usage scan_folder(DIR *folder, const char *beginning)
 {
-    struct found found = { .bytes = 0 };
+    struct cache_usage usage = { .bytes = 0 };
     rewinddir(folder);
     for (const struct dirent *entry = readdir(folder); entry; entry = readdir(folder)) {
         struct stat info;
@@ -174,13 +174,13 @@ static struct found look(DIR *folder, const char *beginning)
             fstatat(dirfd(folder), entry->d_name, &info, AT_SYMLINK_NOFOLLOW) != 0 ||
             !S_ISREG(info.st_mode))
             continue;
-        found.bytes += (uint64_t)info.st_size;
-        if (found.name[0] && !is_before(&info.st_mtim, &found.used))
+        usage.bytes += (uint64_t)info.st_size;
+        if (usage.name[0] && !is_before(&info.st_mtim, &usage.used))
             continue;
-        found.used = info.st_mtim;
-        snprintf(found.name, sizeof(found.name), "%s", entry->d_name);
+        usage.used = info.st_mtim;
+        snprintf(usage.name, sizeof(usage.name), "%s", entry->d_name);
     }
-    return found;
+    return usage;
 }
 
 void cache_trim(const char *beginning, uint64_t most)
@@ -189,9 +189,9 @@ void cache_trim(const char *beginning, uint64_t most)
     DIR *folder = find_folder(path) ? opendir(path) : NULL;
     if (!folder)
         return;
-    for (struct found found = look(folder, beginning); found.bytes > most && found.name[0];
-         found = look(folder, beginning)) {
-        if (unlinkat(dirfd(folder), found.name, 0) != 0)
+    for (struct cache_usage usage = scan_folder(folder, beginning);
+         usage.bytes > most && usage.name[0]; usage = scan_folder(folder, beginning)) {
+        if (unlinkat(dirfd(folder), usage.name, 0) != 0)
             break;
     }
     closedir(folder);

@@ -1,8 +1,8 @@
 /*
- * cache.h: files that save time alone, in "$XDG_CACHE_HOME/firn" or ~/.cache/firn.
+ * cache.h: disk cache of files that only save time, in "$XDG_CACHE_HOME/firn" or ~/.cache/firn.
  *
- * Each ends with a hash of what is before. Nothing that goes wrong with them is an error: then
- * what they hold is made anew.
+ * Each file ends with a hash of its contents. No failure is an error: the caller then recomputes
+ * the data.
  *
  * Thread-safety: any thread may call these, but environment variables must not change meanwhile.
  */
@@ -18,28 +18,27 @@ enum {
 };
 
 struct cache_file {
-    const char *name; /* without a folder; at most 100 characters */
-    size_t size_max;  /* bytes, with the hash */
-    bool is_quiet;    /* no line tells of damage */
-    /* Whether the content, with its hash, can be used: cache_is_whole() and more. */
+    const char *name; /* file name without a folder; at most 100 characters */
+    size_t size_max;  /* bytes including the hash */
+    bool is_quiet;    /* do not warn about damaged files */
+    /* Returns true if the data with its hash is usable: cache_is_whole() and further checks. */
     bool (*is_sound)(const void *user, const void *data, size_t size);
     const void *user; /* for is_sound() */
 };
 
-/* Returns whether data end with the hash of what is before. */
+/* Returns true if the data ends with the hash of the rest. */
 bool cache_is_whole(const void *data, size_t size);
 
-/* Returns the sound content of a file, hash included, or NULL; the caller frees it. The file then
- * counts as just used. A missing file is no error; one that other users can write is ignored with
- * a warning, and so is a damaged one, unless it is quiet. */
+/* Returns the contents of a file that passes is_sound(), including the hash, or NULL; the caller
+ * frees it. The file is marked as just used. A missing file is no error. A file that other users
+ * can write is ignored with a warning, and so is a damaged one unless is_quiet is set. */
 void *cache_read(const struct cache_file *wanted, size_t *size);
 
-/* Writes a file, which is then whole, or as it was; only the user can read it. CACHE_HASH_SIZE
- * bytes behind the `size` bytes of data are for the hash. Failures are not logged. */
+/* Writes a file atomically, readable only by the user. `data` must have CACHE_HASH_SIZE writable
+ * bytes after its `size` bytes for the hash. Failures are not logged. */
 void cache_write(const char *name, void *data, size_t size);
 
-/* Removes files whose names begin so, those first that were used longest ago, until the others
- * have at most so many bytes. */
+/* Evicts least recently used files with a name prefix, until the rest has at most `most` bytes. */
 void cache_trim(const char *beginning, uint64_t most);
 
 #endif

@@ -1,8 +1,8 @@
-/* clock.h: monotonic time, for measuring durations. Any thread may call these functions. */
+/* clock.h: monotonic time for measuring durations. Any thread may call these functions. */
 #ifndef FIRN_BASE_CLOCK_H
 #define FIRN_BASE_CLOCK_H
 
-/* Returns seconds since an unspecified moment; the value never decreases. */
+/* Returns seconds since an unspecified time; the value never decreases. */
 double clock_seconds(void);
 
 /* Returns clock_seconds() in milliseconds. */

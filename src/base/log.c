@@ -1,11 +1,11 @@
-/* log.c: messages for people. */
+/* log.c: error, warning and note messages on stderr. */
 #include "src/base/log.h"
 #include <stdarg.h>
 #include <stdio.h>
 
-/* Returns the bytes of the character at `text` if a terminal could take it for a command or be made
- * to show other text than there is, else 0: C0 controls and DEL, C1 controls (U+0080 to U+009F),
- * line and paragraph separators, and marks, overrides and isolates of text direction. */
+/* Returns the length in bytes of the UTF-8 character at `text` if it could control a terminal or
+ * disguise text, else 0: C0 controls and DEL, C1 controls (U+0080 to U+009F), line and paragraph
+ * separators, and bidirectional marks, overrides and isolates. */
 static size_t control_size(const unsigned char *text)
 {
     if (text[0] < 0x20 || text[0] == 0x7f)

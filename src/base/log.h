@@ -1,28 +1,28 @@
 /*
- * log.h: messages for people, one line each, to stderr.
+ * log.h: messages for the user on stderr, one line each.
  *
- * Thread-safety: any thread may log; a line is written with one call, so lines do not mix.
+ * Thread-safety: any thread may log; a line is written with one call, so lines do not interleave.
  */
 #ifndef FIRN_BASE_LOG_H
 #define FIRN_BASE_LOG_H
 
 #include "src/base/status.h"
 
-/* Replaces each control character of a text for a terminal, and each that changes the direction of
- * text, by '?'; names of files, and those in them, may hold any. */
+/* Replaces terminal control characters and bidirectional control characters by '?', in place: file
+ * names and names in files may contain them. */
 void log_clean(char *text);
 
-/* Writes "firn: " and the formatted message, cleaned, and a newline. */
+/* Writes "firn: ", the formatted and sanitised message, and a newline. */
 void log_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Writes "firn: warning: " and the formatted message and a newline, as log_error() does. */
+/* Writes "firn: warning: ", the formatted and sanitised message, and a newline. */
 void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Writes "firn: note: " and the formatted message and a newline: what nobody has to mend. */
+/* Writes "firn: note: ", the formatted and sanitised message, and a newline: purely informative. */
 void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Logs "WHAT: out of memory", or "out of memory" if `what` is NULL, and returns STATUS_TRY_AGAIN.
- * It is inline, so that analyzers see that it never returns STATUS_OK. */
+ * Inline, so that static analysers know that it never returns STATUS_OK. */
 static inline enum status log_out_of_memory(const char *what)
 {
     if (what)

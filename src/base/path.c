@@ -1,4 +1,4 @@
-/* path.c: functions on names of files. */
+/* path.c: file name functions. */
 #include "src/base/path.h"
 #include <string.h>
 #include <strings.h>

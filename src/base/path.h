@@ -1,11 +1,10 @@
-/* path.h: functions on names of files. */
+/* path.h: file name functions. */
 #ifndef FIRN_BASE_PATH_H
 #define FIRN_BASE_PATH_H
 
 #include <stdbool.h>
 
-/* Returns whether a name's extension is `ending`, which includes the dot: ".exr". Upper and lower
- * case are the same. */
+/* Returns true if a file name's extension is `ending`, with the dot (".exr"), ignoring case. */
 bool path_ends_in(const char *path, const char *ending);
 
 #endif

@@ -1,4 +1,4 @@
-/* suggest.c: edit distances of names. */
+/* suggest.c: edit distances between names, for "did you mean" hints. */
 #include "src/base/suggest.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@ enum {
     PREFIX_MIN = 3,
 };
 
-/* Levenshtein distance; `b` is shorter than SUGGEST_NAME_SIZE. */
+/* Returns the Levenshtein distance; `b` must be shorter than SUGGEST_NAME_SIZE. */
 static size_t edit_distance(const char *a, const char *b)
 {
     size_t row[SUGGEST_NAME_SIZE];

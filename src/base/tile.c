@@ -1,4 +1,4 @@
-/* tile.c: divides pictures into nearly equal tiles. */
+/* tile.c: divides an image into tiles of nearly equal size. */
 #include "src/base/tile.h"
 
 bool tile_fits(const struct tiling *tiling)
@@ -7,8 +7,8 @@ bool tile_fits(const struct tiling *tiling)
            (tiling->rows <= 1 || tiling->height / 2 >= tiling->rows);
 }
 
-/* Where part `index` begins; for `index` = `parts`, where the last part ends. */
-static uint32_t cut(uint32_t side, uint32_t parts, uint32_t index)
+/* Returns the first pixel of part `index`; for `index` = `parts`, the end of the last part. */
+static uint32_t part_begin(uint32_t side, uint32_t parts, uint32_t index)
 {
     const uint64_t at = (uint64_t)side * index / parts;
     return index == parts ? side : (uint32_t)at & ~UINT32_C(1);
@@ -17,13 +17,13 @@ static uint32_t cut(uint32_t side, uint32_t parts, uint32_t index)
 struct tile tile_at(const struct tiling *tiling, uint32_t index)
 {
     const uint32_t column = index % tiling->columns, row = index / tiling->columns;
-    const uint32_t x = cut(tiling->width, tiling->columns, column);
-    const uint32_t y = cut(tiling->height, tiling->rows, row);
+    const uint32_t x = part_begin(tiling->width, tiling->columns, column);
+    const uint32_t y = part_begin(tiling->height, tiling->rows, row);
     return (struct tile){
         .x = x,
         .y = y,
-        .width = cut(tiling->width, tiling->columns, column + 1) - x,
-        .height = cut(tiling->height, tiling->rows, row + 1) - y,
+        .width = part_begin(tiling->width, tiling->columns, column + 1) - x,
+        .height = part_begin(tiling->height, tiling->rows, row + 1) - y,
     };
 }
 

@@ -1,9 +1,9 @@
 /*
- * tile.h: which pixels of a picture belong to a tile.
+ * tile.h: division of an image into tiles for tiled rendering.
  *
- * The tiles of a picture form columns and rows, numbered row by row from 0. They begin at even
- * pixels, so that none divides the 2x2 pixels from which a device computes derivatives; apart from
- * that their sizes are as equal as possible.
+ * The tiles of an image form columns and rows and are numbered row by row from 0. They begin at
+ * even pixels, so that no tile boundary divides a 2x2 quad, in which a device computes derivatives.
+ * Apart from that their sizes are as equal as possible.
  */
 #ifndef FIRN_BASE_TILE_H
 #define FIRN_BASE_TILE_H
@@ -12,21 +12,21 @@
 #include <stdint.h>
 
 struct tile {
-    uint32_t x, y, width, height; /* pixels of the picture */
+    uint32_t x, y, width, height; /* pixels of the image */
 };
 
 struct tiling {
-    uint32_t width, height; /* pixels of the picture */
-    uint32_t columns, rows; /* of tiles */
+    uint32_t width, height; /* pixels of the image */
+    uint32_t columns, rows; /* number of tiles across and down */
 };
 
-/* Returns whether each of the tiles has at least one pixel. */
+/* Returns true if every tile has at least one pixel. */
 bool tile_fits(const struct tiling *tiling);
 
-/* Returns the pixels of tile `index`, below columns * rows. The tiling must fit. */
+/* Returns the pixels of tile `index`, below columns * rows. tile_fits() must hold. */
 struct tile tile_at(const struct tiling *tiling, uint32_t index);
 
-/* Returns a tile at (0, 0), as wide as the widest tile and as high as the highest one. */
+/* Returns a tile at (0, 0) with the maximum width and the maximum height of all tiles. */
 struct tile tile_largest(const struct tiling *tiling);
 
 #endif

@@ -1,4 +1,4 @@
-/* exr_read.c: one part of an OpenEXR file, rows of chunks at a time, as planes of floats. */
+/* exr_read.c: reads one part of an OpenEXR file as planes of floats, by rows of chunks. */
 #include <OpenEXR/openexr.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@ struct source {
     FILE *file;
     int64_t size;
     char message[256];  /* the library's first error message */
-    bool out_of_memory; /* for planes; the library reports it for some damaged chunks, too */
+    bool out_of_memory; /* for planes; not for damaged chunks */
 };
 
 struct exr_file {
@@ -20,12 +20,12 @@ struct exr_file {
     exr_context_t context;
     int part;
     exr_storage_t storage;
-    exr_attr_box2i_t window; /* the data window: the picture */
-    uint32_t height;         /* of the picture */
-    int32_t chunk_width;     /* of a tile; else that of the picture */
-    struct image rows;       /* those of one row of chunks; as high as a chunk */
-    uint32_t first;          /* row of the picture with which `rows` begin */
-    bool is_read;            /* `rows` are filled */
+    exr_attr_box2i_t window; /* data window: the image */
+    uint32_t height;         /* of the image */
+    int32_t chunk_width;     /* width of a tile; else of the image */
+    struct image rows;       /* the decoded row of chunks, as high as a chunk */
+    uint32_t first;          /* image row at which `rows` begins */
+    bool is_read;            /* `rows` is filled */
 };
 
 static int64_t source_read(exr_const_context_t context, void *user, void *bytes, uint64_t size,
@@ -59,8 +59,7 @@ static void keep_message(exr_const_context_t context, exr_result_t code, const c
         snprintf(source->message, sizeof(source->message), "%s", text);
 }
 
-/* Allocates the library's buffers, zeroed, because it accepts some chunks that unpack to too few
- * bytes. */
+/* Allocates the library's buffers zeroed, because it accepts chunks that decompress too short. */
 static void *allocate(size_t size)
 {
     return calloc(1, size);
@@ -89,8 +88,7 @@ static bool is_flat(const struct exr_file *file, int part, exr_storage_t *storag
            (*storage == EXR_STORAGE_SCANLINE || *storage == EXR_STORAGE_TILED);
 }
 
-/* Chooses the first part with the channels R, G and B; if there is none, the first that is not
- * deep. */
+/* Selects the first part with channels R, G and B; if there is none, the first that is not deep. */
 static exr_result_t choose_part(struct exr_file *file)
 {
     int count = 0, chosen = -1;
@@ -112,14 +110,14 @@ static exr_result_t choose_part(struct exr_file *file)
     if (result != EXR_ERR_SUCCESS)
         return result;
     if (chosen < 0)
-        return fault(file, "deep pictures are not supported");
+        return fault(file, "deep images are not supported");
     if (count > 1)
         log_warning("%s: only part %d of %d is read", file->path, chosen + 1, count);
     file->part = chosen;
     return exr_get_storage(file->context, chosen, &file->storage);
 }
 
-/* Checks the size and the number of channels before anything of that size is allocated. */
+/* Checks the image size and the channel count before anything of that size is allocated. */
 static exr_result_t read_size(struct exr_file *file, const exr_attr_chlist_t **list)
 {
     exr_result_t result = exr_get_data_window(file->context, file->part, &file->window);
@@ -140,8 +138,8 @@ static exr_result_t read_size(struct exr_file *file, const exr_attr_chlist_t **l
     return EXR_ERR_SUCCESS;
 }
 
-/* Reads the size of a chunk: a tile, or as many scan lines as are compressed together. Of the
- * latter the library gives 0 where the header has the attribute `tiles`. */
+/* Reads the chunk size: a tile, or the scan lines that are compressed together. The library reports
+ * 0 for the latter if the header has an attribute `tiles`. */
 static exr_result_t read_chunk_size(struct exr_file *file)
 {
     int32_t height;
@@ -258,7 +256,7 @@ static bool fill_head(const struct exr_file *file, struct picture_head *head)
 
 /* ---- texels ---- */
 
-/* Both channels and planes have the order of the file's list. */
+/* Sets the decoder's output pointers; channels and planes are both in file order. */
 static void set_channels(exr_decode_pipeline_t *pipeline, const struct image *rows, size_t first)
 {
     for (int c = 0; c < pipeline->channel_count; c++) {
@@ -271,7 +269,7 @@ static void set_channels(exr_decode_pipeline_t *pipeline, const struct image *ro
     }
 }
 
-/* Each chunk has a pipeline of its own, because a reused one keeps stale pointers and buffers. */
+/* Decodes a chunk, with a new pipeline: a reused one keeps stale pointers and buffers. */
 static exr_result_t read_chunk(const struct exr_file *file, const exr_chunk_info_t *chunk, size_t x)
 {
     const struct image *rows = &file->rows;
@@ -304,7 +302,7 @@ static exr_result_t find_chunk(const struct exr_file *file, uint32_t column, uin
                                         chunk);
 }
 
-/* Reads the row of chunks that begins with row `first` of the picture. */
+/* Reads the row of chunks that begins at row `first` of the image. */
 static exr_result_t read_rows(const struct exr_file *file, uint32_t first)
 {
     const size_t chunk_width = (size_t)file->chunk_width;
@@ -321,7 +319,7 @@ static exr_result_t read_rows(const struct exr_file *file, uint32_t first)
 
 /* ---- files ---- */
 
-/* Logs the error, if any, and returns its status. */
+/* Logs the error, if there is any, and returns its status. */
 static enum status report(const struct exr_file *file, exr_result_t result)
 {
     const struct source *source = &file->source;
@@ -352,7 +350,7 @@ static exr_result_t open_context(struct exr_file *file)
     start.max_image_height = IMAGE_MAX_SIDE;
     start.max_tile_width = IMAGE_MAX_SIDE;
     start.max_tile_height = IMAGE_MAX_SIDE;
-    /* A file with missing chunks is refused below, so the library need not search for them. */
+    /* Files with missing chunks are rejected, so the chunk table need not be reconstructed. */
     start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
     return exr_start_read(&file->context, file->path, &start);
 }

@@ -1,5 +1,4 @@
-/* exr_write.c: encodes OpenEXR files in memory, because the library hides errors of writing to
- * files. */
+/* exr_write.c: encodes OpenEXR in memory, because the library hides errors of writing to files. */
 #include <OpenEXR/openexr.h>
 #include <assert.h>
 #include <math.h>
@@ -9,7 +8,7 @@
 #include "src/image/exr.h"
 #include "src/image/half.h"
 
-/* Longer names need a flag in the file, which old readers refuse. */
+/* Longer attribute and channel names need a flag in the file, which old readers reject. */
 enum {
     SHORT_NAME_MAX = 31
 };
@@ -20,7 +19,7 @@ struct sink {
     bool out_of_memory;
 };
 
-/* The library writes the chunks in order, after a gap for their table, which it writes last. */
+/* Writes to the memory buffer: chunks in order after a gap, which the chunk table fills last. */
 static int64_t sink_write(exr_const_context_t context, void *user, const void *bytes, uint64_t size,
                           uint64_t offset, exr_stream_error_func_ptr_t report)
 {
@@ -46,7 +45,7 @@ static int64_t sink_write(exr_const_context_t context, void *user, const void *b
     return (int64_t)size;
 }
 
-/* Keeps the library from printing; the result code suffices for a write to memory. */
+/* Error handler that suppresses the library's output; its result codes suffice. */
 static void ignore_message(exr_const_context_t context, exr_result_t code, const char *text)
 {
     (void)context;
@@ -77,7 +76,7 @@ static exr_result_t declare_matrix(exr_context_t context, const char *name, cons
     return exr_attr_set_m44f(context, 0, name, &value);
 }
 
-/* Rates of television, such as 23.976, are multiples of 1000 / 1001. */
+/* Writes the frame rate as a rational. NTSC rates such as 23.976 are multiples of 1000 / 1001. */
 static exr_result_t declare_rate(exr_context_t context, double rate)
 {
     const double whole = round(rate), television = round(rate * 1.001);
@@ -94,7 +93,7 @@ static exr_result_t declare_rate(exr_context_t context, double rate)
 
 static exr_result_t declare_attributes(exr_context_t context, const struct exr_header *header)
 {
-    /* ITU-R BT.709-6, items 1.3 and 1.4. */
+    /* Rec.709 primaries and white point (ITU-R BT.709-6, items 1.3 and 1.4) */
     static const exr_attr_chromaticities_t rec709 = {
         .red_x = 0.64f,
         .red_y = 0.33f,
@@ -120,7 +119,7 @@ static exr_result_t declare_attributes(exr_context_t context, const struct exr_h
     return result;
 }
 
-/* Does the same as exr_initialize_required_attr_simple() if the image is the whole picture. */
+/* Sets both windows; like exr_initialize_required_attr_simple() if the image is whole. */
 static exr_result_t declare_windows(exr_context_t context, int part, const struct image *image,
                                     const struct picture_place *place)
 {
@@ -165,17 +164,17 @@ static const struct image_plane *find_plane(const struct image *image, const cha
     return plane;
 }
 
-/* The source of texels: a whole picture, or groups of rows that `fill` writes. */
+/* Source of texels: a whole image, or groups of rows filled by a callback. */
 struct origin {
     const struct image *image;
-    uint32_t y;        /* row of the picture with which the image begins */
-    exr_rows_fn *fill; /* NULL: the image has texels */
+    uint32_t y;        /* row of the display window at which the image begins */
+    exr_rows_fn *fill; /* NULL if the image has texels */
     void *user;
-    struct image rows;  /* the group of rows for `fill` */
+    struct image rows;  /* group of rows for `fill` */
     enum status status; /* of the last call of `fill` */
 };
 
-/* Passes the image's rows from y on to the pipeline; half planes are converted in `halves`. */
+/* Passes the image's rows from y on to the pipeline; half planes are converted into `halves`. */
 static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *image, uint32_t y,
                          uint16_t *halves)
 {
@@ -206,8 +205,9 @@ struct compressor {
 };
 
 /*
- * Readers take a chunk for uncompressed if it is as long as its content. Version 3.1.5 of the
- * library also writes compressed chunks of that length, which cannot be read again.
+ * Wraps the library's compressor. Readers take a chunk as uncompressed if it is as long as its
+ * content, but version 3.1.5 of the library also writes compressed chunks of that length, which
+ * nobody can read. Such chunks are stored uncompressed.
  */
 static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
 {
@@ -219,7 +219,7 @@ static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
     return result;
 }
 
-/* Each chunk has a pipeline of its own, because a reused one keeps stale pointers and buffers. */
+/* Encodes a chunk, with a new pipeline: a reused one keeps stale pointers and buffers. */
 static exr_result_t write_chunk(exr_context_t context, struct origin *origin, uint32_t y,
                                 uint16_t *halves)
 {
@@ -248,7 +248,7 @@ static exr_result_t write_chunk(exr_context_t context, struct origin *origin, ui
     return result;
 }
 
-static bool make_rows(struct origin *origin, uint32_t lines)
+static bool allocate_rows(struct origin *origin, uint32_t lines)
 {
     bool ok = true;
     image_init(&origin->rows, origin->image->width, lines);
@@ -259,7 +259,7 @@ static bool make_rows(struct origin *origin, uint32_t lines)
     return ok;
 }
 
-/* Fills the next group of rows; the last one may be smaller. */
+/* Fills the next group of rows; the last group may have fewer. */
 static exr_result_t fill_rows(struct origin *origin, uint32_t y, uint32_t lines)
 {
     const uint32_t left = origin->image->height - y;
@@ -280,7 +280,7 @@ static exr_result_t write_chunks(exr_context_t context, struct origin *origin)
         return result;
     const size_t plane_size = (size_t)lines * image->width * sizeof(uint16_t);
     uint16_t *halves = malloc(plane_size * image->plane_count);
-    if (!halves || (origin->fill && !make_rows(origin, (uint32_t)lines)))
+    if (!halves || (origin->fill && !allocate_rows(origin, (uint32_t)lines)))
         result = EXR_ERR_OUT_OF_MEMORY;
     for (uint32_t y = 0; y < image->height && result == EXR_ERR_SUCCESS; y += (uint32_t)lines) {
         result = fill_rows(origin, y, (uint32_t)lines);
@@ -310,7 +310,7 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     start.error_handler_fn = ignore_message;
     start.user_data = &sink;
     start.write_fn = sink_write;
-    start.zip_level = 4; /* two thirds of the time of zlib's default, 5 % more bytes */
+    start.zip_level = 4; /* faster, slightly larger files */
     result = exr_start_write(&context, "memory", EXR_WRITE_FILE_DIRECTLY, &start);
     if (result == EXR_ERR_SUCCESS && has_long_names(image, header))
         result = exr_set_longname_support(context, 1);
@@ -333,11 +333,11 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     }
     free(sink.bytes);
     if (origin->status != STATUS_OK)
-        return origin->status; /* its error is logged */
-    /* Data cannot be corrupt here: OpenEXR returns this if zlib is out of memory. */
+        return origin->status; /* already logged by `fill` */
+    /* Our own data cannot be corrupt: OpenEXR returns this code if zlib runs out of memory. */
     if (sink.out_of_memory || result == EXR_ERR_CORRUPT_CHUNK)
         result = EXR_ERR_OUT_OF_MEMORY;
-    log_error("an EXR picture could not be encoded: %s", exr_get_default_error_message(result));
+    log_error("the EXR image could not be encoded: %s", exr_get_default_error_message(result));
     return result == EXR_ERR_OUT_OF_MEMORY ? STATUS_TRY_AGAIN : STATUS_FAILED;
 }
 

@@ -1,4 +1,4 @@
-/* file.c: writes output files atomically. */
+/* file.c: writes output files atomically by a locked temporary file and rename(). */
 #define _XOPEN_SOURCE 700 /* realpath() */
 #include "src/image/file.h"
 #include <dirent.h>
@@ -22,11 +22,11 @@ enum {
 static const char suffix[] = ".tmp";
 static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 
-/* The file to which a path leads. */
+/* Resolved location of an output file. */
 struct target {
-    bool straight;           /* written directly: it exists and is no regular file */
+    bool is_direct;          /* the file is written directly: it exists and is not a regular file */
     int folder;              /* descriptor, or -1 */
-    char name[NAME_MAX + 1]; /* in the folder */
+    char name[NAME_MAX + 1]; /* within the folder */
 };
 
 static enum status cannot_create(const char *path, const char *why)
@@ -42,7 +42,7 @@ static void target_finish(struct target *target)
     target->folder = -1;
 }
 
-/* Splits a path, which it changes, and opens the folder. */
+/* Splits a path into folder and name, and opens the folder. Modifies `path`. */
 static bool open_folder(struct target *target, char *path)
 {
     char *slash = strrchr(path, '/');
@@ -55,7 +55,7 @@ static bool open_folder(struct target *target, char *path)
     }
     strncpy(target->name, name, NAME_MAX);
     if (slash) {
-        slash[slash == path] = '\0'; /* the root keeps its slash */
+        slash[slash == path] = '\0'; /* the root folder keeps its slash */
         folder = path;
     }
     target->folder = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -73,7 +73,7 @@ static enum status target_find(struct target *target, const char *path)
         if (S_ISDIR(info.st_mode))
             return cannot_create(path, "is a folder");
         if (!S_ISREG(info.st_mode)) {
-            target->straight = true;
+            target->is_direct = true;
             return STATUS_OK;
         }
         real = realpath(path, NULL);
@@ -91,13 +91,13 @@ static enum status target_find(struct target *target, const char *path)
     return ok ? STATUS_OK : cannot_create(path, strerror(errno));
 }
 
-/* A temporary file, which is locked as long as it is open. */
+/* A temporary file, locked while it is open. */
 struct temporary {
     int file;                /* descriptor, or -1 */
-    char name[NAME_MAX + 1]; /* in the target's folder */
+    char name[NAME_MAX + 1]; /* within the target's folder */
 };
 
-/* Returns the length of the prefix ".NAME." of this file's temporaries; NAME may be shortened. */
+/* Returns the length of the prefix ".NAME." of a file's temporaries; NAME may be truncated. */
 static int prefix_length(const char *name)
 {
     const int longest = NAME_MAX - (RANDOM_LENGTH + (int)strlen(suffix));
@@ -105,7 +105,7 @@ static int prefix_length(const char *name)
     return length < longest ? length : longest;
 }
 
-/* Makes a name ".NAME.XXXXXX.tmp" with unpredictable letters. */
+/* Generates a name ".NAME.XXXXXX.tmp" with unpredictable letters. */
 static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1])
 {
     unsigned char random[RANDOM_LENGTH];
@@ -118,7 +118,7 @@ static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1]
     return true;
 }
 
-/* Whether an entry of a folder has the name of a temporary of this file. */
+/* Returns true if `entry` is the name of a temporary file of the output file `name`. */
 static bool is_temporary(const char *entry, const char *name)
 {
     const int length = prefix_length(name);
@@ -141,22 +141,22 @@ static void remove_temporary(const struct target *target, struct temporary *temp
     close(temporary->file);
 }
 
-/* Returns the mode of the file that will be replaced, or -1 if there is none. */
+/* Returns the mode of the file to be replaced, or -1 if there is none. */
 static int find_mode(const struct target *target)
 {
-    struct stat older;
-    if (fstatat(target->folder, target->name, &older, 0) != 0 || !S_ISREG(older.st_mode))
+    struct stat old_mode;
+    if (fstatat(target->folder, target->name, &old_mode, 0) != 0 || !S_ISREG(old_mode.st_mode))
         return -1;
-    return (int)(older.st_mode & 0777);
+    return (int)(old_mode.st_mode & 0777);
 }
 
-/* Creates and locks a temporary, which nobody may read who may not read the older file, of mode
- * `older` (-1: there is none). Between these steps another process may take it for an abandoned
- * one and remove it; then another name is tried. */
-static bool open_temporary(const struct target *target, int older, struct temporary *temporary)
+/* Creates and locks a temporary file, readable only by users who may read the old file, whose mode
+ * is `old_mode` (-1 if there is none). Between these two steps another process may regard it as
+ * abandoned and remove it; then another name is tried. */
+static bool open_temporary(const struct target *target, int old_mode, struct temporary *temporary)
 {
     const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
-    const mode_t mode = older < 0 ? 0666 : (mode_t)(older & 0666) | 0600;
+    const mode_t mode = old_mode < 0 ? 0666 : (mode_t)(old_mode & 0666) | 0600;
     for (int attempt = 0; attempt < ATTEMPTS_MAX; attempt++) {
         if (!name_temporary(target->name, temporary->name))
             return false;
@@ -175,8 +175,8 @@ static bool open_temporary(const struct target *target, int older, struct tempor
 }
 
 /*
- * Whether an open temporary is abandoned. The lock of a process ends with it, on any machine; on
- * file systems without locks, an hour without a write decides.
+ * Returns true if an open temporary is abandoned. A lock ends with its process, on any machine; on
+ * file systems without locks, a file not modified for an hour counts as abandoned.
  */
 static bool is_stale(int file, time_t now)
 {
@@ -199,15 +199,14 @@ static void remove_if_stale(int folder, const char *entry, time_t now)
     close(file);
 }
 
-/* Removes abandoned temporaries of the target, but not `own`, whose time of writing is the file
- * system's current time. */
+/* Removes abandoned temporaries except `own`, whose modification time is taken as now. */
 static void remove_stale(const struct target *target, const struct temporary *own)
 {
-    const int again = openat(target->folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    DIR *entries = again >= 0 ? fdopendir(again) : NULL;
+    const int folder_copy = openat(target->folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    DIR *entries = folder_copy >= 0 ? fdopendir(folder_copy) : NULL;
     struct stat info;
-    if (!entries && again >= 0)
-        close(again);
+    if (!entries && folder_copy >= 0)
+        close(folder_copy);
     if (!entries)
         return;
     const time_t now = fstat(own->file, &info) == 0 ? info.st_mtime : 0;
@@ -232,13 +231,13 @@ static bool write_all(int file, const unsigned char *data, size_t size)
     return true;
 }
 
-/* On Linux the descriptor is closed even if close() fails with EINTR. */
+/* Closes a descriptor. On Linux it is closed even if close() fails with EINTR. */
 static bool close_file(int file)
 {
     return close(file) == 0 || errno == EINTR;
 }
 
-/* Some file systems cannot sync folders and return EINVAL. */
+/* Syncs a folder, so that a rename is durable. Some file systems cannot and return EINVAL. */
 static bool sync_folder(int folder)
 {
     return fsync(folder) == 0 || errno == EINVAL;
@@ -250,7 +249,7 @@ static enum status cannot_write(const char *path)
     return STATUS_WRITE;
 }
 
-static enum status write_straight(const char *path, const void *data, size_t size)
+static enum status write_direct(const char *path, const void *data, size_t size)
 {
     const int file = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
     enum status status = STATUS_OK;
@@ -264,21 +263,21 @@ static enum status write_straight(const char *path, const void *data, size_t siz
     return status;
 }
 
-/* The temporary is closed after it is renamed, because another process may remove an unlocked
- * temporary. */
+/* Replaces a file atomically. The temporary is closed only after the rename, because another
+ * process may remove an unlocked temporary. */
 static enum status replace(const struct target *target, const char *path, const void *data,
                            size_t size)
 {
     struct temporary temporary;
-    const int older = find_mode(target);
+    const int old_mode = find_mode(target);
     bool ok;
 
-    if (!open_temporary(target, older, &temporary))
+    if (!open_temporary(target, old_mode, &temporary))
         return cannot_create(path, strerror(errno));
     remove_stale(target, &temporary);
     ok = write_all(temporary.file, data, size);
-    if (ok && older >= 0)
-        (void)fchmod(temporary.file, (mode_t)older); /* some file systems have no modes */
+    if (ok && old_mode >= 0)
+        (void)fchmod(temporary.file, (mode_t)old_mode); /* some file systems have no modes */
     ok = ok && fsync(temporary.file) == 0;
     if (ok && !is_still_named(target->folder, temporary.name, temporary.file)) {
         log_error("%s: cannot be written: another program has replaced its temporary file", path);
@@ -307,8 +306,8 @@ enum status file_write(const char *path, const void *data, size_t size)
     status = target_find(&target, path);
     if (status != STATUS_OK)
         return status;
-    if (target.straight)
-        status = write_straight(path, data, size);
+    if (target.is_direct)
+        status = write_direct(path, data, size);
     else
         status = replace(&target, path, data, size);
     target_finish(&target);
@@ -333,7 +332,7 @@ enum status file_check(const char *path)
     status = target_find(&target, path);
     if (status != STATUS_OK)
         return status;
-    if (target.straight)
+    if (target.is_direct)
         ok = faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) == 0;
     else
         ok = faccessat(target.folder, ".", W_OK | X_OK, AT_EACCESS) == 0;

@@ -1,13 +1,12 @@
 /*
- * file.h: writes all output files, and opens input files.
+ * file.h: atomic writing of all output files, and opening of input files.
  *
  * A file is written to a temporary file beside it (".NAME.XXXXXX.tmp", X: random letters and
- * digits), with every write checked, then fsynced, renamed and closed: a reader finds the complete
- * older file or the complete new one. A failure leaves the older file and no temporary. A file that
- * is replaced keeps its mode; the temporary is never open to more people. The writer holds a lock
- * (flock) on its temporary. The next write of the same file removes temporaries that are not
- * locked, which killed processes have left. On file systems without locks, temporaries are removed
- * that have not been written for an hour.
+ * digits), with every write checked, then fsynced, renamed and closed, so that other programs find
+ * either the complete old file or the complete new one. A failure leaves the old file and no
+ * temporary. A replaced file keeps its mode; the temporary is never accessible to more users. The
+ * writer locks (flock) its temporary. The next write of the same file removes unlocked temporaries
+ * left by killed processes; on file systems without locks, those not modified for an hour.
  */
 #ifndef FIRN_IMAGE_FILE_H
 #define FIRN_IMAGE_FILE_H
@@ -21,17 +20,17 @@
 /*
  * Writes `size` bytes to `path`, or to stdout if it is "-". An existing path that is not a regular
  * file (a pipe, a device) is written directly, without a temporary. A symbolic link is followed; a
- * dangling one is refused. Logs and returns STATUS_CANT_CREATE (cannot be opened or created) or
+ * dangling one is rejected. Logs and returns STATUS_CANT_CREATE (cannot be opened or created) or
  * STATUS_WRITE (short write, full disk, failed fsync, close or rename).
  */
 MUST_USE enum status file_write(const char *path, const void *data, size_t size);
 
-/* Returns whether file_write() writes `path` directly: stdout, a pipe, a device. */
+/* Returns true if file_write() writes `path` directly: stdout, a pipe, a device. */
 bool file_is_straight(const char *path);
 
 /*
  * Checks before a long computation that file_write() could create `path`: its folder exists and is
- * writable, and `path` is no folder. If not, logs why and returns STATUS_CANT_CREATE.
+ * writable, and `path` is not a folder. If not, logs why and returns STATUS_CANT_CREATE.
  */
 MUST_USE enum status file_check(const char *path);
 

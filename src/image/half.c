@@ -1,6 +1,6 @@
-/* half.c: IEEE 754 half floats. */
+/* half.c: IEEE 754 half-precision floats. */
 #include "src/image/half.h"
-/* Without this, Imath's functions need a table in its library. */
+/* Avoids a dependency on a lookup table in Imath's library. */
 #define IMATH_HALF_NO_LOOKUP_TABLE
 #include <Imath/half.h>
 

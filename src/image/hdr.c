@@ -1,4 +1,4 @@
-/* hdr.c: reads Radiance .hdr files by stb_image, and checks what it does not check. */
+/* hdr.c: reads Radiance .hdr files with stb_image, adding checks for truncated files. */
 #include "src/image/hdr.h"
 #include <errno.h>
 #include <stb/stb_image.h>
@@ -15,10 +15,10 @@ struct source {
 };
 
 /*
- * At the end of a file stb_image reads zeros: it does not report a truncated picture, and in
- * run-length data it does not terminate. Line ends instead of zeros terminate all of its loops (an
- * empty header line, a run longer than 0). It fills its buffer by large reads, of which the last
- * may be short; a read for a single texel (4 bytes) must not be.
+ * Reads for stb_image, with line feeds beyond the end of the file. With zeros, stb_image would not
+ * notice that a file is truncated, and its run-length decoder would not terminate. Line feeds
+ * terminate all of its loops (an empty header line, a run longer than 0). Its large buffered reads
+ * may be short at the end; a read of a single texel (4 bytes) must not be.
  */
 static int source_read(void *user, char *data, int size)
 {
@@ -58,15 +58,15 @@ static void source_rewind(struct source *source)
     source->overrun = false;
 }
 
-/* Returns the least number of bytes of the texels: flat, or four channels in runs of 127. */
-static int64_t least_size(int width, int height)
+/* Returns the minimum size of the texel data in bytes: flat, or four channels in runs of 127. */
+static int64_t min_size(int width, int height)
 {
     const int64_t row =
         width < 8 || width >= 32768 ? 4 * (int64_t)width : 4 + 8 * (((int64_t)width + 126) / 127);
     return row * height;
 }
 
-/* Returns what is wrong with the header, or NULL. */
+/* Returns what is wrong with a file's header; NULL if it is valid. */
 static const char *find_fault(struct source *source, int64_t file_size, int *width, int *height)
 {
     int channels;
@@ -80,7 +80,7 @@ static const char *find_fault(struct source *source, int64_t file_size, int *wid
     if (*width <= 0 || *width > IMAGE_MAX_SIDE || *height <= 0 || *height > IMAGE_MAX_SIDE ||
         *width > IMAGE_MAX_TEXELS / *height)
         return "the size is out of range";
-    if (file_size < least_size(*width, *height))
+    if (file_size < min_size(*width, *height))
         return "the file is truncated";
     return NULL;
 }
@@ -104,7 +104,7 @@ static bool fill_image(struct image *image, const float *texels, int width, int 
     return true;
 }
 
-static enum status refuse(const struct source *source, const char *path, const char *fault)
+static enum status reject(const struct source *source, const char *path, const char *fault)
 {
     if (ferror(source->file)) {
         log_error("%s: cannot be read: %s", path, strerror(EIO));
@@ -114,7 +114,7 @@ static enum status refuse(const struct source *source, const char *path, const c
     return STATUS_DATA;
 }
 
-/* Opens a file and checks its header; the caller closes source->file, on failure too. */
+/* Opens a file and checks its header. The caller closes source->file, also on failure. */
 static enum status open_hdr(const char *path, struct source *source, int *width, int *height)
 {
     int64_t file_size;
@@ -123,7 +123,7 @@ static enum status open_hdr(const char *path, struct source *source, int *width,
     if (status != STATUS_OK)
         return status;
     const char *fault = find_fault(source, file_size, width, height);
-    return fault ? refuse(source, path, fault) : STATUS_OK;
+    return fault ? reject(source, path, fault) : STATUS_OK;
 }
 
 static enum status read_texels(const char *path, struct source *source, struct image *image)
@@ -133,9 +133,9 @@ static enum status read_texels(const char *path, struct source *source, struct i
     source_rewind(source);
     float *texels = stbi_loadf_from_callbacks(&callbacks, source, &width, &height, &channels, 3);
     if (source->overrun)
-        status = refuse(source, path, "the file is truncated");
+        status = reject(source, path, "the file is truncated");
     else if (!texels && strcmp(stbi_failure_reason(), "outofmem") != 0)
-        status = refuse(source, path, stbi_failure_reason());
+        status = reject(source, path, stbi_failure_reason());
     else if (!texels || !fill_image(image, texels, width, height))
         status = log_out_of_memory(path);
     stbi_image_free(texels);

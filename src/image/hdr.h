@@ -1,4 +1,4 @@
-/* hdr.h: reads Radiance .hdr files, by stb_image, into planes R, G, B. */
+/* hdr.h: reads Radiance .hdr files with stb_image into planes R, G, B. */
 #ifndef FIRN_IMAGE_HDR_H
 #define FIRN_IMAGE_HDR_H
 
@@ -6,11 +6,10 @@
 #include "src/image/image.h"
 #include "src/image/picture_head.h"
 
-/* Returns size and planes that hdr_read() would give, from the file's beginning. */
+/* Returns size and planes of the image that hdr_read() would return, from the header only. */
 MUST_USE enum status hdr_head(const char *path, struct picture_head *head);
 
-/* Reads a file. Limits, errors and ownership are those of exr_read(). Other formats of stb_image
- * are refused. */
+/* Reads a Radiance file; rejects other formats. Limits, errors, ownership: see exr_read(). */
 MUST_USE enum status hdr_read(const char *path, struct image *image);
 
 #endif

@@ -1,4 +1,4 @@
-/* image.c: images in memory as named planes. */
+/* image.c: in-memory images as named planes of floats. */
 #include "src/image/image.h"
 #include <assert.h>
 #include <stdlib.h>

@@ -15,18 +15,18 @@ enum {
     IMAGE_NAME_SIZE = 64
 };
 
-/* Limits of the readers; a larger image in a file is STATUS_DATA. */
+/* Limits of the image readers; a file with a larger image is STATUS_DATA. */
 enum {
     IMAGE_MAX_SIDE = 65536,      /* pixels */
-    IMAGE_MAX_TEXELS = 1 << 28,  /* of one plane */
-    IMAGE_MAX_SAMPLES = 1 << 30, /* texels of all planes: 4 GiB in memory */
+    IMAGE_MAX_TEXELS = 1 << 28,  /* texels of one plane */
+    IMAGE_MAX_SAMPLES = 1 << 30, /* texels of all planes together: 4 GiB in memory */
     IMAGE_MAX_PLANES = 256,
 };
 
 struct image_plane {
-    char name[IMAGE_NAME_SIZE]; /* as in EXR: "R", "N.X", "fresnel.Z" */
-    bool half;                  /* stored as half in files; memory always has floats */
-    float *texels;              /* width * height */
+    char name[IMAGE_NAME_SIZE]; /* channel name as in EXR: "R", "N.X", "fresnel.Z" */
+    bool half;                  /* true to store as half in files; always float in memory */
+    float *texels;              /* width * height floats */
 };
 
 struct image {
@@ -35,24 +35,24 @@ struct image {
     struct image_plane *planes;
 };
 
-/* Metadata of an image file: {"firn/settings", "..."}. */
+/* Text metadata of an image file: {"firn/settings", "..."}. */
 struct image_text {
     const char *name;
     const char *value;
 };
 
-/* Initialises an image without planes. Sizes of 0 are allowed only for {0}. */
+/* Initialises an image without planes. A size of 0 is allowed only for {0}. */
 void image_init(struct image *image, uint32_t width, uint32_t height);
 
 void image_finish(struct image *image);
 
 /*
  * Adds a plane of zeros and returns its texels, or NULL when out of memory. The name is copied; it
- * must be shorter than IMAGE_NAME_SIZE and not in use. Pointers to other planes' texels stay valid.
+ * must be shorter than IMAGE_NAME_SIZE and unique. Pointers to other planes' texels stay valid.
  */
 float *image_add_plane(struct image *image, const char *name, bool half);
 
-/* Returns the texels of a plane, or NULL if there is none of that name. */
+/* Returns the texels of a plane by its name, or NULL if there is none. */
 float *image_find(const struct image *image, const char *name);
 
 #endif

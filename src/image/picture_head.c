@@ -1,4 +1,4 @@
-/* picture_head.c: what the file of a picture says of it, besides its texels. */
+/* picture_head.c: header of an image file: size, channels, text metadata, windows, matrices. */
 #include "src/image/picture_head.h"
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /*
- * picture_head.h: what the file of a picture says of it, besides its texels.
+ * picture_head.h: header of an image file: size, channels, text metadata, windows, matrices.
  *
- * Ownership: a head owns its planes' names and its texts; picture_head_finish() frees them.
+ * Ownership: a header owns its planes' names and its texts; picture_head_finish() frees them.
  */
 #ifndef FIRN_IMAGE_PICTURE_HEAD_H
 #define FIRN_IMAGE_PICTURE_HEAD_H
@@ -14,16 +14,16 @@
 
 enum {
     PICTURE_TEXT_COUNT_MAX = 16,
-    PICTURE_TEXT_SIZE_MAX = 1 << 20, /* bytes of one, '\0' included */
+    PICTURE_TEXT_SIZE_MAX = 1 << 20, /* bytes of one text including '\0' */
 };
 
-/* Only texts whose names begin so are kept: firn's own. */
+/* Prefix of the metadata names that firn writes; other texts are dropped. */
 #define PICTURE_TEXT_PREFIX "firn/"
 
-/* The position of an image in a larger picture: its data window in the display window. */
+/* Position of an image within a larger one: EXR's data window relative to the display window. */
 struct picture_place {
-    uint32_t x, y;          /* first pixel of the image */
-    uint32_t width, height; /* pixels of the picture; 0: the image is the whole picture */
+    uint32_t x, y;          /* top left pixel of the image */
+    uint32_t width, height; /* size of the larger image, pixels; 0 if there is none */
 };
 
 struct picture_head {
@@ -34,11 +34,11 @@ struct picture_head {
         char *name, *value;
     } texts[PICTURE_TEXT_COUNT_MAX];
 
-    bool has_place; /* false: the image is partly outside of the picture */
+    bool has_place; /* false if the data window exceeds the display window */
     struct picture_place place;
     bool has_world_to_camera, has_world_to_ndc;
-    bool is_cube_map;   /* an EXR's attribute `envmap`; not sent by reader processes */
-    bool has_primaries; /* of an EXR; not sent by reader processes */
+    bool is_cube_map;   /* EXR attribute `envmap`; not sent by reader processes */
+    bool has_primaries; /* the EXR file has them; not sent by reader processes */
     struct primaries primaries;
     float world_to_camera[16], world_to_ndc[16]; /* EXR's row-vector order */
 };
@@ -49,16 +49,16 @@ void picture_head_finish(struct picture_head *head);
 MUST_USE bool picture_head_add_plane(struct picture_head *head, const char *name, bool half);
 
 /*
- * Adds copies, if the name is one of firn's. Texts that are too long, too many, or contain '\0' are
- * left out: they are not firn's. Returns false when out of memory.
+ * Adds a copy of a text if its name has firn's prefix. Texts that are too long, too many, or
+ * contain '\0' are ignored: firn does not write such. Returns false when out of memory.
  */
 MUST_USE bool picture_head_add_text(struct picture_head *head, const char *name, const char *value,
                                     size_t value_length);
 
-/* Returns a text, or NULL if there is none of that name. */
+/* Returns a text by its name, or NULL if there is none. */
 const char *picture_head_text(const struct picture_head *head, const char *name);
 
-/* Returns whether size, planes (in any order, with their kinds) and these texts are the head's. */
+/* Returns true if a header has this size, these planes (in any order) and these texts. */
 bool picture_head_matches(const struct picture_head *head, const struct image *image,
                           const struct image_text *texts, uint32_t text_count);
 

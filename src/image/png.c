@@ -1,7 +1,6 @@
 /*
- * png.c: writes PNG files by libpng's simplified interface, which needs no setjmp(). It does not
- * support texts; they are written and searched for as chunks (PNG specification, second edition,
- * 5.3).
+ * png.c: writes PNG files with libpng's simplified interface, which needs no setjmp() but lacks
+ * text metadata: text chunks are written and found by hand (PNG specification, 2nd edition, 5.3).
  */
 #include "src/image/png.h"
 #include <assert.h>
@@ -12,7 +11,7 @@
 #include "src/image/file.h"
 
 enum {
-    CHUNK_SIZE = 12, /* of a chunk without data: length, type, checksum */
+    CHUNK_SIZE = 12, /* bytes of a chunk without data: length, type, CRC */
     NAME_MAX_LENGTH = 79,
     HEAD_SIZE = 8 + CHUNK_SIZE + 13, /* signature and IHDR */
 };
@@ -21,19 +20,19 @@ static const uint8_t signature[8] = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n
 
 /* ---- chunks ---- */
 
-static void put_u32(uint8_t *at, uint32_t value)
+static void write_u32(uint8_t *at, uint32_t value)
 {
     for (int i = 0; i < 4; i++)
         at[i] = (uint8_t)(value >> (24 - 8 * i));
 }
 
-static uint32_t get_u32(const uint8_t *at)
+static uint32_t read_u32(const uint8_t *at)
 {
     return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3];
 }
 
-/* CRC-32 of ISO 3309, bit by bit: fast enough for a file that has been rendered. */
-static uint32_t check_sum(const uint8_t *bytes, size_t size)
+/* Returns the CRC-32 of ISO 3309, computed bitwise: fast enough next to the time of a rendering. */
+static uint32_t crc32_of(const uint8_t *bytes, size_t size)
 {
     uint32_t sum = UINT32_MAX;
     for (size_t i = 0; i < size; i++) {
@@ -44,29 +43,29 @@ static uint32_t check_sum(const uint8_t *bytes, size_t size)
     return ~sum;
 }
 
-/* Begins a chunk and returns where its data begin. */
+/* Begins a chunk and returns a pointer to its data. */
 static uint8_t *begin_chunk(uint8_t *chunk, const char *type, size_t data_size)
 {
-    put_u32(chunk, (uint32_t)data_size);
+    write_u32(chunk, (uint32_t)data_size);
     memcpy(chunk + 4, type, 4);
     return chunk + 8;
 }
 
-/* Writes the checksum and returns the end of the chunk. */
+/* Writes the chunk's CRC and returns the end of the chunk. */
 static uint8_t *end_chunk(uint8_t *chunk)
 {
-    const size_t data_size = get_u32(chunk);
-    put_u32(chunk + 8 + data_size, check_sum(chunk + 4, 4 + data_size));
+    const size_t data_size = read_u32(chunk);
+    write_u32(chunk + 8 + data_size, crc32_of(chunk + 4, 4 + data_size));
     return chunk + CHUNK_SIZE + data_size;
 }
 
-/* Returns the size of the chunk at the beginning, or 0 if it is incomplete or damaged. */
+/* Returns the size of the chunk at the start of `bytes`; 0 if it is incomplete or damaged. */
 static size_t measure_chunk(const uint8_t *bytes, size_t size)
 {
-    if (size < CHUNK_SIZE || get_u32(bytes) > size - CHUNK_SIZE)
+    if (size < CHUNK_SIZE || read_u32(bytes) > size - CHUNK_SIZE)
         return 0;
-    const size_t data_size = get_u32(bytes);
-    if (get_u32(bytes + 8 + data_size) != check_sum(bytes + 4, 4 + data_size))
+    const size_t data_size = read_u32(bytes);
+    if (read_u32(bytes + 8 + data_size) != crc32_of(bytes + 4, 4 + data_size))
         return 0;
     return CHUNK_SIZE + data_size;
 }
@@ -76,7 +75,7 @@ static bool is_chunk(const uint8_t *chunk, const char *type)
     return memcmp(chunk + 4, type, 4) == 0;
 }
 
-/* ---- texts ---- */
+/* ---- text chunks ---- */
 
 static bool is_ascii(const char *text)
 {
@@ -85,8 +84,9 @@ static bool is_ascii(const char *text)
     return *text == '\0';
 }
 
-/* A tEXt chunk has Latin-1, an iTXt chunk UTF-8 after four bytes: not compressed, no language. */
-static uint8_t *put_text(uint8_t *chunk, const struct image_text *text)
+/* Writes a tEXt chunk (Latin-1), or an iTXt chunk (UTF-8), whose four extra zero bytes mean
+ * uncompressed and without a language. */
+static uint8_t *write_text(uint8_t *chunk, const struct image_text *text)
 {
     const size_t name_size = strlen(text->name) + 1, value_size = strlen(text->value);
     const size_t gap = is_ascii(text->value) ? 0 : 4;
@@ -97,7 +97,7 @@ static uint8_t *put_text(uint8_t *chunk, const struct image_text *text)
     return end_chunk(chunk);
 }
 
-/* Returns all text chunks, malloc'd, or NULL when out of memory. */
+/* Returns all text chunks in one malloc'd buffer, or NULL when out of memory. */
 static uint8_t *make_texts(const struct png_picture *picture, size_t *size)
 {
     size_t size_max = 1;
@@ -108,7 +108,7 @@ static uint8_t *make_texts(const struct png_picture *picture, size_t *size)
     }
     uint8_t *chunks = malloc(size_max), *end = chunks;
     for (uint32_t i = 0; chunks && i < picture->text_count; i++)
-        end = put_text(end, &picture->texts[i]);
+        end = write_text(end, &picture->texts[i]);
     *size = chunks ? (size_t)(end - chunks) : 0;
     return chunks;
 }
@@ -117,29 +117,29 @@ static uint8_t *make_texts(const struct png_picture *picture, size_t *size)
 
 static enum status out_of_memory(const struct png_picture *picture)
 {
-    log_error("out of memory for a PNG picture of %u x %u pixels", picture->width, picture->height);
+    log_error("out of memory for a PNG image of %u x %u pixels", picture->width, picture->height);
     return STATUS_TRY_AGAIN;
 }
 
-/* libpng takes 16 bits a channel as linear, and writes a gAMA chunk that says so. Replaces that
- * first chunk by the sRGB chunk of 8-bit pictures. */
+/* Replaces the gAMA chunk at the start of a 16-bit file by the sRGB chunk of 8-bit files: libpng
+ * takes 16-bit input as linear and marks it so. */
 static void declare_srgb(uint8_t *bytes, size_t *size)
 {
     uint8_t *chunk = bytes + HEAD_SIZE;
-    const size_t old_size = CHUNK_SIZE + get_u32(chunk);
+    const size_t old_size = CHUNK_SIZE + read_u32(chunk);
     assert(is_chunk(chunk, "gAMA"));
-    begin_chunk(chunk, "sRGB", 1)[0] = 0; /* perceptual */
+    begin_chunk(chunk, "sRGB", 1)[0] = 0; /* rendering intent: perceptual */
     uint8_t *rest = end_chunk(chunk);
     memmove(rest, chunk + old_size, *size - HEAD_SIZE - old_size);
     *size -= (size_t)(chunk + old_size - rest);
 }
 
-/* libpng divides 16 bits by alpha; where that is 0, it writes white. */
+/* Returns a 16-bit channel, premultiplied: libpng divides by alpha, where that is 0 to white. */
 static uint16_t texel_16(const struct png_picture *picture, size_t i, size_t c)
 {
     const uint32_t value = picture->rgba_16[4 * i + c], alpha = picture->rgba_16[4 * i + 3];
-    const bool is_divided = picture->has_alpha && c < 3;
-    return (uint16_t)(is_divided ? (value * (uint64_t)alpha + 32767) / 65535 : value);
+    const bool is_premultiplied = picture->has_alpha && c < 3;
+    return (uint16_t)(is_premultiplied ? (value * (uint64_t)alpha + 32767) / 65535 : value);
 }
 
 static uint32_t format_of(const struct png_picture *picture)
@@ -149,7 +149,7 @@ static uint32_t format_of(const struct png_picture *picture)
     return picture->has_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
 }
 
-/* The texels as libpng takes them; NULL when out of memory. */
+/* Returns the texels in libpng's input layout; NULL when out of memory. */
 static void *make_texels(const struct png_picture *picture)
 {
     const size_t texel_count = (size_t)picture->width * picture->height;
@@ -167,10 +167,10 @@ static void *make_texels(const struct png_picture *picture)
     return texels;
 }
 
-/* Encodes the picture without texts into `bytes`, which has room for it. */
+/* Encodes the image without text chunks into `bytes`, which is large enough. */
 static enum status encode_texels(const struct png_picture *picture, uint8_t *bytes, size_t *size)
 {
-    /* libpng takes 8 bits a channel as sRGB, and writes an sRGB chunk. */
+    /* libpng takes 8-bit input as sRGB and writes an sRGB chunk. */
     png_image png = {
         .version = PNG_IMAGE_VERSION,
         .width = picture->width,
@@ -184,7 +184,7 @@ static enum status encode_texels(const struct png_picture *picture, uint8_t *byt
         return out_of_memory(picture);
     const bool ok = png_image_write_to_memory(&png, bytes, &bytes_size, 0, texels, 0, NULL);
     if (!ok)
-        log_error("a PNG picture could not be encoded: %s", png.message);
+        log_error("the PNG image could not be encoded: %s", png.message);
     free(texels);
     *size = bytes_size;
     if (ok && picture->rgba_16)
@@ -201,7 +201,7 @@ enum status png_encode(const struct png_picture *picture, void **data, size_t *s
     *data = NULL;
     *size = 0;
     if (width == 0 || height == 0 || height > IMAGE_MAX_TEXELS / width) {
-        log_error("a PNG picture cannot have %u x %u pixels", width, height);
+        log_error("a PNG image cannot have %u x %u pixels", width, height);
         return STATUS_FAILED;
     }
     const png_image png = {
@@ -251,11 +251,11 @@ static enum status read_file(const char *path, uint8_t **bytes, size_t *size)
     return status;
 }
 
-/* Adds the text of a chunk, if it is one. Returns false when out of memory. */
+/* Adds the text of a tEXt or iTXt chunk; ignores other chunks. Returns false when out of memory. */
 static bool add_text(struct picture_head *head, const uint8_t *chunk)
 {
     const char *data = (const char *)chunk + 8;
-    const size_t size = get_u32(chunk), gap = is_chunk(chunk, "iTXt") ? 4 : 0;
+    const size_t size = read_u32(chunk), gap = is_chunk(chunk, "iTXt") ? 4 : 0;
     const char *end = memchr(data, '\0', size);
     const size_t name_size = end ? (size_t)(end - data) + 1 : size + 1;
     if ((!gap && !is_chunk(chunk, "tEXt")) || name_size + gap > size)
@@ -263,7 +263,7 @@ static bool add_text(struct picture_head *head, const uint8_t *chunk)
     return picture_head_add_text(head, data, data + name_size + gap, size - name_size - gap);
 }
 
-/* Of a file's first chunk. Returns false when out of memory. */
+/* Reads size and channels from the IHDR chunk. Returns false when out of memory. */
 static bool read_size(struct picture_head *head, const uint8_t *chunk)
 {
     static const char *const names[] = { "R", "G", "B", "A" };
@@ -276,15 +276,15 @@ static bool read_size(struct picture_head *head, const uint8_t *chunk)
     const uint8_t *data = chunk + 8;
     const uint32_t plane_count = data[COLOR_TYPE_AT] & HAS_ALPHA ? 4 : 3;
     bool done = true;
-    image_init(&head->image, get_u32(data), get_u32(data + 4));
+    image_init(&head->image, read_u32(data), read_u32(data + 4));
     for (uint32_t p = 0; p < plane_count && done; p++)
         done = picture_head_add_plane(head, names[p], false);
     return done;
 }
 
-/* Walks over the chunks; false if one is damaged, or memory is short. */
+/* Visits all chunks. Returns false if one is damaged, or when out of memory. */
 static bool read_chunks(struct picture_head *head, const uint8_t *bytes, size_t size,
-                        bool *lacks_memory)
+                        bool *is_out_of_memory)
 {
     bool has_texels = false, has_end = false;
     size_t at = sizeof(signature);
@@ -292,10 +292,10 @@ static bool read_chunks(struct picture_head *head, const uint8_t *bytes, size_t 
         const size_t chunk_size = measure_chunk(bytes + at, size - at);
         const uint8_t *chunk = bytes + at;
         const bool is_first = at == sizeof(signature);
-        if (chunk_size == 0 || is_first != (is_chunk(chunk, "IHDR") && get_u32(chunk) == 13))
+        if (chunk_size == 0 || is_first != (is_chunk(chunk, "IHDR") && read_u32(chunk) == 13))
             return false;
-        *lacks_memory = !(is_first ? read_size(head, chunk) : add_text(head, chunk));
-        if (*lacks_memory)
+        *is_out_of_memory = !(is_first ? read_size(head, chunk) : add_text(head, chunk));
+        if (*is_out_of_memory)
             return false;
         has_texels = has_texels || is_chunk(chunk, "IDAT");
         has_end = is_chunk(chunk, "IEND");
@@ -308,16 +308,16 @@ enum status png_check(const char *path, struct picture_head *head)
 {
     size_t size = 0;
     uint8_t *bytes;
-    bool lacks_memory = false;
+    bool is_out_of_memory = false;
     enum status status = read_file(path, &bytes, &size);
 
     *head = (struct picture_head){ 0 };
     if (status != STATUS_OK)
         return status;
     if (size < sizeof(signature) || memcmp(bytes, signature, sizeof(signature)) != 0 ||
-        !read_chunks(head, bytes, size, &lacks_memory)) {
+        !read_chunks(head, bytes, size, &is_out_of_memory)) {
         picture_head_finish(head);
-        status = lacks_memory ? log_out_of_memory(path) : STATUS_DATA;
+        status = is_out_of_memory ? log_out_of_memory(path) : STATUS_DATA;
     }
     if (status == STATUS_DATA)
         log_error("%s: not a PNG file, or damaged", path);

@@ -1,4 +1,4 @@
-/* png.h: reads and writes PNG files by libpng: sRGB of 8 or 16 bits, for displays. */
+/* png.h: reads and writes PNG files with libpng: sRGB-encoded, 8 or 16 bits per channel. */
 #ifndef FIRN_IMAGE_PNG_H
 #define FIRN_IMAGE_PNG_H
 
@@ -12,37 +12,37 @@
 struct png_picture {
     const uint8_t *rgba;            /* sRGB-encoded texels, rows from the top */
     uint32_t width, height;         /* pixels */
-    const struct image_text *texts; /* may be NULL if text_count is 0 */
+    const struct image_text *texts; /* text metadata; may be NULL if text_count is 0 */
     uint32_t text_count;
-    const uint16_t *rgba_16; /* texels of 16 bits, in place of rgba; NULL: 8 bits */
-    bool has_alpha;          /* not opaque: texels are not multiplied by it */
+    const uint16_t *rgba_16; /* 16-bit texels used instead of rgba; NULL for 8 bits */
+    bool has_alpha;          /* write alpha; colours are not premultiplied */
 };
 
 /*
- * Encodes a picture as RGB, or as RGBA if it has alpha, into memory: *data (malloc'd, the caller
- * frees it), *size bytes. Writes an sRGB chunk and the texts (tEXt if they are ASCII, else iTXt in
- * UTF-8; names of at most 79 characters), but no time of day. Logs and returns STATUS_TRY_AGAIN or
+ * Encodes an image as RGB, or as RGBA if it has alpha, into memory: *data (malloc'd, freed by the
+ * caller) of *size bytes. Writes an sRGB chunk and the texts (tEXt if they are ASCII, else iTXt in
+ * UTF-8; names of at most 79 characters), but no timestamp. Logs and returns STATUS_TRY_AGAIN or
  * STATUS_FAILED; *data is then NULL.
  */
 MUST_USE enum status png_encode(const struct png_picture *picture, void **data, size_t *size);
 
 /*
- * Reads a PNG file of any kind into *image, which must be {0}: planes R, G and B, and A if it has
- * alpha or a transparent colour. Colours are decoded to linear ones and not multiplied by alpha. 16
- * bits are rounded to 8; files without a colour space are taken as sRGB. Limits, errors and
- * ownership are those of exr_read().
+ * Reads a PNG file of any colour type into *image, which must be {0}: planes R, G and B, and A if
+ * it has alpha or a transparent colour. Colours are decoded to linear and are not premultiplied.
+ * 16-bit channels are rounded to 8 bits; files without a colour space are taken as sRGB. Limits,
+ * errors and ownership are those of exr_read().
  */
 MUST_USE enum status png_read(const char *path, struct image *image);
 
-/* Returns size and planes that png_read() would give, from the file's beginning. */
+/* Returns size and planes of the image that png_read() would return, from the header only. */
 MUST_USE enum status png_head(const char *path, struct picture_head *head);
 
-/* Checks a whole file by the checksums of its chunks, without unpacking its texels, and returns
- * what it says in *head, which the caller finishes. Errors are those of png_read(). */
+/* Checks a whole file by the CRCs of its chunks, without decompressing texels, and returns its
+ * header in *head, which the caller finishes. Errors are those of png_read(). */
 MUST_USE enum status png_check(const char *path, struct picture_head *head);
 
-/* Returns whether a head is that of the picture: its size, its colours, with alpha if it has one,
- * and its texts. Texels (which may be NULL) are not compared. */
+/* Returns true if a file with header `head` could be png_encode()'s output for the image: same
+ * size, channels and texts. Texels, which may be NULL, are not compared. */
 bool png_matches(const struct picture_head *head, const struct png_picture *picture);
 
 #endif

@@ -1,4 +1,4 @@
-/* png_read.c: reads PNG files by libpng's simplified interface. */
+/* png_read.c: reads PNG files with libpng's simplified interface. */
 #include <png.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,8 +13,8 @@ static enum status out_of_memory(const char *path, const png_image *png)
     return STATUS_TRY_AGAIN;
 }
 
-/* Returns whether no chunk claims to end after the file. libpng allocates and clears the memory of
- * a chunk before it reads it: 2 GiB for a few bytes that claim so many. */
+/* Returns true if all chunks end within the file. libpng allocates and clears a chunk's memory
+ * before it reads it: up to 2 GiB for a file of a few bytes. */
 static bool has_whole_chunks(FILE *file, int64_t size)
 {
     uint8_t head[8]; /* length, type */
@@ -50,7 +50,7 @@ static uint32_t count_planes(const png_image *png)
     return png->format & PNG_FORMAT_FLAG_ALPHA ? 4 : 3;
 }
 
-/* Fills the planes channel by channel. Returns false when out of memory. */
+/* Fills the planes with linear colours. Returns false when out of memory. */
 static bool fill_image(struct image *image, const png_image *png, const uint8_t *rgba)
 {
     const uint32_t plane_count = count_planes(png);
@@ -74,7 +74,7 @@ static bool fill_image(struct image *image, const png_image *png, const uint8_t 
 
 static enum status read_texels(const char *path, png_image *png, struct image *image)
 {
-    png_image source = *png; /* the format of the file, which says whether it has alpha */
+    png_image source = *png; /* keeps the file's format: has it alpha? */
     uint8_t *rgba;
     enum status status = STATUS_OK;
 
@@ -90,7 +90,7 @@ static enum status read_texels(const char *path, png_image *png, struct image *i
     return status;
 }
 
-/* Opens a file and reads its beginning; both are the caller's to end, on failure too. */
+/* Opens a file and reads its header. The caller closes both `png` and `file`, also on failure. */
 static enum status open_png(const char *path, png_image *png, FILE **file)
 {
     int64_t size;

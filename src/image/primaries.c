@@ -1,10 +1,10 @@
-/* primaries.c: matrices of SMPTE RP 177, adapted to D65 by Bradford's cone responses. */
+/* primaries.c: RGB to XYZ matrices (SMPTE RP 177) and Bradford chromatic adaptation to D65. */
 #include "src/image/primaries.h"
 #include <math.h>
 #include <string.h>
 
 struct matrix {
-    double m[3][3]; /* rows */
+    double m[3][3]; /* row-major */
 };
 
 static const struct primaries rec709 = {
@@ -38,8 +38,8 @@ static void apply(const struct matrix *a, const double v[static 3], double resul
         result[i] = a->m[i][0] * v[0] + a->m[i][1] * v[1] + a->m[i][2] * v[2];
 }
 
-/* The determinant without a row and a column, with its sign. */
-static double minor_of(const struct matrix *a, int row, int column)
+/* Returns the cofactor of an element: the signed determinant without its row and column. */
+static double cofactor(const struct matrix *a, int row, int column)
 {
     const int i = (row + 1) % 3, j = (row + 2) % 3, k = (column + 1) % 3, l = (column + 2) % 3;
     return a->m[i][k] * a->m[j][l] - a->m[i][l] * a->m[j][k];
@@ -49,12 +49,12 @@ static bool invert(const struct matrix *a, struct matrix *inverse)
 {
     double determinant = 0.0;
     for (int k = 0; k < 3; k++)
-        determinant += a->m[0][k] * minor_of(a, 0, k);
+        determinant += a->m[0][k] * cofactor(a, 0, k);
     if (!(fabs(determinant) > 1e-9) || !isfinite(determinant))
         return false;
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++)
-            inverse->m[k][i] = minor_of(a, i, k) / determinant;
+            inverse->m[k][i] = cofactor(a, i, k) / determinant;
     }
     return true;
 }
@@ -67,7 +67,7 @@ static void xyz_of(const float at[static 2], double xyz[static 3])
     xyz[2] = (1.0 - x - y) / y;
 }
 
-/* XYZ of linear colours, where white has Y = 1. */
+/* Computes the matrix from linear RGB to XYZ, in which white has Y = 1. */
 static bool xyz_from_rgb(const struct primaries *p, struct matrix *matrix)
 {
     const float *const colors[3] = { p->red, p->green, p->blue };
@@ -92,7 +92,7 @@ static bool xyz_from_rgb(const struct primaries *p, struct matrix *matrix)
     return true;
 }
 
-/* XYZ under D65 of XYZ under another white. */
+/* Computes the chromatic adaptation matrix from XYZ under another white to XYZ under D65. */
 static bool adapt(const float white[static 2], struct matrix *matrix)
 {
     double from[3], to[3], from_cones[3], to_cones[3];
@@ -127,12 +127,12 @@ static bool is_rec709(const struct primaries *p)
 enum primaries_kind primaries_to_rec709(const struct primaries *from, float matrix[static 9])
 {
     static const float identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-    struct matrix xyz, to_d65, own, rgb;
+    struct matrix xyz, to_d65, xyz_from_rec709, rgb;
     memcpy(matrix, identity, sizeof(identity));
     if (is_rec709(from))
         return PRIMARIES_REC709;
-    if (!xyz_from_rgb(from, &xyz) || !adapt(from->white, &to_d65) || !xyz_from_rgb(&rec709, &own) ||
-        !invert(&own, &rgb))
+    if (!xyz_from_rgb(from, &xyz) || !adapt(from->white, &to_d65) ||
+        !xyz_from_rgb(&rec709, &xyz_from_rec709) || !invert(&xyz_from_rec709, &rgb))
         return PRIMARIES_INVALID;
     const struct matrix adapted = multiply(&to_d65, &xyz);
     const struct matrix all = multiply(&rgb, &adapted);

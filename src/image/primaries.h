@@ -1,23 +1,22 @@
-/* primaries.h: colours of other primaries to those of Rec.709. */
+/* primaries.h: conversion of linear colours from other RGB primaries to Rec.709. */
 #ifndef FIRN_IMAGE_PRIMARIES_H
 #define FIRN_IMAGE_PRIMARIES_H
 
 #include <stdbool.h>
 
-/* Coordinates x and y of red, green, blue and white, as in the attribute `chromaticities` of an
- * EXR. */
+/* CIE xy chromaticities of red, green, blue and white, as in EXR's attribute `chromaticities`. */
 struct primaries {
     float red[2], green[2], blue[2], white[2];
 };
 
 enum primaries_kind {
-    PRIMARIES_REC709, /* within rounding */
+    PRIMARIES_REC709, /* equal within rounding */
     PRIMARIES_OTHER,
-    PRIMARIES_INVALID, /* they span no colours */
+    PRIMARIES_INVALID, /* degenerate: they span no colour space */
 };
 
-/* Fills `matrix`, in rows, which makes linear colours of Rec.709 from those of `from`; white stays
- * white (Bradford's adaptation). If the result is not PRIMARIES_OTHER, it is the identity. */
+/* Computes the row-major matrix from linear colours with primaries `from` to Rec.709 (Bradford
+ * adaptation: white stays white). It is the identity unless the result is PRIMARIES_OTHER. */
 enum primaries_kind primaries_to_rec709(const struct primaries *from, float matrix[static 9]);
 
 #endif

@@ -1,4 +1,4 @@
-/* srgb.c: the transfer function of sRGB. */
+/* srgb.c: transfer function of sRGB. */
 #include "src/image/srgb.h"
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* picture_pipe.c: the head of a picture on its way: counts, then names and texts. */
+/* picture_pipe.c: serialised header of an image: counts, then plane names and metadata texts. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +26,7 @@ struct plane {
 
 struct text {
     char name[IMAGE_NAME_SIZE];
-    uint32_t length; /* of the value, which follows without '\0' */
+    uint32_t length; /* length of the value, which follows without '\0' */
 };
 
 _Static_assert(sizeof(struct head) == 168 && sizeof(struct plane) == 68 &&

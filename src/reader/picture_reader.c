@@ -1,14 +1,14 @@
-/* picture_reader.c: receives pictures from a reader process. */
+/* picture_reader.c: parent's side of image reading: receives the header and rows of an image. */
 #include "src/reader/picture_reader.h"
 #include <stdlib.h>
 #include <string.h>
 
 struct picture_reader {
-    struct reader *reader; /* NULL: it has ended */
+    struct reader *reader; /* NULL after it has ended */
     struct pipe_source source;
     uint32_t width, height, plane_count;
-    uint32_t next; /* row that comes next */
-    float *row;    /* row next - 1 of all planes, one after the other */
+    uint32_t next; /* index of the next row */
+    float *row;    /* row next - 1 of all planes, plane after plane */
 };
 
 static enum status begin(struct reader **reader, struct picture_head *head, const char *path,
@@ -89,7 +89,7 @@ void picture_close(struct picture_reader *picture)
     free(picture);
 }
 
-/* Adds the planes, if they are no more than a quarter of the limit of memory. */
+/* Allocates the planes of an image, if they take at most a quarter of the memory limit. */
 static enum pipe_fault add_planes(struct image *image, const struct picture_head *head,
                                   uint64_t size_max)
 {

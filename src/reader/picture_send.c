@@ -1,4 +1,4 @@
-/* picture_send.c: in the reader process: opens a picture by the end of its name, and sends it. */
+/* picture_send.c: child's side of image reading: decodes an image by its suffix and sends it. */
 #include <stdlib.h>
 #include "src/base/log.h"
 #include "src/base/path.h"
@@ -7,12 +7,12 @@
 #include "src/image/png.h"
 #include "src/reader/picture_reader.h"
 
-/* Formats that are read as a whole. EXR files are read row by row. */
+/* Image formats that are decoded as a whole; EXR files are decoded row by row instead. */
 static const struct format {
     const char *end;
     enum status (*head)(const char *path, struct picture_head *head);
     enum status (*read)(const char *path, struct image *image);
-    enum status (*check)(const char *path, struct picture_head *head); /* NULL: as `read` */
+    enum status (*check)(const char *path, struct picture_head *head); /* NULL: decode by `read` */
 } formats[] = {
     { ".hdr", hdr_head, hdr_read, NULL },
     { ".png", png_head, png_read, png_check },
@@ -22,7 +22,7 @@ enum {
     FORMAT_COUNT = sizeof(formats) / sizeof(formats[0])
 };
 
-/* Returns NULL for an EXR file. */
+/* Returns the format of a path by its suffix; NULL for EXR files. */
 static const struct format *find_format(const char *path)
 {
     for (size_t i = 0; i < FORMAT_COUNT; i++) {
@@ -68,7 +68,7 @@ static bool send_rows(const struct image *image, const struct pipe_sink *sink)
     return done;
 }
 
-/* The head goes first, so that the parent may refuse a large picture before it is unpacked. */
+/* Sends the header first, so that the parent can reject a large image before it is decompressed. */
 static enum status send_whole(const struct format *format, const char *path,
                               const struct pipe_sink *sink)
 {

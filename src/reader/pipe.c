@@ -1,4 +1,4 @@
-/* pipe.c: the bytes between a reader process and its parent. */
+/* pipe.c: byte stream between a reader process and its parent, and descriptions of its faults. */
 #include "src/reader/pipe.h"
 
 enum {
@@ -19,7 +19,7 @@ const char *pipe_words(enum pipe_fault fault)
         [PIPE_MATERIAL] = "a material that does not exist",
         [PIPE_CAMERA] = "a camera, a box or an index of refraction out of range",
         [PIPE_TEXEL] = "a texel out of range",
-        [PIPE_TEXT] = "a text or a channel's name out of range",
+        [PIPE_TEXT] = "a metadata text or a channel name out of range",
         [PIPE_END] = "more data than announced",
     };
     return words[fault];

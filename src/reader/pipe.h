@@ -1,9 +1,10 @@
 /*
- * pipe.h: the bytes between a reader process and its parent.
+ * pipe.h: byte stream between a reader process and its parent: sources, sinks and validation
+ * faults.
  *
- * The writer has parsed an untrusted file, so what reads from the pipe validates everything: counts
- * and sizes are checked before memory is allocated, and extra or missing bytes are a fault. Numbers
- * have the machine's representation.
+ * The writer has parsed an untrusted file, so the receiver validates everything: counts and sizes
+ * are checked before memory is allocated, and extra or missing bytes are a fault. Numbers are in
+ * the machine's own representation.
  */
 #ifndef FIRN_READER_PIPE_H
 #define FIRN_READER_PIPE_H
@@ -13,15 +14,14 @@
 #include <stdint.h>
 #include "src/base/status.h"
 
-/* Read or write `size` bytes. They return false if not all bytes could be transferred; no further
- * call follows. */
+/* Read or write `size` bytes. After a result of false, a partial transfer, no call may follow. */
 typedef bool pipe_read_fn(void *user, void *bytes, size_t size);
 typedef bool pipe_write_fn(void *user, const void *bytes, size_t size);
 
 struct pipe_source {
     pipe_read_fn *read;
     void *user;
-    uint64_t size_max; /* limit of the bytes of all arrays together */
+    uint64_t size_max; /* limit of the total size of all arrays, bytes */
 };
 
 struct pipe_sink {
@@ -32,8 +32,8 @@ struct pipe_sink {
 enum pipe_fault {
     PIPE_OK,
     PIPE_SHORT,  /* the source ended early */
-    PIPE_MEMORY, /* out of memory; the bytes may be valid */
-    PIPE_LARGE,  /* valid, but above a limit that the user may raise */
+    PIPE_MEMORY, /* out of memory, though the data may be valid */
+    PIPE_LARGE,  /* valid data, but above a limit that the user may raise */
     PIPE_HEAD,
     PIPE_SIZE,
     PIPE_NUMBER,
@@ -46,14 +46,14 @@ enum pipe_fault {
     PIPE_FAULT_COUNT,
 };
 
-/* Returns a description such as "an index beyond the vertices". */
+/* Returns a description of a fault, such as "an index beyond the vertices". */
 const char *pipe_words(enum pipe_fault fault);
 
-/* Sends or receives bytes, which may be none: then `bytes` may be NULL. */
+/* Write or read `size` bytes; `bytes` may be NULL if `size` is 0. */
 MUST_USE bool pipe_write(const struct pipe_sink *sink, const void *bytes, size_t size);
 MUST_USE enum pipe_fault pipe_read(const struct pipe_source *source, void *bytes, size_t size);
 
-/* The word that ends all data. */
+/* Write or check the marker that ends every stream. */
 MUST_USE bool pipe_write_end(const struct pipe_sink *sink);
 MUST_USE enum pipe_fault pipe_read_end(const struct pipe_source *source);
 

@@ -1,4 +1,4 @@
-/* preset_load.c: in the reader process: the lines of a text file, or the settings of a picture. */
+/* preset_load.c: parses a preset in the reader process: a text file, or an image's metadata. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@ enum {
     FILE_SIZE_MAX = 1 << 20
 };
 
-/* A file's bytes; "\0" is none of a text. */
+/* A text file's contents; a text that contains '\0' is rejected. */
 struct text {
     char *bytes;
     size_t size;
@@ -21,12 +21,12 @@ struct text {
 
 /* ---- lines ---- */
 
-/* Adds an assignment, of which `length` characters count. */
-static enum status add(struct preset *preset, uint32_t number, const char *assignment,
-                       size_t length)
+/* Appends the first `length` characters of a text as an assignment. */
+static enum status append(struct preset *preset, uint32_t number, const char *assignment,
+                          size_t length)
 {
     const uint32_t count = preset->count;
-    if (!(count & (count - 1))) { /* 0 or a power of 2: full */
+    if (!(count & (count - 1))) { /* the array is full when count is 0 or a power of two */
         struct preset_line *lines =
             realloc(preset->lines, (count ? 2 * (size_t)count : 1) * sizeof(*lines));
         if (!lines)
@@ -44,20 +44,20 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* What is wrong with a line that is no comment; NULL: nothing. */
+/* Returns what is wrong with a line that is not a comment; NULL if it is valid. */
 static const char *check_line(const char *line, size_t length)
 {
     for (size_t i = 0; i < length; i++) {
         if (line[i] < ' ' || line[i] > '~')
-            return "expected ASCII characters that can be printed";
+            return "expected printable ASCII characters";
     }
     if (length >= PRESET_LINE_SIZE)
         return "expected a line of at most 511 characters";
     return NULL;
 }
 
-static enum status add_line(struct preset *preset, const char *path, uint32_t number,
-                            const char *line, size_t length)
+static enum status append_line(struct preset *preset, const char *path, uint32_t number,
+                               const char *line, size_t length)
 {
     while (length && is_blank(line[0])) {
         line++;
@@ -78,10 +78,10 @@ static enum status add_line(struct preset *preset, const char *path, uint32_t nu
                   number, (int)length, line);
         return STATUS_DATA;
     }
-    return add(preset, number, line, length);
+    return append(preset, number, line, length);
 }
 
-static enum status add_lines(struct preset *preset, const char *path, const struct text *text)
+static enum status append_lines(struct preset *preset, const char *path, const struct text *text)
 {
     enum status status = STATUS_OK;
     const char *line = text->bytes, *end = text->bytes + text->size;
@@ -93,7 +93,7 @@ static enum status add_lines(struct preset *preset, const char *path, const stru
             log_error("%s: expected at most %d lines", path, PRESET_LINE_COUNT_MAX);
             return STATUS_DATA;
         }
-        status = add_line(preset, path, number, line, (size_t)(next - line));
+        status = append_line(preset, path, number, line, (size_t)(next - line));
         line = next + 1;
     }
     return status;
@@ -116,7 +116,7 @@ static enum status read_text(const char *path, struct text *text)
         log_error("%s: %s", path, strerror(errno));
         status = STATUS_NO_INPUT;
     } else if (text->size > FILE_SIZE_MAX) {
-        log_error("%s: expected settings in a text file of at most 1 MiB", path);
+        log_error("%s: expected a text file with settings, of at most 1 MiB", path);
         status = STATUS_DATA;
     }
     fclose(file);
@@ -128,12 +128,12 @@ static enum status load_text(struct preset *preset, const char *path)
     struct text text = { 0 };
     enum status status = read_text(path, &text);
     if (status == STATUS_OK)
-        status = add_lines(preset, path, &text);
+        status = append_lines(preset, path, &text);
     free(text.bytes);
     return status;
 }
 
-/* ---- pictures ---- */
+/* ---- images ---- */
 
 static enum status read_head(const char *path, struct picture_head *head)
 {
@@ -145,7 +145,7 @@ static enum status read_head(const char *path, struct picture_head *head)
     return status;
 }
 
-/* Settings follow the field of view; file names, which may hold anything, are before it. */
+/* Returns the settings after the last "fov=" of the metadata: file names may precede it. */
 static const char *find_settings(const char *text)
 {
     static const char last[] = " fov=";
@@ -155,19 +155,19 @@ static const char *find_settings(const char *text)
     return found;
 }
 
-/* Words without a dot in their names are no settings: cube_time. */
-static enum status add_words(struct preset *preset, const char *words)
+/* Adds every NAME=VALUE with a dot in its name; others, such as cube_time, are not settings. */
+static enum status append_settings(struct preset *preset, const char *settings)
 {
     enum status status = STATUS_OK;
-    words += strcspn(words, " ");
-    while (*words && status == STATUS_OK) {
-        words += strspn(words, " ");
-        const size_t length = strcspn(words, " "), name = strcspn(words, "= ");
-        const bool is_setting = memchr(words, '.', name) && words[name] == '=';
-        if (is_setting && length < PRESET_LINE_SIZE && !check_line(words, length) &&
+    settings += strcspn(settings, " ");
+    while (*settings && status == STATUS_OK) {
+        settings += strspn(settings, " ");
+        const size_t length = strcspn(settings, " "), name = strcspn(settings, "= ");
+        const bool is_setting = memchr(settings, '.', name) && settings[name] == '=';
+        if (is_setting && length < PRESET_LINE_SIZE && !check_line(settings, length) &&
             preset->count < PRESET_LINE_COUNT_MAX)
-            status = add(preset, 0, words, length);
-        words += length;
+            status = append(preset, 0, settings, length);
+        settings += length;
     }
     return status;
 }
@@ -178,12 +178,12 @@ static enum status load_picture(struct preset *preset, const char *path)
     enum status status = read_head(path, &head);
     if (status != STATUS_OK)
         return status;
-    const char *words = find_settings(picture_head_text(&head, "firn/settings"));
-    if (words) {
-        status = add_words(preset, words);
+    const char *settings = find_settings(picture_head_text(&head, "firn/settings"));
+    if (settings) {
+        status = append_settings(preset, settings);
     } else {
-        log_error("%s: expected a picture that firn render has written: this one holds no "
-                  "settings",
+        log_error("%s: this image holds no settings: expected an image written by firn "
+                  "render",
                   path);
         status = STATUS_DATA;
     }

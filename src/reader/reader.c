@@ -1,4 +1,4 @@
-/* reader.c: starts the child that reads a file, receives its data, and logs why it failed. */
+/* reader.c: parent's side of a reader process: spawns it, receives data, logs why it failed. */
 #define _GNU_SOURCE /* environ, pipe2, posix_spawn_file_actions_addclosefrom_np */
 #include "src/reader/reader.h"
 #include <errno.h>
@@ -19,22 +19,22 @@
 #include "src/base/log.h"
 
 enum {
-    BUFFER_SIZE = 1 << 20, /* bytes, where the system allows it */
-    SAID_SIZE = 32768,     /* a line for each of hundreds of extensions */
-    NO_PROGRAM = 127,      /* exit code of the dynamic loader when it cannot load a library */
+    BUFFER_SIZE = 1 << 20, /* pipe capacity in bytes, if the system allows it */
+    LOG_SIZE = 32768,      /* bytes of stderr to keep, enough for hundreds of lines */
+    NO_PROGRAM = 127,      /* exit code of the dynamic loader if a library cannot be loaded */
 };
 
 struct reader {
     struct reader_params params;
     const char *path;
     pid_t process;
-    int data, words; /* descriptors of the pipes from its stdout and stderr; -1: closed */
-    double deadline; /* seconds of the monotonic clock; moves on while the child makes progress */
-    double cpu_seconds;   /* that the child had used when the deadline was set */
-    bool is_idle;         /* made no progress until the deadline */
-    char said[SAID_SIZE]; /* its stderr so far; ends at '\0' */
-    size_t said_size;
-    int ended; /* status of waitpid(); valid if has_ended */
+    int data, messages;      /* descriptors of the child's stdout and stderr; -1 if closed */
+    double deadline;         /* on the monotonic clock, seconds; extended on progress */
+    double cpu_seconds;      /* CPU time of the child when the deadline was set */
+    bool is_idle;            /* no progress until the deadline */
+    char log_text[LOG_SIZE]; /* the child's stderr so far, terminated by '\0' */
+    size_t log_size;
+    int exit_status; /* status from waitpid(); valid if has_ended */
     bool has_ended;
 };
 
@@ -46,25 +46,25 @@ static struct reader_params complete(struct reader_params params)
     return params;
 }
 
-/* ---- the parent's memory ---- */
+/* ---- the parent's dumpable flag ---- */
 
-static pthread_mutex_t living_lock = PTHREAD_MUTEX_INITIALIZER;
-static uint32_t living; /* readers */
+static pthread_mutex_t reader_count_lock = PTHREAD_MUTEX_INITIALIZER;
+static uint32_t reader_count; /* number of readers that exist */
 static bool was_dumpable;
 
-/* While a reader lives, no process of the same user may open the parent's memory, and a crash of
- * the parent dumps no core. */
-static void count_living(int change)
+/* Counts readers. While any exists, the parent is not dumpable: no process of the same user may
+ * open its memory, and its crash writes no core file. */
+static void count_readers(int change)
 {
-    pthread_mutex_lock(&living_lock);
-    if (living == 0) {
+    pthread_mutex_lock(&reader_count_lock);
+    if (reader_count == 0) {
         was_dumpable = prctl(PR_GET_DUMPABLE) == 1;
         prctl(PR_SET_DUMPABLE, 0);
     }
-    living += (uint32_t)change;
-    if (living == 0 && was_dumpable)
+    reader_count += (uint32_t)change;
+    if (reader_count == 0 && was_dumpable)
         prctl(PR_SET_DUMPABLE, 1);
-    pthread_mutex_unlock(&living_lock);
+    pthread_mutex_unlock(&reader_count_lock);
 }
 
 /* ---- start ---- */
@@ -76,8 +76,8 @@ static void close_end(int *end)
     *end = -1;
 }
 
-/* Opens a pipe with descriptors above 2, so that the child's descriptors 0 to 2 can be set in any
- * order; other programs do not inherit them. */
+/* Opens a pipe with descriptors above 2, so that descriptors 0 to 2 of the child can be set up in
+ * any order. Other child processes do not inherit them. */
 static bool open_pipe(int ends[2])
 {
     int low[2];
@@ -90,9 +90,9 @@ static bool open_pipe(int ends[2])
     return ends[0] >= 0 && ends[1] >= 0;
 }
 
-/* What the dynamic loader needs, so that the child gets the libraries of its parent, and what the
- * sanitizers read; nothing else of the environment is passed on. */
-static const char *const passed_on[] = {
+/* Environment variables passed to the child: what the dynamic loader needs to find the same
+ * libraries, and options of the sanitizers. */
+static const char *const passed_variables[] = {
     "LD_LIBRARY_PATH", "LD_PRELOAD",
 #ifdef READER_MAPS_SHADOWS
     "ASAN_OPTIONS",    "TSAN_OPTIONS", "UBSAN_OPTIONS",
@@ -100,47 +100,46 @@ static const char *const passed_on[] = {
 };
 
 enum {
-    PASSED_ON_COUNT = sizeof(passed_on) / sizeof(passed_on[0])
+    PASSED_ON_COUNT = sizeof(passed_variables) / sizeof(passed_variables[0])
 };
 
-/* Fills a list that ends with NULL. */
+/* Fills a NULL-terminated list with the variables to pass on. */
 static void select_environment(char *list[static PASSED_ON_COUNT + 1])
 {
     size_t count = 0;
     for (char **variable = environ; variable && *variable && count < PASSED_ON_COUNT; variable++) {
         for (size_t i = 0; i < PASSED_ON_COUNT; i++) {
-            const size_t size = strlen(passed_on[i]);
-            if (strncmp(*variable, passed_on[i], size) == 0 && (*variable)[size] == '=')
+            const size_t size = strlen(passed_variables[i]);
+            if (strncmp(*variable, passed_variables[i], size) == 0 && (*variable)[size] == '=')
                 list[count++] = *variable;
         }
     }
     list[count] = NULL;
 }
 
-/* Returns 0 or an errno. The child has a process group of its own, so that Ctrl-C reaches only the
- * parent. */
-static int spawn(pid_t *process, const char *program, char *const *words, int out, int err)
+/* Spawns the child in a process group of its own, out of reach of Ctrl-C. Returns an errno. */
+static int spawn(pid_t *process, const char *program, char *const *arguments, int out, int err)
 {
     posix_spawn_file_actions_t files;
-    posix_spawnattr_t how;
-    sigset_t none, usual;
+    posix_spawnattr_t attributes;
+    sigset_t no_signals, default_signals;
     char *variables[PASSED_ON_COUNT + 1];
     select_environment(variables);
-    sigemptyset(&none);
-    sigemptyset(&usual);
-    sigaddset(&usual, SIGPIPE);
-    sigaddset(&usual, SIGXFSZ);
-    sigaddset(&usual, SIGXCPU);
+    sigemptyset(&no_signals);
+    sigemptyset(&default_signals);
+    sigaddset(&default_signals, SIGPIPE);
+    sigaddset(&default_signals, SIGXFSZ);
+    sigaddset(&default_signals, SIGXCPU);
     if (posix_spawn_file_actions_init(&files) != 0)
         return ENOMEM;
-    if (posix_spawnattr_init(&how) != 0) {
+    if (posix_spawnattr_init(&attributes) != 0) {
         posix_spawn_file_actions_destroy(&files);
         return ENOMEM;
     }
-    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
-                                       POSIX_SPAWN_SETPGROUP);
-    posix_spawnattr_setsigmask(&how, &none);
-    posix_spawnattr_setsigdefault(&how, &usual);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
+                                              POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setsigmask(&attributes, &no_signals);
+    posix_spawnattr_setsigdefault(&attributes, &default_signals);
     int failed = posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     if (!failed)
         failed = posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
@@ -149,38 +148,38 @@ static int spawn(pid_t *process, const char *program, char *const *words, int ou
     if (!failed)
         failed = posix_spawn_file_actions_addclosefrom_np(&files, 3);
     if (!failed)
-        failed = posix_spawn(process, program, &files, &how, words, variables);
-    posix_spawnattr_destroy(&how);
+        failed = posix_spawn(process, program, &files, &attributes, arguments, variables);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     return failed;
 }
 
-/* Returns 0 or an errno. */
+/* Opens the pipes and spawns the child with its arguments. Returns 0 or an errno. */
 static int start(struct reader *reader, enum reader_kind kind)
 {
-    int data[2] = { -1, -1 }, words[2] = { -1, -1 };
-    char numbers[4][16], name[] = "firn", word[] = READER_WORD;
+    int data[2] = { -1, -1 }, messages[2] = { -1, -1 };
+    char numbers[4][16], name[] = "firn", option_name[] = READER_WORD;
     const uint32_t values[] = { kind + 1u, reader->params.seconds, reader->params.memory_gib,
                                 reader->params.no_sandbox };
     char *file = strdup(reader->path);
     char *details = strdup(reader->params.details ? reader->params.details : "");
     for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++)
         snprintf(numbers[i], sizeof(numbers[i]), "%u", values[i]);
-    char *const argv[] = { name,       word,       file,    numbers[0], numbers[1],
-                           numbers[2], numbers[3], details, NULL };
+    char *const argv[] = { name,       option_name, file,    numbers[0], numbers[1],
+                           numbers[2], numbers[3],  details, NULL };
     int failed = file && details ? 0 : ENOMEM;
-    if (!failed && (!open_pipe(data) || !open_pipe(words)))
+    if (!failed && (!open_pipe(data) || !open_pipe(messages)))
         failed = errno;
     if (!failed) {
         fcntl(data[0], F_SETPIPE_SZ, BUFFER_SIZE); /* a smaller pipe is only slower */
-        failed = spawn(&reader->process, reader->params.program, argv, data[1], words[1]);
+        failed = spawn(&reader->process, reader->params.program, argv, data[1], messages[1]);
     }
     free(file);
     free(details);
     close_end(&data[1]);
-    close_end(&words[1]);
+    close_end(&messages[1]);
     reader->data = data[0];
-    reader->words = words[0];
+    reader->messages = messages[0];
     return failed;
 }
 
@@ -194,7 +193,7 @@ enum status reader_start(struct reader **started, const struct reader_params *pa
     reader->params = complete(*params);
     reader->path = path;
     reader->deadline = clock_seconds() + reader->params.idle_seconds;
-    count_living(1);
+    count_readers(1);
     const int failed = start(reader, kind);
     if (!failed) {
         *started = reader;
@@ -202,33 +201,32 @@ enum status reader_start(struct reader **started, const struct reader_params *pa
     }
     log_error("%s: cannot start the reader process %s: %s", path, params->program,
               strerror(failed));
-    count_living(-1);
+    count_readers(-1);
     close_end(&reader->data);
-    close_end(&reader->words);
+    close_end(&reader->messages);
     free(reader);
     return STATUS_TRY_AGAIN;
 }
 
 /* ---- receive ---- */
 
-static void take_words(struct reader *reader)
+static void receive_stderr(struct reader *reader)
 {
     char bytes[512];
-    const ssize_t count = read(reader->words, bytes, sizeof(bytes));
+    const ssize_t count = read(reader->messages, bytes, sizeof(bytes));
     if (count < 0 && errno == EINTR)
         return;
     if (count <= 0) {
-        close_end(&reader->words);
+        close_end(&reader->messages);
         return;
     }
-    for (ssize_t i = 0; i < count && reader->said_size + 1 < SAID_SIZE; i++) {
+    for (ssize_t i = 0; i < count && reader->log_size + 1 < LOG_SIZE; i++) {
         if (bytes[i] != '\0')
-            reader->said[reader->said_size++] = bytes[i];
+            reader->log_text[reader->log_size++] = bytes[i];
     }
 }
 
-/* Returns whether the child has made no progress until its deadline. A child that has computed in
- * the meantime gets a later deadline. */
+/* Returns true if the child missed its deadline, which is extended if it has used CPU time. */
 static bool is_idle(struct reader *reader)
 {
     clockid_t clock;
@@ -245,26 +243,26 @@ static bool is_idle(struct reader *reader)
     return false;
 }
 
-/* Waits until data or their end can be read; returns false if the child makes no progress. */
-static bool await(struct reader *reader)
+/* Waits until data, or its end, can be read. Returns false if the child makes no progress. */
+static bool wait_for_data(struct reader *reader)
 {
-    while (reader->data >= 0 || reader->words >= 0) {
+    while (reader->data >= 0 || reader->messages >= 0) {
         struct pollfd ends[] = {
             { .fd = reader->data, .events = POLLIN },
-            { .fd = reader->words, .events = POLLIN },
+            { .fd = reader->messages, .events = POLLIN },
         };
         reader->is_idle = reader->is_idle || is_idle(reader);
         if (reader->is_idle)
             return false;
-        const double left = reader->deadline - clock_seconds();
+        const double remaining = reader->deadline - clock_seconds();
         const int count = poll(ends, 2,
-                               left > 1000 ? 1000000
-                               : left > 0  ? (int)(left * 1e3) + 1
-                                           : 0);
+                               remaining > 1000 ? 1000000
+                               : remaining > 0  ? (int)(remaining * 1e3) + 1
+                                                : 0);
         if (count < 0 && errno != EINTR)
             return false;
         if (count > 0 && ends[1].revents)
-            take_words(reader);
+            receive_stderr(reader);
         if (count > 0 && ends[0].revents)
             return true;
     }
@@ -276,7 +274,7 @@ static bool read_data(void *user, void *bytes, size_t size)
     struct reader *reader = user;
     char *next = bytes;
     reader->deadline = clock_seconds() + reader->params.idle_seconds;
-    while (size > 0 && reader->data >= 0 && await(reader)) {
+    while (size > 0 && reader->data >= 0 && wait_for_data(reader)) {
         const ssize_t count = read(reader->data, next, size);
         if (count < 0 && errno == EINTR)
             continue;
@@ -291,45 +289,45 @@ static bool read_data(void *user, void *bytes, size_t size)
     return size == 0;
 }
 
-/* Reads the rest of stderr; what the child wrote before its last data is already in the pipe. */
-static void hear_rest(struct reader *reader)
+/* Reads the rest of stderr: all that the child wrote before its last data is in the pipe. */
+static void drain_stderr(struct reader *reader)
 {
-    struct pollfd words = { .fd = reader->words, .events = POLLIN };
-    while (reader->words >= 0 && clock_seconds() < reader->deadline && poll(&words, 1, 0) > 0)
-        take_words(reader);
+    struct pollfd messages = { .fd = reader->messages, .events = POLLIN };
+    while (reader->messages >= 0 && clock_seconds() < reader->deadline && poll(&messages, 1, 0) > 0)
+        receive_stderr(reader);
 }
 
 static void finish(struct reader *reader, enum pipe_fault fault)
 {
     close_end(&reader->data);
     if (fault == PIPE_OK)
-        hear_rest(reader);
+        drain_stderr(reader);
     else if (fault == PIPE_SHORT)
-        await(reader);
-    close_end(&reader->words);
-    /* A child that has closed its pipes has ended or will not end by itself. */
+        wait_for_data(reader);
+    close_end(&reader->messages);
+    /* A child that has closed its pipes has exited, or will not exit by itself. */
     kill(-reader->process, SIGKILL);
     pid_t found;
     do {
-        found = waitpid(reader->process, &reader->ended, 0);
+        found = waitpid(reader->process, &reader->exit_status, 0);
     } while (found < 0 && errno == EINTR);
     reader->has_ended = found == reader->process;
-    count_living(-1);
+    count_readers(-1);
 }
 
-/* ---- log why it failed ---- */
+/* ---- log why the child failed ---- */
 
-/* Logs at most `max` lines of the child's stderr; returns their number. */
-static int repeat(const struct reader *reader, int max)
+/* Logs up to `max` lines of the child's stderr under the parent's prefix. Returns their number. */
+static int repeat_log(const struct reader *reader, int max)
 {
-    static const char mark[] = "firn: ", warning[] = "warning: ";
-    const size_t mark_size = sizeof(mark) - 1, warning_size = sizeof(warning) - 1;
+    static const char prefix[] = "firn: ", warning[] = "warning: ";
+    const size_t prefix_size = sizeof(prefix) - 1, warning_size = sizeof(warning) - 1;
     int count = 0;
-    for (const char *line = reader->said; *line && count < max;) {
+    for (const char *line = reader->log_text; *line && count < max;) {
         const size_t length = strcspn(line, "\n");
-        if (strncmp(line, mark, mark_size) == 0) {
-            const char *text = line + mark_size;
-            const int size = (int)(length - mark_size);
+        if (strncmp(line, prefix, prefix_size) == 0) {
+            const char *text = line + prefix_size;
+            const int size = (int)(length - prefix_size);
             if (strncmp(text, warning, warning_size) == 0)
                 log_warning("%.*s", size - (int)warning_size, text + warning_size);
             else
@@ -341,14 +339,15 @@ static int repeat(const struct reader *reader, int max)
     return count;
 }
 
-/* Returns whether the program was started with a limit below that of the reader. */
+/* Returns true if the program was started with a resource limit below the reader's own limit. */
 static bool has_own_limit(int resource, uint64_t size)
 {
     struct rlimit limits;
     return getrlimit((unsigned)resource, &limits) == 0 && limits.rlim_cur < size;
 }
 
-static enum status say_own_limit(const struct reader *reader, const char *what, const char *option)
+static enum status report_own_limit(const struct reader *reader, const char *what,
+                                    const char *option)
 {
     log_error("%s: reading the file exceeded the %s limit that the program was started with: raise "
               "ulimit %s",
@@ -356,88 +355,89 @@ static enum status say_own_limit(const struct reader *reader, const char *what, 
     return STATUS_TRY_AGAIN;
 }
 
-static enum status say_late(const struct reader *reader)
+static enum status report_cpu_limit(const struct reader *reader)
 {
     if (has_own_limit(RLIMIT_CPU, reader->params.seconds))
-        return say_own_limit(reader, "time", "-t");
+        return report_own_limit(reader, "time", "-t");
     log_error("%s: reading the file exceeded the limit of %u s of CPU time (raise it with "
               "--load-seconds)",
               reader->path, reader->params.seconds);
     return STATUS_DATA;
 }
 
-static enum status say_idle(const struct reader *reader)
+static enum status report_idle(const struct reader *reader)
 {
-    log_error("%s: nothing could be read for %u s: expected a file that does not wait for a writer",
-              reader->path, reader->params.idle_seconds);
+    log_error(
+        "%s: no data arrived for %u s: expected a regular file, not a pipe that waits for a writer",
+        reader->path, reader->params.idle_seconds);
     return STATUS_DATA;
 }
 
-static enum status say_greedy(const struct reader *reader)
+static enum status report_memory_limit(const struct reader *reader)
 {
     if (has_own_limit(RLIMIT_AS, (uint64_t)reader->params.memory_gib << 30))
-        return say_own_limit(reader, "memory", "-v");
+        return report_own_limit(reader, "memory", "-v");
     log_error(
         "%s: reading the file exceeded the memory limit of %u GiB (raise it with --load-memory)",
         reader->path, reader->params.memory_gib);
     return STATUS_DATA;
 }
 
-static enum status say_large(const struct reader *reader)
+static enum status report_large_image(const struct reader *reader)
 {
-    log_error("%s: the picture needs more than a quarter of the memory limit of %u GiB (raise it "
+    log_error("%s: the image needs more than a quarter of the memory limit of %u GiB (raise it "
               "with --load-memory)",
               reader->path, reader->params.memory_gib);
     return STATUS_DATA;
 }
 
-static enum status say_crashed(const struct reader *reader)
+static enum status report_crash(const struct reader *reader)
 {
-    const bool by_signal = reader->has_ended && WIFSIGNALED(reader->ended);
+    const bool by_signal = reader->has_ended && WIFSIGNALED(reader->exit_status);
     log_error("%s: the reader crashed (%s %d): the file is damaged or unsupported; export it again",
               reader->path, by_signal ? "signal" : "exit code",
-              by_signal ? WTERMSIG(reader->ended) : WEXITSTATUS(reader->ended));
+              by_signal ? WTERMSIG(reader->exit_status) : WEXITSTATUS(reader->exit_status));
     return STATUS_DATA;
 }
 
-/* Logs why a child sent less data than announced. */
-static enum status say_why(const struct reader *reader)
+/* Logs why the child sent less data than announced: limits, crash, or its own error. */
+static enum status report_failure(const struct reader *reader)
 {
-    const int status = reader->has_ended ? reader->ended : 0;
+    const int status = reader->has_ended ? reader->exit_status : 0;
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     if (reader->is_idle)
-        return say_idle(reader);
+        return report_idle(reader);
     if (signal == SIGXCPU)
-        return say_late(reader);
+        return report_cpu_limit(reader);
     if (code == NO_PROGRAM || code == STATUS_USAGE) {
         log_error("%s: the reader process cannot start: raise the limits that the program was "
                   "started with (ulimit -v, -n)",
                   reader->path);
         return STATUS_TRY_AGAIN;
     }
-    if (code == STATUS_TRY_AGAIN || strstr(reader->said, "bad_alloc"))
-        return say_greedy(reader);
-    if ((code == STATUS_DATA || code == STATUS_NO_INPUT) && repeat(reader, 1) == 1)
+    if (code == STATUS_TRY_AGAIN || strstr(reader->log_text, "bad_alloc"))
+        return report_memory_limit(reader);
+    if ((code == STATUS_DATA || code == STATUS_NO_INPUT) && repeat_log(reader, 1) == 1)
         return (enum status)code;
-    return say_crashed(reader);
+    return report_crash(reader);
 }
 
-static enum status judge(const struct reader *reader, enum pipe_fault fault)
+static enum status report_result(const struct reader *reader, enum pipe_fault fault)
 {
     if (fault == PIPE_SHORT)
-        return say_why(reader);
+        return report_failure(reader);
     if (fault == PIPE_MEMORY)
         return log_out_of_memory(reader->path);
     if (fault == PIPE_LARGE)
-        return say_large(reader);
+        return report_large_image(reader);
     if (fault != PIPE_OK) {
         log_error("%s: invalid data from the reader: %s; export the file again", reader->path,
                   pipe_words(fault));
         return STATUS_DATA;
     }
     if (!reader->params.no_warnings)
-        repeat(reader, SAID_SIZE);
+        repeat_log(reader, LOG_SIZE);
     return STATUS_OK;
 }
 
@@ -453,7 +453,7 @@ struct pipe_source reader_source(struct reader *reader)
 enum status reader_end(struct reader *reader, enum pipe_fault fault)
 {
     finish(reader, fault);
-    const enum status status = judge(reader, fault);
+    const enum status status = report_result(reader, fault);
     free(reader);
     return status;
 }

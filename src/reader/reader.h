@@ -1,20 +1,20 @@
 /*
- * reader.h: reads untrusted files in a child process.
+ * reader.h: sandboxed child process that parses an untrusted file for its parent.
  *
- * Parsers of models and images are large, and a damaged or malicious file may make one crash, hang
- * or use all memory, or take it over. Therefore the program starts itself as a child, which
- * receives no environment but what the dynamic loader needs, and no descriptors but its pipes; has
- * limits of memory, time and open files; and may do nothing but read the file, or its folder, and
- * compute (sandbox.h). What it sends is validated again (pipe.h). The child is spawned, not forked:
- * that is safe in a program with threads, and the child has none of the parent's memory; nor can it
- * open that memory, for while a reader lives, the parent is not dumpable. Where the program itself
- * runs under smaller limits (RLIMIT_AS, RLIMIT_CPU, RLIMIT_NOFILE, as batch systems set them),
- * these hold for the child.
+ * Parsers of models and images are large, and a damaged or malicious file may make one crash, hang,
+ * use all memory, or execute code. Therefore the program starts itself as a child process that
+ * inherits no environment except what the dynamic loader needs and no descriptors except its pipes;
+ * that has limits on memory, CPU time and open files; and that may only read the file, or its
+ * folder, and compute (sandbox.h). The data it sends is validated again (pipe.h). The child is
+ * spawned rather than forked: this is safe in a multithreaded program, and the child shares none of
+ * the parent's memory. While a reader exists, the parent is not dumpable, so the child cannot open
+ * the parent's memory either. If the program itself runs under smaller limits (RLIMIT_AS,
+ * RLIMIT_CPU, RLIMIT_NOFILE, as set by batch systems), these also apply to the child.
  *
- * Thread-safety: any thread; one reader is used by one thread at a time.
- * Errors:        one line is logged: STATUS_NO_INPUT; STATUS_DATA if the child fails because of the
- *                file; STATUS_TRY_AGAIN if the parent lacks memory or processes, if the child
- *                cannot start, or if it reaches a limit that the program was started with.
+ * Thread-safety: any thread; one reader is used by one thread at a time. Errors: one line is
+ * logged: STATUS_NO_INPUT; STATUS_DATA if the child fails because of the file; STATUS_TRY_AGAIN if
+ * the parent lacks memory or processes, if the child cannot start, or if it reaches a limit that
+ * the program was started with.
  */
 #ifndef FIRN_READER_READER_H
 #define FIRN_READER_READER_H
@@ -23,14 +23,14 @@
 #include "src/reader/pipe.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define READER_MAPS_SHADOWS 1 /* a sanitizer maps terabytes: no limit of address space */
+#define READER_MAPS_SHADOWS 1 /* sanitizers map terabytes: no RLIMIT_AS */
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define READER_MAPS_SHADOWS 1
 #endif
 #endif
 
-/* The program's first argument in the child. */
+/* First argument of the program when it runs as a reader process. */
 #define READER_WORD "--read"
 
 enum {
@@ -39,64 +39,65 @@ enum {
     READER_MEMORY_GIB = 4,
 };
 
-/* What a reader does. */
+/* Task of a reader process: the kind of file, or the role of a model. */
 enum reader_kind {
     READER_OBJECT,
     READER_SURROUNDINGS,
     READER_BY_MATERIALS,
     READER_ENVIRONMENT,
-    READER_PICTURE,       /* sends its rows */
-    READER_PICTURE_CHECK, /* reads it to its end, but sends only its header */
+    READER_PICTURE,       /* sends the rows of an image */
+    READER_PICTURE_CHECK, /* decodes a whole image, but sends only its header */
     READER_PRESET,
     READER_KIND_COUNT,
 };
 
 struct reader_params {
-    const char *program;   /* path of a program whose main() calls decode_main() in the child */
-    uint32_t seconds;      /* limit of CPU time; 0: READER_SECONDS */
-    uint32_t idle_seconds; /* limit of elapsed time in which the child neither computes nor sends,
-                              since it waits for a FIFO or a file server; 0: READER_IDLE_SECONDS */
-    uint32_t memory_gib;   /* limit of address space; 0: READER_MEMORY_GIB */
-    bool no_sandbox;       /* for debugging: limits alone */
-    bool no_warnings;      /* of the child: not repeated */
-    const char *details;   /* what the child's kind needs to know beside the path; NULL: "" */
+    const char *program; /* path of a program whose main() calls decode_main() in the child */
+    uint32_t seconds;    /* limit of CPU time, seconds; 0 for READER_SECONDS */
+    /* Limit of the time during which the child neither computes nor sends, because it waits for a
+     * FIFO or a file server; 0 for READER_IDLE_SECONDS. */
+    uint32_t idle_seconds;
+    uint32_t memory_gib; /* limit of address space, GiB; 0 for READER_MEMORY_GIB */
+    bool no_sandbox;     /* for debugging: resource limits only */
+    bool no_warnings;    /* do not repeat the child's warnings */
+    const char *details; /* kind-specific argument of the job; NULL is "" */
 };
 
 struct reader;
 
-/* Starts a reader of a file; `path` and `params` must outlive it. On failure *reader is NULL. */
+/* Starts a reader process; `path` and `params` must outlive it. On failure *reader is NULL. */
 MUST_USE enum status reader_start(struct reader **reader, const struct reader_params *params,
                                   enum reader_kind kind, const char *path);
 
-/* Returns what the reader sends; the limit of size is that of its memory. */
+/* Returns the stream that the reader sends; its size limit is the reader's memory limit. */
 struct pipe_source reader_source(struct reader *reader);
 
 /*
- * Ends the reader, and frees it. If `fault` is PIPE_OK, repeats its warnings; else logs why no
- * valid data came, and returns the status for that.
+ * Ends a reader and frees it. If `fault` is PIPE_OK, its warnings are logged; otherwise the reason
+ * why no valid data arrived is logged and its status returned.
  */
 MUST_USE enum status reader_end(struct reader *reader, enum pipe_fault fault);
 
-/* Ends a reader whose data are not wanted any more, and frees it. It may be NULL. */
+/* Ends a reader whose data is not needed, and frees it. It may be NULL. */
 void reader_drop(struct reader *reader);
 
-/* ---- in the child ---- */
+/* ---- in the child process ---- */
 
 struct reader_job {
     enum reader_kind kind;
     const char *path;
-    const char *details; /* of the parameters; may be "" */
+    const char *details; /* reader_params.details; may be "" */
     bool no_sandbox;
 };
 
-/* Returns whether the program was started to read a file. */
+/* Returns true if the program was started as a reader process. */
 bool reader_is_wanted(int argc, char **argv);
 
-/* Applies the limits and the sandbox and returns the job in *job. Returns false if the arguments
- * are invalid, or a limit or the sandbox cannot be set. */
+/* Applies the resource limits and the sandbox, and returns the job in *job. Returns false if the
+ * arguments are invalid, or a limit or the sandbox cannot be applied. */
 MUST_USE bool reader_enter(int argc, char **argv, struct reader_job *job);
 
-/* Writes to the parent. */
+/* Sink that writes to the parent process. */
 extern const struct pipe_sink reader_sink;
 
 #endif

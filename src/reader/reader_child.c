@@ -1,5 +1,5 @@
-/* reader_child.c: the limits of a child, and its way to its parent. */
-#define _GNU_SOURCE /* for prctl.h's and resource.h's names */
+/* reader_child.c: child's side of a reader process: arguments, resource limits, output pipe. */
+#define _GNU_SOURCE /* for names of prctl.h and resource.h */
 #include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -27,8 +27,8 @@ static rlim_t smaller(rlim_t a, rlim_t b)
     return a < b ? a : b; /* RLIM_INFINITY is the largest value */
 }
 
-/* Sets a limit; where the caller of the program has set a smaller one, that stays. */
-static bool limit(int resource, uint64_t soft, uint64_t hard)
+/* Sets a resource limit; a smaller limit set by the program's caller is kept. */
+static bool set_limit(int resource, uint64_t soft, uint64_t hard)
 {
     struct rlimit limits;
     if (getrlimit((unsigned)resource, &limits) != 0)
@@ -38,7 +38,7 @@ static bool limit(int resource, uint64_t soft, uint64_t hard)
     return setrlimit((unsigned)resource, &limits) == 0;
 }
 
-/* Returns whether the parent, which reads what is written to stdout, has ended. */
+/* Returns true if the parent, the reader of this process's stdout, has ended. */
 static bool is_orphan(void)
 {
     struct pollfd out = { .fd = STDOUT_FILENO };
@@ -74,12 +74,12 @@ bool reader_enter(int argc, char **argv, struct reader_job *job)
     };
 
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    bool done = !is_orphan() && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_FSIZE, 0, 0) &&
-                limit(RLIMIT_NOFILE, OPEN_FILE_MAX, OPEN_FILE_MAX) &&
-                limit(RLIMIT_CPU, seconds, seconds + 1);
+    bool done = !is_orphan() && set_limit(RLIMIT_CORE, 0, 0) && set_limit(RLIMIT_FSIZE, 0, 0) &&
+                set_limit(RLIMIT_NOFILE, OPEN_FILE_MAX, OPEN_FILE_MAX) &&
+                set_limit(RLIMIT_CPU, seconds, seconds + 1);
 #ifndef READER_MAPS_SHADOWS
     const uint64_t size = (uint64_t)numbers[2] << 30;
-    done = done && limit(RLIMIT_AS, size, size);
+    done = done && set_limit(RLIMIT_AS, size, size);
 #endif
     const bool with_folder = kind <= READER_BY_MATERIALS;
     return done && (job->no_sandbox || sandbox_enter(job->path, with_folder));
@@ -90,7 +90,7 @@ static bool write_all(void *user, const void *bytes, size_t size)
     (void)user;
     for (const char *next = bytes; size > 0;) {
         const ssize_t count = write(STDOUT_FILENO, next, size);
-        if (count <= 0) /* not EINTR, because no signal has a handler */
+        if (count <= 0) /* cannot be EINTR, because no signal has a handler */
             return false;
         next += count;
         size -= (size_t)count;

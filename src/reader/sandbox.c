@@ -1,4 +1,4 @@
-/* sandbox.c: Landlock, seccomp, capabilities. */
+/* sandbox.c: sandbox of reader processes: Landlock, seccomp filter, dropped capabilities. */
 #define _GNU_SOURCE /* O_PATH, O_TMPFILE, syscall() */
 #include "src/reader/sandbox.h"
 #include <errno.h>
@@ -16,7 +16,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-/* ---- files ---- */
+/* ---- file system (Landlock) ---- */
 
 static int landlock_version(void)
 {
@@ -25,8 +25,8 @@ static int landlock_version(void)
     return version > 0 ? (int)version : 0;
 }
 
-/* All rights over files that a version knows; those that are not given to a path are gone. Rights
- * of versions that came after this table stay, but seccomp forbids what they are about. */
+/* Returns all file system rights that a Landlock ABI version knows; without a rule they are denied.
+ * Of rights of later versions, seccomp denies the system calls. */
 static uint64_t known_rights(int version)
 {
     static const int bits[] = { 0, 13, 14, 15, 15, 16 };
@@ -34,7 +34,7 @@ static uint64_t known_rights(int version)
     return ((uint64_t)1 << bits[version < last ? version : last]) - 1;
 }
 
-/* Lets files at or below `path` be read. A path that does not exist needs no rule. */
+/* Allows reading of files at or below `path`. A path that does not exist needs no rule. */
 static void allow_reading(int rules, const char *path)
 {
     struct landlock_path_beneath_attr rule = {
@@ -58,7 +58,7 @@ static void allow_folder(int rules, const char *path)
     allow_reading(rules, slash ? folder : ".");
 }
 
-static bool close_file_system(const char *path, bool with_folder)
+static bool restrict_files(const char *path, bool with_folder)
 {
     const int version = landlock_version();
     const struct landlock_ruleset_attr handled = { .handled_access_fs = known_rights(version) };
@@ -78,7 +78,8 @@ static bool close_file_system(const char *path, bool with_folder)
 
 /* ---- capabilities ---- */
 
-/* Root may read what others own, here as in the parent; but not, for one, trace other processes. */
+/* Drops all capabilities except reading other users' files, which root can in the parent, too.
+ * Others would allow, for example, tracing of other processes. */
 static void drop_capabilities(void)
 {
     struct __user_cap_header_struct header = { .version = _LINUX_CAPABILITY_VERSION_3 };
@@ -93,10 +94,10 @@ static void drop_capabilities(void)
     syscall(SYS_capset, &header, sets);
 }
 
-/* ---- system calls ---- */
+/* ---- system calls (seccomp) ---- */
 
-/* Allowed with any arguments: they reach only this process's memory, its open files and clocks. */
-static const int free_calls[] = {
+/* System calls allowed with any arguments: they affect only own memory, open files and clocks. */
+static const int unrestricted_calls[] = {
     SCMP_SYS(access),         SCMP_SYS(brk),          SCMP_SYS(clock_getres),
     SCMP_SYS(clock_gettime),  SCMP_SYS(close),        SCMP_SYS(exit),
     SCMP_SYS(exit_group),     SCMP_SYS(faccessat),    SCMP_SYS(faccessat2),
@@ -111,8 +112,8 @@ static const int free_calls[] = {
     SCMP_SYS(statx),          SCMP_SYS(sysinfo),
 };
 
-/* Allowed where one argument, of which the bits of `mask` count, has this value. */
-struct bound_call {
+/* A system call that is allowed if one argument, masked by `mask`, equals `value`. */
+struct restricted_call {
     int call;
     unsigned argument;
     uint64_t mask, value;
@@ -121,7 +122,7 @@ struct bound_call {
 static bool add_rules(scmp_filter_ctx filter)
 {
     const uint64_t to_write = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | (O_TMPFILE & ~O_DIRECTORY);
-    const struct bound_call bound_calls[] = {
+    const struct restricted_call restricted_calls[] = {
         { SCMP_SYS(open), 1, to_write, O_RDONLY },
         { SCMP_SYS(openat), 2, to_write, O_RDONLY },
         { SCMP_SYS(mmap), 2, PROT_EXEC, 0 },
@@ -130,20 +131,20 @@ static bool add_rules(scmp_filter_ctx filter)
         { SCMP_SYS(write), 0, UINT64_MAX, STDERR_FILENO },
         { SCMP_SYS(writev), 0, UINT64_MAX, STDERR_FILENO },
         { SCMP_SYS(fcntl), 1, UINT64_MAX, F_GETFL },
-        { SCMP_SYS(tgkill), 0, UINT64_MAX, (uint64_t)getpid() }, /* abort() */
+        { SCMP_SYS(tgkill), 0, UINT64_MAX, (uint64_t)getpid() }, /* for abort() */
     };
     bool done = true;
-    for (size_t i = 0; i < sizeof(free_calls) / sizeof(free_calls[0]); i++)
-        done = done && seccomp_rule_add(filter, SCMP_ACT_ALLOW, free_calls[i], 0) == 0;
-    for (size_t i = 0; i < sizeof(bound_calls) / sizeof(bound_calls[0]); i++) {
-        const struct bound_call *b = &bound_calls[i];
+    for (size_t i = 0; i < sizeof(unrestricted_calls) / sizeof(unrestricted_calls[0]); i++)
+        done = done && seccomp_rule_add(filter, SCMP_ACT_ALLOW, unrestricted_calls[i], 0) == 0;
+    for (size_t i = 0; i < sizeof(restricted_calls) / sizeof(restricted_calls[0]); i++) {
+        const struct restricted_call *b = &restricted_calls[i];
         const struct scmp_arg_cmp compare = { b->argument, SCMP_CMP_MASKED_EQ, b->mask, b->value };
         done = done && seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, b->call, 1, &compare) == 0;
     }
     return done;
 }
 
-/* A kernel that has filters looks for the one at NULL. */
+/* Returns true if the kernel has seccomp filters: then a NULL filter fails with EFAULT. */
 static bool has_seccomp(void)
 {
     return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, NULL) != 0 && errno == EFAULT;
@@ -161,7 +162,7 @@ static bool filter_calls(void)
 
 bool sandbox_enter(const char *path, bool with_folder)
 {
-    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || !close_file_system(path, with_folder))
+    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || !restrict_files(path, with_folder))
         return false;
     drop_capabilities();
     return filter_calls();

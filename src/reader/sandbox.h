@@ -1,11 +1,11 @@
 /*
- * sandbox.h: takes from this process everything but reading one file, or one folder, and computing.
+ * sandbox.h: restricts this process to reading one file or folder and computing.
  *
- * Four things, each as far as the kernel has it (docs/trust.md says what is left without it):
- * Landlock, so that no other file can be opened; a seccomp filter that allows few system calls (no
- * new processes or programs, no sockets, no signals to others, nothing opened for writing, no new
- * executable memory); no capabilities but those to read files of others; no new privileges. What
- * the filter does not allow fails with EPERM.
+ * Four mechanisms are applied as far as the kernel supports them (docs/trust.md describes what
+ * remains possible without them): Landlock, so that no other file can be opened; a seccomp filter
+ * that allows few system calls (no new processes or programs, no sockets, no signals to others, no
+ * opening for writing, no new executable memory); no capabilities except those to read other users'
+ * files; and no_new_privs. Calls that the filter does not allow fail with EPERM.
  */
 #ifndef FIRN_READER_SANDBOX_H
 #define FIRN_READER_SANDBOX_H
@@ -14,16 +14,15 @@
 #include "src/base/status.h"
 
 /*
- * Holds for this thread and all that it could start, and for good. Of the file system, `path` stays
- * readable, and where `with_folder` is true, all in its folder and those below, without what links
- * there lead to elsewhere. Descriptors that are open stay usable. Returns false if a part that the
- * kernel has cannot be applied.
+ * Restricts this thread and all threads that it starts, irreversibly. `path` stays readable and, if
+ * `with_folder` is true, all in its folder and below, but not the targets of links that lead out of
+ * it. Open descriptors stay usable. Returns false if a supported mechanism cannot be applied.
  */
 MUST_USE bool sandbox_enter(const char *path, bool with_folder);
 
-/* What of the sandbox this kernel has. */
+/* Sandbox mechanisms that this kernel supports. */
 struct sandbox_parts {
-    int landlock; /* version of its interface; 0: none */
+    int landlock; /* Landlock ABI version; 0 if not supported */
     bool seccomp;
 };
 struct sandbox_parts sandbox_find(void);

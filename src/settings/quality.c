@@ -1,4 +1,4 @@
-/* quality.c: the table of levels. */
+/* quality.c: table of the quality levels draft, normal and high. */
 #include "src/settings/quality.h"
 #include <assert.h>
 #include <stdio.h>
@@ -11,9 +11,11 @@ enum {
 };
 
 const struct quality qualities[QUALITY_COUNT] = {
-    [DRAFT] = { "draft", "coarse surroundings, infinitely far away, and few reflections", 1 },
-    [NORMAL] = { "normal", "the defaults of all settings", 1 },
-    [HIGH] = { "high", "5 samples, all reflections inside, and shadows of all light", 5, true },
+    [DRAFT] = { "draft", "coarse surroundings, treated as infinitely distant, and few reflections",
+                1 },
+    [NORMAL] = { "normal", "default values of all settings", 1 },
+    [HIGH] = { "high", "5 samples per pixel, all internal reflections, ray-traced soft shadows", 5,
+               true },
 };
 
 const struct quality_row quality_rows[] = {

@@ -1,4 +1,4 @@
-/* quality.h: levels of quality, each a set of values of settings. */
+/* quality.h: quality levels, each a set of values of settings. */
 #ifndef FIRN_SETTINGS_QUALITY_H
 #define FIRN_SETTINGS_QUALITY_H
 
@@ -6,30 +6,30 @@
 
 enum {
     QUALITY_COUNT = 3,
-    QUALITY_OF_FILES = 2, /* the level of firn render that says nothing of it */
+    QUALITY_OF_FILES = 2, /* default level of firn render */
 };
 
 struct quality {
     const char *name;
     const char *help;
-    uint32_t samples; /* of firn render, unless --samples says */
-    bool is_smooth;   /* firn render's filter is blackman-harris, unless --pixel-filter says */
+    uint32_t samples; /* samples per pixel of firn render; --samples overrides it */
+    bool is_smooth;   /* blackman-harris filter unless --pixel-filter is given */
 };
 
 extern const struct quality qualities[QUALITY_COUNT];
 
-/* A setting that levels decide. */
+/* A setting whose value depends on the quality level. */
 struct quality_row {
     const char *setting;
-    const char *values[QUALITY_COUNT]; /* by level; NULL: the setting's default */
+    const char *values[QUALITY_COUNT]; /* value by quality level; NULL for the setting's default */
 };
 
-extern const struct quality_row quality_rows[]; /* ends at a row of zeros */
+extern const struct quality_row quality_rows[]; /* terminated by a row of zeros */
 
-/* Puts a level's value of a row's setting. */
+/* Sets a row's setting to its value at a quality level. */
 void quality_put(struct settings *settings, const struct quality_row *row, uint32_t level);
 
-/* Returns the level that the settings of all rows are at, or QUALITY_COUNT. */
+/* Returns the quality level whose values all settings have, or QUALITY_COUNT if there is none. */
 uint32_t quality_of(const struct settings *settings);
 
 #endif

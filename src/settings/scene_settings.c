@@ -1,4 +1,4 @@
-/* scene_settings.c: parameters of the scene that belong to no technique. */
+/* scene_settings.c: tables of the scene settings that belong to no technique. */
 #include "src/settings/scene_settings.h"
 #include "shaders/globals.h"
 #include "src/scene/generate/generate.h"
@@ -10,7 +10,8 @@ static const struct setting object_rows[] = {
         .offset = offsetof(struct object_params, triangles),
         .max = GENERATE_TRIANGLES_MAX,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "triangle count of a built-in object (0: sphere 960, ice 4800, teapot 14400)",
+        .help = "triangle count of a built-in object (0: default of sphere 960, ice 4800, teapot "
+                "14400)",
     },
 };
 
@@ -24,7 +25,7 @@ static const struct setting ice_rows[] = {
         .offset = offsetof(struct ice_params, melt),
         .max = 1,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "share of the ice's volume that has melted at time 0: rounder, wet, in more water",
+        .help = "fraction of the ice's volume melted at time 0 (rounder, wet, in a larger pool)",
     },
 };
 
@@ -37,7 +38,7 @@ static const struct setting landscape_rows[] = {
         .offset = offsetof(struct landscape_params, triangles),
         .max = GENERATE_TRIANGLES_MAX,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "triangle count of the landscape (0: 2340)",
+        .help = "triangle count of the landscape (0: default of 2340)",
     },
     {
         .name = "landscape.flat",
@@ -87,7 +88,7 @@ static const struct setting sky_rows[] = {
         .offset = offsetof(struct sky_params, sun_strength),
         .initial = 1,
         .max = 100,
-        .help = "brightness of the sun",
+        .help = "brightness of the procedural sky's sun",
     },
 };
 
@@ -107,8 +108,8 @@ static const struct setting env_rows[] = {
         .offset = offsetof(struct env_params, sun),
         .max = ENV_SUN_NONE,
         .choices = env_suns,
-        .help = "sun of an --env panorama: the file's, if it has one, one at env.sun_azimuth and "
-                "env.sun_elevation (own), or none",
+        .help = "sun of the --env panorama: file (stored in the file), own (at env.sun_azimuth and "
+                "env.sun_elevation), or none",
     },
     {
         .name = "env.sun_strength",
@@ -116,7 +117,7 @@ static const struct setting env_rows[] = {
         .offset = offsetof(struct env_params, sun_strength),
         .initial = 1,
         .max = 1000,
-        .help = "factor on the light of the file's sun; with env.sun=own, the light of a white sun",
+        .help = "factor on the panorama's sun; with env.sun=own, the strength of a white sun",
     },
     {
         .name = "env.sun_azimuth",
@@ -151,7 +152,7 @@ static const struct setting texture_rows[] = {
         .min = 1,
         .max = 16,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "limit of anisotropic filtering, samples per texture lookup (1: fastest on CPUs)",
+        .help = "maximum anisotropy of texture filtering (1: off, fastest on CPUs)",
     },
 };
 
@@ -202,7 +203,7 @@ static const struct setting light_rows[] = {
         .initial = 2,
         .max = GLOBALS_LIGHT_COUNT,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "number of lights around the ice, shown as highlights",
+        .help = "number of lights around the ice, visible only as highlights on it",
     },
     LIGHT(strength, .initial = 1, .max = 100, .switches = SETTING_AFFECTS_PLAN,
           .help = "brightness of the lights' highlights"),
@@ -224,7 +225,8 @@ static const struct setting env_cube_rows[] = {
         .initial = 1,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "update the environment cube as the scene changes (off: draw once, at motion.time)",
+        .help =
+            "update the environment cube map as the scene changes (off: draw once, at motion.time)",
     },
     {
         .name = "env_cube.always",
@@ -241,7 +243,7 @@ static const struct setting env_cube_rows[] = {
         .initial = 6,
         .min = 1,
         .max = 6,
-        .help = "maximum number of cube faces redrawn per frame of a window, in turn",
+        .help = "maximum number of environment cube faces redrawn per frame of a window",
     },
     {
         .name = "env_cube.size",
@@ -252,8 +254,8 @@ static const struct setting env_cube_rows[] = {
         .has_auto = true,
         .unit = "texels",
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "width of the environment cube's faces; larger ones are sharper through the ice "
-                "(auto: by the picture's height, 128 to 2048)",
+        .help = "size of the environment cube's faces; larger ones are sharper through the ice "
+                "(auto: from the image height, 128 to 2048)",
     },
 };
 
@@ -280,8 +282,9 @@ static const struct setting ground_rows[] = {
         .max = GROUND_TRACED,
         .choices = ground_lights,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "light on lit surroundings: open, as without objects, or traced past and through "
-                "them (rungs trace and reference)",
+        .help =
+            "lighting of surroundings: open (unoccluded), or traced (soft shadows and one-bounce "
+            "indirect light, also through ice; refraction models trace and reference)",
     },
     {
         .name = "ground.shading",
@@ -291,9 +294,8 @@ static const struct setting ground_rows[] = {
         .max = GROUND_PIXELS,
         .choices = ground_shadings,
         .affects = SETTING_AFFECTS_PLAN,
-        .help =
-            "where light on surroundings with materials is computed: in pixels, or at vertices, "
-            "as while a window moves: quicker, without bumps, and mirrors no objects",
+        .help = "shading of surroundings with materials: pixels, or vertices (faster, without bump "
+                "maps and reflections of objects; used while the view in a window moves)",
     },
     {
         .name = "ground.smooth",
@@ -301,8 +303,8 @@ static const struct setting ground_rows[] = {
         .offset = offsetof(struct ground_params, smooth),
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "trace fewer rays of ground.light=traced, and smooth what they find over pixels of "
-                "a surface, below 32 samples (whole pictures of files by rung trace)",
+        .help = "trace fewer rays for ground.light=traced and denoise the result (edge-avoiding "
+                "filter); only below 32 samples, in untiled image files of refraction model trace",
     },
 };
 
@@ -315,8 +317,8 @@ static const struct setting lens_rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct lens_params, f_stop),
         .max = 1000,
-        .help = "f-number of the lens, for a picture 36 mm wide; a smaller one blurs more and "
-                "needs more --samples (0: no depth of field)",
+        .help = "f-number of the lens for a 36 mm wide sensor; smaller values blur more and "
+                "need more --samples (0: pinhole, no depth of field)",
     },
     {
         .name = "lens.focus",
@@ -339,9 +341,8 @@ static const struct setting target_rows[] = {
         .min = 0.125,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help =
-            "size of the images of cracks, air and bubbles, and of the depths that confine them "
-            "to the ice, relative to the picture: faster and coarser below 1",
+        .help = "resolution of the images of cracks, air and bubbles, and of the depths that clip "
+                "them to the ice, relative to the final image (below 1: faster, coarser)",
     },
 };
 

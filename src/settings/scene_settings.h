@@ -1,83 +1,83 @@
-/* scene_settings.h: parameters of the scene that belong to no technique. */
+/* scene_settings.h: scene settings: sky, lights, lens, motion, environment, surroundings. */
 #ifndef FIRN_SETTINGS_SCENE_SETTINGS_H
 #define FIRN_SETTINGS_SCENE_SETTINGS_H
 
 #include "src/settings/setting.h"
 
 struct object_params {
-    uint32_t triangles; /* of a built-in object; 0: its default */
+    uint32_t triangles; /* triangle count of a built-in object; 0 for its default */
 };
 
 struct ice_params {
-    float melt; /* share of the volume that is lost at time 0 */
+    float melt; /* fraction of the ice's volume melted at time 0 */
 };
 
 struct landscape_params {
-    uint32_t triangles; /* 0: its default */
-    uint32_t flat;      /* 1: a level floor in its place */
+    uint32_t triangles; /* 0 for the default */
+    uint32_t flat;      /* 1 to use a level floor instead */
 };
 
 struct sky_params {
-    float strength;      /* factor on the procedural sky and its light */
+    float strength;      /* factor on the procedural sky's radiance */
     float sun_azimuth;   /* degrees; 0 on +Z, 90 on +X */
     float sun_elevation; /* degrees above the horizon */
     float sun_strength;  /* factor on the sun's light */
 };
 
 enum env_sun {
-    ENV_SUN_FILE, /* the sun that the panorama's file names */
-    ENV_SUN_OWN,  /* that of the settings below */
+    ENV_SUN_FILE, /* the sun stored in the panorama's file */
+    ENV_SUN_OWN,  /* the sun defined by the settings below */
     ENV_SUN_NONE,
 };
 
-/* The sun of a panorama, which is a light of its own. */
+/* Sun of an environment panorama, a separate directional light. */
 struct env_params {
     uint32_t sun;        /* enum env_sun */
-    float sun_strength;  /* factor on the file's, or the light of a white one */
-    float sun_azimuth;   /* degrees; 0 on +Z, 90 on +X; of ENV_SUN_OWN */
-    float sun_elevation; /* degrees above the horizon; of ENV_SUN_OWN */
+    float sun_strength;  /* factor on the file's sun, or light of a white one */
+    float sun_azimuth;   /* for ENV_SUN_OWN: degrees; 0 on +Z, 90 on +X */
+    float sun_elevation; /* for ENV_SUN_OWN: degrees above the horizon */
 };
 
 struct texture_params {
-    uint32_t anisotropy; /* of what the ice and its surroundings wear, at most; 1: none */
+    uint32_t anisotropy; /* maximum anisotropy of material textures; 1 is off */
 };
 
-/* Where time goes: a frame's time is `time` plus its number over `fps`. */
+/* Animation of the scene: the time of a frame is `time` plus frame number / `fps`. */
 struct motion_params {
     float time;     /* seconds */
-    float fps;      /* frames a second */
-    float ice;      /* degrees a second, about +Y through the object's centre */
-    float lights;   /* the same, of the lights */
-    float objects;  /* the same, of what moves around it */
-    float melt;     /* retreat of the faces of ice, halves of its width a second */
-    uint32_t count; /* of objects that move around it */
+    float fps;      /* frames per second */
+    float ice;      /* rotation of the ice about +Y, degrees per second */
+    float lights;   /* orbit speed of the lights, degrees per second */
+    float objects;  /* orbit speed of the objects, degrees per second */
+    float melt;     /* retreat speed of the ice's faces, half widths per second */
+    uint32_t count; /* number of objects that orbit the ice */
 };
 
 struct light_params {
-    uint32_t count;  /* of lights around the object */
-    float strength;  /* of their highlights */
-    float azimuth;   /* of the first, degrees; 0 on +Z, 90 on +X */
+    uint32_t count;  /* number of lights around the object */
+    float strength;  /* factor on their highlights */
+    float azimuth;   /* azimuth of the first light, degrees; 0 on +Z, 90 on +X */
     float elevation; /* degrees above the horizon */
-    float distance;  /* from the object's centre, in its bounding sphere's radii */
+    float distance;  /* distance in bounding-sphere radii of the object */
 };
 
-/* The environment cube, which lives from frame to frame. */
+/* Environment cube map, which is kept from frame to frame. */
 struct env_cube_params {
-    uint32_t dynamic; /* drawn by the frames, else once, at motion.time */
-    uint32_t always;  /* in all of them */
-    uint32_t faces;   /* at most, in a frame of a window */
-    uint32_t size;    /* of a face, texels a side; 0: frame_face_size() */
+    uint32_t dynamic; /* redraw as the scene changes; else draw once, at motion.time */
+    uint32_t always;  /* redraw in every frame */
+    uint32_t faces;   /* maximum number of faces redrawn per frame of a window */
+    uint32_t size;    /* texels per side of a face; 0 for frame_face_size() */
 };
 
-/* The camera's lens. */
+/* Thin lens of the camera, for depth of field. */
 struct lens_params {
-    float f_stop; /* 0: a pinhole */
-    float focus;  /* metres along the camera's axis; 0: at the objects' middle */
+    float f_stop; /* f-number; 0 for a pinhole */
+    float focus;  /* focus distance, metres; 0 for the objects' centre */
 };
 
 enum ground_light {
-    GROUND_OPEN,   /* as if nothing were in its way */
-    GROUND_TRACED, /* by rays */
+    GROUND_OPEN,   /* unoccluded */
+    GROUND_TRACED, /* ray-traced */
 };
 
 enum ground_shading {
@@ -85,16 +85,16 @@ enum ground_shading {
     GROUND_PIXELS,
 };
 
-/* Light on what is around the objects. */
+/* Lighting of the surroundings. */
 struct ground_params {
     uint32_t light;   /* enum ground_light */
-    uint32_t shading; /* enum ground_shading: where light is computed */
-    uint32_t smooth;  /* 0 or 1 */
+    uint32_t shading; /* enum ground_shading: shading per vertex or per pixel */
+    uint32_t smooth;  /* denoise, 0 or 1 */
 };
 
-/* Of what is drawn before the picture and blended over it. */
+/* Intermediate images that are composited over the final image. */
 struct target_params {
-    float scale; /* of the view: the size of images of what is in the ice */
+    float scale; /* resolution of the images of inclusions relative to the view */
 };
 
 extern const struct setting_group object_settings, ice_settings, landscape_settings, sky_settings,

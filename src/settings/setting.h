@@ -1,4 +1,4 @@
-/* setting.h: the row of a setting, and groups of them; settings.h has their values. */
+/* setting.h: description of a user setting (type, range, help) and of groups of settings. */
 #ifndef FIRN_SETTINGS_SETTING_H
 #define FIRN_SETTINGS_SETTING_H
 
@@ -9,38 +9,38 @@
 enum setting_type {
     SETTING_FLOAT,
     SETTING_COUNT,  /* uint32_t */
-    SETTING_SWITCH, /* uint32_t, 0 or 1; "on" and "off" */
+    SETTING_SWITCH, /* uint32_t, 0 or 1, shown as "on" and "off" */
     SETTING_CHOICE, /* uint32_t, index into choices */
 };
 
-/* What has to be made anew when a setting changes, each with all before it. */
+/* What must be rebuilt when a setting changes; each value includes all before it. */
 enum setting_effect {
     SETTING_AFFECTS_NOTHING,
     SETTING_AFFECTS_FRAME, /* it is read in every frame */
-    SETTING_AFFECTS_PLAN,  /* the plan, or constants that its pipelines are made with */
-    SETTING_AFFECTS_SCENE, /* what is loaded or generated */
+    SETTING_AFFECTS_PLAN,  /* the render graph plan, or specialisation constants of its pipelines */
+    SETTING_AFFECTS_SCENE, /* loaded or generated scene data */
 };
 
 struct setting {
     const char *name; /* "<group>.<parameter>" */
     enum setting_type type;
-    size_t offset; /* of the field in the group's struct */
+    size_t offset; /* offset of the member in the group's struct */
     double initial, min, max;
-    bool has_auto;                /* setting_auto() is the word "auto" */
-    const char *unit;             /* "degrees"; NULL: none */
-    const char *const *choices;   /* ends at NULL */
+    bool has_auto;                /* the value may be "auto", stored as setting_auto() */
+    const char *unit;             /* such as "degrees"; NULL if there is none */
+    const char *const *choices;   /* terminated by NULL */
     const char *help;             /* one line, no full stop */
-    enum setting_effect affects;  /* of any change; SETTING_AFFECTS_NOTHING means FRAME */
-    enum setting_effect switches; /* of a change from 0 or to it, if that affects more */
+    enum setting_effect affects;  /* effect of any change; SETTING_AFFECTS_NOTHING means FRAME */
+    enum setting_effect switches; /* effect of a change from or to 0, if greater than `affects` */
 };
 
-/* Returns what stands for the word "auto", which is below `min`. */
+/* Returns the value that represents "auto"; it is below `min`. */
 static inline double setting_auto(const struct setting *row)
 {
     return row->type == SETTING_FLOAT ? -1.0 : 0.0;
 }
 
-/* Whether a value is the word "auto". */
+/* Returns true if a value represents "auto". */
 static inline bool setting_is_auto(const struct setting *row, double value)
 {
     return row->has_auto && value < row->min;
@@ -50,7 +50,7 @@ struct setting_group {
     const char *name;
     const struct setting *rows;
     size_t row_count;
-    size_t params_size; /* bytes of the struct */
+    size_t params_size; /* size of the struct, bytes */
 };
 
 #define SETTING_GROUP(title, table, type) \

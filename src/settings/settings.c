@@ -1,4 +1,4 @@
-/* settings.c: the list of all groups, and values by name. */
+/* settings.c: list of all setting groups; gets, sets, parses and prints values by name. */
 #include "src/settings/settings.h"
 #include <assert.h>
 #include <ctype.h>
@@ -10,7 +10,7 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
 
-/* Those that belong to no technique come first. */
+/* Groups that belong to no technique; they come before those of the techniques. */
 static const struct setting_group *const scene_groups[] = {
     &object_settings,   &ice_settings,     &landscape_settings, &sky_settings,
     &env_settings,      &texture_settings, &motion_settings,    &light_settings,
@@ -21,57 +21,57 @@ enum {
     SCENE_GROUP_COUNT = sizeof(scene_groups) / sizeof(scene_groups[0])
 };
 
-/* A walk over all groups, for whoever needs more than one of them. */
-struct walk {
+/* Iterator over all setting groups: first the scene's, then those of each technique. */
+struct iterator {
     const struct setting_group *group; /* NULL at the end */
-    size_t offset;                     /* of its struct: one lies after another, 16 bytes aligned */
+    size_t offset;                     /* offset of the group's values, a multiple of 16 bytes */
     const struct technique *const *technique;
-    size_t index; /* among the scene's groups, or the technique's */
+    size_t index; /* within scene_groups or the technique's groups */
 };
 
-static struct walk first_group(void)
+static struct iterator first_group(void)
 {
-    return (struct walk){ .group = scene_groups[0] };
+    return (struct iterator){ .group = scene_groups[0] };
 }
 
-static void next_group(struct walk *walk)
+static void next_group(struct iterator *iterator)
 {
-    walk->offset += (walk->group->params_size + 15) / 16 * 16;
-    walk->group = NULL;
-    walk->index++;
-    if (!walk->technique && walk->index < SCENE_GROUP_COUNT)
-        walk->group = scene_groups[walk->index];
-    if (!walk->technique && walk->index == SCENE_GROUP_COUNT) {
-        walk->technique = techniques;
-        walk->index = 0;
+    iterator->offset += (iterator->group->params_size + 15) / 16 * 16;
+    iterator->group = NULL;
+    iterator->index++;
+    if (!iterator->technique && iterator->index < SCENE_GROUP_COUNT)
+        iterator->group = scene_groups[iterator->index];
+    if (!iterator->technique && iterator->index == SCENE_GROUP_COUNT) {
+        iterator->technique = techniques;
+        iterator->index = 0;
     }
-    while (!walk->group && walk->technique && *walk->technique) {
-        if (walk->index < TECHNIQUE_GROUP_COUNT)
-            walk->group = (*walk->technique)->settings[walk->index];
-        if (!walk->group) {
-            walk->technique++;
-            walk->index = 0;
+    while (!iterator->group && iterator->technique && *iterator->technique) {
+        if (iterator->index < TECHNIQUE_GROUP_COUNT)
+            iterator->group = (*iterator->technique)->settings[iterator->index];
+        if (!iterator->group) {
+            iterator->technique++;
+            iterator->index = 0;
         }
     }
 }
 
 const struct setting_group *settings_group(size_t i)
 {
-    struct walk walk = first_group();
-    while (walk.group && i-- > 0)
-        next_group(&walk);
-    return walk.group;
+    struct iterator iterator = first_group();
+    while (iterator.group && i-- > 0)
+        next_group(&iterator);
+    return iterator.group;
 }
 
 static size_t group_offset(const struct setting_group *group)
 {
-    struct walk walk = first_group();
-    while (walk.group != group) {
-        next_group(&walk);
-        assert(walk.group); /* the group is in the list */
+    struct iterator iterator = first_group();
+    while (iterator.group != group) {
+        next_group(&iterator);
+        assert(iterator.group); /* the group must be in the list */
     }
-    assert(walk.offset + group->params_size <= SETTINGS_SIZE);
-    return walk.offset;
+    assert(iterator.offset + group->params_size <= SETTINGS_SIZE);
+    return iterator.offset;
 }
 
 const void *settings_of(const struct settings *settings, const struct setting_group *group)
@@ -81,9 +81,9 @@ const void *settings_of(const struct settings *settings, const struct setting_gr
 
 static size_t row_offset(const struct setting *row)
 {
-    for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
-        if (row >= walk.group->rows && row < walk.group->rows + walk.group->row_count)
-            return walk.offset + row->offset;
+    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
+        if (row >= iterator.group->rows && row < iterator.group->rows + iterator.group->row_count)
+            return iterator.offset + row->offset;
     }
     assert(false && "the row is in a listed group");
     return 0;
@@ -94,11 +94,11 @@ const struct setting *settings_row(const struct setting_group *group, size_t off
     size_t i = 0;
     while (i < group->row_count && group->rows[i].offset != offset)
         i++;
-    assert(i < group->row_count); /* every field has a row */
+    assert(i < group->row_count); /* every member has a row */
     return &group->rows[i];
 }
 
-static void put_field(unsigned char *field, const struct setting *row, double value)
+static void write_field(unsigned char *field, const struct setting *row, double value)
 {
     if (row->type == SETTING_FLOAT)
         memcpy(field, &(float){ (float)value }, sizeof(float));
@@ -106,7 +106,7 @@ static void put_field(unsigned char *field, const struct setting *row, double va
         memcpy(field, &(uint32_t){ (uint32_t)value }, sizeof(uint32_t));
 }
 
-static double get_field(const unsigned char *field, const struct setting *row)
+static double read_field(const unsigned char *field, const struct setting *row)
 {
     float number;
     uint32_t count;
@@ -120,51 +120,51 @@ static double get_field(const unsigned char *field, const struct setting *row)
 
 void settings_put(struct settings *settings, const struct setting *row, double value)
 {
-    put_field(&settings->values[row_offset(row)], row, value);
+    write_field(&settings->values[row_offset(row)], row, value);
 }
 
 double settings_get(const struct settings *settings, const struct setting *row)
 {
-    return get_field(&settings->values[row_offset(row)], row);
+    return read_field(&settings->values[row_offset(row)], row);
 }
 
 enum setting_effect settings_changed(const struct settings *before, const struct settings *after)
 {
-    enum setting_effect most = SETTING_AFFECTS_NOTHING;
-    for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
-        for (size_t r = 0; r < walk.group->row_count; r++) {
-            const struct setting *row = &walk.group->rows[r];
-            const size_t field = walk.offset + row->offset;
-            const double a = get_field(&before->values[field], row);
-            const double b = get_field(&after->values[field], row);
+    enum setting_effect greatest = SETTING_AFFECTS_NOTHING;
+    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
+        for (size_t r = 0; r < iterator.group->row_count; r++) {
+            const struct setting *row = &iterator.group->rows[r];
+            const size_t field = iterator.offset + row->offset;
+            const double a = read_field(&before->values[field], row);
+            const double b = read_field(&after->values[field], row);
             if (!(a < b) && !(a > b))
                 continue;
-            most = most > SETTING_AFFECTS_FRAME ? most : SETTING_AFFECTS_FRAME;
-            most = most > row->affects ? most : row->affects;
+            greatest = greatest > SETTING_AFFECTS_FRAME ? greatest : SETTING_AFFECTS_FRAME;
+            greatest = greatest > row->affects ? greatest : row->affects;
             if (!(a > 0.0 || a < 0.0) != !(b > 0.0 || b < 0.0))
-                most = most > row->switches ? most : row->switches;
+                greatest = greatest > row->switches ? greatest : row->switches;
         }
     }
-    return most;
+    return greatest;
 }
 
 struct settings settings_default(void)
 {
     struct settings settings = { 0 };
-    for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
-        for (size_t r = 0; r < walk.group->row_count; r++)
-            put_field(&settings.values[walk.offset + walk.group->rows[r].offset],
-                      &walk.group->rows[r], walk.group->rows[r].initial);
+    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
+        for (size_t r = 0; r < iterator.group->row_count; r++)
+            write_field(&settings.values[iterator.offset + iterator.group->rows[r].offset],
+                        &iterator.group->rows[r], iterator.group->rows[r].initial);
     }
     return settings;
 }
 
 const struct setting *settings_find(const char *name)
 {
-    for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
-        for (size_t r = 0; r < walk.group->row_count; r++) {
-            if (!strcmp(walk.group->rows[r].name, name))
-                return &walk.group->rows[r];
+    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
+        for (size_t r = 0; r < iterator.group->row_count; r++) {
+            if (!strcmp(iterator.group->rows[r].name, name))
+                return &iterator.group->rows[r];
         }
     }
     return NULL;
@@ -172,57 +172,57 @@ const struct setting *settings_find(const char *name)
 
 enum {
     NAME_SIZE = 64,
-    PLACE_SIZE = 512, /* bytes of where an assignment is */
+    SOURCE_SIZE = 512, /* size of an assignment's source as text, bytes */
 };
 
-/* An assignment on its way into settings. */
+/* An assignment that is being parsed. */
 struct assignment {
     struct settings *settings;
     const struct setting *row;
-    const struct settings_source *source; /* NULL: --set */
+    const struct settings_source *source; /* NULL if it comes from --set */
 };
 
-/* "--set NAME", "FILE:LINE: NAME" or "FILE: NAME"; without a name, if it is empty. */
-static const char *place(const struct settings_source *source, const char *name,
-                         char text[static PLACE_SIZE])
+/* Writes an assignment's source: "--set NAME", "FILE:LINE: NAME" or "FILE: NAME". */
+static const char *format_source(const struct settings_source *source, const char *name,
+                                 char text[static SOURCE_SIZE])
 {
     if (!source)
-        snprintf(text, PLACE_SIZE, "--set%s%s", name[0] ? " " : "", name);
+        snprintf(text, SOURCE_SIZE, "--set%s%s", name[0] ? " " : "", name);
     else if (source->line)
-        snprintf(text, PLACE_SIZE, "%s:%u%s%s", source->path, source->line, name[0] ? ": " : "",
+        snprintf(text, SOURCE_SIZE, "%s:%u%s%s", source->path, source->line, name[0] ? ": " : "",
                  name);
     else
-        snprintf(text, PLACE_SIZE, "%s%s%s", source->path, name[0] ? ": " : "", name);
+        snprintf(text, SOURCE_SIZE, "%s%s%s", source->path, name[0] ? ": " : "", name);
     return text;
 }
 
-static enum status refusal(const struct settings_source *source)
+static enum status rejection_status(const struct settings_source *source)
 {
     return source ? STATUS_DATA : STATUS_USAGE;
 }
 
-static enum status refuse_name(const struct settings_source *source, const char *name)
+static enum status reject_name(const struct settings_source *source, const char *name)
 {
     struct suggest suggest = { .word = name };
-    char hint[SUGGEST_HINT_SIZE], where[PLACE_SIZE];
-    for (struct walk walk = first_group(); walk.group; next_group(&walk)) {
-        for (size_t r = 0; r < walk.group->row_count; r++)
-            suggest_offer(&suggest, walk.group->rows[r].name);
+    char hint[SUGGEST_HINT_SIZE], where[SOURCE_SIZE];
+    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
+        for (size_t r = 0; r < iterator.group->row_count; r++)
+            suggest_offer(&suggest, iterator.group->rows[r].name);
     }
-    log_error("%s: unknown setting '%s'%s (firn list settings)", place(source, "", where), name,
-              suggest_hint(&suggest, hint));
-    return refusal(source);
+    log_error("%s: unknown setting '%s'%s (firn list settings)", format_source(source, "", where),
+              name, suggest_hint(&suggest, hint));
+    return rejection_status(source);
 }
 
-static enum status refuse(const struct assignment *a, const char *value)
+static enum status reject_value(const struct assignment *a, const char *value)
 {
     const struct setting *row = a->row;
-    char choices[256] = "", where[PLACE_SIZE];
+    char choices[256] = "", where[SOURCE_SIZE];
     size_t used = 0;
     for (size_t i = 0; row->choices && row->choices[i] && used < sizeof(choices); i++)
         used += (size_t)snprintf(&choices[used], sizeof(choices) - used, "%s%s", i ? ", " : "",
                                  row->choices[i]);
-    place(a->source, row->name, where);
+    format_source(a->source, row->name, where);
     if (row->type == SETTING_CHOICE)
         log_error("%s: expected one of %s, got '%s'", where, choices, value);
     else if (row->type == SETTING_SWITCH)
@@ -231,7 +231,7 @@ static enum status refuse(const struct assignment *a, const char *value)
         log_error(
             "%s: expected %sa %s from %g to %g, got '%s'", where, row->has_auto ? "auto or " : "",
             row->type == SETTING_COUNT ? "whole number" : "number", row->min, row->max, value);
-    return refusal(a->source);
+    return rejection_status(a->source);
 }
 
 static enum status set_number(const struct assignment *a, const char *text)
@@ -245,9 +245,9 @@ static enum status set_number(const struct assignment *a, const char *text)
     }
     if (end == text || *end || isspace((unsigned char)*text) || !isfinite(value) ||
         value < row->min || value > row->max)
-        return refuse(a, text);
+        return reject_value(a, text);
     if (row->type == SETTING_COUNT && floor(value) < value)
-        return refuse(a, text);
+        return reject_value(a, text);
     settings_put(a->settings, row, value);
     return STATUS_OK;
 }
@@ -262,7 +262,7 @@ static enum status set_word(const struct assignment *a, const char *text)
             return STATUS_OK;
         }
     }
-    return refuse(a, text);
+    return reject_value(a, text);
 }
 
 enum status settings_assign(struct settings *settings, const char *assignment,
@@ -270,16 +270,17 @@ enum status settings_assign(struct settings *settings, const char *assignment,
 {
     const char *equals = strchr(assignment, '=');
     size_t length = equals ? (size_t)(equals - assignment) : 0;
-    char name[NAME_SIZE] = "", where[PLACE_SIZE];
+    char name[NAME_SIZE] = "", where[SOURCE_SIZE];
     *row = NULL;
     if (!equals || !length) {
-        log_error("%s: expected NAME=VALUE, got '%s'", place(source, "", where), assignment);
-        return refusal(source);
+        log_error("%s: expected NAME=VALUE, got '%s'", format_source(source, "", where),
+                  assignment);
+        return rejection_status(source);
     }
     memcpy(name, assignment, length < NAME_SIZE ? length : NAME_SIZE - 1);
     const struct assignment a = { settings, settings_find(name), source };
     if (!a.row || length >= NAME_SIZE)
-        return refuse_name(source, name);
+        return reject_name(source, name);
     const bool is_number = a.row->type == SETTING_FLOAT || a.row->type == SETTING_COUNT;
     const enum status status = is_number ? set_number(&a, equals + 1) : set_word(&a, equals + 1);
     if (status == STATUS_OK)
@@ -298,7 +299,7 @@ size_t settings_index(const struct setting *row)
     return row_offset(row) / sizeof(float);
 }
 
-/* 9 digits are always enough */
+/* Nine significant digits always suffice for a float. */
 void settings_print_number(float value, FILE *out)
 {
     char text[32];

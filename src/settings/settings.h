@@ -1,9 +1,9 @@
 /*
- * settings.h: the parameters a user can set by name, from one table.
+ * settings.h: values of all parameters that a user can set by name, driven by one table.
  *
- * A group is a struct of parameters (often the very struct a shader reads) and the rows that
- * describe its fields: name, type, range, default, unit, help. The rows drive --set, the help,
- * `firn list settings` and the metadata of pictures. Techniques bring their groups with them.
+ * A group is a struct of parameters (often the very struct that a shader reads) and the rows that
+ * describe its members: name, type, range, default, unit, help. The rows drive --set, the help,
+ * `firn list settings` and the metadata of images. Techniques bring their own groups.
  *
  * Thread-safety: a struct settings may be read from many threads.
  */
@@ -19,41 +19,41 @@
 
 enum {
     SETTINGS_SIZE = 1024
-}; /* bytes of all groups' structs; checked by a test */
+}; /* total size of all groups' structs, bytes; checked by a test */
 
 struct settings {
     _Alignas(16) unsigned char values[SETTINGS_SIZE];
 };
 
-/* Group i in the order of help and metadata; NULL: there are no more. */
+/* Returns group i, in the order of help and metadata; NULL past the last one. */
 const struct setting_group *settings_group(size_t i);
 
 struct settings settings_default(void);
 
-/* The struct of a group. */
+/* Returns the values of a group, as its struct. */
 const void *settings_of(const struct settings *settings, const struct setting_group *group);
 
-/* The row of a group for the field at that offset of its struct. */
+/* Returns the row of a group that describes the member at an offset of its struct. */
 const struct setting *settings_row(const struct setting_group *group, size_t offset);
 
-/* Row of that name, or NULL. For names that come from outside. */
+/* Returns the row with a name, or NULL; for names from user input. */
 const struct setting *settings_find(const char *name);
 
 /*
- * Sets "name=value". An unknown name, a value that is no number or choice, or one out of range is
- * logged (with the nearest name or the range) and is STATUS_USAGE.
+ * Sets "name=value". An unknown name, or a value that is invalid or out of range, is logged (with
+ * the nearest name or the range) and is STATUS_USAGE.
  */
 MUST_USE enum status settings_set(struct settings *settings, const char *assignment);
 
-/* Where an assignment is, for messages. */
+/* Source of an assignment, for error messages. */
 struct settings_source {
-    const char *path; /* of a file */
-    uint32_t line;    /* of a text file, from 1; 0: none */
+    const char *path; /* path of the file */
+    uint32_t line;    /* line number in a text file, from 1; 0 if there is none */
 };
 
 /*
- * The same for an assignment of a file, which is STATUS_DATA if it is wrong. *row is its row, or
- * NULL then. If `source` is NULL, it is the value of --set.
+ * Sets an assignment from a file; an invalid one is logged with its source and is STATUS_DATA. *row
+ * is the setting's row, or NULL on failure. A NULL `source` is the command line.
  */
 MUST_USE enum status settings_assign(struct settings *settings, const char *assignment,
                                      const struct settings_source *source,
@@ -63,23 +63,23 @@ enum {
     SETTINGS_FIELD_COUNT = SETTINGS_SIZE / sizeof(float)
 };
 
-/* Returns a number below SETTINGS_FIELD_COUNT that no other row has. */
+/* Returns a number below SETTINGS_FIELD_COUNT that is unique to a row. */
 size_t settings_index(const struct setting *row);
 
-/* The same for a value known to be in range. */
+/* Set or return the value of a row as a number; settings_put() does not check its range. */
 void settings_put(struct settings *settings, const struct setting *row, double value);
 double settings_get(const struct settings *settings, const struct setting *row);
 
-/* The most that the changes from `before` to `after` affect. */
+/* Returns the greatest effect of all changes from `before` to `after`. */
 enum setting_effect settings_changed(const struct settings *before, const struct settings *after);
 
-/* A row's value as --set takes it: "0.33", "on", "neutral". */
+/* Prints a row's value in the syntax of --set: "0.33", "on", "neutral". */
 void settings_print(const struct settings *settings, const struct setting *row, FILE *out);
 
-/* Prints a line "NAME=VALUE" for each row whose value is not the default; `before` each name. */
+/* Prints a line "NAME=VALUE", with prefix `before`, for each row that differs from its default. */
 void settings_print_changes(const struct settings *settings, const char *before, FILE *out);
 
-/* A number with as many digits as it takes to get the same float back. */
+/* Prints a number with the fewest digits that parse to the same float. */
 void settings_print_number(float value, FILE *out);
 
 #endif

@@ -429,8 +429,8 @@ class Surfaces(Cards):
                   more={'TEXCOORD_1': UV, 'TEXCOORD_2': UV})
         (self.folder / 'a.gltf').write_text(self.scene.text())
         self.assertEqual(self.succeed('info', 'a.gltf').stderr,
-                         b'firn: warning: a.gltf: not drawn: textures of a third set of '
-                         b'coordinates\n')
+                         b'firn: warning: a.gltf: not drawn: textures with a third texture '
+                         b'coordinate set\n')
 
     @unsanitized
     def test_lights(self):

@@ -165,15 +165,15 @@ class Mtl(features.Cards):
         self.assertEqual([found['kind'] for found in json.loads(done.stdout)['materials']],
                          ['opaque', 'thin wall', 'opaque', 'thin wall', 'opaque'])
         self.assertEqual(json.loads(done.stdout)['not_drawn'][-4:], [
-            'map_Ks of transmissive materials', 'Tr 1 (opaque, as MeshLab means it)',
-            'points and lines', 'curves and surfaces in free form'])
+            'map_Ks of transmissive materials', 'Tr 1 (taken as opaque, as MeshLab writes it)',
+            'points and lines', 'free-form curves and surfaces'])
         self.assertEqual(done.stderr, b'firn: warning: cards.obj: not drawn of its materials: '
-                         b'disp, decal, refl, spectral, aniso, -cc, map_Kd of clear '
+                         b'disp, decal, refl, spectral, aniso, -cc, map_Kd of fully transmissive '
                          b'materials, map_Ke of transmissive materials, map_Pm of transmissive '
                          b'materials, options of map_Pm, map_Ks of transmissive materials, '
-                         b'Tr 1 (opaque, as MeshLab means it)\n'
+                         b'Tr 1 (taken as opaque, as MeshLab writes it)\n'
                          b'firn: warning: cards.obj: not drawn: points and lines, '
-                         b'curves and surfaces in free form\n')
+                         b'free-form curves and surfaces\n')
         (self.folder / 'a.ply').write_text(
             'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n'
             'property float z\nelement face 1\nproperty list uchar int vertex_indices\n'
@@ -182,10 +182,10 @@ class Mtl(features.Cards):
         self.assertEqual(self.succeed('info', 'a.ply').stderr.decode(),
                          'firn: warning: a.ply: not drawn: colours of faces, texture coordinates '
                          'of faces, points and lines\n')
-        for line, words in (('Kd red', 'expected three numbers of a colour, got \'red\''),
+        for line, words in (('Kd red', 'expected one or three colour components, got \'red\''),
                             ('Ns nan', 'expected a finite number'),
-                            ('map_Kd -s a.png', 'expected options with their values'),
-                            ('map_Kd', 'expected the name of a picture')):
+                            ('map_Kd -s a.png', 'expected texture options'),
+                            ('map_Kd', 'expected the name of a texture file')):
             (self.folder / 'some cards.mtl').write_text('newmtl a\n' + line + '\n')
             self.refuse(DATA, 'info', 'cards.obj', names=('line 2', words))
 

@@ -479,7 +479,7 @@ class Scenes(Case):
             'KHR_texture_transform': 'drawn'})
         warned = done.stderr.decode().split('not drawn: ')
         self.assertEqual(', '.join(said['not_drawn']), ''.join(warned[1:]).strip())
-        self.assertIn('EXT_of_nobody is not supported, and ignored', warned[0])
+        self.assertIn('EXT_of_nobody is not supported and is ignored', warned[0])
         text = self.succeed('info', 'a.gltf', env=NO_DRIVER).stdout.decode()
         self.assertRegex(text, r'(?m)^  ignored +EXT_of_nobody$')
         self.assertRegex(text, r'(?m)^  drawn +KHR_materials_ior, KHR_materials_transmission, '
@@ -492,8 +492,8 @@ class Scenes(Case):
         scene['extras'] = {'extensions': {'EXT_of_the_author': {}}}
         scene['textures'] = [{}]
         names = sum((found.split() for found in UNKNOWN.values()), [])
-        wanted = sorted(f'firn: warning: a.gltf: the extension {name} is not supported, and ignored'
-                        for name in names)
+        wanted = sorted(f'firn: warning: a.gltf: the extension {name} is not supported and '
+                        f'is ignored' for name in names)
 
         def check(scene):
             (self.folder / 'a.gltf').write_text(json.dumps(scene))
@@ -544,9 +544,9 @@ class Scenes(Case):
         self.assertEqual(said(), 'firn: warning: a.gltf: not drawn: ' + ', '.join(
             [f'{name} of transmissive materials'
              for name in ('alpha', 'emission', 'occlusion', 'specular')] +
-            ['textures of thickness', 'edges between texels (magFilter NEAREST)',
+            ['thickness textures', 'nearest filtering (magFilter NEAREST)',
              'vertex colours beyond COLOR_0', 'colours and texture coordinates of morph targets',
-             'scenes beside the one that is shown']) + '\n')
+             'scenes other than the one shown']) + '\n')
 
     def test_large_textures_are_smaller(self):
         scene = json.loads(boxes(({'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}},
@@ -568,7 +568,7 @@ class Scenes(Case):
                 part['pbrMetallicRoughness']['metallicFactor'] = metallic
             (self.folder / 'a.gltf').write_text(boxes((part, [0, 0, 0], 1)))
             done = self.succeed('info', 'a.gltf', '--json', env=NO_DRIVER)
-            found = ['metallic of transmissive materials'] * is_said
+            found = ['metallic factor of transmissive materials'] * is_said
             self.assertEqual(json.loads(done.stdout)['not_drawn'], found)
             self.assertEqual(done.stderr.decode(), ''.join(
                 f'firn: warning: a.gltf: not drawn: {name}\n' for name in found))

@@ -260,7 +260,7 @@ static void however_long_it_takes(void **state)
     check_refused(&hasty, "burn", STATUS_DATA,
                   "limit of 1 s of CPU time (raise it with --load-sec");
     const struct reader_params impatient = { .program = usual.program, .idle_seconds = 1 };
-    check_refused(&impatient, "hang", STATUS_DATA, "nothing could be read for 1 s");
+    check_refused(&impatient, "hang", STATUS_DATA, "no data arrived for 1 s");
 }
 
 static void models_come_back(void **state)

@@ -119,7 +119,7 @@ static void sparse(void **state)
     gltf_file_accessor(UINT32_MAX, GLTF_FILE_FLOAT, 6, "VEC3", text);
     gltf_file_add(corners, sizeof(corners), GLTF_FILE_UNSIGNED_SHORT, 24, "SCALAR");
     gltf_file_write(ONE_MESH SOLID "]}]");
-    check_refused("accessors[0].sparse.indices: element 6 does not exist");
+    check_refused("accessors[0].sparse.indices: element 6 is out of range");
 }
 
 static void whole_numbers_with_a_point(void **state)
@@ -221,7 +221,7 @@ static void meshopt(void **state)
     write_meshopt(0, "KHR");
     check_same_triangles();
     write_meshopt(9, "EXT");
-    check_refused("EXT_meshopt_compression: the compressed bytes are damaged");
+    check_refused("EXT_meshopt_compression: the compressed data is damaged");
 }
 
 static void write_draco(size_t cut)
@@ -245,7 +245,7 @@ static void draco(void **state)
     write_draco(0);
     check_same_triangles();
     write_draco(20);
-    check_refused("KHR_draco_mesh_compression: the compressed bytes are damaged");
+    check_refused("KHR_draco_mesh_compression: the compressed data is damaged");
 }
 
 static void instances(void **state)
@@ -422,8 +422,8 @@ static void textures_of_materials(void **state)
         CHECK_NEAR(glms_vec3_dot(m->textures[MATERIAL_NORMAL].v_row, in), i == 2, 1e-5);
     }
     model_finish(&model);
-    assert_string_equal(said, "firn: warning: m.gltf: not drawn: textures of a third set of "
-                              "coordinates\n");
+    assert_string_equal(said, "firn: warning: m.gltf: not drawn: textures with a third texture "
+                              "coordinate set\n");
 }
 
 static void unread_pictures(void **state)
@@ -446,8 +446,8 @@ static void unread_pictures(void **state)
     assert_int_equal(model.numbers.count, 0);
     CHECK_NEAR(model.materials[0].roughness, 0.5, 0);
     model_finish(&model);
-    assert_string_equal(said, "firn: warning: m.gltf: not drawn: textures without a picture in a "
-                              "known format\n");
+    assert_string_equal(said, "firn: warning: m.gltf: not drawn: textures without an image in a "
+                              "supported format\n");
 }
 
 /* Files that need an extension may have buffers without bytes, which nothing else may read. */
@@ -467,7 +467,7 @@ static void buffers_without_bytes(void **state)
         assert_int_equal(gltf_file_load(&model, said), i ? STATUS_DATA : STATUS_OK);
         model_finish(&model);
     }
-    assert_non_null(strstr(said, "bufferViews[0]: expected bytes within buffers[1] of 0 bytes"));
+    assert_non_null(strstr(said, "within buffers[1] of 0 bytes"));
 }
 
 /* A file without materials becomes ice, which has no colours. */
@@ -498,9 +498,9 @@ static void extensions_are_named(void **state)
                                         said),
                      STATUS_OK);
     model_finish(&model);
-    assert_string_equal(said, "firn: warning: m.gltf: the extension KHR_a is not supported, and "
-                              "ignored\nfirn: warning: m.gltf: the extension KHR_b is not "
-                              "supported, and ignored\n");
+    assert_string_equal(said, "firn: warning: m.gltf: the extension KHR_a is not supported and "
+                              "is ignored\nfirn: warning: m.gltf: the extension KHR_b is not "
+                              "supported and is ignored\n");
     assert_int_equal(gltf_file_material(&model, "",
                                         ",'extensionsUsed':['KHR_a'],"
                                         "'extensionsRequired':['KHR_materials_ior','KHR_a']",

@@ -511,7 +511,7 @@ static void bad_numbers(void **state)
     square = unit_square;
     square.indices[4] = 4;
     check_error(write_glb("e.glb", tail, &square), STATUS_DATA, "a vertex that does not exist");
-    check_error(write_text("e.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n"), STATUS_DATA, "index");
+    check_error(write_text("e.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n"), STATUS_DATA, "refers");
     check_error(write_text("e.obj", "v 0 0 0\nv nan 0 0\nv 1 1 0\nf 1 2 3\n"), STATUS_DATA,
                 "vertex 1: the position");
     check_error(write_text("e.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), STATUS_DATA, "got none");
@@ -557,8 +557,8 @@ static void bad_textures(void **state)
         { "'uri':'/tmp/a.png'", "within" },
         { "'uri':'http://localhost/a.png'", "within" },
         { "'uri':'nowhere.png'", "nowhere.png: file not found" },
-        { "'uri':'garbage.png'", "garbage.png: not a supported picture" },
-        { "'bufferView':4,'mimeType':'image/png'", "images[0]: not a supported picture" },
+        { "'uri':'garbage.png'", "garbage.png: not a supported image" },
+        { "'bufferView':4,'mimeType':'image/png'", "images[0]: not a supported image" },
         { "'uri':'cut.png'", "cut.png" },
     };
 

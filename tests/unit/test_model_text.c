@@ -188,13 +188,13 @@ static void obj_refusals(void **state)
 {
     (void)state;
     check_refused("a.obj", "v 0 0\n", "line 1: expected three coordinates, got '0 0'");
-    check_refused("a.obj", SQUARE "f 1 2 x\n", "line 5: expected indices of vertices");
+    check_refused("a.obj", SQUARE "f 1 2 x\n", "line 5: expected indices of existing vertices");
     check_refused("a.obj", SQUARE "f 1 2 0\n", "got '0'");
     check_refused("a.obj", SQUARE "f 1 2 -5\n", "got '-5'");
     check_refused("a.obj", SQUARE "f 1/2 2/2 3/2\n",
-                  "of a texture coordinate that does not exist: 2 of 0");
-    check_refused("a.obj", SQUARE "f 1//1 2//1 3//1\n", "of a normal that does not exist: 1 of 0");
-    check_refused("a.obj", SQUARE "vn 1 2\n", "three numbers of a normal");
+                  "to a texture coordinate that does not exist: 2 of 0");
+    check_refused("a.obj", SQUARE "f 1//1 2//1 3//1\n", "to a normal that does not exist: 1 of 0");
+    check_refused("a.obj", SQUARE "vn 1 2\n", "three components of a normal");
     check_refused("a.obj", SQUARE "f 1 2 3/1/1/1\n", "got '3/1/1/1'");
     check_refused("a.obj", "mtllib ../a.mtl\n" SQUARE "f 1 2 3\n", "within the model's folder");
 }
@@ -241,7 +241,7 @@ static void ply_names_what_it_leaves_out(void **state)
                "a.ply: not drawn: quality of vertices, ids of vertices, alpha of vertices, "
                "colours of faces, flags of faces, elements 'range'\n");
     check_said("b.obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", STATUS_OK,
-               "b.obj: not drawn: colours of vertices\n");
+               "b.obj: not drawn: vertex colours\n");
     size_t size = (size_t)snprintf(text, sizeof(text), HEAD("ascii") POINTS);
     for (int i = 0; i < 200; i++)
         size += (size_t)snprintf(&text[size], sizeof(text) - size, "property int p%d\n", i);
@@ -265,7 +265,7 @@ static void mtl_names_unread_pictures(void **state)
     write_bytes("a.mtl", mtl, strlen(mtl));
     write_bytes("a.dds", "DDS \174\0\0\0\7\20\0\0", 12);
     check_said("a.obj", obj, STATUS_OK,
-               "a.obj: not drawn of its materials: pictures in the format DDS\n");
+               "a.obj: not drawn of its materials: textures in the format DDS\n");
     struct model model;
     assert_int_equal(model_load(&model, "a.obj", MODEL_SURROUNDINGS), STATUS_OK);
     assert_int_equal(model.textures.count + model.numbers.count, 0);
@@ -344,13 +344,13 @@ static void ply_refusals(void **state)
     } cases[] = {
         { POINTS, "", "got none" },
         { POINTS FACES, "3 0 1 4\n", "does not exist" },
-        { POINTS FACES, "3 0 1 -1\n", "face 0: a face has the index" },
+        { POINTS FACES, "3 0 1 -1\n", "face 0: a face refers to a vertex" },
         { POINTS FACES, "3 0 1\n", "face 0: the file ends" },
-        { POINTS FACES, "-3 0 1 2\n", "face 0: the file ends within it, or a list" },
-        { POINTS POINTS FACES, "0 0 0\n1 0 0\n1 1 0\n0 1 0\n", "vertices once" },
+        { POINTS FACES, "-3 0 1 2\n", "face 0: the file ends early, or a list" },
+        { POINTS POINTS FACES, "0 0 0\n1 0 0\n1 1 0\n0 1 0\n", "only one element with vertices" },
         { "element vertex 4\nproperty float x\n", "", "x, y and z" },
         { "element vertex\n", "", "its count" },
-        { "element vertex 4\nproperty string x\n", "", "a property's type" },
+        { "element vertex 4\nproperty string x\n", "", "the type of the property" },
         { "element vertex 400000000\nproperty float x\n", "", "too short" },
     };
 

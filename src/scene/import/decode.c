@@ -1,4 +1,5 @@
-/* decode.c: models, panoramas and pictures through a reader process: both of its ends. */
+/* decode.c: loads models, environment maps and images through a sandboxed reader process: the
+ * parent's side and the child's side. */
 #include "src/scene/import/decode.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,34 +10,34 @@
 #include "src/reader/preset.h"
 #include "src/scene/import/mesh_pipe.h"
 
-/* A pose as words of the child: '-' at rest, '*' the first animation or '=' a named one, the time
- * to the last bit, the name after a space, and in further lines the names of objects. The caller
- * frees it. */
-static char *print_pose(const struct model_pose *pose)
+/* Encodes a pose as an argument of the child: '-' for the rest pose, '*' for the first animation or
+ * '=' for a named one, the time as a hexadecimal float (exact), a space and the name; further lines
+ * hold the names of objects. The caller frees it. */
+static char *encode_pose(const struct model_pose *pose)
 {
     const char *mark = pose->animation ? "=" : pose->is_first ? "*" : "-";
     const char *name = pose->animation ? pose->animation : "";
     const char *objects = pose->objects ? pose->objects : "";
     const size_t size = strlen(name) + strlen(objects) + 64;
-    char *words = malloc(size);
-    if (words)
-        (void)snprintf(words, size, "%s%a %s\n%s", mark, (double)pose->time, name, objects);
-    return words;
+    char *text = malloc(size);
+    if (text)
+        (void)snprintf(text, size, "%s%a %s\n%s", mark, (double)pose->time, name, objects);
+    return text;
 }
 
-/* The pose points into the words, which are cut. */
-static struct model_pose parse_pose(char *words)
+/* Decodes a pose; it points into `text`, which is modified. */
+static struct model_pose decode_pose(char *text)
 {
-    struct model_pose pose = { .is_first = words[0] == '*' };
-    char *end = strchr(words, '\n');
+    struct model_pose pose = { .is_first = text[0] == '*' };
+    char *end = strchr(text, '\n');
     if (end) {
         *end = '\0';
         pose.objects = end + 1;
     }
-    if (words[0] == '\0')
+    if (text[0] == '\0')
         return pose;
-    pose.time = strtof(&words[1], &end);
-    if (words[0] == '=' && *end == ' ')
+    pose.time = strtof(&text[1], &end);
+    if (text[0] == '=' && *end == ' ')
         pose.animation = end + 1;
     return pose;
 }
@@ -56,16 +57,16 @@ enum status decode_model(struct model *model, const char *path, enum model_part 
         return model_load_posed(model, path, everything_is, pose ? pose : &at_rest);
     *model = (struct model){ 0 };
     struct reader_params posed = *params;
-    char *words = print_pose(pose ? pose : &at_rest);
-    if (!words)
+    char *text = encode_pose(pose ? pose : &at_rest);
+    if (!text)
         return log_out_of_memory(path);
-    posed.details = words;
+    posed.details = text;
     enum status status = reader_start(&reader, &posed, reader_kinds[everything_is], path);
     if (status == STATUS_OK) {
         const struct pipe_source source = reader_source(reader);
         status = reader_end(reader, mesh_pipe_read_model(&source, model));
     }
-    free(words);
+    free(text);
     return status;
 }
 
@@ -83,7 +84,7 @@ enum status decode_environment(struct environment *environment, const char *path
     return reader_end(reader, mesh_pipe_read_environment(&source, environment));
 }
 
-/* ---- in the child ---- */
+/* ---- in the child process ---- */
 
 static enum status send_model(const struct reader_job *job)
 {
@@ -94,7 +95,7 @@ static enum status send_model(const struct reader_job *job)
     char *details = strdup(job->details);
     if (!details)
         return log_out_of_memory(job->path);
-    const struct model_pose pose = parse_pose(details);
+    const struct model_pose pose = decode_pose(details);
     enum status status = model_load_posed(&model, job->path, part, &pose);
     if (status == STATUS_OK && !mesh_pipe_write_model(&reader_sink, &model))
         status = STATUS_WRITE;
@@ -141,5 +142,5 @@ int decode_main(int argc, char **argv)
         log_error(READER_WORD ": for internal use by firn only");
         return STATUS_USAGE;
     }
-    _exit((int)send_file(&job)); /* no exit handler runs in a process that has parsed the file */
+    _exit((int)send_file(&job)); /* skips exit handlers: the process may be compromised */
 }

@@ -1,4 +1,4 @@
-/* decode.h: reads models and panoramas in a reader process (reader.h, with its errors). */
+/* decode.h: loads models and environment maps in a sandboxed reader process (errors: reader.h). */
 #ifndef FIRN_SCENE_IMPORT_DECODE_H
 #define FIRN_SCENE_IMPORT_DECODE_H
 
@@ -6,15 +6,15 @@
 #include "src/scene/environment.h"
 #include "src/scene/import/model.h"
 
-/* Load a file as model_load_posed() (pose NULL: at rest) and environment_load() do; if `params` is
- * NULL, in this process. */
+/* Load a file like model_load_posed() (a NULL pose is the rest pose) or environment_load(), in a
+ * reader process; if `params` is NULL, in this process. */
 MUST_USE enum status decode_model(struct model *model, const char *path,
                                   enum model_part everything_is, const struct model_pose *pose,
                                   const struct reader_params *params);
 MUST_USE enum status decode_environment(struct environment *environment, const char *path,
                                         const struct reader_params *params);
 
-/* Does the whole work of a reader process, of all kinds, and returns its exit code. */
+/* Main function of a reader process: parses the file, sends the result, returns the exit code. */
 int decode_main(int argc, char **argv);
 
 #endif

@@ -1,10 +1,10 @@
-/* gltf_accessor.c: buffer views and accessors of a glTF file (glTF 2.0, 3.6). */
+/* gltf_accessor.c: reads buffer views and accessors of a glTF file (glTF 2.0, 3.6). */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/gltf.h"
 
-/* Numbers of the OpenGL's constants that glTF uses. */
+/* Values of accessor.componentType, which are OpenGL constants. */
 enum component {
     COMPONENT_BYTE = 5120,
     COMPONENT_UNSIGNED_BYTE,
@@ -14,7 +14,7 @@ enum component {
     COMPONENT_FLOAT,
 };
 
-/* Elements in the bytes of a view, which holds all of them; `bytes` is NULL if all are 0. */
+/* Location and layout of an accessor's elements; `bytes` is NULL if all are 0. */
 struct elements {
     const uint8_t *bytes;
     size_t stride;
@@ -35,8 +35,9 @@ struct gltf_bytes gltf_view_bytes(const struct gltf_object *object)
         return (struct gltf_bytes){ 0 };
     const struct gltf_bytes *all = &gltf->buffers[buffer];
     if (size == 0 || offset > all->size || size > all->size - offset) {
-        (void)gltf_fault(object, "expected bytes within buffers[%u] of %zu bytes", buffer,
-                         all->size);
+        (void)gltf_fault(
+            object, "byteOffset and byteLength: expected a range within buffers[%u] of %zu bytes",
+            buffer, all->size);
         return (struct gltf_bytes){ 0 };
     }
     return (struct gltf_bytes){ .bytes = all->bytes + offset, .size = (size_t)size };
@@ -90,7 +91,7 @@ static uint32_t type_width(const char *type)
     return 0;
 }
 
-/* Finds the elements in a view; `object` has the fields bufferView and byteOffset. */
+/* Locates the elements in a buffer view; `object` has the members bufferView and byteOffset. */
 static void find_bytes(const struct gltf_object *object, struct elements *elements)
 {
     struct gltf *gltf = object->gltf;
@@ -106,7 +107,7 @@ static void find_bytes(const struct gltf_object *object, struct elements *elemen
     if (gltf->status != STATUS_OK)
         return;
     if (elements->stride < size || offset > bytes.size || needed > bytes.size - offset)
-        (void)gltf_fault(object, "its %u elements are not within bufferViews[%u] of %zu bytes",
+        (void)gltf_fault(object, "the %u elements extend beyond bufferViews[%u] of %zu bytes",
                          elements->count, view, bytes.size);
     else
         elements->bytes = bytes.bytes + offset;
@@ -133,7 +134,7 @@ static struct elements find_elements(const struct gltf_object *accessor)
     return elements;
 }
 
-static uint32_t read_whole(const uint8_t *bytes, size_t size)
+static uint32_t read_unsigned(const uint8_t *bytes, size_t size)
 {
     uint32_t word = 0;
     for (size_t i = 0; i < size; i++)
@@ -144,7 +145,7 @@ static uint32_t read_whole(const uint8_t *bytes, size_t size)
 static float read_number(const uint8_t *bytes, uint32_t component, bool is_normalized)
 {
     const size_t size = component_size(component);
-    const uint32_t word = read_whole(bytes, size);
+    const uint32_t word = read_unsigned(bytes, size);
     if (component == COMPONENT_FLOAT) {
         float number;
         memcpy(&number, bytes, sizeof(number));
@@ -166,8 +167,9 @@ static void copy_element(const struct elements *from, size_t i, float *to)
                             from->is_normalized);
 }
 
-/* Replaces those elements that accessor.sparse lists. */
-static void replace(const struct gltf_object *accessor, const struct elements *all, float *values)
+/* Replaces the elements listed in accessor.sparse. */
+static void apply_sparse(const struct gltf_object *accessor, const struct elements *all,
+                         float *values)
 {
     struct gltf *gltf = accessor->gltf;
     const struct gltf_object sparse = gltf_member(accessor, "sparse");
@@ -176,27 +178,27 @@ static void replace(const struct gltf_object *accessor, const struct elements *a
     const uint64_t count = gltf_count(&sparse, "count", 0);
     if (!sparse.json || gltf->status != STATUS_OK)
         return;
-    struct elements places = { .count = (uint32_t)count, .width = 1 };
-    places.component = (uint32_t)gltf_count(&at, "componentType", 0);
-    struct elements news = *all;
-    news.count = places.count;
-    news.bytes = NULL;
-    if (count < 1 || count > all->count || component_size(places.component) == 0 ||
-        places.component == COMPONENT_FLOAT) {
-        (void)gltf_fault(&sparse, "expected 1 to %u whole numbers", all->count);
+    struct elements sparse_indices = { .count = (uint32_t)count, .width = 1 };
+    sparse_indices.component = (uint32_t)gltf_count(&at, "componentType", 0);
+    struct elements sparse_values = *all;
+    sparse_values.count = sparse_indices.count;
+    sparse_values.bytes = NULL;
+    if (count < 1 || count > all->count || component_size(sparse_indices.component) == 0 ||
+        sparse_indices.component == COMPONENT_FLOAT) {
+        (void)gltf_fault(&sparse, "expected 1 to %u integer indices", all->count);
         return;
     }
-    find_bytes(&at, &places);
-    find_bytes(&with, &news);
-    if (gltf->status == STATUS_OK && (!places.bytes || !news.bytes))
-        (void)gltf_fault(&sparse, "expected a bufferView of indices and of values");
+    find_bytes(&at, &sparse_indices);
+    find_bytes(&with, &sparse_values);
+    if (gltf->status == STATUS_OK && (!sparse_indices.bytes || !sparse_values.bytes))
+        (void)gltf_fault(&sparse, "expected bufferViews of the indices and the values");
     for (size_t i = 0; i < count && gltf->status == STATUS_OK; i++) {
-        const uint32_t place =
-            read_whole(places.bytes + i * places.stride, component_size(places.component));
-        if (place >= all->count)
-            (void)gltf_fault(&at, "element %u does not exist", place);
+        const uint32_t target = read_unsigned(sparse_indices.bytes + i * sparse_indices.stride,
+                                              component_size(sparse_indices.component));
+        if (target >= all->count)
+            (void)gltf_fault(&at, "element %u is out of range", target);
         else
-            copy_element(&news, i, &values[(size_t)place * all->width]);
+            copy_element(&sparse_values, i, &values[(size_t)target * all->width]);
     }
 }
 
@@ -214,7 +216,7 @@ bool gltf_read_floats(struct gltf *gltf, uint32_t accessor, struct gltf_array *a
     }
     for (size_t i = 0; elements.bytes && i < elements.count; i++)
         copy_element(&elements, i, &values[i * elements.width]);
-    replace(&object, &elements, values);
+    apply_sparse(&object, &elements, values);
     if (gltf->status == STATUS_OK)
         *array = (struct gltf_array){ values, elements.count, elements.width };
     else
@@ -230,14 +232,14 @@ uint32_t *gltf_read_indices(struct gltf *gltf, uint32_t accessor, uint32_t *coun
     if (gltf->status == STATUS_OK &&
         (elements.width != 1 || !elements.bytes || elements.component == COMPONENT_FLOAT ||
          gltf_member(&object, "sparse").json))
-        (void)gltf_fault(&object, "expected whole numbers in a bufferView, for indices");
+        (void)gltf_fault(&object, "expected integer indices in a bufferView");
     if (gltf->status != STATUS_OK)
         return NULL;
     uint32_t *indices = malloc(elements.count * sizeof(*indices));
     if (!indices)
         (void)gltf_no_memory(gltf);
     for (size_t i = 0; indices && i < elements.count; i++)
-        indices[i] = read_whole(elements.bytes + i * elements.stride, size);
+        indices[i] = read_unsigned(elements.bytes + i * elements.stride, size);
     *count = indices ? elements.count : 0;
     return indices;
 }

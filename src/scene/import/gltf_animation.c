@@ -1,4 +1,4 @@
-/* gltf_animation.c: moves the nodes of a glTF file to where they are at a time (3.11, App. C). */
+/* gltf_animation.c: interpolates animation keyframes (glTF 2.0, 3.11) and applies them to nodes. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "src/scene/import/gltf.h"
 
 enum {
-    WEIGHTS_MAX = 1024, /* numbers of one key */
+    WEIGHTS_MAX = 1024, /* components of one keyframe */
 };
 
 enum interpolation {
@@ -16,47 +16,47 @@ enum interpolation {
     CUBIC,
 };
 
-/* The keys of a channel; `width` numbers of each, or of a cubic one, three times as many. */
+/* Keyframes of an animation channel: `width` components each, three times as many if cubic. */
 struct keys {
     struct gltf_array times, values;
     enum interpolation interpolation;
     uint32_t width;
 };
 
-/* Where a time is between two keys. */
-struct moment {
+/* Position of a time between two keyframes. */
+struct key_span {
     uint32_t before, after;
-    float share;    /* 0: before, 1: after */
+    float t;        /* interpolation parameter t: 0 is before, 1 is after */
     float interval; /* seconds from one to the other */
 };
 
-static struct moment find_moment(const struct gltf_array *times, float time)
+static struct key_span find_span(const struct gltf_array *times, float time)
 {
     uint32_t after = 0;
     while (after < times->count && times->values[after] <= time)
         after++;
     if (after == 0 || after == times->count) {
         const uint32_t end = after == 0 ? 0 : times->count - 1;
-        return (struct moment){ end, end, 0, 0 };
+        return (struct key_span){ end, end, 0, 0 };
     }
     const float interval = times->values[after] - times->values[after - 1];
-    return (struct moment){
+    return (struct key_span){
         .before = after - 1,
         .after = after,
-        .share = (time - times->values[after - 1]) / interval,
+        .t = (time - times->values[after - 1]) / interval,
         .interval = interval,
     };
 }
 
-/* Returns number `k` of a third of a cubic key: tangent before it, value, tangent after it. */
+/* Returns component `k` of a cubic keyframe; `third`: 0 in-tangent, 1 value, 2 out-tangent. */
 static float cubic_at(const struct keys *keys, uint32_t key, uint32_t third, uint32_t k)
 {
     return keys->values.values[((size_t)3 * key + third) * keys->width + k];
 }
 
-static float cubic(const struct keys *keys, const struct moment *at, uint32_t k)
+static float cubic(const struct keys *keys, const struct key_span *at, uint32_t k)
 {
-    const float t = at->share;
+    const float t = at->t;
     const float out = at->interval * cubic_at(keys, at->before, 2, k);
     const float in = at->interval * cubic_at(keys, at->after, 0, k);
     return (2 * t * t * t - 3 * t * t + 1) * cubic_at(keys, at->before, 1, k) +
@@ -67,20 +67,20 @@ static float cubic(const struct keys *keys, const struct moment *at, uint32_t k)
 
 static void interpolate(const struct keys *keys, float time, bool is_rotation, float *to)
 {
-    const struct moment at = find_moment(&keys->times, time);
-    const float share = keys->interpolation == LINEAR ? at.share : 0;
+    const struct key_span at = find_span(&keys->times, time);
+    const float t = keys->interpolation == LINEAR ? at.t : 0;
     const float *a = &keys->values.values[(size_t)at.before * keys->width];
     const float *b = &keys->values.values[(size_t)at.after * keys->width];
     if (is_rotation && keys->interpolation == LINEAR) {
-        versors from, until;
-        memcpy(&from, a, sizeof(from));
-        memcpy(&until, b, sizeof(until));
-        const versors between = glms_quat_slerp(from, until, share);
-        memcpy(to, &between, sizeof(between));
+        versors rotation_before, rotation_after;
+        memcpy(&rotation_before, a, sizeof(rotation_before));
+        memcpy(&rotation_after, b, sizeof(rotation_after));
+        const versors rotation = glms_quat_slerp(rotation_before, rotation_after, t);
+        memcpy(to, &rotation, sizeof(rotation));
         return;
     }
     for (uint32_t k = 0; k < keys->width; k++)
-        to[k] = keys->interpolation == CUBIC ? cubic(keys, &at, k) : a[k] + share * (b[k] - a[k]);
+        to[k] = keys->interpolation == CUBIC ? cubic(keys, &at, k) : a[k] + t * (b[k] - a[k]);
 }
 
 static void read_interpolation(const struct gltf_object *sampler, struct keys *keys)
@@ -93,7 +93,7 @@ static void read_interpolation(const struct gltf_object *sampler, struct keys *k
         (void)gltf_fault(sampler, "interpolation: expected LINEAR, STEP or CUBICSPLINE");
 }
 
-/* Reads keys of `width` numbers each; 0: as many as there are for each time. */
+/* Reads the keyframes of a sampler with `width` components; 0 accepts any, for morph weights. */
 static bool read_keys(const struct gltf_object *sampler, uint32_t width, struct keys *keys)
 {
     struct gltf *gltf = sampler->gltf;
@@ -112,12 +112,12 @@ static bool read_keys(const struct gltf_object *sampler, uint32_t width, struct 
     }
     if (keys->width == 0 || keys->width > WEIGHTS_MAX || numbers != keys->width * key_count ||
         (width > 0 && keys->width != width))
-        (void)gltf_fault(sampler, "output: expected %u numbers for each time", width);
+        (void)gltf_fault(sampler, "output: expected %u numbers per keyframe", width);
     return gltf->status == STATUS_OK;
 }
 
-static void move_node(const struct gltf_object *channel, const struct keys *keys, const char *path,
-                      float time)
+static void apply_keys(const struct gltf_object *channel, const struct keys *keys, const char *path,
+                       float time)
 {
     struct gltf *gltf = channel->gltf;
     const struct gltf_object target = gltf_member(channel, "target");
@@ -139,7 +139,7 @@ static void move_node(const struct gltf_object *channel, const struct keys *keys
     }
 }
 
-static void play(const struct gltf_object *animation, uint32_t index, float time)
+static void apply_channel(const struct gltf_object *animation, uint32_t index, float time)
 {
     const struct gltf_object channel = gltf_item(animation, "channels", index);
     const struct gltf_object target = gltf_member(&channel, "target");
@@ -150,12 +150,12 @@ static void play(const struct gltf_object *animation, uint32_t index, float time
     const uint32_t width = strcmp(path, "rotation") == 0 ? 4 : is_weights ? 0 : 3;
     struct keys keys = { 0 };
     if (gltf_index(&target, "node", "nodes") == gltf_none)
-        return; /* of an extension, which is named */
+        return; /* the target belongs to an unsupported extension; gltf_warn() warns */
     if (!is_weights && strcmp(path, "rotation") != 0 && strcmp(path, "translation") != 0 &&
         strcmp(path, "scale") != 0)
         (void)gltf_fault(&target, "path: expected translation, rotation, scale or weights");
     else if (read_keys(&sampler, width, &keys))
-        move_node(&channel, &keys, path, time);
+        apply_keys(&channel, &keys, path, time);
     free(keys.times.values);
     free(keys.values.values);
 }
@@ -183,7 +183,7 @@ uint32_t gltf_animation_find(struct gltf *gltf, const char *name)
     return gltf_none;
 }
 
-/* Returns the time of the last key, which glTF wants as the maximum of each sampler's input. */
+/* Returns the time of the last keyframe: glTF requires max in the accessors of sampler inputs. */
 static float seconds_of(const struct gltf_object *animation)
 {
     float seconds = 0;
@@ -226,5 +226,5 @@ void gltf_animate(struct gltf *gltf, uint32_t index, float time)
     const struct gltf_object animation = gltf_element(gltf, "animations", index);
     const uint32_t count = gltf_length(&animation, "channels");
     for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++)
-        play(&animation, i, time);
+        apply_channel(&animation, i, time);
 }

@@ -1,4 +1,4 @@
-/* gltf_build.c: from the nodes of a glTF file to the objects and surroundings of a model. */
+/* gltf_build.c: runs the glTF import; builds a model's objects and surroundings from the nodes. */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,16 +7,16 @@
 #include "src/scene/import/gltf.h"
 
 enum {
-    NAMES_MAX = 64, /* of objects */
+    NAMES_MAX = 64, /* names in model_pose.objects */
 };
 
 struct walk {
     struct gltf *gltf;
     struct model_build build;
     enum model_part everything_is;
-    bool is_node[NAMES_MAX]; /* each name of gltf->objects: of a node, else of a material */
-    bool is_split;           /* transmission decides the part of each primitive */
-    bool is_counting;        /* else the primitives are added */
+    bool is_node[NAMES_MAX]; /* is each name in gltf->objects a node's (else a material's)? */
+    bool is_split;    /* roles by each primitive's transmission; else everything_is applies */
+    bool is_counting; /* first pass: count primitives; second pass: add them */
 };
 
 static bool has_transmission(const struct gltf *gltf)
@@ -32,8 +32,8 @@ static bool has_transmission(const struct gltf *gltf)
     return false;
 }
 
-/* Whether primitives name no material, whose own is the last one. */
-static bool has_bare_primitives(const struct gltf *gltf)
+/* Returns true if any primitive has no material and so uses the default one, which is the last. */
+static bool uses_default_material(const struct gltf *gltf)
 {
     for (uint32_t i = 0; i < gltf->mesh_count; i++) {
         for (uint32_t k = 0; k < gltf->meshes[i].count; k++) {
@@ -55,7 +55,7 @@ static bool has_colors(const struct gltf *gltf)
     return false;
 }
 
-/* Whether any names one. */
+/* Returns true if any primitive has a material of its own. */
 static bool has_materials(const struct gltf *gltf)
 {
     for (uint32_t i = 0; i < gltf->mesh_count; i++) {
@@ -67,10 +67,10 @@ static bool has_materials(const struct gltf *gltf)
     return false;
 }
 
-/* ---- objects by name ---- */
+/* ---- objects selected by name ---- */
 
-/* Returns whether a name is that of the line. */
-static bool is_line(const char *line, const char *name)
+/* Returns true if the first line of a text is `name`. */
+static bool equals_line(const char *line, const char *name)
 {
     const size_t length = strcspn(line, "\n");
     return strlen(name) == length && !strncmp(line, name, length);
@@ -90,13 +90,13 @@ static bool is_named(const struct walk *walk, const struct gltf_node *node,
     for (size_t i = 0; *line; line = next_line(line), i++) {
         const char *name =
             walk->is_node[i] ? node->name : gltf->materials[primitive->material].material.name;
-        if (is_line(line, name))
+        if (equals_line(line, name))
             return true;
     }
     return false;
 }
 
-/* Finds what the names mean, or suggests others. */
+/* Looks up each selected name among nodes and materials; logs a suggestion if it is unknown. */
 static enum status find_names(struct walk *walk)
 {
     struct gltf *gltf = walk->gltf;
@@ -105,7 +105,7 @@ static enum status find_names(struct walk *walk)
     for (size_t i = 0; *line; line = next_line(line), i++) {
         char name[MATERIAL_NAME_SIZE], hint[SUGGEST_HINT_SIZE];
         struct suggest suggest = { .word = name };
-        bool is_there = false;
+        bool is_material = false;
         if (i == NAMES_MAX)
             return gltf_fault(&top, "expected at most %d names of objects", NAMES_MAX);
         (void)snprintf(name, sizeof(name), "%.*s", (int)strcspn(line, "\n"), line);
@@ -117,19 +117,19 @@ static enum status find_names(struct walk *walk)
                 suggest_offer(&suggest, node->name);
         }
         for (uint32_t k = 0; k < gltf->material_count; k++) {
-            is_there = is_there || !strcmp(gltf->materials[k].material.name, name);
+            is_material = is_material || !strcmp(gltf->materials[k].material.name, name);
             suggest_offer(&suggest, gltf->materials[k].material.name);
         }
-        if (!is_there && !walk->is_node[i])
+        if (!is_material && !walk->is_node[i])
             return gltf_fault(&top, "no node with a mesh, and no material, has the name '%s'%s",
                               name, suggest_hint(&suggest, hint));
     }
     return STATUS_OK;
 }
 
-/* ---- parts ---- */
+/* ---- objects or surroundings ---- */
 
-static enum model_part part_of(const struct walk *walk, const struct gltf_node *node,
+static enum model_part role_of(const struct walk *walk, const struct gltf_node *node,
                                const struct gltf_primitive *primitive)
 {
     if (!walk->is_split)
@@ -141,7 +141,7 @@ static enum model_part part_of(const struct walk *walk, const struct gltf_node *
                : MODEL_SURROUNDINGS;
 }
 
-/* The first object's index is the model's. */
+/* The first object's index of refraction becomes that of the model. */
 static void read_ior(const struct walk *walk, const struct gltf_material *material)
 {
     struct model *model = walk->build.model;
@@ -175,7 +175,7 @@ static struct model_shape shape_of(const struct gltf *gltf, const struct gltf_pr
     };
 }
 
-/* Adds the object of a node whose triangles begin where the part ends. */
+/* Adds the object of a primitive, before its triangles are appended to the object mesh. */
 static enum status add_object(struct walk *walk, const struct gltf_node *node,
                               const struct gltf_primitive *primitive)
 {
@@ -195,20 +195,20 @@ static enum status add_object(struct walk *walk, const struct gltf_node *node,
     return STATUS_OK;
 }
 
-static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s model_from_mesh,
-                         uint32_t index)
+static enum status visit_primitive(struct walk *walk, const struct gltf_node *node,
+                                   mat4s model_from_mesh, uint32_t index)
 {
     struct gltf *gltf = walk->gltf;
     const struct gltf_primitive *primitive = &gltf->meshes[node->mesh].primitives[index];
-    const enum model_part part = part_of(walk, node, primitive);
+    const enum model_part role = role_of(walk, node, primitive);
     enum status status = STATUS_OK;
     if (primitive->index_count == 0)
         return STATUS_OK;
     if (walk->is_counting) {
-        if (part == MODEL_OBJECT)
+        if (role == MODEL_OBJECT)
             read_ior(walk, &gltf->materials[primitive->material]);
-        walk->build.has_extras[part] |= primitive->other_uvs || primitive->tangents;
-        return model_build_count(&walk->build, part, primitive->vertex_count,
+        walk->build.has_extras[role] |= primitive->other_uvs || primitive->tangents;
+        return model_build_count(&walk->build, role, primitive->vertex_count,
                                  primitive->index_count);
     }
     char name[64];
@@ -219,19 +219,19 @@ static enum status visit(struct walk *walk, const struct gltf_node *node, mat4s 
         status = gltf_pose(gltf, node, primitive, &posed);
         shape.positions = posed.positions;
         shape.normals = posed.normals;
-        shape.tangents = NULL; /* not posed: derived from the texture coordinates */
+        shape.tangents = NULL; /* not deformed: derived from UVs instead */
         if (node->skin != gltf_none && primitive->joints)
             model_from_mesh = glms_mat4_identity();
     }
-    if (status == STATUS_OK && walk->is_split && part == MODEL_OBJECT)
+    if (status == STATUS_OK && walk->is_split && role == MODEL_OBJECT)
         status = add_object(walk, node, primitive);
     if (status == STATUS_OK)
-        status = model_build_add(&walk->build, part, &shape, model_from_mesh);
+        status = model_build_add(&walk->build, role, &shape, model_from_mesh);
     gltf_primitive_finish(&posed);
     return status;
 }
 
-/* Visits the primitives of a node's mesh, once or for each instance. */
+/* Visits the primitives of a node's mesh, once or per instance. */
 static enum status visit_mesh(struct walk *walk, const struct gltf_node *node)
 {
     const uint32_t count = walk->gltf->meshes[node->mesh].count;
@@ -243,7 +243,7 @@ static enum status visit_mesh(struct walk *walk, const struct gltf_node *node)
                                           : node->model_from_node;
         walk->build.opaque = node->name;
         for (uint32_t k = 0; k < count && status == STATUS_OK; k++)
-            status = visit(walk, node, model_from_mesh, k);
+            status = visit_primitive(walk, node, model_from_mesh, k);
     }
     return status;
 }
@@ -281,7 +281,7 @@ static enum status list_materials(struct walk *walk)
     model->materials = calloc(gltf->material_count, sizeof(*model->materials));
     if (!model->materials)
         return log_out_of_memory(gltf->path);
-    model->material_count = gltf->material_count - !has_bare_primitives(gltf);
+    model->material_count = gltf->material_count - !uses_default_material(gltf);
     for (uint32_t i = 0; i < model->material_count; i++)
         model->materials[i] = gltf->materials[i].material;
     return walk->is_split ? STATUS_OK : model_build_bare_object(&walk->build);
@@ -297,7 +297,7 @@ enum status gltf_build(struct gltf *gltf, struct model *model, enum model_part e
         .is_counting = true,
     };
     if (everything_is == MODEL_BY_MATERIALS && !walk.is_split && has_colors(gltf))
-        gltf->undrawn |= 1u << GLTF_BARE_COLORS; /* all is ice, though nobody asked */
+        gltf->undrawn |= 1u << GLTF_BARE_COLORS; /* ice shows no vertex colours */
     model_build_init(&walk.build, gltf->import, model);
     enum status status = find_names(&walk);
     if (status == STATUS_OK)

@@ -1,23 +1,23 @@
-/* gltf_camera.c: the cameras of a glTF file, and the box around its object. */
+/* gltf_camera.c: reads the cameras of a glTF file, and extras.firn.box around its object. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/gltf.h"
 
-static bool is_sound(vec3s vector)
+static bool is_in_range(vec3s vector)
 {
     const float max = MODEL_COORDINATE_MAX; /* comparisons with NaN are false */
     return fabsf(vector.x) <= max && fabsf(vector.y) <= max && fabsf(vector.z) <= max;
 }
 
-/* Looks along the -Z of the node, at the distance of the object. */
-static bool aim(struct camera *camera, mat4s model_from_node, const struct mesh *object)
+/* Sets position and target: along -Z of the node, as far away as the centre of the object. */
+static bool set_transform(struct camera *camera, mat4s model_from_node, const struct mesh *object)
 {
     camera->eye = glms_mat4_mulv3(model_from_node, glms_vec3_zero(), 1);
     camera->up = glms_mat4_mulv3(model_from_node, (vec3s){ { 0, 1, 0 } }, 0);
     const vec3s ahead = glms_mat4_mulv3(model_from_node, (vec3s){ { 0, 0, -1 } }, 0);
-    if (!is_sound(camera->eye) || !is_sound(camera->up) || !is_sound(ahead) ||
+    if (!is_in_range(camera->eye) || !is_in_range(camera->up) || !is_in_range(ahead) ||
         !(glms_vec3_norm(ahead) > 0))
         return false;
     float distance = 0;
@@ -30,8 +30,8 @@ static bool aim(struct camera *camera, mat4s model_from_node, const struct mesh 
     return true;
 }
 
-static bool fill(struct model_camera *camera, const struct gltf_object *object,
-                 const struct gltf_node *node, const struct mesh *mesh)
+static bool read_camera(struct model_camera *camera, const struct gltf_object *object,
+                        const struct gltf_node *node, const struct mesh *mesh)
 {
     const struct gltf_object perspective = gltf_member(object, "perspective");
     const struct gltf_object orthographic = gltf_member(object, "orthographic");
@@ -41,13 +41,13 @@ static bool fill(struct model_camera *camera, const struct gltf_object *object,
         camera->camera.fov_deg = glm_deg(gltf_number(&perspective, "yfov", 0));
     } else {
         camera->kind = MODEL_ORTHOGRAPHIC;
-        camera->camera.fov_deg = 45; /* means nothing, but is as sound as the others' */
+        camera->camera.fov_deg = 45; /* unused, but keeps the camera valid */
         camera->height = 2 * fabsf(gltf_number(&orthographic, "ymag", 0));
     }
-    const bool is_seen = camera->kind == MODEL_PERSPECTIVE
-                             ? camera->camera.fov_deg > 0 && camera->camera.fov_deg < 180
-                             : camera->height > 0 && camera->height <= MODEL_COORDINATE_MAX;
-    return is_seen && aim(&camera->camera, node->model_from_node, mesh);
+    const bool is_valid = camera->kind == MODEL_PERSPECTIVE
+                              ? camera->camera.fov_deg > 0 && camera->camera.fov_deg < 180
+                              : camera->height > 0 && camera->height <= MODEL_COORDINATE_MAX;
+    return is_valid && set_transform(&camera->camera, node->model_from_node, mesh);
 }
 
 static uint32_t count_cameras(const struct gltf *gltf)
@@ -74,7 +74,7 @@ enum status gltf_cameras_read(struct gltf *gltf, struct model *model)
             continue;
         const struct gltf_object object = gltf_element(gltf, "cameras", node->camera);
         struct model_camera *camera = &model->cameras[model->camera_count++];
-        if (!fill(camera, &object, node, &model->object))
+        if (!read_camera(camera, &object, node, &model->object))
             return gltf_fault(&object, "field of view or position out of range");
         if (camera->kind == MODEL_PERSPECTIVE && !model->has_camera) {
             model->has_camera = true;
@@ -88,13 +88,14 @@ enum status gltf_cameras_read(struct gltf *gltf, struct model *model)
 
 static bool read_corner(const json_t *numbers, vec3s *corner)
 {
-    bool is_good = json_is_array(numbers) && json_array_size(numbers) == 3;
-    for (size_t k = 0; is_good && k < 3; k++) {
+    bool is_valid_corner = json_is_array(numbers) && json_array_size(numbers) == 3;
+    for (size_t k = 0; is_valid_corner && k < 3; k++) {
         const json_t *number = json_array_get(numbers, k);
         corner->raw[k] = (float)json_number_value(number);
-        is_good = json_is_number(number) && fabsf(corner->raw[k]) <= (float)MODEL_COORDINATE_MAX;
+        is_valid_corner =
+            json_is_number(number) && fabsf(corner->raw[k]) <= (float)MODEL_COORDINATE_MAX;
     }
-    return is_good;
+    return is_valid_corner;
 }
 
 static bool read_box(const json_t *corners, struct box *box)

@@ -1,13 +1,13 @@
-/* gltf_check.c: the indices of a glTF file, also of what its scene does not use. */
+/* gltf_check.c: validates the indices of a whole glTF file, used by the scene or not. */
 #include <string.h>
 #include "src/scene/import/gltf.h"
 
-/* Checks that the members of an object are indices of accessors. */
+/* Checks that all members of an attributes object are indices of accessors. */
 static void check_attributes(const struct gltf_object *attributes)
 {
     const char *key;
     json_t *value;
-    /* jansson iterates only over what may be changed; nothing is. */
+    /* jansson iterates over mutable objects only; the cast is safe because nothing is modified. */
     json_t *json = json_incref((json_t *)(uintptr_t)attributes->json);
     json_object_foreach(json, key, value)(void) gltf_index(attributes, key, "accessors");
     json_decref(json);
@@ -54,7 +54,7 @@ static void check_animation(const struct gltf_object *animation)
         const struct gltf_object target = gltf_member(&channel, "target");
         (void)gltf_index(&target, "node", "nodes");
         if (gltf_count(&channel, "sampler", sampler_count) >= sampler_count)
-            (void)gltf_fault(&channel, "sampler: expected one of %u", sampler_count);
+            (void)gltf_fault(&channel, "sampler: expected an index below %u", sampler_count);
     }
 }
 
@@ -74,7 +74,7 @@ static void check_light(const struct gltf_object *node)
     const struct gltf_object light = gltf_extension(node, "KHR_lights_punctual");
     const uint32_t count = gltf_length(&all, "lights");
     if (light.json && gltf_count(&light, "light", count) >= count)
-        (void)gltf_fault(&light, "light: expected one of %u", count);
+        (void)gltf_fault(&light, "light: expected an index below %u", count);
 }
 
 enum status gltf_check(struct gltf *gltf)

@@ -1,4 +1,4 @@
-/* gltf_draco.cpp: see gltf_draco.h. */
+/* gltf_draco.cpp: C wrapper of the Draco mesh decoder (KHR_draco_mesh_compression). */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wall"
 #pragma GCC diagnostic ignored "-Wextra"

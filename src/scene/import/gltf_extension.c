@@ -1,22 +1,22 @@
-/* gltf_extension.c: which extensions of glTF are read, and what of a file is not drawn. */
+/* gltf_extension.c: supported glTF extensions; warnings about features that are not drawn. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/gltf.h"
 
-/* Those that are read. */
+/* Extensions that are read; all others are ignored, or rejected if the file requires them. */
 static const struct model_extension supported[] = {
     { "EXT_mesh_gpu_instancing", MODEL_DRAWN },
     { "EXT_meshopt_compression", MODEL_DRAWN },
     { "KHR_draco_mesh_compression", MODEL_DRAWN },
-    { "KHR_lights_punctual", MODEL_APPROXIMATED }, /* without shadows, on opaque surfaces alone */
+    { "KHR_lights_punctual", MODEL_APPROXIMATED }, /* no shadows; on opaque surfaces only */
     { "KHR_materials_dispersion", MODEL_DRAWN },
     { "KHR_materials_emissive_strength", MODEL_DRAWN },
     { "KHR_materials_ior", MODEL_DRAWN },
-    { "KHR_materials_specular", MODEL_APPROXIMATED }, /* of opaque materials alone */
+    { "KHR_materials_specular", MODEL_APPROXIMATED }, /* on opaque materials only */
     { "KHR_materials_transmission", MODEL_DRAWN },
     { "KHR_materials_unlit", MODEL_DRAWN },
-    { "KHR_materials_volume", MODEL_APPROXIMATED }, /* without its texture */
+    { "KHR_materials_volume", MODEL_APPROXIMATED }, /* without thicknessTexture */
     { "KHR_mesh_quantization", MODEL_DRAWN },
     { "KHR_meshopt_compression", MODEL_DRAWN },
     { "KHR_texture_transform", MODEL_DRAWN },
@@ -25,20 +25,20 @@ static const struct model_extension supported[] = {
 static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
     [GLTF_CLEAR_ALPHA] = "alpha of transmissive materials",
     [GLTF_CLEAR_EMISSION] = "emission of transmissive materials",
-    [GLTF_CLEAR_METALLIC] = "metallic of transmissive materials",
+    [GLTF_CLEAR_METALLIC] = "metallic factor of transmissive materials",
     [GLTF_CLEAR_OCCLUSION] = "occlusion of transmissive materials",
     [GLTF_CLEAR_SPECULAR] = "specular of transmissive materials",
-    [GLTF_CLEAR_THICKNESS] = "textures of thickness",
-    [GLTF_OTHER_SET] = "textures of a third set of coordinates",
-    [GLTF_PICTURELESS] = "textures without a picture in a known format",
-    [GLTF_UNSMOOTHED] = "edges between texels (magFilter NEAREST)",
+    [GLTF_CLEAR_THICKNESS] = "thickness textures",
+    [GLTF_OTHER_SET] = "textures with a third texture coordinate set",
+    [GLTF_PICTURELESS] = "textures without an image in a supported format",
+    [GLTF_UNSMOOTHED] = "nearest filtering (magFilter NEAREST)",
     [GLTF_BARE_COLORS] = "vertex colours of a file without materials",
-    [GLTF_ANIMATION] = "animations, but the pose at rest",
+    [GLTF_ANIMATION] = "animations (the model is shown in its rest pose)",
     [GLTF_MORE_COLORS] = "vertex colours beyond COLOR_0",
-    [GLTF_MORE_JOINTS] = "joints beyond four of a vertex",
+    [GLTF_MORE_JOINTS] = "more than four joints per vertex",
     [GLTF_MORPHED_COLORS] = "colours and texture coordinates of morph targets",
     [GLTF_POINTS] = "points and lines",
-    [GLTF_MORE_SCENES] = "scenes beside the one that is shown",
+    [GLTF_MORE_SCENES] = "scenes other than the one shown",
 };
 
 const char *model_undrawn_name(uint32_t index)
@@ -46,8 +46,8 @@ const char *model_undrawn_name(uint32_t index)
     return index < GLTF_UNDRAWN_COUNT ? undrawn[index] : NULL;
 }
 
-/* Returns its row, or NULL. */
-static const struct model_extension *find(const char *name)
+/* Returns the row of a supported extension, or NULL. */
+static const struct model_extension *find_extension(const char *name)
 {
     for (size_t i = 0; i < sizeof(supported) / sizeof(supported[0]); i++) {
         if (strcmp(supported[i].name, name) == 0)
@@ -56,12 +56,12 @@ static const struct model_extension *find(const char *name)
     return NULL;
 }
 
-/* Returns a name of a list of extensions; NULL after a fault. */
+/* Returns an element of a list of extension names; NULL after a fault. */
 static const char *name_at(const struct gltf_object *top, const char *list, uint32_t index)
 {
     const json_t *name = json_array_get(json_object_get(top->json, list), index);
     if (!json_is_string(name))
-        (void)gltf_fault(top, "%s: expected names of extensions", list);
+        (void)gltf_fault(top, "%s: expected extension names", list);
     return json_string_value(name);
 }
 
@@ -72,7 +72,7 @@ enum status gltf_extensions_check(struct gltf *gltf)
     const uint32_t used_count = gltf_length(&top, "extensionsUsed");
     for (uint32_t i = 0; i < required_count && gltf->status == STATUS_OK; i++) {
         const char *name = name_at(&top, "extensionsRequired", i);
-        if (name && !find(name))
+        if (name && !find_extension(name))
             (void)gltf_fault(&top,
                              "requires the extension %.64s, which is not supported; export "
                              "the file without it",
@@ -83,11 +83,11 @@ enum status gltf_extensions_check(struct gltf *gltf)
     return gltf->status;
 }
 
-/* Lists an extension, once. */
-static void add(struct gltf *gltf, struct model *model, const char *name)
+/* Adds an extension to the model's list unless it is listed already. */
+static void add_extension(struct gltf *gltf, struct model *model, const char *name)
 {
     const struct gltf_object top = gltf_top(gltf);
-    const struct model_extension *known = find(name);
+    const struct model_extension *known = find_extension(name);
     struct model_extension added = { .support = known ? known->support : MODEL_IGNORED };
     (void)snprintf(added.name, sizeof(added.name), "%s", name);
     for (uint32_t i = 0; i < model->extension_count; i++) {
@@ -100,14 +100,14 @@ static void add(struct gltf *gltf, struct model *model, const char *name)
         (void)gltf_fault(&top, "expected at most %d extensions", MODEL_EXTENSION_MAX);
 }
 
-/* Lists what objects within a value have, whether the file declares it or not. The parser has
- * limited how deeply they nest. */
-static void add_found(struct gltf *gltf, struct model *model, json_t *json)
+/* Adds every extension that occurs within a value, including undeclared ones. The recursion is
+ * bounded, because the parser limits the nesting depth. */
+static void add_extensions_within(struct gltf *gltf, struct model *model, json_t *json)
 {
     const char *key;
     json_t *value;
     size_t i;
-    json_array_foreach(json, i, value) add_found(gltf, model, value);
+    json_array_foreach(json, i, value) add_extensions_within(gltf, model, value);
     json_object_foreach(json, key, value)
     {
         const char *name;
@@ -115,9 +115,9 @@ static void add_found(struct gltf *gltf, struct model *model, json_t *json)
         if (strcmp(key, "extras") == 0)
             continue;
         if (strcmp(key, "extensions") == 0) {
-            json_object_foreach(value, name, extension) add(gltf, model, name);
+            json_object_foreach(value, name, extension) add_extension(gltf, model, name);
         }
-        add_found(gltf, model, value);
+        add_extensions_within(gltf, model, value);
     }
 }
 
@@ -132,9 +132,9 @@ enum status gltf_extensions_read(struct gltf *gltf, struct model *model)
     for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++) {
         const char *name = name_at(&top, "extensionsUsed", i);
         if (name)
-            add(gltf, model, name);
+            add_extension(gltf, model, name);
     }
-    add_found(gltf, model, gltf->root);
+    add_extensions_within(gltf, model, gltf->root);
     return gltf->status;
 }
 
@@ -142,11 +142,11 @@ void gltf_warn(const struct gltf *gltf, const struct model *model)
 {
     for (uint32_t i = 0; i < model->extension_count; i++) {
         if (model->extensions[i].support == MODEL_IGNORED)
-            log_warning("%s: the extension %s is not supported, and ignored", gltf->path,
+            log_warning("%s: the extension %s is not supported and is ignored", gltf->path,
                         model->extensions[i].name);
     }
     if (gltf->clamped_count > 0)
-        log_warning("%s: numbers outside their ranges are clamped, of %u materials", gltf->path,
+        log_warning("%s: factors outside their ranges were clamped in %u materials", gltf->path,
                     gltf->clamped_count);
     char names[640] = "";
     size_t length = 0;

@@ -1,17 +1,17 @@
-/* gltf_file.c: the bytes of a glTF file and of the buffers that it names. */
+/* gltf_file.c: opens a glTF file: .glb chunks, JSON, buffers and data URIs. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/gltf.h"
 
 enum {
-    HEAD_SIZE = 12,     /* bytes of a .glb's head */
-    PART_HEAD_SIZE = 8, /* of each part's */
-    PART_JSON = 0x4e4f534a,
-    PART_BINARY = 0x004e4942,
+    HEADER_SIZE = 12,      /* size of a .glb header, bytes */
+    CHUNK_HEADER_SIZE = 8, /* size of a chunk header, bytes */
+    CHUNK_JSON = 0x4e4f534a,
+    CHUNK_BINARY = 0x004e4942,
 };
 
-/* Reads a whole file that may be read. */
+/* Reads a whole file, if the model may refer to it. */
 static enum status read_all(const struct gltf_object *object, const char *path,
                             struct gltf_bytes *bytes)
 {
@@ -43,7 +43,7 @@ static int base64_digit(char c)
     return found ? (int)(found - digits) : -1;
 }
 
-/* Decodes base64 with or without its padding. Returns false for other letters. */
+/* Decodes base64 with or without padding. Returns false for invalid characters or lengths. */
 static bool decode_base64(const char *text, struct gltf_bytes *bytes)
 {
     uint32_t bits = 0;
@@ -68,11 +68,11 @@ static bool decode_base64(const char *text, struct gltf_bytes *bytes)
 static enum status read_data(const struct gltf_object *object, const char *uri,
                              struct gltf_bytes *bytes)
 {
-    static const char mark[] = ";base64,";
-    const char *data = strstr(uri, mark);
+    static const char marker[] = ";base64,";
+    const char *data = strstr(uri, marker);
     if (!data)
-        return gltf_fault(object, "uri: expected data: with base64");
-    data += sizeof(mark) - 1;
+        return gltf_fault(object, "uri: expected a data: URI with base64");
+    data += sizeof(marker) - 1;
     bytes->owned = malloc(strlen(data) + 1);
     bytes->bytes = bytes->owned;
     if (!bytes->owned)
@@ -105,38 +105,39 @@ enum status gltf_read_uri(const struct gltf_object *object, const char *uri,
 
 /* ---- the file ---- */
 
-static uint32_t word_at(const uint8_t *bytes)
+static uint32_t read_u32(const uint8_t *bytes)
 {
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-/* Finds the two parts of a .glb. Parts of other kinds may follow. */
-static enum status split(const struct gltf_object *top, struct gltf_bytes *text)
+/* Finds the JSON chunk and the binary chunk of a .glb file; chunks of other types are skipped. */
+static enum status find_chunks(const struct gltf_object *top, struct gltf_bytes *text)
 {
     const uint8_t *file = text->bytes;
     size_t size = text->size;
-    if (size < HEAD_SIZE + PART_HEAD_SIZE || word_at(&file[4]) != 2)
+    if (size < HEADER_SIZE + CHUNK_HEADER_SIZE || read_u32(&file[4]) != 2)
         return gltf_fault(top, "expected binary glTF 2");
-    if (word_at(&file[8]) > size || word_at(&file[8]) < HEAD_SIZE + PART_HEAD_SIZE)
+    if (read_u32(&file[8]) > size || read_u32(&file[8]) < HEADER_SIZE + CHUNK_HEADER_SIZE)
         return gltf_fault(top, "the file is cut short: expected %u bytes, got %zu",
-                          word_at(&file[8]), size);
-    size = word_at(&file[8]);
+                          read_u32(&file[8]), size);
+    size = read_u32(&file[8]);
     text->bytes = NULL;
-    for (size_t at = HEAD_SIZE; size - at >= PART_HEAD_SIZE;) {
-        const size_t part_size = word_at(&file[at]);
-        const uint32_t kind = word_at(&file[at + 4]);
-        const uint8_t *bytes = &file[at + PART_HEAD_SIZE];
-        const bool is_first = at == HEAD_SIZE;
-        at += PART_HEAD_SIZE;
-        if (part_size > size - at)
-            return gltf_fault(top, "a part of %zu bytes is longer than the file", part_size);
-        if (is_first != (kind == PART_JSON))
-            return gltf_fault(top, "expected JSON in the first part, and nowhere else");
-        if (kind == PART_JSON)
-            *text = (struct gltf_bytes){ .bytes = bytes, .size = part_size };
-        else if (kind == PART_BINARY && !top->gltf->binary.bytes)
-            top->gltf->binary = (struct gltf_bytes){ .bytes = bytes, .size = part_size };
-        at += part_size;
+    for (size_t at = HEADER_SIZE; size - at >= CHUNK_HEADER_SIZE;) {
+        const size_t chunk_size = read_u32(&file[at]);
+        const uint32_t kind = read_u32(&file[at + 4]);
+        const uint8_t *bytes = &file[at + CHUNK_HEADER_SIZE];
+        const bool is_first = at == HEADER_SIZE;
+        at += CHUNK_HEADER_SIZE;
+        if (chunk_size > size - at)
+            return gltf_fault(top, "a chunk of %zu bytes extends beyond the end of the file",
+                              chunk_size);
+        if (is_first != (kind == CHUNK_JSON))
+            return gltf_fault(top, "expected JSON in the first chunk only");
+        if (kind == CHUNK_JSON)
+            *text = (struct gltf_bytes){ .bytes = bytes, .size = chunk_size };
+        else if (kind == CHUNK_BINARY && !top->gltf->binary.bytes)
+            top->gltf->binary = (struct gltf_bytes){ .bytes = bytes, .size = chunk_size };
+        at += chunk_size;
     }
     return STATUS_OK;
 }
@@ -157,7 +158,7 @@ static enum status parse(struct gltf *gltf, struct gltf_bytes text)
     if (!gltf->root)
         return gltf_fault(&top, "line %d, column %d: %s", error.line, error.column, error.text);
     if (!json_is_object(gltf->root))
-        return gltf_fault(&top, "expected an object of JSON");
+        return gltf_fault(&top, "expected a JSON object");
     top = gltf_top(gltf);
     const struct gltf_object asset = gltf_member(&top, "asset");
     const char *version = gltf_string(&asset, "version", "");
@@ -173,7 +174,7 @@ static enum status read_buffer(struct gltf *gltf, uint32_t index)
     const char *uri = gltf_string(&object, "uri", NULL);
     const uint64_t size = gltf_count(&object, "byteLength", 0);
     struct gltf_bytes *buffer = &gltf->buffers[index];
-    /* What has no bytes is of views that bring theirs, as compressed ones do. */
+    /* A buffer without data is allowed: meshopt views, for one, bring their own data. */
     if (gltf->status != STATUS_OK || (!uri && (index > 0 || !gltf->binary.bytes)))
         return gltf->status;
     if (!uri)
@@ -181,7 +182,7 @@ static enum status read_buffer(struct gltf *gltf, uint32_t index)
     else if (gltf_read_uri(&object, uri, buffer) != STATUS_OK)
         return gltf->status;
     if (size == 0 || buffer->size < size)
-        return gltf_fault(&object, "byteLength: expected 1 to %zu bytes, which there are, got %llu",
+        return gltf_fault(&object, "byteLength: expected 1 to %zu, the size of the data, got %llu",
                           buffer->size, (unsigned long long)size);
     buffer->size = (size_t)size;
     return gltf->status;
@@ -194,7 +195,7 @@ enum status gltf_open(struct gltf *gltf)
     enum status status = read_all(&top, gltf->path, &text);
     gltf->file = text.owned;
     if (status == STATUS_OK && text.size >= 4 && memcmp(text.bytes, "glTF", 4) == 0)
-        status = split(&top, &text);
+        status = find_chunks(&top, &text);
     if (status == STATUS_OK)
         status = parse(gltf, text);
     if (status == STATUS_OK)

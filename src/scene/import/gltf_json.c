@@ -1,4 +1,4 @@
-/* gltf_json.c: values of a glTF file's JSON, with their place in the file. */
+/* gltf_json.c: typed access to the JSON values of a glTF file, with their location for messages. */
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -34,15 +34,14 @@ struct gltf_object gltf_top(struct gltf *gltf)
     return (struct gltf_object){ .gltf = gltf, .json = gltf->root };
 }
 
-/* Returns a member; NULL if it is absent. */
 static const json_t *get(const struct gltf_object *object, const char *key)
 {
     return json_object_get(object->json, key);
 }
 
-/* Returns an object that is at a place within another one. */
-static struct gltf_object within(const struct gltf_object *outer, const json_t *json,
-                                 const char *key, uint32_t index)
+/* Wraps a JSON value that is at a key, and an index if it is not gltf_none, of `outer`. */
+static struct gltf_object wrap_object(const struct gltf_object *outer, const json_t *json,
+                                      const char *key, uint32_t index)
 {
     struct gltf_object inner = { .gltf = outer->gltf, .json = json };
     const char *dot = outer->place[0] ? "." : "";
@@ -51,7 +50,7 @@ static struct gltf_object within(const struct gltf_object *outer, const json_t *
         (void)snprintf(number, sizeof(number), "[%u]", index);
     const int length =
         snprintf(inner.place, sizeof(inner.place), "%s%s%s%s", outer->place, dot, key, number);
-    if (length >= (int)sizeof(inner.place)) /* no file nests known keys so deeply */
+    if (length >= (int)sizeof(inner.place)) /* truncates; known keys never nest so deeply */
         memcpy(&inner.place[sizeof(inner.place) - 4], "...", 4);
     if (json && !json_is_object(json)) {
         (void)gltf_fault(&inner, "expected an object");
@@ -62,18 +61,18 @@ static struct gltf_object within(const struct gltf_object *outer, const json_t *
 
 struct gltf_object gltf_member(const struct gltf_object *object, const char *key)
 {
-    return within(object, get(object, key), key, gltf_none);
+    return wrap_object(object, get(object, key), key, gltf_none);
 }
 
 struct gltf_object gltf_extension(const struct gltf_object *object, const char *name)
 {
     const struct gltf_object extensions = gltf_member(object, "extensions");
-    return within(object, get(&extensions, name), name, gltf_none);
+    return wrap_object(object, get(&extensions, name), name, gltf_none);
 }
 
 struct gltf_object gltf_item(const struct gltf_object *object, const char *key, uint32_t index)
 {
-    return within(object, json_array_get(get(object, key), index), key, index);
+    return wrap_object(object, json_array_get(get(object, key), index), key, index);
 }
 
 struct gltf_object gltf_element(struct gltf *gltf, const char *list, uint32_t index)
@@ -99,7 +98,7 @@ uint32_t gltf_list_length(struct gltf *gltf, const char *list)
     return gltf_length(&top, list);
 }
 
-/* Whether a value is a number that a float can have. */
+/* Reads a number as a float. Returns false if it is no number or not finite as a float. */
 static bool read_float(const json_t *value, float *number)
 {
     *number = (float)json_number_value(value);
@@ -126,10 +125,10 @@ bool gltf_flag(const struct gltf_object *object, const char *key)
     return json_is_true(value);
 }
 
-/* Whether a value is a whole number, which may be written as 3.0; sets it, then. */
+/* Reads a non-negative integer, which may be written as 3.0. Returns false if it is none. */
 static bool read_count(const json_t *value, uint64_t *count)
 {
-    const double max = 9007199254740992; /* 2^53: up to it, each whole number is a double */
+    const double max = 9007199254740992; /* 2^53: doubles represent all integers up to it exactly */
     const double number = json_number_value(value);
     *count = number >= 0 && number <= max ? (uint64_t)number : 0;
     return json_is_number(value) && number >= 0 && number <= max && !((double)*count < number);
@@ -143,7 +142,7 @@ uint64_t gltf_count(const struct gltf_object *object, const char *key, uint64_t 
     uint64_t count;
     if (read_count(value, &count))
         return count;
-    (void)gltf_fault(object, "%s: expected a whole number from 0", key);
+    (void)gltf_fault(object, "%s: expected a non-negative integer", key);
     return fallback;
 }
 
@@ -190,10 +189,10 @@ bool gltf_floats(const struct gltf_object *object, const char *key, float *numbe
     const json_t *list = get(object, key);
     if (!list)
         return false;
-    bool is_good = json_is_array(list) && json_array_size(list) == count;
-    for (uint32_t i = 0; is_good && i < count; i++)
-        is_good = read_float(json_array_get(list, i), &numbers[i]);
-    if (!is_good)
+    bool is_valid = json_is_array(list) && json_array_size(list) == count;
+    for (uint32_t i = 0; is_valid && i < count; i++)
+        is_valid = read_float(json_array_get(list, i), &numbers[i]);
+    if (!is_valid)
         (void)gltf_fault(object, "%s: expected %u numbers", key, count);
-    return is_good;
+    return is_valid;
 }

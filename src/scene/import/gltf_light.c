@@ -1,4 +1,4 @@
-/* gltf_light.c: the lights of a glTF file (KHR_lights_punctual). */
+/* gltf_light.c: reads the lights of a glTF file (KHR_lights_punctual). */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,12 +6,12 @@
 
 static const char extension[] = "KHR_lights_punctual";
 
-/* Returns the number of the node's light, or gltf_none; gltf_check() has seen that it is there. */
+/* Returns the light index of a node, validated by gltf_check(); gltf_none if it has no light. */
 static uint32_t light_of(struct gltf *gltf, uint32_t node)
 {
     const struct gltf_object object = gltf_element(gltf, "nodes", node);
-    const struct gltf_object own = gltf_extension(&object, extension);
-    return (uint32_t)gltf_count(&own, "light", gltf_none);
+    const struct gltf_object node_light = gltf_extension(&object, extension);
+    return (uint32_t)gltf_count(&node_light, "light", gltf_none);
 }
 
 static bool read_kind(const struct gltf_object *object, struct light *light)
@@ -25,8 +25,8 @@ static bool read_kind(const struct gltf_object *object, struct light *light)
     return false;
 }
 
-/* Lights shine along the -Z of their nodes, whose scale does not matter. */
-static void aim(struct light *light, const struct gltf_node *node)
+/* Sets position and direction: lights shine along -Z of their node, whose scale has no effect. */
+static void set_transform(struct light *light, const struct gltf_node *node)
 {
     light->position = glms_mat4_mulv3(node->model_from_node, glms_vec3_zero(), 1);
     light->direction =
@@ -54,7 +54,7 @@ static void read_light(struct gltf *gltf, const struct gltf_node *node, uint32_t
         light->inner_cone = gltf_number(&spot, "innerConeAngle", 0);
         light->outer_cone = gltf_number(&spot, "outerConeAngle", 0.78539816F);
     }
-    aim(light, node);
+    set_transform(light, node);
     if (!light_is_sound(light))
         (void)gltf_fault(&object, "colour, intensity, range, cone or position out of range");
 }

@@ -1,4 +1,5 @@
-/* gltf_material.c: the materials of a glTF file (glTF 2.0, 3.9, and KHR_materials_*). */
+/* gltf_material.c: reads the materials of a glTF file (glTF 2.0, 3.9, and KHR_materials_*) and
+ * firn's own settings in their extras. */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +31,8 @@ static void read_alpha(const struct gltf_object *object, struct gltf_material *m
     }
 }
 
-/* What light at the surface does beside its base colour. */
+/* Reads the surface properties except the metallic-roughness factors: emission, specular, normal
+ * and occlusion, unlit, double-sided. */
 static void read_surface(const struct gltf_object *object, struct gltf_material *material)
 {
     struct material *m = &material->material;
@@ -53,19 +55,19 @@ static void read_surface(const struct gltf_object *object, struct gltf_material 
     (void)gltf_floats(&specular, "specularColorFactor", m->specular_color.raw, 3);
 }
 
-/* What the extensions of transmission, volume, index and dispersion say. */
+/* Reads KHR_materials_transmission, _volume, _ior and _dispersion. */
 static void read_medium(const struct gltf_object *object, struct gltf_material *material)
 {
     struct material *m = &material->material;
-    const struct gltf_object through = gltf_extension(object, "KHR_materials_transmission");
+    const struct gltf_object transmit_ext = gltf_extension(object, "KHR_materials_transmission");
     const struct gltf_object volume = gltf_extension(object, "KHR_materials_volume");
     const struct gltf_object index = gltf_extension(object, "KHR_materials_ior");
-    const struct gltf_object spread = gltf_extension(object, "KHR_materials_dispersion");
-    m->transmission = gltf_number(&through, "transmissionFactor", 0);
+    const struct gltf_object dispersion_ext = gltf_extension(object, "KHR_materials_dispersion");
+    m->transmission = gltf_number(&transmit_ext, "transmissionFactor", 0);
     m->thickness = gltf_number(&volume, "thicknessFactor", 0);
     m->attenuation_distance = gltf_number(&volume, "attenuationDistance", 0);
     (void)gltf_floats(&volume, "attenuationColor", m->attenuation_color.raw, 3);
-    m->dispersion = gltf_number(&spread, "dispersion", 0);
+    m->dispersion = gltf_number(&dispersion_ext, "dispersion", 0);
     if (json_object_get(volume.json, "attenuationDistance") && !(m->attenuation_distance > 0))
         (void)gltf_fault(&volume, "attenuationDistance: expected a length above 0");
     material->ior = gltf_number(&index, "ior", 0);
@@ -80,7 +82,7 @@ static void read_medium(const struct gltf_object *object, struct gltf_material *
     }
 }
 
-/* The order of media that overlap: "extras": { "priority": 3 }. */
+/* Reads which medium wins where media overlap: "extras": { "priority": 3 }. */
 static void read_priority(const struct gltf_object *object, struct material *m)
 {
     const json_t *extras = json_object_get(object->json, "extras");
@@ -92,11 +94,11 @@ static void read_priority(const struct gltf_object *object, struct material *m)
         m->priority = (int32_t)value;
         m->flags |= MATERIAL_HAS_PRIORITY;
     } else {
-        (void)gltf_fault(object, "extras.priority: expected a whole number of 32 bits");
+        (void)gltf_fault(object, "extras.priority: expected a 32-bit integer");
     }
 }
 
-/* How cloudy ice is: "extras": { "cloud": 6 }, scatterings of light across the object. */
+/* Reads the optical depth of scattering across the object: "extras": { "cloud": 6 }. */
 static void read_cloud(const struct gltf_object *object, struct material *m)
 {
     const json_t *cloud = json_object_get(json_object_get(object->json, "extras"), "cloud");
@@ -110,7 +112,7 @@ static void read_cloud(const struct gltf_object *object, struct material *m)
                          (double)MATERIAL_CLOUD_MAX);
 }
 
-/* Whether a surface is that of water on something opaque: "extras": { "film": true }. */
+/* Reads whether the surface is a water layer on an opaque base: "extras": { "film": true }. */
 static void read_film(const struct gltf_object *object, struct material *m)
 {
     const json_t *film = json_object_get(json_object_get(object->json, "extras"), "film");
@@ -120,35 +122,35 @@ static void read_film(const struct gltf_object *object, struct material *m)
         (void)gltf_fault(object, "extras.film: expected true or false");
 }
 
-static bool has_picture(const struct gltf_texture *texture)
+static bool has_image(const struct gltf_texture *texture)
 {
     return texture->image != gltf_none;
 }
 
-/* Notes what only opaque surfaces show of a transmissive material. The way of light inside is
- * measured, and not that of a texture of thickness. A file that does not say metallicFactor means
- * it rarely, although its default is 1; and a texture may be 0 everywhere. */
-static void check_clear(const struct gltf_object *object, const struct gltf_material *material)
+/* Records properties of a transmissive material that are drawn on opaque surfaces only. A thickness
+ * texture is unused because path lengths inside are traced. A metallic factor counts only if it is
+ * written, because files rarely intend its default of 1, and if no texture could make it 0. */
+static void record_undrawn(const struct gltf_object *object, const struct gltf_material *material)
 {
     const struct material *m = &material->material;
     const struct gltf_texture *textures = material->textures;
     const struct gltf_object pbr = gltf_member(object, "pbrMetallicRoughness");
     const bool is_white = glms_vec3_eqv(m->specular_color, glms_vec3_one());
-    const bool has_alpha = m->alpha < 1 || has_picture(&textures[MATERIAL_BASE_COLOR]);
+    const bool has_alpha = m->alpha < 1 || has_image(&textures[MATERIAL_BASE_COLOR]);
     uint32_t bits = 0;
     if (m->flags & (MATERIAL_IS_BLENDED | MATERIAL_IS_CUTOUT) && has_alpha)
         bits |= 1u << GLTF_CLEAR_ALPHA;
     if (glms_vec3_max(m->emission) > 0)
         bits |= 1u << GLTF_CLEAR_EMISSION;
     if (m->metallic > 0 && json_object_get(pbr.json, "metallicFactor") &&
-        !has_picture(&textures[MATERIAL_METALLIC_ROUGHNESS]))
+        !has_image(&textures[MATERIAL_METALLIC_ROUGHNESS]))
         bits |= 1u << GLTF_CLEAR_METALLIC;
-    if (has_picture(&textures[MATERIAL_OCCLUSION]))
+    if (has_image(&textures[MATERIAL_OCCLUSION]))
         bits |= 1u << GLTF_CLEAR_OCCLUSION;
-    if (m->specular < 1 || !is_white || has_picture(&textures[MATERIAL_SPECULAR]) ||
-        has_picture(&textures[MATERIAL_SPECULAR_COLOR]))
+    if (m->specular < 1 || !is_white || has_image(&textures[MATERIAL_SPECULAR]) ||
+        has_image(&textures[MATERIAL_SPECULAR_COLOR]))
         bits |= 1u << GLTF_CLEAR_SPECULAR;
-    if (m->thickness > 0 && has_picture(&textures[MATERIAL_THICKNESS]))
+    if (m->thickness > 0 && has_image(&textures[MATERIAL_THICKNESS]))
         bits |= 1u << GLTF_CLEAR_THICKNESS;
     if (m->transmission > 0)
         object->gltf->undrawn |= bits;
@@ -164,7 +166,7 @@ static void read_material(struct gltf *gltf, uint32_t index)
     read_surface(&object, material);
     read_medium(&object, material);
     gltf_material_textures(&object, material);
-    check_clear(&object, material);
+    record_undrawn(&object, material);
     read_priority(&object, &material->material);
     read_cloud(&object, &material->material);
     read_film(&object, &material->material);
@@ -178,7 +180,7 @@ enum status gltf_materials_read(struct gltf *gltf)
 {
     const uint32_t count = gltf_list_length(gltf, "materials");
     const struct gltf_object top = gltf_top(gltf);
-    if (count > MESH_SURFACE_MAX - 2) /* one for primitives without any, and one for settings */
+    if (count > MESH_SURFACE_MAX - 2) /* 2: the default material and one for the settings */
         return gltf_fault(&top, "expected at most %u materials", MESH_SURFACE_MAX - 2);
     gltf->materials = calloc(count + (size_t)1, sizeof(*gltf->materials));
     if (!gltf->materials)

@@ -1,4 +1,4 @@
-/* gltf_mesh.c: the triangles of a glTF file's meshes (glTF 2.0, 3.7). */
+/* gltf_mesh.c: reads the primitives of a glTF file's meshes (glTF 2.0, 3.7), also from Draco. */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,14 +33,14 @@ void gltf_primitive_finish(struct gltf_primitive *primitive)
     *primitive = (struct gltf_primitive){ 0 };
 }
 
-/* A primitive of the file; `draco` is NULL unless it is compressed. */
+/* A primitive of the file; `draco` is NULL unless it is Draco-compressed. */
 struct source {
     struct gltf_object object, attributes, ids;
     struct gltf_draco *draco;
     uint32_t vertex_count;
 };
 
-/* Returns whether an attribute is compressed, and its numbers in *array. */
+/* Reads an attribute from a Draco-compressed primitive. Returns false if it is not compressed. */
 static bool read_draco(const struct source *source, const char *name, struct gltf_array *array)
 {
     struct gltf *gltf = source->object.gltf;
@@ -58,8 +58,8 @@ static bool read_draco(const struct source *source, const char *name, struct glt
     return true;
 }
 
-/* Returns an attribute's numbers, `width` of each vertex, or of 3 or 4 if that is 4; NULL if it is
- * absent, or after a fault. */
+/* Returns an attribute with `width` components per vertex; a width of 4 also accepts 3 and pads
+ * with 0. NULL if it is absent, or after a fault. */
 static float *read_attribute(const struct source *source, const char *name, uint32_t width)
 {
     struct gltf *gltf = source->object.gltf;
@@ -110,8 +110,8 @@ static void read_uvs(const struct source *source, struct gltf_primitive *primiti
     }
 }
 
-/* Converts a strip or a fan to triangles. `count` is that of its corners. */
-static void cut(struct gltf_primitive *primitive, enum mode mode, uint32_t count)
+/* Converts a triangle strip or fan with `count` corners to a triangle list. */
+static void cut_to_triangles(struct gltf_primitive *primitive, enum mode mode, uint32_t count)
 {
     const uint32_t triangles = count < 3 ? 0 : count - 2;
     const uint32_t *from = primitive->indices;
@@ -142,7 +142,7 @@ static void read_indices(const struct source *source, struct gltf_primitive *pri
         primitive->indices = malloc((count + (size_t)1) * sizeof(*primitive->indices));
         if (primitive->indices)
             gltf_draco_copy_indices(source->draco, primitive->indices);
-        mode = MODE_TRIANGLES; /* of strips, too */
+        mode = MODE_TRIANGLES; /* Draco decodes strips to triangles, too */
     } else if (accessor != gltf_none) {
         primitive->indices = gltf_read_indices(gltf, accessor, &count);
     } else {
@@ -152,12 +152,12 @@ static void read_indices(const struct source *source, struct gltf_primitive *pri
     }
     primitive->index_count = count - count % 3;
     if (primitive->indices && mode != MODE_TRIANGLES)
-        cut(primitive, mode, count);
+        cut_to_triangles(primitive, mode, count);
     if (!primitive->indices)
         (void)gltf_no_memory(gltf);
 }
 
-/* Opens a compressed primitive. */
+/* Decodes the Draco data of a primitive, if it has any. */
 static void open_draco(struct source *source)
 {
     struct gltf *gltf = source->object.gltf;
@@ -176,7 +176,7 @@ static void open_draco(struct source *source)
     source->ids = gltf_member(&draco, "attributes");
     source->draco = gltf_draco_new(bytes.bytes, bytes.size);
     if (!source->draco)
-        (void)gltf_fault(&draco, "the compressed bytes are damaged");
+        (void)gltf_fault(&draco, "the compressed data is damaged");
     else if (gltf_draco_vertex_count(source->draco) != source->vertex_count)
         (void)gltf_fault(&draco, "expected %u vertices, got %u", source->vertex_count,
                          gltf_draco_vertex_count(source->draco));
@@ -184,7 +184,7 @@ static void open_draco(struct source *source)
 
 static void read_targets(const struct source *source, struct gltf_primitive *primitive)
 {
-    static const char *const more[] = { "COLOR_0", "TEXCOORD_0", "TEXCOORD_1" };
+    static const char *const ignored[] = { "COLOR_0", "TEXCOORD_0", "TEXCOORD_1" };
     const uint32_t count = gltf_length(&source->object, "targets");
     primitive->targets = calloc(count + (size_t)1, sizeof(*primitive->targets));
     if (!primitive->targets) {
@@ -198,8 +198,8 @@ static void read_targets(const struct source *source, struct gltf_primitive *pri
             .attributes = gltf_item(&source->object, "targets", i),
             .vertex_count = source->vertex_count,
         };
-        for (size_t k = 0; k < sizeof(more) / sizeof(more[0]); k++) {
-            if (json_object_get(target.attributes.json, more[k]))
+        for (size_t k = 0; k < sizeof(ignored) / sizeof(ignored[0]); k++) {
+            if (json_object_get(target.attributes.json, ignored[k]))
                 source->object.gltf->undrawn |= 1u << GLTF_MORPHED_COLORS;
         }
         primitive->targets[i].positions = read_attribute(&target, "POSITION", 3);
@@ -212,7 +212,7 @@ static void read_joints(const struct source *source, struct gltf_primitive *prim
     primitive->joints = read_attribute(source, "JOINTS_0", 4);
     primitive->weights = read_attribute(source, "WEIGHTS_0", 4);
     if (!primitive->joints != !primitive->weights)
-        (void)gltf_fault(&source->attributes, "expected JOINTS_0 and WEIGHTS_0, or none of them");
+        (void)gltf_fault(&source->attributes, "expected both JOINTS_0 and WEIGHTS_0, or neither");
     if (json_object_get(source->attributes.json, "COLOR_1"))
         source->object.gltf->undrawn |= 1u << GLTF_MORE_COLORS;
     if (json_object_get(source->attributes.json, "JOINTS_1"))

@@ -1,4 +1,4 @@
-/* gltf_node.c: the nodes of a glTF file's scene, and where they are. */
+/* gltf_node.c: reads the node hierarchy of a glTF file's scene and computes world transforms. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -9,12 +9,12 @@ static mat4s local_matrix(const struct gltf_node *node)
 {
     if (node->has_matrix)
         return node->matrix;
-    const mat4s turned =
+    const mat4s rotated =
         glms_mat4_mul(glms_translate_make(node->translation), glms_quat_mat4(node->rotation));
-    return glms_scale(turned, node->scale);
+    return glms_scale(rotated, node->scale);
 }
 
-/* Returns an attribute of instances, `width` numbers of each; NULL if it is absent or wrong. */
+/* Returns an instance attribute with `width` components per instance; NULL if absent or invalid. */
 static float *read_instances(const struct gltf_object *attributes, const char *name, uint32_t width,
                              uint32_t *count)
 {
@@ -26,20 +26,21 @@ static float *read_instances(const struct gltf_object *attributes, const char *n
         *count = array.count;
         return array.values;
     }
-    (void)gltf_fault(attributes, "%s: expected as many elements as the others, of %u numbers", name,
+    (void)gltf_fault(attributes,
+                     "%s: expected as many elements as the other attributes, of %u numbers", name,
                      width);
     free(array.values);
     return NULL;
 }
 
-/* EXT_mesh_gpu_instancing: the node's mesh is drawn once for each element. */
+/* Reads EXT_mesh_gpu_instancing: the node's mesh is drawn once per element of its attributes. */
 static void read_instancing(const struct gltf_object *object, struct gltf_node *node)
 {
     const struct gltf_object instancing = gltf_extension(object, "EXT_mesh_gpu_instancing");
     const struct gltf_object attributes = gltf_member(&instancing, "attributes");
     uint32_t count = 0;
-    float *moves = read_instances(&attributes, "TRANSLATION", 3, &count);
-    float *turns = read_instances(&attributes, "ROTATION", 4, &count);
+    float *translations = read_instances(&attributes, "TRANSLATION", 3, &count);
+    float *rotations = read_instances(&attributes, "ROTATION", 4, &count);
     float *scales = read_instances(&attributes, "SCALE", 3, &count);
     if (count > 0)
         node->instances = calloc(count, sizeof(*node->instances));
@@ -47,22 +48,22 @@ static void read_instancing(const struct gltf_object *object, struct gltf_node *
         (void)gltf_no_memory(object->gltf);
     for (size_t i = 0; node->instances && i < count; i++) {
         struct gltf_node instance = { .scale = glms_vec3_one(), .rotation = glms_quat_identity() };
-        if (moves)
-            memcpy(&instance.translation, &moves[3 * i], sizeof(instance.translation));
-        if (turns)
-            memcpy(&instance.rotation, &turns[4 * i], sizeof(instance.rotation));
+        if (translations)
+            memcpy(&instance.translation, &translations[3 * i], sizeof(instance.translation));
+        if (rotations)
+            memcpy(&instance.rotation, &rotations[4 * i], sizeof(instance.rotation));
         if (scales)
             memcpy(&instance.scale, &scales[3 * i], sizeof(instance.scale));
         instance.rotation = glms_quat_normalize(instance.rotation);
         node->instances[i] = local_matrix(&instance);
     }
     node->instance_count = node->instances ? count : 0;
-    free(moves);
-    free(turns);
+    free(translations);
+    free(rotations);
     free(scales);
 }
 
-/* Reads the weights of a node's morph targets; those of its mesh are the default. */
+/* Reads the morph target weights of a node, which default to the weights of its mesh. */
 static void read_weights(const struct gltf_object *object, struct gltf_node *node)
 {
     struct gltf *gltf = object->gltf;
@@ -108,15 +109,15 @@ static void read_node(struct gltf *gltf, uint32_t index)
     read_weights(&object, node);
 }
 
-/* Appends a node to the scene's order. */
-static void list(struct gltf *gltf, const struct gltf_object *owner, uint32_t index,
-                 uint32_t parent)
+/* Appends a node to the traversal order of the scene. */
+static void list_node(struct gltf *gltf, const struct gltf_object *owner, uint32_t index,
+                      uint32_t parent)
 {
     if (index == gltf_none)
         return;
     struct gltf_node *node = &gltf->nodes[index];
     if (node->is_listed) {
-        (void)gltf_fault(owner, "nodes[%u] is in the scene twice", index);
+        (void)gltf_fault(owner, "nodes[%u] occurs twice in the scene", index);
         return;
     }
     node->is_listed = true;
@@ -124,7 +125,7 @@ static void list(struct gltf *gltf, const struct gltf_object *owner, uint32_t in
     gltf->order[gltf->order_count++] = index;
 }
 
-/* Lists the roots of the scene; without any scene, the nodes that have no parents. */
+/* Lists the root nodes of the scene; if the file has no scene, all nodes without a parent. */
 static void list_roots(struct gltf *gltf)
 {
     const struct gltf_object top = gltf_top(gltf);
@@ -137,7 +138,7 @@ static void list_roots(struct gltf *gltf)
         const struct gltf_object object = gltf_element(gltf, "scenes", scene);
         const uint32_t count = gltf_length(&object, "nodes");
         for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++)
-            list(gltf, &object, gltf_index_at(&object, "nodes", i, "nodes"), gltf_none);
+            list_node(gltf, &object, gltf_index_at(&object, "nodes", i, "nodes"), gltf_none);
         return;
     }
     bool *is_child = calloc(gltf->node_count + (size_t)1, sizeof(*is_child));
@@ -155,11 +156,11 @@ static void list_roots(struct gltf *gltf)
         }
     }
     for (uint32_t i = 0; i < gltf->node_count && gltf->status == STATUS_OK; i++)
-        list(gltf, &top, is_child[i] ? gltf_none : i, gltf_none);
+        list_node(gltf, &top, is_child[i] ? gltf_none : i, gltf_none);
     free(is_child);
 }
 
-/* Lists nodes level by level, without recursion, because a file may nest them deeply. */
+/* Lists nodes breadth first rather than recursively, because a file may nest them deeply. */
 static void list_nodes(struct gltf *gltf)
 {
     list_roots(gltf);
@@ -167,11 +168,11 @@ static void list_nodes(struct gltf *gltf)
         const struct gltf_object object = gltf_element(gltf, "nodes", gltf->order[i]);
         const uint32_t count = gltf_length(&object, "children");
         for (uint32_t k = 0; k < count && gltf->status == STATUS_OK; k++)
-            list(gltf, &object, gltf_index_at(&object, "children", k, "nodes"), i);
+            list_node(gltf, &object, gltf_index_at(&object, "children", k, "nodes"), i);
     }
 }
 
-static void place_nodes(struct gltf *gltf)
+static void compute_transforms(struct gltf *gltf)
 {
     for (uint32_t i = 0; i < gltf->order_count && gltf->status == STATUS_OK; i++) {
         struct gltf_node *node = &gltf->nodes[gltf->order[i]];
@@ -200,6 +201,6 @@ enum status gltf_nodes_read(struct gltf *gltf)
         gltf->undrawn |= 1u << GLTF_ANIMATION;
     if (gltf->status == STATUS_OK)
         list_nodes(gltf);
-    place_nodes(gltf);
+    compute_transforms(gltf);
     return gltf->status;
 }

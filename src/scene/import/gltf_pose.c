@@ -1,10 +1,11 @@
-/* gltf_pose.c: morph targets and skins of a glTF file's meshes (glTF 2.0, 3.7.2.2 and 3.7.3). */
+/* gltf_pose.c: deforms the meshes of a glTF file by morph targets and skins (glTF 2.0, 3.7.2.2 and
+ * 3.7.3): linear blend skinning on the CPU. */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/gltf.h"
 
-static float *copy(struct gltf *gltf, const float *numbers, uint32_t vertex_count)
+static float *copy_vectors(struct gltf *gltf, const float *numbers, uint32_t vertex_count)
 {
     const size_t size = sizeof(*numbers) * 3 * vertex_count;
     float *copied = numbers ? malloc(size) : NULL;
@@ -15,13 +16,13 @@ static float *copy(struct gltf *gltf, const float *numbers, uint32_t vertex_coun
     return copied;
 }
 
-static void add(float *to, const float *deltas, float weight, uint32_t vertex_count)
+static void add_deltas(float *to, const float *deltas, float weight, uint32_t vertex_count)
 {
     for (size_t i = 0; to && deltas && i < 3 * (size_t)vertex_count; i++)
         to[i] += weight * deltas[i];
 }
 
-/* Returns the matrices model_from_mesh of the skin's joints, which the caller frees. */
+/* Returns the skin's matrices, joint times inverse bind matrix; the caller frees the array. */
 static mat4s *read_joints(struct gltf *gltf, uint32_t skin, uint32_t *count)
 {
     const struct gltf_object object = gltf_element(gltf, "skins", skin);
@@ -35,7 +36,7 @@ static mat4s *read_joints(struct gltf *gltf, uint32_t skin, uint32_t *count)
     }
     if (inverse != gltf_none && gltf_read_floats(gltf, inverse, &matrices) &&
         (matrices.width != 16 || matrices.count < *count))
-        (void)gltf_fault(&object, "inverseBindMatrices: expected %u of 16 numbers", *count);
+        (void)gltf_fault(&object, "inverseBindMatrices: expected %u 4x4 matrices", *count);
     for (uint32_t i = 0; i < *count && gltf->status == STATUS_OK; i++) {
         const uint32_t node = gltf_index_at(&object, "joints", i, "nodes");
         mat4s joint_from_mesh = glms_mat4_identity();
@@ -49,7 +50,7 @@ static mat4s *read_joints(struct gltf *gltf, uint32_t skin, uint32_t *count)
     return joints;
 }
 
-/* Returns the transform of one vertex: the mean of its joints'. */
+/* Returns the skinning matrix of a vertex: the weighted sum of its joints' matrices. */
 static mat4s blend(const mat4s *joints, const float *indices, const float *weights)
 {
     mat4s sum = glms_mat4_zero();
@@ -61,14 +62,14 @@ static mat4s blend(const mat4s *joints, const float *indices, const float *weigh
     return sum;
 }
 
-static void bend(struct gltf *gltf, const struct gltf_object *place, uint32_t skin,
-                 const struct gltf_primitive *primitive, struct gltf_primitive *posed)
+static void apply_skin(struct gltf *gltf, const struct gltf_object *mesh_object, uint32_t skin,
+                       const struct gltf_primitive *primitive, struct gltf_primitive *posed)
 {
     uint32_t joint_count;
     mat4s *joints = read_joints(gltf, skin, &joint_count);
     for (size_t i = 0; i < 4 * (size_t)primitive->vertex_count; i++) {
         if (!(primitive->joints[i] >= 0 && primitive->joints[i] < (float)joint_count))
-            (void)gltf_fault(place, "JOINTS_0: the skin has only %u joints", joint_count);
+            (void)gltf_fault(mesh_object, "JOINTS_0: the skin has only %u joints", joint_count);
     }
     for (size_t i = 0; i < primitive->vertex_count && gltf->status == STATUS_OK; i++) {
         const mat4s m = blend(joints, &primitive->joints[4 * i], &primitive->weights[4 * i]);
@@ -93,18 +94,18 @@ bool gltf_is_posed(const struct gltf_node *node, const struct gltf_primitive *pr
 enum status gltf_pose(struct gltf *gltf, const struct gltf_node *node,
                       const struct gltf_primitive *primitive, struct gltf_primitive *posed)
 {
-    const struct gltf_object place = gltf_element(gltf, "meshes", node->mesh);
+    const struct gltf_object mesh_object = gltf_element(gltf, "meshes", node->mesh);
     *posed = (struct gltf_primitive){
-        .positions = copy(gltf, primitive->positions, primitive->vertex_count),
-        .normals = copy(gltf, primitive->normals, primitive->vertex_count),
+        .positions = copy_vectors(gltf, primitive->positions, primitive->vertex_count),
+        .normals = copy_vectors(gltf, primitive->normals, primitive->vertex_count),
     };
     for (uint32_t i = 0; i < primitive->target_count && gltf->status == STATUS_OK; i++) {
         const float weight = i < node->weight_count ? node->weights[i] : 0;
         const struct gltf_target *target = &primitive->targets[i];
-        add(posed->positions, target->positions, weight, primitive->vertex_count);
-        add(posed->normals, target->normals, weight, primitive->vertex_count);
+        add_deltas(posed->positions, target->positions, weight, primitive->vertex_count);
+        add_deltas(posed->normals, target->normals, weight, primitive->vertex_count);
     }
     if (node->skin != gltf_none && primitive->joints && gltf->status == STATUS_OK)
-        bend(gltf, &place, node->skin, primitive, posed);
+        apply_skin(gltf, &mesh_object, node->skin, primitive, posed);
     return gltf->status;
 }

@@ -1,11 +1,10 @@
-/* gltf_sampler.c: how the materials of a glTF file use textures. */
+/* gltf_sampler.c: reads texture references of glTF materials: samplers, UV sets, transforms. */
 #include <math.h>
 #include "src/scene/import/gltf.h"
 
-/* Where a material names a texture: a member of itself, of its pbrMetallicRoughness or of one of
- * its extensions. */
+/* JSON location of a texture reference: in a material, its pbrMetallicRoughness or an extension. */
 struct slot {
-    const char *group; /* "": the material itself */
+    const char *group; /* "" for the material itself */
     const char *key;
 };
 
@@ -21,7 +20,7 @@ static const struct slot slots[MATERIAL_TEXTURE_COUNT] = {
     [MATERIAL_SPECULAR_COLOR] = { "KHR_materials_specular", "specularColorTexture" },
 };
 
-/* KHR_texture_transform: (u, v) scaled, then turned, then moved. */
+/* Reads KHR_texture_transform as an affine transform: scale, then rotate, then translate. */
 static void read_transform(const struct gltf_object *info, struct gltf_texture *texture)
 {
     const struct gltf_object transform = gltf_extension(info, "KHR_texture_transform");
@@ -53,7 +52,7 @@ static uint32_t read_wrap(const struct gltf_object *sampler, const char *key)
     return MATERIAL_REPEAT;
 }
 
-/* How a texture repeats. All are smoothed where they are magnified. */
+/* Reads the wrap modes of a sampler. Magnification is always linear, so NEAREST is recorded. */
 static void read_sampler(const struct gltf_object *sampler, struct gltf_texture *texture)
 {
     const uint64_t nearest = 9728;
@@ -78,18 +77,17 @@ static void read_texture(const struct gltf_object *info, struct gltf_texture *te
     const uint32_t sampler = gltf_index(&object, "sampler", "samplers");
     texture->image = gltf_index(&object, "source", "images");
     if (sampler != gltf_none) {
-        const struct gltf_object how = gltf_element(gltf, "samplers", sampler);
-        read_sampler(&how, texture);
+        const struct gltf_object sampler_object = gltf_element(gltf, "samplers", sampler);
+        read_sampler(&sampler_object, texture);
     }
     if (texture->image == gltf_none)
         gltf->undrawn |= 1u << GLTF_PICTURELESS;
     read_transform(info, texture);
 }
 
-/* Uses the second coordinates of the vertices, which are those of one set. Returns false if they
- * are of another. */
-static bool use_other(struct gltf_material *material, const struct gltf_texture *texture,
-                      struct material_texture *out)
+/* Uses the vertices' second texture coordinates. Returns false if they hold another set already. */
+static bool use_second_uv_set(struct gltf_material *material, const struct gltf_texture *texture,
+                              struct material_texture *out)
 {
     if (material->other_uv_set == gltf_none)
         material->other_uv_set = texture->uv_set;
@@ -99,15 +97,15 @@ static bool use_other(struct gltf_material *material, const struct gltf_texture 
     return material->other_uv_set == texture->uv_set;
 }
 
-/* Sets how coordinates of the vertices become those of a texture. Returns false if they cannot,
- * since the two that a vertex has are of other sets, or all the same. */
-static bool relate(struct gltf_material *material, const struct gltf_texture *texture,
-                   struct material_texture *out)
+/* Computes the transform from the vertices' coordinates to a texture's. Returns false if the
+ * vertices' two coordinate sets are both taken by other sets. */
+static bool compute_transform(struct gltf_material *material, const struct gltf_texture *texture,
+                              struct material_texture *out)
 {
     const vec3s *from = material->uv_rows;
     const float det = from[0].x * from[1].y - from[0].y * from[1].x;
     if (texture->uv_set != material->uv_set || !(fabsf(det) > 1e-12F))
-        return use_other(material, texture, out);
+        return use_second_uv_set(material, texture, out);
     vec3s *to[2] = { &out->u_row, &out->v_row };
     for (int i = 0; i < 2; i++) {
         const vec3s row = texture->rows[i];
@@ -120,7 +118,7 @@ static bool relate(struct gltf_material *material, const struct gltf_texture *te
 
 void gltf_material_textures(const struct gltf_object *object, struct gltf_material *material)
 {
-    static const vec3s same[2] = { { { 1, 0, 0 } }, { { 0, 1, 0 } } };
+    static const vec3s identity[2] = { { { 1, 0, 0 } }, { { 0, 1, 0 } } };
     struct gltf *gltf = object->gltf;
     material->uv_set = gltf_none;
     material->other_uv_set = gltf_none;
@@ -139,11 +137,11 @@ void gltf_material_textures(const struct gltf_object *object, struct gltf_materi
         if (material->uv_set == gltf_none) {
             material->uv_set = texture->uv_set;
             for (int k = 0; k < 2; k++)
-                material->uv_rows[k] = i == MATERIAL_BASE_COLOR ? texture->rows[k] : same[k];
+                material->uv_rows[k] = i == MATERIAL_BASE_COLOR ? texture->rows[k] : identity[k];
         }
         out->wrap_u = texture->wrap_u;
         out->wrap_v = texture->wrap_v;
-        if (i != MATERIAL_BASE_COLOR && !relate(material, texture, out)) {
+        if (i != MATERIAL_BASE_COLOR && !compute_transform(material, texture, out)) {
             gltf->undrawn |= 1u << GLTF_OTHER_SET;
             texture->image = gltf_none;
         }

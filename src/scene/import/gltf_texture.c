@@ -1,24 +1,24 @@
-/* gltf_texture.c: the pictures of a glTF file's materials. */
+/* gltf_texture.c: loads the images of a glTF file's materials into texture layers. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/gltf.h"
 
-/* What is kept of a picture until all are loaded. */
+/* Data of an image that must outlive model_picture_load(). */
 struct source {
     char name[GLTF_PLACE_SIZE];
     uint8_t *owned;
     uint32_t image;
 };
 
-/* Those of colours, or of numbers. */
+/* Images of one texture array: sRGB colours or linear numbers. */
 struct sources {
     struct source *list;
     struct model_picture *pictures;
     uint32_t count;
 };
 
-/* Finds a file of the model's folder. */
+/* Resolves the URI of an image to a file in the model's folder. */
 static enum status find_file(const struct gltf_object *image, const char *uri,
                              struct model_picture *picture)
 {
@@ -64,8 +64,8 @@ static enum status add(struct gltf *gltf, struct sources *sources, uint32_t inde
     return gltf->status;
 }
 
-/* Takes the last picture back if it has a format that cannot be read; returns whether it has. */
-static bool is_left_out(struct gltf *gltf, struct sources *sources)
+/* Removes the last image if its format is not supported. Returns true if it does. */
+static bool drop_unsupported(struct gltf *gltf, struct sources *sources)
 {
     const uint32_t last = sources->count - 1;
     if (!model_picture_unread(&sources->pictures[last]))
@@ -77,7 +77,7 @@ static bool is_left_out(struct gltf *gltf, struct sources *sources)
     return true;
 }
 
-/* Returns the layer of an image, + 1; 0 after a fault, or if it is left out. */
+/* Returns the layer of an image + 1; 0 after a fault or if its format is not supported. */
 static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t image)
 {
     uint32_t layer = 0;
@@ -89,14 +89,14 @@ static uint32_t find_layer(struct gltf *gltf, struct sources *sources, uint32_t 
         return 0;
     }
     if (layer == sources->count &&
-        (add(gltf, sources, image) != STATUS_OK || is_left_out(gltf, sources)))
+        (add(gltf, sources, image) != STATUS_OK || drop_unsupported(gltf, sources)))
         return 0;
     return layer + 1;
 }
 
-/* Sets the layers of a material, of one kind of textures. */
-static void use(struct gltf *gltf, struct sources *sources, bool are_numbers,
-                struct gltf_material *material)
+/* Assigns layers to the colour textures or the linear textures of a material. */
+static void assign_layers(struct gltf *gltf, struct sources *sources, bool are_numbers,
+                          struct gltf_material *material)
 {
     for (uint32_t i = 0; i < MATERIAL_TEXTURE_COUNT && gltf->status == STATUS_OK; i++) {
         const uint32_t image = material->textures[i].image;
@@ -109,8 +109,8 @@ static void use(struct gltf *gltf, struct sources *sources, bool are_numbers,
     }
 }
 
-/* Reads the pictures of one kind, of materials whose primitives have texture coordinates. */
-static enum status read_kind(struct gltf *gltf, bool are_numbers, struct texture_layers *layers)
+/* Loads the colour or linear textures of materials whose primitives have texture coordinates. */
+static enum status read_images(struct gltf *gltf, bool are_numbers, struct texture_layers *layers)
 {
     struct sources sources = {
         .list = calloc(MODEL_TEXTURE_MAX, sizeof(*sources.list)),
@@ -126,7 +126,7 @@ static enum status read_kind(struct gltf *gltf, bool are_numbers, struct texture
             const struct gltf_primitive *primitive = &gltf->meshes[i].primitives[k];
             struct gltf_material *material = &gltf->materials[primitive->material];
             if (primitive->uvs && primitive->index_count > 0)
-                use(gltf, &sources, are_numbers, material);
+                assign_layers(gltf, &sources, are_numbers, material);
         }
     }
     if (gltf->status == STATUS_OK)
@@ -143,6 +143,6 @@ static enum status read_kind(struct gltf *gltf, bool are_numbers, struct texture
 
 enum status gltf_textures_read(struct gltf *gltf, struct model *model)
 {
-    const enum status status = read_kind(gltf, false, &model->textures);
-    return status == STATUS_OK ? read_kind(gltf, true, &model->numbers) : status;
+    const enum status status = read_images(gltf, false, &model->textures);
+    return status == STATUS_OK ? read_images(gltf, true, &model->numbers) : status;
 }

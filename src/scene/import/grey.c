@@ -1,4 +1,4 @@
-/* grey.c: the greys of a picture, as a square. */
+/* grey.c: loads an image file as a square greyscale map, with box-filtered resampling. */
 #include "src/scene/import/grey.h"
 #include <math.h>
 #include <stdlib.h>
@@ -7,16 +7,16 @@
 #include "src/image/srgb.h"
 #include "src/reader/picture_reader.h"
 
-/* The largest number of a half float: sums and slopes of such greys stay finite. */
+/* The largest half float; sums and differences of values up to it stay finite. */
 #define GREY_MAX 65504.0f
 
-/* A picture's greys, of its own size. */
+/* Greyscale image at its original size. */
 struct grey_picture {
     float *texels;
     uint32_t width, height;
 };
 
-/* Returns the planes of the colours, or three times the only one; false: there are none. */
+/* Finds the planes R, G and B, or uses the only plane for all. Returns false if there are none. */
 static bool find_planes(const struct image *image, const float *planes[static 3])
 {
     static const char *const colors[] = { "R", "G", "B" };
@@ -30,7 +30,8 @@ static bool find_planes(const struct image *image, const float *planes[static 3]
     return planes[0] && planes[1] && planes[2];
 }
 
-static enum status mix(struct grey_picture *grey, const struct image *image, const char *path)
+static enum status convert_to_grey(struct grey_picture *grey, const struct image *image,
+                                   const char *path)
 {
     const size_t length = strlen(path), count = (size_t)image->width * image->height;
     const bool is_png = length > 4 && !strcmp(path + length - 4, ".png");
@@ -46,7 +47,7 @@ static enum status mix(struct grey_picture *grey, const struct image *image, con
     for (size_t i = 0; i < count; i++) {
         const float mean = (planes[0][i] + planes[1][i] + planes[2][i]) / 3.0f;
         grey->texels[i] = is_png ? srgb_encode(mean) : mean;
-        is_in_range &= fabsf(mean) <= GREY_MAX; /* NaN is not */
+        is_in_range &= fabsf(mean) <= GREY_MAX; /* false for NaN, too */
     }
     if (is_in_range)
         return STATUS_OK;
@@ -54,26 +55,27 @@ static enum status mix(struct grey_picture *grey, const struct image *image, con
     return STATUS_DATA;
 }
 
-/* Returns the texel, or the one that continues the picture beyond its edge. */
-static float at(const struct grey_picture *p, int64_t x, int64_t y)
+/* Returns a texel with repeat wrapping. */
+static float texel_at(const struct grey_picture *p, int64_t x, int64_t y)
 {
     const int64_t width = p->width, height = p->height;
     const int64_t row = (y % height + height) % height;
     return p->texels[row * width + (x % width + width) % width];
 }
 
-/* Returns the value at a place from 0 to 1, linear between four texels. */
-static float between(const struct grey_picture *p, float u, float v)
+/* Samples at (u, v), 0 to 1, with bilinear interpolation. */
+static float sample_bilinear(const struct grey_picture *p, float u, float v)
 {
     const float x = u * (float)p->width - 0.5f, y = v * (float)p->height - 0.5f;
     const int64_t left = (int64_t)floorf(x), top = (int64_t)floorf(y);
-    const float right = x - (float)left, low = y - (float)top;
-    const float upper = at(p, left, top) * (1 - right) + at(p, left + 1, top) * right;
-    const float lower = at(p, left, top + 1) * (1 - right) + at(p, left + 1, top + 1) * right;
-    return upper * (1 - low) + lower * low;
+    const float right = x - (float)left, down = y - (float)top;
+    const float upper = texel_at(p, left, top) * (1 - right) + texel_at(p, left + 1, top) * right;
+    const float lower =
+        texel_at(p, left, top + 1) * (1 - right) + texel_at(p, left + 1, top + 1) * right;
+    return upper * (1 - down) + lower * down;
 }
 
-/* Means of as many places as a texel of the square has texels of the picture across. */
+/* Resamples to side x side texels by supersampling about as densely as the source texels are. */
 static void resample(const struct grey_picture *p, float *greys, uint32_t side, bool is_share)
 {
     const uint32_t longest = p->width > p->height ? p->width : p->height;
@@ -84,7 +86,7 @@ static void resample(const struct grey_picture *p, float *greys, uint32_t side, 
         for (uint32_t tap = 0; tap < taps * taps; tap++) {
             const uint32_t x = i % side * taps + tap % taps;
             const uint32_t y = i / side * taps + tap / taps;
-            sum += (double)between(p, ((float)x + 0.5f) * step, ((float)y + 0.5f) * step);
+            sum += (double)sample_bilinear(p, ((float)x + 0.5f) * step, ((float)y + 0.5f) * step);
         }
         const float mean = (float)(sum / (taps * taps));
         greys[i] = is_share ? fminf(fmaxf(mean, 0), 1) : mean;
@@ -99,12 +101,12 @@ enum status grey_read(float **greys, uint32_t side, bool is_share, const char *p
     struct grey_picture picture = { 0 };
     *greys = NULL;
     if (!picture_is_named(path)) {
-        log_error("%s: unknown picture format; expected .exr, .hdr or .png", path);
+        log_error("%s: unknown image format; expected .exr, .hdr or .png", path);
         return STATUS_DATA;
     }
     enum status status = picture_read(&image, path, params ? params : &usual);
     if (status == STATUS_OK)
-        status = mix(&picture, &image, path);
+        status = convert_to_grey(&picture, &image, path);
     image_finish(&image);
     if (status == STATUS_OK) {
         *greys = malloc((size_t)side * side * sizeof(**greys));

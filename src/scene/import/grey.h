@@ -1,4 +1,4 @@
-/* grey.h: the greys of a picture, as a square. */
+/* grey.h: loads an image file as a square greyscale map. */
 #ifndef FIRN_SCENE_IMPORT_GREY_H
 #define FIRN_SCENE_IMPORT_GREY_H
 
@@ -6,11 +6,11 @@
 #include "src/reader/reader.h"
 
 /*
- * Reads an .exr, .hdr or .png in a reader process (reader.h, with its errors), and resamples the
- * mean of its red, green and blue, or its only channel, to `side` x `side` texels, the top row
- * first; edges continue on the other side. Greys of .png files are as they are stored, 0 to 1;
- * others are limited to 0 to 1 if `is_share`. The caller frees *greys. A picture without such
- * channels, or with numbers beyond -65504 to 65504, is STATUS_DATA.
+ * Reads an .exr, .hdr or .png file in a reader process (reader.h, with its errors) and resamples
+ * the mean of red, green and blue, or the only channel, to `side` x `side` texels, top row first,
+ * with repeat wrapping. Values of .png files are as stored, 0 to 1, without sRGB decoding; others
+ * are clamped to 0 to 1 if `is_share`. The caller frees *greys. An image without such channels, or
+ * with values beyond -65504 to 65504, is STATUS_DATA.
  */
 MUST_USE enum status grey_read(float **greys, uint32_t side, bool is_share, const char *path,
                                const struct reader_params *params);

@@ -1,4 +1,4 @@
-/* mesh_pipe.c: the format is a head with all counts, the arrays in its order, a final word. */
+/* mesh_pipe.c: serialised models and environments: a header with counts, arrays, an end marker. */
 #include "src/scene/import/mesh_pipe.h"
 #include <cglm/struct.h>
 #include <float.h>
@@ -17,9 +17,9 @@ enum {
     HAS_OBJECT_EXTRAS = 8,
     HAS_SURROUNDINGS_EXTRAS = 16,
     HEAD_FLAGS = 31,
-    TEXEL_SIZE = 4,             /* bytes of a texture's texel */
-    ENVIRONMENT_TEXEL_SIZE = 8, /* bytes of four halfs */
-    HALF_MAX = 0x7bff,          /* bits of the largest finite half; negative ones have more */
+    TEXEL_SIZE = 4,             /* size of an RGBA8 texel, bytes */
+    ENVIRONMENT_TEXEL_SIZE = 8, /* size of an RGBA16F texel, bytes */
+    HALF_MAX = 0x7bff,          /* bits of the largest finite half; negative halfs are larger */
     HALF_ONE = 0x3c00,
 };
 
@@ -28,7 +28,7 @@ struct mesh_counts {
 };
 
 struct texture_counts {
-    uint32_t size, count; /* texels a side; layers */
+    uint32_t size, count; /* side length in texels; number of layers */
 };
 
 struct model_head {
@@ -141,28 +141,28 @@ bool mesh_pipe_write_environment(const struct pipe_sink *sink,
 
 /* ---- read ---- */
 
-static bool is_within(vec3s v, float max)
+static bool is_bounded(vec3s v, float max)
 {
-    /* Comparisons with NaN are false. */
+    /* Comparisons with NaN are false, so NaN is rejected too. */
     return fabsf(v.x) <= max && fabsf(v.y) <= max && fabsf(v.z) <= max;
 }
 
-static bool is_from(float value, float min, float max)
+static bool is_in_range(float value, float min, float max)
 {
     return value >= min && value <= max;
 }
 
-/* The light that a surface reflects or, if it is unlit, emits: passes rely on these limits. */
+/* Returns true if a colour is within the limits of a reflectance or, if unlit, of a radiance. */
 static bool is_color(vec3s c, bool is_unlit)
 {
-    return c.x >= 0 && c.y >= 0 && c.z >= 0 && is_within(c, is_unlit ? MODEL_RADIANCE_MAX : 1);
+    return c.x >= 0 && c.y >= 0 && c.z >= 0 && is_bounded(c, is_unlit ? MODEL_RADIANCE_MAX : 1);
 }
 
 static enum pipe_fault check_vertex(const struct mesh_vertex *vertex, const struct model_head *head)
 {
     const uint32_t known =
         MESH_TEXTURE_MASK | MESH_UNLIT | MESH_CUTOUT | MESH_SURFACE_MAX << MESH_SURFACE_SHIFT;
-    if (!is_within(vertex->position, MODEL_COORDINATE_MAX) || !is_within(vertex->normal, 2) ||
+    if (!is_bounded(vertex->position, MODEL_COORDINATE_MAX) || !is_bounded(vertex->normal, 2) ||
         !is_color(vertex->color, vertex->material & MESH_UNLIT) || !isfinite(vertex->uv.x) ||
         !isfinite(vertex->uv.y))
         return PIPE_NUMBER;
@@ -192,7 +192,7 @@ static enum pipe_fault read_extras(const struct pipe_source *source, struct mesh
         pipe_read(source, mesh->extras, mesh->vertex_count * sizeof(*mesh->extras));
     for (uint32_t i = 0; fault == PIPE_OK && i < mesh->vertex_count; i++) {
         const struct mesh_extra *extra = &mesh->extras[i];
-        if (!is_within(extra->tangent, 2) || !is_from(extra->side, -1, 1) ||
+        if (!is_bounded(extra->tangent, 2) || !is_in_range(extra->side, -1, 1) ||
             !isfinite(extra->uv.x) || !isfinite(extra->uv.y))
             fault = PIPE_NUMBER;
     }
@@ -225,8 +225,8 @@ static uint64_t mesh_size(struct mesh_counts counts, bool has_extras)
            counts.indices * (uint64_t)sizeof(uint32_t);
 }
 
-/* A mesh has both vertices and triangles, or neither: meshes without triangles are not sent. */
-static bool is_countable(struct mesh_counts counts)
+/* Returns true if a mesh has valid counts: vertices and triangles, or neither. */
+static bool are_counts_valid(struct mesh_counts counts)
 {
     return counts.vertices <= MODEL_ELEMENT_MAX && counts.indices <= MODEL_ELEMENT_MAX &&
            counts.indices % 3 == 0 && (counts.vertices > 0) == (counts.indices > 0);
@@ -237,7 +237,7 @@ static uint64_t textures_size(const struct texture_counts *textures)
     return (uint64_t)textures->size * textures->size * TEXEL_SIZE * textures->count;
 }
 
-static bool are_textures(const struct texture_counts *textures)
+static bool are_textures_valid(const struct texture_counts *textures)
 {
     const uint32_t side = textures->size;
     return textures->count <= MODEL_TEXTURE_MAX && side <= MODEL_TEXTURE_SIDE_MAX &&
@@ -247,7 +247,7 @@ static bool are_textures(const struct texture_counts *textures)
 
 static enum pipe_fault check_sizes(const struct pipe_source *source, const struct model_head *head)
 {
-    if (!is_countable(head->object) || !is_countable(head->surroundings) ||
+    if (!are_counts_valid(head->object) || !are_counts_valid(head->surroundings) ||
         head->object.indices + head->surroundings.indices == 0)
         return PIPE_SIZE;
     if (head->object_count > head->object.indices / 3 || head->material_count > MESH_SURFACE_MAX ||
@@ -256,7 +256,7 @@ static enum pipe_fault check_sizes(const struct pipe_source *source, const struc
         head->animation_count > MODEL_ANIMATION_MAX ||
         head->opaque_count > head->surroundings.vertices || head->animation > head->animation_count)
         return PIPE_SIZE;
-    if (!are_textures(&head->textures) || !are_textures(&head->numbers))
+    if (!are_textures_valid(&head->textures) || !are_textures_valid(&head->numbers))
         return PIPE_SIZE;
     if (textures_size(&head->textures) + textures_size(&head->numbers) +
             mesh_size(head->object, head->flags & HAS_OBJECT_EXTRAS) +
@@ -273,15 +273,15 @@ static bool is_texture(const struct material_texture *texture, uint32_t texture_
 {
     return texture->layer <= texture_count && texture->wrap_u < MATERIAL_WRAP_COUNT &&
            texture->wrap_v < MATERIAL_WRAP_COUNT && texture->uv_set <= 1 &&
-           is_within(texture->u_row, FLT_MAX) && is_within(texture->v_row, FLT_MAX);
+           is_bounded(texture->u_row, FLT_MAX) && is_bounded(texture->v_row, FLT_MAX);
 }
 
 static bool is_surface(const struct material *m)
 {
-    return is_from(m->metallic, 0, 1) && is_from(m->alpha, 0, 1) &&
-           is_from(m->alpha_cutoff, 0, 1) && is_color(m->emission, true) &&
-           is_from(m->normal_scale, -MODEL_RADIANCE_MAX, MODEL_RADIANCE_MAX) &&
-           is_from(m->occlusion_strength, 0, 1) && is_from(m->specular, 0, 1) &&
+    return is_in_range(m->metallic, 0, 1) && is_in_range(m->alpha, 0, 1) &&
+           is_in_range(m->alpha_cutoff, 0, 1) && is_color(m->emission, true) &&
+           is_in_range(m->normal_scale, -MODEL_RADIANCE_MAX, MODEL_RADIANCE_MAX) &&
+           is_in_range(m->occlusion_strength, 0, 1) && is_in_range(m->specular, 0, 1) &&
            is_color(m->specular_color, true);
 }
 
@@ -289,14 +289,14 @@ static bool is_material(const struct material *m)
 {
     return memchr(m->name, 0, sizeof(m->name)) && !(m->flags & ~(uint32_t)MATERIAL_FLAGS) &&
            is_color(m->base_color, m->flags & MATERIAL_IS_UNLIT) &&
-           is_color(m->attenuation_color, false) && is_from(m->roughness, 0, 1) &&
-           is_from(m->transmission, 0, 1) && is_from(m->thickness, 0, MODEL_COORDINATE_MAX) &&
-           is_from(m->ior, 1, 4) && is_from(m->dispersion, 0, 10) &&
-           is_from(m->cloud, 0, MATERIAL_CLOUD_MAX) &&
-           is_from(m->attenuation_distance, 0, FLT_MAX) && is_surface(m);
+           is_color(m->attenuation_color, false) && is_in_range(m->roughness, 0, 1) &&
+           is_in_range(m->transmission, 0, 1) &&
+           is_in_range(m->thickness, 0, MODEL_COORDINATE_MAX) && is_in_range(m->ior, 1, 4) &&
+           is_in_range(m->dispersion, 0, 10) && is_in_range(m->cloud, 0, MATERIAL_CLOUD_MAX) &&
+           is_in_range(m->attenuation_distance, 0, FLT_MAX) && is_surface(m);
 }
 
-/* Objects follow each other, and cover the whole mesh. */
+/* Validates materials and objects. The objects' consecutive index ranges must cover the mesh. */
 static enum pipe_fault check_objects(const struct model *model, const struct model_head *head)
 {
     uint64_t end = 0;
@@ -352,20 +352,21 @@ static enum pipe_fault read_textures(const struct pipe_source *source,
 
 static bool is_box(const struct box *box)
 {
-    return is_within(box->min, MODEL_COORDINATE_MAX) && is_within(box->max, MODEL_COORDINATE_MAX) &&
-           box->min.x < box->max.x && box->min.y < box->max.y && box->min.z < box->max.z;
+    return is_bounded(box->min, MODEL_COORDINATE_MAX) &&
+           is_bounded(box->max, MODEL_COORDINATE_MAX) && box->min.x < box->max.x &&
+           box->min.y < box->max.y && box->min.z < box->max.z;
 }
 
 static bool is_camera(const struct camera *camera)
 {
-    return is_within(camera->eye, MODEL_COORDINATE_MAX) &&
-           is_within(camera->up, MODEL_COORDINATE_MAX) &&
-           is_within(camera->target, 8.0F * MODEL_COORDINATE_MAX) &&
+    return is_bounded(camera->eye, MODEL_COORDINATE_MAX) &&
+           is_bounded(camera->up, MODEL_COORDINATE_MAX) &&
+           is_bounded(camera->target, 8.0F * MODEL_COORDINATE_MAX) &&
            glms_vec3_distance(camera->eye, camera->target) > 0 && camera->fov_deg > 0 &&
            camera->fov_deg < 180 && camera->height == 0 && camera->depth == 0;
 }
 
-static bool has_sound_optics(const struct model_head *head)
+static bool is_head_valid(const struct model_head *head)
 {
     if (head->flags & ~(uint32_t)HEAD_FLAGS)
         return false;
@@ -390,7 +391,8 @@ static enum pipe_fault read_cameras(const struct pipe_source *source, uint32_t c
         const bool is_flat = camera->kind == MODEL_ORTHOGRAPHIC;
         if (!memchr(camera->name, 0, sizeof(camera->name)) ||
             camera->kind >= MODEL_CAMERA_KIND_COUNT || !is_camera(&camera->camera) ||
-            !is_from(camera->height, 0, MODEL_COORDINATE_MAX) || is_flat != (camera->height > 0))
+            !is_in_range(camera->height, 0, MODEL_COORDINATE_MAX) ||
+            is_flat != (camera->height > 0))
             return PIPE_CAMERA;
     }
     return fault;
@@ -412,8 +414,8 @@ static enum pipe_fault read_lights(const struct pipe_source *source, uint32_t co
     return fault;
 }
 
-/* Returns whether each bit has a name. */
-static bool are_undrawn(uint32_t bits)
+/* Returns true if every set bit is a known kind of undrawn feature. */
+static bool are_undrawn_bits_valid(uint32_t bits)
 {
     for (uint32_t i = 0; i < 32; i++) {
         if (bits & 1u << i && !model_undrawn_name(i))
@@ -426,7 +428,7 @@ static enum pipe_fault read_extensions(const struct pipe_source *source,
                                        const struct model_head *head, struct model *model)
 {
     const size_t size = head->extension_count * sizeof(*model->extensions);
-    if (!are_undrawn(head->undrawn))
+    if (!are_undrawn_bits_valid(head->undrawn))
         return PIPE_NUMBER;
     model->extensions = malloc(size + 1);
     if (!model->extensions)
@@ -460,13 +462,13 @@ static enum pipe_fault read_animations(const struct pipe_source *source,
     for (uint32_t i = 0; fault == PIPE_OK && i < head->animation_count; i++) {
         const struct model_animation *animation = &model->animations[i];
         if (!memchr(animation->name, 0, sizeof(animation->name)) ||
-            !is_from(animation->seconds, 0, (float)MODEL_SECONDS_MAX))
+            !is_in_range(animation->seconds, 0, (float)MODEL_SECONDS_MAX))
             return PIPE_NUMBER;
     }
     return fault;
 }
 
-/* Objects of the surroundings have vertices. */
+/* Reads the surroundings' objects; each has at least one vertex, so their first vertices ascend. */
 static enum pipe_fault read_opaque(const struct pipe_source *source, const struct model_head *head,
                                    struct model *model)
 {
@@ -497,7 +499,7 @@ enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source, struct mo
     enum pipe_fault fault = pipe_read(source, &head, sizeof(head));
     if (fault == PIPE_OK && head.magic != MAGIC_MODEL)
         fault = PIPE_HEAD;
-    if (fault == PIPE_OK && !has_sound_optics(&head))
+    if (fault == PIPE_OK && !is_head_valid(&head))
         fault = PIPE_CAMERA;
     if (fault == PIPE_OK)
         fault = check_sizes(source, &head);
@@ -557,12 +559,12 @@ static enum pipe_fault read_texels(const struct pipe_source *source,
     return fault;
 }
 
-/* Its direction is read only if there is light. */
+/* Returns true if the sun's radiance is valid; its direction is unused if that is 0. */
 static bool is_sun(const struct environment_sun *sun)
 {
     const vec3s light = sun->light;
-    return light.x >= 0 && light.y >= 0 && light.z >= 0 && is_within(light, ENVIRONMENT_SUN_MAX) &&
-           is_within(sun->dir, 1.001f);
+    return light.x >= 0 && light.y >= 0 && light.z >= 0 && is_bounded(light, ENVIRONMENT_SUN_MAX) &&
+           is_bounded(sun->dir, 1.001f);
 }
 
 enum pipe_fault mesh_pipe_read_environment(const struct pipe_source *source,

@@ -1,9 +1,9 @@
 /*
- * mesh_pipe.h: sends a model or a panorama between two processes of the same program.
+ * mesh_pipe.h: serialises models and environment maps over a pipe between two processes.
  *
  * The writer has parsed an untrusted file, so the reader validates everything: counts and sizes are
  * checked before memory is allocated, every index must be below its vertex count, every number
- * finite, and extra or missing bytes are a fault. Numbers have the machine's representation.
+ * finite, and extra or missing bytes are a fault. Numbers are in the machine's representation.
  */
 #ifndef FIRN_SCENE_IMPORT_MESH_PIPE_H
 #define FIRN_SCENE_IMPORT_MESH_PIPE_H
@@ -12,12 +12,12 @@
 #include "src/scene/environment.h"
 #include "src/scene/import/model.h"
 
-/* Return false if the sink's write function does. */
+/* Serialise a model or an environment. They return false if the sink's write function does. */
 MUST_USE bool mesh_pipe_write_model(const struct pipe_sink *sink, const struct model *model);
 MUST_USE bool mesh_pipe_write_environment(const struct pipe_sink *sink,
                                           const struct environment *environment);
 
-/* Read and validate. On any fault *model or *environment is {0}. Nothing is logged. */
+/* Read and validate a model or an environment; {0} after a fault, which is not logged. */
 MUST_USE enum pipe_fault mesh_pipe_read_model(const struct pipe_source *source,
                                               struct model *model);
 MUST_USE enum pipe_fault mesh_pipe_read_environment(const struct pipe_source *source,

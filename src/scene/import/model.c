@@ -1,4 +1,4 @@
-/* model.c: reads a model file. */
+/* model.c: loads a model file of any format, and appends models to the surroundings of another. */
 #include "src/scene/import/model.h"
 #include <errno.h>
 #include <stdlib.h>
@@ -33,8 +33,8 @@ static enum status refuse_names(const char *path, const char *animation)
                   "animations",
                   path, animation);
     else
-        log_error("%s: only the nodes of glTF files have materials of their own: expected "
-                  "--material without a node",
+        log_error("%s: only glTF files have nodes: use "
+                  "--material without a node name",
                   path);
     return STATUS_DATA;
 }
@@ -68,7 +68,7 @@ enum status model_load(struct model *model, const char *path, enum model_part ev
     return model_load_posed(model, path, everything_is, &(struct model_pose){ 0 });
 }
 
-static void renumber(struct mesh *mesh, uint32_t first_layer, uint32_t first_material)
+static void offset_materials(struct mesh *mesh, uint32_t first_layer, uint32_t first_material)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         uint32_t *material = &mesh->vertices[i].material;
@@ -79,7 +79,6 @@ static void renumber(struct mesh *mesh, uint32_t first_layer, uint32_t first_mat
     }
 }
 
-/* Appends the materials of `other`. */
 static enum status add_materials(struct model *model, const struct model *other)
 {
     const size_t count = (size_t)model->material_count + other->material_count;
@@ -103,7 +102,6 @@ static enum status add_materials(struct model *model, const struct model *other)
     return STATUS_OK;
 }
 
-/* Appends the lights of `other`. */
 static enum status add_lights(struct model *model, const struct model *other)
 {
     const size_t count = (size_t)model->light_count + other->light_count;
@@ -120,8 +118,8 @@ static enum status add_lights(struct model *model, const struct model *other)
     return STATUS_OK;
 }
 
-/* Adds what both meshes of `other` are of, before the meshes: vertices have the order of their
- * first use. */
+/* Appends the object ranges of both meshes of `other`. Must precede the append of the meshes. An
+ * object's first vertex follows from the indices, because vertices are in order of first use. */
 static bool add_opaque(struct model *model, const struct model *other)
 {
     uint32_t first = model->surroundings.vertex_count, next = 0, index = 0;
@@ -153,8 +151,8 @@ enum status model_add_surroundings(struct model *model, struct model *other)
         status = add_lights(model, other);
     if (status != STATUS_OK)
         goto fail;
-    renumber(&other->object, model->textures.count, model->material_count);
-    renumber(&other->surroundings, model->textures.count, model->material_count);
+    offset_materials(&other->object, model->textures.count, model->material_count);
+    offset_materials(&other->surroundings, model->textures.count, model->material_count);
     if (!add_opaque(model, other) || !mesh_append(&other->object, &other->surroundings) ||
         !mesh_append(&model->surroundings, &other->object)) {
         model->opaque_count = opaque_count;

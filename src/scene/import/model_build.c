@@ -1,4 +1,4 @@
-/* model_build.c: merges the shapes of a model file, one instance for each node. */
+/* model_build.c: merges a file's transformed shapes into the object and surroundings meshes. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -88,8 +88,8 @@ enum status model_build_allocate(struct model_build *build)
     return STATUS_DATA;
 }
 
-/* Returns the transform of normals: the transposed inverse without its scale. It exists even where
- * a scale is 0. */
+/* Returns the matrix that transforms normals: the cofactor matrix, the inverse transpose without
+ * its scale. It exists even for a singular matrix. */
 static mat3s normal_matrix(mat3s m, bool is_mirrored)
 {
     mat3s normal = { .col = {
@@ -105,7 +105,7 @@ static vec3s vec3_at(const float *numbers, size_t i)
     return (vec3s){ { numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2] } };
 }
 
-/* Adds 1 to *clamped if it clamps the colour. Returns false if the position is too far away. */
+/* Fills in a vertex, counting a clamped colour. Returns false if the position is out of range. */
 static bool fill_vertex(struct mesh_vertex *vertex, const struct model_shape *shape,
                         const mat4s *model_from_shape, const mat3s *normal_from_shape, size_t i,
                         uint32_t *clamped)
@@ -115,7 +115,7 @@ static bool fill_vertex(struct mesh_vertex *vertex, const struct model_shape *sh
         if (!(fabsf(position.raw[k]) <= (float)MODEL_COORDINATE_MAX))
             return false;
     }
-    vertex->position = glms_vec3_adds(position, 0); /* turns -0 to 0, so that they compare equal */
+    vertex->position = glms_vec3_adds(position, 0); /* makes -0 bitwise equal to 0 */
     if (shape->normals) {
         vec3s normal = glms_mat3_mulv(*normal_from_shape, vec3_at(shape->normals, i));
         float length = glms_vec3_norm(normal);
@@ -136,7 +136,8 @@ static bool fill_vertex(struct mesh_vertex *vertex, const struct model_shape *sh
     return true;
 }
 
-/* A reflection turns the side of the bitangent. A tangent without a direction is none. */
+/* Fills in tangent and second texture coordinates. A mirroring transform flips the bitangent; a
+ * tangent of zero length is left out. */
 static void fill_extra(struct mesh_extra *extra, const struct model_shape *shape,
                        const mat3s *linear, bool is_mirrored, size_t i)
 {
@@ -233,7 +234,7 @@ bool model_color_clamp(vec3s *color, bool is_unlit)
 void model_color_warn(const struct model_import *import)
 {
     if (import->clamped_materials > 0 || import->clamped_vertices > 0)
-        log_warning("%s: colours are clamped to 0 to 1, unlit vertex colours to 0 to %d: of %u "
+        log_warning("%s: colours were clamped to 0 to 1, or 0 to %d for unlit vertices, in %u "
                     "materials and %u vertices",
                     import->path, MODEL_RADIANCE_MAX, import->clamped_materials,
                     import->clamped_vertices);

@@ -1,4 +1,4 @@
-/* model_convert.c: turns the pictures of MTL files into those of glTF's materials. */
+/* model_convert.c: converts MTL map images to glTF's: alpha, roughness, metallic, normals. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -7,8 +7,8 @@
 
 enum {
     CHANNELS = 4,
-    RELIEF = 64,          /* white is this part of the picture's width above black */
-    BLUE_OF_NORMALS = 16, /* mean difference of blue and red, above which a picture has normals */
+    RELIEF = 64,          /* height of white over black is the image's width / RELIEF */
+    BLUE_OF_NORMALS = 16, /* mean of |blue - red| above which an image is a normal map */
 };
 
 static uint8_t grey_of(const uint8_t *texel)
@@ -28,20 +28,20 @@ static void convert_alpha(uint8_t *texels, size_t count)
     }
 }
 
-/* Sets a channel, so that the factor of the texture counts alone. */
+/* Sets a channel to 1 everywhere, so that only the material's factor counts. */
 static void fill_channel(uint8_t *texels, size_t count, int channel)
 {
     for (size_t i = 0; i < count; i++)
         texels[CHANNELS * i + (size_t)channel] = UINT8_MAX;
 }
 
-/* The product with Ns becomes roughness, in green. */
+/* Converts factors on Ns to roughness, in green. */
 static void convert_shininess(uint8_t *texels, size_t count, float exponent)
 {
     uint8_t table[UINT8_MAX + 1];
     for (int i = 0; i <= UINT8_MAX; i++) {
-        const float share = (float)i / UINT8_MAX;
-        table[i] = (uint8_t)lroundf(UINT8_MAX * model_roughness_of(exponent * share));
+        const float fraction = (float)i / UINT8_MAX;
+        table[i] = (uint8_t)lroundf(UINT8_MAX * model_roughness_of(exponent * fraction));
     }
     for (size_t i = 0; i < count; i++) {
         uint8_t *texel = &texels[CHANNELS * i];
@@ -58,7 +58,8 @@ static bool are_normals(const uint8_t *texels, size_t count)
     return difference > BLUE_OF_NORMALS * (uint64_t)count;
 }
 
-/* Heights, which repeat, become normals; normals stay. Returns false when out of memory. */
+/* Converts a tileable height map to a normal map by central differences; normal maps stay
+ * unchanged. Returns false when out of memory. */
 static bool convert_heights(uint8_t *texels, int width, int height)
 {
     const size_t count = (size_t)width * (size_t)height;
@@ -75,9 +76,9 @@ static bool convert_heights(uint8_t *texels, int width, int height)
         const uint8_t *row = &heights[(size_t)y * (size_t)width];
         for (int x = 0; x < width; x++) {
             const float step = 2.0F * UINT8_MAX * RELIEF;
-            const float along = (float)(row[(x + 1) % width] - row[(x + width - 1) % width]);
+            const float difference = (float)(row[(x + 1) % width] - row[(x + width - 1) % width]);
             const vec3s normal = glms_vec3_normalize((vec3s){ {
-                -along * (float)width / step,
+                -difference * (float)width / step,
                 (float)(below[x] - above[x]) * (float)height / step,
                 1,
             } });
@@ -92,7 +93,7 @@ static bool convert_heights(uint8_t *texels, int width, int height)
 
 float model_roughness_of(float exponent)
 {
-    return powf(2 / (fmaxf(exponent, 0) + 2), 0.25F); /* the highlight's width is its square */
+    return powf(2 / (fmaxf(exponent, 0) + 2), 0.25F); /* alpha^2 = roughness^4 = 2 / (Ns + 2) */
 }
 
 bool model_picture_convert(uint8_t *texels, int width, int height,

@@ -1,4 +1,4 @@
-/* model_files.c: which files a model may name, and how they are opened. */
+/* model_files.c: opens the files that a model refers to, confined to the model's folder. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,7 +36,7 @@ static bool leads_outside(const char *name)
 
 bool model_file_clean(char *name, bool is_uri)
 {
-    const bool is_elsewhere = is_uri && has_scheme(name);
+    const bool has_uri_scheme = is_uri && has_scheme(name);
     char *to = name;
     for (const char *from = name; *from; from++) {
         int high = is_uri && *from == '%' ? hex_digit(from[1]) : -1;
@@ -49,7 +49,7 @@ bool model_file_clean(char *name, bool is_uri)
         *to++ = (char)(c == '\\' ? '/' : c);
     }
     *to = '\0';
-    return !is_elsewhere && !leads_outside(name);
+    return !has_uri_scheme && !leads_outside(name);
 }
 
 char *model_file_join(const char *model, const char *name)
@@ -73,7 +73,7 @@ static char *local_name(const struct model_import *import, const char *path)
     return strdup(strncmp(path, import->path, folder) == 0 ? path + folder : path);
 }
 
-/* Whether the model may name a file; if not, notes it. */
+/* Returns true if a file is within the model's folder and exists; else records it in *import. */
 static bool is_allowed(struct model_import *import, const char *path)
 {
     struct stat info;
@@ -83,7 +83,7 @@ static bool is_allowed(struct model_import *import, const char *path)
     const bool is_inside = model_file_clean(name, false);
     if (!is_inside && import->refused[0] == '\0')
         snprintf(import->refused, sizeof(import->refused), "%s", path);
-    /* Only regular files are opened: opening a pipe would wait for its other end. */
+    /* Only regular files are opened, because opening a named pipe would block. */
     const bool is_there = is_inside && stat(path, &info) == 0 && S_ISREG(info.st_mode);
     if (is_inside && !is_there && import->missed[0] == '\0')
         snprintf(import->missed, sizeof(import->missed), "%s", name);
@@ -94,6 +94,6 @@ static bool is_allowed(struct model_import *import, const char *path)
 FILE *model_file_open(void *user, const char *path)
 {
     struct model_import *import = user;
-    const bool is_model = strcmp(path, import->path) == 0; /* whatever its name looks like */
+    const bool is_model = strcmp(path, import->path) == 0; /* of any path */
     return is_model || is_allowed(import, path) ? fopen(path, "rb") : NULL;
 }

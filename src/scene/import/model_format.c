@@ -1,4 +1,4 @@
-/* model_format.c: which format a model file has, by its suffix and its first bytes. */
+/* model_format.c: detects the format of a model file by its suffix, and checks its first bytes. */
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -7,10 +7,10 @@
 #include "src/scene/import/model_import.h"
 
 enum {
-    HEAD_SIZE = 4096, /* bytes that are looked at */
+    HEAD_SIZE = 4096, /* bytes of the file that are checked */
 };
 
-/* Returns the first byte that is no blank, without a mark of UTF-8. */
+/* Returns the first character that is not blank, after a UTF-8 byte order mark. */
 static const char *skip_blanks(const char *text)
 {
     if (strncmp(text, "\xef\xbb\xbf", 3) == 0)
@@ -35,7 +35,7 @@ static bool is_ply(const char *head, size_t size)
     return strncmp(head, "ply", 3) == 0 && (head[3] == '\n' || head[3] == '\r');
 }
 
-/* Whether a text begins with a comment or a statement of OBJ. */
+/* Returns true if a text begins with a comment or a statement of OBJ. */
 static bool is_obj(const char *head, size_t size)
 {
     static const char *const statements[] = {
@@ -60,7 +60,7 @@ static bool is_obj(const char *head, size_t size)
 
 static const struct format {
     struct model_format format;
-    bool (*has_head)(const char *head, size_t size); /* `head` ends with '\0' */
+    bool (*has_head)(const char *head, size_t size); /* `head` is terminated by '\0' */
 } formats[] = {
     { { "gltf", "glTF", .is_gltf = true }, is_gltf },
     { { "glb", "binary glTF", .is_gltf = true }, is_glb },
@@ -83,7 +83,7 @@ static enum status check_head(const char *path, const struct format *format)
     head[size] = '\0';
     if (format->has_head(head, size))
         return STATUS_OK;
-    log_error("%s: the file does not begin as %s does: export it again, or rename it", path,
+    log_error("%s: the contents are not %s: export the file again, or correct its suffix", path,
               format->format.name);
     return STATUS_DATA;
 }

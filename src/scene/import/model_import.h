@@ -1,5 +1,6 @@
 /*
- * model_import.h: shared by the files behind model.h: the state while a model file is read.
+ * model_import.h: internal interface of the model importers (glTF, OBJ, PLY): state while a file is
+ * read, formats, texture loading, mesh building.
  *
  * Functions that return a status log one line if it is not STATUS_OK.
  */
@@ -12,7 +13,7 @@
 enum {
     MODEL_COORDINATE_MAX = 1000000,
     MODEL_NODE_MAX = 1 << 22,
-    MODEL_ELEMENT_MAX = 1 << 28, /* vertices, and indices, of one part */
+    MODEL_ELEMENT_MAX = 1 << 28, /* vertices or indices of one mesh */
     MODEL_TEXTURE_MAX = 4096,
     MODEL_CAMERA_MAX = 4096,
     MODEL_EXTENSION_MAX = 256,
@@ -20,31 +21,31 @@ enum {
     MODEL_ANIMATION_MAX = 4096,
     MODEL_SECONDS_MAX = 1000000000,
     MODEL_TEXTURE_SIDE_MAX = 2048,       /* texels */
-    MODEL_TEXTURES_SIZE_MAX = 512 << 20, /* bytes of all textures */
-    MODEL_RADIANCE_MAX = 65504,          /* of unlit colours: the largest half; others: 1 */
-    MODEL_PART_COUNT = 2,                /* of enum model_part */
+    MODEL_TEXTURES_SIZE_MAX = 512 << 20, /* bytes of all textures together */
+    MODEL_RADIANCE_MAX = 65504,          /* of unlit colours: the largest half */
+    MODEL_PART_COUNT = 2,                /* meshes of a model: MODEL_OBJECT, MODEL_SURROUNDINGS */
 };
 
 struct model_import {
     const char *path;
-    char refused[256]; /* the first named file that is outside the model's folder; "": none */
-    uint32_t clamped_materials; /* whose colour model_color_clamp() has changed */
+    char refused[256]; /* first referenced file outside the model's folder; "" if there is none */
+    uint32_t clamped_materials; /* materials whose colour was clamped */
     uint32_t clamped_vertices;
-    char missed[256]; /* the first named file that does not exist; "": none */
+    char missed[256]; /* first referenced file that does not exist; "" if there is none */
 };
 
-/* A format, by a suffix in lower case: "glb". */
+/* A model file format, identified by its suffix in lower case, such as "glb". */
 struct model_format {
     const char *suffix;
     const char *name; /* for messages: "binary glTF" */
     bool is_gltf;
 };
 
-/* Returns the format of a file's suffix in *format; STATUS_DATA if there is none, or if the file
- * does not begin as the format does. */
+/* Finds the format by a file's suffix. Returns STATUS_DATA if the suffix is unknown, or if the
+ * first bytes of the file do not match the format. */
 MUST_USE enum status model_format_find(const char *path, const struct model_format **format);
 
-/* Read a file of glTF; of another format, with a suffix in lower case, "obj" or "ply". */
+/* Read a glTF file; or another format, given its suffix in lower case: "obj" or "ply". */
 MUST_USE enum status model_load_gltf(struct model_import *import, struct model *model,
                                      enum model_part everything_is, const struct model_pose *pose);
 MUST_USE enum status model_load_plain(struct model_import *import, const char *suffix,
@@ -52,14 +53,14 @@ MUST_USE enum status model_load_plain(struct model_import *import, const char *s
 
 /* ---- files ---- */
 
-/* Opens the model, or a file in its folder that it names, and notes others in *user, a struct
- * model_import. NULL: it is not there, or not allowed. */
+/* Opens the model file, or a file in its folder that it refers to. Returns NULL if the file is
+ * missing or outside the folder, and records it in *user, a struct model_import. */
 FILE *model_file_open(void *user, const char *path);
 
 /*
- * Converts a file's name to a path, in place: glTF has URIs, with %20 for a space; other formats
- * may have paths of Windows. Returns false if the path leaves the folder: "../a", "/a",
- * "https://a", and as a URI "file:a".
+ * Converts a file reference to a relative path, in place. glTF uses URIs, with %20 for a space;
+ * other formats may contain Windows paths. Returns false if the path leaves the folder: "../a",
+ * "/a", "https://a", and "file:a" as a URI.
  */
 MUST_USE bool model_file_clean(char *name, bool is_uri);
 
@@ -68,89 +69,87 @@ char *model_file_join(const char *model, const char *name);
 
 /* ---- textures ---- */
 
-/* What a picture of an MTL file is turned into. */
+/* Conversion of an image referenced by an MTL file to the texel layout of a glTF texture. */
 enum model_picture_change {
     MODEL_PICTURE_SAME,
-    MODEL_PICTURE_TO_ALPHA,        /* white, with the picture's alpha or grey as alpha */
-    MODEL_PICTURE_ROUGHNESS,       /* roughness in green; the metallic factor is left as it is */
-    MODEL_PICTURE_NS_TO_ROUGHNESS, /* as that, of factors on Ns */
-    MODEL_PICTURE_METALLIC,        /* metallic in blue; the factor of roughness is left as it is */
-    MODEL_PICTURE_TO_NORMALS,      /* heights to normals; normals, which are blue, stay */
+    MODEL_PICTURE_TO_ALPHA,  /* alpha from the image's alpha or grey; the colour becomes white */
+    MODEL_PICTURE_ROUGHNESS, /* roughness in G; B is 1, so that the metallic factor applies */
+    MODEL_PICTURE_NS_TO_ROUGHNESS, /* as MODEL_PICTURE_ROUGHNESS, converted from factors on Ns */
+    MODEL_PICTURE_METALLIC,        /* metallic in B; G is 1, so that the roughness factor applies */
+    MODEL_PICTURE_TO_NORMALS, /* height map to normal map; bluish images are normal maps already */
 };
 
-/* A picture that becomes a layer: encoded bytes, or if they are NULL, a file. */
+/* An image that becomes a texture layer: encoded bytes, or a file if they are NULL. */
 struct model_picture {
     const char *name; /* for messages */
     const uint8_t *bytes;
     size_t size;
     char *file;
     enum model_picture_change change;
-    float exponent; /* of MODEL_PICTURE_NS_TO_ROUGHNESS */
-    char *other;    /* a file that replaces one channel of the picture, alpha after
-                     * MODEL_PICTURE_TO_ALPHA or blue after MODEL_PICTURE_METALLIC; NULL: none */
+    float exponent; /* Ns for MODEL_PICTURE_NS_TO_ROUGHNESS */
+    /* File of a second image that replaces one channel: alpha after MODEL_PICTURE_TO_ALPHA, or blue
+     * after MODEL_PICTURE_METALLIC; NULL if there is none. */
+    char *other;
     enum model_picture_change other_change;
 };
 
-/* Loads pictures as layers of one size, of sRGB colours or of numbers. */
+/* Decodes images and resamples them to layers of one size, as sRGB colours or linear numbers. */
 MUST_USE enum status model_picture_load(const char *path, const struct model_picture *pictures,
                                         uint32_t count, bool are_numbers,
                                         struct texture_layers *layers);
 
-/* Returns the name of a picture's format if it is a known one that cannot be read, "KTX2", else
- * NULL. */
+/* Returns the name of an image's format, such as "KTX2", if it is not supported; else NULL. */
 const char *model_picture_unread(const struct model_picture *picture);
 
-/* Changes RGBA texels as the picture says. Returns false when out of memory. */
+/* Converts RGBA texels as picture->change specifies. Returns false when out of memory. */
 MUST_USE bool model_picture_convert(uint8_t *texels, int width, int height,
                                     const struct model_picture *picture);
 
-/* Returns the roughness whose highlight is that of an exponent of Phong's, Ns. */
+/* Returns the GGX roughness that matches a Phong exponent Ns. */
 float model_roughness_of(float exponent);
 
-/* Copies the textures of both, resampled to the larger size; the caller frees both->texels. On
- * failure *both is {0}. */
+/* Copies two texture arrays into one of the larger size; both->texels is freed by the caller. */
 MUST_USE enum status model_picture_merge(struct texture_layers *both,
                                          const struct texture_layers *first,
                                          const struct texture_layers *second, bool are_numbers);
 
 /* ---- meshes ---- */
 
-/* Triangles of one material, in the space of their node. All is borrowed. */
+/* Triangles of one material in the space of their node. All arrays are borrowed. */
 struct model_shape {
     const char *name;       /* for messages: "mesh 0" */
-    const float *positions; /* 3 of each vertex */
-    const float *normals;   /* 3; NULL: they are made */
-    const float *colors;    /* 4, linear; may be NULL */
-    const float *uvs;       /* the first 2 of uv_stride; may be NULL */
+    const float *positions; /* 3 per vertex */
+    const float *normals;   /* 3 per vertex; NULL to compute smooth normals */
+    const float *colors;    /* RGBA per vertex, linear; may be NULL */
+    const float *uvs;       /* 2 of every uv_stride floats; may be NULL */
     uint32_t uv_stride;
-    const float *other_uvs; /* 2, mesh_extra.uv; may be NULL */
-    const float *tangents;  /* 4, as glTF has them; may be NULL */
+    const float *other_uvs; /* 2 per vertex, for mesh_extra.uv; may be NULL */
+    const float *tangents;  /* 4 per vertex, glTF convention; may be NULL */
     bool is_flipped;        /* v = 0 is the bottom of the texture */
     const uint32_t *indices;
     uint32_t vertex_count, index_count;
-    vec3s color;       /* times the vertices' */
+    vec3s color;       /* multiplied with vertex colours */
     uint32_t material; /* mesh_vertex.material */
 };
 
-/* The two meshes of a model while they are filled. */
+/* The two meshes of a model while they are being filled. */
 struct model_build {
     struct model_import *import;
     struct model *model;
     struct mesh *meshes[MODEL_PART_COUNT];
     uint64_t vertex_count[MODEL_PART_COUNT], index_count[MODEL_PART_COUNT];
-    bool has_extras[MODEL_PART_COUNT]; /* set before the meshes are allocated */
-    const char *opaque; /* name of the object of the surroundings that the next shape begins; NULL:
-                         * it belongs to the last one */
+    bool has_extras[MODEL_PART_COUNT]; /* set this before the meshes are allocated */
+    const char *opaque;                /* name of the next object; NULL to continue the last one */
 };
 
-/* Checks that the numbers of a shape are finite, and its indices in range. */
+/* Checks that the numbers of a shape are finite and its indices in range. */
 MUST_USE enum status model_shape_check(const struct model_import *import,
                                        const struct model_shape *shape);
 
 void model_build_init(struct model_build *build, struct model_import *import, struct model *model);
 
-/* Counts what model_build_add() will add; then the meshes are allocated; then all is added in the
- * same order; then equal vertices are merged. */
+/* Count every shape that model_build_add() will add, then allocate the meshes, then add the shapes
+ * in the counted order, then end: missing normals are computed and identical vertices welded. */
 MUST_USE enum status model_build_count(struct model_build *build, enum model_part part,
                                        uint64_t vertex_count, uint64_t index_count);
 MUST_USE enum status model_build_allocate(struct model_build *build);
@@ -158,20 +157,19 @@ MUST_USE enum status model_build_add(struct model_build *build, enum model_part 
                                      const struct model_shape *shape, mat4s model_from_shape);
 MUST_USE enum status model_build_end(struct model_build *build);
 
-/* Lists the materials of a file of which all is an object or surroundings: the object's is the last
- * one, left to the settings. */
+/* Adds the only object and material of a file that is one object as a whole; its material has
+ * MATERIAL_IS_BARE, so settings define it. */
 MUST_USE enum status model_build_bare_object(struct model_build *build);
 
-/* Makes the normals that are {0} and merges equal vertices, but those of different objects of the
- * surroundings: `starts` has the first vertex of each, before and afterwards. Returns false when
- * out of memory. */
+/* Computes missing ({0}) normals and welds identical vertices, except across surroundings objects,
+ * whose first vertices are in `starts`, which is updated. Returns false when out of memory. */
 MUST_USE bool model_join_vertices(struct mesh *mesh, uint32_t *starts, uint32_t start_count);
 
-/* Clamps a finite colour to 0 to 1 or, if it is unlit, MODEL_RADIANCE_MAX; returns whether that
- * changes it. One that is not finite stays. */
+/* Clamps a finite colour to 0 to 1, or to MODEL_RADIANCE_MAX if it is unlit. Returns true if that
+ * changes it. Non-finite colours are left unchanged. */
 bool model_color_clamp(vec3s *color, bool is_unlit);
 
-/* Logs a warning if colours of the file were clamped. For files that are accepted. */
+/* Logs a warning if colours of the file were clamped. Call it only for accepted files. */
 void model_color_warn(const struct model_import *import);
 
 #endif

@@ -1,11 +1,11 @@
-/* model_map.c: the pictures that an MTL file names, and how vertices' coordinates become theirs. */
+/* model_map.c: loads the textures of MTL materials and computes their coordinate transforms. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
 #include "src/scene/import/model_plain.h"
 
-/* What a map is in a material; that of alpha is part of the base colour's. */
+/* Texture of the material for each MTL map; map_d is merged into the base colour texture. */
 static const enum material_texture_use uses[PLAIN_MAP_COUNT] = {
     [PLAIN_COLOR] = MATERIAL_BASE_COLOR,
     [PLAIN_ALPHA] = MATERIAL_BASE_COLOR,
@@ -25,8 +25,8 @@ static const enum model_picture_change changes[PLAIN_MAP_COUNT] = {
     [PLAIN_BUMP] = MODEL_PICTURE_TO_NORMALS,
 };
 
-/* Pictures of one kind. */
-struct list {
+/* Images to be loaded as layers of one texture array. */
+struct image_list {
     struct model_picture *pictures;
     uint32_t count;
 };
@@ -51,21 +51,21 @@ static char *path_of(const struct plain *plain, struct plain_map *map, enum stat
     return file;
 }
 
-/* Finds or adds a picture, which it takes over; returns its layer, + 1, or 0. */
-static uint32_t add_picture(const struct plain *plain, struct list *list,
-                            const struct model_picture *wanted)
+/* Finds or adds an image and takes ownership of it. Returns its layer + 1, or 0 on failure. */
+static uint32_t add_image(const struct plain *plain, struct image_list *image_list,
+                          const struct model_picture *wanted)
 {
     uint32_t layer = 0;
-    while (layer < list->count) {
-        const struct model_picture *other = &list->pictures[layer];
+    while (layer < image_list->count) {
+        const struct model_picture *other = &image_list->pictures[layer];
         if (is_same(other->file, wanted->file) && is_same(other->other, wanted->other) &&
             other->change == wanted->change && !(other->exponent < wanted->exponent) &&
             !(other->exponent > wanted->exponent))
             break;
         layer++;
     }
-    if (layer == list->count && layer < MODEL_TEXTURE_MAX) {
-        list->pictures[list->count++] = *wanted;
+    if (layer == image_list->count && layer < MODEL_TEXTURE_MAX) {
+        image_list->pictures[image_list->count++] = *wanted;
         return layer + 1;
     }
     free(wanted->file);
@@ -76,10 +76,10 @@ static uint32_t add_picture(const struct plain *plain, struct list *list,
     return 0;
 }
 
-/* Sets how coordinates of the vertices, which are those of the base colour with (0, 0) at the top,
- * become those of another map. */
-static void relate(const struct plain_map *base, const struct plain_map *map,
-                   struct material_texture *texture)
+/* Computes the transform from the vertices' coordinates, which are those of the base colour map
+ * with v = 0 at the top, to those of another map. */
+static void compute_transform(const struct plain_map *base, const struct plain_map *map,
+                              struct material_texture *texture)
 {
     const float u = map->scale[0] / base->scale[0], v = map->scale[1] / base->scale[1];
     const float moved = map->offset[1] - v * base->offset[1];
@@ -97,8 +97,8 @@ const struct plain_map *plain_base_map(const struct plain_material *material)
     return material->maps[PLAIN_ALPHA].file ? &material->maps[PLAIN_ALPHA] : &none;
 }
 
-/* Returns the map whose picture becomes one channel of another one's; the count: none does. */
-static enum plain_map_use other_of(const struct plain_material *material, enum plain_map_use use)
+/* Returns the map that fills one channel of map `use`'s texture; PLAIN_MAP_COUNT: no map does. */
+static enum plain_map_use merged_map(const struct plain_material *material, enum plain_map_use use)
 {
     enum plain_map_use other = PLAIN_MAP_COUNT;
     if (use == PLAIN_COLOR)
@@ -108,8 +108,8 @@ static enum plain_map_use other_of(const struct plain_material *material, enum p
     return other < PLAIN_MAP_COUNT && material->maps[other].file ? other : PLAIN_MAP_COUNT;
 }
 
-/* A picture of roughness, or of what is metal, counts instead of the number. */
-static void forget_numbers(struct material *m, enum plain_map_use use)
+/* Sets a material's roughness or metallic factor to 1 if a texture replaces it. */
+static void reset_factor(struct material *m, enum plain_map_use use)
 {
     if (use == PLAIN_ROUGHNESS || use == PLAIN_SHININESS)
         m->roughness = 1;
@@ -117,8 +117,8 @@ static void forget_numbers(struct material *m, enum plain_map_use use)
         m->metallic = 1;
 }
 
-/* Adds the picture of a map and sets the material's texture. */
-static enum status add_map(const struct plain *plain, struct list *list,
+/* Adds the image of a map to the list and sets the material's texture. */
+static enum status add_map(const struct plain *plain, struct image_list *image_list,
                            struct plain_material *material, enum plain_map_use use)
 {
     struct plain_map *map = &material->maps[use];
@@ -128,28 +128,29 @@ static enum status add_map(const struct plain *plain, struct list *list,
     if (use == PLAIN_SHININESS)
         picture.exponent = material->exponent;
     picture.file = path_of(plain, map, &status);
-    const enum plain_map_use other = other_of(material, use);
+    const enum plain_map_use other = merged_map(material, use);
     if (picture.file && other < PLAIN_MAP_COUNT) {
         picture.other = path_of(plain, &material->maps[other], &status);
         picture.other_change = changes[other];
-        forget_numbers(&material->material, other);
+        reset_factor(&material->material, other);
     }
-    forget_numbers(&material->material, use);
+    reset_factor(&material->material, use);
     picture.name = picture.file;
     if (status != STATUS_OK) {
         free(picture.file);
         return status;
     }
-    relate(plain_base_map(material), map, texture);
-    if (uses[use] == MATERIAL_BASE_COLOR) { /* the vertices' coordinates are the texture's */
+    compute_transform(plain_base_map(material), map, texture);
+    if (uses[use] == MATERIAL_BASE_COLOR) { /* vertices have its coordinates */
         texture->u_row = (vec3s){ { 1, 0, 0 } };
         texture->v_row = (vec3s){ { 0, 1, 0 } };
     }
-    texture->layer = add_picture(plain, list, &picture);
+    texture->layer = add_image(plain, image_list, &picture);
     return texture->layer > 0 ? STATUS_OK : STATUS_DATA;
 }
 
-/* Whether a map becomes a texture of one kind. That of alpha does if there is no colour's. */
+/* Returns true if a map becomes a texture of its own of the wanted kind (sRGB colour or linear
+ * numbers). map_d does only if there is no map_Kd. */
 static bool is_wanted(const struct plain_material *material, enum plain_map_use use,
                       bool are_numbers)
 {
@@ -161,8 +162,9 @@ static bool is_wanted(const struct plain_material *material, enum plain_map_use 
 
 static enum status load_kind(struct plain *plain, bool are_numbers, struct texture_layers *layers)
 {
-    struct list list = { .pictures = calloc(MODEL_TEXTURE_MAX, sizeof(*list.pictures)) };
-    enum status status = list.pictures ? STATUS_OK : log_out_of_memory(plain->import->path);
+    struct image_list image_list = { .pictures =
+                                         calloc(MODEL_TEXTURE_MAX, sizeof(*image_list.pictures)) };
+    enum status status = image_list.pictures ? STATUS_OK : log_out_of_memory(plain->import->path);
     for (uint32_t i = 0; i < plain->part_count && status == STATUS_OK; i++) {
         const struct plain_part *part = &plain->parts[i];
         if (part->material == 0 || !part->has_uvs || part->index_count == 0)
@@ -170,22 +172,22 @@ static enum status load_kind(struct plain *plain, bool are_numbers, struct textu
         struct plain_material *material = &plain->materials[part->material - 1];
         for (uint32_t use = 0; use < PLAIN_MAP_COUNT && status == STATUS_OK; use++) {
             if (is_wanted(material, use, are_numbers))
-                status = add_map(plain, &list, material, use);
+                status = add_map(plain, &image_list, material, use);
         }
     }
     if (status == STATUS_OK)
-        status =
-            model_picture_load(plain->import->path, list.pictures, list.count, are_numbers, layers);
-    for (uint32_t i = 0; i < list.count; i++) {
-        free(list.pictures[i].file);
-        free(list.pictures[i].other);
+        status = model_picture_load(plain->import->path, image_list.pictures, image_list.count,
+                                    are_numbers, layers);
+    for (uint32_t i = 0; i < image_list.count; i++) {
+        free(image_list.pictures[i].file);
+        free(image_list.pictures[i].other);
     }
-    free(list.pictures);
+    free(image_list.pictures);
     return status;
 }
 
-/* Drops the pictures of a material whose format cannot be read. */
-static enum status drop_unread(struct plain *plain, struct plain_material *material)
+/* Removes the maps of a material whose image format is not supported. */
+static enum status drop_unsupported(struct plain *plain, struct plain_material *material)
 {
     enum status status = STATUS_OK;
     for (uint32_t use = 0; use < PLAIN_MAP_COUNT && status == STATUS_OK; use++) {
@@ -196,7 +198,7 @@ static enum status drop_unread(struct plain *plain, struct plain_material *mater
         free(picture.file);
         if (!format)
             continue;
-        (void)snprintf(words, sizeof(words), "pictures in the format %s", format);
+        (void)snprintf(words, sizeof(words), "textures in the format %s", format);
         plain_note(plain->undrawn_materials, words);
         free(map->file);
         map->file = NULL;
@@ -204,8 +206,8 @@ static enum status drop_unread(struct plain *plain, struct plain_material *mater
     return status;
 }
 
-/* Moves the coordinates of a part's vertices to where the base colour's picture wants them. */
-static void move_part(const struct plain *plain, const struct plain_part *part)
+/* Applies the base colour map's -s and -o to the texture coordinates of a part's vertices. */
+static void transform_uvs(const struct plain *plain, const struct plain_part *part)
 {
     const struct plain_map *base = plain_base_map(&plain->materials[part->material - 1]);
     for (size_t i = 0; i < part->vertex_count; i++) {
@@ -222,9 +224,9 @@ enum status plain_load_pictures(struct plain *plain, struct model *model)
         const struct plain_part *part = &plain->parts[i];
         if (part->material == 0 || !part->has_uvs)
             continue;
-        status = drop_unread(plain, &plain->materials[part->material - 1]);
+        status = drop_unsupported(plain, &plain->materials[part->material - 1]);
         if (status == STATUS_OK)
-            move_part(plain, part);
+            transform_uvs(plain, part);
     }
     if (status == STATUS_OK)
         status = load_kind(plain, false, &model->textures);

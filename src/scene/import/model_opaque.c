@@ -1,4 +1,4 @@
-/* model_opaque.c: which object of the surroundings a vertex is of. */
+/* model_opaque.c: names and vertex ranges of the objects in a model's surroundings. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/model.h"

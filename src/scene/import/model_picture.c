@@ -1,4 +1,4 @@
-/* model_picture.c: loads the pictures of a model file as textures of one size. */
+/* model_picture.c: decodes and resamples a model's images to one array of square textures. */
 #include <assert.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_resize.h>
@@ -15,10 +15,10 @@ enum {
     CHANNELS = 4,
 };
 
-/* An encoded picture. */
+/* An encoded image file in memory, and its dimensions. */
 struct encoded {
     const uint8_t *bytes;
-    uint8_t *owned; /* `bytes`, if it must be freed, or NULL */
+    uint8_t *owned; /* same as `bytes` if it must be freed, else NULL */
     int size;       /* bytes */
     int width, height;
 };
@@ -33,7 +33,7 @@ static enum status read_file(const char *path, const struct model_picture *pictu
                              struct encoded *encoded)
 {
     struct stat info;
-    /* Only regular files are opened: opening a pipe would wait for its other end. */
+    /* Only regular files are opened, because opening a named pipe would block. */
     if (stat(picture->file, &info) != 0 || !S_ISREG(info.st_mode))
         return fault(path, picture, "file not found");
     if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
@@ -84,7 +84,7 @@ const char *model_picture_unread(const struct model_picture *picture)
     return NULL;
 }
 
-/* Opens a picture. The caller frees encoded->owned, even on failure. */
+/* Loads an encoded image and its size. The caller frees encoded->owned, even on failure. */
 static enum status open_picture(const char *path, const struct model_picture *picture,
                                 struct encoded *encoded)
 {
@@ -100,24 +100,24 @@ static enum status open_picture(const char *path, const struct model_picture *pi
     int channels;
     if (!stbi_info_from_memory(encoded->bytes, encoded->size, &encoded->width, &encoded->height,
                                &channels))
-        return fault(path, picture, "not a supported picture format");
+        return fault(path, picture, "not a supported image format");
     if (encoded->width < 1 || encoded->width > PICTURE_SIDE_MAX || encoded->height < 1 ||
         encoded->height > PICTURE_SIDE_MAX)
         return fault(path, picture, "expected 1 to 16384 texels per side");
     return STATUS_OK;
 }
 
-/* Returns the filter along one axis. The default of stb would blur if the size is unchanged. */
+/* Returns the resampling filter of an axis; stb's default would blur an axis of unchanged size. */
 static stbir_filter filter(int from, int to)
 {
     return from > to ? STBIR_FILTER_MITCHELL : STBIR_FILTER_CATMULLROM;
 }
 
-/* Resamples an image to a layer. Returns false when out of memory. */
+/* Resamples an image to a texture layer. Returns false when out of memory. */
 static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int width, int height,
                      bool are_numbers)
 {
-    /* Colours weigh by their alpha. */
+    /* Colours are weighted by alpha, so that hidden colours do not bleed. */
     const int alpha = are_numbers ? STBIR_ALPHA_CHANNEL_NONE : CHANNELS - 1;
     int to = (int)side;
     if (width == to && height == to) {
@@ -176,7 +176,7 @@ static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t 
     return texels;
 }
 
-/* Decodes a layer, and replaces one channel by that of another picture. */
+/* Decodes a layer, and replaces one of its channels by the image picture->other. */
 static enum status decode_both(const char *path, const struct model_picture *picture,
                                bool are_numbers, uint8_t *layer, uint32_t side)
 {
@@ -219,7 +219,7 @@ enum status model_picture_load(const char *path, const struct model_picture *pic
     if (!allocate(layers, (uint32_t)side_max, count))
         return log_out_of_memory(path);
     if (layers->size < (uint32_t)side_max)
-        log_warning("%s: the largest of %u textures has %d texels a side, of which %u are drawn",
+        log_warning("%s: the largest of %u textures has %d texels a side and is downsampled to %u",
                     path, count, side_max, layers->size);
     for (uint32_t i = 0; i < count; i++) {
         enum status status =

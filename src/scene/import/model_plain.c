@@ -1,4 +1,4 @@
-/* model_plain.c: turns what OBJ and PLY files hold into the meshes of a model. */
+/* model_plain.c: converts the contents of an OBJ or PLY file to a model. */
 #include "src/scene/import/model_plain.h"
 #include <cglm/struct.h>
 #include <errno.h>
@@ -10,17 +10,17 @@
 
 void *plain_array_grow(struct plain_array *array, size_t count, size_t item_size)
 {
-    size_t room = array->room > 0 ? array->room : 64;
-    while (room - array->count < count) {
-        if (room > SIZE_MAX / 2 / item_size)
+    size_t capacity = array->room > 0 ? array->room : 64;
+    while (capacity - array->count < count) {
+        if (capacity > SIZE_MAX / 2 / item_size)
             return NULL;
-        room *= 2;
+        capacity *= 2;
     }
-    void *items = realloc(array->items, room * item_size);
+    void *items = realloc(array->items, capacity * item_size);
     if (!items)
         return NULL;
     array->items = items;
-    array->room = room;
+    array->room = capacity;
     array->count += count;
     return (char *)items + (array->count - count) * item_size;
 }
@@ -36,10 +36,10 @@ char *plain_read_file(struct model_import *import, const char *path, size_t *siz
             fclose(file);
         return NULL;
     }
-    const size_t room = info.st_size > 0 ? (size_t)info.st_size : 0;
-    bytes = malloc(room + 1);
+    const size_t size_max = info.st_size > 0 ? (size_t)info.st_size : 0;
+    bytes = malloc(size_max + 1);
     if (bytes) {
-        *size = fread(bytes, 1, room, file);
+        *size = fread(bytes, 1, size_max, file);
         bytes[*size] = '\0';
     } else {
         (void)log_out_of_memory(path);
@@ -55,19 +55,18 @@ char *plain_read_file(struct model_import *import, const char *path, size_t *siz
 
 /* ---- meshes ---- */
 
-/* Returns the material of a part, or NULL. */
 static const struct plain_material *material_of(const struct plain *plain,
                                                 const struct plain_part *part)
 {
     return part->material > 0 ? &plain->materials[part->material - 1] : NULL;
 }
 
-static struct model_shape shape_of(const struct plain *plain, const struct plain_part *part,
-                                   char name[static 80])
+static struct model_shape make_shape(const struct plain *plain, const struct plain_part *part,
+                                     char name[static 80])
 {
     const struct plain_material *material = material_of(plain, part);
     const size_t first = part->first_vertex;
-    const bool is_bare = plain->colors && !plain->normals && !material;
+    const bool is_unlit = plain->colors && !plain->normals && !material;
     const uint32_t layer =
         material && part->has_uvs ? material->material.textures[MATERIAL_BASE_COLOR].layer : 0;
     (void)snprintf(name, 80, "mesh %u \"%.40s\"", (unsigned)(part - plain->parts), part->name);
@@ -83,37 +82,37 @@ static struct model_shape shape_of(const struct plain *plain, const struct plain
         .vertex_count = part->vertex_count,
         .index_count = part->index_count,
         .color = material ? material->color : glms_vec3_one(),
-        .material = layer | (is_bare ? MESH_UNLIT : 0u),
+        .material = layer | (is_unlit ? MESH_UNLIT : 0u),
     };
 }
 
-/* How the parts become objects and surroundings. */
-struct division {
+/* Rule that assigns the parts of a file to refractive objects and surroundings. */
+struct role_rule {
     enum model_part everything_is;
-    bool is_split; /* by materials; else everything_is holds */
+    bool is_split; /* by material; else everything_is applies */
 };
 
-static struct division divide(const struct plain *plain, enum model_part everything_is)
+static struct role_rule choose_roles(const struct plain *plain, enum model_part everything_is)
 {
-    struct division division = {
+    struct role_rule role_rule = {
         .everything_is = everything_is == MODEL_BY_MATERIALS ? MODEL_OBJECT : everything_is,
     };
     for (uint32_t i = 0; i < plain->part_count; i++) {
         const struct plain_material *material = material_of(plain, &plain->parts[i]);
         if (plain->parts[i].index_count > 0 && material)
-            division.is_split |=
+            role_rule.is_split |=
                 everything_is != MODEL_OBJECT || material->material.transmission > 0;
     }
-    return division;
+    return role_rule;
 }
 
-/* Returns the row of a part's material: those without one share the last row. */
-static uint32_t row_of(const struct plain *plain, const struct plain_part *part)
+/* Returns the index of a part's material in the model; parts without one use the last material. */
+static uint32_t material_index(const struct plain *plain, const struct plain_part *part)
 {
     return part->material > 0 ? part->material - 1 : plain->material_count;
 }
 
-/* Lists an object whose triangles begin where the part ends. */
+/* Adds the object of a part, before its triangles are appended to the object mesh. */
 static enum status add_object(struct model_build *build, const struct plain *plain,
                               const struct plain_part *part)
 {
@@ -127,7 +126,7 @@ static enum status add_object(struct model_build *build, const struct plain *pla
     *object = (struct object){
         .first_index = (uint32_t)build->index_count[MODEL_OBJECT],
         .index_count = part->index_count,
-        .material = row_of(plain, part),
+        .material = material_index(plain, part),
     };
     memcpy(object->name, part->name, sizeof(object->name));
     model->has_ior = true;
@@ -150,7 +149,7 @@ static enum status list_materials(const struct plain *plain, struct model *model
     for (uint32_t i = 0; i < plain->material_count; i++) {
         struct material *m = &model->materials[i];
         *m = plain->materials[i].material;
-        if (m->transmission > 0) /* map_Kd is what the surface itself shows: Tf tints what passes */
+        if (m->transmission > 0) /* tinted by Tf, not by map_Kd */
             m->textures[MATERIAL_BASE_COLOR].layer = 0;
     }
     model->materials[plain->material_count] = material_make("");
@@ -159,42 +158,42 @@ static enum status list_materials(const struct plain *plain, struct model *model
         if (plain->parts[i].index_count > 0 && plain->parts[i].material == 0)
             return STATUS_OK;
     }
-    model->material_count--; /* no part needs the last row */
+    model->material_count--; /* no part uses the last material */
     return STATUS_OK;
 }
 
-/* Counts the parts that have triangles, or adds them. */
-static enum status walk(struct model_build *build, const struct plain *plain,
-                        const struct division *division, bool is_counting)
+/* Visits all parts that have triangles: counts them in the first pass, adds them in the second. */
+static enum status visit_parts(struct model_build *build, const struct plain *plain,
+                               const struct role_rule *role_rule, bool is_counting)
 {
     enum status status = STATUS_OK;
-    const char *last = NULL; /* name of an object */
+    const char *last = NULL; /* name of the previous part: equal names continue an object */
     for (uint32_t i = 0; i < plain->part_count && status == STATUS_OK; i++) {
         const struct plain_part *part = &plain->parts[i];
         const struct plain_material *material = material_of(plain, part);
         const bool is_clear = material && material->material.transmission > 0;
-        const enum model_part target = !division->is_split ? division->everything_is
-                                       : is_clear          ? MODEL_OBJECT
-                                                           : MODEL_SURROUNDINGS;
+        const enum model_part role = !role_rule->is_split ? role_rule->everything_is
+                                     : is_clear           ? MODEL_OBJECT
+                                                          : MODEL_SURROUNDINGS;
         char name[80];
         if (part->index_count == 0)
             continue;
-        struct model_shape shape = shape_of(plain, part, name);
+        struct model_shape shape = make_shape(plain, part, name);
         if (is_counting) {
             status = model_shape_check(plain->import, &shape);
             if (status == STATUS_OK)
-                status = model_build_count(build, target, part->vertex_count, part->index_count);
+                status = model_build_count(build, role, part->vertex_count, part->index_count);
             continue;
         }
-        if (division->is_split)
-            shape.material |= (row_of(plain, part) + 1) << MESH_SURFACE_SHIFT;
-        if (division->is_split && target == MODEL_OBJECT)
+        if (role_rule->is_split)
+            shape.material |= (material_index(plain, part) + 1) << MESH_SURFACE_SHIFT;
+        if (role_rule->is_split && role == MODEL_OBJECT)
             status = add_object(build, plain, part);
         if (!last || strcmp(last, part->name) != 0)
             build->opaque = part->name;
         last = part->name;
         if (status == STATUS_OK)
-            status = model_build_add(build, target, &shape, glms_mat4_identity());
+            status = model_build_add(build, role, &shape, glms_mat4_identity());
     }
     return status;
 }
@@ -202,17 +201,18 @@ static enum status walk(struct model_build *build, const struct plain *plain,
 enum status plain_build(struct plain *plain, struct model *model, enum model_part everything_is)
 {
     struct model_build build;
-    const struct division division = divide(plain, everything_is);
+    const struct role_rule role_rule = choose_roles(plain, everything_is);
     model_build_init(&build, plain->import, model);
-    enum status status = walk(&build, plain, &division, true);
+    enum status status = visit_parts(&build, plain, &role_rule, true);
     if (status == STATUS_OK)
         status = plain_load_pictures(plain, model);
     if (status == STATUS_OK)
         status = model_build_allocate(&build);
     if (status == STATUS_OK)
-        status = walk(&build, plain, &division, false);
+        status = visit_parts(&build, plain, &role_rule, false);
     if (status == STATUS_OK)
-        status = division.is_split ? list_materials(plain, model) : model_build_bare_object(&build);
+        status =
+            role_rule.is_split ? list_materials(plain, model) : model_build_bare_object(&build);
     return status == STATUS_OK ? model_build_end(&build) : status;
 }
 

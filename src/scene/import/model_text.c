@@ -1,4 +1,4 @@
-/* model_text.c: reads a file of .obj or .ply. */
+/* model_text.c: loads an OBJ or PLY file as a model, with warnings about what is not drawn. */
 #include <stdio.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -51,7 +51,7 @@ enum status model_load_plain(struct model_import *import, const char *suffix, st
     if (status == STATUS_OK)
         status = plain_build(&plain, model, everything_is);
     if (plain.colors && plain.material_count == 0 && everything_is == MODEL_BY_MATERIALS)
-        plain_note(plain.undrawn, "colours of vertices"); /* all is ice, though nobody asked */
+        plain_note(plain.undrawn, "vertex colours"); /* ice shows none */
     if (status == STATUS_OK && import->missed[0])
         log_warning("%s: refers to %s, which does not exist; its materials are left out",
                     import->path, import->missed);

@@ -1,5 +1,5 @@
-/* mtl.c: reads materials of MTL (Wavefront, Advanced Visualizer, appendix B5, and the extension of
- * Pr, Pm, Ke and norm). */
+/* mtl.c: reader of MTL material libraries (Wavefront, Advanced Visualizer, appendix B5, with the
+ * PBR extension Pr, Pm, Ke and norm), converted to glTF-style materials. */
 #include <cglm/struct.h>
 #include <ctype.h>
 #include <math.h>
@@ -9,26 +9,26 @@
 #include "src/scene/import/model_plain.h"
 
 enum {
-    EXPONENT_OF_MAPS = 1000, /* that map_Ns is a factor of without Ns; the largest */
+    EXPONENT_OF_MAPS = 1000, /* Ns that map_Ns scales without Ns: MTL's largest */
 };
 
 struct mtl;
 
-/* A statement; `read` logs a line if it returns another status than STATUS_OK. */
+/* A statement of the format. `read` logs a line if it does not return STATUS_OK. */
 struct statement {
     const char *word;
     enum status (*read)(struct mtl *mtl, struct text_scan *line, const struct statement *statement);
-    uint32_t which; /* offset of a field of struct mtl, or enum plain_map_use */
+    uint32_t which; /* offset of a member of struct mtl, or enum plain_map_use */
 };
 
-/* A file, and the values of the material that it describes now. */
+/* An MTL file being read, and the values of its current material. */
 struct mtl {
     struct plain *plain;
     const char *path;
     uint32_t line;                   /* from 1 */
     struct plain_material *material; /* NULL before the first newmtl */
     vec3s diffuse, specular, emission, filter;
-    float exponent, opacity, clearness, index, model, roughness, metallic;
+    float exponent, opacity, transparency, ior, illum, roughness, metallic;
 };
 
 static enum status fault(const struct mtl *mtl, const char *what, const struct text_scan *got)
@@ -44,8 +44,8 @@ static enum status no_memory(const struct mtl *mtl)
     return log_out_of_memory(mtl->path);
 }
 
-/* Notes a word that is not drawn. */
-static void note(struct mtl *mtl, const struct text_scan *text)
+/* Records a statement or option that is not drawn. */
+static void note_undrawn(struct mtl *mtl, const struct text_scan *text)
 {
     char word[40];
     text_show(word, sizeof(word), text);
@@ -59,7 +59,7 @@ static void *field_of(struct mtl *mtl, const struct statement *statement)
     return (char *)mtl + statement->which;
 }
 
-/* Reads red, green and blue, or one number for all of them. */
+/* Reads red, green and blue, or one number for all three. */
 static enum status read_color(struct mtl *mtl, struct text_scan *line,
                               const struct statement *statement)
 {
@@ -69,15 +69,15 @@ static enum status read_color(struct mtl *mtl, struct text_scan *line,
     float numbers[3];
     const uint32_t count = text_floats(line, numbers, 3);
     if (text_take_word(&word, "spectral") || text_take_word(&word, "xyz")) {
-        note(mtl, &(struct text_scan){ all.at, word.at });
+        note_undrawn(mtl, &(struct text_scan){ all.at, word.at });
         return STATUS_OK;
     }
     if (count != 1 && count < 3)
-        return fault(mtl, "expected three numbers of a colour", &all);
+        return fault(mtl, "expected one or three colour components", &all);
     for (int k = 0; k < 3; k++) {
         color->raw[k] = numbers[count == 1 ? 0 : k];
         if (!isfinite(color->raw[k]))
-            return fault(mtl, "expected a colour that is finite", &all);
+            return fault(mtl, "expected finite colour components", &all);
     }
     return STATUS_OK;
 }
@@ -95,7 +95,7 @@ static enum status read_number(struct mtl *mtl, struct text_scan *line,
 
 /* ---- pictures ---- */
 
-/* Reads an option of a picture; returns false if its values are wrong. */
+/* Reads a texture option such as -s or -bm. Returns false if its values are invalid. */
 static bool read_option(struct mtl *mtl, struct text_scan *line, struct plain_map *map)
 {
     float numbers[3] = { 0 };
@@ -115,7 +115,7 @@ static bool read_option(struct mtl *mtl, struct text_scan *line, struct plain_ma
         map->is_clamped = text_take_word(line, "on");
         return map->is_clamped || text_take_word(line, "off");
     }
-    note(mtl, &option);
+    note_undrawn(mtl, &option);
     if (text_take_word(&word, "-mm") || text_take_word(&word, "-t") ||
         text_take_word(&word, "-boost") || text_take_word(&word, "-texres"))
         return text_floats(line, numbers, 3) > 0;
@@ -130,11 +130,11 @@ static enum status read_map(struct mtl *mtl, struct text_scan *line,
     const struct text_scan all = text_rest(line);
     while (text_skip(line) && *line->at == '-') {
         if (!read_option(mtl, line, &map))
-            return fault(mtl, "expected options with their values before a picture", &all);
+            return fault(mtl, "expected texture options with valid values", &all);
     }
     const struct text_scan name = text_rest(line);
     if (name.at == name.end)
-        return fault(mtl, "expected the name of a picture", &all);
+        return fault(mtl, "expected the name of a texture file", &all);
     struct plain_map *to = &mtl->material->maps[statement->which];
     map.file = malloc((size_t)(name.end - name.at) + 1);
     if (!map.file)
@@ -147,48 +147,48 @@ static enum status read_map(struct mtl *mtl, struct text_scan *line,
 
 /* ---- materials ---- */
 
-/* Whether the illumination model refracts: glass, Fresnel and refraction. */
-static bool is_glass(const struct mtl *mtl)
+/* Returns true if the illumination model refracts: illum 4, 6, 7 or 9. */
+static bool is_refracting(const struct mtl *mtl)
 {
-    const int model = (int)fminf(fmaxf(mtl->model, 0), 99);
-    return model == 4 || model == 6 || model == 7 || model == 9;
+    const int illum = (int)fminf(fmaxf(mtl->illum, 0), 99);
+    return illum == 4 || illum == 6 || illum == 7 || illum == 9;
 }
 
-/* Whether nothing but "Tr 1" says that all light passes: MeshLab means the opposite by it. */
+/* Returns true if only "Tr 1" makes the material transparent: MeshLab writes it for opaque ones. */
 static bool is_meshlab(const struct mtl *mtl)
 {
-    return mtl->clearness >= 1 && !is_glass(mtl) && !(mtl->index > 1);
+    return mtl->transparency >= 1 && !is_refracting(mtl) && !(mtl->ior > 1);
 }
 
 /*
- * A material is transmissive that has a refracting illum, a d below 1, or a Tf with a Ni: what d
- * leaves passes, or all of it, tinted by Tf. Without a Ni above 1 it is a thin wall. Without Ns it
- * is smooth. A d beside a map_d is alpha.
+ * Sets the transmissive properties. A material is transmissive if its illum refracts, or it has d
+ * below 1, or Tf and Ni. The transmission is 1 - d, or 1, tinted by Tf. Without Ni above 1 it is a
+ * thin wall; without Ns it is smooth. If there is a map_d, d is alpha instead.
  */
-static void make_medium(struct mtl *mtl, struct material *m)
+static void set_transmission(struct mtl *mtl, struct material *m)
 {
     const bool is_alpha = mtl->material->maps[PLAIN_ALPHA].file;
     const float opacity = is_alpha || is_meshlab(mtl) ? 1
-                          : mtl->clearness > 0        ? 1 - mtl->clearness
+                          : mtl->transparency > 0     ? 1 - mtl->transparency
                                                       : mtl->opacity;
     const bool is_filter = mtl->filter.x < 1 || mtl->filter.y < 1 || mtl->filter.z < 1;
     if (is_meshlab(mtl) && !is_alpha)
-        plain_note(mtl->plain->undrawn_materials, "Tr 1 (opaque, as MeshLab means it)");
-    if (!(is_glass(mtl) || opacity < 1 || (is_filter && mtl->index > 1)))
+        plain_note(mtl->plain->undrawn_materials, "Tr 1 (taken as opaque, as MeshLab writes it)");
+    if (!(is_refracting(mtl) || opacity < 1 || (is_filter && mtl->ior > 1)))
         return;
     m->base_color = mtl->filter;
     m->transmission = opacity < 1 ? 1 - opacity : 1;
     m->roughness = mtl->exponent > 0 || mtl->roughness >= 0 ? m->roughness : 0;
-    m->thickness = mtl->index > 1 ? 1 : 0;
-    m->ior = mtl->index > 1 ? mtl->index : m->ior;
-    m->flags |= mtl->index > 1 ? MATERIAL_HAS_IOR : 0u;
+    m->thickness = mtl->ior > 1 ? 1 : 0;
+    m->ior = mtl->ior > 1 ? mtl->ior : m->ior;
+    m->flags |= mtl->ior > 1 ? MATERIAL_HAS_IOR : 0u;
 }
 
 /*
- * Reflectance: .08 Ks at normal incidence, as Blender writes and reads it: .5, its default, is that
- * of glass. Without highlights, illum 0 and 1, there is none.
+ * Sets the opaque surface properties. The reflectance at normal incidence is 0.08 Ks, Blender's
+ * convention, in which the default Ks of 0.5 means glass. illum 0 and 1 have no highlights.
  */
-static void make_surface(const struct mtl *mtl, struct material *m)
+static void set_surface(const struct mtl *mtl, struct material *m)
 {
     m->base_color = mtl->diffuse;
     m->metallic = mtl->metallic;
@@ -197,24 +197,25 @@ static void make_surface(const struct mtl *mtl, struct material *m)
     m->roughness = mtl->roughness >= 0 ? mtl->roughness : model_roughness_of(mtl->exponent);
     if (mtl->specular.x >= 0)
         m->specular_color = glms_vec3_scale(mtl->specular, 2);
-    if (mtl->model < 2 && mtl->model >= 0)
+    if (mtl->illum < 2 && mtl->illum >= 0)
         m->specular = 0;
 }
 
-/* Whether two pictures that become one have different coordinates. */
-static bool are_apart(const struct plain_map *a, const struct plain_map *b)
+/* Returns true if two maps that are merged into one texture differ in their coordinates. */
+static bool have_different_coordinates(const struct plain_map *a, const struct plain_map *b)
 {
-    bool is_moved = a->is_clamped != b->is_clamped;
+    bool is_different = a->is_clamped != b->is_clamped;
     for (int k = 0; k < 2; k++)
-        is_moved |= fabsf(a->scale[k] - b->scale[k]) > 0 || fabsf(a->offset[k] - b->offset[k]) > 0;
-    return is_moved && a->file && b->file;
+        is_different |=
+            fabsf(a->scale[k] - b->scale[k]) > 0 || fabsf(a->offset[k] - b->offset[k]) > 0;
+    return is_different && a->file && b->file;
 }
 
-/* Notes the pictures that only opaque surfaces show, and what a picture of another's alpha has. */
+/* Records maps that only opaque surfaces use, and options that are lost when maps are merged. */
 static void check_maps(struct mtl *mtl, const struct plain_material *material)
 {
     static const char *const clear[PLAIN_MAP_COUNT] = {
-        [PLAIN_COLOR] = "map_Kd of clear materials",
+        [PLAIN_COLOR] = "map_Kd of fully transmissive materials",
         [PLAIN_ALPHA] = "map_d of transmissive materials",
         [PLAIN_SPECULAR] = "map_Ks of transmissive materials",
         [PLAIN_EMISSION] = "map_Ke of transmissive materials",
@@ -228,13 +229,13 @@ static void check_maps(struct mtl *mtl, const struct plain_material *material)
             plain_note(mtl->plain->undrawn_materials, clear[i]);
     }
     const enum plain_map_use rough = maps[PLAIN_ROUGHNESS].file ? PLAIN_ROUGHNESS : PLAIN_SHININESS;
-    if (are_apart(&maps[PLAIN_COLOR], &maps[PLAIN_ALPHA]))
+    if (have_different_coordinates(&maps[PLAIN_COLOR], &maps[PLAIN_ALPHA]))
         plain_note(mtl->plain->undrawn_materials, "options of map_d");
-    if (are_apart(&maps[rough], &maps[PLAIN_METALLIC]) && !(transmission > 0))
+    if (have_different_coordinates(&maps[rough], &maps[PLAIN_METALLIC]) && !(transmission > 0))
         plain_note(mtl->plain->undrawn_materials, "options of map_Pm");
 }
 
-/* Completes the material that the last statements have described. */
+/* Completes the current material from the statements read so far. */
 static void end_material(struct mtl *mtl)
 {
     struct plain_material *material = mtl->material;
@@ -243,10 +244,10 @@ static void end_material(struct mtl *mtl)
     struct material *m = &material->material;
     material->color = mtl->diffuse;
     material->exponent = mtl->exponent;
-    make_surface(mtl, m);
-    make_medium(mtl, m);
+    set_surface(mtl, m);
+    set_transmission(mtl, m);
     m->normal_scale = material->maps[PLAIN_BUMP].file ? material->maps[PLAIN_BUMP].strength : 1;
-    if (mtl->roughness >= 0) { /* counts instead */
+    if (mtl->roughness >= 0) { /* Pr takes precedence over map_Ns */
         free(material->maps[PLAIN_SHININESS].file);
         material->maps[PLAIN_SHININESS].file = NULL;
     } else if (material->maps[PLAIN_SHININESS].file && !(mtl->exponent > 0)) {
@@ -262,7 +263,7 @@ static void end_material(struct mtl *mtl)
     (void)material_clamp(m);
 }
 
-/* Begins a material. Of several with one name the first is used. */
+/* Begins a material. If several have one name, the first is used. */
 static enum status begin_material(struct mtl *mtl, struct text_scan *line,
                                   const struct statement *statement)
 {
@@ -291,9 +292,9 @@ static enum status begin_material(struct mtl *mtl, struct text_scan *line,
     mtl->specular = glms_vec3_fill(-1);
     mtl->exponent = 0;
     mtl->opacity = 1;
-    mtl->clearness = 0;
-    mtl->index = 1;
-    mtl->model = -1;
+    mtl->transparency = 0;
+    mtl->ior = 1;
+    mtl->illum = -1;
     mtl->roughness = -1;
     mtl->metallic = 0;
     return STATUS_OK;
@@ -314,10 +315,10 @@ static const struct statement statements[] = {
     { "Ke", read_color, offsetof(struct mtl, emission) },
     { "Tf", read_color, offsetof(struct mtl, filter) },
     { "Ns", read_number, offsetof(struct mtl, exponent) },
-    { "Ni", read_number, offsetof(struct mtl, index) },
+    { "Ni", read_number, offsetof(struct mtl, ior) },
     { "d", read_number, offsetof(struct mtl, opacity) },
-    { "Tr", read_number, offsetof(struct mtl, clearness) },
-    { "illum", read_number, offsetof(struct mtl, model) },
+    { "Tr", read_number, offsetof(struct mtl, transparency) },
+    { "illum", read_number, offsetof(struct mtl, illum) },
     { "Pr", read_number, offsetof(struct mtl, roughness) },
     { "Pm", read_number, offsetof(struct mtl, metallic) },
     { "map_Kd", read_map, PLAIN_COLOR },
@@ -330,9 +331,9 @@ static const struct statement statements[] = {
     { "map_bump", read_map, PLAIN_BUMP },
     { "bump", read_map, PLAIN_BUMP },
     { "norm", read_map, PLAIN_BUMP },
-    { "Ka", skip, 0 }, /* ambient light is that of the environment */
+    { "Ka", skip, 0 }, /* ambient light comes from the environment */
     { "map_Ka", skip, 0 },
-    { "map_aat", skip, 0 }, /* antialiasing */
+    { "map_aat", skip, 0 }, /* texture antialiasing */
     { "sharpness", skip, 0 },
 };
 
@@ -345,15 +346,15 @@ static enum status read_line(struct mtl *mtl, struct text_scan *line)
         if (!text_take_word(line, statement->word))
             continue;
         if (!mtl->material && statement->read != begin_material)
-            return STATUS_OK; /* of no material */
+            return STATUS_OK; /* before the first newmtl */
         return statement->read(mtl, line, statement);
     }
     const struct text_scan word = text_word(line);
-    note(mtl, &word);
+    note_undrawn(mtl, &word);
     return STATUS_OK;
 }
 
-/* Reads a library if its file is there. */
+/* Reads an MTL file. If it does not exist, *is_found is false and nothing is logged. */
 static enum status read_file(struct plain *plain, const struct text_scan *name, bool *is_found)
 {
     size_t size = 0;
@@ -376,7 +377,7 @@ static enum status read_file(struct plain *plain, const struct text_scan *name, 
     struct mtl mtl = { .plain = plain, .path = path };
     struct text_scan file = { text, text ? text + size : NULL };
     if (size >= 3 && text && !memcmp(text, "\xef\xbb\xbf", 3))
-        file.at += 3; /* a mark of UTF-8 */
+        file.at += 3; /* UTF-8 byte order mark */
     while (status == STATUS_OK && file.at < file.end) {
         struct text_scan line = text_line(&file);
         mtl.line++;
@@ -396,7 +397,7 @@ enum status mtl_read(struct plain *plain, const struct text_scan *name)
     bool is_found = false;
     if (word.at == word.end)
         return STATUS_OK;
-    /* A name may have blanks; else it is a list of names. */
+    /* A file name may contain blanks; if there is no such file, it is a list of names. */
     const bool is_list = text_skip(&rest);
     const bool has_missed = import->missed[0] != '\0';
     enum status status = read_file(plain, name, &is_found);

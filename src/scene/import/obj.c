@@ -1,6 +1,7 @@
 /*
- * obj.c: reads the statements of OBJ (Wavefront, Advanced Visualizer, appendix B1) that describe
- * polygons. Curves, points and lines are left out.
+ * obj.c: reader of the polygonal statements of OBJ files (Wavefront, Advanced Visualizer, appendix
+ * B1). Curves, points and lines are left out. Faces refer to positions, texture coordinates and
+ * normals separately; each distinct combination within a part becomes a vertex.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -11,17 +12,17 @@
 static const uint32_t none = UINT32_MAX;
 
 enum {
-    BUCKET_COUNT = 4096, /* of parts by their names */
+    BUCKET_COUNT = 4096, /* hash buckets of parts by name */
 };
 
-/* What a corner of a face is made of: indices of the file's lists, or `none`. */
+/* Vertex of a face: indices into the file's lists, or `none`. */
 struct corner {
     uint32_t position, uv, normal;
     uint32_t part;
-    uint32_t next; /* another corner at this position, or `none` */
+    uint32_t next; /* next corner of this position, or `none`; later its vertex */
 };
 
-/* Triangles of one part that follow each other. */
+/* Consecutive triangles of one part. */
 struct run {
     uint32_t part;
     uint32_t first_index;
@@ -29,20 +30,20 @@ struct run {
 
 struct obj_part {
     struct plain_part part;
-    uint32_t next; /* another one of its bucket, or `none` */
+    uint32_t next; /* next part in its hash bucket, or `none` */
 };
 
 struct obj {
     struct plain *plain;
     uint32_t line; /* from 1 */
     uint32_t last_index;
-    struct plain_array positions, colors, uvs, normals; /* of 3, 4, 2 and 3 floats */
-    struct plain_array first; /* uint32_t: a corner of each position, or `none` */
+    struct plain_array positions, colors, uvs, normals; /* of 3, 4, 2 and 3 floats per item */
+    struct plain_array first; /* uint32_t: head of each position's chain of corners, or `none` */
     struct plain_array corners, indices, runs, polygons, parts;
     uint32_t buckets[BUCKET_COUNT];
-    char group[MATERIAL_NAME_SIZE]; /* the name that o or g gave last */
-    uint32_t material;              /* index + 1; 0: none */
-    uint32_t part;                  /* of both, or `none` until a face needs it */
+    char group[MATERIAL_NAME_SIZE]; /* group name in the last o or g statement */
+    uint32_t material;              /* index + 1; 0 if there is none */
+    uint32_t part;                  /* index of the current part; `none` until a face needs it */
 };
 
 static enum status fault(const struct obj *obj, const char *what, const struct text_scan *got)
@@ -60,7 +61,7 @@ static enum status no_memory(const struct obj *obj)
 
 /* ---- lists ---- */
 
-/* Stores the colour of the last position; positions before it without one are white. */
+/* Stores the colour of the last position; earlier positions without a colour become white. */
 static bool add_color(struct obj *obj, const float *color)
 {
     const size_t missing = obj->positions.count - obj->colors.count;
@@ -81,11 +82,11 @@ static enum status read_position(struct obj *obj, struct text_scan *line)
     if (count < 3)
         return fault(obj, "expected three coordinates", &all);
     if (obj->positions.count == MODEL_ELEMENT_MAX)
-        return fault(obj, "expected fewer vertices", &all);
+        return fault(obj, "expected at most 268435456 vertices", &all);
     position = plain_array_add(&obj->positions, 1, sizeof(*position));
     if (!position)
         return no_memory(obj);
-    /* A fourth number is a weight; a colour follows three or four numbers. */
+    /* After x y z there may be a weight w and, as a common extension, a colour. */
     const float weight = (count == 4 || count == 7) && numbers[3] != 0 ? numbers[3] : 1;
     for (int k = 0; k < 3; k++)
         (*position)[k] = numbers[k] / weight;
@@ -112,8 +113,8 @@ static enum status read_vector(struct obj *obj, struct text_scan *line, struct p
 
 /* ---- faces ---- */
 
-/* Reads a number of a list, from 1 or, below 0, from its end. Forward references are checked when
- * the file has been read. */
+/* Reads a list index: from 1, or negative from the end of the list. Indices beyond its current end
+ * are checked after the whole file is read. */
 static bool read_index(const struct obj *obj, struct text_scan *word, size_t count, uint32_t *index)
 {
     int64_t number;
@@ -134,7 +135,7 @@ static inline bool take_slash(struct text_scan *word)
     return true;
 }
 
-/* Reads "1", "1/2", "1//3" or "1/2/3". */
+/* Reads a face corner: "1", "1/2", "1//3" or "1/2/3". */
 static bool read_corner(const struct obj *obj, struct text_scan *word, struct corner *corner)
 {
     *corner = (struct corner){ none, none, none, none, none };
@@ -151,7 +152,7 @@ static bool read_corner(const struct obj *obj, struct text_scan *word, struct co
     return word->at == word->end || text_is_blank(*word->at);
 }
 
-/* Finds or adds a corner; returns its index, or `none` when out of memory. */
+/* Finds or adds a corner. Returns its index, or `none` when out of memory. */
 static uint32_t find_corner(struct obj *obj, const struct corner *wanted)
 {
     if (wanted->position >= obj->first.count) {
@@ -182,7 +183,7 @@ static uint32_t find_corner(struct obj *obj, const struct corner *wanted)
     return *first;
 }
 
-/* Returns the part of the group and the material that hold now, or `none` when out of memory. */
+/* Finds or adds the part of the current group and material; `none` when out of memory. */
 static uint32_t find_part(struct obj *obj)
 {
     uint32_t bucket = obj->material * 31;
@@ -204,7 +205,7 @@ static uint32_t find_part(struct obj *obj)
     return *first = (uint32_t)obj->parts.count - 1;
 }
 
-/* Begins a run of triangles of the part that holds now. */
+/* Begins a run of triangles of the current part. */
 static bool begin_run(struct obj *obj)
 {
     obj->part = find_part(obj);
@@ -214,7 +215,7 @@ static bool begin_run(struct obj *obj)
     return run;
 }
 
-/* Adds a face as a fan of triangles. Faces of one or two corners are points and lines. */
+/* Adds a face as a triangle fan. Faces of one or two corners, points and lines, add none. */
 static enum status read_face(struct obj *obj, struct text_scan *line)
 {
     const uint32_t first_index = (uint32_t)obj->indices.count;
@@ -226,7 +227,7 @@ static enum status read_face(struct obj *obj, struct text_scan *line)
         struct text_scan word = *line;
         if (!read_corner(obj, line, &corner)) {
             const struct text_scan got = text_word(&word);
-            return fault(obj, "expected indices of vertices that exist", &got);
+            return fault(obj, "expected indices of existing vertices", &got);
         }
         corner.part = obj->part;
         const uint32_t index = find_corner(obj, &corner);
@@ -285,7 +286,7 @@ static enum status read_other(struct obj *obj, struct text_scan *line)
         plain_note(obj->plain->undrawn, "points and lines");
     } else if (text_take_word(line, "curv") || text_take_word(line, "curv2") ||
                text_take_word(line, "surf")) {
-        plain_note(obj->plain->undrawn, "curves and surfaces in free form");
+        plain_note(obj->plain->undrawn, "free-form curves and surfaces");
     }
     return STATUS_OK;
 }
@@ -309,13 +310,13 @@ static enum status read_line(struct obj *obj, struct text_scan *line)
         return read_face(obj, line);
     line->at += is_vector ? 2 : 0;
     if (is_vector && second == 'n')
-        return read_vector(obj, line, &obj->normals, 3, "expected three numbers of a normal");
+        return read_vector(obj, line, &obj->normals, 3, "expected three components of a normal");
     if (is_vector && second == 't')
         return read_vector(obj, line, &obj->uvs, 2, "expected texture coordinates");
     return is_vector ? STATUS_OK : read_other(obj, line);
 }
 
-/* Turns the ends of lines that continue into blanks. */
+/* Replaces backslash line continuations by blanks. */
 static void join_lines(char *text, size_t size)
 {
     char *end = text + size;
@@ -337,7 +338,7 @@ static enum status check_index(const struct obj *obj, uint32_t index, size_t cou
 {
     if (index < count)
         return STATUS_OK;
-    log_error("%s: a face has the index of a %s that does not exist: %llu of %zu",
+    log_error("%s: a face refers to a %s that does not exist: %llu of %zu",
               obj->plain->import->path, what, index + 1ull, count);
     return STATUS_DATA;
 }
@@ -375,8 +376,8 @@ static bool allocate(struct obj *obj)
            (plain->colors || obj->colors.count == 0) && (plain->uvs || obj->uvs.count == 0);
 }
 
-/* Copies what a corner refers to. */
-static void put_vertex(const struct obj *obj, const struct corner *corner, uint32_t vertex)
+/* Copies the attributes that a corner refers to. */
+static void copy_vertex(const struct obj *obj, const struct corner *corner, uint32_t vertex)
 {
     static const float nothing[3] = { 0 }, white[4] = { 1, 1, 1, 1 };
     const float *positions = obj->positions.items, *normals = obj->normals.items;
@@ -397,8 +398,8 @@ static void put_vertex(const struct obj *obj, const struct corner *corner, uint3
                2 * sizeof(float));
 }
 
-/* Appends the triangles of a run to its part, and the vertices that it is the first to use. */
-static void put_run(struct obj *obj, size_t index, uint32_t *vertex_count, uint32_t *index_count)
+/* Appends the triangles of a run to its part, and their vertices at the first use. */
+static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, uint32_t *index_count)
 {
     const struct run *runs = obj->runs.items;
     const uint32_t *indices = obj->indices.items;
@@ -411,21 +412,21 @@ static void put_run(struct obj *obj, size_t index, uint32_t *vertex_count, uint3
         if (corner->next == none) {
             corner->next = (*vertex_count)++;
             part->has_uvs |= corner->uv != none;
-            put_vertex(obj, corner, corner->next);
+            copy_vertex(obj, corner, corner->next);
         }
         obj->plain->indices[(*index_count)++] = corner->next - part->first_vertex;
     }
 }
 
-/* Sorts triangles and vertices by part. The chains of the corners end here. */
-static enum status arrange(struct obj *obj)
+/* Sorts triangles and vertices by part. From here on corner.next is the corner's vertex. */
+static enum status sort_by_part(struct obj *obj)
 {
     struct plain *plain = obj->plain;
     const struct obj_part *parts = obj->parts.items;
     const struct run *runs = obj->runs.items;
     struct corner *corners = obj->corners.items;
     uint32_t vertex_count = 0, index_count = 0;
-    uint32_t *first = calloc(obj->parts.count + 2, sizeof(*first)); /* run of each part */
+    uint32_t *first = calloc(obj->parts.count + 2, sizeof(*first)); /* first run of each part */
     uint32_t *sorted = malloc((obj->runs.count + 1) * sizeof(*sorted));
     const bool is_done = first && sorted && allocate(obj);
     for (size_t i = 0; is_done && i < obj->corners.count; i++)
@@ -442,7 +443,7 @@ static enum status arrange(struct obj *obj)
         part->first_vertex = vertex_count;
         part->first_index = index_count;
         for (uint32_t k = first[i]; k < first[i + 1]; k++)
-            put_run(obj, sorted[k], &vertex_count, &index_count);
+            append_run(obj, sorted[k], &vertex_count, &index_count);
         part->vertex_count = vertex_count - part->first_vertex;
         part->index_count = index_count - part->first_index;
     }
@@ -460,7 +461,7 @@ static enum status read_text(struct obj *obj, char *text, size_t size)
     obj->part = none;
     obj->last_index = size / 4 < MODEL_ELEMENT_MAX ? (uint32_t)(size / 4) : MODEL_ELEMENT_MAX - 1;
     if (size >= 3 && !memcmp(text, "\xef\xbb\xbf", 3))
-        file.at += 3; /* a mark of UTF-8 */
+        file.at += 3; /* UTF-8 byte order mark */
     join_lines(text, size);
     while (status == STATUS_OK && file.at < file.end) {
         struct text_scan line = text_line(&file);
@@ -508,7 +509,7 @@ enum status obj_read(struct plain *plain)
         !polygon_divide_all(&polygon, obj->polygons.items, obj->polygons.count, obj->indices.items))
         status = no_memory(obj);
     if (status == STATUS_OK)
-        status = arrange(obj);
+        status = sort_by_part(obj);
     if (obj)
         finish(obj);
     return status;

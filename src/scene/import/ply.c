@@ -1,4 +1,4 @@
-/* ply.c: reads the vertices, faces and triangle strips of PLY (Turk 1994). */
+/* ply.c: reader of PLY files (Turk 1994): vertices, faces and triangle strips, ASCII or binary. */
 #include <assert.h>
 #include <cglm/struct.h>
 #include <math.h>
@@ -8,25 +8,25 @@
 #include "src/scene/import/model_plain.h"
 #include "src/scene/import/polygon.h"
 
-enum form {
-    FORM_TEXT,
-    FORM_LITTLE,
-    FORM_BIG,
-    FORM_COUNT,
+enum format {
+    FORMAT_TEXT,
+    FORMAT_LITTLE,
+    FORMAT_BIG,
+    FORMAT_COUNT,
 };
 
 enum {
     ELEMENT_MAX = 64,
-    PROPERTY_MAX = 256, /* of all elements */
+    PROPERTY_MAX = 256, /* of all elements together */
 };
 
-/* What a property is. Those of a vertex are in the order of their numbers in the arrays. */
+/* Meaning of a property. Vertex properties are ordered like the components of the arrays. */
 enum slot {
     SLOT_X,
     SLOT_NX = SLOT_X + 3,
     SLOT_RED = SLOT_NX + 3,
     SLOT_U = SLOT_RED + 3,
-    SLOT_CORNERS = SLOT_U + 2, /* of a face, or of strips */
+    SLOT_CORNERS = SLOT_U + 2, /* vertex indices of a face or of triangle strips */
     SLOT_COUNT,
     SLOT_OTHER = SLOT_COUNT,
 };
@@ -46,7 +46,7 @@ static const struct type types[] = {
 
 struct property {
     const struct type *type;
-    const struct type *count; /* of a list's length; NULL: no list */
+    const struct type *count; /* type of a list's length; NULL if it is no list */
     enum slot slot;
 };
 
@@ -66,14 +66,14 @@ struct element {
 
 struct ply {
     struct plain *plain;
-    uint32_t form;
+    uint32_t format;
     struct element elements[ELEMENT_MAX];
     uint32_t element_count;
     struct property properties[PROPERTY_MAX];
     uint32_t property_count;
     uint32_t vertex_count;
     struct plain_array indices, polygons;
-    const struct element *element; /* that is read, and which one of it: for messages */
+    const struct element *element; /* element that is being read, and the row in it; for messages */
     uint64_t row;
 };
 
@@ -99,22 +99,22 @@ static enum status no_memory(const struct ply *ply)
 
 /* ---- header ---- */
 
-static enum status read_form(struct ply *ply, struct text_scan *line)
+static enum status read_format(struct ply *ply, struct text_scan *line)
 {
-    static const char *const names[FORM_COUNT] = {
-        [FORM_TEXT] = "ascii",
-        [FORM_LITTLE] = "binary_little_endian",
-        [FORM_BIG] = "binary_big_endian",
+    static const char *const names[FORMAT_COUNT] = {
+        [FORMAT_TEXT] = "ascii",
+        [FORMAT_LITTLE] = "binary_little_endian",
+        [FORMAT_BIG] = "binary_big_endian",
     };
     const struct text_scan all = text_rest(line);
-    for (ply->form = 0; ply->form < FORM_COUNT; ply->form++) {
-        if (text_take_word(line, names[ply->form]))
+    for (ply->format = 0; ply->format < FORMAT_COUNT; ply->format++) {
+        if (text_take_word(line, names[ply->format]))
             return STATUS_OK;
     }
     return fault(ply, "expected ascii, binary_little_endian or binary_big_endian", &all);
 }
 
-/* Notes an element that is not drawn. */
+/* Records an element that is not drawn. */
 static void note_element(struct plain *plain, const char *name)
 {
     char words[48];
@@ -197,7 +197,7 @@ static const struct type *read_type(struct text_scan *line)
     return NULL;
 }
 
-/* Notes a property that is not drawn; what is unknown of other elements, they say themselves. */
+/* Records a property that is not drawn. Unknown elements are recorded by note_element() instead. */
 static void note_property(struct plain *plain, const struct element *element,
                           struct text_scan *name)
 {
@@ -212,12 +212,12 @@ static void note_property(struct plain *plain, const struct element *element,
         return;
     const struct text_scan own = text_word(name);
     text_show(word, sizeof(word), &own);
-    const char *said = word;
+    const char *description = word;
     for (size_t i = 0; i < sizeof(colors) / sizeof(colors[0]) && element->kind == KIND_FACE; i++)
-        said = strcmp(word, colors[i]) ? said : "colours";
+        description = strcmp(word, colors[i]) ? description : "colours";
     if (element->kind == KIND_FACE && !strcmp(word, "texcoord"))
-        said = "texture coordinates";
-    (void)snprintf(words, sizeof(words), "%s of %s", said, owners[element->kind]);
+        description = "texture coordinates";
+    (void)snprintf(words, sizeof(words), "%s of %s", description, owners[element->kind]);
     plain_note(plain->undrawn, words);
 }
 
@@ -230,7 +230,7 @@ static enum status read_property(struct ply *ply, struct text_scan *line)
         property.count = read_type(line);
     property.type = read_type(line);
     if (!property.type || (is_list && (!property.count || property.count->is_float)))
-        return fault(ply, "expected a property's type", &all);
+        return fault(ply, "expected the type of the property", &all);
     if (ply->element_count == 0 || ply->property_count == PROPERTY_MAX)
         return fault(ply, "expected at most 256 properties, each after its element", &all);
     struct element *element = &ply->elements[ply->element_count - 1];
@@ -242,7 +242,7 @@ static enum status read_property(struct ply *ply, struct text_scan *line)
     return STATUS_OK;
 }
 
-/* "comment TextureFile NAME": the file has a material with a picture. */
+/* Handles "comment TextureFile NAME", by which MeshLab names the file's texture. */
 static enum status read_comment(struct ply *ply, struct text_scan *line)
 {
     struct plain *plain = ply->plain;
@@ -268,13 +268,13 @@ static enum status read_comment(struct ply *ply, struct text_scan *line)
 static enum status read_header(struct ply *ply, struct text_scan *file)
 {
     enum status status = STATUS_OK;
-    ply->form = FORM_COUNT;
+    ply->format = FORMAT_COUNT;
     while (status == STATUS_OK && file->at < file->end) {
         struct text_scan line = text_line(file);
         if (text_take_word(&line, "end_header"))
-            return ply->form < FORM_COUNT ? STATUS_OK : fault(ply, "expected a format", &line);
+            return ply->format < FORMAT_COUNT ? STATUS_OK : fault(ply, "expected a format", &line);
         if (text_take_word(&line, "format"))
-            status = read_form(ply, &line);
+            status = read_format(ply, &line);
         else if (text_take_word(&line, "element"))
             status = read_element(ply, &line);
         else if (text_take_word(&line, "property"))
@@ -305,11 +305,11 @@ static double decode(const struct type *type, uint64_t bits)
     return bits & sign ? -(double)(2 * sign - bits) : (double)bits;
 }
 
-/* Reads a value; returns false at the end of the file, or where there is no number. */
+/* Reads a value; returns false at the end of the file or if there is no number. */
 static bool read_value(const struct ply *ply, struct text_scan *body, const struct type *type,
                        double *value)
 {
-    if (ply->form == FORM_TEXT) {
+    if (ply->format == FORMAT_TEXT) {
         float number;
         int64_t integer;
         struct text_scan next = *body;
@@ -327,7 +327,7 @@ static bool read_value(const struct ply *ply, struct text_scan *body, const stru
     if ((size_t)(body->end - body->at) < type->size)
         return false;
     for (uint32_t i = 0; i < type->size; i++) {
-        const uint32_t byte = ply->form == FORM_BIG ? i : type->size - 1 - i;
+        const uint32_t byte = ply->format == FORMAT_BIG ? i : type->size - 1 - i;
         bits = bits << 8 | (unsigned char)body->at[byte];
     }
     body->at += type->size;
@@ -335,12 +335,12 @@ static bool read_value(const struct ply *ply, struct text_scan *body, const stru
     return true;
 }
 
-/* Reads the length of a list whose values are there. */
+/* Reads the length of a list and checks that the file is long enough for its values. */
 static bool read_length(const struct ply *ply, struct text_scan *body,
                         const struct property *property, uint64_t *length)
 {
     double value;
-    const uint64_t size = ply->form == FORM_TEXT ? 1 : property->type->size;
+    const uint64_t size = ply->format == FORMAT_TEXT ? 1 : property->type->size;
     if (!read_value(ply, body, property->count, &value) || !(value >= 0))
         return false;
     *length = (uint64_t)value;
@@ -364,7 +364,7 @@ static enum status allocate_vertices(struct ply *ply, const struct element *elem
     const size_t count = (size_t)element->count + 1;
     ply->element = element;
     if (plain->positions)
-        return bad_row(ply, "expected the vertices once");
+        return bad_row(ply, "expected only one element with vertices");
     if (!has_slot(ply, element, SLOT_X) || !has_slot(ply, element, SLOT_X + 1) ||
         !has_slot(ply, element, SLOT_X + 2))
         return bad_row(ply, "expected the properties x, y and z");
@@ -383,7 +383,7 @@ static enum status allocate_vertices(struct ply *ply, const struct element *elem
                : no_memory(ply);
 }
 
-static void put_value(const struct ply *ply, const struct property *property, double value)
+static void store_value(const struct ply *ply, const struct property *property, double value)
 {
     const struct plain *plain = ply->plain;
     const struct type *type = property->type;
@@ -417,28 +417,28 @@ static enum status add_corners(struct ply *ply, uint32_t a, uint32_t b, uint32_t
     return STATUS_OK;
 }
 
-/* Reads the corners of a face as a fan, or of strips, between which is -1. */
+/* Reads the vertex indices of a face as a fan, or of triangle strips separated by -1. */
 static enum status read_corners(struct ply *ply, struct text_scan *body,
                                 const struct property *property, uint64_t length)
 {
     const bool is_face = ply->element->kind == KIND_FACE;
     const uint32_t first_index = (uint32_t)ply->indices.count;
     uint32_t corners[2] = { 0 };
-    uint64_t count = 0; /* of this face, or of this strip */
+    uint64_t count = 0; /* corners of this face or strip */
     enum status status = STATUS_OK;
     for (uint64_t i = 0; i < length && status == STATUS_OK; i++) {
         double value;
         if (!read_value(ply, body, property->type, &value))
-            return bad_row(ply, "the file ends within it, or a number is missing");
+            return bad_row(ply, "the file ends early, or a number is missing");
         if (!is_face && value < 0) {
             count = 0;
             continue;
         }
         if (!(value >= 0 && value < MODEL_ELEMENT_MAX))
-            return bad_row(ply, "a face has the index of a vertex that does not exist");
+            return bad_row(ply, "a face refers to a vertex that does not exist");
         const uint32_t c = (uint32_t)value;
         const bool is_odd = !is_face && count & 1;
-        const bool is_flat = /* joins two strips */
+        const bool is_flat = /* degenerate triangles join two strips */
             !is_face && (corners[0] == corners[1] || corners[0] == c || corners[1] == c);
         if (count >= 2 && !is_flat)
             status = add_corners(ply, corners[is_odd], corners[!is_odd], c);
@@ -469,7 +469,7 @@ static enum status read_row(struct ply *ply, struct text_scan *body)
         uint64_t length = 1;
         double value;
         if (property->count && !read_length(ply, body, property, &length))
-            return bad_row(ply, "the file ends within it, or a list has no length");
+            return bad_row(ply, "the file ends early, or a list has no valid length");
         if (property->slot == SLOT_CORNERS) {
             const enum status status = read_corners(ply, body, property, length);
             if (status != STATUS_OK)
@@ -478,15 +478,16 @@ static enum status read_row(struct ply *ply, struct text_scan *body)
         }
         for (uint64_t k = 0; k < length; k++) {
             if (!read_value(ply, body, property->type, &value))
-                return bad_row(ply, "the file ends within it, or a number is missing");
+                return bad_row(ply, "the file ends early, or a number is missing");
         }
         if (!property->count && ply->element->kind == KIND_VERTEX)
-            put_value(ply, property, value);
+            store_value(ply, property, value);
     }
     return STATUS_OK;
 }
 
-/* Each row has at least a byte, but those without properties, which have nothing. */
+/* Reads all elements. A count beyond the remaining bytes is rejected, because every row takes at
+ * least one byte; elements without properties take none and are skipped. */
 static enum status read_elements(struct ply *ply, struct text_scan *body)
 {
     enum status status = STATUS_OK;
@@ -498,7 +499,7 @@ static enum status read_elements(struct ply *ply, struct text_scan *body)
             continue;
         if (element->count > (uint64_t)(body->end - body->at) + 1 ||
             element->count > MODEL_ELEMENT_MAX)
-            return bad_row(ply, "the file is too short for as many as the header says");
+            return bad_row(ply, "the file is too short for the count in its header");
         if (element->kind == KIND_VERTEX)
             status = allocate_vertices(ply, element);
         for (; ply->row < element->count && status == STATUS_OK; ply->row++)
@@ -515,7 +516,7 @@ static enum status finish_triangles(struct ply *ply)
     uint32_t *indices = ply->indices.items;
     for (size_t i = 0; i < ply->indices.count; i++) {
         if (indices[i] >= ply->vertex_count) {
-            log_error("%s: a face has the index of a vertex that does not exist",
+            log_error("%s: a face refers to a vertex that does not exist",
                       ply->plain->import->path);
             return STATUS_DATA;
         }
@@ -535,14 +536,14 @@ static enum status finish_triangles(struct ply *ply)
     };
     for (size_t i = 0; ply->plain->colors && i < ply->vertex_count; i++)
         ply->plain->colors[4 * i + 3] = 1;
-    ply->indices.items = NULL; /* the file's now */
+    ply->indices.items = NULL; /* moved to ply->plain */
     return STATUS_OK;
 }
 
-/* Text may be divided into lines as it likes. */
+/* Replaces line breaks by blanks, because ASCII values may be split into lines anywhere. */
 static void join_lines(const struct ply *ply, char *text, const struct text_scan *body)
 {
-    if (ply->form != FORM_TEXT)
+    if (ply->format != FORMAT_TEXT)
         return;
     for (char *c = text + (body->at - text); c < body->end; c++)
         *c = (char)(text_is_break(*c) ? ' ' : *c);

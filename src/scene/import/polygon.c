@@ -1,15 +1,16 @@
-/* polygon.c: ears of a polygon (Meisters 1975, Polygons have ears). */
+/* polygon.c: triangulation by ear clipping (Meisters 1975, Polygons have ears), O(n^2) or worse,
+ * with a limit on the work per polygon. */
 #include "src/scene/import/polygon.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 
 enum {
-    TESTS_MAX = 1 << 26, /* of a corner in an ear; what is left then becomes a fan */
-    FEW = 16,            /* corners that need no memory */
+    TESTS_MAX = 1 << 26, /* Point-in-ear tests per polygon; beyond it, the rest becomes a fan. */
+    SMALL_COUNT = 16,    /* corners up to which arrays are on the stack */
 };
 
-/* The corners that are left, as points of a plane, counter-clockwise. */
+/* The remaining corners and their projections to a plane, counter-clockwise. */
 struct outline {
     uint32_t *corners;
     double (*points)[2];
@@ -29,8 +30,8 @@ static uint32_t corner_at(const uint32_t *fan, uint32_t i)
     return i < 2 ? fan[i] : fan[3 * (i - 2) + 2];
 }
 
-/* Fills in the points: the axis along which the polygon is widest is left out (Newell's normal). */
-static void flatten(const struct polygon *polygon, struct outline *outline)
+/* Projects the corners to the axis-aligned plane with the largest area, by Newell's normal. */
+static void project(const struct polygon *polygon, struct outline *outline)
 {
     double normal[3] = { 0 };
     for (uint32_t i = 0; i < outline->count; i++) {
@@ -42,33 +43,33 @@ static void flatten(const struct polygon *polygon, struct outline *outline)
                 ((double)a.raw[y] - (double)b.raw[y]) * ((double)a.raw[z] + (double)b.raw[z]);
         }
     }
-    int widest = 0;
+    int dropped_axis = 0;
     for (int k = 1; k < 3; k++)
-        widest = fabs(normal[k]) > fabs(normal[widest]) ? k : widest;
-    const double sign = normal[widest] < 0 ? -1 : 1;
+        dropped_axis = fabs(normal[k]) > fabs(normal[dropped_axis]) ? k : dropped_axis;
+    const double sign = normal[dropped_axis] < 0 ? -1 : 1;
     for (uint32_t i = 0; i < outline->count; i++) {
         const vec3s p = position_of(polygon, outline->corners[i]);
-        outline->points[i][0] = sign * (double)p.raw[(widest + 1) % 3];
-        outline->points[i][1] = (double)p.raw[(widest + 2) % 3];
+        outline->points[i][0] = sign * (double)p.raw[(dropped_axis + 1) % 3];
+        outline->points[i][1] = (double)p.raw[(dropped_axis + 2) % 3];
     }
 }
 
-/* Returns twice the area of a triangle; below 0 if it turns clockwise. */
-static double turn(const double a[2], const double b[2], const double c[2])
+/* Returns twice the signed area of a triangle; negative if it is clockwise. */
+static double signed_area(const double a[2], const double b[2], const double c[2])
 {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-static double turn_at(const struct outline *o, uint32_t i)
+static double corner_area(const struct outline *o, uint32_t i)
 {
-    return turn(o->points[(i + o->count - 1) % o->count], o->points[i],
-                o->points[(i + 1) % o->count]);
+    return signed_area(o->points[(i + o->count - 1) % o->count], o->points[i],
+                       o->points[(i + 1) % o->count]);
 }
 
 static bool is_convex(const struct outline *o)
 {
     for (uint32_t i = 0; i < o->count; i++) {
-        if (turn_at(o, i) < 0)
+        if (corner_area(o, i) < 0)
             return false;
     }
     return true;
@@ -76,23 +77,23 @@ static bool is_convex(const struct outline *o)
 
 static bool is_ear(struct outline *o, uint32_t i)
 {
-    const uint32_t last = (i + o->count - 1) % o->count, next = (i + 1) % o->count;
-    const double *a = o->points[last], *b = o->points[i], *c = o->points[next];
+    const uint32_t previous = (i + o->count - 1) % o->count, next = (i + 1) % o->count;
+    const double *a = o->points[previous], *b = o->points[i], *c = o->points[next];
     o->tests += o->count;
-    if (!(turn(a, b, c) > 0))
+    if (!(signed_area(a, b, c) > 0))
         return false;
     for (uint32_t k = 0; k < o->count; k++) {
         const double *p = o->points[k];
-        if (k == i || k == last || k == next || (p[0] == a[0] && p[1] == a[1]) ||
+        if (k == i || k == previous || k == next || (p[0] == a[0] && p[1] == a[1]) ||
             (p[0] == b[0] && p[1] == b[1]) || (p[0] == c[0] && p[1] == c[1]))
             continue;
-        if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0)
+        if (signed_area(a, b, p) >= 0 && signed_area(b, c, p) >= 0 && signed_area(c, a, p) >= 0)
             return false;
     }
     return true;
 }
 
-static void cut(struct outline *o, uint32_t i, uint32_t *triangle)
+static void cut_ear(struct outline *o, uint32_t i, uint32_t *triangle)
 {
     triangle[0] = o->corners[(i + o->count - 1) % o->count];
     triangle[1] = o->corners[i];
@@ -112,8 +113,8 @@ static void cut_ears(struct outline *o, uint32_t *indices)
         uint32_t ear = start;
         for (uint32_t tried = 0; tried < o->count && !is_ear(o, ear); tried++)
             ear = ear + 1 < o->count ? ear + 1 : 0;
-        /* Without an ear, the polygon is not flat or crosses itself: any corner will do. */
-        cut(o, ear, indices);
+        /* Without an ear, the polygon is not planar or intersects itself: cut any corner. */
+        cut_ear(o, ear, indices);
         indices += 3;
         start = ear < o->count ? ear : 0;
     }
@@ -126,23 +127,23 @@ static void cut_ears(struct outline *o, uint32_t *indices)
 
 bool polygon_divide(const struct polygon *polygon, uint32_t *indices, uint32_t count)
 {
-    uint32_t few_corners[FEW];
-    double few_points[FEW][2];
-    const bool is_few = count <= FEW;
+    uint32_t small_corners[SMALL_COUNT];
+    double small_points[SMALL_COUNT][2];
+    const bool is_small = count <= SMALL_COUNT;
     struct outline outline = {
-        .corners = is_few ? few_corners : malloc(count * sizeof(*outline.corners)),
-        .points = is_few ? few_points : malloc(count * sizeof(*outline.points)),
+        .corners = is_small ? small_corners : malloc(count * sizeof(*outline.corners)),
+        .points = is_small ? small_points : malloc(count * sizeof(*outline.points)),
         .count = count,
     };
     const bool is_done = outline.corners && outline.points;
     if (is_done) {
         for (uint32_t i = 0; i < count; i++)
             outline.corners[i] = corner_at(indices, i);
-        flatten(polygon, &outline);
+        project(polygon, &outline);
         if (!is_convex(&outline))
             cut_ears(&outline, indices);
     }
-    if (!is_few) {
+    if (!is_small) {
         free(outline.corners);
         free(outline.points);
     }

@@ -1,4 +1,4 @@
-/* polygon.h: divides a polygon into triangles. */
+/* polygon.h: triangulation of polygons by ear clipping. */
 #ifndef FIRN_SCENE_IMPORT_POLYGON_H
 #define FIRN_SCENE_IMPORT_POLYGON_H
 
@@ -7,25 +7,25 @@
 #include <stdint.h>
 
 struct polygon {
-    const float *positions;    /* 3 of each vertex */
-    const uint32_t *vertex_of; /* of each corner; NULL: a corner is the number of its vertex */
-    uint32_t vertex_stride;    /* from one corner to the next; 1: the array is dense */
+    const float *positions;    /* 3 per vertex */
+    const uint32_t *vertex_of; /* vertex of each corner; NULL if corners are vertex indices */
+    uint32_t vertex_stride;    /* distance between corners in vertex_of; 1 if it is dense */
 };
 
 /*
- * Replaces a fan by better triangles of the same corners and winding. On entry the fan of a polygon
- * of `count` corners c is in `indices`, which has 3 (count - 2) elements: c0 c1 c2, c0 c2 c3, ...
- * Convex polygons keep the fan; of others, ears are cut, so that no triangle is outside, where the
- * polygon is flat and its sides do not cross. Returns false when out of memory.
+ * Replaces a polygon's triangle fan by an ear-clipping triangulation with the same corners and
+ * winding. On entry `indices` holds the fan of a polygon with `count` corners c, 3 (count - 2)
+ * elements: c0 c1 c2, c0 c2 c3, ... Convex polygons keep the fan; in others no triangle lies
+ * outside, if the polygon is planar and simple. Returns false when out of memory.
  */
 bool polygon_divide(const struct polygon *polygon, uint32_t *indices, uint32_t count);
 
-/* A polygon of more than three corners in a list of indices. */
+/* A polygon of more than three corners within an index list. */
 struct polygon_at {
-    uint32_t first_index, count; /* of its fan; corners */
+    uint32_t first_index, count; /* start of its fan in the index list; number of corners */
 };
 
-/* Divides all polygons of a list. Returns false when out of memory. */
+/* Triangulates all polygons of a list. Returns false when out of memory. */
 bool polygon_divide_all(const struct polygon *polygon, const struct polygon_at *polygons,
                         size_t count, uint32_t *indices);
 

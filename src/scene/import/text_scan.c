@@ -1,12 +1,12 @@
-/* text_scan.c: words and numbers of model files of text. */
+/* text_scan.c: tokeniser for text model files, with a locale-independent number parser. */
 #include "src/scene/import/text_scan.h"
 #include <math.h>
 #include <string.h>
 #include <strings.h>
 
 enum {
-    DIGITS_MAX = 18, /* that fit into 63 bits */
-    POWER_MAX = 22,  /* powers of ten that are exact */
+    DIGITS_MAX = 18, /* decimal digits that fit into 63 bits */
+    POWER_MAX = 22,  /* largest exponent of a power of ten that a double represents exactly */
     EXPONENT_MAX = 10000,
 };
 
@@ -54,7 +54,7 @@ struct text_scan text_rest(const struct text_scan *line)
     return rest;
 }
 
-/* Returns a decimal number. Beyond the exact powers its error is a few units of a double. */
+/* Returns digits * 10^exponent; beyond exact powers of ten, the error is a few ulp of a double. */
 static double scale(uint64_t digits, int64_t exponent)
 {
     static const double powers[POWER_MAX + 1] = {
@@ -67,12 +67,12 @@ static double scale(uint64_t digits, int64_t exponent)
         return (double)digits * powers[exponent];
     if (exponent < 0 && exponent >= -POWER_MAX)
         return (double)digits / powers[-exponent];
-    /* in two steps, so that no power overflows before the product does */
+    /* Two steps, so that no power overflows or underflows before the product does. */
     const int64_t half = exponent / 2;
     return (double)digits * pow(10, (double)half) * pow(10, (double)(exponent - half));
 }
 
-/* Reads "nan", "inf" and "infinity", which checks refuse by name later. */
+/* Reads "nan", "inf" and "infinity": later range checks reject them with a specific message. */
 static bool read_word(struct text_scan *scan, double *value)
 {
     static const struct {

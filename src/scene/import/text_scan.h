@@ -1,8 +1,8 @@
 /*
- * text_scan.h: words and numbers of model files of text, which need not end with '\0'.
+ * text_scan.h: tokeniser for text model files: lines, words and numbers.
  *
- * Both ends of a text are pointers; no function reads at or beyond `end`. Numbers do not depend on
- * the locale.
+ * A text is given by two pointers without a terminating '\0'; no function reads at or beyond `end`.
+ * Number parsing does not depend on the locale.
  */
 #ifndef FIRN_SCENE_IMPORT_TEXT_SCAN_H
 #define FIRN_SCENE_IMPORT_TEXT_SCAN_H
@@ -25,7 +25,7 @@ static inline bool text_is_break(char c)
     return c == '\n' || c == '\r';
 }
 
-/* Skips blanks of a line; returns whether anything is left. */
+/* Skips blanks on a line. Returns true if anything is left. */
 static inline bool text_skip(struct text_scan *scan)
 {
     while (scan->at < scan->end && text_is_blank(*scan->at))
@@ -33,27 +33,26 @@ static inline bool text_skip(struct text_scan *scan)
     return scan->at < scan->end;
 }
 
-/* Returns the next line without its end, which is "\n", "\r\n" or "\r", and moves behind it. */
+/* Returns the next line without its line break ("\n", "\r\n" or "\r"), and advances past it. */
 struct text_scan text_line(struct text_scan *scan);
 
-/* Skips blanks, and moves behind a word, "usemtl"; returns false if another one is there. */
+/* Advances past the next word if it is `word`, ignoring case; else returns false. */
 bool text_take_word(struct text_scan *scan, const char *word);
 
-/* Returns what is left of a line without blanks around it, or the next word alone; its length is 0
- * at the end. */
+/* Return the rest of a line without surrounding blanks, or the next word; empty at the end. */
 struct text_scan text_rest(const struct text_scan *line);
 struct text_scan text_word(struct text_scan *scan);
 
-/* Read a number up to a blank or the end, or for integers up to any other character. They return
- * false, and do not move, if there is none. */
+/* Read a number. A float must end at a blank or the end; an integer may be followed by any
+ * character. They return false, without advancing, if there is no number. */
 bool text_float(struct text_scan *scan, float *value);
 bool text_integer(struct text_scan *scan, int64_t *value);
 
-/* Returns how many numbers follow, of which at most `max` are stored. */
+/* Reads all numbers that follow, stores at most `max` of them, and returns their count. */
 uint32_t text_floats(struct text_scan *scan, float *values, uint32_t max);
 
-/* Copies a text to a string, cut at `size` bytes with its end; text_show() for messages, where what
- * is no printable ASCII becomes '?'. */
+/* Copies a text to a string, truncated to `size` bytes including '\0'. text_show() is for messages:
+ * non-printable and non-ASCII characters become '?'. */
 void text_copy(char *to, size_t size, const struct text_scan *text);
 void text_show(char *to, size_t size, const struct text_scan *text);
 
