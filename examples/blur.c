@@ -1,4 +1,4 @@
-/* blur.c: a compute blur, first along x, then along y. Usage: blur PICTURE.ppm */
+/* blur.c: separable Gaussian blur in compute shaders. Usage: blur PICTURE.ppm */
 #include "example.h"
 
 #include "blur.comp.h"

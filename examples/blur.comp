@@ -1,4 +1,4 @@
-/* blur.comp: a Gaussian along one axis. */
+/* blur.comp: Gaussian blur along one axis. */
 #version 460
 
 layout(local_size_x = 8, local_size_y = 8) in;

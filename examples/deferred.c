@@ -1,8 +1,8 @@
 /*
- * deferred.c: boxes with shadows and bloom, by deferred shading. Usage: deferred PICTURE.ppm
+ * deferred.c: deferred shading of boxes, with a shadow map and bloom. Usage: deferred PICTURE.ppm
  *
- * shadow -> depth seen from the light; surfaces -> colour, normal, position; light -> their light;
- * bright, down -> a chain of ever smaller pictures of what is bright; show -> all of it as 8 bits.
+ * shadow -> shadow map; surfaces -> G-buffer (colour, normal, position); light -> lit image;
+ * bright, down -> mip chain of bright areas for bloom; show -> tone-mapped 8-bit image.
  */
 #include <math.h>
 
@@ -16,7 +16,7 @@
 #include "deferred_surface.frag.h"
 #include "deferred_surface.vert.h"
 
-/* ---- matrices, columns one after another ---- */
+/* ---- matrices, column-major ---- */
 
 struct matrix {
     float m[16];
@@ -48,7 +48,7 @@ static void cross(const float a[3], const float b[3], float out[3])
         out[i] = length_1[i] / length;
 }
 
-/* The view from `eye` to the origin; +Y is down, and +Z is ahead, as in Vulkan's clip space. */
+/* Returns the view matrix from `eye` to the origin; +Y is down and +Z ahead, as Vulkan expects. */
 static struct matrix view_from_world(const float eye[3])
 {
     const float up[3] = { 0, 1, 0 };
@@ -66,11 +66,11 @@ static struct matrix view_from_world(const float eye[3])
 
 struct box {
     float center[3], size;
-    float color[4]; /* the last one: how much of it shines */
+    float color[4]; /* rgb: albedo; a: emission */
 };
 
 static const struct box boxes[] = {
-    { { 0, -40, 0 }, 40, { 0.6f, 0.6f, 0.6f, 0 } }, /* the ground */
+    { { 0, -40, 0 }, 40, { 0.6f, 0.6f, 0.6f, 0 } }, /* ground plane */
     { { -1.6f, 0.7f, 0 }, 0.7f, { 0.8f, 0.2f, 0.1f, 0 } },
     { { 1.6f, 0.7f, 0.4f }, 0.7f, { 0.1f, 0.3f, 0.8f, 0 } },
     { { 0, 0.4f, 1.4f }, 0.4f, { 1.0f, 0.8f, 0.4f, 6 } },
@@ -109,8 +109,6 @@ static const struct rg_shader bright_frag =
     EXAMPLE_SHADER("deferred_bright.frag", deferred_bright_frag);
 static const struct rg_shader down_frag = EXAMPLE_SHADER("deferred_down.frag", deferred_down_frag);
 static const struct rg_shader show_frag = EXAMPLE_SHADER("deferred_show.frag", deferred_show_frag);
-
-/* ---- passes ---- */
 
 struct surface_push {
     struct matrix clip_from_world;
@@ -188,7 +186,7 @@ static const struct rg_pass passes[] = {
       .color = RG_TARGETS({ &bloom, RG_LOAD_DISCARD }),
       .uses = RG_USES({ .image = &lit, .access = RG_SAMPLED, .sampler = &linear }),
       SCREEN(bright_frag, record_screen) },
-    /* one pass for each mip from 1 on, which reads the mip before it */
+    /* one pass per mip level from 1 on; each reads the previous level */
     { .name = "down",
       .repeat = RG_PER_MIP,
       .color = RG_TARGETS({ &bloom, RG_LOAD_DISCARD, .mip = 1 }),

@@ -1,4 +1,4 @@
-/* deferred_bright.frag: what is brighter than white. */
+/* deferred_bright.frag: extracts the part of the radiance above white, for bloom. */
 #version 460
 
 layout(location = 0) in vec2 uv;

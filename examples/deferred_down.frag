@@ -1,4 +1,4 @@
-/* deferred_down.frag: a softer picture of half the size. */
+/* deferred_down.frag: downsamples to the next mip level with a 4-tap filter. */
 #version 460
 
 layout(location = 0) in vec2 uv;

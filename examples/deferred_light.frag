@@ -1,4 +1,4 @@
-/* deferred_light.frag: the light of the sun and of the sky, and what shines by itself. */
+/* deferred_light.frag: lighting pass: sun with shadow map, sky, and emission. */
 #version 460
 
 layout(location = 0) in vec2 uv;

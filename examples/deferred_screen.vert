@@ -1,4 +1,4 @@
-/* deferred_screen.vert: a triangle that covers all. */
+/* deferred_screen.vert: full-screen triangle. */
 #version 460
 
 layout(location = 0) out vec2 uv;

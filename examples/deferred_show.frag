@@ -1,4 +1,4 @@
-/* deferred_show.frag: the light and its glow, as 8 bits. */
+/* deferred_show.frag: adds bloom, and tone-maps to an 8-bit image. */
 #version 460
 
 layout(location = 0) in vec2 uv;

@@ -1,4 +1,4 @@
-/* deferred_surface.frag: what light.frag must know of a surface. */
+/* deferred_surface.frag: writes the G-buffer that deferred_light.frag reads. */
 #version 460
 
 layout(location = 0) in vec3 position;

@@ -1,4 +1,4 @@
-/* deferred_surface.vert: a box of 36 vertices, without a vertex buffer. */
+/* deferred_surface.vert: generates a box of 36 vertices without a vertex buffer. */
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 

@@ -1,4 +1,4 @@
-/* disc.comp: a white disc on black. */
+/* disc.comp: draws a white disc on black. */
 #version 460
 
 layout(local_size_x = 8, local_size_y = 8) in;

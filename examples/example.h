@@ -1,6 +1,6 @@
 /*
- * example.h: what the examples share: a device, frames of one technique, and a picture as a file.
- * C17 and C++20. A program of your own has its device already; see docs/render-graph.md.
+ * example.h: framework of the examples: creates a device, renders frames and writes an image file.
+ * C17 and C++20. A real program has its own device; see docs/render-graph.md.
  */
 #ifndef EXAMPLE_H
 #define EXAMPLE_H
@@ -21,13 +21,13 @@
     }
 #endif
 
-/* A shader from the header that glslangValidator --vn writes. */
+/* Initialises an rg_shader from the header that glslangValidator --vn writes. */
 #define EXAMPLE_SHADER(title, code) \
     { \
         .name = title, .words = code, .word_count = sizeof(code) / 4 \
     }
 
-/* Opens the first device and its first queue family. */
+/* Creates a device from the first physical device, with its first queue family. */
 static inline bool example_open(struct rg_vulkan *vulkan)
 {
     VkPhysicalDeviceVulkan12Features v12 = EXAMPLE_ZERO;
@@ -81,8 +81,8 @@ static inline bool example_write(const char *path, const unsigned char *rgba, Vk
     return fclose(file) == 0;
 }
 
-/* Draws frames, and writes what the last one left in `pixels`. `advance` changes the frame; it may
- * be NULL. */
+/* Renders `frame_count` frames and writes the content of `pixels` after the last one to a file.
+ * `advance` updates the frame before each submit; it may be NULL. */
 static inline bool example_draw(struct rg_exec *exec, struct rg_frame *frame, uint32_t frame_count,
                                 void (*advance)(struct rg_frame *frame),
                                 const struct rg_buffer *pixels, VkExtent2D view, const char *path)
@@ -100,7 +100,7 @@ static inline bool example_draw(struct rg_exec *exec, struct rg_frame *frame, ui
            example_write(path, (const unsigned char *)rg_exec_mapped(exec, pixels, slot), view);
 }
 
-/* Compiles a technique, draws it, and frees everything. Returns the exit status of main(). */
+/* Compiles a technique, renders it, and frees everything. Returns the exit status of main(). */
 static inline int example_run(const struct rg_technique *technique, const struct rg_buffer *pixels,
                               VkExtent2D view, struct rg_frame *frame, uint32_t frame_count,
                               void (*advance)(struct rg_frame *frame), const char *path)
@@ -122,7 +122,7 @@ static inline int example_run(const struct rg_technique *technique, const struct
     compile.device = &device;
     struct rg_plan *plan = rg_compile(&compile);
     if (plan && plan->fault_count)
-        rg_dump(plan, stderr); /* every fault */
+        rg_dump(plan, stderr); /* lists all faults */
     params.plan = plan;
     params.instance = vulkan.instance;
     params.get_proc_addr = vulkan.get_proc_addr;

@@ -1,5 +1,5 @@
-// particles.cpp: a fountain that the GPU alone simulates and draws: the number of particles that
-// live is only in the parameters of an indirect draw. C++20. Usage: particles PICTURE.ppm
+// particles.cpp: particle fountain that is simulated and drawn by the GPU alone: the number of live
+// particles is only known to an indirect draw's parameters. C++20. Usage: particles PICTURE.ppm
 #include "example.h"
 
 #include "particles.frag.h"

@@ -1,4 +1,4 @@
-/* particles.frag: a soft spot, added to what is there. */
+/* particles.frag: a soft round spot, blended additively. */
 #version 460
 
 layout(location = 0) in vec2 corner;

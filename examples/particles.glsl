@@ -1,7 +1,7 @@
-/* particles.glsl: what the shaders of the fountain share. */
+/* particles.glsl: particle struct shared by the fountain's shaders. */
 struct Particle {
     vec2 position; /* clip space */
     vec2 velocity; /* per second */
     vec3 color;
-    float end; /* seconds; 0: it has never lived */
+    float end; /* end of life in seconds; 0: not yet spawned */
 };

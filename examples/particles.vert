@@ -1,4 +1,4 @@
-/* particles.vert: two triangles for each particle of the list. */
+/* particles.vert: expands each live particle to a quad of two triangles. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "particles.glsl"

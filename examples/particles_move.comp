@@ -1,4 +1,4 @@
-/* particles_move.comp: moves particles, starts them again, and lists those that are to be drawn. */
+/* particles_move.comp: moves and respawns particles, and appends live ones to a list. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "particles.glsl"

@@ -1,8 +1,8 @@
 /*
- * rg_cmd.h: what a record function draws with.
+ * rg_cmd.h: commands that a record function may call: draws, dispatches, copies.
  *
  * When a record function is called, the pipeline, descriptor set 0, targets, viewport and scissor
- * of its row are bound: what is left is push constants, buffers and draws. All functions here write
+ * of its row are bound: only push constants, buffers and draws are left. All functions here record
  * into the command buffer of the pass, in the thread of rg_exec_submit(). None returns an error,
  * and a `cmd` is valid only until its record function returns.
  */
@@ -17,60 +17,61 @@ extern "C" {
 
 /* ---- the pass being recorded ---- */
 
-/* Returns the row. */
+/* Returns the row that is being recorded. */
 RG_API const struct rg_pass *rg_cmd_pass(const struct rg_cmd *cmd);
 
-/* Returns which repetition of its row it is, from 0: the cube face of a row repeated per layer. */
+/* Returns the index of the repetition, from 0: the cube face if a row is repeated per layer. */
 RG_API uint32_t rg_cmd_repetition(const struct rg_cmd *cmd);
 
-/* Returns the size of the targets in texels; the view's size if the row has no targets. */
+/* Returns the size of the pass's targets in texels; the view's size if it has no targets. */
 RG_API VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
 
 /* ---- drawing and computing ---- */
 
-/* Binds a descriptor set of the program's own, of the layout that rg_exec_params.sets has for the
- * row's `set`. It lives, and stays as it is, until the frame has been executed. */
+/* Binds the program's own descriptor set as set 1; its layout is the one in rg_exec_params.sets for
+ * the row's `set`. The set must exist, unmodified, until the frame has been executed. */
 RG_API void rg_cmd_bind_set(struct rg_cmd *cmd, VkDescriptorSet set);
 
-/* Writes push constants from byte 0 on, for all stages; `size` is the row's push_size. */
+/* Writes push constants from byte 0 on, for all stages; `size` must equal the row's push_size. */
 RG_API void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size);
 
-/* Draws one instance of `vertex_count` vertices, without any vertex buffer. */
+/* Draws one instance of `vertex_count` vertices without vertex buffers. */
 RG_API void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count);
 
-/* Draws several instances of them; the vertex shader has gl_InstanceIndex from 0 on. */
+/* Draws instances of `vertex_count` vertices without vertex buffers; gl_InstanceIndex is from 0. */
 RG_API void rg_cmd_draw_instances(struct rg_cmd *cmd, uint32_t vertex_count,
                                   uint32_t instance_count);
 
-/* Indexed triangles. The buffers outlive the execution of the frame: the program's own, or those of
- * rg_cmd_buffer(). */
+/* Indexed triangles. The buffers must exist until the frame has been executed: the program's own,
+ * or those of rg_cmd_buffer(). */
 struct rg_mesh {
-    VkBuffer vertices; /* as of rg_pass.vertices */
-    VkBuffer indices;  /* uint32_t each */
+    VkBuffer vertices; /* first binding of rg_pass.vertices */
+    VkBuffer indices;  /* uint32_t per index */
     uint32_t index_count;
     uint32_t instance_count; /* 0 means 1 */
-    const VkBuffer *more;    /* as of the layouts after the first, one each; NULL: there are none */
+    /* one buffer per further vertex layout (rg_vertex_layout.next); NULL if there is none */
+    const VkBuffer *more;
 };
 
-/* Draws all of a mesh; a mesh without indices draws nothing. */
+/* Draws all indices of a mesh; does nothing if it has none. */
 RG_API void rg_cmd_draw_mesh(struct rg_cmd *cmd, const struct rg_mesh *mesh);
 
-/* Draws `count` of a mesh's indices, beginning at index number `first`. */
+/* Draws `count` indices of a mesh, starting at index number `first`. */
 RG_API void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh, uint32_t first,
                                   uint32_t count);
 
-/* Limits drawing to a rectangle, in texels of the targets, until the next call or the end of the
- * pass. What is outside of the targets, or of rg_exec_set_region(), is never drawn. */
+/* Sets the scissor rectangle, in texels of the targets, until the next call or the end of the pass.
+ * Drawing is always clipped to the targets and to rg_exec_set_region(). */
 RG_API void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle);
 
-/* Runs x * y * z workgroups of the row's compute shader. */
+/* Dispatches x * y * z workgroups of the row's compute shader. */
 RG_API void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z);
 
 /*
- * These draw and compute with parameters from a buffer, which the row names as RG_INDIRECT. At byte
- * `offset`, a multiple of 4, is one VkDrawIndirectCommand, VkDrawIndexedIndirectCommand (instead of
- * the mesh's index_count) or VkDispatchIndirectCommand. `firstInstance` is 0, unless the device has
- * drawIndirectFirstInstance enabled.
+ * Draw or dispatch with parameters from a buffer that the row declares as RG_INDIRECT. At byte
+ * `offset`, a multiple of 4, it holds one VkDrawIndirectCommand, VkDrawIndexedIndirectCommand
+ * (overrides the mesh's index_count) or VkDispatchIndirectCommand. `firstInstance` must be 0 unless
+ * the device feature drawIndirectFirstInstance is enabled.
  */
 RG_API void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                  VkDeviceSize offset);
@@ -79,17 +80,18 @@ RG_API void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *
 RG_API void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                      VkDeviceSize offset);
 
-/* Draws whose number the device has counted. The row names both buffers, or the one that has
- * both, as RG_INDIRECT. */
+/* Indirect draws whose count is in a buffer. The row declares both (or one) as RG_INDIRECT. */
 struct rg_indirect_count {
-    const struct rg_buffer *commands; /* one behind the other, of a kind as above */
-    VkDeviceSize offset;              /* of the first one, bytes, a multiple of 4 */
-    const struct rg_buffer *count;    /* of them, a uint32_t */
-    VkDeviceSize count_offset;        /* bytes, a multiple of 4 */
-    uint32_t max_count;               /* no more than so many are drawn */
+    /* VkDrawIndirectCommand or VkDrawIndexedIndirectCommand, tightly packed */
+    const struct rg_buffer *commands;
+    VkDeviceSize offset;           /* of the first command, in bytes; a multiple of 4 */
+    const struct rg_buffer *count; /* holds the number of draws as a uint32_t */
+    VkDeviceSize count_offset;     /* bytes, a multiple of 4 */
+    uint32_t max_count;            /* upper limit of the number of draws */
 };
 
-/* Need the feature drawIndirectCount; without it the frame is not submitted, as below. */
+/* Draw with a count from a buffer. Without the feature drawIndirectCount, the error goes to the
+ * log, and rg_exec_submit() fails with VK_ERROR_FEATURE_NOT_PRESENT. */
 RG_API void rg_cmd_draw_indirect_count(struct rg_cmd *cmd, const struct rg_indirect_count *draws);
 RG_API void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                             const struct rg_indirect_count *draws);
@@ -97,35 +99,36 @@ RG_API void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_
 /* ---- copying ---- */
 
 /*
- * Copies the first mip of the range that the row names of an image to a buffer, from byte `offset`
- * on: one layer after another, rows tight. The row names the image as RG_COPY_SRC and the buffer as
- * RG_COPY_DST. A copy beyond the end of the buffer is reported to rg_exec_params.log, and the
- * frame is not submitted: rg_exec_submit() returns VK_ERROR_VALIDATION_FAILED_EXT.
+ * Copies a mip level of an image to a buffer, from byte `offset` on: layer after layer, rows
+ * tightly packed. The row declares the image as RG_COPY_SRC, whose range selects the layers and
+ * whose first mip level is copied, and the buffer as RG_COPY_DST. A copy beyond the end of the
+ * buffer is logged (rg_exec_params.log), and rg_exec_submit() fails with
+ * VK_ERROR_VALIDATION_FAILED_EXT.
  */
 RG_API void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *image,
                                         const struct rg_buffer *buffer, VkDeviceSize offset);
 
-/* Copies texels of that order from a buffer to an image. The row names the buffer as RG_COPY_SRC
- * and the image as RG_COPY_DST. */
+/* Copies texels from a buffer to an image, in the layout of rg_cmd_copy_image_to_buffer(). The row
+ * declares the buffer as RG_COPY_SRC and the image as RG_COPY_DST. */
 RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                         VkDeviceSize offset, const struct rg_image *image);
 
 /* ---- acceleration structures ---- */
 
-/* Return the acceleration structure in a buffer, which stays the executor's, and the device address
- * of it, or of a buffer that is RG_BUILD_INPUT or RG_BUILD_SCRATCH. The row names the buffer.
- * vkCmdBuildAccelerationStructuresKHR() builds, in rg_cmd_vulkan(). */
+/* Return the acceleration structure in a buffer, owned by the executor, and the device address of
+ * the structure or of an RG_BUILD_INPUT or RG_BUILD_SCRATCH buffer. The row declares the buffer.
+ * Build with vkCmdBuildAccelerationStructuresKHR() on rg_cmd_vulkan(). */
 RG_API VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
                                                       const struct rg_buffer *buffer);
 RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
 
-/* ---- everything else, with Vulkan itself ---- */
+/* ---- Vulkan itself, for everything else ---- */
 
-/* Returns the command buffer being recorded. */
+/* Returns the command buffer being recorded, for direct Vulkan calls. */
 RG_API VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd);
 
-/* Returns the image, or the buffer of this frame's slot, of a resource that the row uses. Both stay
- * the executor's. A use that is bound to its fallback has no image. */
+/* Returns the image, or this frame slot's buffer, of a resource that the row uses, owned by the
+ * executor. A use that is bound to its fallback has no image. */
 RG_API VkImage rg_cmd_image(const struct rg_cmd *cmd, const struct rg_image *image);
 RG_API VkBuffer rg_cmd_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
 

@@ -1,7 +1,7 @@
 /*
- * rg_plan.h: what a plan is made of, the result of rg_compile(). Included by rg.h.
+ * rg_plan.h: struct rg_plan, the result of rg_compile(), and its arrays. Included by rg.h.
  *
- * A plan belongs to whoever compiled it, and never changes; its arrays live as long as it does.
+ * A plan belongs to the caller of rg_compile() and is immutable; its arrays live as long as it.
  */
 #ifndef RG_PLAN_H
 #define RG_PLAN_H
@@ -17,41 +17,42 @@ extern "C" {
 
 #define RG_NONE UINT32_MAX /* an index that refers to nothing */
 
-/* An image that living passes access. */
+/* An image that passes of the plan access. */
 struct rg_plan_image {
     const struct rg_image *image; /* the declaration */
     VkExtent2D extent;            /* texels of mip 0 */
-    uint32_t depth;               /* the same; 1 unless it has three dimensions */
+    uint32_t depth;               /* depth of mip 0; 1 unless the image is 3D */
     uint32_t layers, mips;
     VkImageAspectFlags aspects; /* of the format */
-    VkImageUsageFlags usage;    /* of all accesses */
+    VkImageUsageFlags usage;    /* for all accesses */
     VkImageCreateFlags flags;
     uint32_t samples;          /* per texel */
     bool imported, persistent; /* neither: transient */
     uint32_t import;           /* index into the params' imports, or RG_NONE */
-    uint32_t first, last;      /* plan passes that access it; an output's last is pass_count */
+    uint32_t first, last;      /* plan passes that access it; for an output, `last` is pass_count */
     uint32_t block;            /* index into blocks; RG_NONE unless transient */
-    VkDeviceSize offset, size; /* bytes, in the block; the size that its memory has */
+    VkDeviceSize offset, size; /* position in the block, and memory size, in bytes */
 };
 
-/* A buffer that living passes access. */
+/* A buffer that passes of the plan access. */
 struct rg_plan_buffer {
-    const struct rg_buffer *buffer;   /* the declaration */
-    VkDeviceSize size;                /* bytes, without alignment */
-    VkDeviceSize max_size;            /* bytes in a view of max_view; in host memory it has them */
-    VkBufferUsageFlags usage;         /* of all accesses */
-    bool imported, persistent;        /* neither: transient */
-    uint32_t import;                  /* index into the params' imports, or RG_NONE */
-    uint32_t first, last;             /* plan passes, as of an image */
-    uint32_t block;                   /* RG_NONE unless transient and RG_MEMORY_DEVICE */
-    VkDeviceSize offset, memory_size; /* bytes, in the block; 0 in host memory */
+    const struct rg_buffer *buffer; /* the declaration */
+    VkDeviceSize size;              /* bytes, without alignment */
+    VkDeviceSize max_size;     /* bytes in a view of max_view: the size allocated in host memory */
+    VkBufferUsageFlags usage;  /* for all accesses */
+    bool imported, persistent; /* neither: transient */
+    uint32_t import;           /* index into the params' imports, or RG_NONE */
+    uint32_t first, last;      /* plan passes that access it; for an output, `last` is pass_count */
+    uint32_t block;            /* RG_NONE unless transient and RG_MEMORY_DEVICE */
+    /* position in the block, and memory size, in bytes; 0 in host memory */
+    VkDeviceSize offset, memory_size;
 };
 
-/* Memory that transient images, or transient buffers, share. */
+/* A memory allocation in which transient images, or transient buffers, alias. */
 struct rg_block {
     VkDeviceSize size, alignment; /* bytes */
-    uint32_t type_bits;           /* memory types that suit all of them */
-    bool buffers;                 /* of buffers; else of images */
+    uint32_t type_bits;           /* bit mask of memory types allowed for all of them */
+    bool buffers;                 /* holds buffers; otherwise images */
 };
 
 /* One VkImageMemoryBarrier2 or VkBufferMemoryBarrier2. */
@@ -67,7 +68,7 @@ struct rg_barrier {
 /* An attachment of a pass. */
 struct rg_plan_target {
     uint32_t image;      /* index into images */
-    uint32_t mip, layer; /* where it draws */
+    uint32_t mip, layer; /* mip level and layer to render to */
     VkAttachmentLoadOp load;
     VkAttachmentStoreOp store; /* derived from what later passes and outputs need */
     VkImageLayout layout;
@@ -75,7 +76,7 @@ struct rg_plan_target {
     uint32_t resolve_mip, resolve_layer;
 };
 
-/* A use with its range resolved: a descriptor, or an access that has none. */
+/* A use with its range resolved: a descriptor, or an access without descriptor. */
 struct rg_plan_use {
     const struct rg_use *use;      /* the declaration */
     uint32_t image, buffer;        /* index into images or buffers; the other is RG_NONE */
@@ -87,18 +88,18 @@ struct rg_plan_use {
 struct rg_plan_pass {
     const struct rg_pass *pass; /* the row */
     const struct rg_technique *technique;
-    uint32_t row;                          /* index into the technique's passes */
-    uint32_t repetition;                   /* from 0 */
-    VkExtent2D extent;                     /* texels of the targets; the view's without targets */
+    uint32_t row;        /* index into the technique's passes */
+    uint32_t repetition; /* from 0 */
+    VkExtent2D extent;   /* size of the targets in texels; the view's size without targets */
     uint32_t first_barrier, barrier_count; /* one batch, recorded before the pass */
     uint32_t first_use, use_count;
     uint32_t first_fallback, fallback_count;
-    const struct rg_plan_target *color; /* `color_count` of rg_plan.colors */
+    const struct rg_plan_target *color; /* `color_count` elements of rg_plan.colors */
     uint32_t color_count;
     struct rg_plan_target depth; /* its image is RG_NONE if there is none */
 };
 
-/* A pass that no output needs. */
+/* A pass removed because no output needs it. */
 struct rg_culled {
     const struct rg_pass *pass;
     uint32_t repetition;
@@ -108,29 +109,30 @@ struct rg_culled {
 struct rg_plan {
     const struct rg_fault *faults;
     uint32_t fault_count;
-    VkExtent2D view, max_region; /* of the params */
+    VkExtent2D view, max_region; /* from rg_compile_params */
     uint32_t pass_count, image_count, buffer_count, barrier_count, use_count, block_count;
     uint32_t culled_count, color_count, fallback_count;
-    uint32_t batch_count;              /* passes with barriers before them, and the end with some */
-    const struct rg_plan_pass *passes; /* in the order in which they run */
-    const struct rg_plan_image *images; /* in the order of their first access */
+    /* barrier batches: one for each pass that has barriers, and the final one */
+    uint32_t batch_count;
+    const struct rg_plan_pass *passes;  /* in execution order */
+    const struct rg_plan_image *images; /* in the order of first access */
     const struct rg_plan_buffer *buffers;
-    const struct rg_barrier *barriers; /* of the frame; behind them the initial ones */
+    const struct rg_barrier *barriers; /* barriers of the frame, followed by the initial ones */
     uint32_t first_final_barrier, final_barrier_count; /* one batch, after the last pass */
-    /* Barriers before the first frame, in no batch: from TRANSFER_DST_OPTIMAL (persistent resources
-     * have just been filled with zeros) to the state that every frame finds and leaves. */
+    /* Barriers before the first frame, in no batch: from TRANSFER_DST_OPTIMAL, in which persistent
+     * resources have been zero-filled, to the state in which every frame finds and leaves them. */
     uint32_t first_initial_barrier, initial_barrier_count;
-    const struct rg_plan_use *uses;        /* those of a pass adjoin */
-    const struct rg_use *const *fallbacks; /* uses bound to their fallback; in no dump */
-    const struct rg_plan_target *colors;   /* colour targets; those of a pass adjoin */
+    const struct rg_plan_use *uses;        /* contiguous for each pass */
+    const struct rg_use *const *fallbacks; /* uses bound to their placeholder; in no dump */
+    const struct rg_plan_target *colors;   /* colour targets; contiguous for each pass */
     const struct rg_block *blocks;
     const struct rg_culled *culled;
     VkDeviceSize memory_used;             /* bytes of all blocks */
-    VkDeviceSize memory_without_aliasing; /* bytes if nothing were shared */
-    VkDeviceSize memory_bound;            /* bytes taken at some one time: no packing needs less */
-    VkDeviceSize memory_least;            /* that bound if batches did not count */
-    VkDeviceSize memory_persistent;       /* bytes of persistent resources, beside all this */
-    size_t arena_size;                    /* bytes of memory that compiling took */
+    VkDeviceSize memory_without_aliasing; /* bytes if nothing aliased */
+    VkDeviceSize memory_bound;      /* bytes: peak of live memory, a lower bound for any packing */
+    VkDeviceSize memory_least;      /* lower bound in bytes if lifetimes began at the first use */
+    VkDeviceSize memory_persistent; /* bytes of persistent resources, not included above */
+    size_t arena_size;              /* bytes of arena memory used for compiling */
 };
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 /*
- * rg_table.h: macros that initialise tables, in C17 and in C++20. Included by rg.h.
+ * rg_table.h: macros that initialise the tables of rg.h, in C17 and in C++20. Included by rg.h.
  *
  *     static const struct rg_pass passes[] = {
  *         { .name = "show",
@@ -8,9 +8,9 @@
  *     };
  *     static const struct rg_technique technique = RG_TECHNIQUE("example", passes);
  *
- * In C the arrays are compound literals: they live as long as the scope that they are in, so rows
- * made in a loop need arrays of their own. In C++ they are static: they can only name what is
- * static. C++ wants the fields in the order in which rg.h declares them.
+ * In C the arrays are compound literals, which live as long as the enclosing scope, so rows
+ * made in a loop need arrays of their own. In C++ they are static and may only refer to static
+ * objects. C++ requires designated initialisers in the order in which rg.h declares the fields.
  */
 #ifndef RG_TABLE_H
 #define RG_TABLE_H
@@ -21,7 +21,7 @@
         .name = (title), .passes = (table), .pass_count = sizeof(table) / sizeof((table)[0]) \
     }
 
-/* RG_TARGETS(): the colour targets of a row and their number. RG_USES(): its uses and their end. */
+/* RG_TARGETS(): a row's colour targets and color_count. RG_USES(): its zero-terminated uses. */
 #ifndef __cplusplus
 
 #define RG_TARGETS(...) \
@@ -32,7 +32,7 @@
 
 #else
 
-/* Tables name the fields that are not zero, of which -Wextra warns in C++. */
+/* Tables name only the fields that are not zero, which -Wextra reports in C++. */
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif

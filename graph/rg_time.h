@@ -1,18 +1,18 @@
 /*
- * rg_time.h: what each pass of a frame costs: time, and work that the device counts.
+ * rg_time.h: profiling of passes: GPU and CPU times, and pipeline statistics.
  *
  *     rg_exec_create({ .measured = true, ... })
  *     rg_exec_measure(exec, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
  *     ... rg_exec_begin(), rg_exec_submit(), rg_exec_wait() ...
  *     struct rg_times times = rg_exec_times(exec);
  *
- * All times are nanoseconds. Nothing here allocates: what is needed is made with the executor.
+ * All times are nanoseconds. Nothing here allocates: queries are created with the executor.
  *
- * Which clock can be trusted depends on the device: measure passes of known cost by two clocks, and
- * compare. RG_CLOCK_SUBMITS needs nothing of the driver but fences that work.
+ * Which clock is reliable depends on the device: measure passes of known cost with two clocks, and
+ * compare. RG_CLOCK_SUBMITS only relies on working fences.
  *
- * The device times of passes, `begin`, `record` and `submit` do not overlap where a frame is waited
- * for before the next one begins; what they leave of `whole` belongs to none of them.
+ * The GPU times of passes, `begin`, `record` and `submit` do not overlap if each frame is waited
+ * for before the next one begins; the rest of `whole` is not attributed.
  */
 #ifndef RG_TIME_H
 #define RG_TIME_H
@@ -23,59 +23,61 @@
 extern "C" {
 #endif
 
-/* How the passes of a frame are told apart. */
+/* How the times of individual passes are measured. */
 enum rg_clock {
-    RG_CLOCK_NONE,    /* they are not */
-    RG_CLOCK_STREAM,  /* a timestamp after each pass: nearly free, but where passes overlap, work of
-                        one may count for its neighbour */
-    RG_CLOCK_EXACT,   /* a timestamp, then a full barrier, after each pass: they run one by one */
-    RG_CLOCK_SUBMITS, /* each pass is submitted alone and waited for, by the host's clock; its
-                         submit and its wait count as its device time, not as the frame's */
+    RG_CLOCK_NONE, /* not at all */
+    /* a timestamp after each pass: nearly free, but where passes overlap, work of one may be
+     * attributed to its neighbour */
+    RG_CLOCK_STREAM,
+    RG_CLOCK_EXACT, /* a timestamp and a full barrier after each pass, which serialises them */
+    /* each pass is submitted alone and waited for, with the host's clock; its submit and wait count
+     * as its device time, not as the frame's */
+    RG_CLOCK_SUBMITS,
     RG_CLOCK_COUNT,
 };
 
-/* What is measured. {0}: nothing. */
+/* What to measure. {0}: nothing. */
 struct rg_measure {
     enum rg_clock clock;
-    bool statistics; /* work is counted too, which takes time of its own */
+    bool statistics; /* also count work of the GPU, at some cost in time */
 };
 
-/* What one pass costs. Without a clock its times are 0, without statistics its counts. By
- * timestamps, one that does not run (rg_pass.when) ends where it begins. */
+/* Cost of one pass. Times are 0 without a clock, and counts are 0 without statistics. A pass that
+ * is skipped (rg_pass.when) has `end` equal to `begin` with timestamps. */
 struct rg_pass_time {
-    uint64_t begin, end;   /* of the device, from the beginning of the frame's first pass */
-    uint64_t record_begin; /* of the host, from the frame's start */
-    uint64_t record;       /* of the host: writing the commands of the pass */
+    uint64_t begin, end;   /* GPU time, relative to the start of the frame's first pass */
+    uint64_t record_begin; /* CPU time, relative to the frame's start */
+    uint64_t record;       /* CPU time for recording the commands of the pass */
     uint64_t vertices;     /* vertex shader invocations */
-    uint64_t triangles;    /* triangles that reached the clipper */
+    uint64_t triangles;    /* clipping invocations: triangles that reached the clipper */
     uint64_t fragments;    /* fragment shader invocations; some drivers count whole blocks */
     uint64_t samples;      /* samples that passed the depth test */
     uint64_t invocations;  /* compute shader invocations */
 };
 
-/* What one frame costs. It starts with rg_exec_begin() and ends when it has been waited for. */
+/* Cost of one frame, from rg_exec_begin() until it has been waited for. */
 struct rg_times {
     struct rg_measure measure;         /* how it was measured */
     const struct rg_pass_time *passes; /* in the plan's order; NULL if nothing was measured */
     uint32_t pass_count;
-    uint64_t start;  /* of the host's CLOCK_MONOTONIC */
-    uint64_t begin;  /* in rg_exec_begin(), waiting for the earlier frame of the slot */
-    uint64_t record; /* writing all commands */
-    uint64_t submit; /* handing them to the queue */
-    uint64_t wait;   /* waiting for the end of the frame */
+    uint64_t start;  /* CLOCK_MONOTONIC of the host */
+    uint64_t begin;  /* rg_exec_begin(): waiting for the previous frame of the slot */
+    uint64_t record; /* recording all commands */
+    uint64_t submit; /* submitting them to the queue */
+    uint64_t wait;   /* waiting for the frame to finish */
     uint64_t whole;  /* from start to end */
 };
 
-/* Returns whether a clock can be used; only an executor made with `measured` has any, and some
- * queues have no timestamps. */
+/* Returns true if a clock can be used; requires an executor created with `measured`, and for
+ * timestamps a queue that supports them. */
 RG_API bool rg_exec_has_clock(const struct rg_exec *exec, enum rg_clock clock);
 
 /* Sets what frames measure, from the next rg_exec_begin() on. A clock that cannot be used counts as
- * RG_CLOCK_NONE; an executor made without `measured` ignores the call. */
+ * RG_CLOCK_NONE. Has no effect on an executor created without `measured`. */
 RG_API void rg_exec_measure(struct rg_exec *exec, const struct rg_measure *measure);
 
-/* Returns the times of the frame that was finished last, as seen by rg_exec_wait(), or by the
- * rg_exec_begin() that used its slot again. `passes` belong to the executor and are valid until the
+/* Returns the times of the frame that finished last, as observed by rg_exec_wait(), or by the
+ * rg_exec_begin() that reused its slot. `passes` belong to the executor and are valid until the
  * next of these calls. */
 RG_API struct rg_times rg_exec_times(const struct rg_exec *exec);
 

@@ -1,4 +1,4 @@
-/* access.c: the one table that turns an access into Vulkan's words, and what follows from it. */
+/* access.c: table that maps each rg_access to Vulkan stages, accesses, layout and usage. */
 #include "graph/compile/compiler.h"
 
 #define STAGE(name)   VK_PIPELINE_STAGE_2_##name##_BIT
@@ -24,7 +24,7 @@
     .buffer_usage = (VK_BUFFER_USAGE_##usage | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT)
 #define STRUCTURE ADDRESSED(ACCELERATION_STRUCTURE_STORAGE_BIT_KHR)
 
-/* Name, stages, reads, writes, layout, image usage, buffer usage, format features, descriptors. */
+/* Columns: name, stages, reads, writes, layout, image and buffer usage, features, descriptors. */
 /* clang-format off */
 const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
     [RG_ACCESS_NONE] = { "none", NO_DESCRIPTOR },
@@ -81,7 +81,7 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
                            ADDRESSED(STORAGE_BUFFER_BIT), NO_DESCRIPTOR, .writes_content = true },
     [RG_HOST_READ] = { "host read", STAGE(HOST), ACCESS(HOST_READ), 0, LAYOUT(GENERAL),
                        NO_DESCRIPTOR, .reads_content = true },
-    /* All stages, so that a semaphore signalled after all commands comes after the new layout. */
+    /* All stages, so that a semaphore signal after all commands covers the layout transition. */
     [RG_PRESENT] = { "present", STAGE(ALL_COMMANDS), 0, 0, LAYOUT(PRESENT_SRC_KHR), NO_DESCRIPTOR,
                      .reads_content = true },
 };
@@ -101,8 +101,8 @@ VkDescriptorType rg_use_descriptor(const struct rg_use *use)
     return use->texels ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER : info->buffer_descriptor;
 }
 
-/* The lowest of three bits (vertex, fragment, compute) of what shaders do, or the bit of what one
- * fixed stage does. */
+/* For shader accesses the lowest of three bits of access.visibility (vertex, fragment, compute);
+ * for fixed-function accesses their only bit. */
 static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
     [RG_SAMPLED] = 1 << 0,       [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
     [RG_COLOR] = 1 << 9,         [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
@@ -155,7 +155,7 @@ struct access rg_boundary_access(struct resource *r, enum rg_access kind)
 #define KIND_BIT(kind) (1u << (kind))
 #define BY_SHADERS     (KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE))
 
-/* The kinds of pass that may have such a use. */
+/* Bit masks: the kinds of pass that may have a use with each access. */
 static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
     [RG_SAMPLED] = BY_SHADERS,
     [RG_STORAGE_READ] = BY_SHADERS,
@@ -180,7 +180,7 @@ static const VkPipelineStageFlags2 stages_of_kind[] = {
     [RG_TRANSFER] = VK_PIPELINE_STAGE_2_NONE,
 };
 
-/* A wild value counts as compute. */
+/* Returns the kind of a pass; an invalid value counts as compute. */
 static enum rg_kind kind_of(const struct rg_pass *pass)
 {
     return (unsigned)pass->kind <= RG_TRANSFER ? pass->kind : RG_COMPUTE;
@@ -198,42 +198,42 @@ VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_
     return stages_of_kind[kind_of(pass)];
 }
 
-static const char texels_trouble[] = "texels: only a storage buffer is seen as texels";
+static const char texels_problem[] = "texels: expected a storage buffer access";
 
-static const char *buffer_trouble(const struct rg_use *use, const struct rg_access_info *info)
+static const char *buffer_problem(const struct rg_use *use, const struct rg_access_info *info)
 {
     if (!info->buffer_usage)
-        return "a buffer cannot be used so";
+        return "this access is for images only";
     if (use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
         return "the CPU writes this buffer; a pass may only read it";
     if (use->buffer->memory != RG_MEMORY_DEVICE &&
         (rg_holds_structure(use->access) || use->access == RG_BUILD_SCRATCH))
-        return "an acceleration structure, and scratch, is RG_MEMORY_DEVICE";
+        return "acceleration structures and scratch must be RG_MEMORY_DEVICE";
     if (use->texels && !(info->buffer_usage & BUFFER(STORAGE_BUFFER)))
-        return texels_trouble;
+        return texels_problem;
     if ((use->access == RG_SAMPLED || use->texels) && !rg_format_info(use->buffer->format))
-        return "name the format of its texels (graph/compile/format.c)";
+        return "set the buffer's texel format (graph/compile/format.c)";
     if (use->sampler)
-        return "texelFetch reads a buffer: name no sampler";
+        return "remove the sampler: a texel buffer is read by texelFetch";
     return NULL;
 }
 
 const char *rg_use_trouble(const struct rg_pass *pass, const struct rg_use *use)
 {
     const struct rg_access_info *info = &rg_access_table[use->access];
-    const char *trouble;
+    const char *problem;
     if (!(kinds_of_use[use->access] & KIND_BIT(kind_of(pass))))
-        return "this kind of pass cannot do that; targets go into .color and .depth";
+        return "this kind of pass cannot have this access; targets go into .color and .depth";
     if (use->stages & ~stages_of_kind[kind_of(pass)])
-        return "name only stages of the shaders that the pass has";
+        return "stages: expected only those of the pass's shaders";
     if (use->image && !info->image_usage)
-        return "an image cannot be used so";
+        return "this access is for buffers only";
     if (use->image && use->texels)
-        return texels_trouble;
-    if (use->buffer && (trouble = buffer_trouble(use, info)))
-        return trouble;
+        return texels_problem;
+    if (use->buffer && (problem = buffer_problem(use, info)))
+        return problem;
     if (use->fallback && (use->access != RG_SAMPLED || !use->image || use->image->samples > 1 ||
                           !rg_format_info(use->image->format)))
-        return "only a sampled image, of a known format and one sample a texel, has a fallback";
+        return "fallback: expected a sampled image of a known format with one sample per texel";
     return NULL;
 }

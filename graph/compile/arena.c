@@ -1,4 +1,4 @@
-/* arena.c: memory that is given back all at once: the caller's first, then from malloc. */
+/* arena.c: arena allocator: uses the caller's memory first, then malloc; freed as a whole. */
 #include "graph/compile/arena.h"
 #include <stdlib.h>
 #include <string.h>
@@ -27,7 +27,7 @@ void rg_arena_init(struct arena *arena, void *memory, size_t size)
     }
 }
 
-/* Chunks double, so that there are few of them. */
+/* Chunks grow geometrically, so that there are few of them. */
 static bool add_chunk(struct arena *arena, size_t size)
 {
     size_t room = arena->used < CHUNK_SIZE ? CHUNK_SIZE : arena->used;

@@ -1,5 +1,5 @@
 /*
- * arena.h: memory that is given back all at once: the caller's first, then from malloc. Private to
+ * arena.h: arena allocator on the caller's memory and malloc, freed as a whole. Private to
  * graph/compile/.
  */
 #ifndef RG_COMPILE_ARENA_H
@@ -9,31 +9,30 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* After a failed allocation `failed` stays true, and no further allocation succeeds. */
+/* Once an allocation has failed, `failed` stays true and all further allocations fail. */
 struct arena {
-    char *next, *end;           /* room left in the newest chunk */
-    struct arena_chunk *chunks; /* from malloc */
-    size_t used;                /* bytes handed out, those for alignment included */
+    char *next, *end;           /* free space in the newest chunk */
+    struct arena_chunk *chunks; /* allocated by malloc */
+    size_t used;                /* bytes handed out, including alignment padding */
     bool failed;
 };
 
-/* `memory` may be NULL. */
+/* `memory` is the caller's first chunk, or NULL. */
 void rg_arena_init(struct arena *arena, void *memory, size_t size);
 void rg_arena_finish(struct arena *arena);
 
-/* Returns room for count elements, aligned for any type; NULL when memory is short. */
+/* Returns memory for `count` elements, aligned for any type; NULL if out of memory. */
 void *rg_arena_alloc(struct arena *arena, size_t count, size_t element_size);
 void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size);
 
 #define ARENA_ARRAY(arena, type, count)  ((type *)rg_arena_alloc((arena), (count), sizeof(type)))
 #define ARENA_ZEROED(arena, type, count) ((type *)rg_arena_zeroed((arena), (count), sizeof(type)))
 
-/* Returns a larger copy of a full array of *room elements: doubled, at least `least`. Returns the
- * array itself when memory is short. */
+/* Returns a copy of a full array with twice the room, or `least`; `array` if out of memory. */
 void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t least,
                     size_t element_size);
 
-/* Makes room for one more element at array[count]; false when memory is short. */
+/* Ensures room for one more element at array[count]; false if out of memory. */
 #define ARENA_ROOM(arena, array, count, room, least) \
     ((count) < (room) || \
      ((array) = rg_arena_grow((arena), (array), &(room), (least), sizeof(*(array))), \

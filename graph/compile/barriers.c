@@ -1,19 +1,19 @@
 /*
- * barriers.c: which barrier goes before which pass.
+ * barriers.c: emits the plan's barriers and merges them into as few batches as possible.
  *
- * A barrier may be anywhere between its release (the accesses it waits for have been recorded) and
- * its deadline (the pass that waits for it). A batch is one vkCmdPipelineBarrier2 before a pass.
- * Greedy interval stabbing: barriers come in the order of their deadlines; each joins the newest
- * batch if that is not before its release, or else opens one at its deadline. No set of batches
- * for the same order of passes is smaller, and none waits earlier than it has to.
+ * A barrier may be placed anywhere from its release (the accesses it waits for are recorded) to its
+ * deadline (the pass that waits for it). A batch is one vkCmdPipelineBarrier2 before a pass. Greedy
+ * interval stabbing: barriers are added in the order of their deadlines; each joins the latest
+ * batch if that is not before its release, or else opens one at its deadline. This gives the fewest
+ * batches for this order of passes, and none waits earlier than necessary.
  *
- * A barrier whose memory is taken over from a previous owner has no source stages, and the item's
- * number for access, until rg_find_owners(); every other one has some.
+ * A barrier that takes over memory from a previous owner has no source stages, and the item's index
+ * in src_access, until rg_find_owners() fills them; all other barriers have source stages.
  */
 #include <assert.h>
 #include "graph/compile/cell_state.h"
 
-/* Gives the newest batch to its pass, or to the end of the frame. */
+/* Assigns the newest batch to its pass, or to the end of the frame. */
 static void close_batch(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
@@ -30,9 +30,9 @@ static void close_batch(struct compiler *c)
     }
 }
 
-/* ---- joining barriers that differ in their ranges alone ---- */
+/* ---- merging barriers that differ only in their subresource ranges ---- */
 
-static bool is_alike(const struct rg_barrier *a, const struct rg_barrier *b)
+static bool has_same_dependency(const struct rg_barrier *a, const struct rg_barrier *b)
 {
     return a->image == b->image && a->buffer == b->buffer && a->src_stages == b->src_stages &&
            a->dst_stages == b->dst_stages && a->src_access == b->src_access &&
@@ -40,8 +40,8 @@ static bool is_alike(const struct rg_barrier *a, const struct rg_barrier *b)
            a->new_layout == b->new_layout;
 }
 
-/* Grows `a` by `b` if together they are one range of layers, mips or aspects. */
-static bool join_ranges(VkImageSubresourceRange *a, const VkImageSubresourceRange *b)
+/* Extends `a` by `b` if their union is a single range of layers, mip levels or aspects. */
+static bool merge_ranges(VkImageSubresourceRange *a, const VkImageSubresourceRange *b)
 {
     bool aspects = a->aspectMask == b->aspectMask;
     bool mips = a->baseMipLevel == b->baseMipLevel && a->levelCount == b->levelCount;
@@ -57,31 +57,29 @@ static bool join_ranges(VkImageSubresourceRange *a, const VkImageSubresourceRang
     return true;
 }
 
-/* Makes one of the newest barrier and barrier `before` of the same batch, if it can. */
-static bool join(struct compiler *c, uint32_t before)
+/* Merges the newest barrier into barrier `before` of the same batch, if possible. */
+static bool merge(struct compiler *c, uint32_t before)
 {
     struct rg_barrier *a = &c->barriers[before];
     const struct rg_barrier *b = &c->barriers[c->barrier_count - 1];
-    if (before < c->batch_first || a->image == RG_NONE || !is_alike(a, b) ||
-        !join_ranges(&a->range, &b->range))
+    if (before < c->batch_first || a->image == RG_NONE || !has_same_dependency(a, b) ||
+        !merge_ranges(&a->range, &b->range))
         return false;
     c->barrier_count--;
     return true;
 }
 
-/* Joins the newest barriers, all from `start` on and of one resource, while they make one. */
-static void join_rows(struct compiler *c, struct resource *r, uint32_t start)
+/* Repeatedly merges the two newest barriers of a resource, from index `start` on, if possible. */
+static void merge_newest(struct compiler *c, struct resource *r, uint32_t start)
 {
-    while (c->barrier_count >= start + 2 && join(c, c->barrier_count - 2))
+    while (c->barrier_count >= start + 2 && merge(c, c->barrier_count - 2))
         r->last_barrier = c->barrier_count - 1;
 }
 
-/* ---- adding ---- */
-
 /*
- * Another stage reads what an earlier barrier of this frame has made visible to some: that barrier
- * makes it visible to this one too, instead of a barrier more. `next` is what would be added. False
- * if there is no such barrier.
+ * Tries to avoid the barrier `next`: if another stage reads what an earlier barrier of this frame
+ * made visible, extends that barrier's destination scope instead. Returns false if there is no such
+ * barrier.
  */
 static bool widen(struct compiler *c, const struct cell *s, const struct access *a,
                   const struct rg_barrier *next)
@@ -103,9 +101,9 @@ static bool widen(struct compiler *c, const struct cell *s, const struct access 
     return false;
 }
 
-/* Adds the barrier behind the last one, to the newest batch or to a new one before `deadline`. */
-static void put(struct compiler *c, const struct cell_walk *w, struct resource *r, uint32_t release,
-                uint32_t deadline)
+/* Appends the barrier at c->barrier_count to the newest batch or a new one before `deadline`. */
+static void append_barrier(struct compiler *c, const struct cell_walk *w, struct resource *r,
+                           uint32_t release, uint32_t deadline)
 {
     uint32_t before = r->last_barrier;
     if (release >= c->batch_end) {
@@ -116,11 +114,11 @@ static void put(struct compiler *c, const struct cell_walk *w, struct resource *
     if (w->cell->flags & CELL_FRESH && r->acquired_at >= c->batch_end)
         r->acquired_at = c->batch_end - 1;
     r->last_barrier = c->barrier_count++;
-    if (before != RG_NONE && join(c, before))
+    if (before != RG_NONE && merge(c, before))
         r->last_barrier = before;
 }
 
-/* Returns whether it has added a barrier. */
+/* Synchronises one subresource with an access. Returns true if a barrier was added. */
 static bool sync_cell(struct compiler *c, const struct cell_walk *w, const struct access *a,
                       uint32_t pass)
 {
@@ -138,7 +136,7 @@ static bool sync_cell(struct compiler *c, const struct cell_walk *w, const struc
             b->src_access = r->item;
         added = !only_reads || !widen(c, w->cell, a, b);
         if (added)
-            put(c, w, r, release, pass);
+            append_barrier(c, w, r, release, pass);
     }
     rg_apply_access(w->cell, a, pass, needed);
     return added;
@@ -149,8 +147,8 @@ static bool has_room(struct compiler *c)
     return ARENA_ROOM(c->arena, c->barriers, c->barrier_count, c->barrier_room, c->row_count * 4);
 }
 
-/* Whether a frame has left a cell of an import in another state than it arrived in. */
-static bool has_to_go_back(const struct cell *s, const struct access *arrival)
+/* Returns true if the frame leaves a subresource of an import in another state than on arrival. */
+static bool must_be_restored(const struct cell *s, const struct access *arrival)
 {
     if (!(arrival->flags & ACCESS_WRITES))
         return s->flags & CELL_CHANGED;
@@ -165,17 +163,17 @@ void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass, 
     uint32_t start = c->barrier_count;
     uint32_t mip = a->range.baseMipLevel;
     for (struct cell_walk w = rg_cells(a); w.cell && has_room(c); rg_next_cell(&w)) {
-        if (hands_back && !has_to_go_back(w.cell, a))
+        if (hands_back && !must_be_restored(w.cell, a))
             continue;
         if (w.mip != mip)
-            join_rows(c, r, start); /* the mip before with those before it */
+            merge_newest(c, r, start); /* merges the previous mip level */
         mip = w.mip;
         if (sync_cell(c, &w, a, pass) && !writes && r->last_barrier < start) {
             w.cell->first_barrier = r->last_barrier;
             w.cell->barrier_end = r->last_barrier + 1;
         }
     }
-    join_rows(c, r, start);
+    merge_newest(c, r, start);
     if (writes || c->barrier_count == start)
         return;
     for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
@@ -188,7 +186,7 @@ void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass, 
 
 /* ---- after the last pass, and before the first frame ---- */
 
-/* Outputs become ready for their access; other imports go back as they arrived. */
+/* Prepares an output for its access, or returns an import to its state of arrival. */
 static void end_resource(struct compiler *c, struct resource *r)
 {
     bool hands_back = r->output == RG_NONE && r->import != RG_NONE;
@@ -203,7 +201,8 @@ static void end_resource(struct compiler *c, struct resource *r)
     rg_add_barriers(c, &a, c->plan->pass_count, hands_back);
 }
 
-/* From the zeros of the very first frame to what every frame finds, which is what it leaves. */
+/* Adds the initial barriers of a persistent resource: from its zero fill before the first frame to
+ * the state in which every frame begins, which is also how every frame ends. */
 static void begin_history(struct compiler *c, struct resource *r)
 {
     const struct access all = rg_boundary_access(r, RG_ACCESS_NONE);
@@ -211,7 +210,7 @@ static void begin_history(struct compiler *c, struct resource *r)
     uint32_t mip = 0;
     for (struct cell_walk w = rg_cells(&all); w.cell && has_room(c); rg_next_cell(&w)) {
         if (w.mip != mip)
-            join_rows(c, r, start);
+            merge_newest(c, r, start);
         mip = w.mip;
         VkImageLayout found = w.cell->layout ? w.cell->layout : VK_IMAGE_LAYOUT_GENERAL;
         c->barriers[c->barrier_count++] = (struct rg_barrier){
@@ -226,15 +225,15 @@ static void begin_history(struct compiler *c, struct resource *r)
             .range = rg_cell_range(&w),
         };
         if (c->barrier_count >= start + 2)
-            join(c, c->barrier_count - 2);
+            merge(c, c->barrier_count - 2);
     }
-    join_rows(c, r, start);
+    merge_newest(c, r, start);
 }
 
-/* The barrier by which this frame makes visible what it leaves makes it visible to a read of the
- * next frame, too, as that frame expects (cell_state.c). */
-static void serve_history_read(struct compiler *c, const struct cell_walk *w,
-                               const struct access *a)
+/* Extends the barrier that makes this frame's content visible to a read in the next frame, which
+ * relies on it (cell_state.c). */
+static void extend_to_history_read(struct compiler *c, const struct cell_walk *w,
+                                   const struct access *a)
 {
     const struct rg_barrier next = {
         .image = a->resource->plan_image,
@@ -243,9 +242,9 @@ static void serve_history_read(struct compiler *c, const struct cell_walk *w,
     };
     if (!(a->visibility & RG_VISIBLE_TO_ALL & ~w->cell->visible) || !w->cell->visible)
         return;
-    bool served = widen(c, w->cell, a, &next);
-    assert(served);
-    (void)served;
+    bool extended = widen(c, w->cell, a, &next);
+    assert(extended);
+    (void)extended;
 }
 
 void rg_end_barriers(struct compiler *c)
@@ -256,7 +255,7 @@ void rg_end_barriers(struct compiler *c)
             end_resource(c, c->resources[i]);
     }
     if (c->persistent_count && !c->arena->failed)
-        rg_each_history_read(c, serve_history_read);
+        rg_each_history_read(c, extend_to_history_read);
     close_batch(c);
     plan->barrier_count = c->barrier_count;
     plan->first_initial_barrier = c->batch_first = c->barrier_count;

@@ -1,7 +1,8 @@
-/* cell_state.c: the state of cells as a frame finds it, and as it leaves it. */
+/* cell_state.c: synchronisation state of subresources at the start of a frame. */
 #include "graph/compile/cell_state.h"
 
-/* As struct rg_import says; other reads of it are not known, so a write waits for everything. */
+/* Returns the state in which an import arrives (struct rg_import). Its other readers are unknown,
+ * so a write waits for all commands. */
 static struct cell import_state(const struct compiler *c, struct resource *r)
 {
     enum rg_access access = c->params->imports[r->import].access;
@@ -21,9 +22,9 @@ static struct cell import_state(const struct compiler *c, struct resource *r)
     return s;
 }
 
-/* ---- persistent resources: a frame finds what a frame leaves ---- */
+/* ---- persistent resources: a frame begins in the state in which a frame ends ---- */
 
-static void rehearse_access(const struct access *a)
+static void simulate_access(const struct access *a)
 {
     for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
         struct rg_barrier unused;
@@ -33,14 +34,14 @@ static void rehearse_access(const struct access *a)
     }
 }
 
-static void rehearse_frame(struct compiler *c)
+static void simulate_frame(struct compiler *c)
 {
     for (uint32_t p = 0; p < c->pass_count; p++) {
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
             if (a[i].resource->persistent)
-                rehearse_access(&a[i]);
+                simulate_access(&a[i]);
         }
     }
     for (uint32_t i = 0; i < c->boundary_count; i++) {
@@ -48,11 +49,11 @@ static void rehearse_frame(struct compiler *c)
         if (!r->persistent || r->output == RG_NONE)
             continue;
         const struct access a = rg_boundary_access(r, c->params->outputs[r->output].access);
-        rehearse_access(&a);
+        simulate_access(&a);
     }
 }
 
-void rg_each_history_read(struct compiler *c, rg_history_read_fn *see)
+void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit)
 {
     for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = c->resources[i];
@@ -70,14 +71,14 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *see)
                 if (a->flags & ACCESS_WRITES || w.cell->layout != a->layout)
                     w.cell->changed = true;
                 if (!w.cell->changed)
-                    see(c, &w, a);
+                    visit(c, &w, a);
             }
         }
     }
 }
 
-/* A barrier of the frame before that makes the write visible to other reads will make it visible
- * to this one, too (barriers.c). */
+/* Counts a history read as covered if the previous frame makes the write visible to other reads:
+ * its barrier is then extended to this read (barriers.c). */
 static void expect_history_read(struct compiler *c, const struct cell_walk *w,
                                 const struct access *a)
 {
@@ -88,7 +89,7 @@ static void expect_history_read(struct compiler *c, const struct cell_walk *w,
 
 static void begin_history(struct compiler *c)
 {
-    rehearse_frame(c);
+    simulate_frame(c);
     rg_each_history_read(c, expect_history_read);
     for (uint32_t i = 0; i < c->resource_count; i++) {
         const struct resource *r = c->resources[i];

@@ -1,14 +1,14 @@
 /*
- * cell_state.h: what a cell needs before an access, and what the access leaves.
+ * cell_state.h: tracks the synchronisation state of a subresource and decides on its barriers.
  *
- * Every cell (compiler.h) has its layout, its last write, the stages that have read it since, and
- * the stages and accesses that the write was made visible to. From these follow (Vulkan 1.3,
- * chapter 7): a read needs a barrier unless it is covered by an earlier one; a write always needs
- * one; a change of layout is a write between the barrier's two halves, and later barriers chain to
- * the stages it was made visible to.
+ * A cell (compiler.h) has the layout, the last write, the stages that have read it since, and the
+ * stages and accesses to which the write was made visible. From these follow (Vulkan 1.3,
+ * chapter 7): a read needs a barrier unless an earlier barrier covers it; a write always needs
+ * one; a layout transition is a write between the barrier's two scopes, and later barriers chain to
+ * the stages in the second one.
  *
- * A frame follows the frame before on one queue without a pause, so the first use of any memory
- * waits for its last use in the frame before, and for the resources it is shared with.
+ * Consecutive frames overlap on one queue, so the first use of any memory waits for its last use in
+ * the previous frame, and for the resources that it aliases.
  *
  * Private to graph/compile/.
  */
@@ -17,14 +17,14 @@
 
 #include "graph/compile/compiler.h"
 
-/* A change of layout is a write. */
+/* Returns true if an access writes the subresource; a layout transition counts as a write. */
 static inline bool rg_changes_cell(const struct cell *s, const struct access *a)
 {
     return a->flags & ACCESS_WRITES || s->layout != a->layout;
 }
 
-/* Fills `b` but for resource and range, and *release: the first pass before which the barrier may
- * be. Returns false if the access needs no barrier. */
+/* Fills `b` except resource and range, and sets *release to the first pass before which the barrier
+ * may be placed. Returns false if the access needs no barrier. */
 static inline bool rg_needs_barrier(const struct cell *s, const struct access *a,
                                     struct rg_barrier *b, uint32_t *release)
 {
@@ -32,7 +32,7 @@ static inline bool rg_needs_barrier(const struct cell *s, const struct access *a
     if (!changes && !(a->visibility & ~s->visible))
         return false;
     VkPipelineStageFlags2 readers = changes ? s->read_stages : VK_PIPELINE_STAGE_2_NONE;
-    /* the readers have waited for the write, and a barrier made the write available then */
+    /* readers have already waited for the write, and a barrier has made it available */
     bool awaited = readers && s->flags & CELL_AWAITED;
     b->src_stages = awaited ? readers : readers | s->write_stages;
     b->src_access = awaited ? VK_ACCESS_2_NONE : s->write_access;
@@ -44,7 +44,7 @@ static inline bool rg_needs_barrier(const struct cell *s, const struct access *a
     return s->layout != a->layout || b->src_stages || s->flags & CELL_FRESH;
 }
 
-/* Changes the state by an access in a pass; `made_visible`: it has just been given a barrier. */
+/* Updates the state for an access of a pass; `made_visible`: it was just given a barrier. */
 static inline void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass,
                                    bool made_visible)
 {
@@ -64,8 +64,8 @@ static inline void rg_apply_access(struct cell *s, const struct access *a, uint3
         return;
     s->flags &= ~(uint32_t)CELL_FRESH;
     s->read_stages |= a->stages;
-    /* the synchronization validation of some releases takes a read only for that in the frame of
-     * the write, and no barrier for one */
+    /* Some releases of the synchronization validation layer track that a read waited for the write
+     * only within the frame of the write, so such a read does not count across frames. */
     if (s->flags & CELL_CERTAIN && !conditional)
         s->flags |= CELL_AWAITED;
     if (made_visible)

@@ -1,7 +1,7 @@
-/* check.c: what is wrong with params, images and buffers. */
+/* check.c: validates rg_compile_params, images and buffers. */
 #include "graph/compile/compiler.h"
 
-/* Whether an import or output can be in the state that its access says. */
+/* Returns true if an import or output of this kind can be in the state of an access. */
 static bool fits(const struct rg_image *image, enum rg_access access)
 {
     const struct rg_access_info *info = &rg_access_table[access];
@@ -24,10 +24,10 @@ bool rg_check_boundary(struct compiler *c, const struct rg_image *image,
     bool one = !image != !buffer;
     if (!one || (unsigned)access >= RG_ACCESS_COUNT || (!access && !arrives))
         rg_fault_of(c, RG_ERROR_NOT_ONE_RESOURCE, NULL,
-                    "an import or output names one image or one buffer, and an access");
+                    "an import or output needs exactly one image or buffer, and an access");
     else if (access && ((arrives && access == RG_HOST_READ) || !fits(image, access)))
         rg_fault_of(c, RG_ERROR_ACCESS, image ? image->name : buffer->name,
-                    "an import cannot arrive, or an output be left, in this state");
+                    "an import cannot arrive, or an output be left, in the state of this access");
     return one;
 }
 
@@ -36,7 +36,7 @@ bool rg_check_params(struct compiler *c)
     const struct rg_compile_params *params = c->params;
     const VkExtent2D view = params->view;
     const VkExtent2D region = params->max_region;
-    size_t row_count = 8; /* some more */
+    size_t row_count = 8; /* a few extra */
     RG_CHECK_TABLE(c, params, techniques, technique_count, RG_MAX_ROWS, NULL);
     RG_CHECK_TABLE(c, params, outputs, output_count, RG_MAX_ROWS, NULL);
     RG_CHECK_TABLE(c, params, imports, import_count, RG_MAX_ROWS, NULL);
@@ -54,7 +54,7 @@ bool rg_check_params(struct compiler *c)
     c->row_count = row_count < UINT32_MAX / 64 ? (uint32_t)row_count : UINT32_MAX / 64;
     rg_fault_if(c, !view.width || !view.height, RG_ERROR_NO_SIZE, NULL, "give the view a size");
     rg_fault_if(c, !region.width != !region.height, RG_ERROR_NO_SIZE, NULL,
-                "max_region: expected two sides, or 0x0 for the view's");
+                "max_region: expected width and height, or 0x0 for the view's");
     rg_fault_if(c, region.width > view.width || region.height > view.height, RG_ERROR_TOO_LARGE,
                 NULL, "max_region: expected no more than the view");
     rg_fault_if(c, c->max_view.width < view.width || c->max_view.height < view.height,
@@ -71,14 +71,13 @@ void rg_check_output_memory(struct compiler *c, const struct resource *r)
     if (r->import != RG_NONE)
         return;
     if (access == RG_PRESENT)
-        rg_fault_of(c, RG_ERROR_ACCESS, r->name, "only an imported image can be shown");
+        rg_fault_of(c, RG_ERROR_ACCESS, r->name, "only an imported image can be presented");
     if (access == RG_HOST_READ && !(r->buffer && r->buffer->memory == RG_MEMORY_READBACK))
-        rg_fault_of(c, RG_ERROR_ACCESS, r->name, "the CPU reads only RG_MEMORY_READBACK buffers");
+        rg_fault_of(c, RG_ERROR_ACCESS, r->name,
+                    "the CPU can only read RG_MEMORY_READBACK buffers");
 }
 
-/* ---- images and buffers ---- */
-
-static const char *image_trouble(const struct compiler *c, const struct resource *r,
+static const char *image_problem(const struct compiler *c, const struct resource *r,
                                  enum rg_error *error)
 {
     const VkImageSubresourceRange *all = &r->all;
@@ -87,57 +86,57 @@ static const char *image_trouble(const struct compiler *c, const struct resource
     uint32_t samples = r->image->samples;
     *error = RG_ERROR_FORMAT;
     if (!r->format)
-        return "name a format that the graph knows (graph/compile/format.c)";
+        return "choose a format that the graph supports (graph/compile/format.c)";
     *error = RG_ERROR_NO_SIZE;
     if (!(r->image->scale >= 0.0f))
-        return "a scale is a positive number";
+        return "scale: expected a positive number";
     *error = RG_ERROR_VALUE;
     if (r->image->depth && (all->layerCount > 1 || r->image->cube || r->image->array ||
                             r->image->samples > 1 || all->aspectMask != VK_IMAGE_ASPECT_COLOR_BIT))
         return "depth: expected a colour format, one layer and one sample, no cube and no array";
     *error = RG_ERROR_TOO_LARGE;
     if (r->image->depth && (most > c->max_volume_size || r->depth > c->max_volume_size))
-        return "make it smaller: the device has no images of three dimensions of this size";
+        return "make it smaller: the device does not support 3D images of this size";
     if (most > c->max_image_size || all->layerCount > c->max_layers)
-        return "make it smaller: the device has no images of this size";
+        return "make it smaller: the device does not support images of this size";
     *error = RG_ERROR_CUBE;
     if (r->image->cube && (all->layerCount % 6 || r->extent.width != r->extent.height))
-        return "a cube is square and has a multiple of 6 layers";
+        return "a cube must be square and have a multiple of 6 layers";
     *error = RG_ERROR_RANGE;
     if (all->levelCount > 1 && all->levelCount > rg_full_chain(r->extent, r->depth))
-        return "it has fewer mips: the last one is 1x1 (use RG_ALL_MIPS)";
+        return "mips: expected at most the full chain down to 1x1 (RG_ALL_MIPS)";
     *error = RG_ERROR_SAMPLES;
     if (samples > 64 || (samples & (samples - 1)))
-        return "a texel has 1, 2, 4, 8, 16, 32 or 64 samples";
+        return "samples: expected 1, 2, 4, 8, 16, 32 or 64";
     if (samples > 1 && (all->levelCount > 1 || r->image->cube))
-        return "an image of several samples has one mip and is no cube";
+        return "a multisampled image must have one mip level and be no cube";
     return NULL;
 }
 
-static const char *buffer_trouble(const struct resource *r, enum rg_error *error)
+static const char *buffer_problem(const struct resource *r, enum rg_error *error)
 {
     *error = RG_ERROR_VALUE;
     if ((unsigned)r->buffer->memory > RG_MEMORY_READBACK)
-        return "memory is one of enum rg_memory";
+        return "memory: expected a constant of enum rg_memory";
     *error = RG_ERROR_NO_SIZE;
     if (!r->size)
         return "give the buffer a size";
     *error = RG_ERROR_TOO_LARGE;
     if (r->size == RG_SIZE_OVERFLOW || r->max_size == RG_SIZE_OVERFLOW)
-        return "make it smaller: no memory holds it";
+        return "make it smaller: it exceeds any memory";
     *error = RG_ERROR_PERSISTENT;
     if ((r->persistent || r->import != RG_NONE) && r->buffer->memory != RG_MEMORY_DEVICE)
-        return "only RG_MEMORY_DEVICE keeps its content; the CPU has its own";
+        return "persistent and imported buffers must be RG_MEMORY_DEVICE";
     return NULL;
 }
 
-/* Leaves faulty resources with a size that later steps can work with. */
+/* Checks a resource; faulty ones get a size that later stages can handle. */
 void rg_check_resource(struct compiler *c, struct resource *r)
 {
     enum rg_error error;
-    const char *trouble = r->image ? image_trouble(c, r, &error) : buffer_trouble(r, &error);
-    if (!trouble)
+    const char *problem = r->image ? image_problem(c, r, &error) : buffer_problem(r, &error);
+    if (!problem)
         return;
-    rg_fault_of(c, error, r->name, trouble);
+    rg_fault_of(c, error, r->name, problem);
     r->all.layerCount = r->all.levelCount = 1;
 }

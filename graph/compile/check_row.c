@@ -1,4 +1,4 @@
-/* check_row.c: what is wrong with a row by itself, whatever the other rows do. */
+/* check_row.c: validates a row by itself, independently of other rows. */
 #include <float.h>
 #include "graph/compile/compiler.h"
 
@@ -7,7 +7,7 @@ static const char *use_name(const struct rg_use *use)
     return use->image ? use->image->name : use->buffer ? use->buffer->name : NULL;
 }
 
-/* Whether the format has the colour of a fallback. */
+/* Returns true if the fallback's colour is in the range of the image's format. */
 static bool fits_format(const struct rg_use *use)
 {
     const struct rg_format_info *format = rg_format_info(use->image->format);
@@ -18,7 +18,8 @@ static bool fits_format(const struct rg_use *use)
                                    : FLT_MAX;
     float least = is_depth || format->is_uint ? 0.0f : -most;
     for (uint32_t i = 0; i < (is_depth ? 1 : 4); i++) {
-        if (!(use->fallback->color[i] >= least && use->fallback->color[i] <= most)) /* NaN */
+        /* negated, to reject NaN */
+        if (!(use->fallback->color[i] >= least && use->fallback->color[i] <= most))
             return false;
     }
     return true;
@@ -29,34 +30,34 @@ static void check_use(struct compiler *c, const struct rg_pass *pass, const stru
     const char *name = use_name(use);
     if (!rg_is_good_use(use)) {
         rg_fault(c, RG_ERROR_NOT_ONE_RESOURCE, name,
-                 "a use names one image or one buffer, and an access");
+                 "a use needs exactly one image or buffer, and an access");
         return;
     }
-    const char *trouble = rg_use_trouble(pass, use);
-    rg_fault_if(c, trouble, RG_ERROR_ACCESS, name, trouble);
-    if (use->image && use->image->samples > 1) { /* in each texel */
+    const char *problem = rg_use_trouble(pass, use);
+    rg_fault_if(c, problem, RG_ERROR_ACCESS, name, problem);
+    if (use->image && use->image->samples > 1) { /* multisampled */
         rg_fault_if(c, use->access != RG_SAMPLED, RG_ERROR_SAMPLES, name,
-                    "a pass can only sample it, or draw to it; resolve it first");
+                    "a multisampled image can only be sampled or drawn to; resolve it first");
         rg_fault_if(c, use->access == RG_SAMPLED && use->sampler, RG_ERROR_SAMPLES, name,
-                    "texelFetch reads its samples: name no sampler");
+                    "remove the sampler: a multisampled image is read by texelFetch");
     }
     rg_fault_if(c, use->sampler && !(use->sampler->anisotropy >= 0.0f), RG_ERROR_VALUE, name,
                 "sampler: expected an anisotropy of 0 or more");
-    rg_fault_if(c, use->fallback && use->image && !trouble && !fits_format(use), RG_ERROR_VALUE,
-                name, "fallback: expected finite numbers that the format can hold");
+    rg_fault_if(c, use->fallback && use->image && !problem && !fits_format(use), RG_ERROR_VALUE,
+                name, "fallback: expected finite numbers in the range of the format");
     const struct rg_range *r = &use->range;
     rg_fault_if(c, use->buffer && (r->aspect | r->mip | r->mip_count | r->layer | r->layer_count),
                 RG_ERROR_RANGE, name, "range: expected {0}, since a pass uses all of a buffer");
 }
 
-/* Whether a use is the next element of the array that the use before belongs to; NULL: none is. */
+/* Returns true if a use continues the descriptor array of the previous use, which may be NULL. */
 static bool is_next_element(const struct rg_use *use, const struct rg_use *before)
 {
     return before && use->binding == before->binding && use->element == before->element + 1u &&
            use->stages == before->stages && rg_use_descriptor(use) == rg_use_descriptor(before);
 }
 
-/* Of rows whose bindings do not rise. */
+/* Reports duplicate bindings of a row whose bindings are not in ascending order. */
 static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32_t use_count)
 {
     if (!c->bindings)
@@ -66,7 +67,7 @@ static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32
             rg_is_good_use(&uses[i]) && rg_is_shader_access(uses[i].access) && !uses[i].element;
         uint32_t bit = bound ? 1u << uses[i].binding % 32 : 0;
         rg_fault_if(c, c->bindings[uses[i].binding / 32] & bit, RG_ERROR_DUPLICATE_BINDING,
-                    use_name(&uses[i]), "give each use of the row a binding of its own");
+                    use_name(&uses[i]), "give each use of the row a unique binding");
         c->bindings[uses[i].binding / 32] |= bit;
     }
     for (uint32_t i = 0; i < use_count && c->bindings; i++)
@@ -75,11 +76,11 @@ static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32
 
 static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
-    /* a raster row without targets has a fault already */
+    /* a raster row without targets has been reported already */
     bool writes =
         pass->kind == RG_RASTER && (color_count || !pass->depth.image || !pass->depth_read_only);
     bool rising = true;
-    const struct rg_use *before = NULL; /* the last one with a descriptor */
+    const struct rg_use *before = NULL; /* the last use with a descriptor */
     uint32_t use_count = 0;
     for (const struct rg_use *use = pass->uses; use && rg_is_use(use); use++, use_count++) {
         check_use(c, pass, use);
@@ -88,15 +89,16 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
         if (!rg_is_shader_access(use->access))
             continue;
         rising = rising && (use->element || !before || use->binding > before->binding);
-        rg_fault_if(c, use->element && !is_next_element(use, before), RG_ERROR_VALUE, use_name(use),
-                    "element: expected one more than that of the use before, of the same binding, "
-                    "with the same kind of descriptor and the same stages");
+        rg_fault_if(
+            c, use->element && !is_next_element(use, before), RG_ERROR_VALUE, use_name(use),
+            "element: expected one more than that of the previous use, with the same binding, "
+            "descriptor type and stages");
         before = use;
     }
     if (!rising)
         check_bindings(c, pass->uses, use_count);
     rg_fault_if(c, !writes, RG_ERROR_WRITES_NOTHING, NULL,
-                "a pass without a result is never needed");
+                "add a target or a use that writes: otherwise the pass is always culled");
 }
 
 static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
@@ -109,13 +111,13 @@ static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32
     rg_fault_if(c, pass->kind != RG_RASTER && pass->more, RG_ERROR_ACCESS, NULL,
                 "only a raster pass draws further rows");
     rg_fault_if(c, pass->kind == RG_RASTER && !any, RG_ERROR_NO_TARGET, NULL,
-                "name an image in .color or .depth");
+                "set an image in .color or .depth");
     for (uint32_t i = color_count, room = rg_color_room(pass); i < room; i++) {
         const struct rg_image *image =
             pass->color[i].image ? pass->color[i].image : pass->color[i].resolve;
         if (image)
             rg_fault(c, RG_ERROR_NO_TARGET, image->name,
-                     "leave no gap: colour targets end at the first without an image");
+                     "leave no gap: colour targets end at the first entry without an image");
     }
 }
 
@@ -150,9 +152,11 @@ static void check_fields(struct compiler *c, const struct rg_pass *pass, uint32_
     check_shader(c, pass->comp);
     rg_check_vertices(c, pass->vertices);
     rg_check_depth(c, pass);
-    rg_fault_if(c, pass->set && !pass->set->name, RG_ERROR_NO_NAME, NULL, "set: give it a name");
+    rg_fault_if(c, pass->set && !pass->set->name, RG_ERROR_NO_NAME, NULL,
+                "give the descriptor set a name");
     if (pass->set && pass->kind == RG_TRANSFER)
-        rg_fault(c, RG_ERROR_ACCESS, pass->set->name, "only a pass with shaders has a set");
+        rg_fault(c, RG_ERROR_ACCESS, pass->set->name,
+                 "only a pass with shaders can have a descriptor set");
 }
 
 void rg_check_row(struct compiler *c, const struct rg_pass *pass)
@@ -160,13 +164,13 @@ void rg_check_row(struct compiler *c, const struct rg_pass *pass)
     uint32_t color_count = rg_color_count(pass);
     bool draws = pass->vert && (pass->frag || !color_count);
     check_fields(c, pass, color_count);
-    rg_fault_if(c, !pass->record, RG_ERROR_NO_RECORD, NULL, "name its record function");
+    rg_fault_if(c, !pass->record, RG_ERROR_NO_RECORD, NULL, "set .record");
     rg_fault_if(c, pass->kind == RG_RASTER && !draws, RG_ERROR_NO_SHADER, NULL,
-                "a raster pass needs .vert, and .frag unless it has depth alone");
+                "a raster pass needs .vert, and .frag unless it only writes depth");
     rg_fault_if(c, pass->kind == RG_COMPUTE && !pass->comp, RG_ERROR_NO_SHADER, NULL,
                 "a compute pass needs .comp");
     rg_fault_if(c, pass->push_size > RG_MAX_PUSH || pass->push_size % 4, RG_ERROR_PUSH_SIZE, NULL,
-                "at most 128 bytes, a multiple of 4");
+                "push_size: expected at most 128 bytes, a multiple of 4");
     check_targets(c, pass, color_count);
     check_uses(c, pass, color_count);
 }

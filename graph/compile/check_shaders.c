@@ -1,8 +1,8 @@
-/* check_shaders.c: what is wrong between a row and the SPIR-V of its shaders. */
+/* check_shaders.c: validates a row against the SPIR-V interfaces of its shaders. */
 #include <stdarg.h>
 #include "graph/compile/compiler.h"
 
-/* The shaders of the row at work. */
+/* The row being checked, with its shaders. */
 struct shaders {
     struct compiler *c;
     const struct rg_pass *row;
@@ -10,7 +10,7 @@ struct shaders {
     uint32_t count;
 };
 
-/* Adds a fault whose hint is made like printf() makes it. */
+/* Adds a fault whose hint is formatted as by printf(). */
 __attribute__((cold, format(printf, 4, 5))) static void
 fault(const struct shaders *s, enum rg_error error, const char *resource, const char *format, ...)
 {
@@ -38,7 +38,7 @@ static const char *shader_of(const struct spirv *s)
 static void check_push(const struct shaders *s)
 {
     uint32_t least = 0; /* bytes that shaders read */
-    uint32_t most = 0;  /* bytes that they declare */
+    uint32_t most = 0;  /* bytes that shaders declare */
     const char *shader = "its shaders";
     const char *block = NULL;
     for (uint32_t i = 0; i < s->count; i++) {
@@ -56,7 +56,8 @@ static void check_push(const struct shaders *s)
         }
     }
     uint32_t size = s->row->push_size;
-    if (size < least || size > (most + 15) / 16 * 16) /* C may pad a struct */
+    /* a C struct may have trailing padding up to 16 bytes */
+    if (size < least || size > (most + 15) / 16 * 16)
         fault(s, RG_ERROR_SHADER_PUSH, block, "push_size: expected the %u bytes of %s, got %u",
               least ? least : most, shader, size);
 }
@@ -67,8 +68,8 @@ static const char *descriptor_name(VkDescriptorType type)
 {
     static const char *const names[] = {
         [VK_DESCRIPTOR_TYPE_SAMPLER] = "a sampler",
-        [VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER] = "an image with a sampler",
-        [VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE] = "an image to sample",
+        [VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER] = "a combined image sampler",
+        [VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE] = "a sampled image",
         [VK_DESCRIPTOR_TYPE_STORAGE_IMAGE] = "a storage image",
         [VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER] = "a uniform texel buffer",
         [VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER] = "a storage texel buffer",
@@ -78,7 +79,7 @@ static const char *descriptor_name(VkDescriptorType type)
     if (type == VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR)
         return "an acceleration structure";
     return (unsigned)type < sizeof(names) / sizeof(names[0]) && names[type] ? names[type]
-                                                                            : "something else";
+                                                                            : "an unsupported type";
 }
 
 static const char *use_name(const struct rg_use *use)
@@ -87,8 +88,8 @@ static const char *use_name(const struct rg_use *use)
     return name ? name : "?";
 }
 
-/* Whether a descriptor of the first type serves a variable of the second. */
-static bool serves(VkDescriptorType type, VkDescriptorType variable)
+/* Returns true if a descriptor of type `type` can be bound to a variable of type `variable`. */
+static bool is_compatible(VkDescriptorType type, VkDescriptorType variable)
 {
     return type == variable || (type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER &&
                                 (variable == VK_DESCRIPTOR_TYPE_SAMPLER ||
@@ -104,7 +105,7 @@ static const struct rg_use *find_binding(const struct rg_pass *row, uint32_t bin
     return NULL;
 }
 
-/* Whether one of the first `count` shaders uses a binding. */
+/* Returns true if one of the first `count` shaders uses a binding of set 0. */
 static bool is_bound(const struct shaders *s, uint32_t count, uint32_t binding)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -119,7 +120,7 @@ static bool is_bound(const struct shaders *s, uint32_t count, uint32_t binding)
     return false;
 }
 
-/* Returns the use that no shader reads with the number `index` among these. */
+/* Returns the use number `index` among those that no shader reads, or NULL. */
 static const struct rg_use *find_unused(const struct shaders *s, uint32_t index)
 {
     for (const struct rg_use *use = s->row->uses; use && rg_is_use(use); use++) {
@@ -129,7 +130,7 @@ static const struct rg_use *find_unused(const struct shaders *s, uint32_t index)
     return NULL;
 }
 
-/* The formats of SPIR-V, in the order of their numbers. */
+/* Storage image formats, indexed by SPIR-V's Image Format number. */
 static const VkFormat storage_formats[] = {
     VK_FORMAT_UNDEFINED,
     VK_FORMAT_R32G32B32A32_SFLOAT,
@@ -176,10 +177,10 @@ static const VkFormat storage_formats[] = {
 static const char *format_name(VkFormat format)
 {
     const struct rg_format_info *info = rg_format_info(format);
-    return info ? info->name : "a format that the graph lacks";
+    return info ? info->name : "an unknown format";
 }
 
-/* The component type that shaders see in an aspect of a format; '?': unknown. */
+/* Returns the component type that shaders read from an aspect of a format; '?' if unknown. */
 static char component_of(VkFormat of, VkImageAspectFlags aspect)
 {
     const struct rg_format_info *format = rg_format_info(of);
@@ -195,7 +196,7 @@ static const char *component_name(char component)
     return component == 'f' ? "float" : component == 'i' ? "int" : component == 'u' ? "uint" : "?";
 }
 
-/* An import may have another number of layers than it was declared with. */
+/* Returns an image's number of layers; an import may differ from its declaration. */
 static uint32_t layer_count(const struct shaders *s, const struct rg_image *image)
 {
     const struct rg_compile_params *params = s->c->params;
@@ -206,26 +207,26 @@ static uint32_t layer_count(const struct shaders *s, const struct rg_image *imag
     return image->layers ? image->layers : image->cube ? 6 : 1;
 }
 
-/* What a shader says of the texels of an image, or of a texel buffer. */
+/* Compares a shader's declared format of an image or texel buffer with the resource's. */
 static void check_texels(const struct shaders *s, const char *name, const struct spirv_variable *v,
-                         const struct spirv_image *seen, const struct rg_use *use)
+                         const struct spirv_image *declared, const struct rg_use *use)
 {
     const VkFormat has = use->image ? use->image->format : use->buffer->format;
-    VkFormat format = seen->format < sizeof(storage_formats) / sizeof(storage_formats[0])
-                          ? storage_formats[seen->format]
+    VkFormat format = declared->format < sizeof(storage_formats) / sizeof(storage_formats[0])
+                          ? storage_formats[declared->format]
                           : VK_FORMAT_UNDEFINED;
     char component = component_of(has, use->range.aspect);
     if (format && format != has)
         fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: format %s is not the %s of '%s'",
               v->binding, format_name(format), format_name(has), use_name(use));
-    else if (component != '?' && seen->component != component)
+    else if (component != '?' && declared->component != component)
         fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' has texels of %s, not of %s",
               v->binding, use_name(use), component_name(component),
-              component_name(seen->component));
+              component_name(declared->component));
 }
 
 static void check_image(const struct shaders *s, const struct spirv *stage,
-                        const struct spirv_variable *v, const struct spirv_image *seen,
+                        const struct spirv_variable *v, const struct spirv_image *declared,
                         const struct rg_use *use)
 {
     const char *name = rg_spirv_name(stage, v);
@@ -244,12 +245,12 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
                      : several      ? "multisampled"
                      : image->depth ? "3D"
                                     : "2D";
-    if (seen->dim != (cube ? (uint32_t)SPIRV_DIM_CUBE : dim) || seen->arrayed != array ||
-        seen->multisampled != several)
+    if (declared->dim != (cube ? (uint32_t)SPIRV_DIM_CUBE : dim) || declared->arrayed != array ||
+        declared->multisampled != several)
         fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' is %s in the row", v->binding,
               use_name(use), is);
     else
-        check_texels(s, name, v, seen, use);
+        check_texels(s, name, v, declared, use);
 }
 
 static void check_uniform(const struct shaders *s, const struct spirv *stage,
@@ -268,7 +269,7 @@ static void check_uniform(const struct shaders *s, const struct spirv *stage,
               use_name(use), (unsigned long long)size);
 }
 
-/* Returns the elements of the array of descriptors that begins with a use; 1: it is none. */
+/* Returns the length of the descriptor array that begins with a use; 1 if it is no array. */
 static uint32_t element_count(const struct rg_use *first)
 {
     uint32_t count = 1;
@@ -284,7 +285,7 @@ static void check_use(const struct shaders *s, const struct spirv *stage,
     struct spirv_image image;
     uint32_t count;
     VkDescriptorType type = rg_spirv_descriptor(stage, v, &count);
-    if (!serves(rg_use_descriptor(use), type))
+    if (!is_compatible(rg_use_descriptor(use), type))
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
               "binding %u is %s in '%s', '%s' is %s", v->binding, descriptor_name(type),
               shader_of(stage), use_name(use), descriptor_name(rg_use_descriptor(use)));
@@ -300,7 +301,7 @@ static void check_use(const struct shaders *s, const struct spirv *stage,
         check_uniform(s, stage, v, use);
 }
 
-/* Checks the use of a binding, or all uses of an array. */
+/* Checks the use of a binding, or all uses of a descriptor array. */
 static void check_elements(const struct shaders *s, const struct spirv *stage,
                            const struct spirv_variable *v, const struct rg_use *first,
                            VkPipelineStageFlags2 in)
@@ -316,14 +317,14 @@ static void check_elements(const struct shaders *s, const struct spirv *stage,
         check_use(s, stage, v, &first[i], in);
 }
 
-/* A shader uses a binding that the row lacks: often it is a use of the row with another number. */
-static void miss_binding(const struct shaders *s, const struct spirv *stage,
-                         const struct spirv_variable *v, uint32_t *missing)
+/* Reports a shader's binding that the row lacks; often a use has a wrong binding. */
+static void report_missing(const struct shaders *s, const struct spirv *stage,
+                           const struct spirv_variable *v, uint32_t *missing)
 {
     const struct rg_use *other = find_unused(s, (*missing)++);
     if (v->set)
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
-              "it is in set %u of '%s': use set 0, or set 1 and rg_pass.set", v->set,
+              "it is in set %u of '%s': use set 0, or set 1 with rg_pass.set", v->set,
               shader_of(stage));
     else if (other)
         fault(s, RG_ERROR_SHADER_BINDING, rg_spirv_name(stage, v),
@@ -334,7 +335,7 @@ static void miss_binding(const struct shaders *s, const struct spirv *stage,
               "binding %u of '%s' is not in the row", v->binding, shader_of(stage));
 }
 
-/* Checks a descriptor that stage `i` uses. */
+/* Checks a descriptor that shader stage `i` uses. */
 static void check_descriptor(const struct shaders *s, uint32_t i, const struct spirv_variable *v,
                              uint32_t *missing)
 {
@@ -342,13 +343,13 @@ static void check_descriptor(const struct shaders *s, uint32_t i, const struct s
                                                     VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT };
     const struct rg_use *use = v->set ? NULL : find_binding(s->row, v->binding);
     if (v->set == 1 && s->row->set)
-        return; /* the program's own */
+        return; /* a descriptor of the program's own set */
     if (use)
         check_elements(s, s->stages[i], v, use,
                        s->row->kind == RG_COMPUTE ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
                                                   : raster[i]);
     else if (!is_bound(s, i, v->binding))
-        miss_binding(s, s->stages[i], v, missing);
+        report_missing(s, s->stages[i], v, missing);
 }
 
 static void check_bindings(const struct shaders *s)
@@ -373,9 +374,9 @@ static void check_bindings(const struct shaders *s)
               use->binding);
 }
 
-/* ---- vertices and targets ---- */
+/* ---- vertex attributes and colour targets ---- */
 
-/* Formats of as many components, one kind of number after another: 'f', 'u', 'i'. */
+/* Consecutive formats with equally many components; the numeric type of each is f, u or i. */
 struct format_group {
     VkFormat first;
     uint32_t components;
@@ -444,7 +445,7 @@ static void check_attribute(const struct shaders *s, const struct spirv_variable
               component_name(kind));
 }
 
-/* Returns the locations of inputs or outputs. Bit 31: some that are higher. */
+/* Returns a bit mask of the locations of inputs or outputs. Bit 31 stands for all higher ones. */
 static uint32_t locations(const struct spirv *s, uint32_t storage)
 {
     uint32_t bits = 0;
@@ -490,7 +491,7 @@ static void check_output(const struct shaders *s, const struct spirv_variable *v
               component_name(component), component_name(wanted));
 }
 
-/* What the fragment shader reads of the vertex shader, and what it draws. */
+/* Compares the fragment shader's inputs with the vertex shader, its outputs with the targets. */
 static void check_fragments(const struct shaders *s)
 {
     const struct spirv *frag = s->stages[1];
@@ -498,10 +499,10 @@ static void check_fragments(const struct shaders *s)
     uint32_t drawn = locations(frag, SPIRV_OUTPUT);
     for (uint32_t i = 0; i < frag->variable_count; i++) {
         const struct spirv_variable *v = &frag->variables[i];
-        bool is_placed = v->in_interface && v->location < 31;
-        if (is_placed && v->storage == SPIRV_OUTPUT)
+        bool has_location = v->in_interface && v->location < 31;
+        if (has_location && v->storage == SPIRV_OUTPUT)
             check_output(s, v);
-        if (is_placed && v->used && v->storage == SPIRV_INPUT && !(passed >> v->location & 1))
+        if (has_location && v->used && v->storage == SPIRV_INPUT && !(passed >> v->location & 1))
             fault(s, RG_ERROR_SHADER_INPUT, rg_spirv_name(frag, v),
                   "location %u of '%s' is no output of '%s'", v->location, shader_of(frag),
                   shader_of(s->stages[0]));
@@ -515,7 +516,7 @@ static void check_fragments(const struct shaders *s)
 
 /* ---- specialization constants ---- */
 
-/* Notes which constants of the params the shaders know. */
+/* Checks constants in the params against those in shaders, and records which ones exist. */
 static void check_constants(const struct shaders *s)
 {
     const VkSpecializationInfo *given = s->c->params->constants;
@@ -527,9 +528,9 @@ static void check_constants(const struct shaders *s)
                     continue;
                 s->c->known_constants[g] = true;
                 if (given->pMapEntries[g].size != constant->size)
-                    fault(s, RG_ERROR_CONSTANT, NULL, "id %u has %u bytes in '%s', %zu here",
-                          constant->id, constant->size, shader_of(s->stages[i]),
-                          given->pMapEntries[g].size);
+                    fault(s, RG_ERROR_CONSTANT, NULL,
+                          "constant %u has %u bytes in '%s', but %zu in the params", constant->id,
+                          constant->size, shader_of(s->stages[i]), given->pMapEntries[g].size);
             }
         }
     }
@@ -551,22 +552,22 @@ void rg_end_constants(struct compiler *c)
     const VkSpecializationInfo *given = c->params->constants;
     for (uint32_t g = 0; c->known_constants && g < given->mapEntryCount; g++) {
         if (!c->known_constants[g] && !c->has_wordless_shaders)
-            fault(&none, RG_ERROR_CONSTANT, NULL, "no shader has the id %u",
+            fault(&none, RG_ERROR_CONSTANT, NULL, "no shader has constant %u",
                   given->pMapEntries[g].constantID);
     }
 }
 
-/* ---- a row ---- */
+/* ---- all shaders of a row ---- */
 
 static bool open_stage(struct shaders *s, const struct rg_shader *shader,
                        VkShaderStageFlagBits stage)
 {
     struct spirv *module = &s->c->modules[s->count];
-    const char *trouble = rg_spirv_read(module, s->c->arena, shader, stage);
-    if (trouble)
-        rg_fault(s->c, RG_ERROR_SHADER, shader->name ? shader->name : "?", trouble);
+    const char *problem = rg_spirv_read(module, s->c->arena, shader, stage);
+    if (problem)
+        rg_fault(s->c, RG_ERROR_SHADER, shader->name ? shader->name : "?", problem);
     s->stages[s->count++] = module;
-    return !trouble && !s->c->arena->failed;
+    return !problem && !s->c->arena->failed;
 }
 
 static bool has_words(const struct rg_shader *shader)

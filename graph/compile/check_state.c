@@ -1,4 +1,4 @@
-/* check_state.c: what is wrong with the fixed-function state of a row by itself. */
+/* check_state.c: validates the fixed-function state of a row by itself. */
 #include <math.h>
 #include "graph/compile/compiler.h"
 
@@ -32,12 +32,12 @@ void rg_check_target(struct compiler *c, const struct rg_target *target)
     const VkPipelineColorBlendAttachmentState *state = target->blend_state;
     RG_CHECK_ENUM(c, target, load, RG_LOAD_DISCARD, target->image->name, "enum rg_load");
     RG_CHECK_ENUM(c, target, blend, RG_BLEND_ADD, target->image->name, "enum rg_blend");
-    rg_fault_if(c, state && (target->blend || !is_blend_state(state)), RG_ERROR_VALUE,
-                target->image->name,
-                "blend_state: expected constants of Vulkan, of no second source, and no .blend");
+    rg_fault_if(
+        c, state && (target->blend || !is_blend_state(state)), RG_ERROR_VALUE, target->image->name,
+        "blend_state: expected Vulkan constants without dual-source blending, and no .blend");
 }
 
-/* Returns whether a layout is sound, whose locations, bits, no earlier one has. */
+/* Returns true if a vertex layout is valid and uses no location of an earlier one (bit set). */
 static bool is_layout(const struct rg_vertex_layout *v, uint32_t binding, uint32_t *locations)
 {
     bool fits = v->stride <= RG_MAX_STRIDE && (uint32_t)v->rate <= VK_VERTEX_INPUT_RATE_INSTANCE;
@@ -45,7 +45,8 @@ static bool is_layout(const struct rg_vertex_layout *v, uint32_t binding, uint32
         const VkVertexInputAttributeDescription *a = &v->attributes[i];
         fits = fits && a->binding == binding && a->offset < RG_MAX_STRIDE &&
                a->location < RG_MAX_ATTRIBUTES && !(*locations >> a->location & 1) &&
-               a->format - 1u < VK_FORMAT_E5B9G9R9_UFLOAT_PACK32; /* the last without blocks */
+               /* the last format before the block-compressed ones */
+               a->format - 1u < VK_FORMAT_E5B9G9R9_UFLOAT_PACK32;
         *locations |= 1u << (a->location & 31);
     }
     return fits;
@@ -59,9 +60,9 @@ void rg_check_vertices(struct compiler *c, const struct rg_vertex_layout *v)
         if (rg_is_no_table(v->attributes, v->attribute_count, RG_MAX_ATTRIBUTES))
             return;
         rg_fault_if(c, !is_layout(v, binding, &locations), RG_ERROR_VALUE, NULL,
-                    "vertices: expected a stride up to 2048, and attributes of the layout's "
-                    "binding with a colour format, an offset below 2048 and a location below 16 "
-                    "of their own");
+                    "vertices: expected a stride up to 2048, and attributes with the layout's "
+                    "binding, a colour format, an offset below 2048 and a unique location below "
+                    "16");
     }
     rg_fault_if(c, v, RG_ERROR_VALUE, NULL, "vertices: expected at most 8 layouts");
 }
@@ -86,10 +87,10 @@ void rg_check_depth(struct compiler *c, const struct rg_pass *pass)
     rg_fault_if(c, !isfinite(bias->constant) || !isfinite(bias->clamp) || !isfinite(bias->slope),
                 RG_ERROR_VALUE, NULL, "depth_bias: expected finite numbers");
     rg_fault_if(c, s && (!is_stencil_state(&s->front) || !is_stencil_state(&s->back)),
-                RG_ERROR_VALUE, NULL, "stencil: expected constants of Vulkan");
+                RG_ERROR_VALUE, NULL, "stencil: expected Vulkan constants");
     rg_fault_if(c, s && !pass->depth.image, RG_ERROR_NO_TARGET, NULL,
                 "a stencil test needs .depth");
     rg_fault_if(
         c, s && pass->depth_read_only && (writes_stencil(&s->front) || writes_stencil(&s->back)),
-        RG_ERROR_VALUE, NULL, "stencil: expected no writes, with depth_read_only");
+        RG_ERROR_VALUE, NULL, "stencil: expected no writes with depth_read_only");
 }

@@ -1,14 +1,14 @@
-/* compile.c: the steps of the compiler, in their order. */
+/* compile.c: rg_compile(): runs the stages of the compiler in order. */
 #include "graph/compile/compiler.h"
 
-/* The plan and what it lives in. */
+/* A plan together with the arena that holds it. */
 struct owned_plan {
-    struct rg_plan plan; /* first: what the caller sees */
+    struct rg_plan plan; /* must be the first member: callers see only this */
     struct arena arena;
 };
 
-/* Makes room for about as much as the tables hold, so that little is copied as it grows. */
-static void expect(struct compiler *c)
+/* Reserves about as many entries as the tables need, to avoid copying as they grow. */
+static void reserve(struct compiler *c)
 {
     rg_map_expect(c->arena, &c->by_address, c->row_count + c->row_count / 2);
     rg_texts_expect(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
@@ -20,13 +20,13 @@ static bool failed(const struct compiler *c)
     return c->arena->failed || c->fault_count;
 }
 
-/* Returns at the first step that finds a fault, or for which memory is short. */
+/* Runs all stages; stops at the first that finds a fault or runs out of memory. */
 static void run(struct compiler *c)
 {
     bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
     if (!rg_check_params(c))
         return;
-    expect(c);
+    reserve(c);
     if (c->arena->failed)
         return;
     rg_add_boundary(c);
@@ -39,13 +39,13 @@ static void run(struct compiler *c)
     rg_list_resources(c);
     if (failed(c))
         return;
-    if (place_first) { /* barriers wait for the previous owners of memory */
+    if (place_first) { /* barriers then wait for the previous owners of memory */
         rg_place_items(c);
         rg_find_owner_ends(c);
     }
     if (!failed(c))
         rg_write_passes(c);
-    if (!failed(c) && !place_first) /* memory is shared where barriers permit it */
+    if (!failed(c) && !place_first) /* aliases memory only where existing barriers permit it */
         rg_place_items(c);
     if (!failed(c))
         rg_find_owners(c);
@@ -87,7 +87,7 @@ struct rg_plan *rg_compile(const struct rg_compile_params *params)
         rg_plan_destroy(&owned->plan);
         return NULL;
     }
-    if (c.fault_count) /* nothing half-made is to be seen */
+    if (c.fault_count) /* do not expose a half-built plan */
         owned->plan =
             (struct rg_plan){ .view = params->view, .max_region = owned->plan.max_region };
     owned->plan.faults = c.faults;
@@ -101,5 +101,5 @@ void rg_plan_destroy(struct rg_plan *plan)
     if (!plan)
         return;
     struct arena arena = ((struct owned_plan *)plan)->arena;
-    rg_arena_finish(&arena); /* the plan lives in it */
+    rg_arena_finish(&arena); /* also frees the plan itself */
 }

@@ -1,18 +1,18 @@
 /*
- * cull.c: which passes live.
+ * cull.c: removes passes whose results no output needs.
  *
- * From the last pass back: a pass lives if a later living pass or an output needs what it leaves.
- * The next frame needs what a frame leaves in a persistent resource if the frame reads it before it
- * writes it; that is known when the first pass has been looked at, so the walk is repeated until
- * nothing is new.
+ * Liveness analysis from the last pass back: a pass is alive if a later live pass or an output
+ * needs its result. The next frame needs the content of a persistent resource if the frame reads it
+ * before writing it, which is only known after the first pass has been visited, so the walk is
+ * repeated until nothing changes.
  */
 #include "graph/compile/compiler.h"
 
 enum {
-    MAX_ROUNDS = 4 /* then all of every persistent resource counts as needed */
+    MAX_ROUNDS = 4 /* limit of the iteration, after which all persistent content counts as needed */
 };
 
-/* Cells begin unwanted, so that the first round has only outputs to look at. */
+/* Resets the needed content: in the first round only outputs, later persistent resources too. */
 static void begin_round(struct compiler *c, uint32_t round)
 {
     uint32_t count = round ? c->resource_count : c->boundary_count;
@@ -26,7 +26,7 @@ static void begin_round(struct compiler *c, uint32_t round)
     }
 }
 
-/* Whether later passes or outputs need any of what this access leaves, if it does. */
+/* Returns true if an access writes anything that later passes or outputs need. */
 static bool is_wanted(const struct access *a)
 {
     if (!(a->flags & ACCESS_WRITES))
@@ -38,7 +38,7 @@ static bool is_wanted(const struct access *a)
     return false;
 }
 
-/* Notes for each access of a pass whether it is needed. Returns whether any is. */
+/* Marks the accesses of a pass whose result is needed. Returns true if there is any. */
 static bool find_needed(struct access *first, const struct access *end)
 {
     bool any = false;
@@ -50,8 +50,8 @@ static bool find_needed(struct access *first, const struct access *end)
     return any;
 }
 
-/* Notes for earlier passes what a living one does. No access of a pass reads what another one of it
- * overwrites. */
+/* Propagates the accesses of a live pass to earlier passes: reads need content, overwrites do not.
+ * No access of a pass reads what another access of the same pass overwrites. */
 static void mark_wanted(const struct access *first, const struct access *end)
 {
     for (const struct access *a = first; a < end; a++) {
@@ -77,8 +77,8 @@ static void cull_round(struct compiler *c)
     }
 }
 
-/* Whether the next frame needs more than this round was told. */
-static bool wants_more(const struct compiler *c)
+/* Returns true if the next frame needs more persistent content than this round assumed. */
+static bool needs_another_round(const struct compiler *c)
 {
     bool more = false;
     for (uint32_t i = 0; i < c->resource_count && c->persistent_count; i++) {
@@ -98,5 +98,5 @@ void rg_cull(struct compiler *c)
     do {
         begin_round(c, round++);
         cull_round(c);
-    } while (round <= MAX_ROUNDS && wants_more(c));
+    } while (round <= MAX_ROUNDS && needs_another_round(c));
 }

@@ -1,11 +1,11 @@
 /*
- * expand.c: rows become passes (one for each repetition), uses and targets become accesses.
+ * expand.c: expands rows to passes (one per repetition), and targets and uses to accesses.
  *
- * Faults of a row by itself come first, then those of what it does together with other rows.
+ * Reports the faults of a row by itself first, then those in combination with other rows.
  */
 #include "graph/compile/compiler.h"
 
-/* ---- what an access finds and leaves ---- */
+/* ---- subresources that an access reads and writes ---- */
 
 static bool is_filled(const struct compiler *c, const struct cell *cell, rg_when_fn *when)
 {
@@ -14,7 +14,7 @@ static bool is_filled(const struct compiler *c, const struct cell *cell, rg_when
             c->plan_passes[cell->filled - CELL_FILLED_BY].pass->when == when);
 }
 
-/* Whether an access contradicts the latest one to the cell, which is of the same pass. */
+/* Returns true if an access conflicts with an earlier one in the pass to the same subresource. */
 static bool is_conflict(const struct compiler *c, const struct cell *cell, const struct access *a)
 {
     const struct access *before = &c->accesses[cell->last_access - 1];
@@ -36,7 +36,7 @@ static bool is_all(const struct resource *r, const VkImageSubresourceRange *rang
            !range->baseArrayLayer && range->levelCount == 1 && range->layerCount == 1;
 }
 
-/* Makes the next access, which counts after keep_access(). NULL: memory is short. */
+/* Prepares the next access; keep_access() adds it. Returns NULL if out of memory. */
 static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
                                   VkPipelineStageFlags2 stages)
 {
@@ -45,8 +45,8 @@ static struct access *next_access(struct compiler *c, struct resource *r, enum r
     return rg_access_init(&c->accesses[c->access_count], r, kind, stages);
 }
 
-/* Finds the cells of the next access's range; it has those of the whole resource so far. Returns
- * false, and adds a fault, if the resource has not all of them. */
+/* Restricts an access, initially to the whole resource, to the cells of its range. Reports a fault
+ * and returns false if the range is not within the resource. */
 static bool find_cells(struct compiler *c, struct access *a)
 {
     const VkImageSubresourceRange *range = &a->range;
@@ -64,7 +64,7 @@ static bool find_cells(struct compiler *c, struct access *a)
     return true;
 }
 
-/* Adds the next access to the pass. A conditional pass leaves what it does not draw over. */
+/* Adds the prepared access to the pass. A conditional pass may not run, so it never overwrites. */
 static void keep_access(struct compiler *c, struct access *a, const char *unfilled_hint)
 {
     const char *name = a->resource->name;
@@ -77,7 +77,7 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
     if (when)
         a->flags = (a->flags & ~(uint32_t)ACCESS_OVERWRITES) | ACCESS_CONDITIONAL;
     rg_fault_if(c, (aspects & (aspects - 1)) && rg_is_shader_access(a->kind), RG_ERROR_RANGE, name,
-                "a shader sees one aspect: name depth or stencil");
+                "range: expected depth or stencil, since a shader reads only one aspect");
     for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
         bool filled = is_filled(c, w.cell, when);
         all_filled = all_filled && filled;
@@ -93,8 +93,6 @@ static void keep_access(struct compiler *c, struct access *a, const char *unfill
     c->access_count++;
 }
 
-/* ---- targets ---- */
-
 static void check_extent(struct compiler *c, const struct resource *r, uint32_t mip)
 {
     VkExtent2D *pass = &c->pass->extent;
@@ -104,7 +102,7 @@ static void check_extent(struct compiler *c, const struct resource *r, uint32_t 
     if (c->access_count == c->passes[c->pass_count].first_access && !c->target_samples)
         *pass = extent;
     rg_fault_if(c, extent.width != pass->width || extent.height != pass->height,
-                RG_ERROR_TARGET_SIZE, r->name, "all targets of a pass are of one size");
+                RG_ERROR_TARGET_SIZE, r->name, "all targets of a pass must have the same size");
 }
 
 static void check_target(struct compiler *c, const struct rg_target *target,
@@ -121,15 +119,15 @@ static void check_target(struct compiler *c, const struct rg_target *target,
     rg_fault_if(c, !is_depth && has_depth, RG_ERROR_FORMAT, r->name,
                 "a colour target needs a colour format");
     rg_fault_if(c, is_depth && row->depth_read_only && target->load != RG_LOAD_KEEP,
-                RG_ERROR_ACCESS, r->name, "depth that is only tested is RG_LOAD_KEEP");
+                RG_ERROR_ACCESS, r->name, "a read-only depth target must be RG_LOAD_KEEP");
     rg_fault_if(c, is_depth && row->stencil && !(r->all.aspectMask & VK_IMAGE_ASPECT_STENCIL_BIT),
                 RG_ERROR_FORMAT, r->name, "a stencil test needs a format with a stencil");
     rg_fault_if(c, r->image->depth, RG_ERROR_ACCESS, r->name,
-                "an image of three dimensions is no target: store to it");
+                "a 3D image cannot be a target: write it as a storage image");
     rg_fault_if(c, is_depth && target->resolve, RG_ERROR_SAMPLES, r->name,
-                "only colour is resolved; read depth by texelFetch");
+                "only colour can be resolved; read depth by texelFetch");
     rg_fault_if(c, c->target_samples && samples != c->target_samples, RG_ERROR_SAMPLES, r->name,
-                "all targets of a pass have as many samples");
+                "all targets of a pass must have the same number of samples");
     c->target_samples = samples;
 }
 
@@ -153,9 +151,9 @@ static void add_resolve(struct compiler *c, const struct rg_target *target)
     a->range = target_range(c->pass, r, target->resolve_mip, target->resolve_layer);
     a->flags |= ACCESS_OVERWRITES;
     rg_fault_if(c, r->image->samples > 1 || r->image->depth, RG_ERROR_SAMPLES, r->name,
-                "resolve to an image of one sample a texel, and two dimensions");
+                "resolve to a 2D image with one sample per texel");
     rg_fault_if(c, target->image->samples <= 1, RG_ERROR_SAMPLES, r->name,
-                "resolve from an image of several samples a texel");
+                "resolve from a multisampled image");
     rg_fault_if(c, r->image->format != target->image->format, RG_ERROR_FORMAT, r->name,
                 "resolve to an image of the same format");
     check_extent(c, r, a->range.baseMipLevel);
@@ -184,12 +182,10 @@ static void add_target(struct compiler *c, const struct rg_target *target)
         a->mask = rg_access_table[kind].writes;
     check_target(c, target, r, a->range.baseMipLevel);
     if (find_cells(c, a))
-        keep_access(c, a, "clear it, or put the pass that fills it before this one");
+        keep_access(c, a, "clear it, or move the pass that writes it before this one");
     if (target->resolve && kind == RG_COLOR)
         add_resolve(c, target);
 }
-
-/* ---- uses ---- */
 
 static VkImageSubresourceRange use_range(const struct resource *r, const struct rg_range *range,
                                          const struct rg_plan_pass *pass)
@@ -237,10 +233,8 @@ static void add_use(struct compiler *c, const struct rg_use *use)
         if (!find_cells(c, a))
             return;
     }
-    keep_access(c, a, "put the pass that writes it before this one, or import it");
+    keep_access(c, a, "move the pass that writes it before this one, or import it");
 }
-
-/* ---- rows ---- */
 
 static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t repetition)
 {
@@ -272,8 +266,9 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     c->pass_count++;
 }
 
-/* The layers or mips of a row's first image written, from the first one named; at least 1, so that
- * a first one that is not there becomes a fault of ranges. 0: there is no such image. */
+/* Returns the number of layers or mip levels of the first image that a row writes, from the first
+ * one used; at least 1, so that an index out of range becomes a range fault. 0 if it writes no
+ * image. */
 static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)
@@ -302,13 +297,13 @@ static void expand_row(struct compiler *c, const struct rg_pass *row)
     c->row_first_fault = c->fault_count;
     rg_fault_if(c, !row->name, RG_ERROR_NO_NAME, NULL, "give the pass a name");
     rg_fault_if(c, row->name && rg_texts_had(c->arena, &c->pass_names, row->name),
-                RG_ERROR_DUPLICATE_NAME, NULL, "give each a name of its own");
+                RG_ERROR_DUPLICATE_NAME, NULL, "give each pass a unique name");
     rg_check_row(c, row);
     if (c->fault_count == c->row_first_fault)
         rg_check_shaders(c, row);
     uint32_t count = repetition_count(c, row);
     rg_fault_if(c, !count, RG_ERROR_REPEAT, NULL,
-                "a repeated row writes an image, whose layers or mips it counts");
+                "a repeated row must write an image, whose layers or mips define the repetitions");
     for (uint32_t i = 0; i < count && !c->arena->failed; i++)
         add_pass(c, row, i);
 }
@@ -320,7 +315,7 @@ static void check_output(struct compiler *c, const struct resource *r)
         complete = complete && r->cells[k].filled == CELL_FILLED;
     if (!complete)
         rg_fault_of(c, RG_ERROR_OUTPUT_NOT_WRITTEN, r->name,
-                    "list the technique whose passes write all of it, whatever conditions say");
+                    "list a technique whose passes write all of it in every frame");
 }
 
 void rg_expand(struct compiler *c)

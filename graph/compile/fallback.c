@@ -1,4 +1,4 @@
-/* fallback.c: sampled uses whose image nothing provides. */
+/* fallback.c: finds sampled images that nothing provides, and binds their placeholders. */
 #include "graph/compile/compiler.h"
 
 static void provide(struct compiler *c, const struct rg_image *image)

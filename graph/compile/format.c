@@ -1,4 +1,4 @@
-/* format.c: names, sizes and aspects of formats a pass can draw to, sample or store. */
+/* format.c: table of formats that passes can draw to, sample or store: name, size, aspects. */
 #include "graph/rg.h"
 
 #define FORMAT(format, bytes, aspects, ...) \
@@ -50,7 +50,7 @@ static const struct rg_format_info formats[] = {
 
 const struct rg_format_info *rg_format_info(VkFormat format)
 {
-    size_t index = (size_t)format; /* a negative one is beyond the table, too */
+    size_t index = (size_t)format; /* a negative value becomes too large an index */
     if (index >= sizeof(formats) / sizeof(formats[0]) || !formats[index].name)
         return NULL;
     return &formats[index];

@@ -1,4 +1,4 @@
-/* map.c: a hash map of addresses and a set of texts, in an arena. */
+/* map.c: arena-allocated hash map keyed by address, and a string set. */
 #include "graph/compile/map.h"
 #include <string.h>
 
@@ -6,7 +6,7 @@ enum {
     FIRST_MASK = 31
 };
 
-static uint32_t room_of(uint32_t mask)
+static uint32_t capacity_of(uint32_t mask)
 {
     return mask / 4 * 3;
 }
@@ -14,12 +14,12 @@ static uint32_t room_of(uint32_t mask)
 static uint32_t mask_for(uint32_t count)
 {
     uint32_t mask = FIRST_MASK;
-    while (room_of(mask) < count)
+    while (capacity_of(mask) < count)
         mask = mask * 2 + 1;
     return mask;
 }
 
-/* ---- addresses ---- */
+/* ---- hash map of addresses ---- */
 
 void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
 {
@@ -36,7 +36,7 @@ void rg_map_expect(struct arena *arena, struct map *map, uint32_t count)
 
 void **rg_map_add(struct arena *arena, struct map *map, struct map_slot *slot, const void *address)
 {
-    if (map->count >= room_of(map->mask)) {
+    if (map->count >= capacity_of(map->mask)) {
         rg_map_expect(arena, map, map->mask);
         slot = rg_map_find(map, address);
     }
@@ -47,9 +47,9 @@ void **rg_map_add(struct arena *arena, struct map *map, struct map_slot *slot, c
     return &slot->value;
 }
 
-/* ---- texts ---- */
+/* ---- string set ---- */
 
-/* FNV-1a. */
+/* FNV-1a hash */
 static uint32_t hash_text(const char *text)
 {
     uint32_t hash = UINT32_C(2166136261);
@@ -58,7 +58,7 @@ static uint32_t hash_text(const char *text)
     return hash;
 }
 
-/* The slot of a text, or the empty one where it would be. */
+/* Returns the slot of a string, or the empty slot where it would be inserted. */
 static struct text_slot *find_text(const struct text_set *set, const char *text, uint32_t hash)
 {
     for (uint32_t i = hash;; i++) {
@@ -72,7 +72,7 @@ void rg_texts_expect(struct arena *arena, struct text_set *set, uint32_t count)
 {
     struct text_set grown = { .mask = mask_for(count), .count = set->count };
     grown.slots = ARENA_ZEROED(arena, struct text_slot, (size_t)grown.mask + 1);
-    grown.texts = ARENA_ARRAY(arena, const char *, room_of(grown.mask));
+    grown.texts = ARENA_ARRAY(arena, const char *, capacity_of(grown.mask));
     if (!grown.texts)
         return;
     if (set->count)
@@ -88,7 +88,7 @@ void rg_texts_expect(struct arena *arena, struct text_set *set, uint32_t count)
 bool rg_texts_had(struct arena *arena, struct text_set *set, const char *text)
 {
     const uint32_t hash = hash_text(text);
-    if (set->count >= room_of(set->mask))
+    if (set->count >= capacity_of(set->mask))
         rg_texts_expect(arena, set, set->mask);
     struct text_slot *slot = find_text(set, text, hash);
     if (slot->number || arena->failed)

@@ -1,9 +1,8 @@
 /*
- * memory.c: the blocks of memory, and the place of every transient resource in its block.
+ * memory.c: groups transient resources into memory blocks and assigns their offsets.
  *
- * Resources that do not need their memory at the same time may share bytes (pack.c). Images and
- * buffers, and resources of different memory types, are in different blocks, so that
- * bufferImageGranularity never matters.
+ * Resources with disjoint lifetimes may alias (pack.c). Images and buffers, and resources of
+ * different memory types, are in different blocks, so that bufferImageGranularity never applies.
  */
 #include <string.h>
 #include "graph/compile/compiler.h"
@@ -13,7 +12,7 @@ static bool fits_block(const struct pack_item *item, const struct rg_block *bloc
     return !item->resource->image == block->buffers && item->type_bits == block->type_bits;
 }
 
-/* Moves all items of a block to the front, in their order. Returns how many they are. */
+/* Moves all items that fit a block to the front, keeping their order. Returns their number. */
 static uint32_t gather(struct compiler *c, struct pack_item *items, uint32_t count,
                        const struct rg_block *block)
 {
@@ -64,7 +63,7 @@ void rg_place_items(struct compiler *c)
 {
     struct rg_block *blocks = NULL;
     uint32_t room = 0;
-    bool apart = c->params->sharing == RG_SHARE_NOTHING; /* then no memory changes hands */
+    bool apart = c->params->sharing == RG_SHARE_NOTHING; /* then no memory is reused */
     for (uint32_t i = 0; i < c->item_count; i++) {
         const struct resource *r = c->items[i].resource;
         c->items[i].first = apart ? r->first : r->acquired_at;

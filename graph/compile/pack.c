@@ -1,24 +1,25 @@
 /*
- * pack.c: the places of items in a block; items that live at the same time are apart.
+ * pack.c: packs transient resources into a memory block; only those with disjoint lifetimes alias.
  *
- * An instance of dynamic storage allocation, which is NP-hard; several orders are tried and the
- * smallest block wins. Each puts items one after another into the lowest gap that is free for their
- * whole life, until it has met the bound or lost. The first orders are by greedy rules; then, again
- * and again, the item that reached highest comes earlier (squeaky wheel optimization, Joslin and
- * Clements, JAIR 10, 1999).
+ * This is dynamic storage allocation, which is NP-hard. Several orders are tried and the smallest
+ * block wins. Each places items first-fit: at the lowest offset free during the whole lifetime. A
+ * try ends once it cannot win; the search ends at the lower bound, the peak of live bytes. The
+ * first orders are greedy; each later one moves the item that ends highest forward (squeaky wheel
+ * optimization, Joslin and Clements, JAIR 10, 1999).
  */
 #include <string.h>
 #include "graph/compile/compiler.h"
 
 enum {
-    PROMOTIONS = 8,    /* orders beside those of the rules */
-    MANY = 512,        /* items beyond which only the first rules are tried, */
-    RULES_OF_MANY = 2, /* so many, */
-    FEW = 256,         /* items that are sorted faster without counting bytes */
-    LONG_LIFE = 32,    /* and only time order if on average more than so many begin in a life */
+    PROMOTIONS = 8,          /* orders tried in addition to those of the greedy rules */
+    MANY_ITEMS = 512,        /* with more items, only RULES_OF_MANY_ITEMS rules are tried */
+    RULES_OF_MANY_ITEMS = 2, /* number of greedy rules tried for many items */
+    FEW_ITEMS = 256,         /* up to this many items, Shell sort is faster than radix sort */
+    /* if on average more items begin during a lifetime, only the time order is tried */
+    LONG_LIFE = 32,
 };
 
-/* In falling order of size and life, each to a power, multiplied. */
+/* Greedy rules: items are sorted by descending size^size_power * lifetime^life_power. */
 static const struct rule {
     unsigned size_power; /* 0, 1 or 4 */
     unsigned life_power; /* 0 or 1 */
@@ -33,41 +34,42 @@ enum {
     RULE_COUNT = sizeof(rules) / sizeof(rules[0])
 };
 
-/* Bytes that are taken. In a list they rise, none touches the next, the first one begins at 0 and
- * may be empty, and one more begins at UINT64_MAX. */
+/* Allocated bytes. Lists of spans are ascending and never touch; the first begins at 0 and may be
+ * empty, and a sentinel at UINT64_MAX ends the list. */
 struct span {
     VkDeviceSize begin, end;
 };
 
 /*
- * Items that live together do so at the pass where the last of them begins, so no other passes
- * count. Of several such passes between which nothing ends, only the last one counts: a moment.
+ * A set of items that are alive at the same pass (a maximal clique of the interval graph). Items
+ * that overlap in time do so at the pass where the last of them begins, so no other passes count.
+ * Of several such passes between which no item ends, only the last one counts.
  */
-struct moment {
+struct live_set {
     struct span *spans;
-    struct span *next; /* the span above the gap in which the item at work fits */
-    uint32_t alive;    /* items */
+    struct span *next; /* the span above the gap that fits the current item */
+    uint32_t alive;    /* number of items */
 };
 
-/* What changes from the pass before; unsigned, so decreases wrap. */
+/* Changes at a pass relative to the previous one; unsigned, so decreases wrap around. */
 struct change {
-    VkDeviceSize taken;    /* bytes */
-    VkDeviceSize used;     /* bytes if items took their memory at their first use */
-    struct moment *newest; /* of the moments so far */
-    uint32_t begun, ended; /* items that begin at this pass, that end at the pass before */
+    VkDeviceSize taken;      /* live bytes */
+    VkDeviceSize used;       /* live bytes if lifetimes began at the first use */
+    struct live_set *newest; /* the newest live set at this pass */
+    uint32_t begun, ended;   /* items that begin at this pass, and items that ended before it */
 };
 
 struct packing {
-    struct pack_item *items; /* with the offsets of the order at work */
+    struct pack_item *items; /* hold the offsets of the current order */
     uint32_t count;
-    struct change *changes; /* of each pass */
-    struct moment *moments; /* in the order of time */
-    struct moment *moments_end;
-    struct span *spans;    /* room for those of all moments */
-    VkDeviceSize *offsets; /* of each item, the best so far */
-    uint64_t *order;       /* items in the lower half, keys in the upper */
-    uint64_t *sorted;      /* room for the next order */
-    uint32_t placed;       /* items that the order at work has placed before it lost or ended */
+    struct change *changes;     /* one per pass */
+    struct live_set *live_sets; /* in ascending order of time */
+    struct live_set *live_sets_end;
+    struct span *spans;    /* storage for the span lists of all live sets */
+    VkDeviceSize *offsets; /* best offsets so far, one per item */
+    uint64_t *order;       /* sort key in the upper half, item index in the lower half */
+    uint64_t *sorted;      /* buffer for the next order */
+    uint32_t placed;       /* number of items that the current order placed before it ended */
 };
 
 static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)
@@ -80,9 +82,9 @@ static VkDeviceSize end_of(const struct pack_item *item)
     return item->offset + item->size;
 }
 
-/* ---- moments ---- */
+/* ---- live sets ---- */
 
-/* Fills `changes`, and `offsets` with the places of items if nothing is shared. */
+/* Fills `changes`, and `offsets` with a packing without aliasing. */
 static void find_changes(const struct packing *p, struct pack_result *result)
 {
     struct change *changes = p->changes;
@@ -102,17 +104,17 @@ static void find_changes(const struct packing *p, struct pack_result *result)
     }
 }
 
-/* Fills `moments` and the bounds. Returns the number of items alive, summed over all passes at
- * which some begin: no fewer than at the moments. */
-static uint64_t find_moments(struct packing *p, uint32_t end, struct pack_result *result)
+/* Fills the live sets and the bounds. Returns the number of live items, summed over all passes at
+ * which some begin: an upper bound of the spans needed. */
+static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_result *result)
 {
     VkDeviceSize taken = 0;
     VkDeviceSize used = 0;
-    struct moment *newest = p->moments;
-    struct moment *next = newest;
+    struct live_set *newest = p->live_sets;
+    struct live_set *next = newest;
     uint32_t alive = 0;
-    uint32_t ended = 1; /* since the newest moment; the first one is always new */
-    uint64_t lived = 0;
+    uint32_t ended = 1; /* items ended since the newest live set; 1 so that the first set is new */
+    uint64_t live_sum = 0;
     for (struct change *pass = p->changes; pass <= &p->changes[end]; pass++) {
         taken += pass->taken;
         used += pass->used;
@@ -124,12 +126,12 @@ static uint64_t find_moments(struct packing *p, uint32_t end, struct pack_result
             newest = ended ? next++ : newest;
             newest->alive = alive;
             ended = 0;
-            lived += alive;
+            live_sum += alive;
         }
         pass->newest = newest;
     }
-    p->moments_end = next;
-    return lived;
+    p->live_sets_end = next;
+    return live_sum;
 }
 
 /* ---- lists of spans ---- */
@@ -140,7 +142,7 @@ static void begin_spans(struct span *spans)
     spans[1].begin = UINT64_MAX;
 }
 
-/* Before `next`. No memmove(): there are few behind it. */
+/* Inserts a span before `next`. A loop beats memmove() because few spans follow. */
 static void insert_span(struct span *next, struct span span)
 {
     while (span.begin != UINT64_MAX) {
@@ -158,8 +160,8 @@ static void remove_span(struct span *span)
     while ((span++)->begin != UINT64_MAX);
 }
 
-/* Takes bytes in the gap below `next`. */
-static void take(struct span *next, struct span span)
+/* Allocates a span in the gap below `next`. */
+static void take_span(struct span *next, struct span span)
 {
     bool joins_next = next->begin == span.end;
     if (next[-1].end != span.begin) {
@@ -175,8 +177,8 @@ static void take(struct span *next, struct span span)
     }
 }
 
-/* Gives back the bytes of an item. */
-static void give_back(struct span *spans, const struct pack_item *item)
+/* Frees the bytes of an item. */
+static void free_item(struct span *spans, const struct pack_item *item)
 {
     struct span *span = spans;
     while (span->end < end_of(item))
@@ -189,23 +191,24 @@ static void give_back(struct span *spans, const struct pack_item *item)
         remove_span(span);
 }
 
-/* Returns the lowest offset from `begin` on that is free at a moment, in the gap below m->next. */
-static VkDeviceSize rise(struct moment *m, const struct pack_item *item, VkDeviceSize begin)
+/* Returns the lowest offset from `begin` on that is free in a live set, and sets set->next. */
+static VkDeviceSize find_free(struct live_set *set, const struct pack_item *item,
+                              VkDeviceSize begin)
 {
-    struct span *next = m->spans + 1;
-    VkDeviceSize lowest = align_up(m->spans->end, item->alignment);
+    struct span *next = set->spans + 1;
+    VkDeviceSize lowest = align_up(set->spans->end, item->alignment);
     begin = begin < lowest ? lowest : begin;
     for (; next->begin < begin + item->size; next++) {
         VkDeviceSize above = align_up(next->end, item->alignment);
         begin = begin < above ? above : begin;
     }
-    m->next = next;
+    set->next = next;
     return begin;
 }
 
-/* ---- orders ---- */
+/* ---- orders of placement ---- */
 
-/* The product as a double, whose bits rise with it. */
+/* Returns the sort key of an item: the bits of a positive double sort like its value. */
 static uint64_t product_of(const struct rule *rule, const struct pack_item *item)
 {
     double product = rule->life_power ? (double)(int32_t)(item->last - item->first + 1) : 1;
@@ -219,7 +222,7 @@ static uint64_t product_of(const struct rule *rule, const struct pack_item *item
     return bits;
 }
 
-/* Sorts p->order by the byte from bit `shift` on; what has the same byte stays in order. */
+/* Sorts p->order by the byte at bit `shift`; stable (one pass of a radix sort). */
 static void sort_by_byte(struct packing *p, unsigned shift)
 {
     uint32_t places[256] = { 0 };
@@ -238,7 +241,7 @@ static void sort_by_byte(struct packing *p, unsigned shift)
     p->sorted = from;
 }
 
-/* Shell sort. */
+/* Shell sort in ascending order. */
 static void sort_few(uint64_t *order, uint32_t count)
 {
     uint32_t gap = 1;
@@ -255,13 +258,12 @@ static void sort_few(uint64_t *order, uint32_t count)
     }
 }
 
-/* Fills p->order: items by falling upper halves of their products. No qsort(), which may allocate.
- */
+/* Fills p->order with items by descending keys (upper halves). No qsort(), which may allocate. */
 static void sort(struct packing *p, const struct rule *rule)
 {
     for (uint32_t i = 0; i < p->count; i++)
         p->order[i] = (~product_of(rule, &p->items[i]) & UINT64_MAX << 32) | i;
-    if (p->count <= FEW) {
+    if (p->count <= FEW_ITEMS) {
         sort_few(p->order, p->count);
         return;
     }
@@ -269,7 +271,7 @@ static void sort(struct packing *p, const struct rule *rule)
         sort_by_byte(p, shift);
 }
 
-/* Lets the item that reaches highest choose earlier: half as many come before it. */
+/* Moves the item with the highest end to half its position in the order. */
 static void promote_highest(struct packing *p)
 {
     uint64_t *order = p->order;
@@ -283,37 +285,36 @@ static void promote_highest(struct packing *p)
     order[highest / 2] = key;
 }
 
-/* Gives an item the lowest offset that is free in its whole life: at all its moments, in circles,
- * until no other one raises it. */
+/* Assigns an item the lowest offset free in all its live sets: cycles until none raises it. */
 static void place_item(const struct packing *p, struct pack_item *item)
 {
-    struct moment *first = p->changes[item->first].newest;
-    struct moment *last = p->changes[item->last].newest;
-    const struct moment *end = last; /* the one before the last one that raised it */
+    struct live_set *first = p->changes[item->first].newest;
+    struct live_set *last = p->changes[item->last].newest;
+    /* last live set to check: the one before the set that last raised `begin` */
+    const struct live_set *end = last;
     VkDeviceSize begin = 0;
-    for (struct moment *m = first;; m = m == last ? first : m + 1) {
+    for (struct live_set *set = first;; set = set == last ? first : set + 1) {
         VkDeviceSize before = begin;
-        begin = rise(m, item, begin);
+        begin = find_free(set, item, begin);
         if (begin != before)
-            end = m == first ? last : m - 1;
-        if (m == end)
+            end = set == first ? last : set - 1;
+        if (set == end)
             break;
     }
     item->offset = begin;
-    for (const struct moment *m = first; m <= last; m++)
-        take(m->next, (struct span){ begin, begin + item->size });
+    for (const struct live_set *set = first; set <= last; set++)
+        take_span(set->next, (struct span){ begin, begin + item->size });
 }
 
-/* Places one item after another. Returns the size of the block, or UINT64_MAX if it is not below
- * `limit`. */
+/* Places items in the current order. Returns the block size; UINT64_MAX if not below `limit`. */
 static VkDeviceSize apply_order(struct packing *p, VkDeviceSize limit)
 {
     VkDeviceSize size = 0;
     struct span *spans = p->spans;
-    for (struct moment *m = p->moments; m < p->moments_end; m++) {
-        m->spans = spans;
+    for (struct live_set *set = p->live_sets; set < p->live_sets_end; set++) {
+        set->spans = spans;
         begin_spans(spans);
-        spans += m->alive + 2; /* as many as there may be */
+        spans += set->alive + 2; /* at most alive + 2 spans */
     }
     for (p->placed = 0; p->placed < p->count && size < limit; p->placed++) {
         struct pack_item *item = &p->items[(uint32_t)p->order[p->placed]];
@@ -323,12 +324,11 @@ static VkDeviceSize apply_order(struct packing *p, VkDeviceSize limit)
     return size < limit ? size : UINT64_MAX;
 }
 
-/* Tries the orders. Returns the size of the smallest block, below `size` if there is one, whose
- * offsets the items then have. */
+/* Tries all orders. Returns the smallest block size; p->offsets has its offsets if below `size`. */
 static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceSize bound)
 {
-    uint32_t rule_count = p->count > MANY ? RULES_OF_MANY : RULE_COUNT;
-    uint32_t order_count = p->count > MANY ? RULES_OF_MANY : RULE_COUNT + PROMOTIONS;
+    uint32_t rule_count = p->count > MANY_ITEMS ? RULES_OF_MANY_ITEMS : RULE_COUNT;
+    uint32_t order_count = p->count > MANY_ITEMS ? RULES_OF_MANY_ITEMS : RULE_COUNT + PROMOTIONS;
     for (uint32_t i = 0; i < order_count && size > bound; i++) {
         if (i < rule_count)
             sort(p, &rules[i]);
@@ -344,26 +344,27 @@ static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceS
     return size;
 }
 
-/* Places items in the order of first use, into the bytes that are free at that time: the cost does
- * not grow with lives. Returns the size of the block. */
+/* Places items in the order of first use, each at the lowest offset free at that time, so that the
+ * cost does not grow with lifetimes. Returns the size of the block. */
 static VkDeviceSize apply_time_order(const struct packing *p, struct arena *arena, uint32_t end)
 {
-    struct moment m = { .spans = ARENA_ARRAY(arena, struct span, (size_t)p->count + 2) };
-    uint32_t *ending = ARENA_ZEROED(arena, uint32_t, (size_t)end + 1); /* first of a pass, plus 1 */
+    struct live_set set = { .spans = ARENA_ARRAY(arena, struct span, (size_t)p->count + 2) };
+    /* for each pass: index plus 1 of the first item that ends there */
+    uint32_t *ending = ARENA_ZEROED(arena, uint32_t, (size_t)end + 1);
     uint32_t *next = ARENA_ARRAY(arena, uint32_t, p->count);
     uint32_t now = 0;
     VkDeviceSize size = 0;
     if (arena->failed)
         return 0;
-    begin_spans(m.spans);
+    begin_spans(set.spans);
     for (uint32_t i = 0; i < p->count; i++) {
         struct pack_item *item = &p->items[i];
         for (; now < item->first; now++) {
             for (uint32_t dead = ending[now]; dead; dead = next[dead - 1])
-                give_back(m.spans, &p->items[dead - 1]);
+                free_item(set.spans, &p->items[dead - 1]);
         }
-        item->offset = rise(&m, item, 0);
-        take(m.next, (struct span){ item->offset, end_of(item) });
+        item->offset = find_free(&set, item, 0);
+        take_span(set.next, (struct span){ item->offset, end_of(item) });
         next[i] = ending[item->last];
         ending[item->last] = i + 1;
         size = size < end_of(item) ? end_of(item) : size;
@@ -380,7 +381,7 @@ struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_
         .items = items,
         .count = count,
         .changes = ARENA_ZEROED(arena, struct change, (size_t)end + 2),
-        .moments = ARENA_ARRAY(arena, struct moment, count),
+        .live_sets = ARENA_ARRAY(arena, struct live_set, count),
         .offsets = ARENA_ARRAY(arena, VkDeviceSize, count),
         .order = ARENA_ARRAY(arena, uint64_t, count),
         .sorted = ARENA_ARRAY(arena, uint64_t, count),
@@ -388,14 +389,14 @@ struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_
     if (arena->failed)
         return result;
     find_changes(&p, &result);
-    uint64_t lived = find_moments(&p, end, &result);
-    size_t moment_count = (size_t)(p.moments_end - p.moments);
+    uint64_t live_sum = find_live_sets(&p, end, &result);
+    size_t live_set_count = (size_t)(p.live_sets_end - p.live_sets);
     result.size = result.apart;
     bool shared = !apart && result.apart > result.bound;
-    if (shared && lived > MANY * MANY / 2 + (uint64_t)count * LONG_LIFE) {
+    if (shared && live_sum > MANY_ITEMS * MANY_ITEMS / 2 + (uint64_t)count * LONG_LIFE) {
         result.size = apply_time_order(&p, arena, end);
     } else if (shared) {
-        p.spans = ARENA_ARRAY(arena, struct span, lived + 2 * moment_count);
+        p.spans = ARENA_ARRAY(arena, struct span, live_sum + 2 * live_set_count);
         if (p.spans)
             result.size = apply_orders(&p, result.apart, result.bound);
     }

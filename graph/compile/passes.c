@@ -1,4 +1,4 @@
-/* passes.c: the plan's passes, their targets and uses, with the barriers before each pass. */
+/* passes.c: writes the plan's passes with their targets and uses, and adds their barriers. */
 #include "graph/compile/compiler.h"
 
 static const VkAttachmentLoadOp load_ops[] = {
@@ -7,8 +7,7 @@ static const VkAttachmentLoadOp load_ops[] = {
     [RG_LOAD_DISCARD] = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
 };
 
-/* Field by field, as all that is written often: the copy of a whole struct takes several times as
- * long. */
+/* Writes an attachment field by field: copying a whole struct takes several times as long. */
 static void write_target(struct rg_plan_target *target, const struct access *a)
 {
     const struct rg_target *declared = a->declared;
@@ -51,8 +50,9 @@ static void write_access(struct compiler *c, const struct access *a, struct rg_p
 }
 
 /*
- * Barriers of memory that is used for the first time come last: if the pass needs a new batch
- * anyway, they are part of it, and the memory changes hands as late as it can.
+ * Writes a pass of the plan. Barriers of memory that is used for the first time are added last: if
+ * the pass needs a new batch anyway, they join it, and the memory is taken over as late as
+ * possible.
  */
 static void write_pass(struct compiler *c, const struct pass *pass, uint32_t index)
 {

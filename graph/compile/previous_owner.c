@@ -1,26 +1,27 @@
 /*
- * previous_owner.c: how the accesses end that had an item's memory before it.
+ * previous_owner.c: finds the accesses that must end before an item may reuse its memory.
  *
- * In a frame, the items that had some of its bytes before it; over the end of a frame, all items
- * that have some of its bytes, the item itself among them. That a barrier in between has waited for
- * an owner does not count: a barrier is about the memory of its own resource.
+ * Within a frame these are accesses of items that had some of its bytes before; across frames, of
+ * all items that share bytes with it, including itself. Barriers in between do not count, since a
+ * barrier only covers the memory of its own resource.
  */
 #include <string.h>
 #include "graph/compile/compiler.h"
 
 enum {
-    MAX_SEGMENTS = 256 /* beyond it items count as having whole segments, so that barriers wait for
-                          more than they must; the cost stays linear */
+    /* beyond it, items count as covering whole segments: barriers wait for more than necessary, but
+     * the cost stays linear */
+    MAX_SEGMENTS = 256
 };
 
-/* The bytes of a block from `begin` to the next segment, and how the accesses to them end. */
+/* Bytes of a block from `begin` to the next segment, with the last accesses to them. */
 struct segment {
     VkDeviceSize begin;
-    struct previous_owner left;
+    struct previous_owner pending;
 };
 
 struct segments {
-    struct segment items[MAX_SEGMENTS]; /* rising; the first begins at 0 */
+    struct segment items[MAX_SEGMENTS]; /* ascending; the first begins at 0 */
     uint32_t count;
 };
 
@@ -30,7 +31,7 @@ static void split(struct segments *s, uint32_t i, VkDeviceSize offset)
     s->items[i + 1].begin = offset;
 }
 
-/* The last segment that begins at or before an offset. */
+/* Returns the index of the last segment that begins at or before an offset. */
 static uint32_t find(const struct segments *s, VkDeviceSize offset)
 {
     uint32_t first = 0;
@@ -42,44 +43,44 @@ static uint32_t find(const struct segments *s, VkDeviceSize offset)
     return first;
 }
 
-static void add(struct previous_owner *to, const struct previous_owner *left)
+static void add(struct previous_owner *to, const struct previous_owner *pending)
 {
-    to->stages |= left->stages;
-    to->writes |= left->writes;
-    to->end = to->end < left->end ? left->end : to->end;
+    to->stages |= pending->stages;
+    to->writes |= pending->writes;
+    to->end = to->end < pending->end ? pending->end : to->end;
 }
 
-static bool has_all(const struct previous_owner *a, const struct previous_owner *b)
+static bool covers(const struct previous_owner *a, const struct previous_owner *b)
 {
     return !(b->stages & ~a->stages) && !(b->writes & ~a->writes) && b->end <= a->end;
 }
 
-/* Adds how the accesses to an item end to its bytes. A segment is split where only a part of it is
- * the item's, unless that changes nothing or there is no room. */
-static void leave(struct segments *s, const struct pack_item *item,
-                  const struct previous_owner *left)
+/* Merges an item's last accesses into the segments of its bytes. A segment that is only partly the
+ * item's is split, unless the merge changes nothing or there is no room. */
+static void record_accesses(struct segments *s, const struct pack_item *item,
+                            const struct previous_owner *pending)
 {
     VkDeviceSize stop = item->offset + item->size;
     uint32_t i = find(s, item->offset);
-    if (s->items[i].begin != item->offset && !has_all(&s->items[i].left, left) &&
+    if (s->items[i].begin != item->offset && !covers(&s->items[i].pending, pending) &&
         s->count < MAX_SEGMENTS)
         split(s, i++, item->offset);
     for (; i < s->count && s->items[i].begin < stop; i++) {
-        if (has_all(&s->items[i].left, left))
+        if (covers(&s->items[i].pending, pending))
             continue;
         if ((i + 1 == s->count || s->items[i + 1].begin > stop) && s->count < MAX_SEGMENTS)
             split(s, i, stop);
-        add(&s->items[i].left, left);
+        add(&s->items[i].pending, pending);
     }
 }
 
-/* Adds how all accesses to an item's bytes end. */
-static void look_up(const struct segments *s, const struct pack_item *item,
-                    struct previous_owner *all)
+/* Merges the last accesses to all bytes of an item into `all`. */
+static void merge_owners(const struct segments *s, const struct pack_item *item,
+                         struct previous_owner *all)
 {
     for (uint32_t i = find(s, item->offset);
          i < s->count && s->items[i].begin < item->offset + item->size; i++)
-        add(all, &s->items[i].left);
+        add(all, &s->items[i].pending);
 }
 
 static struct previous_owner *owner_of(const struct compiler *c, const struct pack_item *item)
@@ -87,34 +88,32 @@ static struct previous_owner *owner_of(const struct compiler *c, const struct pa
     return &c->owners[item->resource->item];
 }
 
-/* Finds when the accesses of one block's items end. */
+/* Finds for each item of a block the last pass that used its bytes before. */
 static void find_ends(struct compiler *c, struct segments *s, const struct pack_item *items,
                       uint32_t count)
 {
     for (const struct pack_item *item = items; item < items + count; item++) {
-        const struct previous_owner left = { .end = item->last + 1 };
+        const struct previous_owner pending = { .end = item->last + 1 };
         struct previous_owner *owner = owner_of(c, item);
-        look_up(s, item, owner);
-        if (owner->end > item->first) /* a neighbour may live on */
+        merge_owners(s, item, owner);
+        if (owner->end > item->first) /* the owner may end too late if its segment was not split */
             owner->end = item->first;
-        leave(s, item, &left);
+        record_accesses(s, item, &pending);
     }
 }
 
-/* Adds what the last accesses to a resource do, and which writes are not available after the frame.
- */
-static void find_left(const struct resource *r, struct previous_owner *left)
+/* Merges the last accesses to a resource, and its writes unavailable after the frame. */
+static void find_pending(const struct resource *r, struct previous_owner *pending)
 {
     for (uint32_t k = 0; k < r->cell_count; k++) {
         const struct cell *cell = &r->cells[k];
         bool awaited = cell->flags & CELL_AWAITED;
-        left->stages |= cell->read_stages | (awaited ? 0 : cell->write_stages);
-        left->writes |= awaited ? 0 : cell->write_access;
+        pending->stages |= cell->read_stages | (awaited ? 0 : cell->write_stages);
+        pending->writes |= awaited ? 0 : cell->write_access;
     }
 }
 
-/* Finds the owners of one block's items. What is left of all items is left of all bytes, so that
- * only what is more splits segments. */
+/* Finds the previous owners of a block's items. Accesses common to all items split no segments. */
 static void find_owners(struct compiler *c, struct segments *s, const struct pack_item *items,
                         uint32_t count)
 {
@@ -123,19 +122,20 @@ static void find_owners(struct compiler *c, struct segments *s, const struct pac
     for (const struct pack_item *item = items; item < end; item++) {
         struct previous_owner *owner = owner_of(c, item);
         owner->end = 0;
-        find_left(item->resource, owner);
+        find_pending(item->resource, owner);
         common.stages &= owner->stages;
         common.writes &= owner->writes;
     }
-    if (c->params->sharing == RG_SHARE_NOTHING) /* each has been its own */
+    /* without aliasing each item is its own previous owner */
+    if (c->params->sharing == RG_SHARE_NOTHING)
         return;
-    s->items[0].left = common;
+    s->items[0].pending = common;
     for (const struct pack_item *item = items; item < end; item++) {
-        if (!has_all(&common, owner_of(c, item)))
-            leave(s, item, owner_of(c, item));
+        if (!covers(&common, owner_of(c, item)))
+            record_accesses(s, item, owner_of(c, item));
     }
     for (const struct pack_item *item = items; item < end; item++)
-        look_up(s, item, owner_of(c, item));
+        merge_owners(s, item, owner_of(c, item));
 }
 
 typedef void find_fn(struct compiler *c, struct segments *s, const struct pack_item *items,
@@ -167,7 +167,8 @@ void rg_find_owners(struct compiler *c)
         struct rg_barrier *b = &c->barriers[i];
         if (b->src_stages)
             continue;
-        const struct previous_owner *owner = &c->owners[b->src_access]; /* as barriers.c left it */
+        /* index stored by barriers.c */
+        const struct previous_owner *owner = &c->owners[b->src_access];
         b->src_stages = owner->stages;
         b->src_access = owner->writes;
     }

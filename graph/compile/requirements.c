@@ -1,4 +1,4 @@
-/* requirements.c: lifetimes of resources, the plan's images and buffers, the memory they need. */
+/* requirements.c: lifetimes and memory requirements of the plan's images and buffers. */
 #include "graph/compile/compiler.h"
 
 VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
@@ -19,10 +19,8 @@ VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
     };
 }
 
-/* ---- lifetimes ---- */
-
-/* A resource that a living pass is the first to access. */
-static void number(struct compiler *c, struct resource *r, uint32_t pass)
+/* Assigns indices to a resource when the first live pass accesses it. */
+static void add_to_plan(struct compiler *c, struct resource *r, uint32_t pass)
 {
     if (r->image)
         r->plan_image = c->plan->image_count++;
@@ -35,10 +33,10 @@ static void number(struct compiler *c, struct resource *r, uint32_t pass)
     r->first = r->acquired_at = pass;
 }
 
-static void live(struct compiler *c, struct resource *r, VkFlags usage, uint32_t pass)
+static void extend_lifetime(struct compiler *c, struct resource *r, VkFlags usage, uint32_t pass)
 {
     if (r->first == RG_NONE)
-        number(c, r, pass);
+        add_to_plan(c, r, pass);
     r->last = pass;
     r->usage |= usage;
 }
@@ -57,17 +55,15 @@ void rg_find_lifetimes(struct compiler *c)
         const struct pass *pass = &c->passes[p];
         const struct access *a = &c->accesses[pass->first_access];
         for (uint32_t i = 0; i < pass->access_count && pass->alive; i++)
-            live(c, a[i].resource, usage_of(&a[i]), index);
+            extend_lifetime(c, a[i].resource, usage_of(&a[i]), index);
         index += pass->alive;
     }
     for (size_t i = 0; i < c->params->output_count; i++) {
         const struct rg_output *output = &c->params->outputs[i];
         struct resource *r = rg_resource_of(c, output->image, output->buffer);
-        live(c, r, rg_usage(r, output->access), index);
+        extend_lifetime(c, r, rg_usage(r, output->access), index);
     }
 }
-
-/* ---- what the device cannot do ---- */
 
 static void check_texels(struct compiler *c, const struct access *a)
 {
@@ -78,7 +74,7 @@ static void check_texels(struct compiler *c, const struct access *a)
     if (device->buffer_features &&
         needed & ~device->buffer_features(device->user, a->resource->buffer->format))
         rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
-                 "this device has no such texel buffers; choose another format or device");
+                 "this device does not support texel buffers of this format; choose another");
 }
 
 static void check_format(struct compiler *c, const struct access *a)
@@ -95,7 +91,7 @@ static void check_format(struct compiler *c, const struct access *a)
         needed |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
     if (needed & ~device->format_features(device->user, a->resource->image->format))
         rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
-                 "this device cannot use the format so; choose another format or device");
+                 "this device does not support this use of the format; choose another");
 }
 
 void rg_check_formats(struct compiler *c)
@@ -126,12 +122,10 @@ static void check_samples(struct compiler *c, const struct rg_plan_image *image)
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     if (!(device->sample_counts(device->user, &info) & image->samples))
         rg_fault_of(c, RG_ERROR_SAMPLES, image->image->name,
-                    "this device has no such images of so many samples; ask for fewer");
+                    "this device does not support this sample count for such images; use fewer");
 }
 
-/* ---- the plan's lists ---- */
-
-/* Without a device: tight sizes, so that plans are the same everywhere. */
+/* Returns a tightly packed size for compiling without a device, so that plans are portable. */
 static VkDeviceSize estimate_image(const struct rg_plan_image *image)
 {
     VkDeviceSize texels = 0;
@@ -165,9 +159,9 @@ static struct rg_memory_requirements buffer_memory(const struct compiler *c, VkD
     return device->buffer_memory(device->user, &info);
 }
 
-/* Returns what suits an image, or buffer, both in the view and in the largest one. */
-static struct rg_memory_requirements both(struct rg_memory_requirements a,
-                                          const struct rg_memory_requirements *b)
+/* Returns requirements that satisfy both the current and the largest view. */
+static struct rg_memory_requirements combine_requirements(struct rg_memory_requirements a,
+                                                          const struct rg_memory_requirements *b)
 {
     a.size = a.size > b->size ? a.size : b->size;
     a.alignment = a.alignment > b->alignment ? a.alignment : b->alignment;
@@ -175,28 +169,29 @@ static struct rg_memory_requirements both(struct rg_memory_requirements a,
     return a;
 }
 
-/* Of an item, or of a resource that shares its memory with nothing. */
-static void need_memory(struct compiler *c, struct resource *r,
-                        const struct rg_memory_requirements *needs)
+/* Records the memory requirements of a transient item or an unaliased persistent resource. */
+static void add_memory(struct compiler *c, struct resource *r,
+                       const struct rg_memory_requirements *required)
 {
-    c->memory_needed += needs->size + needs->alignment;
+    c->memory_needed += required->size + required->alignment;
     if (r->item == RG_NONE)
-        c->plan->memory_persistent += needs->size;
+        c->plan->memory_persistent += required->size;
     else
         c->items[r->item] = (struct pack_item){
-            .size = needs->size,
-            .alignment = needs->alignment ? needs->alignment : 1,
+            .size = required->size,
+            .alignment = required->alignment ? required->alignment : 1,
             .last = r->last,
             .first_use = r->first,
-            .type_bits = needs->type_bits,
+            .type_bits = required->type_bits,
             .resource = r,
         };
-    if (!needs->size || !needs->type_bits || needs->alignment & (needs->alignment - 1))
+    if (!required->size || !required->type_bits || required->alignment & (required->alignment - 1))
         rg_fault_of(c, RG_ERROR_DEVICE, r->name,
-                    "memory: expected a size, a memory type and an alignment by a power of two");
-    else if ((needs->size | needs->alignment | c->memory_needed) >> 62) /* no sum overflows then */
+                    "memory: expected a size, a memory type and a power-of-two alignment");
+    /* so that no sum overflows */
+    else if ((required->size | required->alignment | c->memory_needed) >> 62)
         rg_fault_of(c, RG_ERROR_TOO_LARGE, r->name,
-                    "make it smaller: no memory holds it and all before it");
+                    "make it smaller: the resources so far exceed any memory");
 }
 
 static void list_image(struct compiler *c, struct resource *r)
@@ -222,20 +217,20 @@ static void list_image(struct compiler *c, struct resource *r)
     if (image->imported)
         return;
     check_samples(c, image);
-    struct rg_memory_requirements needs = image_memory(c, image);
+    struct rg_memory_requirements required = image_memory(c, image);
     if (r->max_extent.width != r->extent.width || r->max_extent.height != r->extent.height) {
         struct rg_plan_image largest = *image;
         largest.extent = r->max_extent;
         if (r->image->mips == RG_ALL_MIPS)
             largest.mips = rg_full_chain(r->max_extent, r->depth);
         const struct rg_memory_requirements most = image_memory(c, &largest);
-        needs = both(needs, &most);
+        required = combine_requirements(required, &most);
     }
-    image->size = needs.size;
-    need_memory(c, r, &needs);
+    image->size = required.size;
+    add_memory(c, r, &required);
 }
 
-/* A buffer has either an acceleration structure or something else. */
+/* Checks that a buffer with an acceleration structure has no other usage. */
 static void check_structure(struct compiler *c, const struct resource *r)
 {
     const VkFlags structure = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
@@ -264,13 +259,13 @@ static void list_buffer(struct compiler *c, struct resource *r)
     check_structure(c, r);
     if (buffer->imported || r->buffer->memory != RG_MEMORY_DEVICE)
         return;
-    struct rg_memory_requirements needs = buffer_memory(c, buffer->size, buffer->usage);
+    struct rg_memory_requirements required = buffer_memory(c, buffer->size, buffer->usage);
     if (r->max_size != r->size) {
         const struct rg_memory_requirements most = buffer_memory(c, r->max_size, buffer->usage);
-        needs = both(needs, &most);
+        required = combine_requirements(required, &most);
     }
-    buffer->memory_size = needs.size;
-    need_memory(c, r, &needs);
+    buffer->memory_size = required.size;
+    add_memory(c, r, &required);
 }
 
 void rg_list_resources(struct compiler *c)

@@ -1,8 +1,6 @@
-/* resource.c: the images and buffers that tables name: sized, checked and given cells. */
+/* resource.c: creates the compiler's record of each image and buffer: sizes, checks and cells. */
 #include <math.h>
 #include "graph/compile/compiler.h"
-
-/* ---- sizes ---- */
 
 static uint32_t scaled(uint32_t view, float scale)
 {
@@ -69,7 +67,7 @@ static void size_buffer(struct resource *r, const struct rg_buffer *buffer,
     r->persistent = buffer->persistent;
 }
 
-/* An imported resource may differ from its declaration. */
+/* Applies the actual size of an import, which may differ from its declaration. */
 static void size_import(struct resource *r, const struct rg_import *import)
 {
     r->persistent = false;
@@ -87,10 +85,8 @@ static void size_import(struct resource *r, const struct rg_import *import)
         r->all.levelCount = import->mips;
 }
 
-/* ---- adding ---- */
-
-/* Gives it cells in the state in which a frame finds them, unless it is imported, persistent or
- * takes over memory (cell_state.c). */
+/* Allocates a resource's cells in the state in which a frame begins, except for what cell_state.c
+ * sets: the state of imports, persistent resources and memory with a previous owner. */
 static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
 {
     uint64_t aspects = r->all.aspectMask & (r->all.aspectMask - 1) ? 2 : 1;
@@ -101,7 +97,8 @@ static void add_cells(struct compiler *c, struct resource *r, const struct rg_im
     r->cells = count == 1 ? r->cell : ARENA_ARRAY(c->arena, struct cell, count);
     for (uint32_t i = 0; r->cells && i < count; i++)
         r->cells[i] = (struct cell){
-            .visible = upload ? RG_VISIBLE_TO_ALL : 0, /* a submit shows all of it to all */
+            /* queue submission makes host writes visible to all accesses */
+            .visible = upload ? RG_VISIBLE_TO_ALL : 0,
             .flags = r->shared ? CELL_FRESH : 0,
             .filled = filled ? CELL_FILLED : CELL_EMPTY,
         };
@@ -116,10 +113,10 @@ static void check_name(struct compiler *c, struct resource *r)
         return;
     }
     if (rg_texts_had(c->arena, &c->resource_names, name))
-        rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each a name of its own");
+        rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each resource a unique name");
 }
 
-/* NULL: memory is short. */
+/* Adds a resource. Returns NULL if out of memory. */
 static struct resource *add_resource(struct compiler *c, const struct rg_image *image,
                                      const struct rg_buffer *buffer, const struct rg_import *import)
 {
@@ -128,7 +125,8 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
                     c->row_count * 2) ||
         !r)
         return NULL;
-    /* all fields: those left out are cleared by an instruction that takes longer than the rest */
+    /* Sets all fields explicitly: the C compiler clears omitted ones with an instruction that takes
+     * longer than all the rest. */
     *r = (struct resource){
         .name = NULL,
         .image = image,
@@ -180,15 +178,13 @@ struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image
     return value ? *value : NULL;
 }
 
-/* ---- imports and outputs ---- */
-
 static void add_import(struct compiler *c, const struct rg_import *import)
 {
     const void *address =
         import->image ? (const void *)import->image : (const void *)import->buffer;
     rg_fault_if(c, !import->extent.width != !import->extent.height, RG_ERROR_NO_SIZE,
                 import->image ? import->image->name : import->buffer->name,
-                "extent: expected two sides of the import, or 0x0 as declared");
+                "extent: expected width and height of the import, or 0x0 as declared");
     void **value = rg_map_value(c->arena, &c->by_address, address);
     if (value && *value)
         rg_fault_of(c, RG_ERROR_LISTED_TWICE, ((struct resource *)*value)->name,

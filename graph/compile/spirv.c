@@ -1,4 +1,4 @@
-/* spirv.c: reads a module's instructions into one table of what its ids are. */
+/* spirv.c: SPIR-V parser: records what each id defines, and derives the shader's interface. */
 #include "graph/compile/spirv.h"
 #include <string.h>
 
@@ -48,27 +48,27 @@ enum {
     DIM_SUBPASS = 6,
     HEADER_WORDS = 5,
     MAGIC = 0x07230203,
-    VERSION_1_4 = 0x00010400, /* from which on entry points list all variables */
-    DEEPEST = 16,             /* types within types */
+    VERSION_1_4 = 0x00010400, /* since SPIR-V 1.4, entry points list all global variables */
+    MAX_DEPTH = 16,           /* nesting of types */
 };
 
-/* What an id is. Indices are of words; 0: none. */
+/* What is known about an id. References to instructions and names are word indices; 0: none. */
 struct spirv_id {
-    uint32_t made_by; /* the instruction that makes it, if it is one of those above */
+    uint32_t definition; /* word index of the instruction that defines the id, if listed above */
     uint32_t name;
-    uint32_t stride;                       /* of an array, bytes */
-    uint32_t binding, set, location, spec; /* one more than the number; 0: none */
-    uint32_t variable;                     /* one more than the index */
+    uint32_t stride;                       /* of an array in bytes */
+    uint32_t binding, set, location, spec; /* decoration values plus 1; 0: not decorated */
+    uint32_t variable;                     /* index in `variables` plus 1; 0: no variable */
     bool buffer_block, in_interface;
 };
 
-/* An instruction: its opcode, and words, the first of which is opcode and count. */
+/* An instruction; its first word holds the opcode and the word count. */
 struct instruction {
     uint32_t op, count;
     const uint32_t *words;
 };
 
-/* Steps to the next one; begin with {0}. False at the end, and at an impossible one. */
+/* Advances to the next instruction, starting from {0}. Returns false at the end or if malformed. */
 static bool next(const struct rg_shader *shader, struct instruction *in)
 {
     const uint32_t *end = shader->words + shader->word_count;
@@ -85,7 +85,7 @@ static struct spirv_id *find_id(const struct spirv *s, uint32_t id)
     return id < s->shader->words[3] ? &s->ids[id] : NULL;
 }
 
-/* Returns the text from a word of an instruction on; NULL if it has no end there. */
+/* Returns the string at a word of an instruction; NULL if it is not terminated within it. */
 static const char *text_of(const struct instruction *in, uint32_t word)
 {
     if (in->count <= word || !memchr(&in->words[word], 0, (in->count - word) * sizeof(uint32_t)))
@@ -95,38 +95,37 @@ static const char *text_of(const struct instruction *in, uint32_t word)
 
 /* ---- types ---- */
 
-/* Returns the instruction that makes a type or constant, if it is this one; it has at least as many
- * words. */
-static const uint32_t *made_by(const struct spirv *s, uint32_t id, uint32_t op, uint32_t count)
+/* Returns the defining instruction of an id if it is `op` with `count` or more words, else NULL. */
+static const uint32_t *definition(const struct spirv *s, uint32_t id, uint32_t op, uint32_t count)
 {
     const struct spirv_id *i = find_id(s, id);
-    const uint32_t *words = i && i->made_by ? &s->shader->words[i->made_by] : NULL;
+    const uint32_t *words = i && i->definition ? &s->shader->words[i->definition] : NULL;
     return words && (words[0] & 0xffff) == op && words[0] >> 16 >= count ? words : NULL;
 }
 
 const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count)
 {
-    const uint32_t *words = made_by(s, type, OP_TYPE_STRUCT, 2);
+    const uint32_t *words = definition(s, type, OP_TYPE_STRUCT, 2);
     *member_count = words ? (words[0] >> 16) - 2 : 0;
     if (!words)
         return NULL;
     return s->ids[type].name ? (const char *)&s->shader->words[s->ids[type].name] : "";
 }
 
-/* Returns the length of an array type, and its elements' type; 0: it is none, or has none yet. */
+/* Returns the length and element type of an array type; 0 if it is no array, or unsized. */
 static uint32_t array_length(const struct spirv *s, uint32_t type, uint32_t *element)
 {
-    const uint32_t *array = made_by(s, type, OP_TYPE_ARRAY, 4);
-    const uint32_t *length = array ? made_by(s, array[3], OP_CONSTANT, 4) : NULL;
+    const uint32_t *array = definition(s, type, OP_TYPE_ARRAY, 4);
+    const uint32_t *length = array ? definition(s, array[3], OP_CONSTANT, 4) : NULL;
     if (array && !length)
-        length = made_by(s, array[3], OP_SPEC_CONSTANT, 4);
+        length = definition(s, array[3], OP_SPEC_CONSTANT, 4);
     *element = array ? array[2] : SPIRV_NONE;
     return length ? length[3] : 0;
 }
 
-/* How a member of a struct lies in memory. */
+/* Memory layout of a struct member. */
 struct member_layout {
-    uint32_t offset, stride; /* bytes; the stride is of a matrix's columns, or rows */
+    uint32_t offset, stride; /* bytes; `stride` is that of a matrix's columns or rows */
     bool row_major;
     const char *name;
 };
@@ -154,30 +153,31 @@ static struct member_layout layout_of(const struct spirv *s, uint32_t type, uint
 
 static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth);
 
-/* Bytes, without padding behind the last component. Damaged modules may make it wrap around. */
+/* Returns the size in bytes without trailing padding. May wrap around for malformed modules. */
 static uint32_t size_of(const struct spirv *s, uint32_t type, const struct member_layout *layout,
                         uint32_t depth)
 {
     uint32_t count, element;
-    const uint32_t *words = made_by(s, type, OP_TYPE_MATRIX, 4);
-    if (depth == DEEPEST)
+    const uint32_t *words = definition(s, type, OP_TYPE_MATRIX, 4);
+    if (depth == MAX_DEPTH)
         return 0;
     if (words) {
         rg_spirv_component(s, words[2], &count);
         return (layout->row_major ? count : words[3]) * layout->stride;
     }
-    if ((words = made_by(s, type, OP_TYPE_VECTOR, 4)))
+    if ((words = definition(s, type, OP_TYPE_VECTOR, 4)))
         return words[3] * size_of(s, words[2], layout, depth + 1);
     count = array_length(s, type, &element);
     if (count)
         return count *
                (s->ids[type].stride ? s->ids[type].stride : size_of(s, element, layout, depth + 1));
-    if ((words = made_by(s, type, OP_TYPE_INT, 4)) || (words = made_by(s, type, OP_TYPE_FLOAT, 3)))
+    if ((words = definition(s, type, OP_TYPE_INT, 4)) ||
+        (words = definition(s, type, OP_TYPE_FLOAT, 3)))
         return words[2] / 8;
     return struct_size(s, type, depth + 1);
 }
 
-/* Returns the member of a struct type with the largest offset; it ends the struct. */
+/* Returns the index of the struct member with the largest offset, which ends the struct. */
 static uint32_t last_member(const struct spirv *s, uint32_t type)
 {
     uint32_t last = 0;
@@ -195,7 +195,7 @@ static uint32_t last_member(const struct spirv *s, uint32_t type)
 
 static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth)
 {
-    const uint32_t *words = made_by(s, type, OP_TYPE_STRUCT, 3);
+    const uint32_t *words = definition(s, type, OP_TYPE_STRUCT, 3);
     uint32_t last = words ? last_member(s, type) : 0;
     if (!words || last >= (words[0] >> 16) - 2)
         return 0;
@@ -204,12 +204,12 @@ static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth
            size_of(s, words[2 + last], &layout, depth);
 }
 
-/* Returns the type of the elements of an array type; any other type as it is. */
+/* Returns the element type of an array type; any other type unchanged. */
 static uint32_t element_of(const struct spirv *s, uint32_t type)
 {
-    const uint32_t *array = made_by(s, type, OP_TYPE_RUNTIME_ARRAY, 3);
+    const uint32_t *array = definition(s, type, OP_TYPE_RUNTIME_ARRAY, 3);
     if (!array)
-        array = made_by(s, type, OP_TYPE_ARRAY, 4);
+        array = definition(s, type, OP_TYPE_ARRAY, 4);
     return array ? array[2] : type;
 }
 
@@ -220,7 +220,7 @@ uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type)
 
 struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index)
 {
-    const uint32_t *words = made_by(s, type, OP_TYPE_STRUCT, 3 + index);
+    const uint32_t *words = definition(s, type, OP_TYPE_STRUCT, 3 + index);
     if (!words)
         return (struct spirv_member){ .name = "", .offset = SPIRV_NONE };
     const struct member_layout layout = layout_of(s, type, index);
@@ -231,8 +231,8 @@ struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32
 bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image)
 {
     type = element_of(s, type);
-    const uint32_t *sampled = made_by(s, type, OP_TYPE_SAMPLED_IMAGE, 3);
-    const uint32_t *words = made_by(s, sampled ? sampled[2] : type, OP_TYPE_IMAGE, 9);
+    const uint32_t *sampled = definition(s, type, OP_TYPE_SAMPLED_IMAGE, 3);
+    const uint32_t *words = definition(s, sampled ? sampled[2] : type, OP_TYPE_IMAGE, 9);
     if (!words)
         return false;
     *image = (struct spirv_image){
@@ -247,10 +247,10 @@ bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *im
 
 char rg_spirv_component(const struct spirv *s, uint32_t type, uint32_t *count)
 {
-    const uint32_t *vector = made_by(s, type, OP_TYPE_VECTOR, 4);
+    const uint32_t *vector = definition(s, type, OP_TYPE_VECTOR, 4);
     uint32_t scalar = vector ? vector[2] : type;
-    const uint32_t *integer = made_by(s, scalar, OP_TYPE_INT, 4);
-    const uint32_t *real = made_by(s, scalar, OP_TYPE_FLOAT, 3);
+    const uint32_t *integer = definition(s, scalar, OP_TYPE_INT, 4);
+    const uint32_t *real = definition(s, scalar, OP_TYPE_FLOAT, 3);
     if (count)
         *count = vector ? vector[3] : 1;
     if (integer && integer[2] <= 32)
@@ -261,16 +261,17 @@ char rg_spirv_component(const struct spirv *s, uint32_t type, uint32_t *count)
 static uint32_t locations(const struct spirv *s, uint32_t type, uint32_t depth)
 {
     uint32_t element, count;
-    const uint32_t *words = made_by(s, type, OP_TYPE_MATRIX, 4);
-    if (words || depth == DEEPEST)
+    const uint32_t *words = definition(s, type, OP_TYPE_MATRIX, 4);
+    if (words || depth == MAX_DEPTH)
         return words ? words[3] : 1;
     count = array_length(s, type, &element);
     if (count)
         return count * locations(s, element, depth + 1);
-    if (!(words = made_by(s, type, OP_TYPE_STRUCT, 3)))
+    if (!(words = definition(s, type, OP_TYPE_STRUCT, 3)))
         return 1;
     for (uint32_t i = 0; i < (words[0] >> 16) - 2 && i < 64; i++)
-        count += locations(s, words[2 + i], depth + 8); /* structs within structs are rare */
+        /* limits recursion: nested structs are rare */
+        count += locations(s, words[2 + i], depth + 8);
     return count;
 }
 
@@ -283,8 +284,8 @@ VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_v
                                      uint32_t *count)
 {
     uint32_t type = element_of(s, v->type);
-    const uint32_t *fixed = made_by(s, v->type, OP_TYPE_ARRAY, 4);
-    const uint32_t *length = fixed ? made_by(s, fixed[3], OP_CONSTANT, 4) : NULL;
+    const uint32_t *fixed = definition(s, v->type, OP_TYPE_ARRAY, 4);
+    const uint32_t *length = fixed ? definition(s, fixed[3], OP_CONSTANT, 4) : NULL;
     *count = length ? length[3] : type == v->type ? 1 : 0;
     if (v->storage == SPIRV_STORAGE_BUFFER)
         return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
@@ -294,14 +295,14 @@ VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_v
                    : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     if (v->storage != SPIRV_UNIFORM_CONSTANT)
         return VK_DESCRIPTOR_TYPE_MAX_ENUM;
-    if (made_by(s, type, OP_TYPE_SAMPLER, 2))
+    if (definition(s, type, OP_TYPE_SAMPLER, 2))
         return VK_DESCRIPTOR_TYPE_SAMPLER;
-    if (made_by(s, type, OP_TYPE_ACCELERATION_STRUCTURE, 2))
+    if (definition(s, type, OP_TYPE_ACCELERATION_STRUCTURE, 2))
         return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
     struct spirv_image image;
     if (!rg_spirv_image(s, type, &image))
         return VK_DESCRIPTOR_TYPE_MAX_ENUM;
-    const uint32_t *plain = made_by(s, type, OP_TYPE_IMAGE, 9);
+    const uint32_t *plain = definition(s, type, OP_TYPE_IMAGE, 9);
     bool storage = plain && plain[7] == 2;
     if (image.dim == SPIRV_DIM_BUFFER)
         return storage ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER
@@ -320,9 +321,9 @@ const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v)
     return block && block[0] ? block : "?";
 }
 
-/* ---- reading ---- */
+/* ---- parsing ---- */
 
-/* Reads an entry point. Returns whether it is `main` of the stage. */
+/* Parses an entry point. Returns true if it is `main` of the stage. */
 static bool is_main(struct spirv *s, const struct instruction *in, uint32_t model)
 {
     const char *name = text_of(in, 3);
@@ -366,7 +367,7 @@ static void decorate(struct spirv *s, const struct instruction *in)
     }
 }
 
-/* Returns which word of an instruction is the id it makes; 0: none, or none of interest. */
+/* Returns which word of an instruction is its result id; 0 if it has none, or an irrelevant one. */
 static uint32_t result_word(uint32_t op)
 {
     if (op == OP_VARIABLE || op == OP_CONSTANT ||
@@ -380,7 +381,7 @@ static uint32_t result_word(uint32_t op)
 static void add_variable(struct spirv *s, struct arena *arena, const struct instruction *in,
                          struct spirv_id *id)
 {
-    const uint32_t *pointer = made_by(s, in->words[1], OP_TYPE_POINTER, 4);
+    const uint32_t *pointer = definition(s, in->words[1], OP_TYPE_POINTER, 4);
     if (in->count < 4 || !pointer || id->variable ||
         !ARENA_ROOM(arena, s->variables, s->variable_count, s->variable_room, 32))
         return;
@@ -399,9 +400,9 @@ static void add_variable(struct spirv *s, struct arena *arena, const struct inst
 static void add_constant(struct spirv *s, struct arena *arena, const struct instruction *in,
                          const struct spirv_id *id)
 {
-    const uint32_t *number = made_by(s, in->words[1], OP_TYPE_INT, 4);
+    const uint32_t *number = definition(s, in->words[1], OP_TYPE_INT, 4);
     if (!number)
-        number = made_by(s, in->words[1], OP_TYPE_FLOAT, 3);
+        number = definition(s, in->words[1], OP_TYPE_FLOAT, 3);
     if (id->spec && ARENA_ROOM(arena, s->constants, s->constant_count, s->constant_room, 16))
         s->constants[s->constant_count++] = (struct spirv_constant){
             id->spec - 1,
@@ -409,7 +410,7 @@ static void add_constant(struct spirv *s, struct arena *arena, const struct inst
         };
 }
 
-/* Reads an instruction outside of functions. */
+/* Parses an instruction of the module scope. */
 static void declare(struct spirv *s, struct arena *arena, const struct instruction *in)
 {
     uint32_t result = result_word(in->op);
@@ -420,15 +421,15 @@ static void declare(struct spirv *s, struct arena *arena, const struct instructi
         id->name = (uint32_t)(&in->words[2] - s->shader->words);
     if (!result || in->count <= result || !(id = find_id(s, in->words[result])))
         return;
-    id->made_by = (uint32_t)(in->words - s->shader->words);
+    id->definition = (uint32_t)(in->words - s->shader->words);
     if (in->op == OP_VARIABLE)
         add_variable(s, arena, in, id);
     if (in->op >= OP_SPEC_CONSTANT_TRUE && in->op <= OP_SPEC_CONSTANT)
         add_constant(s, arena, in, id);
 }
 
-/* Reads an instruction of a function: it uses the variables that some of its words name. */
-static void follow(struct spirv *s, const struct instruction *in, bool all_listed)
+/* Marks the variables that an instruction of a function refers to as used. */
+static void mark_used(struct spirv *s, const struct instruction *in, bool all_listed)
 {
     uint32_t first = 3, count = 1;
     if (in->op == OP_STORE || in->op == OP_COPY_MEMORY) {
@@ -454,14 +455,15 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
 {
     const uint32_t model = stage == VK_SHADER_STAGE_VERTEX_BIT     ? 0
                            : stage == VK_SHADER_STAGE_FRAGMENT_BIT ? 4
-                                                                   : 5; /* GLCompute */
+                                                                   /* execution model GLCompute */
+                                                                   : 5;
     bool found = false;
     bool in_function = false;
     s->shader = shader;
     s->variable_count = s->constant_count = 0;
     if (shader->word_count <= HEADER_WORDS || shader->words[0] != MAGIC ||
         shader->words[3] > shader->word_count)
-        return "expected a SPIR-V module of this machine's byte order";
+        return "expected a SPIR-V module in native byte order";
     const uint32_t bound = shader->words[3];
     if (bound > s->id_room) {
         s->ids = ARENA_ARRAY(arena, struct spirv_id, bound);
@@ -475,13 +477,13 @@ const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_
     while (next(shader, &in)) {
         in_function = in_function || in.op == OP_FUNCTION;
         if (in_function)
-            follow(s, &in, shader->words[1] >= VERSION_1_4);
+            mark_used(s, &in, shader->words[1] >= VERSION_1_4);
         else if (in.op == OP_ENTRY_POINT)
             found = is_main(s, &in, model) || found;
         else
             declare(s, arena, &in);
     }
     if (in.words != shader->words + shader->word_count)
-        return "expected whole SPIR-V instructions to its end";
+        return "expected complete SPIR-V instructions up to the end";
     return found ? NULL : "expected an entry point 'main' of this stage";
 }

@@ -1,27 +1,27 @@
 /*
- * chart.c: the drawing of an HTML page. All rows have the same columns: one for each pass, and
- * a last one for what comes after the frame. The marks of batches are between the columns.
+ * chart.c: SVG timeline of passes and memory. All rows have the same columns: one per pass, and a
+ * last one for the end of the frame. Barrier batches are marked between the columns.
  */
 #include <inttypes.h>
 #include "graph/dump/dump.h"
 
 enum {
-    AXIS_WIDTH = 190, /* pixels, as all that follows */
-    LEFT = 36,        /* before the first column: the barriers before the first frame */
+    AXIS_WIDTH = 190, /* pixels, like all sizes below */
+    LEFT = 36,        /* left of the first column: initial barriers */
     MIN_COLUMN = 24,
     MAX_COLUMN = 96,
-    CHART_WIDTH = 1200, /* of few passes */
+    CHART_WIDTH = 1200, /* minimum; more with many passes */
     BAR_HEIGHT = 20,
     MIN_BLOCK_HEIGHT = 96,
     MAX_BLOCK_HEIGHT = 480,
     MAX_NAME_HEIGHT = 240,
-    LABEL_DISTANCE = 900, /* between the labels of something long */
+    LABEL_DISTANCE = 900, /* distance of repeated labels on long boxes */
     TICK_COUNT = 4,
 };
 
 struct chart {
     struct rg_dump d;
-    uint32_t column, columns; /* width of one, and how many */
+    uint32_t column, columns; /* width of a column, and their number */
 };
 
 enum group {
@@ -49,10 +49,9 @@ static const char *style_of(const struct rg_plan *plan, uint32_t index)
                                                                  : "copy";
 }
 
-/* Returns the next resource of a group from an index on, and of a block unless that is RG_NONE;
- * RG_NONE if there is none. */
-static uint32_t next_of(const struct rg_plan *plan, enum group group, uint32_t block,
-                        uint32_t index)
+/* Returns the next resource of a group (and block unless RG_NONE) from `index` on, or RG_NONE. */
+static uint32_t next_in_group(const struct rg_plan *plan, enum group group, uint32_t block,
+                              uint32_t index)
 {
     for (; index < plan->image_count + plan->buffer_count; index++) {
         const struct rg_dump_resource r = rg_dump_resource(plan, index);
@@ -62,9 +61,7 @@ static uint32_t next_of(const struct rg_plan *plan, enum group group, uint32_t b
     return RG_NONE;
 }
 
-/* ---- pieces ---- */
-
-/* Begins a row, with its axis. */
+/* Begins a row with its axis. */
 static void open_row(const struct chart *c, const char *style, uint32_t height)
 {
     rg_put(&c->d, "<div class=\"row %s\">\n<svg class=\"axis\" width=\"%u\" height=\"%u\">\n",
@@ -76,7 +73,7 @@ static void close_row(const struct chart *c)
     rg_put(&c->d, "</svg>\n</div>\n");
 }
 
-/* Begins the part of a row that has columns; x is 0 where the first column begins. */
+/* Begins the plot of a row; x is 0 at the start of the first column. */
 static void open_plot(const struct chart *c, uint32_t height, const char *attributes)
 {
     uint32_t width = LEFT + c->columns * c->column;
@@ -90,7 +87,7 @@ static void print_axis_text(const struct chart *c, uint32_t y, const char *text)
     rg_put(&c->d, "<text x=\"6\" y=\"%u\">%n</text>\n", y, text);
 }
 
-/* Prints a vertical line wherever barriers are recorded. */
+/* Prints a vertical line at each batch of barriers. */
 static void print_batch_lines(const struct chart *c, uint32_t height)
 {
     const struct rg_plan *plan = c->d.plan;
@@ -106,7 +103,7 @@ static void print_batch_lines(const struct chart *c, uint32_t height)
     rg_put(&c->d, "\"/>\n");
 }
 
-/* Prints a name in a box: cut off where the box ends, and repeated if the box is long. */
+/* Prints a label, clipped to its box, and repeated if the box is long. */
 static void print_label(const struct chart *c, uint32_t x, uint32_t width, uint64_t y,
                         const char *name)
 {
@@ -116,23 +113,21 @@ static void print_label(const struct chart *c, uint32_t x, uint32_t width, uint6
     rg_put(&c->d, "</svg>");
 }
 
-/* Prints an attribute in thousandths of pixels. */
+/* Prints an SVG attribute given in thousandths of a pixel. */
 static void print_pixels(FILE *out, const char *name, uint64_t thousandths)
 {
     fprintf(out, " %s=\"%" PRIu64 ".%03u\"", name, thousandths / 1000,
             (unsigned)(thousandths % 1000));
 }
 
-/* ---- passes and barriers ---- */
-
-/* Prints the name of a column: of a pass, or of what comes after the last one. */
+/* Prints the name of a column: of a pass, or the end of the frame. */
 static void print_column_name(const struct chart *c, uint32_t column)
 {
     const struct rg_plan *plan = c->d.plan;
     if (column < plan->pass_count)
         rg_dump_pass_name(&c->d, plan->passes[column].pass, plan->passes[column].repetition);
     else
-        rg_put(&c->d, "the frame's end");
+        rg_put(&c->d, "end of frame");
 }
 
 static void print_techniques(const struct chart *c)
@@ -154,13 +149,13 @@ static void print_techniques(const struct chart *c)
     close_row(c);
 }
 
-/* Returns the pixels that the longest name of a pass needs, which is written upwards. */
+/* Returns the height in pixels of the longest pass name, which is written vertically. */
 static uint32_t name_height(const struct rg_plan *plan)
 {
     uint32_t longest = 16; /* of the last column */
     for (uint32_t p = 0; p < plan->pass_count; p++) {
         const char *name = plan->passes[p].pass->name;
-        uint32_t length = 5; /* a repetition's number */
+        uint32_t length = 5; /* for the repetition index */
         for (; *name; length++)
             rg_dump_character(&name);
         longest = length > longest ? length : longest;
@@ -230,9 +225,7 @@ static void print_batches(const struct chart *c)
     close_row(c);
 }
 
-/* ---- memory ---- */
-
-/* Begins the SVG group of a resource, whose title says what it is, where, and how long it lives. */
+/* Begins the SVG group of a resource; its title describes it, with offset and lifetime. */
 static void open_resource(const struct chart *c, uint32_t index, const struct rg_dump_resource *r)
 {
     const struct rg_plan *plan = c->d.plan;
@@ -256,7 +249,7 @@ static void open_resource(const struct chart *c, uint32_t index, const struct rg
     rg_put(&c->d, "</title>");
 }
 
-/* Converts bytes of a block to thousandths of pixels. */
+/* Converts bytes of a block to thousandths of a pixel. */
 static uint64_t scaled(VkDeviceSize size, const struct rg_block *block, uint32_t height)
 {
     return (uint64_t)((double)size / (double)block->size * height * 1000.0 + 0.5);
@@ -282,8 +275,8 @@ static void print_rectangle(const struct chart *c, uint32_t index, const struct 
 static uint32_t block_height(const struct rg_plan *plan, uint32_t block)
 {
     uint32_t height = MIN_BLOCK_HEIGHT;
-    for (uint32_t i = next_of(plan, TRANSIENT, block, 0); i != RG_NONE;
-         i = next_of(plan, TRANSIENT, block, i + 1))
+    for (uint32_t i = next_in_group(plan, TRANSIENT, block, 0); i != RG_NONE;
+         i = next_in_group(plan, TRANSIENT, block, i + 1))
         height += height < MAX_BLOCK_HEIGHT ? 2 * BAR_HEIGHT : 0;
     return height < MAX_BLOCK_HEIGHT ? height : MAX_BLOCK_HEIGHT;
 }
@@ -307,19 +300,19 @@ static void print_block(const struct chart *c, uint32_t index)
              c->column);
     open_plot(c, height, attributes);
     print_batch_lines(c, height);
-    for (uint32_t i = next_of(plan, TRANSIENT, index, 0); i != RG_NONE;
-         i = next_of(plan, TRANSIENT, index, i + 1))
+    for (uint32_t i = next_in_group(plan, TRANSIENT, index, 0); i != RG_NONE;
+         i = next_in_group(plan, TRANSIENT, index, i + 1))
         print_rectangle(c, i, block, height);
     close_row(c);
 }
 
-/* ---- resources that share no memory ---- */
+/* ---- resources that do not alias ---- */
 
 static void print_bar(const struct chart *c, uint32_t index, uint32_t y)
 {
     const struct rg_dump_resource r = rg_dump_resource(c->d.plan, index);
     open_resource(c, index, &r);
-    if (group_of(&r) == PERSISTENT) /* from frame to frame */
+    if (group_of(&r) == PERSISTENT) /* spans all frames */
         rg_put(&c->d, "<rect class=\"frames\" x=\"0\" y=\"%u\" width=\"%u\" height=\"%u\"/>", y,
                c->columns * c->column, BAR_HEIGHT - 4);
     rg_put(&c->d, "<rect x=\"%u\" y=\"%u\" width=\"%u\" height=\"%u\"/></g>\n", r.first * c->column,
@@ -330,23 +323,23 @@ static void print_bars(const struct chart *c, enum group group, const char *titl
 {
     const struct rg_plan *plan = c->d.plan;
     uint32_t count = 0, y = 14;
-    for (uint32_t i = next_of(plan, group, RG_NONE, 0); i != RG_NONE;
-         i = next_of(plan, group, RG_NONE, i + 1))
+    for (uint32_t i = next_in_group(plan, group, RG_NONE, 0); i != RG_NONE;
+         i = next_in_group(plan, group, RG_NONE, i + 1))
         count++;
     if (!count)
         return;
     rg_put(&c->d, "<h2>%s</h2>\n", title);
     open_row(c, "bars", count * BAR_HEIGHT);
-    for (uint32_t i = next_of(plan, group, RG_NONE, 0); i != RG_NONE;
-         i = next_of(plan, group, RG_NONE, i + 1)) {
+    for (uint32_t i = next_in_group(plan, group, RG_NONE, 0); i != RG_NONE;
+         i = next_in_group(plan, group, RG_NONE, i + 1)) {
         print_axis_text(c, y, rg_dump_resource(plan, i).name);
         y += BAR_HEIGHT;
     }
     open_plot(c, count * BAR_HEIGHT, "");
     print_batch_lines(c, count * BAR_HEIGHT);
     y = 2;
-    for (uint32_t i = next_of(plan, group, RG_NONE, 0); i != RG_NONE;
-         i = next_of(plan, group, RG_NONE, i + 1)) {
+    for (uint32_t i = next_in_group(plan, group, RG_NONE, 0); i != RG_NONE;
+         i = next_in_group(plan, group, RG_NONE, i + 1)) {
         print_bar(c, i, y);
         y += BAR_HEIGHT;
     }
@@ -372,6 +365,6 @@ void rg_dump_chart(const struct rg_dump *d)
         print_block(&chart, i);
     print_bars(&chart, PERSISTENT, "Persistent");
     print_bars(&chart, IMPORTED, "Imported");
-    print_bars(&chart, HOST, "Written or read by the CPU");
+    print_bars(&chart, HOST, "Host memory");
     rg_put(d, "</main>\n");
 }

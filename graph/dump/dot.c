@@ -1,7 +1,7 @@
-/* dot.c: the plan as a Graphviz digraph. */
+/* dot.c: dumps a plan as a Graphviz digraph. */
 #include "graph/dump/dump.h"
 
-/* Escapes a name for a string in quotes. */
+/* Escapes a name for a quoted string. */
 static void dot_name(FILE *out, const char *name)
 {
     while (*name) {

@@ -1,7 +1,7 @@
-/* html.c: the plan as an HTML page that is well-formed XML too and needs nothing else. */
+/* html.c: dumps a plan as a self-contained HTML page that is also well-formed XML. */
 #include "graph/dump/dump.h"
 
-/* Colours by what a resource is for. */
+/* CSS colours by resource usage, for light and dark mode. */
 static const char colors[] =
     ":root{--back:#fff;--text:#1b1b1b;--line:#e3e3e3;--edge:#5a5a5a;--batch:#b3410e;\n"
     "--focus:#d0006f;--color:#a9cdee;--depth:#d3c1ea;--storage:#f6d393;--copy:#d2d2d2;\n"
@@ -50,7 +50,7 @@ static const char style[] =
     "background:var(--back);border:1px solid var(--line)}\n"
     "#detail[hidden]{display:none}\n";
 
-/* Shows the text of tooltips in a panel, too, for the keyboard and for long lists. */
+/* Also shows tooltips in a panel, for keyboard users and for long lists. */
 static const char script[] =
     "const panel=document.getElementById('detail');panel.hidden=false;\n"
     "const show=event=>{const title=event.target.closest('g[tabindex]')?.querySelector('title');\n"
@@ -109,7 +109,7 @@ static void print_summary(const struct rg_dump *d)
            "<p><b class=\"color\">colour target, raster pass</b> <b class=\"depth\">depth</b> "
            "<b class=\"storage\">storage image, compute pass</b> <b class=\"copy\">other image, "
            "transfer pass</b> <b class=\"data\">buffer</b> circles: barriers of a batch; square: "
-           "those before the first frame; dashed: passes that do not run in every frame</p>\n");
+           "barriers before the first frame; dashed: conditional passes</p>\n");
 }
 
 void rg_dump_html(const struct rg_plan *plan, FILE *out)
@@ -121,9 +121,8 @@ void rg_dump_html(const struct rg_plan *plan, FILE *out)
     } else {
         print_summary(&d);
         rg_dump_chart(&d);
-        rg_put(&d,
-               "<pre id=\"detail\" role=\"status\" hidden=\"hidden\">Point at something, or "
-               "reach it with Tab.</pre>\n<details>\n<summary>The same as text</summary>\n<pre>");
+        rg_put(&d, "<pre id=\"detail\" role=\"status\" hidden=\"hidden\">Hover over an item, or "
+                   "select it with Tab.</pre>\n<details>\n<summary>Plan as text</summary>\n<pre>");
         rg_dump_text(&d);
         rg_put(&d, "</pre>\n</details>\n<script>\n%s</script>\n", script);
     }

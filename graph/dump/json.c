@@ -1,7 +1,7 @@
-/* json.c: the plan as a JSON object. docs/render-graph.md describes its members. */
+/* json.c: dumps a plan as a JSON object; docs/render-graph.md describes its members. */
 #include "graph/dump/dump.h"
 
-/* Writes a string with its quotes. */
+/* Writes a quoted and escaped string. */
 static void json_name(FILE *out, const char *text)
 {
     fputc('"', out);
@@ -17,7 +17,7 @@ static void json_name(FILE *out, const char *text)
     fputc('"', out);
 }
 
-/* Prints a member that is not the object's first one; nothing if `text` is NULL. */
+/* Prints a string member after the first one of an object; nothing if `text` is NULL. */
 static void string_member(const struct rg_dump *d, const char *key, const char *text)
 {
     if (text)
@@ -31,7 +31,7 @@ static const char *bool_of(bool value)
 
 typedef void element_fn(const struct rg_dump *d, uint32_t index);
 
-/* Prints `count` elements from `first` on, each on a line of its own, indented by `indent`. */
+/* Prints `count` elements from `first` on, one per line, indented by `indent`. */
 static void print_array(const struct rg_dump *d, element_fn *element, uint32_t first,
                         uint32_t count, const char *indent)
 {
@@ -43,7 +43,7 @@ static void print_array(const struct rg_dump *d, element_fn *element, uint32_t f
     rg_put(d, "]");
 }
 
-/* Prints an array that is a member of the outermost object. */
+/* Prints an array as a member of the outermost object. */
 static void array_member(const struct rg_dump *d, const char *key, element_fn *element,
                          uint32_t first, uint32_t count)
 {
@@ -67,7 +67,7 @@ static void print_fault(const struct rg_dump *d, uint32_t index)
     rg_put(d, "}");
 }
 
-/* "key": ["flag", ...] */
+/* Prints flags: "key": ["flag", ...] */
 static void print_flags(const struct rg_dump *d, const char *key, const struct rg_dump_word *words,
                         uint64_t flags)
 {
@@ -85,7 +85,7 @@ static void range_member(const struct rg_dump *d, const VkImageSubresourceRange 
            r->levelCount, r->baseArrayLayer, r->layerCount);
 }
 
-/* Prints the members that images and buffers have in common, and closes the object. */
+/* Prints the members common to images and buffers, and closes the object. */
 static void resource_members(const struct rg_dump *d, const struct rg_dump_resource *r)
 {
     rg_put(d, ", \"imported\": %s, \"persistent\": %s, \"first\": %u, \"last\": %u",
@@ -126,7 +126,7 @@ static void print_block(const struct rg_dump *d, uint32_t index)
     rg_put(d, "{\"of\": \"%s\", \"size\": %z}", block->buffers ? "buffers" : "images", block->size);
 }
 
-/* {"stages": [...], "access": [...]} */
+/* Prints a synchronisation scope: {"stages": [...], "access": [...]} */
 static void scope_member(const struct rg_dump *d, const char *key, VkPipelineStageFlags2 stages,
                          VkAccessFlags2 accesses)
 {
@@ -182,7 +182,7 @@ static void print_use(const struct rg_dump *d, uint32_t index)
     rg_put(d, "}");
 }
 
-/* Prints the first members of a pass, whether it is culled or not. */
+/* Prints the first members of a pass, also used for culled ones. */
 static void print_pass_name(const struct rg_dump *d, const struct rg_pass *pass,
                             uint32_t repetition)
 {

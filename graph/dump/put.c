@@ -1,4 +1,4 @@
-/* put.c: texts with names and numbers in them. */
+/* put.c: formatted output with UTF-8 validation and escaped names. */
 #include <inttypes.h>
 #include <stdarg.h>
 #include "graph/dump/dump.h"
@@ -18,7 +18,7 @@ uint32_t rg_dump_character(const char **text)
                                   : 0;
     uint32_t c = length == 1 ? *s : *s & 0xffu >> (length + 1);
     for (uint32_t i = 1; i < length; i++) {
-        if ((s[i] & 0xc0) != 0x80) /* the text's end too */
+        if ((s[i] & 0xc0) != 0x80) /* also rejects the terminating 0 */
             length = 0;
         else
             c = c << 6 | (s[i] & 0x3fu);

@@ -1,4 +1,4 @@
-/* text.c: the plan as text. */
+/* text.c: dumps a plan as text. */
 #include "graph/dump/dump.h"
 
 static void print_span(FILE *out, const char *what, uint32_t first, uint32_t count, uint32_t all)
@@ -20,8 +20,8 @@ static void print_range(FILE *out, const struct rg_plan_image *image,
     print_span(out, "layer", range->baseArrayLayer, range->layerCount, image->layers);
 }
 
-/* Prints the memory of a resource, and the passes during which it lives. */
-static void print_place(const struct rg_dump *d, uint32_t index)
+/* Prints the memory of a resource and its lifetime in passes. */
+static void print_placement(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_dump_resource r = rg_dump_resource(d->plan, index);
     if (r.imported)
@@ -50,14 +50,14 @@ void rg_dump_image(const struct rg_dump *d, uint32_t index)
     if (image->samples > 1)
         rg_put(d, " samples %u", image->samples);
     rg_put(d, image->image->cube ? " cube, " : ", ");
-    print_place(d, index);
+    print_placement(d, index);
 }
 
 void rg_dump_buffer(const struct rg_dump *d, uint32_t index)
 {
     const struct rg_plan_buffer *buffer = &d->plan->buffers[index];
     rg_put(d, "buffer %n %z bytes, ", buffer->buffer->name, buffer->size);
-    print_place(d, d->plan->image_count + index);
+    print_placement(d, d->plan->image_count + index);
 }
 
 static void print_memory(const struct rg_dump *d)

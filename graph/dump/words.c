@@ -1,4 +1,4 @@
-/* words.c: the words of the dumps: flags, layouts, what a pass does. */
+/* words.c: names of flags, layouts and operations in dumps. */
 #include <inttypes.h>
 #include "graph/dump/dump.h"
 

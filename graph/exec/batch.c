@@ -1,8 +1,8 @@
 /*
- * batch.c: the barriers of passes.
+ * batch.c: records the barriers of passes, merging those of skipped ones.
  *
- * Those of passes that do not run wait for those of the next one that does, in one call: at each
- * call llvmpipe waits for all it has to draw, which takes 0.05 to 0.1 ms.
+ * Barriers of skipped passes are recorded with those of the next pass that runs, in one call: at
+ * each call llvmpipe flushes all pending work, which takes 0.05 to 0.1 ms.
  */
 #include "graph/exec/exec.h"
 
@@ -43,8 +43,8 @@ static bool overlaps(uint32_t a, uint32_t a_count, uint32_t b, uint32_t b_count)
     return a < b + b_count && b < a + a_count;
 }
 
-/* Whether two barriers are of texels that both have. */
-static bool share_texels(const VkImageMemoryBarrier2 *a, const VkImageMemoryBarrier2 *b)
+/* Returns true if two barriers affect a common subresource. */
+static bool overlap_subresources(const VkImageMemoryBarrier2 *a, const VkImageMemoryBarrier2 *b)
 {
     const VkImageSubresourceRange *r = &a->subresourceRange, *s = &b->subresourceRange;
     return a->image == b->image && r->aspectMask & s->aspectMask &&
@@ -59,8 +59,8 @@ static bool is_same_range(const VkImageSubresourceRange *a, const VkImageSubreso
            a->layerCount == b->layerCount;
 }
 
-/* In one call no barrier goes on where another ends, so those of several passes are as wide as all
- * together. */
+/* Records the pending barriers in one call. Barriers of one call are unordered and cannot be
+ * chained, so those of several passes all get the union of stages and accesses. */
 void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands)
 {
     struct exec_batch *batch = &exec->batch;
@@ -87,17 +87,17 @@ void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands)
     batch->all = (VkMemoryBarrier2){ 0 };
 }
 
-/* Of one image, a change to a layout and one from it become one. */
+/* Adds an image barrier; two successive layout transitions of the same range become one. */
 static void add_image(struct rg_exec *exec, VkCommandBuffer commands, const struct rg_barrier *b)
 {
     struct exec_batch *batch = &exec->batch;
     const VkImageMemoryBarrier2 barrier = image_barrier(exec, b);
     for (uint32_t i = 0; i < batch->image_count; i++) {
-        VkImageMemoryBarrier2 *waits = &batch->images[i];
-        if (!share_texels(waits, &barrier))
+        VkImageMemoryBarrier2 *pending = &batch->images[i];
+        if (!overlap_subresources(pending, &barrier))
             continue;
-        if (is_same_range(&waits->subresourceRange, &barrier.subresourceRange)) {
-            waits->newLayout = barrier.newLayout;
+        if (is_same_range(&pending->subresourceRange, &barrier.subresourceRange)) {
+            pending->newLayout = barrier.newLayout;
             return;
         }
         rg_exec_record_batch(exec, commands);

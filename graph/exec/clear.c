@@ -1,5 +1,5 @@
-/* clear.c: what is done before the first frame of a plan: persistent resources become zero, unless
- * they have content of the former plan, and are brought into the layouts that frames expect. */
+/* clear.c: initialisation before the first frame of a plan: zero-fills persistent resources, unless
+ * they keep content of the previous plan, and moves images to the layouts in which frames begin. */
 #include "graph/exec/exec.h"
 
 static const VkImageLayout clear_layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
@@ -39,7 +39,7 @@ void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer comm
         exec->vk.CmdClearDepthStencilImage(commands, image, clear_layout, &depth, 1, range);
 }
 
-/* Adds the layouts that a persistent image has after the frames of the former plan. */
+/* Adds the layouts in which the previous plan's frames left a persistent image. */
 static void add_moves(struct rg_exec *exec, const struct rg_exec *former, uint32_t index)
 {
     const struct rg_plan *plan = former->plan;
@@ -49,7 +49,8 @@ static void add_moves(struct rg_exec *exec, const struct rg_exec *former, uint32
         if (b->image == index)
             exec->moves[exec->move_count++] = (struct exec_move){ image, b->range, b->new_layout };
     }
-    for (uint32_t i = 0; i < former->move_count && !former->filled; i++) { /* not done yet */
+    /* the previous plan drew no frame */
+    for (uint32_t i = 0; i < former->move_count && !former->filled; i++) {
         if (former->moves[i].image == image)
             exec->moves[exec->move_count++] = former->moves[i];
     }
@@ -64,7 +65,7 @@ VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     for (uint32_t i = 0; i < plan->image_count; i++) {
         uint32_t k = 0;
-        while (exec->has_content[i] && /* then the former plan has it */
+        while (exec->has_content[i] && /* has_content: the previous plan has it */
                former->image_sets->images[k] != exec->image_sets->images[i])
             k++;
         exec->has_content[i] &= former->filled || former->has_content[k];

@@ -1,4 +1,4 @@
-/* descriptors.c: views, samplers and descriptor set 0 of the uses of each row. */
+/* descriptors.c: creates views, samplers and descriptor set 0 for the uses of each row. */
 #include "graph/exec/exec.h"
 
 static VkShaderStageFlags use_stages(const struct rg_pass *pass, const struct rg_use *use)
@@ -47,7 +47,7 @@ static VkSamplerCreateInfo sampler_info(const struct rg_exec *exec, const struct
     };
 }
 
-/* Uses with equal rg_sampler share one VkSampler. */
+/* Finds or creates the sampler of a use; equal rg_sampler structs share one VkSampler. */
 static VkResult find_sampler(struct rg_exec *exec, const struct rg_use *use, VkSampler *sampler)
 {
     static const struct rg_sampler nearest = { 0 };
@@ -61,7 +61,7 @@ fail:
     return result;
 }
 
-/* Returns how many descriptors a pass has: uses, then uses that are bound to their fallback. */
+/* Returns the number of descriptors of a pass: uses, followed by uses bound to their fallback. */
 static uint32_t descriptor_count(const struct rg_plan_pass *pass)
 {
     return pass->use_count + pass->fallback_count;
@@ -89,7 +89,7 @@ static struct exec_descriptor descriptor_of(const struct rg_exec *exec,
     };
 }
 
-/* Returns the place of a binding among the first `count`, whose array it is; or `count`. */
+/* Returns the index of a binding's entry among the first `count`, or `count` if there is none. */
 static uint32_t find_binding(const VkDescriptorSetLayoutBinding *bindings, uint32_t count,
                              uint32_t binding)
 {
@@ -136,7 +136,7 @@ fail:
     return result;
 }
 
-/* Returns a view of a slot's buffer of texels; of a program's own buffer always another one. */
+/* Finds or creates a buffer view of a slot's texel buffer; views of imports are never cached. */
 static VkResult find_texels(struct rg_exec *exec, const struct exec_descriptor *d, uint32_t slot,
                             VkBufferView *view)
 {
@@ -165,8 +165,8 @@ static bool is_texels(const struct exec_descriptor *d)
            d->type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
 }
 
-/* Finishes the descriptors of a pass in exec->descriptors. *key gets what they bind; RG_NO_KEY if
- * it is a program's own buffer, which may end and come again under its handle. */
+/* Fills exec->descriptors for a pass and hashes them into *key. The key is RG_NO_KEY if a program's
+ * own buffer is bound, whose handle may later be reused for another one. */
 static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_set *set,
                                  const struct rg_plan_pass *plan, uint64_t *key)
 {
@@ -206,8 +206,8 @@ fail:
     return result;
 }
 
-/* Has room for each descriptor to be of any type; of acceleration structures only if the device
- * must have them. */
+/* Creates a pool for the worst case that all descriptors are of the same type. Acceleration
+ * structures are included only if the device needs to support them. */
 static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan, uint64_t key,
                           VkDescriptorPool *pool)
 {
@@ -274,7 +274,7 @@ fail:
     return result;
 }
 
-/* Makes the sets of a pass, one for each slot. */
+/* Creates the descriptor sets of a pass, one per slot. */
 static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set, uint32_t pass)
 {
     const struct rg_plan_pass *plan = &exec->plan->passes[pass];

@@ -1,9 +1,9 @@
-/* device.c: answers what the compiler asks of a device. */
+/* device.c: answers the compiler's queries about a device (struct rg_device). */
 #include "graph/rg_exec.h"
 
 #define FIND(vulkan, name) ((PFN_##name)(vulkan)->get_proc_addr((vulkan)->instance, #name))
 
-static struct rg_memory_requirements need_of(const VkMemoryRequirements2 *r)
+static struct rg_memory_requirements requirements_of(const VkMemoryRequirements2 *r)
 {
     return (struct rg_memory_requirements){
         .size = r->memoryRequirements.size,
@@ -15,31 +15,31 @@ static struct rg_memory_requirements need_of(const VkMemoryRequirements2 *r)
 static struct rg_memory_requirements image_memory(const void *user, const VkImageCreateInfo *info)
 {
     const struct rg_vulkan *vulkan = user;
-    const PFN_vkGetDeviceImageMemoryRequirements ask =
+    const PFN_vkGetDeviceImageMemoryRequirements query =
         FIND(vulkan, vkGetDeviceImageMemoryRequirements);
-    VkMemoryRequirements2 needs = { .sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2 };
-    ask(vulkan->device,
-        &(VkDeviceImageMemoryRequirements){
-            .sType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS,
-            .pCreateInfo = info,
-        },
-        &needs);
-    return need_of(&needs);
+    VkMemoryRequirements2 requirements = { .sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2 };
+    query(vulkan->device,
+          &(VkDeviceImageMemoryRequirements){
+              .sType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS,
+              .pCreateInfo = info,
+          },
+          &requirements);
+    return requirements_of(&requirements);
 }
 
 static struct rg_memory_requirements buffer_memory(const void *user, const VkBufferCreateInfo *info)
 {
     const struct rg_vulkan *vulkan = user;
-    const PFN_vkGetDeviceBufferMemoryRequirements ask =
+    const PFN_vkGetDeviceBufferMemoryRequirements query =
         FIND(vulkan, vkGetDeviceBufferMemoryRequirements);
-    VkMemoryRequirements2 needs = { .sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2 };
-    ask(vulkan->device,
-        &(VkDeviceBufferMemoryRequirements){
-            .sType = VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS,
-            .pCreateInfo = info,
-        },
-        &needs);
-    return need_of(&needs);
+    VkMemoryRequirements2 requirements = { .sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2 };
+    query(vulkan->device,
+          &(VkDeviceBufferMemoryRequirements){
+              .sType = VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS,
+              .pCreateInfo = info,
+          },
+          &requirements);
+    return requirements_of(&requirements);
 }
 
 static VkFormatFeatureFlags format_features(const void *user, VkFormat format)
@@ -61,11 +61,11 @@ static VkFormatFeatureFlags buffer_features(const void *user, VkFormat format)
 static VkSampleCountFlags sample_counts(const void *user, const VkImageCreateInfo *info)
 {
     const struct rg_vulkan *vulkan = user;
-    const PFN_vkGetPhysicalDeviceImageFormatProperties ask =
+    const PFN_vkGetPhysicalDeviceImageFormatProperties query =
         FIND(vulkan, vkGetPhysicalDeviceImageFormatProperties);
     VkImageFormatProperties properties;
-    VkResult result = ask(vulkan->physical, info->format, info->imageType, info->tiling,
-                          info->usage, info->flags, &properties);
+    VkResult result = query(vulkan->physical, info->format, info->imageType, info->tiling,
+                            info->usage, info->flags, &properties);
     return result == VK_SUCCESS ? properties.sampleCounts : 0;
 }
 

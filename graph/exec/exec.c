@@ -1,9 +1,9 @@
-/* exec.c: creates and destroys an executor; begins, submits and waits for frames. */
+/* exec.c: creates, updates and destroys an executor; begins, submits and waits for frames. */
 #include "graph/exec/exec.h"
 #include <assert.h>
 #include <stdlib.h>
 
-/* They outlive the plan. */
+/* Creates fences and command buffers, which are kept when the plan changes. */
 static VkResult make_slots(struct rg_exec *exec)
 {
     VkResult result;
@@ -15,7 +15,7 @@ static VkResult make_slots(struct rg_exec *exec)
                   });
     for (uint32_t i = 0; i < exec->slot_count; i++) {
         struct exec_slot *slot = &exec->slots[i];
-        slot->passes = NULL; /* they were the former plan's */
+        slot->passes = NULL; /* they belonged to the previous plan */
         RG_MAKE_KEYED(exec, NULL, i + 1, FENCE, CreateFence, &slot->fence,
                       &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
         if (exec->found)
@@ -39,8 +39,8 @@ static VkResult count_image_sets(struct rg_exec *exec)
     for (size_t i = 0; i < exec->params.import_count; i++) {
         uint32_t count = exec->params.imports[i].image_count;
         if (count && exec->image_set_count > 1 && count != exec->image_set_count)
-            return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the image index",
-                                 "imports of different numbers of images");
+            return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_import.image_count",
+                                 "imports, which differs between them");
         if (count)
             exec->image_set_count = count;
     }
@@ -87,26 +87,26 @@ static VkResult make_all(struct rg_exec *exec)
     return result;
 }
 
-/* Returns what no executor can be made of; NULL: nothing. */
-static const char *params_trouble(const struct rg_exec_params *p)
+/* Returns a message if the parameters are invalid, otherwise NULL. */
+static const char *params_problem(const struct rg_exec_params *p)
 {
     const VkSpecializationInfo *k = p->constants;
     if (!p->plan || p->plan->fault_count || !p->get_proc_addr)
         return "params without a plan free of faults, or without get_proc_addr";
     if (p->set_count && !p->sets)
-        return "params with a set_count and no sets";
+        return "params with a set_count but no sets";
     if (p->import_count && !p->imports)
-        return "params with an import_count and no imports";
+        return "params with an import_count but no imports";
     for (size_t i = 0; i < p->import_count; i++) {
         if (p->imports[i].image_count && !p->imports[i].images)
-            return "params with an import that has an image_count and no images";
+            return "params with an import that has an image_count but no images";
     }
     if (k && ((k->mapEntryCount && !k->pMapEntries) || (k->dataSize && !k->pData)))
         return "params with constants whose entries or data are NULL";
     for (uint32_t i = 0; k && i < k->mapEntryCount; i++) {
         const VkSpecializationMapEntry *entry = &k->pMapEntries[i];
         if (entry->size > k->dataSize || entry->offset > k->dataSize - entry->size)
-            return "params with a constant that ends beyond its data";
+            return "params with a constant that exceeds its data";
     }
     return NULL;
 }
@@ -124,7 +124,7 @@ struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *re
     start.slot = start.slot_count - 1;
     if (params->warm_up_only)
         start.params.import_count = 0;
-    const char *wrong = params_trouble(&start.params);
+    const char *wrong = params_problem(&start.params);
     const char *missing =
         wrong ? NULL : rg_functions_find(&start.vk, params->get_proc_addr, params->instance);
     VkResult outcome = wrong     ? VK_ERROR_INITIALIZATION_FAILED
@@ -171,7 +171,7 @@ VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *param
     next.params.constants = params->constants;
     next.params.replace_shader = params->replace_shader;
     next.params.user = params->user;
-    const char *wrong = params_trouble(&next.params);
+    const char *wrong = params_problem(&next.params);
     if (wrong)
         return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_update", wrong);
     *exec = next;
@@ -193,7 +193,7 @@ void rg_exec_destroy(struct rg_exec *exec)
     if (!exec)
         return;
     for (uint32_t i = 0; exec->slots && i < exec->slot_count; i++) {
-        if (exec->slots[i].submitted) /* lost or not, it goes */
+        if (exec->slots[i].submitted) /* destroys even if the device is lost */
             (void)wait_fence(exec, &exec->slots[i]);
     }
     rg_exec_free_objects(exec);
@@ -219,7 +219,7 @@ static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineSta
     };
 }
 
-/* Returns the name of the pass if `count` is 1, else NULL. */
+/* Returns the name of the pass if `count` is 1, otherwise NULL. */
 static const char *pass_name(const struct rg_exec *exec, uint32_t first, uint32_t count)
 {
     return count == 1 ? exec->plan->passes[first].pass->name : NULL;
@@ -261,7 +261,7 @@ fail:
     return result;
 }
 
-/* Submits each pass alone and waits for it, which the host's clock measures. */
+/* Submits each pass separately and waits for it, to time passes with the host's clock. */
 static VkResult submit_alone(struct rg_exec *exec, const struct rg_frame *frame)
 {
     VkResult result = VK_SUCCESS;
@@ -275,7 +275,7 @@ static VkResult submit_alone(struct rg_exec *exec, const struct rg_frame *frame)
         slot->passes[p].begin = begin;
         begin += slot->times.submit + rg_time_now() - submitted;
         slot->passes[p].end = begin;
-        slot->times.submit = 0; /* it is the pass's */
+        slot->times.submit = 0; /* already counted as time of the pass */
     }
 fail:
     return result;

@@ -1,8 +1,8 @@
 /*
- * fallback.c: the executor's own image of one texel for each use that is bound to its fallback.
+ * fallback.c: creates the 1x1 placeholder images of uses that are bound to their fallback.
  *
- * It has the format, and the kind of view, of the image that nothing provides. It is cleared before
- * the first frame and only sampled from then on.
+ * Each has the format and view type of the image that nothing provides. It is cleared before the
+ * first frame and only sampled from then on.
  */
 #include "graph/exec/exec.h"
 
@@ -14,7 +14,7 @@ static bool is_cube(const struct rg_use *use)
     return use->image->cube && !range->each && named == 6;
 }
 
-static bool is_alike(const struct rg_use *a, const struct rg_use *b)
+static bool has_same_placeholder(const struct rg_use *a, const struct rg_use *b)
 {
     return a->image == b->image && a->fallback == b->fallback &&
            a->range.aspect == b->range.aspect && is_cube(a) == is_cube(b);
@@ -39,9 +39,9 @@ static VkResult make_fallback(struct rg_exec *exec, const struct rg_use *use,
         .samples = 1,
         .block = RG_NONE,
     };
-    VkImageSubresourceRange seen = rg_exec_whole(&fallback->described);
+    VkImageSubresourceRange subresource = rg_exec_whole(&fallback->described);
     if (use->range.aspect)
-        seen.aspectMask = use->range.aspect;
+        subresource.aspectMask = use->range.aspect;
     uint64_t salt = rg_exec_key(RG_NO_KEY, use->fallback, sizeof(*use->fallback));
     RG_KEY(salt, use->range.aspect);
     RG_PASS(rg_exec_make_image(exec, &fallback->described, salt, &fallback->image));
@@ -50,7 +50,7 @@ static VkResult make_fallback(struct rg_exec *exec, const struct rg_use *use,
                               : cube            ? VK_IMAGE_VIEW_TYPE_CUBE
                               : array           ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
                                                 : VK_IMAGE_VIEW_TYPE_2D,
-                              &seen, &fallback->view));
+                              &subresource, &fallback->view));
 fail:
     return result;
 }
@@ -60,12 +60,12 @@ VkResult rg_exec_make_fallbacks(struct rg_exec *exec)
     const struct rg_use *const *uses = exec->plan->fallbacks;
     VkResult result = VK_SUCCESS;
     for (uint32_t i = 0; i < exec->plan->fallback_count && result == VK_SUCCESS; i++) {
-        uint32_t alike = 0;
-        while (!is_alike(uses[alike], uses[i]))
-            alike++;
-        exec->fallbacks[i] = exec->fallbacks[alike];
-        exec->fallbacks[i].first = alike == i;
-        if (alike == i)
+        uint32_t same = 0;
+        while (!has_same_placeholder(uses[same], uses[i]))
+            same++;
+        exec->fallbacks[i] = exec->fallbacks[same];
+        exec->fallbacks[i].first = same == i;
+        if (same == i)
             result = make_fallback(exec, uses[i], &exec->fallbacks[i]);
     }
     return result;

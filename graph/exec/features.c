@@ -1,4 +1,4 @@
-/* features.c: names each feature of the device that a plan needs and does not find. */
+/* features.c: reports device features that a plan needs and the device lacks. */
 #include "graph/exec/exec.h"
 
 struct features {
@@ -10,7 +10,7 @@ struct features {
     VkPhysicalDeviceRayQueryFeaturesKHR queries;
 };
 
-/* Fills what the device supports, and takes away what the program says that it has not enabled. */
+/* Queries the supported features, less those that the program says are not enabled. */
 static void find_features(const struct rg_exec *exec, struct features *f)
 {
     const VkPhysicalDeviceFeatures2 *enabled = exec->params.features;
@@ -42,7 +42,7 @@ static void find_features(const struct rg_exec *exec, struct features *f)
     }
 }
 
-/* Whether targets of a row blend differently. */
+/* Returns true if targets of one row have different blend states. */
 static bool blends_differ(const struct rg_plan *plan)
 {
     for (uint32_t p = 0; p < plan->pass_count; p++) {
@@ -73,7 +73,7 @@ static bool limits_depth_bias(const struct rg_plan *plan)
     return false;
 }
 
-/* Whether a raster pass writes storage in a stage; those of fragments are the default. */
+/* Returns true if a raster pass writes storage in a shader stage; fragment is the default stage. */
 static bool writes_in(const struct rg_plan *plan, VkPipelineStageFlags2 stage)
 {
     for (uint32_t p = 0; p < plan->pass_count; p++) {
@@ -89,7 +89,7 @@ static bool writes_in(const struct rg_plan *plan, VkPipelineStageFlags2 stage)
     return false;
 }
 
-/* ---- what shaders declare to need ---- */
+/* ---- features required by shaders ---- */
 
 #define NEEDS(number, field, path) \
     { \
@@ -101,7 +101,7 @@ static bool writes_in(const struct rg_plan *plan, VkPipelineStageFlags2 stage)
 #define RAYS(number, field)                 NEEDS(number, field, queries.field)
 #define DESCRIPTORS(number, kind, indexing) V12(number, shader##kind##Array##indexing##Indexing)
 
-/* By the numbers of OpCapability (SPIR-V 1.6, section 3.31). */
+/* Features by SPIR-V capability (OpCapability; SPIR-V 1.6, section 3.31). */
 static const struct capability {
     uint32_t number;
     const char *name;
@@ -138,12 +138,12 @@ static const struct capability {
     V12(5347, bufferDeviceAddress),
 };
 
-/* Whether a shader declares a capability; it is that of a pipeline, which is sound SPIR-V. */
+/* Returns true if a shader (valid SPIR-V, as a pipeline uses it) declares a capability. */
 static bool declares(const struct rg_exec *exec, const struct rg_shader *shader, uint32_t number)
 {
     enum {
         HEADER_WORDS = 5,
-        OP_CAPABILITY = 17, /* these come first */
+        OP_CAPABILITY = 17, /* capabilities come first in a module */
     };
 
     const struct rg_shader *code = shader ? rg_exec_code(exec, shader) : NULL;

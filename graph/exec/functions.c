@@ -1,4 +1,4 @@
-/* functions.c: finds the Vulkan functions of an executor. */
+/* functions.c: loads the Vulkan functions of an executor. */
 #include "graph/exec/functions.h"
 #include <stddef.h>
 

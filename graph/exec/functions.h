@@ -1,8 +1,8 @@
 /*
- * functions.h: the Vulkan functions that the executor calls. Private to graph/.
+ * functions.h: table of the Vulkan functions that the executor calls. Private to graph/.
  *
- * Every executor finds its own through its instance. So no loader is linked, nothing is global, and
- * no name here meets one of a program that links the loader or has loaded functions by itself.
+ * Every executor loads them through its instance: no loader is linked, nothing is global, and no
+ * name collides with a program that links the loader or has loaded functions by itself.
  */
 #ifndef RG_EXEC_FUNCTIONS_H
 #define RG_EXEC_FUNCTIONS_H
@@ -38,8 +38,7 @@
     row(InvalidateMappedMemoryRanges) row(MapMemory) row(QueueSubmit2) row(ResetFences) \
     row(UnmapMemory) row(UpdateDescriptorSets) row(WaitForFences)
 
-/* NULL unless the instance has VK_EXT_debug_utils enabled, or knows
- * VK_KHR_acceleration_structure: */
+/* NULL if the instance lacks VK_EXT_debug_utils or VK_KHR_acceleration_structure. */
 #define RG_FUNCTIONS_OPTIONAL(row) \
     row(CmdBeginDebugUtilsLabelEXT) row(CmdEndDebugUtilsLabelEXT) row(SetDebugUtilsObjectNameEXT) \
     row(CreateAccelerationStructureKHR) row(DestroyAccelerationStructureKHR) \
@@ -54,7 +53,7 @@ struct rg_functions {
 #undef MEMBER
 };
 
-/* Fills *functions. Returns NULL, or the name of one that the instance lacks. */
+/* Fills *functions. Returns NULL, or the name of a function that the instance lacks. */
 const char *rg_functions_find(struct rg_functions *functions, PFN_vkGetInstanceProcAddr find,
                               VkInstance instance);
 

@@ -1,9 +1,8 @@
-/* memory.c: blocks of device memory, the images and buffers in them, and host buffers. */
+/* memory.c: allocates memory blocks, and creates the images and buffers of a plan. */
 #include <string.h>
 #include "graph/exec/exec.h"
 
-/* Returns the first memory type that has all of `wanted` and `needed`, else of `needed`; RG_NONE if
- * there is none. */
+/* Returns the first memory type with `needed` and preferably `wanted` properties, or RG_NONE. */
 static uint32_t find_type(const struct rg_exec *exec, uint32_t bits, VkMemoryPropertyFlags wanted,
                           VkMemoryPropertyFlags needed)
 {
@@ -18,7 +17,7 @@ static uint32_t find_type(const struct rg_exec *exec, uint32_t bits, VkMemoryPro
     return RG_NONE;
 }
 
-/* Begins the key of something that a name tells from others. */
+/* Begins the cache key of an object that is identified by its name. */
 static uint64_t name_key(const char *name, uint64_t salt)
 {
     uint64_t key = rg_exec_key(RG_NO_KEY, name, strlen(name));
@@ -67,16 +66,16 @@ static VkResult make_blocks(struct rg_exec *exec)
     return result;
 }
 
-/* Where the plan puts a resource. */
+/* Placement of a resource by the plan. */
 struct place {
     const char *name; /* of the resource */
-    uint32_t block;   /* RG_NONE: memory of its own */
+    uint32_t block;   /* RG_NONE: dedicated memory */
     VkDeviceSize offset, size;
-    uint64_t salt; /* of its key */
+    uint64_t salt; /* distinguishes keys of equal names */
 };
 
-/* Finds the memory of a place. A plan that was compiled without this device, or for another one,
- * may have given the resource too little. */
+/* Finds or allocates the memory of a resource. Fails if the plan was compiled for another device,
+ * or without one, and gives the resource too little memory. */
 static VkResult find_memory(struct rg_exec *exec, const struct place *place,
                             const VkMemoryRequirements *needs, VkDeviceMemory *memory)
 {
@@ -88,34 +87,32 @@ static VkResult find_memory(struct rg_exec *exec, const struct place *place,
     if (needs->size > place->size || place->offset % needs->alignment ||
         block->type_bits & ~needs->memoryTypeBits)
         return rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER,
-                             "a plan for another device: the place", place->name);
+                             "a plan for another device: the memory", place->name);
     return VK_SUCCESS;
 }
 
-/* Returns the import of a plan's resource; NULL if the program has given none. */
+/* Returns the program's object for an imported resource; logs and returns NULL if it is missing. */
 static const struct rg_exec_import *find_import(const struct rg_exec *exec, uint32_t import,
                                                 const char *name)
 {
     if (import < exec->params.import_count)
         return &exec->params.imports[import];
-    rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the object", name);
+    rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the imported object", name);
     return NULL;
 }
 
-/* An executor made with `warm_up_only` makes the objects that others import. */
+/* Returns true if the program owns an object; with `warm_up_only` the executor owns imports too. */
 bool rg_exec_is_foreign(const struct rg_exec *exec, bool imported)
 {
     return imported && !exec->params.warm_up_only;
 }
-
-/* ---- images ---- */
 
 VkImageSubresourceRange rg_exec_whole(const struct rg_plan_image *image)
 {
     return (VkImageSubresourceRange){ image->aspects, 0, image->mips, 0, image->layers };
 }
 
-/* An image in a block is bound to the memory that its key holds. */
+/* Returns the cache key of an image, which includes the memory that it is bound to. */
 static uint64_t image_key(const struct rg_exec *exec, const struct rg_plan_image *plan,
                           uint64_t salt)
 {
@@ -171,7 +168,7 @@ fail:
     return result;
 }
 
-/* Fills the image of every image set. */
+/* Finds or creates an image of the plan and stores it in every image set. */
 static VkResult find_images(struct rg_exec *exec, uint32_t index)
 {
     const struct rg_plan_image *plan = &exec->plan->images[index];
@@ -192,8 +189,6 @@ static VkResult find_images(struct rg_exec *exec, uint32_t index)
                                                                 : import->image;
     return result;
 }
-
-/* ---- buffers ---- */
 
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
                                   VkMemoryPropertyFlags wanted, const char *name, uint32_t slot,
@@ -220,7 +215,7 @@ VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo
                        VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffer, buffer->host, 0);
     RG_CALL(exec, name, MapMemory, exec->device, buffer->host, 0, VK_WHOLE_SIZE, 0,
-            &buffer->mapped); /* freeing the memory unmaps it */
+            &buffer->mapped); /* unmapped when the memory is freed */
     *known = *buffer;
 fail:
     return result;
@@ -248,8 +243,7 @@ fail:
     return result;
 }
 
-/* Makes the acceleration structure that a buffer holds. What kind it is, the first build
- * decides. */
+/* Creates the acceleration structure in a buffer. Its type is generic: the first build decides. */
 static VkResult make_structure(struct rg_exec *exec, const struct rg_plan_buffer *plan,
                                struct exec_buffer *buffer)
 {
@@ -267,7 +261,7 @@ fail:
     return result;
 }
 
-/* Fills the buffer of every slot. */
+/* Finds or creates a buffer of the plan for every slot. */
 static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
 {
     const struct rg_plan_buffer *plan = &exec->plan->buffers[index];
@@ -276,7 +270,7 @@ static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
     bool is_host = !plan->imported && plan->buffer->memory != RG_MEMORY_DEVICE;
     const VkBufferCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-        /* vkCmdFillBuffer() fills whole words of 4 bytes */
+        /* vkCmdFillBuffer() writes multiples of 4 bytes */
         .size = is_host            ? plan->max_size
                 : plan->persistent ? (plan->size + 3) / 4 * 4
                                    : plan->size,

@@ -1,9 +1,9 @@
 /*
- * objects.c: calls that may fail, and the list of what they make, which frees all of it.
+ * objects.c: error handling of Vulkan calls, and the list of an executor's objects, cached by key.
  *
- * An object with a key is found again by it: a second one with the same content in one plan, and
- * the one that the former plan had, or another executor. Keys hold handles of other objects. This
- * is safe, since every object of a list has been made or found with the handles of objects of that
+ * An object with a key is reused: by another user with the same content in one plan, by the next
+ * plan, or (pipelines) by another executor. Keys contain handles of other objects. This
+ * is safe, since every object of a list was created or found with handles of objects of that
  * list, and lists move as a whole.
  */
 #include <stdlib.h>
@@ -11,14 +11,14 @@
 #include "graph/exec/exec.h"
 
 enum {
-    UNUSED_MAX = 1, /* of plans that a pipeline is kept without use */
+    UNUSED_MAX = 1, /* number of plans for which an unused pipeline is kept */
 };
 
 struct exec_object {
-    VkObjectType type; /* VK_OBJECT_TYPE_UNKNOWN: memory of the host; MAX_ENUM: taken over */
+    VkObjectType type; /* UNKNOWN: host memory; MAX_ENUM: moved to another list */
     uint64_t handle;
-    uint64_t key;    /* RG_NO_KEY: it is unlike any other */
-    uint32_t unused; /* how many plans there have been since one used it */
+    uint64_t key;    /* RG_NO_KEY: never reused */
+    uint32_t unused; /* number of plans since it was last used */
 };
 
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
@@ -63,7 +63,7 @@ uint64_t rg_exec_key(uint64_t key, const void *data, size_t size)
     return key ? key : 1;
 }
 
-/* Whether two users can have one object: it has neither content nor state. */
+/* Returns true if several users can share an object, because it has neither content nor state. */
 static bool can_be_shared(VkObjectType type)
 {
     return type == VK_OBJECT_TYPE_SAMPLER || type == VK_OBJECT_TYPE_IMAGE_VIEW ||
@@ -72,7 +72,8 @@ static bool can_be_shared(VkObjectType type)
            type == VK_OBJECT_TYPE_RENDER_PASS || type == VK_OBJECT_TYPE_FRAMEBUFFER;
 }
 
-/* Both plans make things in about the same order, so the search goes on where it ended. */
+/* Finds an object of the previous plan. Both plans create objects in about the same order, so each
+ * search resumes where the last one ended. */
 static struct exec_object *find_former(struct exec_objects *former, VkObjectType type, uint64_t key)
 {
     for (uint32_t i = 0; i < former->count; i++) {
@@ -126,7 +127,7 @@ void rg_exec_keep(struct rg_exec *exec, VkObjectType type, uint64_t key, uint64_
         exec->vk.SetDebugUtilsObjectNameEXT(exec->device, &info);
 }
 
-/* At least one element: calloc() may return NULL for none, which would look like a failure. */
+/* Allocates at least one element, since calloc() may return NULL for none, which is no failure. */
 void *rg_exec_make_array(struct rg_exec *exec, uint64_t key, size_t count, size_t size)
 {
     void *array;
@@ -177,7 +178,7 @@ static void free_objects(const struct rg_functions *vk, VkDevice device, struct 
     *list = (struct exec_objects){ 0 };
 }
 
-/* What pipelines are made of, and is not of the size of a view. */
+/* Returns true for pipelines and their layouts, which do not depend on the view's size. */
 static bool is_worth_keeping(const struct exec_object *object)
 {
     return object->unused <= UNUSED_MAX && (object->type == VK_OBJECT_TYPE_PIPELINE ||
@@ -185,7 +186,7 @@ static bool is_worth_keeping(const struct exec_object *object)
                                             object->type == VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT);
 }
 
-/* Moves what is worth keeping of a list to the executor's objects, and frees the rest. */
+/* Moves the pipelines of a list to the executor's objects, and frees the rest. */
 static void keep_pipelines(struct rg_exec *exec, struct exec_objects *list)
 {
     for (uint32_t i = 0; i < list->count; i++) {
@@ -205,12 +206,12 @@ void rg_exec_end_former(struct rg_exec *exec)
     keep_pipelines(exec, &exec->former);
 }
 
-/* ---- from one executor to another ---- */
+/* ---- passing pipelines from one executor to another ---- */
 
 struct rg_pipelines {
     struct rg_functions vk;
     VkDevice device;
-    struct exec_objects left;
+    struct exec_objects cached;
 };
 
 struct rg_pipelines *rg_pipelines_create(void)
@@ -221,7 +222,7 @@ struct rg_pipelines *rg_pipelines_create(void)
 void rg_pipelines_destroy(struct rg_pipelines *pipelines)
 {
     if (pipelines)
-        free_objects(&pipelines->vk, pipelines->device, &pipelines->left);
+        free_objects(&pipelines->vk, pipelines->device, &pipelines->cached);
     free(pipelines);
 }
 
@@ -230,8 +231,8 @@ void rg_exec_take_pipelines(struct rg_exec *exec)
     struct rg_pipelines *pipelines = exec->params.pipelines;
     if (!pipelines)
         return;
-    exec->former = pipelines->left;
-    pipelines->left = (struct exec_objects){ 0 };
+    exec->former = pipelines->cached;
+    pipelines->cached = (struct exec_objects){ 0 };
 }
 
 void rg_exec_free_objects(struct rg_exec *exec)
@@ -239,7 +240,7 @@ void rg_exec_free_objects(struct rg_exec *exec)
     struct rg_pipelines *pipelines = exec->params.pipelines;
     struct exec_objects own = exec->objects;
     if (pipelines) {
-        exec->objects = pipelines->left;
+        exec->objects = pipelines->cached;
         keep_pipelines(exec, &own);
         keep_pipelines(exec, &exec->former);
         *pipelines = (struct rg_pipelines){ exec->vk, exec->device, exec->objects };

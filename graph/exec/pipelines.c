@@ -1,4 +1,4 @@
-/* pipelines.c: the pipeline of each row of a plan. */
+/* pipelines.c: creates the pipeline of each row of a plan. */
 #include "graph/exec/exec.h"
 
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass)
@@ -8,9 +8,9 @@ VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass)
     return VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 }
 
-/* Finds the layout of a set of the program's own. */
-static VkResult find_own(const struct rg_exec *exec, const struct rg_set *set,
-                         VkDescriptorSetLayout *layout)
+/* Finds the layout of a descriptor set that the program owns. */
+static VkResult find_set_layout(const struct rg_exec *exec, const struct rg_set *set,
+                                VkDescriptorSetLayout *layout)
 {
     const struct rg_exec_params *params = &exec->params;
     for (size_t i = 0; i < params->set_count; i++) {
@@ -29,7 +29,7 @@ static VkResult make_layout(struct rg_exec *exec, const struct rg_pass *row, str
     uint64_t key = rg_exec_key(RG_NO_KEY, &push, sizeof(push));
     VkResult result;
     if (row->set)
-        RG_PASS(find_own(exec, row->set, &layouts[1]));
+        RG_PASS(find_set_layout(exec, row->set, &layouts[1]));
     RG_KEY(key, layouts[0]);
     RG_KEY(key, layouts[1]);
     RG_MAKE_KEYED(exec, row->name, key, PIPELINE_LAYOUT, CreatePipelineLayout, &pass->layout,
@@ -50,7 +50,7 @@ const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg
     return params->replace_shader ? params->replace_shader(params->user, shader) : shader;
 }
 
-/* VkPipelineShaderStageCreateInfo needs a module; it is destroyed once the pipeline is made. */
+/* Fills a shader stage. Its module is temporary: destroyed once the pipeline exists. */
 static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
                            VkShaderStageFlagBits stage, VkPipelineShaderStageCreateInfo *info)
 {
@@ -71,7 +71,7 @@ static VkResult make_stage(struct rg_exec *exec, const struct rg_shader *shader,
                           ? exec->vk.CreateShaderModule(exec->device, &module, NULL, &info->module)
                           : VK_ERROR_INITIALIZATION_FAILED;
     if (result != VK_SUCCESS)
-        info->module = VK_NULL_HANDLE; /* Vulkan leaves it undefined */
+        info->module = VK_NULL_HANDLE; /* undefined after a failed Vulkan call */
     return rg_exec_check(exec, result, "vkCreateShaderModule", shader->name);
 }
 
@@ -92,7 +92,7 @@ static VkPipelineColorBlendAttachmentState blend_state(const struct rg_target *t
     };
 }
 
-/* What depends on the targets of a row. */
+/* Pipeline state that depends on the targets of a row. */
 struct target_state {
     VkPipelineColorBlendAttachmentState blends[RG_COLOR_COUNT];
     VkFormat formats[RG_COLOR_COUNT];
@@ -120,7 +120,7 @@ static void fill_target_state(struct target_state *state, const struct rg_exec *
         state->rendering.stencilAttachmentFormat = depth->image->format;
 }
 
-/* The vertex buffers of a row. */
+/* Vertex input state of a row. */
 struct vertex_state {
     VkVertexInputBindingDescription bindings[RG_MAX_VERTEX_BUFFERS];
     VkVertexInputAttributeDescription attributes[RG_MAX_ATTRIBUTES];
@@ -175,7 +175,7 @@ static VkPipelineDepthStencilStateCreateInfo depth_stencil_of(const struct rg_pl
     };
 }
 
-/* Makes a graphics pipeline from one or two shader stages. */
+/* Creates a graphics pipeline from one or two shader stages. */
 static VkResult make_graphics(struct rg_exec *exec, const struct rg_plan_pass *plan,
                               struct exec_pass *pass, uint64_t key,
                               const VkPipelineShaderStageCreateInfo *stages)
@@ -229,9 +229,9 @@ fail:
     return result;
 }
 
-/* ---- keys ---- */
+/* ---- cache keys ---- */
 
-/* Whether code has a specialization constant; it is that of a pipeline, which is sound SPIR-V. */
+/* Returns true if a shader (valid SPIR-V, as a pipeline uses it) has a specialization constant. */
 static bool has_constant(const struct rg_shader *code, uint32_t id)
 {
     enum {
@@ -253,7 +253,7 @@ static bool has_constant(const struct rg_shader *code, uint32_t id)
     return false;
 }
 
-/* Adds the code of a shader, and the constants that it has. */
+/* Hashes the code of a shader and the specialization constants that it declares. */
 static void add_shader(uint64_t *key, const struct rg_exec *exec, const struct rg_shader *shader)
 {
     const VkSpecializationInfo *constants = exec->params.constants;
@@ -282,8 +282,9 @@ static void add_vertices(uint64_t *key, const struct rg_vertex_layout *layout)
     RG_KEY(*key, RG_NONE);
 }
 
-/* Drivers compile equal pipelines again, so rows that draw alike share one. All that a pipeline is
- * made of is in the key, but for the VkRenderPass: that is compatible if the targets are alike. */
+/* Returns the cache key of a pipeline. Drivers compile equal pipelines again, so equal rows share
+ * one. The key covers all inputs but the VkRenderPass, since equal targets make render passes
+ * compatible. */
 static uint64_t pipeline_key(const struct rg_exec *exec, const struct rg_plan_pass *plan,
                              const struct exec_pass *pass)
 {
@@ -316,8 +317,6 @@ static uint64_t pipeline_key(const struct rg_exec *exec, const struct rg_plan_pa
     }
     return RG_KEY(key, targets.rendering.depthAttachmentFormat);
 }
-
-/* ---- pipelines ---- */
 
 static VkResult make_compute(struct rg_exec *exec, const struct rg_pass *row,
                              struct exec_pass *pass, uint64_t key,

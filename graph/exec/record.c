@@ -1,9 +1,9 @@
-/* record.c: records targets and labels of passes; the functions of rg_cmd.h. */
+/* record.c: records the command buffer of a frame; implements rg_cmd.h. */
 #include <assert.h>
 #include "graph/exec/exec.h"
 #include "graph/rg_cmd.h"
 
-/* ---- targets ---- */
+/* ---- render passes ---- */
 
 static VkResolveModeFlagBits resolve_mode(const struct rg_plan_image *image)
 {
@@ -12,7 +12,7 @@ static VkResolveModeFlagBits resolve_mode(const struct rg_plan_image *image)
                                               : VK_RESOLVE_MODE_AVERAGE_BIT;
 }
 
-/* A warm-up draws nothing into its targets, so it neither loads nor stores them. */
+/* Begins dynamic rendering. A warm-up draws nothing, so it neither loads nor stores attachments. */
 static void begin_rendering(const struct rg_cmd *cmd)
 {
     const struct rg_plan_pass *plan = cmd->plan_pass;
@@ -22,7 +22,7 @@ static void begin_rendering(const struct rg_cmd *cmd)
     VkRenderingAttachmentInfo attachments[RG_COLOR_COUNT + 1];
     uint32_t color_count = plan->color_count;
     bool has_depth = plan->depth.image != RG_NONE;
-    uint32_t resolve = color_count + has_depth; /* the next image to resolve to */
+    uint32_t resolve = color_count + has_depth; /* index of the next resolve target */
     rg_exec_attachments(plan, targets);
     for (uint32_t i = 0; i < color_count + has_depth; i++) {
         const struct rg_target *row = i < color_count ? &plan->pass->color[i] : &plan->pass->depth;
@@ -71,8 +71,6 @@ static void begin_render_pass(const struct rg_cmd *cmd)
     cmd->exec->vk.CmdBeginRenderPass(cmd->commands, &info, VK_SUBPASS_CONTENTS_INLINE);
 }
 
-/* ---- passes ---- */
-
 static void bind(const struct rg_cmd *cmd)
 {
     const struct rg_plan_pass *plan = cmd->plan_pass;
@@ -96,8 +94,8 @@ static void bind(const struct rg_cmd *cmd)
     cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &area);
 }
 
-/* Goes on to the same repetition of a row that comes later. */
-static void go_to(struct rg_cmd *cmd, const struct rg_pass *row)
+/* Advances to the same repetition of a row that comes later in the plan. */
+static void skip_to(struct rg_cmd *cmd, const struct rg_pass *row)
 {
     const struct rg_plan *plan = cmd->exec->plan;
     const uint32_t repetition = cmd->plan_pass->repetition;
@@ -109,13 +107,13 @@ static void go_to(struct rg_cmd *cmd, const struct rg_pass *row)
     cmd->pass = &cmd->exec->passes[cmd->index];
 }
 
-/* Records further rows, with their own descriptors, in the pass that has begun. */
-static void record_more(const struct rg_cmd *cmd, const struct rg_frame *frame)
+/* Records merged rows (rg_more_fn), with their own descriptors, in the current render pass. */
+static void record_merged_rows(const struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     struct rg_cmd other = *cmd;
     const struct rg_pass *row = cmd->plan_pass->pass;
     while (row->more && (row = row->more(row, frame))) {
-        go_to(&other, row);
+        skip_to(&other, row);
         bind(&other);
         row->record(&other, frame);
     }
@@ -131,14 +129,14 @@ void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame)
     bind(cmd);
     cmd->plan_pass->pass->record(cmd, frame);
     if (!cmd->warm_up)
-        record_more(cmd, frame);
+        record_merged_rows(cmd, frame);
     if (raster && cmd->pass->render_pass)
         cmd->exec->vk.CmdEndRenderPass(cmd->commands);
     else if (raster)
         cmd->exec->vk.CmdEndRendering(cmd->commands);
 }
 
-/* Whether the pass draws something in the frame; fills cmd->area. */
+/* Returns true if the pass runs in this frame and its area is not empty; sets cmd->area. */
 static bool is_drawn(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct rg_pass *row = cmd->plan_pass->pass;
@@ -296,8 +294,7 @@ void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)
     cmd->exec->vk.CmdDispatch(cmd->commands, x, y, z);
 }
 
-/* Returns the row's first use of a resource with an access, or with any if `access` is none. The
- * row has one. */
+/* Returns the row's first use of a resource with `access` (RG_ACCESS_NONE: any). It must exist. */
 static const struct rg_plan_use *find_use(const struct rg_cmd *cmd, const void *resource,
                                           enum rg_access access)
 {
@@ -308,7 +305,7 @@ static const struct rg_plan_use *find_use(const struct rg_cmd *cmd, const void *
         if (used == resource && (!access || use->use->access == access))
             return use;
     }
-    assert(false); /* the row names the resource */
+    assert(false); /* the row must declare the resource */
     return NULL;
 }
 
@@ -340,7 +337,7 @@ void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                          offset, 1, 0);
 }
 
-/* Whether the device can draw so; if not, the frame is not submitted. */
+/* Returns true if the device supports indirect counts; otherwise fails the frame's submit. */
 static bool can_count(const struct rg_cmd *cmd)
 {
     struct rg_exec *exec = cmd->exec;
@@ -401,9 +398,9 @@ static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_p
     };
 }
 
-/* Whether a copy stays within the buffer; if not, the frame is not submitted. */
-static bool fits(const struct rg_cmd *cmd, const struct rg_plan_use *image,
-                 const struct rg_plan_use *buffer, const VkBufferImageCopy *region)
+/* Returns true if a copy stays within the buffer; otherwise fails the frame's submit. */
+static bool copy_fits(const struct rg_cmd *cmd, const struct rg_plan_use *image,
+                      const struct rg_plan_use *buffer, const VkBufferImageCopy *region)
 {
     struct rg_exec *exec = cmd->exec;
     const struct rg_plan_buffer *to = &exec->plan->buffers[buffer->buffer];
@@ -417,8 +414,7 @@ static bool fits(const struct rg_cmd *cmd, const struct rg_plan_use *image,
     char what[256];
     if (size <= to->size && region->bufferOffset <= to->size - size)
         return true;
-    snprintf(what, sizeof(what),
-             "%s: a copy of %llu bytes from byte %llu on, beyond the %llu bytes",
+    snprintf(what, sizeof(what), "%s: copy of %llu bytes at offset %llu exceeds the %llu bytes",
              cmd->plan_pass->pass->name, (unsigned long long)size,
              (unsigned long long)region->bufferOffset, (unsigned long long)to->size);
     exec->refused = rg_exec_check(exec, VK_ERROR_VALIDATION_FAILED_EXT, what, to->buffer->name);
@@ -431,7 +427,7 @@ void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *imag
     const struct rg_plan_use *from = find_use(cmd, image, RG_COPY_SRC);
     const struct rg_plan_use *to = find_use(cmd, buffer, RG_COPY_DST);
     const VkBufferImageCopy region = copy_region(cmd, from, offset);
-    if (fits(cmd, from, to, &region))
+    if (copy_fits(cmd, from, to, &region))
         cmd->exec->vk.CmdCopyImageToBuffer(
             cmd->commands, cmd->exec->image_set->images[from->image], from->layout,
             rg_exec_buffer(cmd->exec, to->buffer, cmd->exec->slot)->buffer, 1, &region);
@@ -443,7 +439,7 @@ void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buf
     const struct rg_plan_use *to = find_use(cmd, image, RG_COPY_DST);
     const struct rg_plan_use *from = find_use(cmd, buffer, RG_COPY_SRC);
     const VkBufferImageCopy region = copy_region(cmd, to, offset);
-    if (fits(cmd, to, from, &region))
+    if (copy_fits(cmd, to, from, &region))
         cmd->exec->vk.CmdCopyBufferToImage(
             cmd->commands, rg_exec_buffer(cmd->exec, from->buffer, cmd->exec->slot)->buffer,
             cmd->exec->image_set->images[to->image], to->layout, 1, &region);

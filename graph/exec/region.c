@@ -1,16 +1,16 @@
-/* region.c: how much of the view each pass draws if only a region is asked for. */
+/* region.c: finds which part of each pass must be drawn to get a region of the view. */
 #include <assert.h>
 #include "graph/exec/exec.h"
 
-/* Flags. Of an image: what later passes read of it; of a pass: what it draws. */
+/* Bit flags: of an image the parts that later passes read, of a pass the parts that it draws. */
 enum {
-    COVER_REGION = 1, /* the part wanted */
-    COVER_REACH = 2,  /* where fragments look elsewhere */
+    COVER_REGION = 1, /* the requested region */
+    COVER_REACH = 2,  /* where fragments sample beyond their own texel */
     COVER_ALL = 4,
 };
 
-/* Whether an image follows the view's size, and is not visible outside of the frame. */
-static bool is_of_view(const struct rg_plan_image *image)
+/* Returns true if an image has the view's size, and no content visible outside the frame. */
+static bool has_view_size(const struct rg_plan_image *image)
 {
     const struct rg_image *declared = image->image;
     const bool whole =
@@ -19,31 +19,30 @@ static bool is_of_view(const struct rg_plan_image *image)
            !declared->depth && !image->imported && !image->persistent;
 }
 
-/* Whether a pass can be limited: it draws into targets of the view's size, or copies from such an
- * image to a buffer. */
-static bool is_divisible(const struct rg_exec *exec, const struct rg_plan_pass *pass)
+/* Returns true if a pass only draws to, or copies from, images of the view's size. */
+static bool can_be_limited(const struct rg_exec *exec, const struct rg_plan_pass *pass)
 {
     const struct rg_plan_image *images = exec->plan->images;
-    bool divisible = pass->pass->kind == RG_RASTER;
+    bool limited = pass->pass->kind == RG_RASTER;
     if (pass->pass->kind == RG_TRANSFER) {
-        divisible = pass->use_count > 0;
+        limited = pass->use_count > 0;
         for (uint32_t i = 0; i < pass->use_count; i++) {
             const struct rg_plan_use *use = &exec->plan->uses[pass->first_use + i];
-            divisible = divisible && (use->image == RG_NONE || (use->use->access == RG_COPY_SRC &&
-                                                                is_of_view(&images[use->image])));
+            limited = limited && (use->image == RG_NONE || (use->use->access == RG_COPY_SRC &&
+                                                            has_view_size(&images[use->image])));
         }
     }
     for (uint32_t i = 0; i < pass->color_count; i++)
-        divisible = divisible && is_of_view(&images[pass->color[i].image]) &&
-                    pass->color[i].resolve == RG_NONE;
-    return divisible && (pass->depth.image == RG_NONE || is_of_view(&images[pass->depth.image]));
+        limited = limited && has_view_size(&images[pass->color[i].image]) &&
+                  pass->color[i].resolve == RG_NONE;
+    return limited && (pass->depth.image == RG_NONE || has_view_size(&images[pass->depth.image]));
 }
 
 static uint32_t coverage_of(const struct rg_exec *exec, const struct rg_plan_pass *pass,
                             const uint8_t *needs)
 {
     uint32_t coverage = 0;
-    if (!is_divisible(exec, pass))
+    if (!can_be_limited(exec, pass))
         return COVER_ALL;
     for (uint32_t i = 0; i < pass->color_count; i++)
         coverage |= needs[pass->color[i].image];
@@ -52,7 +51,7 @@ static uint32_t coverage_of(const struct rg_exec *exec, const struct rg_plan_pas
     return coverage ? coverage : COVER_REGION;
 }
 
-/* Returns how much of an image a use reads in a pass that draws `coverage`. */
+/* Returns which part of an image a use reads in a pass that draws `coverage`. */
 static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
 {
     if (coverage & COVER_ALL)
@@ -62,7 +61,8 @@ static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
     return use->access == RG_SAMPLED ? COVER_REACH : COVER_ALL;
 }
 
-/* Finds what a pass draws, and adds what it needs of images that earlier passes draw. */
+/* Finds which part of the view a pass draws, and the parts of images that it needs from earlier
+ * passes. */
 static void find_coverage(struct rg_exec *exec, uint32_t index, uint8_t *needs)
 {
     const struct rg_plan_pass *pass = &exec->plan->passes[index];
@@ -88,9 +88,9 @@ VkResult rg_exec_make_coverage(struct rg_exec *exec)
     uint8_t *needs;
     if (!RG_MAKE_ARRAY(exec, needs, plan->image_count))
         return VK_ERROR_OUT_OF_HOST_MEMORY;
-    for (uint32_t i = 0; i < plan->image_count; i++) /* outputs */
+    for (uint32_t i = 0; i < plan->image_count; i++) /* outputs of the frame */
         needs[i] = plan->images[i].last == plan->pass_count ? COVER_REGION : 0;
-    for (uint32_t p = plan->pass_count; p-- > 0;) /* later passes need what earlier ones draw */
+    for (uint32_t p = plan->pass_count; p-- > 0;) /* backwards, from consumers to producers */
         find_coverage(exec, p, needs);
     return VK_SUCCESS;
 }
@@ -100,7 +100,7 @@ bool rg_exec_is_limited(const struct rg_cmd *cmd)
     return cmd->exec->region.region.extent.width && !(cmd->pass->coverage & COVER_ALL);
 }
 
-/* In one direction: the common part of two intervals, or the smallest one around them. */
+/* Computes the intersection (`common`) or the bounding interval of two intervals. */
 static void combine_intervals(int32_t *offset, uint32_t *extent, int32_t other_offset,
                               uint32_t other_extent, bool common)
 {

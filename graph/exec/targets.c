@@ -1,8 +1,8 @@
 /*
- * targets.c: views of targets, and VkRenderPass objects where rg_exec_params asks for them.
+ * targets.c: creates attachment views, and VkRenderPass objects if rg_exec_params requests them.
  *
- * The plan's barriers do all synchronisation; a render pass here has one subpass, no dependency
- * and no change of layout, so that both ways of recording mean the same.
+ * The plan's barriers do all synchronisation; a render pass here has one subpass, no dependency and
+ * no layout transition, so that it is equivalent to dynamic rendering.
  */
 #include "graph/exec/exec.h"
 
@@ -21,7 +21,7 @@ uint32_t rg_exec_attachments(const struct rg_plan_pass *pass,
                 .image = target->resolve,
                 .mip = target->resolve_mip,
                 .layer = target->resolve_layer,
-                .load = VK_ATTACHMENT_LOAD_OP_DONT_CARE, /* all of it is overwritten */
+                .load = VK_ATTACHMENT_LOAD_OP_DONT_CARE, /* fully overwritten */
                 .store = VK_ATTACHMENT_STORE_OP_STORE,
                 .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                 .resolve = RG_NONE,
@@ -89,7 +89,7 @@ fail:
     return result;
 }
 
-/* Makes the views and the framebuffer of an image set. */
+/* Creates the views and the framebuffer of a pass for an image set. */
 static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *set, uint32_t index)
 {
     const struct rg_plan_pass *plan = &exec->plan->passes[index];

@@ -1,14 +1,14 @@
 /*
- * time.c: timestamps, statistics and the host's clock around passes.
+ * time.c: GPU timestamp and pipeline-statistics queries, and host timing, for each pass.
  *
- * The order pass, timestamp, barrier is measured right by tile-based software rasterisers: after a
- * barrier, the timestamp may be taken behind the next pass.
+ * The timestamp comes between pass and barrier: with a tile-based software rasteriser, a timestamp
+ * after the barrier may be taken after the next pass.
  */
 #include <string.h>
 #include <time.h>
 #include "graph/exec/exec.h"
 
-/* Results come in the order of these bits. */
+/* Statistics to query; results are in the order of these bits. */
 enum {
     COUNTED = VK_QUERY_PIPELINE_STATISTIC_VERTEX_SHADER_INVOCATIONS_BIT |
               VK_QUERY_PIPELINE_STATISTIC_CLIPPING_INVOCATIONS_BIT |
@@ -18,15 +18,15 @@ enum {
 };
 
 struct exec_time {
-    struct rg_measure measure; /* of the frames to come */
-    VkQueryPool stamps;        /* of each slot: one before the first pass, one after each */
+    struct rg_measure measure; /* of future frames */
+    VkQueryPool stamps;        /* per slot: one before the first pass, and one after each */
     VkQueryPool counts, samples;
-    uint64_t stamp_mask;           /* 0: the queue has no timestamps */
-    double period;                 /* nanoseconds */
-    uint64_t *results;             /* room for what any pool has of a slot */
+    uint64_t stamp_mask;           /* valid bits of a timestamp; 0: the queue has none */
+    double period;                 /* nanoseconds per tick */
+    uint64_t *results;             /* buffer for the results of one slot's queries */
     struct rg_pass_time *passes;   /* of all slots */
-    uint32_t *ends;                /* of all slots: the timestamp that ends each pass */
-    struct rg_pass_time *finished; /* of the last frame finished */
+    uint32_t *ends;                /* for each slot and pass: index of the timestamp that ends it */
+    struct rg_pass_time *finished; /* of the frame that finished last */
     struct rg_times times;
 };
 
@@ -36,8 +36,6 @@ uint64_t rg_time_now(void)
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (uint64_t)t.tv_sec * 1000000000u + (uint64_t)t.tv_nsec;
 }
-
-/* ---- creating and destroying ---- */
 
 static VkResult make_pool(struct rg_exec *exec, VkQueryType type, uint32_t count, VkQueryPool *pool)
 {
@@ -53,7 +51,7 @@ fail:
     return result;
 }
 
-/* Returns the bits of a timestamp that are valid; 0 for queue families beyond the 64th. */
+/* Returns a mask of a timestamp's valid bits; 0 for queue families beyond the 64th. */
 static uint64_t stamp_mask(const struct rg_exec *exec)
 {
     VkQueueFamilyProperties families[64];
@@ -94,8 +92,6 @@ fail:
     return result;
 }
 
-/* ---- what is measured ---- */
-
 bool rg_exec_has_clock(const struct rg_exec *exec, enum rg_clock clock)
 {
     bool is_stamped = clock == RG_CLOCK_STREAM || clock == RG_CLOCK_EXACT;
@@ -123,7 +119,7 @@ struct rg_times rg_exec_times(const struct rg_exec *exec)
     return exec->time ? exec->time->times : (struct rg_times){ 0 };
 }
 
-/* ---- a frame ---- */
+/* ---- recording ---- */
 
 static uint32_t first_stamp(const struct rg_exec *exec, uint32_t slot)
 {
@@ -198,8 +194,8 @@ void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t
     }
 }
 
-/* A pass that does not run ends when the one before does: at each timestamp llvmpipe waits for all
- * it has to draw. */
+/* Ends the measurement of a pass. A skipped pass gets no timestamp of its own, since llvmpipe
+ * flushes all pending work at each timestamp. */
 void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass, bool drawn)
 {
     const struct exec_slot *slot = &exec->slots[exec->slot];
@@ -219,9 +215,7 @@ void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t p
     time->record = rg_time_now() - slot->times.start - time->record_begin;
 }
 
-/* ---- results ---- */
-
-/* Reads `count` queries of a pool, of `values` numbers each. */
+/* Reads `count` queries of a pool, each of `values` numbers. */
 static VkResult read_pool(struct rg_exec *exec, VkQueryPool pool, uint32_t first, uint32_t count,
                           uint32_t values)
 {

@@ -1,8 +1,8 @@
-/* warm_up.c: draws of which nothing can be seen, for drivers that compile at the first draw. */
+/* warm_up.c: draws without visible effect, for drivers that compile pipelines at the first draw. */
 #include <string.h>
 #include "graph/exec/exec.h"
 
-/* bytes: room for a vertex of any layout, and for three indices */
+/* bytes: sufficient for a vertex of any layout, and for three indices */
 static const VkDeviceSize blank_size = 1024;
 
 VkResult rg_exec_make_warm_up(struct rg_exec *exec)
@@ -19,12 +19,13 @@ VkResult rg_exec_make_warm_up(struct rg_exec *exec)
     RG_PASS(rg_exec_make_host_buffer(exec, &info, VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
                                      "blank triangle", 0, &blank));
     exec->triangle = blank.buffer;
-    memset(blank.mapped, 0, blank_size); /* every buffer may have coherent memory */
+    /* no flush: host buffers are in coherent memory, which every device has */
+    memset(blank.mapped, 0, blank_size);
 fail:
     return result;
 }
 
-/* Brings a range into a layout, with undefined content, which it has had before as well. */
+/* Moves a range to a layout and discards its content, which is undefined anyway. */
 static void prepare(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
                     VkImageSubresourceRange range, VkImageLayout layout)
 {

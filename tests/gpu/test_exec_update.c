@@ -244,7 +244,7 @@ static void copy_beyond_a_buffer_is_refused(void **state)
     assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
     assert_int_equal(rg_exec_submit(run.exec, NULL), VK_ERROR_VALIDATION_FAILED_EXT);
     assert_int_equal(run.line_count, 1);
-    assert_non_null(strstr(run.line, "262144 bytes from byte 0 on"));
+    assert_non_null(strstr(run.line, "262144 bytes at offset 0"));
     assert_non_null(strstr(run.line, "the 16 bytes of narrow"));
     run_close(&run);
 }

@@ -56,7 +56,7 @@ class Forms(unittest.TestCase):
         self.assertEqual([fault['text'] for fault in plan['faults']], [
             '<tech> "&" \ufffd row 7 (pass): image is read before anything writes it;'
             ' write it first',
-            'no output is asked for; ask for one',
+            'no output is requested; ask for one',
         ])
 
     def test_the_same_again(self):

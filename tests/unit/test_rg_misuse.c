@@ -23,7 +23,7 @@ static const struct rg_buffer upload = { "upload", .size = 64, .memory = RG_MEMO
 static const struct rg_buffer nowhere = { "nowhere", .size = 64, .memory = (enum rg_memory)99 };
 
 #define NO_TABLE "has a table that is NULL or too long; "
-#define NO_VALUE "has a value that does not exist; "
+#define NO_VALUE "has an invalid value; "
 
 /* ---- params ---- */
 
@@ -115,7 +115,7 @@ static const struct fault_case params_cases[] = {
     { RG_ERROR_TABLE, .edit = many_imports,
       .text = NO_TABLE "imports: expected import_count entries, at most RG_MAX_ROWS" },
     { RG_ERROR_NO_SIZE, .edit = flat_region,
-      .text = "has no size; max_region: expected two sides, or 0x0 for the view's" },
+      .text = "has no size; max_region: expected width and height, or 0x0 for the view's" },
     { RG_ERROR_TOO_LARGE, .edit = vast_region,
       .text = "is too large; max_region: expected no more than the view" },
     { RG_ERROR_TOO_LARGE, .edit = small_view,
@@ -123,10 +123,11 @@ static const struct fault_case params_cases[] = {
     { RG_ERROR_VALUE, .edit = wild_sharing,
       .text = NO_VALUE "sharing: expected a constant of enum rg_sharing" },
     { IMPORT(RG_ERROR_NO_SIZE, NULL, { .image = &OTHER, .extent = { 0, 9 } }),
-      .text = "other has no size; extent: expected two sides of the import, or 0x0 as declared" },
+      .text = "other has no size; extent: expected width and height of the import, or 0x0 as "
+              "declared" },
     { IMPORT(RG_ERROR_PERSISTENT, NULL, { .buffer = &upload, .access = RG_UNIFORM }),
-      .text = "upload cannot be persistent or imported; only RG_MEMORY_DEVICE keeps its content; "
-              "the CPU has its own" },
+      .text = "upload cannot be persistent or imported; persistent and imported buffers must be "
+              "RG_MEMORY_DEVICE" },
 };
 
 /* ---- answers of a device ---- */
@@ -150,9 +151,9 @@ static struct rg_memory_requirements answer_buffer(const void *user, const VkBuf
         .buffer_memory = answer_buffer, \
     }
 #define IMPOSSIBLE \
-    "picture got an impossible answer from the device; memory: expected a size, a memory type " \
-    "and an alignment by a power of two"
-#define NO_MEMORY " is too large; make it smaller: no memory holds it and all before it"
+    "picture has impossible properties on this device; memory: expected a size, a memory type " \
+    "and a power-of-two alignment"
+#define NO_MEMORY " is too large; make it smaller: the resources so far exceed any memory"
 
 static const struct fault_case device_cases[] = {
     { RG_ERROR_DEVICE, .text = IMPOSSIBLE, DEVICE(0, 256, 1) },
@@ -166,7 +167,8 @@ static const struct fault_case device_cases[] = {
       DEVICE(UINT64_C(1) << 61, 1 << 20, 1) },
     { AROUND(RG_ERROR_TOO_LARGE, NULL, FILL(pages)),
       .device = &(const struct rg_device){ .max_image_size = WILD, .max_layers = WILD },
-      .text = "pages is too large; make it smaller: the device has no images of this size" },
+      .text =
+          "pages is too large; make it smaller: the device does not support images of this size" },
 };
 
 /* ---- rows ---- */
@@ -190,9 +192,9 @@ static const VkVertexInputAttributeDescription same[] = {
 #define ATTRIBUTE(...)  LAYOUT(24, 1, &(const VkVertexInputAttributeDescription){ __VA_ARGS__ })
 #define BAD_ROW         "bad row 0 (draw): "
 #define VERTICES \
-    BAD_ROW NO_VALUE "vertices: expected a stride up to 2048, and attributes of the layout's " \
-                     "binding with a colour format, an offset below 2048 and a location below 16 " \
-                     "of their own"
+    BAD_ROW NO_VALUE "vertices: expected a stride up to 2048, and attributes with the layout's " \
+                     "binding, a colour format, an offset below 2048 and a unique location below " \
+                     "16"
 
 /* The second one has a location of the first; the third is a ring. */
 static const struct rg_vertex_layout second = { 24, 1, &attributes[1] };
@@ -208,8 +210,8 @@ static const VkPipelineColorBlendAttachmentState advanced = { .alphaBlendOp =
                                                                   VK_BLEND_OP_MULTIPLY_EXT };
 #define BLENDED(...) DRAW("draw", .color = RG_TARGETS({ CLEARED(OTHER), __VA_ARGS__ }))
 #define BLEND_STATE \
-    BAD_ROW "other " NO_VALUE "blend_state: expected constants of Vulkan, of no second source, " \
-            "and no .blend"
+    BAD_ROW "other " NO_VALUE "blend_state: expected Vulkan constants without dual-source " \
+            "blending, and no .blend"
 
 static const struct rg_image marked = { "marked", .format = VK_FORMAT_D24_UNORM_S8_UINT };
 static const struct rg_stencil writing = { .back = { .failOp = VK_STENCIL_OP_INVERT,
@@ -273,16 +275,16 @@ static const struct fault_case row_cases[] = {
       .text = BAD_ROW NO_VALUE "depth_bias: expected finite numbers" },
     { ROW(RG_ERROR_NO_TARGET, NULL, DRAW_OTHER(.stencil = &sound)) },
     { ROW(RG_ERROR_FORMAT, NULL, DRAW("draw", .depth = { CLEARED(flat) }, .stencil = &sound)),
-      .text =
-          BAD_ROW "flat format cannot be used so; a stencil test needs a format with a stencil" },
+      .text = BAD_ROW "flat format does not support this use; a stencil test needs a format with a "
+                      "stencil" },
     { ROW(RG_ERROR_VALUE, NULL, DRAW("draw", .depth = { CLEARED(marked) }, .stencil = &unknown)),
-      .text = BAD_ROW NO_VALUE "stencil: expected constants of Vulkan" },
+      .text = BAD_ROW NO_VALUE "stencil: expected Vulkan constants" },
     { .error = RG_ERROR_VALUE,
       .row = true,
       .row_count = 2,
       .rows = { DRAW("first", .depth = { CLEARED(marked) }),
                 DRAW_OTHER(.depth = { &marked }, .stencil = &writing, .depth_read_only = true) },
-      .text = "bad row 1 (draw): " NO_VALUE "stencil: expected no writes, with depth_read_only" },
+      .text = "bad row 1 (draw): " NO_VALUE "stencil: expected no writes with depth_read_only" },
 };
 
 static const struct fault_case target_cases[] = {
@@ -307,7 +309,7 @@ static const struct fault_case target_cases[] = {
     DRAW_OTHER(.uses = RG_USES( \
                    { TEXTURE(of), .fallback = &(const struct rg_fallback){ { __VA_ARGS__ } } }))
 #define FALLBACK(of) \
-    BAD_ROW of " " NO_VALUE "fallback: expected finite numbers that the format can hold"
+    BAD_ROW of " " NO_VALUE "fallback: expected finite numbers in the range of the format"
 
 static const struct fault_case use_cases[] = {
     { ROW(RG_ERROR_VALUE, NULL,
@@ -325,7 +327,7 @@ static const struct fault_case use_cases[] = {
       .text = BAD_ROW "bytes has no such mip, layer or aspect; range: expected {0}, since a pass "
                       "uses all of a buffer" },
     { AROUND(RG_ERROR_VALUE, NULL, COPY("copy", { .buffer = &nowhere, .access = RG_COPY_DST })),
-      .text = "nowhere has a value that does not exist; memory is one of enum rg_memory" },
+      .text = "nowhere has an invalid value; memory: expected a constant of enum rg_memory" },
 };
 
 static void test_every_case(void **state)
@@ -416,7 +418,7 @@ static void test_executors(void **state)
         { { .plan = &good, .get_proc_addr = find_nothing, .constants = &constants[1] },
           "entries or data are NULL" },
         { { .plan = &good, .get_proc_addr = find_nothing, .constants = &constants[2] },
-          "ends beyond its data" },
+          "exceeds its data" },
     };
 
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {

@@ -123,7 +123,7 @@ static const struct fault_case binding_cases[] = {
        COMPUTES(12, STORE(target), PICTURE(1), PICTURE(2), UNIFORM(camera), LIGHTS)),
     IS(RG_ERROR_SHADER_BINDING,
        "(compute): source " BINDING
-       "binding 2 is an image with a sampler in 'match_comp', 'second' "
+       "binding 2 is a combined image sampler in 'match_comp', 'second' "
        "is a storage image",
        COMPUTES(12, STORE(target), STORE_SECOND, UNIFORM(camera), LIGHTS)),
     IS(RG_ERROR_SHADER_BINDING,
@@ -182,10 +182,10 @@ static const struct fault_case raster_cases[] = {
 
 static const struct fault_case shader_cases[] = {
     IS(RG_ERROR_SHADER,
-       "(compute): no_spirv cannot be read; expected a SPIR-V module of this machine's byte order",
+       "(compute): no_spirv is not a valid shader; expected a SPIR-V module in native byte order",
        SHADER(comp, no_spirv)),
     IS(RG_ERROR_SHADER,
-       "(compute): match_frag cannot be read; expected an entry point 'main' of this stage",
+       "(compute): match_frag is not a valid shader; expected an entry point 'main' of this stage",
        SHADER(comp, match_frag)),
 };
 
@@ -240,7 +240,7 @@ static const struct fault_case resource_cases[] = {
        ARRAY(&own, ELEMENT(0), ELEMENT(1), ELEMENT(2))),
     IS(RG_ERROR_SHADER_BINDING,
        "(compute): own " BINDING
-       "it is in set 1 of 'match_array_comp': use set 0, or set 1 and rg_pass.set",
+       "it is in set 1 of 'match_array_comp': use set 0, or set 1 with rg_pass.set",
        ARRAY(NULL, ELEMENT(0), ELEMENT(1))),
     IS(RG_ERROR_SHADER_BINDING, "(draw): own " BINDING "set 1: no shader of the row uses it",
        { .name = "draw",
@@ -351,8 +351,8 @@ static void test_constants(void **state)
     (void)state;
     check_constants(NULL, NULL);
     check_constants(&known_info, NULL);
-    check_constants(&unknown_info, "no shader has the id 9");
-    check_constants(&wide_info, "id 3 has 4 bytes in 'match_comp', 8 here");
+    check_constants(&unknown_info, "no shader has constant 9");
+    check_constants(&wide_info, "constant 3 has 4 bytes in 'match_comp', but 8 in the params");
 }
 
 /* ---- rows ---- */
