@@ -19,11 +19,11 @@ layout(location = 0) in vec3 uv;
 layout(location = 1) in vec3 eye_to_point;
 layout(location = 2) in vec3 normal;
 
-layout(location = 0) out vec4 cover; /* r; a for blending */
+layout(location = 0) out vec4 cover; /* combined opacity of the planes in r; a for blending */
 
 void main()
 {
-    vec2 texel = texture(layers, uv).rg; /* before any discard, for the derivatives */
+    vec2 texel = texture(layers, uv).rg;
     if (constant_tiled != 0u)
         texel = texture(layers, uv, frame.lod_bias).rg;
     if (gl_FragCoord.z < texelFetch(ice_front, ivec2(gl_FragCoord.xy), 0).r)

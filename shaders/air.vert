@@ -8,7 +8,7 @@ layout(location = MESH_NORMAL) in vec3 normal;
 layout(location = MESH_UV) in vec2 uv;
 layout(location = MESH_MATERIAL) in uint material;
 
-layout(location = 0) out vec3 out_uv; /* z: the layer */
+layout(location = 0) out vec3 out_uv; /* z: layer of the texture array */
 layout(location = 1) out vec3 out_eye_to_point;
 layout(location = 2) out vec3 out_normal;
 

@@ -6,7 +6,7 @@ layout(set = 0, binding = OVER_AIR) uniform sampler2D cover;
 
 layout(location = 0) flat in vec3 light;
 
-layout(location = 0) out vec4 air; /* premultiplied */
+layout(location = 0) out vec4 air; /* premultiplied alpha */
 
 void main()
 {

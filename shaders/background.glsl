@@ -1,5 +1,5 @@
-/* background.glsl: main() of the surroundings; with BACKGROUND_SHINE, with the ice's caustics and
- * shadow. */
+/* background.glsl: main() of the fragment shader for surroundings without materials;
+ * BACKGROUND_SHINE adds the caustics and shadow of the ice. */
 #include "background.h"
 #include "lib/constants.glsl"
 #include "lib/globals.glsl"
@@ -20,8 +20,8 @@ layout(location = 3) in vec2 uv;
 layout(location = 4) flat in uint material;
 layout(location = 0) out vec4 color;
 
-/* Returns a vector along the ray that sees the point. */
-vec3 seen_along()
+/* Returns the view vector, from the camera to the shaded point; not normalised. */
+vec3 view_vector()
 {
     return constant_orthographic != 0u && push.inverse == 0u ? push.forward : eye_to_point;
 }
@@ -29,8 +29,8 @@ vec3 seen_along()
 #ifdef BACKGROUND_SHINE
 #include "lib/ice_shine.glsl"
 
-/* Returns the light on a surface. Unlit surfaces have all light in their colour, except for the
- * caustics of the ice. */
+/* Returns the irradiance of a surface. Unlit surfaces have their lighting baked into their colour,
+ * so only the ice's caustics are added. */
 vec3 light_on(vec3 n, bool unlit)
 {
     ice_shine shine = ice_shine_at(push.eye + eye_to_point, n);
@@ -45,7 +45,7 @@ vec3 light_on(vec3 n, bool unlit)
 }
 #endif
 
-/* Matt surfaces of vertex colour times texture, equal on both sides. */
+/* Shades double-sided diffuse surfaces whose albedo is vertex colour times texture. */
 void main()
 {
     uint layer = material & MESH_TEXTURE_MASK;
@@ -60,6 +60,6 @@ void main()
         albedo *= texel.rgb;
     }
     vec3 n = normalize(normal);
-    albedo *= light_on(dot(n, seen_along()) > 0.0 ? -n : n, (material & MESH_UNLIT) != 0u);
+    albedo *= light_on(dot(n, view_vector()) > 0.0 ? -n : n, (material & MESH_UNLIT) != 0u);
     color = vec4(albedo, push.inverse != 0u ? 1.0 / length(eye_to_point) : 1.0);
 }

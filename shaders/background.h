@@ -1,35 +1,34 @@
-/* background.h: shared by background.c, env_cube.c and background*.{vert,frag}. */
+/* background.h: bindings and push constants of background*.{vert,frag} and env_cube.c. */
 #ifndef SHADERS_BACKGROUND_H
 #define SHADERS_BACKGROUND_H
 #include "abi_math.h"
 
-#define BACKGROUND_ENVIRONMENT 1  /* equirectangular picture, -Z in the middle */
-#define BACKGROUND_TEXTURES    2  /* colours of the surroundings, one layer each */
-#define BACKGROUND_NUMBERS     3  /* textures of what is no colour */
-#define BACKGROUND_MATERIALS   4  /* a row of texels each (material.h) */
-#define BACKGROUND_LIGHT       5  /* of the environment on surfaces (lit.h) */
-#define BACKGROUND_LIGHTS      11 /* a row of texels for each light of a file (lit.h) */
-#define BACKGROUND_EXTRAS      12 /* of the surroundings' vertices (mesh.h) */
-#define BACKGROUND_SPLIT       10 /* what surfaces reflect (lit.h); 6 to 9 are ice_caustics.h's */
+#define BACKGROUND_ENVIRONMENT 1  /* equirectangular map, -Z in the middle */
+#define BACKGROUND_TEXTURES    2  /* colour textures of the surroundings, one array layer each */
+#define BACKGROUND_NUMBERS     3  /* non-colour (linear) textures: normals, roughness, ... */
+#define BACKGROUND_MATERIALS   4  /* one row of texels for each material (material.h) */
+#define BACKGROUND_LIGHT       5  /* prefiltered environment light (lit.h) */
+#define BACKGROUND_LIGHTS      11 /* one row of texels for each light of the scene file (lit.h) */
+#define BACKGROUND_EXTRAS      12 /* extra vertex attributes of the surroundings (mesh.h) */
+#define BACKGROUND_SPLIT       10 /* split-sum BRDF table (lit.h); ice_caustics.h has 6 to 9 */
 
-/* Outputs of surroundings that mirror objects. */
-#define BACKGROUND_OUT_SURFACE 1 /* a normal (lib/octahedron.glsl), roughness, mean of the share: */
-#define BACKGROUND_OUT_GLOSSY  2 /* radiance of the share that mirrors the environment */
+/* Additional outputs of the surroundings, inputs of the screen-space reflections. */
+#define BACKGROUND_OUT_SURFACE 1 /* octahedral normal, roughness, mean specular reflectance */
+#define BACKGROUND_OUT_GLOSSY  2 /* specular radiance of the environment, replaced at hits */
 
-/* Push constants of one view: that of the picture, or a face of a cube. */
+/* Push constants of one view: the camera's, or a face of a cube map. */
 struct background_push {
     mat4s clip_from_world;
-    vec3s eye;             /* world, metres */
-    float environment_lod; /* mip of the environment picture that fits this picture's pixels */
-    vec3s right;           /* from the middle of the picture to its right edge, at distance 1 */
-    vec3s up;              /* from the middle of the picture to its upper edge, at distance 1 */
-    vec3s forward;         /* from the eye to the middle of the picture, at distance 1 */
-    uint32_t inverse;      /* 1: alpha is 1 / distance from the eye, 1 / metre; 0: alpha is 1 */
+    vec3s eye;             /* camera position, world, metres */
+    float environment_lod; /* mip level of the environment map that matches the size of a pixel */
+    vec3s right;           /* from the image's centre to its right edge, at distance 1 */
+    vec3s up;              /* from the image's centre to its upper edge, at distance 1 */
+    vec3s forward;         /* from the camera to the image's centre, at distance 1 */
+    uint32_t inverse;      /* 1: alpha is 1 / distance from the camera, 1 / metre; 0: alpha is 1 */
 };
 
-/* Returns the texture coordinates of a unit direction in an equirectangular picture: -Z is in the
- * middle, +Y at the top. The picture is turned by `turn` turns about +Y, counterclockwise as seen
- * from above; u is from 0 to 1 + turn. */
+/* Returns the equirectangular texture coordinates of a unit direction: -Z is in the middle, +Y at
+ * the top. `turn` rotates the map counterclockwise about +Y, in turns; u is from 0 to 1 + turn. */
 ABI_FUNCTION vec2s background_uv(vec3s dir, float turn)
 {
     float pi = 3.14159265358979f;

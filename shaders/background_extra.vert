@@ -25,7 +25,7 @@ layout(location = 6) out vec4 out_tangent;
 
 void main()
 {
-    /* `precise`, because the layers' depth test compares with the depth of the picture's pass. */
+    /* `precise`, because the layers' passes test for depth equality with this pass. */
     precise vec3 point = pose_surroundings(position, material);
     precise vec4 clip = push.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

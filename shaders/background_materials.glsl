@@ -1,6 +1,6 @@
-/* background_materials.glsl: main() of surroundings with materials; with BACKGROUND_SHINE, with the
- * ice's caustics and shadow; with BACKGROUND_EXTRA, with struct mesh_extra of the vertices; with
- * BACKGROUND_MIRROR, with what is mirrored apart from the picture that shows it. */
+/* background_materials.glsl: main() of the fragment shader for surroundings with materials.
+ * BACKGROUND_SHINE adds the ice's caustics and shadow, BACKGROUND_EXTRA the vertex attributes of
+ * struct mesh_extra, BACKGROUND_MIRROR the outputs for screen-space reflections. */
 #include "background.h"
 #include "lib/contact.glsl"
 #include "lib/lit.glsl"
@@ -28,8 +28,8 @@ layout(location = BACKGROUND_OUT_SURFACE) out vec4 out_surface;
 layout(location = BACKGROUND_OUT_GLOSSY) out vec4 out_glossy;
 #endif
 
-/* Returns a vector along the ray that sees the point. */
-vec3 seen_along()
+/* Returns the view vector, from the camera to the shaded point; not normalised. */
+vec3 view_vector()
 {
     return constant_orthographic != 0u && push.inverse == 0u ? push.forward : eye_to_point;
 }
@@ -38,9 +38,9 @@ vec3 seen_along()
 #include "lib/ice_shine.glsl"
 #endif
 
-/* Returns the side of a square as large as a pixel on the surface, by the pixel's longer side, but
- * at least 1/2. */
-float square_blur()
+/* Returns the factor, from 1/2 to 1, that turns an elongated texture footprint into a square one of
+ * equal area; it replaces anisotropic filtering in cube maps. */
+float footprint_blur()
 {
     vec2 x = dFdx(uv), y = dFdy(uv);
     float longer = max(dot(x, x), dot(y, y));
@@ -48,14 +48,14 @@ float square_blur()
     return longer > 0.0 ? clamp(sqrt(area / longer), 0.5, 1.0) : 1.0;
 }
 
-/* Returns the light of the sun, as lit.h counts it, and what of it is that of caustics. */
-vec3 sun_light(out vec3 through)
+/* Returns the sunlight on the surface in the units of lit.h, and the part of it due to caustics. */
+vec3 sun_light(out vec3 caustics)
 {
-    through = vec3(0.0);
+    caustics = vec3(0.0);
 #ifdef BACKGROUND_SHINE
     ice_shine shine = ice_shine_at(push.eye + eye_to_point, normalize(normal));
-    through = sky_sun() * shine.through;
-    return sky_sun() * (shine.own * shine.open) + through;
+    caustics = sky_sun() * shine.through;
+    return sky_sun() * (shine.own * shine.open) + caustics;
 #else
     return sky_sun();
 #endif
@@ -69,54 +69,54 @@ void main()
 #endif
     uint row = material >> MESH_SURFACE_SHIFT;
     float tiled = constant_tiled != 0u ? exp2(frame.lod_bias) : 1.0;
-    float blur = push.inverse != 0u ? square_blur() : tiled;
+    float blur = push.inverse != 0u ? footprint_blur() : tiled;
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
     vec4 reflectance = material_texel(row, MATERIAL_ROW_F0);
     vec4 emission = material_texel(row, MATERIAL_ROW_EMISSION);
     vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
     vec4 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, blur);
     vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, blur);
-    vec4 bent = lit_texel(numbers, row, MATERIAL_USE_NORMAL, uv, blur);
-    float open = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, uv, blur).r;
-    vec3 glow = lit_texel(textures, row, MATERIAL_USE_EMISSION, uv, blur).rgb * emission.rgb;
+    vec4 normal_texel = lit_texel(numbers, row, MATERIAL_USE_NORMAL, uv, blur);
+    float occlusion = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, uv, blur).r;
+    vec3 emitted = lit_texel(textures, row, MATERIAL_USE_EMISSION, uv, blur).rgb * emission.rgb;
     float specular = lit_texel(numbers, row, MATERIAL_USE_SPECULAR, uv, blur).a * factors.z;
     vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, uv, blur).rgb * reflectance.rgb;
 
     vec3 albedo = base_color * base.rgb;
     float alpha = push.inverse != 0u ? 1.0 / length(eye_to_point) : 1.0;
-    vec3 to_eye = -normalize(seen_along());
+    vec3 to_eye = -normalize(view_vector());
     vec3 n = normalize(normal);
     n = dot(n, to_eye) < 0.0 ? -n : n;
-    vec3 top = n; /* of the surface that mirrors; n is that of the matt base */
-    if (bent != vec4(1.0))
-        n = LIT_BEND(row, n, normal, bent.rgb, scales.xy, eye_to_point, uv);
+    vec3 top = n; /* normal of the reflecting layer (clear coat); n is that of the diffuse base */
+    if (normal_texel != vec4(1.0))
+        n = LIT_BEND(row, n, normal, normal_texel.rgb, scales.xy, eye_to_point, uv);
     top = scales.w > 0.0 ? top : n;
-    vec3 mirrored = reflect(-to_eye, top);
-    float lod = lit_mirror_lod(mirrored, push.environment_lod);
+    vec3 reflected_dir = reflect(-to_eye, top);
+    float lod = lit_mirror_lod(reflected_dir, push.environment_lod);
     if (is_hole(base.a * factors.w, reflectance.w, emission.w, row))
         discard;
-    vec3 through;
-    vec3 sun = sun_light(through);
+    vec3 caustics;
+    vec3 sun = sun_light(caustics);
 #ifdef BACKGROUND_MIRROR
     out_surface = out_glossy = vec4(0.0);
 #endif
     if ((material & MESH_UNLIT) != 0u) {
-        color = vec4(albedo * (1.0 + through * max(dot(n, frame.sun_dir), 0.0)), alpha);
+        color = vec4(albedo * (1.0 + caustics * max(dot(n, frame.sun_dir), 0.0)), alpha);
         return;
     }
     lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
     float n_dot_v = clamp(dot(top, to_eye), 0.0, 1.0);
     lit_shares shares = lit_shares_of(s, lit_split(s.roughness, n_dot_v));
-    vec3 glossy = shares.glossy * lit_glossy(mirrored, s.roughness, lod);
+    vec3 glossy = shares.glossy * lit_glossy(reflected_dir, s.roughness, lod);
     vec3 on_matt = lit_matt(n), matt = shares.matt * on_matt;
     contact_shade(s, shares, push.eye + eye_to_point, n, on_matt, matt, glossy);
     sun *= lit_by_light_on(s, top, n, to_eye, frame.sun_dir, frame.sun_spread);
     vec3 lit = lit_by_lights_on(s, push.eye + eye_to_point, top, n, to_eye);
-    open = mix(1.0, open, scales.y);
-    color = vec4((glossy + matt) * open + sun + lit + glow, alpha);
+    occlusion = mix(1.0, occlusion, scales.y);
+    color = vec4((glossy + matt) * occlusion + sun + lit + emitted, alpha);
 #ifdef BACKGROUND_MIRROR
-    float share = dot(shares.glossy, vec3(1.0 / 3.0));
-    out_surface = vec4(octahedron_of(top), s.roughness, share * open);
-    out_glossy = vec4(glossy * open, 0.0);
+    float reflectance_mean = dot(shares.glossy, vec3(1.0 / 3.0));
+    out_surface = vec4(octahedron_of(top), s.roughness, reflectance_mean * occlusion);
+    out_glossy = vec4(glossy * occlusion, 0.0);
 #endif
 }

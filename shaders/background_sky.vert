@@ -8,9 +8,9 @@ layout(push_constant, scalar) uniform Push
     background_push push;
 };
 
-layout(location = 0) out vec3 dir; /* not unit; linear over the picture */
+layout(location = 0) out vec3 dir; /* not normalised; linearly interpolated over the screen */
 
-/* A triangle that covers the picture at depth 0, infinitely far away. */
+/* Draws a full-screen triangle at depth 0, which is infinitely far away. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

@@ -1,10 +1,11 @@
-/* background_vertices_vert.glsl: main() of the vertices of surroundings with materials whose light
- * is computed here, without bumps, but for what changes within a triangle
- * (background_vertices_frag.glsl). With BACKGROUND_EXTRA, with struct mesh_extra of the vertices;
- * with BACKGROUND_SHINE, for pixels with the ice's caustics and shadow.
+/*
+ * background_vertices_vert.glsl: main() of the vertex shader for surroundings with materials, which
+ * computes their lighting per vertex, without normal maps. BACKGROUND_EXTRA adds the vertex
+ * attributes of struct mesh_extra, BACKGROUND_SHINE outputs for the ice's caustics and shadow.
  *
- * What pixels need of uniforms is handed on, too, because lavapipe's pixels fetch each float of a
- * uniform separately. */
+ * Uniforms that the fragment shader needs are passed on as flat outputs, because lavapipe's
+ * fragment shaders fetch each float of a uniform separately.
+ */
 #define LIT_COARSE
 #include "background.h"
 #include "lib/contact.glsl"
@@ -33,32 +34,32 @@ layout(location = 1) out vec3 out_matt;
 layout(location = 2) out vec3 out_glossy;
 layout(location = 3) out vec2 out_uv;
 layout(location = 4) out vec2 out_glow_uv;
-layout(location = 5) flat out vec4 out_places;
+layout(location = 5) flat out vec4 out_lookups;
 #ifdef BACKGROUND_SHINE
 layout(location = 6) out vec3 out_sun;
-layout(location = 7) out vec4 out_seen_by_sun;
-layout(location = 8) flat out float out_open;
-layout(location = 9) out vec4 out_lifted;
+layout(location = 7) out vec4 out_shadow_clip;
+layout(location = 8) flat out float out_direct;
+layout(location = 9) out vec4 out_shadow_clip_lifted;
 #endif
 
-/* Returns the radiance of a surface without the sun's. */
-vec3 radiance(lit_surface s, vec3 point, vec3 n, vec3 to_eye, float open)
+/* Returns the reflected radiance of a surface without direct sunlight. */
+vec3 radiance(lit_surface s, vec3 point, vec3 n, vec3 to_eye, float occlusion)
 {
     lit_shares shares = lit_shares_of(s, lit_split(s.roughness, clamp(dot(n, to_eye), 0.0, 1.0)));
-    vec3 mirrored = lit_glossy(reflect(-to_eye, n), s.roughness, push.environment_lod);
-    vec3 on_matt = lit_matt(n), matt = shares.matt * on_matt, glossy = shares.glossy * mirrored;
+    vec3 mirror = lit_glossy(reflect(-to_eye, n), s.roughness, push.environment_lod);
+    vec3 on_matt = lit_matt(n), matt = shares.matt * on_matt, glossy = shares.glossy * mirror;
     contact_shade(s, shares, point, n, on_matt, matt, glossy);
-    return open * (glossy + matt) + lit_by_lights(s, point, n, to_eye);
+    return occlusion * (glossy + matt) + lit_by_lights(s, point, n, to_eye);
 }
 
-/* Where a surface has a texture. */
-struct place {
+/* Texture coordinates, array layer and wrap mode of a material's texture. */
+struct texture_lookup {
     vec2 uv;
-    float layer; /* -1: nowhere */
-    float wraps; /* lit_wrapped() */
+    float layer; /* -1 if there is no texture */
+    float wraps; /* wrap mode for lit_wrapped() */
 };
 
-place place_of(uint row, int use)
+texture_lookup texture_lookup_of(uint row, int use)
 {
     vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
     vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use + 1);
@@ -68,50 +69,50 @@ place place_of(uint row, int use)
     own = is_other ? lit_other_uv : uv;
 #endif
     vec2 at = vec2(dot(u.xyz, vec3(own, 1.0)), dot(v.xyz, vec3(own, 1.0)));
-    return place(at, u.w - 1.0, is_other ? v.w - float(MATERIAL_OTHER_SET) : v.w);
+    return texture_lookup(at, u.w - 1.0, is_other ? v.w - float(MATERIAL_OTHER_SET) : v.w);
 }
 
-/* Says where the textures of pixels are. */
-void put_textures(uint row)
+/* Writes the texture coordinates, layers and wrap modes that the fragment shader needs. */
+void write_texture_lookups(uint row)
 {
     uint layer = material & MESH_TEXTURE_MASK;
-    place base = place_of(row, MATERIAL_USE_BASE_COLOR);
-    place glow = place_of(row, MATERIAL_USE_EMISSION);
+    texture_lookup base = texture_lookup_of(row, MATERIAL_USE_BASE_COLOR);
+    texture_lookup emissive = texture_lookup_of(row, MATERIAL_USE_EMISSION);
     if (base.layer < 0.0)
-        base = place(uv, float(layer) - 1.0, float(MATERIAL_WRAPS_REPEAT));
+        base = texture_lookup(uv, float(layer) - 1.0, float(MATERIAL_WRAPS_REPEAT));
     out_uv = base.uv;
-    out_glow_uv = glow.uv;
-    out_places = vec4(base.layer, base.wraps, glow.layer, glow.wraps);
+    out_glow_uv = emissive.uv;
+    out_lookups = vec4(base.layer, base.wraps, emissive.layer, emissive.wraps);
 }
 
-/* Computes the light on a surface; returns the sun's on its matt base. Both are linear in that
- * base's albedo, by which pixels multiply it. */
-vec3 put_light(uint row, vec3 point, vec3 n, vec3 to_eye)
+/* Computes the lighting of a vertex; returns the sunlight on its diffuse base. Both are linear in
+ * the base's albedo, by which the fragment shader multiplies them. */
+vec3 write_lighting(uint row, vec3 point, vec3 n, vec3 to_eye)
 {
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
     vec3 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, 1.0).rgb;
     vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, 1.0);
-    float open = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, uv, 1.0).r;
+    float occlusion = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, uv, 1.0).r;
     float specular = lit_texel(numbers, row, MATERIAL_USE_SPECULAR, uv, 1.0).a * factors.z;
     vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, uv, 1.0).rgb;
     f0 *= material_texel(row, MATERIAL_ROW_F0).rgb;
-    open = mix(1.0, open, material_texel(row, MATERIAL_ROW_SCALES).y);
+    occlusion = mix(1.0, occlusion, material_texel(row, MATERIAL_ROW_SCALES).y);
     float metallic = factors.x * rough.b;
     lit_surface s = lit_surface_of(color * base, metallic, factors.y * rough.g, f0, specular);
     s.diffuse = vec3(0.0);
-    vec3 reflected = radiance(s, point, n, to_eye, open);
-    vec3 glint = lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
+    vec3 reflected = radiance(s, point, n, to_eye, occlusion);
+    vec3 highlight = lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread);
     s.diffuse = color * (1.0 - metallic);
-    out_matt = radiance(s, point, n, to_eye, open) - reflected;
-    out_glossy = reflected + sky_sun() * glint;
+    out_matt = radiance(s, point, n, to_eye, occlusion) - reflected;
+    out_glossy = reflected + sky_sun() * highlight;
     if ((constant_textured & 1u << MATERIAL_USE_EMISSION) == 0u)
         out_glossy += material_texel(row, MATERIAL_ROW_EMISSION).rgb;
-    return sky_sun() * (lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread) - glint);
+    return sky_sun() * (lit_by_light(s, n, to_eye, frame.sun_dir, frame.sun_spread) - highlight);
 }
 
 void main()
 {
-    /* `precise`, because the layers' depth test compares with the depth of the picture's pass. */
+    /* `precise`, because the layers' passes test for depth equality with this pass. */
     precise vec3 point = pose_surroundings(position, material);
     precise vec4 clip = push.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;
@@ -123,17 +124,17 @@ void main()
 #ifdef BACKGROUND_EXTRA
     lit_other_uv = extra_texel(1).xy;
 #endif
-    put_textures(row);
+    write_texture_lookups(row);
     out_matt = color;
     out_glossy = vec3(0.0);
     bool is_lit = (material & MESH_UNLIT) == 0u;
-    vec3 sun = is_lit ? put_light(row, point, n, to_eye) : vec3(0.0);
+    vec3 sun = is_lit ? write_lighting(row, point, n, to_eye) : vec3(0.0);
 #ifdef BACKGROUND_SHINE
-    /* caustics are added to what is unlit */
+    /* Caustics are added to unlit surfaces, too. */
     out_sun = is_lit ? sun : sky_sun() * color * max(dot(n, frame.sun_dir), 0.0);
-    out_seen_by_sun = ice_light_clip(point);
-    out_lifted = ice_light_clip(ice_light_lifted(point, n));
-    out_open = is_lit ? 1.0 : 0.0;
+    out_shadow_clip = ice_light_clip(point);
+    out_shadow_clip_lifted = ice_light_clip(ice_light_lifted(point, n));
+    out_direct = is_lit ? 1.0 : 0.0;
 #else
     out_matt += sun;
 #endif

@@ -9,11 +9,11 @@
 
 #include "bubbles_seen.glsl"
 
-layout(location = 0) in vec3 eye_to_square; /* to a point of the square */
+layout(location = 0) in vec3 eye_to_square; /* from the camera to a point of the billboard */
 layout(location = 1) flat in vec3 eye_to_center;
 layout(location = 2) flat in float radius;
 
-layout(location = 0) out vec4 bubble; /* premultiplied */
+layout(location = 0) out vec4 bubble; /* premultiplied alpha */
 
 void main()
 {
@@ -32,12 +32,13 @@ void main()
     if (bubble_is_hidden(e, hit) || !ice_clip_keeps(clip.z / clip.w))
         discard;
 
-    float eta = frame.outside_in_air / frame.eta; /* from ice to air */
+    float eta = frame.outside_in_air / frame.eta; /* relative index, ice to air */
     vec3 outward = aside / max(length(aside), 1e-30);
-    float share = optics_fresnel(e, (hit - eye_to_center) / radius, eta);
+    float reflectance = optics_fresnel(e, (hit - eye_to_center) / radius, eta);
     vec3 reflected = bubble_turn(e, outward, bubble_reflected(b));
-    vec3 passed = bubble_turn(e, outward, bubble_transmitted(b, eta));
-    float cover = share < 1.0 ? (1.0 - share) * bubble_cover(b, eta) : 0.0;
+    vec3 transmitted = bubble_turn(e, outward, bubble_transmitted(b, eta));
+    float cover = reflectance < 1.0 ? (1.0 - reflectance) * bubble_cover(b, eta) : 0.0;
     bubble = bubble_through(
-        e, hit, vec4(bubble_light(hit, reflected, share, passed, cover), share + cover));
+        e, hit,
+        vec4(bubble_light(hit, reflected, reflectance, transmitted, cover), reflectance + cover));
 }

@@ -1,7 +1,8 @@
 /*
- * bubbles_seen.glsl: the light that bubbles mirror and let through; with BUBBLES_FOLLOWED, it is
- * followed to where it leaves the ice, in the rung's maps. With BUBBLES_BENT, what over.frag needs
- * to show bubbles along bent rays.
+ * bubbles_seen.glsl: light that bubbles reflect and transmit. With BUBBLES_FOLLOWED, the ray from
+ * the bubble is traced through the ice in the refraction model's depth and normal maps until it
+ * leaves; otherwise the environment cube is looked up directly. BUBBLES_BENT adds the outputs from
+ * which over.frag shows bubbles along refracted rays.
  */
 #ifndef BUBBLES_SEEN_GLSL
 #define BUBBLES_SEEN_GLSL
@@ -12,17 +13,16 @@
 
 layout(set = 0, binding = BUBBLES_CRACKS) uniform sampler2D cracks_met;
 
-layout(location = 1) out float seen_depth; /* of within.glsl */
+layout(location = 1) out float seen_depth; /* depth for the search in within.glsl */
 
-/* Returns whether a crack that mirrors all hides a point on a ray from the eye, and writes the
- * point's depth. */
+/* Returns true if a totally reflecting crack hides a point; also writes the point's depth. */
 bool bubble_is_hidden(vec3 e, vec3 eye_to_point)
 {
-    vec4 met = texelFetch(cracks_met, ivec2(gl_FragCoord.xy), 0);
+    vec4 crack = texelFetch(cracks_met, ivec2(gl_FragCoord.xy), 0);
     seen_depth = within_depth(frame.eye + eye_to_point - frame.center, frame.forward, frame.radius);
     float n = frame.outside_in_air / frame.eta;
-    float c = dot(met.yzw, e) / max(length(met.yzw), 1e-9);
-    return met.r > 0.0 && met.r < seen_depth && n * n * (1.0 - c * c) > 1.0;
+    float c = dot(crack.yzw, e) / max(length(crack.yzw), 1e-9);
+    return crack.r > 0.0 && crack.r < seen_depth && n * n * (1.0 - c * c) > 1.0;
 }
 #else
 bool bubble_is_hidden(vec3 e, vec3 eye_to_point)
@@ -52,7 +52,7 @@ bool march_is_in_ground(vec3 point)
     return refract_is_in_ground(point);
 }
 
-/* How exactly a bubble's light is followed, at most: it is small, and bends it much. */
+/* Limits on the ray march from a bubble, which is too small and distorting to show its errors. */
 const uint bubble_bounces = 2u;
 const uint bubble_halvings = 4u;
 
@@ -64,36 +64,38 @@ march_space bubble_space()
     return space;
 }
 
-/* Returns the light that comes to a bubble from a direction. Where it enters the ice, it is as far
- * away as the cube's sky. */
+/* Returns the radiance that arrives at a bubble from a direction. A ray that ends in the ground is
+ * looked up in the environment cube by its end point. */
 vec3 bubble_light_from(vec3 eye_to_bubble, vec3 dir)
 {
-    refract_way way = refract_way(dir, frame.eye + eye_to_bubble, 0.0, 0.0, 0.0);
+    refract_way ray = refract_way(dir, frame.eye + eye_to_bubble, 0.0, 0.0, 0.0);
     float leaving;
 #ifdef REFRACT_CLOUD
     march_scattered = vec3(0.0);
     march_straight = 1.0;
 #endif
-    march_on(bubble_space(), frame.eta, way, leaving);
+    march_on(bubble_space(), frame.eta, ray, leaving);
     vec3 out_dir =
-        march_is_in_ground(way.point) ? normalize(way.point - frame.cube_center) : way.dir;
-    vec3 light = exp(-frame.absorb * way.path) * textureLod(env_cube, out_dir, 0.0).rgb;
+        march_is_in_ground(ray.point) ? normalize(ray.point - frame.cube_center) : ray.dir;
+    vec3 light = exp(-frame.absorb * ray.path) * textureLod(env_cube, out_dir, 0.0).rgb;
 #ifdef REFRACT_CLOUD
     light = march_straight * light + march_scattered;
 #endif
     return light;
 }
 
-/* Follows the greater part of a bubble's light; the lesser one sees the cube at once. */
-vec3 bubble_light(vec3 eye_to_bubble, vec3 mirrored, float share, vec3 passed, float cover)
+/* Traces the stronger of reflected and transmitted ray; the weaker one looks up the cube map. */
+vec3 bubble_light(vec3 eye_to_bubble, vec3 reflected, float fresnel, vec3 transmitted, float cover)
 {
-    bool is_mirrored = share >= cover;
-    vec3 lesser = textureLod(env_cube, is_mirrored ? passed : mirrored, 0.0).rgb;
-    return max(share, cover) * bubble_light_from(eye_to_bubble, is_mirrored ? mirrored : passed) +
-           min(share, cover) * lesser;
+    bool is_reflected = fresnel >= cover;
+    vec3 weaker_light = textureLod(env_cube, is_reflected ? transmitted : reflected, 0.0).rgb;
+    return max(fresnel, cover) *
+               bubble_light_from(eye_to_bubble, is_reflected ? reflected : transmitted) +
+           min(fresnel, cover) * weaker_light;
 }
 
-/* Returns what the eye sees of a bubble, premultiplied, through the ice before it. */
+/* Attenuates the premultiplied colour of a bubble by the scattering medium between it and the
+ * camera, and adds the in-scattered light. */
 vec4 bubble_through(vec3 e, vec3 eye_to_bubble, vec4 bubble)
 {
 #ifdef REFRACT_CLOUD
@@ -109,11 +111,11 @@ vec4 bubble_through(vec3 e, vec3 eye_to_bubble, vec4 bubble)
 #else
 layout(set = 0, binding = BUBBLES_ENV_CUBE) uniform samplerCube env_cube;
 
-/* Returns the light that a bubble mirrors and lets through, by the share and cover of each. */
-vec3 bubble_light(vec3 eye_to_bubble, vec3 mirrored, float share, vec3 passed, float cover)
+/* Returns the reflected and transmitted light of a bubble, weighted by reflectance and coverage. */
+vec3 bubble_light(vec3 eye_to_bubble, vec3 reflected, float fresnel, vec3 transmitted, float cover)
 {
-    return share * textureLod(env_cube, mirrored, 0.0).rgb +
-           cover * textureLod(env_cube, passed, 0.0).rgb;
+    return fresnel * textureLod(env_cube, reflected, 0.0).rgb +
+           cover * textureLod(env_cube, transmitted, 0.0).rgb;
 }
 
 vec4 bubble_through(vec3 e, vec3 eye_to_bubble, vec4 bubble)

@@ -10,13 +10,13 @@
 
 #include "bubbles_seen.glsl"
 
-layout(location = 0) in vec3 eye_to_rectangle; /* to a point of the rectangle */
+layout(location = 0) in vec3 eye_to_rectangle; /* from the camera to a point of the billboard */
 layout(location = 1) flat in vec3 eye_to_center;
 layout(location = 2) flat in float radius;
-layout(location = 3) flat in vec4 axis; /* w: stretch */
+layout(location = 3) flat in vec4 axis; /* xyz: unit; w: stretch */
 layout(location = 4) flat in float is_capsule;
 
-layout(location = 0) out vec4 bubble; /* premultiplied */
+layout(location = 0) out vec4 bubble; /* premultiplied alpha */
 
 vec2 cross_at(vec3 from, vec3 dir)
 {
@@ -28,11 +28,11 @@ vec3 normal_at(vec3 from)
     return bubble_normal(from, axis.xyz, axis.w, radius, is_capsule > 0.5);
 }
 
-/* As bubbles.frag, but light that goes through is followed to where it leaves. */
+/* Shades like bubbles.frag, but traces transmitted rays through ellipsoids and capsules. */
 void main()
 {
     vec3 e = view_dir(eye_to_rectangle);
-    vec3 from = eye_to_rectangle - eye_to_center; /* a point of the ray, from the centre on */
+    vec3 from = eye_to_rectangle - eye_to_center; /* a point of the ray, relative to the centre */
     vec2 at = cross_at(from, e);
     if (at.x > at.y)
         discard;
@@ -41,15 +41,16 @@ void main()
     if (bubble_is_hidden(e, eye_to_center + hit) || !ice_clip_keeps(clip.z / clip.w))
         discard;
 
-    float eta = frame.outside_in_air / frame.eta; /* from ice to air */
+    float eta = frame.outside_in_air / frame.eta; /* relative index, ice to air */
     vec3 n = normal_at(hit);
     n = dot(n, e) < 0.0 ? n : -e;
-    float share = optics_fresnel(e, n, eta);
-    vec3 inside = refract(e, n, eta); /* 0 if all is reflected */
+    float reflectance = optics_fresnel(e, n, eta);
+    vec3 inside = refract(e, n, eta); /* 0 for total internal reflection */
     vec3 last = hit + max(cross_at(hit, inside).y, 0.0) * inside;
-    vec3 passed = share < 1.0 ? refract(inside, -normal_at(last), 1.0 / eta) : e;
+    vec3 transmitted = reflectance < 1.0 ? refract(inside, -normal_at(last), 1.0 / eta) : e;
     float b2 = 1.0 - dot(n, e) * dot(n, e);
-    float cover = share < 1.0 ? (1.0 - share) * bubble_cover(sqrt(b2), eta) : 0.0;
-    vec3 light = bubble_light(eye_to_center + hit, optics_reflect(e, n), share, passed, cover);
-    bubble = bubble_through(e, eye_to_center + hit, vec4(light, share + cover));
+    float cover = reflectance < 1.0 ? (1.0 - reflectance) * bubble_cover(sqrt(b2), eta) : 0.0;
+    vec3 light =
+        bubble_light(eye_to_center + hit, optics_reflect(e, n), reflectance, transmitted, cover);
+    bubble = bubble_through(e, eye_to_center + hit, vec4(light, reflectance + cover));
 }

@@ -12,12 +12,11 @@ layout(set = 0, binding = BUBBLES_DRAWN, scalar) readonly buffer Drawn
 layout(location = 0) out vec3 out_eye_to_point;
 layout(location = 1) flat out vec3 out_eye_to_center;
 layout(location = 2) flat out float out_radius;
-layout(location = 3) flat out vec4 out_axis; /* w: stretch */
+layout(location = 3) flat out vec4 out_axis; /* xyz: unit; w: stretch */
 layout(location = 4) flat out float out_is_capsule;
 
-/* A rectangle through the bubble's centre that faces the eye and contains the bubble's outline; it
- * is as wide as the bubble is long. The bubble is invisible if the eye is in the sphere around it.
- */
+/* Draws a camera-facing rectangle through the bubble's centre that contains its outline, along its
+ * axis. It is degenerate if the camera is inside the bubble's bounding sphere. */
 void main()
 {
     const vec2 corners[] = { vec2(-1, -1), vec2(1, -1), vec2(-1, 1),

@@ -1,11 +1,11 @@
-/* bump.glsl: the normal of the ice's uneven surface at a fragment. */
+/* bump.glsl: bump-mapped normal of the ice's surface at a fragment. */
 #ifndef BUMP_GLSL
 #define BUMP_GLSL
 #include "bump_map.glsl"
 
 layout(location = REFRACT_BUMP_SLOPE) flat in float bump_slope; /* factor on the map's slopes */
 
-/* Returns the gradient of the height, in the world, by the three planes. */
+/* Returns the world-space height gradient from the three triplanar projections. */
 vec3 bump_gradient_on(bump_planes planes)
 {
     vec2 x = planes.texels[0].rg * planes.shares.x;
@@ -14,7 +14,7 @@ vec3 bump_gradient_on(bump_planes planes)
     return bump_turn * vec3(y.y + z.x, z.y + x.x, x.y + y.x);
 }
 
-/* Returns the gradient of the height by the directions of the mesh's uv, or 0 without uv. */
+/* Returns the height gradient along the directions of the mesh's uv; 0 if the mesh has no uv. */
 vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 slope)
 {
     vec2 uv = bump_at.xy;
@@ -27,7 +27,7 @@ vec3 bump_gradient_uv(vec3 point, vec3 normal, vec2 slope)
                    slope.y * v * inversesqrt(max(dot(v, v), 1e-30)));
 }
 
-/* Returns the normal with bumps, which still faces the eye. */
+/* Returns the bump-mapped normal, adjusted to face the camera. */
 vec3 bump_normal(vec3 e, vec3 point, vec3 normal)
 {
     vec3 gradient;

@@ -1,8 +1,8 @@
 /*
- * bump_map.glsl: looks up the ice's bump map at a point of its surface.
+ * bump_map.glsl: samples the ice's bump map at a surface point.
  *
- * The map is projected along the three axes of the object's space and blended (triplanar mapping),
- * or mapped by the mesh's uv.
+ * The map is projected along the three axes of object space and blended (triplanar mapping), or
+ * sampled at the mesh's uv.
  */
 #ifndef BUMP_MAP_GLSL
 #define BUMP_MAP_GLSL
@@ -12,10 +12,9 @@
 #include "lib/globals.glsl"
 #include "refract.h"
 
-/* Passed from the vertex shader, because lavapipe's fragment shaders fetch uniforms float by
- * float. */
-layout(location = REFRACT_BUMP_AT) in vec3 bump_at; /* tiles of the map: object's space, or uv */
-layout(location = REFRACT_BUMP_TURN) flat in mat3 bump_turn; /* from the object's space */
+/* Passed as varyings: lavapipe's fragment shaders fetch each float of a uniform separately. */
+layout(location = REFRACT_BUMP_AT) in vec3 bump_at; /* texture coordinates: object space, or uv */
+layout(location = REFRACT_BUMP_TURN) flat in mat3 bump_turn; /* world from object space */
 
 layout(set = 0, binding = BUMP_MAP) uniform sampler2D bump_map;
 
@@ -25,11 +24,11 @@ vec4 bump_read(vec2 at)
 }
 
 struct bump_planes {
-    vec4 texels[3]; /* of the planes perpendicular to x, y and z: yz, zx, xy */
-    vec3 shares;    /* weights of the planes; their sum is 1 */
+    vec4 texels[3]; /* samples on the planes perpendicular to x, y and z: yz, zx, xy */
+    vec3 shares;    /* blend weights of the planes; their sum is 1 */
 };
 
-/* Reads the planes at this point, whose normal in the world is `normal`. */
+/* Samples the map on the three planes; `normal` is in world space. */
 bump_planes bump_read_planes(vec3 normal)
 {
     vec3 p = bump_at;
@@ -42,8 +41,8 @@ bump_planes bump_read_planes(vec3 normal)
     return planes;
 }
 
-/* Without uv nothing changes across a fragment, which makes lavapipe's anisotropic filter (Mesa 25)
- * return NaN. */
+/* Samples the map at the mesh's uv. Without uv the derivatives are 0, for which lavapipe's
+ * anisotropic filter (Mesa 25) returns NaN, so mip level 0 is sampled instead. */
 vec4 bump_read_uv()
 {
     vec2 at = bump_at.xy;
@@ -51,7 +50,7 @@ vec4 bump_read_uv()
     return mix(bump_read(at), textureLod(bump_map, at, 0.0), bvec4(is_point));
 }
 
-/* Returns the smoothness of the ice and the thickness of its frost. */
+/* Returns the smoothness of the surface and the thickness of the frost, blended over the planes. */
 vec2 bump_mask_on(bump_planes planes)
 {
     return planes.texels[0].ba * planes.shares.x + planes.texels[1].ba * planes.shares.y +

@@ -1,20 +1,19 @@
 /*
- * bump_normal.h: the normal of the ice's uneven surface, for shaders and C.
+ * bump_normal.h: bump-mapped normal of the ice's surface, for shaders and C.
  *
- * The gradient of a height bends a normal independently of the mapping (Mikkelsen 2010, Bump
- * Mapping Unparametrized Surfaces on the GPU), so that the gradients of three planes can be added,
- * and no tangents are needed.
+ * A surface gradient perturbs the normal independently of the parametrisation (Mikkelsen 2010, Bump
+ * Mapping Unparametrized Surfaces on the GPU), so that the gradients of the three planes can be
+ * added and no tangents are needed.
  */
 #ifndef SHADERS_BUMP_NORMAL_H
 #define SHADERS_BUMP_NORMAL_H
 #include "abi_math.h"
 
-/* Where the map lies on the planes perpendicular to y and z: without the offsets the middles of
- * the three planes would be equal. */
+/* Texture offsets of the planes perpendicular to y and z, so that the planes' centres differ. */
 #define BUMP_OFFSET_Y ABI_VEC2(0.37f, 0.61f)
 #define BUMP_OFFSET_Z ABI_VEC2(0.71f, 0.23f)
 
-/* Returns the weights of the planes, whose sum is 1, by the normal in the object's space. */
+/* Returns the triplanar blend weights, whose sum is 1, for an object-space normal. */
 ABI_FUNCTION vec3s bump_shares(vec3s n)
 {
     float x = n.x * n.x * n.x * n.x;
@@ -24,7 +23,7 @@ ABI_FUNCTION vec3s bump_shares(vec3s n)
     return ABI_VEC3(x / all, y / all, z / all);
 }
 
-/* Returns the normal on the side to which the height rises. */
+/* Returns the normal perturbed by a height gradient, tilted away from rising height. */
 ABI_FUNCTION vec3s bump_bent(vec3s normal, vec3s gradient)
 {
     vec3s aside = glms_vec3_sub(normal, gradient);
@@ -32,8 +31,8 @@ ABI_FUNCTION vec3s bump_bent(vec3s normal, vec3s gradient)
         glms_vec3_add(aside, glms_vec3_scale(normal, glms_vec3_dot(normal, gradient))));
 }
 
-/* Returns a bent normal that still faces the eye: those that bumps would turn away become nearly
- * perpendicular to e. */
+/* Returns a perturbed normal that still faces the camera; one that would face away is tilted back
+ * until it is nearly perpendicular to the view direction e. */
 ABI_FUNCTION vec3s bump_facing(vec3s bent, vec3s normal, vec3s e)
 {
     float beyond = glms_vec3_dot(bent, e) - fmaxf(glms_vec3_dot(normal, e), -0.02f);

@@ -4,8 +4,8 @@
 
 layout(location = 0) out float raw;
 
-/* Traces one ray up from the floor, along the path of the sun's light through water at rest, and
- * looks it up in a round light map around the sun. */
+/* Traces one ray up from the floor, along the path of sunlight through level water, and evaluates a
+ * radially symmetric glow around the sun in the refracted direction. */
 void main()
 {
     vec3 inside = sun_inside();

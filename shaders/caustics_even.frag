@@ -11,7 +11,7 @@ layout(set = 0, binding = CAUSTICS_SUM, scalar) readonly buffer Sum
 
 layout(location = 0) out float light;
 
-/* Normalises the map to the light that enters the pool. */
+/* Normalises the light map so that its sum equals the light that enters the pool. */
 void main()
 {
     float texel = texelFetch(raw, ivec2(gl_FragCoord.xy), 0).r;

@@ -5,7 +5,7 @@
 layout(local_size_x = CAUSTICS_GROUP, local_size_y = CAUSTICS_GROUP) in;
 layout(set = 0, binding = CAUSTICS_RAW, r32f) uniform writeonly image2D raw;
 
-/* Returns a random offset on the unit square for the directions of each texel and sample. */
+/* Returns a random offset in the unit square for the direction samples of a texel. */
 vec2 random(uvec2 texel)
 {
     uvec2 v = (texel + sample_seed()) * 1664525u + 1013904223u;
@@ -17,32 +17,32 @@ vec2 random(uvec2 texel)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-/* Returns the light along a ray from the ground, if it leaves the surface towards the sun: the
- * transmittance of the surface. `dir` goes up. */
+/* Returns the Fresnel transmittance of the surface along a ray from the ground if the refracted ray
+ * hits the sun, otherwise 0. `dir` points up. */
 float gathered(vec3 ground, vec3 dir, vec3 sun_dir, float sun_radius)
 {
     vec2 p = ground.xy - dir.xy / dir.z * ground.z;
-    for (int i = 0; i < 2; i++) /* iterations of the intersection with the wave */
+    for (int i = 0; i < 2; i++) /* fixed-point iterations of the intersection with the wave */
         p = ground.xy + dir.xy / dir.z * (wave_at(push.water, p, frame.time).z - ground.z);
     vec3 wave = wave_at(push.water, p, frame.time);
     vec3 n = wave_normal(wave);
-    vec3 leaving = refract(dir, -n, push.water.ior); /* 0 for total reflection */
+    vec3 leaving = refract(dir, -n, push.water.ior); /* 0 for total internal reflection */
     if (!pool_is_lit(vec3(p, wave.z), sun_dir, push.pool.size) || dot(dir, n) <= 0.0 ||
         distance(leaving, sun_dir) > sun_radius)
         return 0.0;
     return 1.0 - optics_fresnel(dir, -n, push.water.ior);
 }
 
-/* Directions cover the cone evenly, by Roberts' R2 sequence. Radiance in water is that in air times
- * the squared index. */
+/* Averages over directions that cover the cone uniformly (Roberts' R2 sequence). Radiance in water
+ * is that in air times the squared index of refraction. */
 void main()
 {
     uvec2 texel = gl_GlobalInvocationID.xy;
     vec3 a, b;
     vec3 axis = -sun_inside();
-    vec2 place = map_point(ivec2(texel)), facing;
-    float height = caustics_map_height(push.pool, -axis, place, facing);
-    vec3 ground = vec3(place + height / axis.z * axis.xy, height - push.pool.depth);
+    vec2 map_pos = map_point(ivec2(texel)), facing;
+    float height = caustics_map_height(push.pool, -axis, map_pos, facing);
+    vec3 ground = vec3(map_pos + height / axis.z * axis.xy, height - push.pool.depth);
     vec3 n = height > 0.0 ? vec3(facing, 0.0) : up;
     square_to(axis, a, b);
     vec3 sun_dir = pool_sun_dir();

@@ -5,8 +5,7 @@
 layout(local_size_x = CAUSTICS_LINE) in;
 layout(set = 0, binding = CAUSTICS_COUNTS, r32ui) uniform uimage2D counts;
 
-/* Returns four random numbers from 0 to 1 for a photon of a sample: pcg4d of Jarzynski and Olano
- * 2020. */
+/* Returns four random numbers from 0 to 1 for a photon (pcg4d, Jarzynski and Olano 2020). */
 vec4 random(uint index)
 {
     uvec4 v = uvec4(index, 1u + sample_seed(), 2u, 3u) * 1664525u + 1013904223u;
@@ -20,8 +19,8 @@ vec4 random(uint index)
     return vec4(v >> 8u) / 16777216.0;
 }
 
-/* Traces one photon from a random point of the sun through a random point of the surface. Integers
- * are added, so that their order does not matter. */
+/* Traces one photon from a random point of the sun through a random point of the surface. Weights
+ * are added as integers, so that the sum does not depend on the order. */
 void main()
 {
     uint index = gl_GlobalInvocationID.x;

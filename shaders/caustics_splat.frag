@@ -2,13 +2,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "caustics.glsl"
 
-layout(location = 0) in vec2 p;          /* position on the surface */
-layout(location = 1) flat in float flux; /* flat, because slivers would extrapolate it */
-layout(location = 0) out float raw;      /* blended by addition */
+layout(location = 0) in vec2 p;          /* position on the water surface */
+layout(location = 1) flat in float flux; /* flat: slivers would extrapolate it */
+layout(location = 0) out float raw;      /* accumulated by additive blending */
 
-/* Light is inversely proportional to the width of its beam: it is the area of a texel on the
- * surface over its own area, which is constant over the flat triangle and independent of its
- * orientation. */
+/* Computes the light of a projected grid triangle: the ratio of a texel's areas on the surface and
+ * on the floor, which is constant over a flat triangle and independent of its orientation. */
 void main()
 {
     vec2 x = dFdx(p);

@@ -5,7 +5,7 @@
 
 layout(set = 0, binding = CAUSTICS_LANDING) uniform sampler2D landing;
 
-layout(location = 0) out vec2 out_p; /* position on the surface */
+layout(location = 0) out vec2 out_p; /* position on the water surface */
 layout(location = 1) flat out float out_flux;
 
 void main()

@@ -6,8 +6,8 @@ layout(set = 0, binding = CAUSTICS_RAW) uniform sampler2D raw;
 
 layout(location = 0) out float light;
 
-/* Returns the offset, in texels, of the image of a point of the sun's disc below water at rest from
- * the image of its middle. `depth` is that of the ground. */
+/* Returns the offset, in texels, between the light map positions of a point of the sun's disc and
+ * of its centre, refracted by level water. `depth` is that of the ground. */
 vec2 image_of(vec2 at, float depth)
 {
     vec3 middle = sun_inside();
@@ -16,8 +16,8 @@ vec2 image_of(vec2 at, float depth)
     return shift * depth / map_texel_size();
 }
 
-/* Blurs the light of the sun's middle by the image of the whole disc below water at rest, an
- * ellipse. Samples are `pace` texels apart if the image is large. */
+/* Blurs the light of the sun's centre with the image of the sun's disc below level water, an
+ * ellipse. Samples are `pace` texels apart if the ellipse is large. */
 void main()
 {
     ivec2 center = ivec2(gl_FragCoord.xy);

@@ -12,8 +12,7 @@ layout(set = 0, binding = CAUSTICS_SUM, scalar) writeonly buffer Sum
 
 shared float sums[CAUSTICS_LINE];
 
-/* One workgroup adds up the map: each invocation adds several columns, then a tree of sums
- * follows. */
+/* Sums the light map by columns, then by a parallel reduction in one workgroup. */
 void main()
 {
     uint i = gl_LocalInvocationID.x;

@@ -1,14 +1,16 @@
 /*
- * cloud_light.glsl: what cloudy ice (cloud.h) scatters into a straight part of a ray's way.
+ * cloud_light.glsl: single-segment approximation of light scattered by cloudy ice (cloud.h).
  *
- * Light of what is around, without the sun: the share exp(-t) of it, t the scatterings on the part,
- * goes straight on; exp(-(1 - g) t) - exp(-t) comes from about its direction; the rest from
- * everywhere. The shares add up to 1: in even light cloudy ice is not seen. Light of the sun comes
- * straight to where it is scattered, and is spread the more the oftener it is scattered (Wrenninge,
- * Kulla and Lundqvist 2013, Oz: The Great and Volumetric).
+ * A segment of optical depth t transmits exp(-t) unscattered. With the Henyey-Greenstein phase
+ * function of parameter g, a fraction exp(-(1 - g) t) - exp(-t) comes from about the ray's
+ * direction, the rest from all directions. The fractions add up to 1, so that cloudy ice is
+ * invisible in uniform light. Sunlight is attenuated along a straight shadow ray; multiple
+ * scattering widens the phase function with optical depth (Wrenninge, Kulla and Lundqvist 2013, Oz:
+ * The Great and Volumetric). Scaling the optical depth by 1 - g (similarity relation) replaces the
+ * simulation of multiple forward scattering.
  *
- * Error: the light around is that of infinity, the same at all places, and the sun's is neither
- * refracted nor hidden.
+ * Error: the environment's light is taken as infinitely distant and unoccluded; sunlight is neither
+ * refracted at the surface nor shadowed.
  */
 #ifndef CLOUD_LIGHT_GLSL
 #define CLOUD_LIGHT_GLSL
@@ -17,10 +19,10 @@
 
 layout(set = 0, binding = CLOUD_TEXELS) uniform sampler2DArray clouds;
 
-const int cloud_sun_steps = 3;       /* towards the sun, each twice as long as the one before */
-const float cloud_blur = 4.55 - 1.0; /* layer of lit.h that blurs as much as clouds do */
+const int cloud_sun_steps = 3; /* steps of the shadow ray, each twice as long as the previous one */
+const float cloud_blur = 4.55 - 1.0; /* blur level of lit.h for the forward lobe */
 
-/* Returns the density of a cloud at a point in the space of the objects, from 0 to 1. */
+/* Returns the relative density, 0 to 1, of a field at an object-space point. */
 float cloud_density(cloud_place cloud, vec3 point)
 {
     vec3 at = (point - cloud.low) * cloud.texels_each;
@@ -33,7 +35,7 @@ float cloud_density(cloud_place cloud, vec3 point)
     return mix(both.x, both.y, z - layer);
 }
 
-/* Returns the scatterings on the sun's way to a point. */
+/* Returns the optical depth from a point towards the sun. */
 float cloud_sun_depth(cloud_place cloud, vec3 point, vec3 to_sun)
 {
     float sum = 0.0, from = 0.0, length = 0.06 * float(CLOUD_SIZE) / cloud.texels_each.x;
@@ -45,37 +47,36 @@ float cloud_sun_depth(cloud_place cloud, vec3 point, vec3 to_sun)
     return sum * cloud.extinction;
 }
 
-/* Returns Henyey and Greenstein's share of light that is turned by an angle, by 1 / 4 pi. */
+/* Returns the Henyey-Greenstein phase function times 4 pi. */
 float cloud_phase(float cosine, float g)
 {
     float base = 1.0 + g * g - 2.0 * g * cosine;
     return (1.0 - g * g) / (base * sqrt(base));
 }
 
-/* Returns the scatterings on the sun's way to places of a part of a way, x + y u + z u^2 at a share
- * u of it: the parabola through three places. They change smoothly from place to place, so that few
- * are as good as one for each step. */
-vec3 cloud_sun_depths(cloud_place cloud, vec3 from, vec3 way, vec3 to_sun)
+/* Returns a quadratic fit (x, y, z) of the optical depth towards the sun along a segment: x + y u +
+ * z u^2 for u from 0 to 1. It varies smoothly, so three shadow rays suffice for all steps. */
+vec3 cloud_sun_depths(cloud_place cloud, vec3 from, vec3 segment, vec3 to_sun)
 {
-    float before = cloud_sun_depth(cloud, from + way / 6.0, to_sun);
-    float middle = cloud_sun_depth(cloud, from + 0.5 * way, to_sun);
-    float behind = cloud_sun_depth(cloud, from + way / 1.2, to_sun);
+    float before = cloud_sun_depth(cloud, from + segment / 6.0, to_sun);
+    float middle = cloud_sun_depth(cloud, from + 0.5 * segment, to_sun);
+    float behind = cloud_sun_depth(cloud, from + segment / 1.2, to_sun);
     float slope = 1.5 * (behind - before);
     float bend = 4.5 * (before - 2.0 * middle + behind);
     return vec3(middle - 0.5 * slope + 0.25 * bend, slope - bend, bend);
 }
 
-/* Returns what of the sun's light is scattered into a direction, after so many scatterings on its
- * way, each of which widens its directions; 1: the light on a white matt surface. */
+/* Returns the sunlight scattered into a direction after an optical depth on its path, which widens
+ * the phase function; relative to the sunlight on a white diffuse surface. */
 float cloud_of_sun(float cosine, float depth)
 {
     float g = frame.cloud_cosine;
-    float wider = sign(g) * pow(abs(g), 1.0 + depth);
-    return 0.25 * cloud_phase(cosine, wider) * exp(-(1.0 - g) * depth);
+    float widened = sign(g) * pow(abs(g), 1.0 + depth);
+    return 0.25 * cloud_phase(cosine, widened) * exp(-(1.0 - g) * depth);
 }
 
-/* Returns the light of what is around: a share of what is about a direction, another of what is
- * everywhere. */
+/* Returns the environment light scattered into a ray: `ahead` weights the light from about its
+ * direction, `anywhere` the mean of all directions. */
 vec3 cloud_around(vec3 dir, float ahead, float anywhere)
 {
     vec3 before = lit_matt(dir);
@@ -90,52 +91,55 @@ vec3 cloud_around(vec3 dir, float ahead, float anywhere)
     return ahead * before + anywhere * even;
 }
 
-/* What a part of a way meets in a cloud. */
+/* Scattering along one segment of a path. */
 struct cloud_part {
-    float depth; /* scatterings on it */
-    float sun;   /* share of the sun's light that is scattered into it */
+    float depth; /* optical depth */
+    float sun;   /* in-scattered sunlight relative to frame.sun_light */
 };
 
-/* Returns the lengths of a ray to where it enters and leaves the box that has all of the cloud. */
+/* Returns the ray parameters at which a ray enters and leaves the box of non-zero densities. */
 vec2 cloud_between(cloud_place cloud, vec3 from, vec3 along)
 {
     vec3 safe = mix(along, vec3(1e-6), lessThan(abs(along), vec3(1e-6)));
-    vec3 one = (cloud.from - from) / safe, other = (cloud.to - from) / safe;
-    vec3 enter = min(one, other), leave = max(one, other);
+    vec3 t_low = (cloud.from - from) / safe, t_high = (cloud.to - from) / safe;
+    vec3 enter = min(t_low, t_high), leave = max(t_low, t_high);
     return vec2(max(enter.x, max(enter.y, enter.z)), min(leave.x, min(leave.y, leave.z)));
 }
 
-/* Follows a part of a way, of length t, from a point in the space of the objects, in `steps` steps
- * in the cloud, of which `turns` are made: all or none. */
+/* Marches along a segment of length t from an object-space point; returns its optical depth and
+ * in-scattered sunlight. `steps` steps are in the box; `remaining` is `steps`, or 0 to skip it. */
 cloud_part cloud_follow(cloud_place cloud, vec3 from, vec3 along, vec3 to_sun, float cosine,
-                        float t, int steps, int turns)
+                        float t, int steps, int remaining)
 {
-    cloud_part seen = cloud_part(0.0, 0.0);
+    cloud_part result = cloud_part(0.0, 0.0);
     vec2 between = clamp(cloud_between(cloud, from, along), 0.0, t);
-    vec3 first = from + between.x * along, way = (between.y - between.x) * along;
-    float part = (between.y - between.x) / float(steps);
-    bool is_lit = frame.sun_light != vec3(0.0) && turns > 0 && part > 0.0;
-    vec3 sun_depths = is_lit ? cloud_sun_depths(cloud, first, way, to_sun) : vec3(0.0);
-    turns = part > 0.0 ? turns : 0;
-    while (turns > 0) {
-        turns--;
-        float u = (float(turns) + 0.5) / float(steps);
-        float here = cloud_density(cloud, first + u * way) * cloud.extinction * part;
+    vec3 first = from + between.x * along, segment = (between.y - between.x) * along;
+    float step_length = (between.y - between.x) / float(steps);
+    bool is_lit = frame.sun_light != vec3(0.0) && remaining > 0 && step_length > 0.0;
+    vec3 sun_depths = is_lit ? cloud_sun_depths(cloud, first, segment, to_sun) : vec3(0.0);
+    remaining = step_length > 0.0 ? remaining : 0;
+    while (remaining > 0) {
+        remaining--;
+        float u = (float(remaining) + 0.5) / float(steps);
+        float depth_here =
+            cloud_density(cloud, first + u * segment) * cloud.extinction * step_length;
         float sun_depth = max(sun_depths.x + u * (sun_depths.y + u * sun_depths.z), 0.0);
-        float straight = exp(-here), turned = exp(-(1.0 - frame.cloud_cosine) * here);
-        seen.sun *= turned;
-        if (is_lit && here > 0.0)
-            seen.sun += (1.0 - straight) * cloud_of_sun(cosine, sun_depth);
-        seen.depth += here;
+        float transmittance = exp(-depth_here),
+              reduced = exp(-(1.0 - frame.cloud_cosine) * depth_here);
+        result.sun *= reduced;
+        if (is_lit && depth_here > 0.0)
+            result.sun += (1.0 - transmittance) * cloud_of_sun(cosine, sun_depth);
+        result.depth += depth_here;
     }
-    return seen;
+    return result;
 }
 
-/* Returns the light that a part adds to a way. */
-vec3 cloud_light(cloud_part seen, vec3 dir)
+/* Returns the radiance that a segment adds to the path by in-scattering. */
+vec3 cloud_light(cloud_part result, vec3 dir)
 {
-    float straight = exp(-seen.depth), turned = exp(-(1.0 - frame.cloud_cosine) * seen.depth);
-    return cloud_around(dir, turned - straight, 1.0 - turned) + seen.sun * frame.sun_light;
+    float transmittance = exp(-result.depth),
+          reduced = exp(-(1.0 - frame.cloud_cosine) * result.depth);
+    return cloud_around(dir, reduced - transmittance, 1.0 - reduced) + result.sun * frame.sun_light;
 }
 
 #endif

@@ -11,8 +11,8 @@ layout(set = 0, binding = CONTACT_BINDING, scalar) uniform Contact
 layout(location = MESH_POSITION) in vec3 position;
 layout(location = MESH_MATERIAL) in uint material;
 
-/* The surroundings from above, over the square of the map. What is higher than what counts is as
- * high as that; what is lower than the foot is not drawn. */
+/* Projects the surroundings orthographically from above, over the square of the map. Heights are
+ * clamped to the maximum; what lies below the plane of the objects' base is clipped. */
 void main()
 {
     vec3 off = pose_surroundings(position, material) - contact.middle;

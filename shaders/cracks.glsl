@@ -1,4 +1,4 @@
-/* cracks.glsl: the position and the bumpy normal of a point of a crack. */
+/* cracks.glsl: position and bump-mapped normal of a point of a crack, and its shading. */
 #ifndef CRACKS_GLSL
 #define CRACKS_GLSL
 #include "cracks.h"
@@ -14,12 +14,12 @@ layout(location = CRACKS_OPEN) in float open;
 layout(location = CRACKS_LIGHTS) flat in vec4 lights[GLOBALS_LIGHT_COUNT];
 layout(location = CRACKS_LOOK) flat in cracks_look look;
 
-const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* colour with look.surface */
+const vec4 crack_red = vec4(1.0, 0.0, 0.0, 1.0); /* colour if look.surface is set */
 
-/* A point of a crack, in the object's space. */
+/* View ray and normal at a point of a crack, object space. */
 struct crack_point {
-    vec3 e; /* direction of the ray that sees it */
-    vec3 n; /* towards the eye */
+    vec3 e; /* direction of the primary ray */
+    vec3 n; /* unit normal towards the camera */
 };
 
 crack_point crack_here()
@@ -29,24 +29,24 @@ crack_point crack_here()
     c.e = constant_orthographic != 0u ? transpose(mat3(frame.world_from_object)) * frame.forward
                                       : normalize(eye_to_point);
     c.n = look.bump > 0.0 ? crack_bent(n, position, look.bump) : n;
-    if (dot(n, c.e) > 0.0) /* cracks are visible from both sides */
+    if (dot(n, c.e) > 0.0) /* cracks are double-sided */
         c.n = -c.n;
     return c;
 }
 
-/* Returns the width of a gap here, micrometres. */
+/* Returns the local width of the air gap, micrometres. */
 float crack_width()
 {
     return look.gap * sqrt(max(open, 0.0));
 }
 
-/* Returns the shares of light that a gap reflects towards the eye. */
+/* Returns the reflectance of the air gap towards the camera. */
 vec3 crack_shares(crack_point c)
 {
     return cracks_reflectance(-dot(c.n, c.e), frame.outside_in_air / frame.eta, crack_width());
 }
 
-/* Returns Blinn and Phong's highlights of the lights on the eye's side. */
+/* Returns the Blinn-Phong highlights of lights on the camera's side. */
 float crack_highlight(crack_point c)
 {
     float sum = 0.0;

@@ -1,7 +1,7 @@
-/* cracks_color.glsl: main() of the highlights; the clipping method defines crack_is_inside(). */
+/* cracks_color.glsl: main() of highlights on cracks; clipping defines crack_is_inside(). */
 #include "cracks.glsl"
 
-layout(location = 0) out vec4 color; /* premultiplied */
+layout(location = 0) out vec4 color; /* premultiplied alpha */
 
 void main()
 {

@@ -1,6 +1,5 @@
-/* cracks_convex.glsl: a point is inside if it is between the nearest front and the farthest back
- * face. The depth test rejects points behind the latter; with CRACKS_BEFORE_BACK, this code
- * does. */
+/* cracks_convex.glsl: clips cracks between the nearest front face and the farthest back face. The
+ * depth test rejects fragments behind the latter, or this code does with CRACKS_BEFORE_BACK. */
 #include "cracks.h"
 
 layout(set = 0, binding = CRACKS_FRONT) uniform sampler2D front;

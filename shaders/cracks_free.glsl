@@ -1,4 +1,4 @@
-/* cracks_free.glsl: cracks that need no clipping, or were clipped in advance. */
+/* cracks_free.glsl: crack_is_inside() for cracks that need no clipping when they are drawn. */
 bool crack_is_inside()
 {
     return true;

@@ -1,11 +1,10 @@
-/* cracks_gap.glsl: main() of cracks filled with air; the clipping method defines crack_is_inside().
- */
+/* cracks_gap.glsl: main() of air-filled cracks, which reflect the environment cube map. */
 #include "cracks.glsl"
 #include "lib/optics.glsl"
 
 layout(set = 0, binding = CRACKS_ENV_CUBE) uniform samplerCube env_cube;
 
-layout(location = 0) out vec4 color; /* premultiplied */
+layout(location = 0) out vec4 color; /* premultiplied alpha */
 
 void main()
 {
@@ -17,9 +16,10 @@ void main()
     }
     crack_point c = crack_here();
     float shine = crack_highlight(c);
-    float over = min(shine, 1.0);
-    vec3 shares = constant_cracks_met != 0u ? vec3(0.0) : crack_shares(c);
-    vec3 mirrored = shares * texture(env_cube, pose_object_normal(optics_reflect(c.e, c.n))).rgb;
-    float share = dot(shares, vec3(1.0 / 3.0));
-    color = vec4(vec3(shine) + (1.0 - over) * mirrored, over + (1.0 - over) * share);
+    float alpha = min(shine, 1.0);
+    vec3 reflectance = constant_cracks_met != 0u ? vec3(0.0) : crack_shares(c);
+    vec3 reflected =
+        reflectance * texture(env_cube, pose_object_normal(optics_reflect(c.e, c.n))).rgb;
+    float mean = dot(reflectance, vec3(1.0 / 3.0));
+    color = vec4(vec3(shine) + (1.0 - alpha) * reflected, alpha + (1.0 - alpha) * mean);
 }

@@ -1,4 +1,4 @@
-/* cracks_interval.glsl: a point is inside if it is within one of the pixel's intervals. */
+/* cracks_interval.glsl: clips cracks to the intervals in which a pixel's ray is inside the ice. */
 #include "cracks.h"
 #include "ice_interval.glsl"
 

@@ -1,20 +1,20 @@
 /*
- * cracks_law.h: what a crack reflects, a thin gap of air with parallel sides, for shaders and C.
+ * cracks_law.h: reflectance of a crack, a thin parallel air gap, for shaders and C.
  *
- * Airy's sum of all reflections between the sides, for light of three wavelengths. A gap that is
- * thin against them reflects nothing, wider ones shine in colours, and beyond 3 micrometres those
- * fade into their mean. Beyond the critical angle light tunnels through thin gaps.
+ * Thin-film interference by Airy's sum over all internal reflections, at three wavelengths. A gap
+ * much thinner than the wavelength reflects nothing, wider ones show interference colours, and
+ * beyond 3 micrometres the colours fade into their mean. Beyond the critical angle light tunnels
+ * through thin gaps (frustrated total internal reflection).
  *
- * Error: below the critical angle, polarised light has the reflectance of a side for other light.
+ * Error: below the critical angle the two polarisations are averaged before the sum, not after it.
  */
 #ifndef SHADERS_CRACKS_LAW_H
 #define SHADERS_CRACKS_LAW_H
 #include "abi_math.h"
 
-#define CRACKS_BLURRED 1.5f /* micrometres: where colours have faded to 1 / e */
+#define CRACKS_BLURRED 1.5f /* gap width at which colours have faded to 1 / e, micrometres */
 
-/* Returns the reflectance of a gap for light of a wavelength, micrometres; all else is that of
- * cracks_reflectance(). */
+/* Returns a gap's reflectance at a wavelength in micrometres; see cracks_reflectance(). */
 ABI_FUNCTION float cracks_at(vec3s gap, float phase, float wavelength)
 {
     float x = phase / wavelength;
@@ -28,13 +28,12 @@ ABI_FUNCTION float cracks_at(vec3s gap, float phase, float wavelength)
 }
 
 /* Returns the reflectance for red, green and blue light (610, 550, 465 nm). `c` is the cosine of
- * the angle to the normal in the ice, `n` its index over that of the gap, `width` the gap's,
- * micrometres. */
+ * incidence in the ice, `n` the ice's index relative to the gap's, `width` in micrometres. */
 ABI_FUNCTION vec3s cracks_reflectance(float c, float n, float width)
 {
-    float cosine2 = 1.0f - n * n * (1.0f - c * c); /* in the gap; below 0: total reflection */
+    float cosine2 = 1.0f - n * n * (1.0f - c * c); /* squared; negative for total reflection */
     float b = sqrtf(fmaxf(fabsf(cosine2), 1e-8f));
-    float across = n * c, along = c / n; /* of light polarised across and along */
+    float across = n * c, along = c / n; /* for s- and p-polarised light */
     float rs = (across - b) / (across + b), rp = (along - b) / (along + b);
     float side = 0.5f * (rs * rs + rp * rp);
     float mean = 2.0f * side / (1.0f + side);

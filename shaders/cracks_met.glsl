@@ -1,12 +1,12 @@
 /*
- * cracks_met.glsl: main() of gaps of air for rungs that follow the light on from them
- * (refract_cracks.glsl); the clipping method defines crack_is_inside(). A gap that the straight ray
- * sees mirror much hides those that it does not, however near.
+ * cracks_met.glsl: main() of the crack hits for refraction models that continue the ray at a gap
+ * (refract_cracks.glsl); the clipping method defines crack_is_inside(). A gap that is highly
+ * reflective along the straight ray hides weaker ones, however near they are.
  */
 #include "cracks.glsl"
 #include "within.glsl"
 
-layout(location = 0) out vec4 met; /* r: depth (within.glsl); gba: normal, 1 + micrometres long */
+layout(location = 0) out vec4 met; /* r: depth (within.glsl); gba: normal of length 1 + width, um */
 
 void main()
 {

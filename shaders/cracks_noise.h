@@ -1,6 +1,5 @@
 /*
- * cracks_noise.h: the roughness of cracks, for shaders and C: the slope of value noise in the
- * object's space, three octaves.
+ * cracks_noise.h: roughness of cracks, for shaders and C: gradient of three octaves of noise.
  */
 #ifndef SHADERS_CRACKS_NOISE_H
 #define SHADERS_CRACKS_NOISE_H
@@ -23,13 +22,13 @@ ABI_FUNCTION float crack_fade(float t)
     return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
 }
 
-/* The derivative of crack_fade(). */
+/* Returns the derivative of crack_fade(). */
 ABI_FUNCTION float crack_rise(float t)
 {
     return 30.0f * t * t * (t * (t - 2.0f) + 1.0f);
 }
 
-/* Returns the gradient of value noise with values from -1 to 1 at integer coordinates. */
+/* Returns the gradient of value noise, whose values at integer coordinates are from -1 to 1. */
 ABI_FUNCTION vec3s crack_slope(vec3s p)
 {
     vec3s below = ABI_VEC3(floorf(p.x), floorf(p.y), floorf(p.z));
@@ -38,7 +37,7 @@ ABI_FUNCTION vec3s crack_slope(vec3s p)
     uint32_t z = ABI_UINT(ABI_INT(below.z));
     vec3s t = glms_vec3_sub(p, below);
     vec3s s = ABI_VEC3(crack_fade(t.x), crack_fade(t.y), crack_fade(t.z));
-    float across[4]; /* along x, at the four corners of y and z */
+    float across[4]; /* along x, at the four corners in y and z */
     float along[4];
     for (uint32_t i = 0u; i < 4u; i++) {
         uint32_t row = y + (i & 1u);
@@ -61,7 +60,7 @@ ABI_FUNCTION vec3s crack_octave(vec3s p, float frequency, float shift)
         ABI_VEC3(p.x * frequency + shift, p.y * frequency + shift, p.z * frequency + shift));
 }
 
-/* Returns the normal n, bent by roughness of slope `bump` at p, in radii of the object's sphere. */
+/* Returns the normal n perturbed by noise of slope `bump` at p, in radii of the object's sphere. */
 ABI_FUNCTION vec3s crack_bent(vec3s n, vec3s p, float bump)
 {
     vec3s slope = glms_vec3_add(glms_vec3_scale(crack_octave(p, 5.0f, 0.0f), 0.6f),

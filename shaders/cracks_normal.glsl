@@ -1,8 +1,8 @@
-/* cracks_normal.glsl: main() of the normals; the clipping method defines crack_is_inside(). */
+/* cracks_normal.glsl: main() of cracks' normals; clipping defines crack_is_inside(). */
 #include "cracks.glsl"
 
 layout(location = 0) out vec4
-    out_normal; /* points away from the eye, like normals of the ice's back faces */
+    out_normal; /* points away from the camera, like normals of the ice's back faces */
 
 void main()
 {

@@ -1,8 +1,8 @@
 /*
- * cracks_vert.glsl: main() of the cracks' vertices; CRACKS_CLIP is the matrix.
+ * cracks_vert.glsl: main() of the cracks' vertex shader; CRACKS_CLIP is the clip-from-world matrix.
  *
- * Values that are equal for all pixels are passed from here, because lavapipe's fragment shaders
- * fetch each float of a uniform separately for each pixel (Mesa 22.3).
+ * Per-draw constants are passed as flat varyings, because lavapipe's fragment shaders fetch each
+ * float of a uniform separately for each pixel (Mesa 22.3).
  */
 #include "cracks.h"
 #include "lib/pose.glsl"

@@ -18,9 +18,9 @@ layout(set = 0, binding = FROST_EXIT) uniform sampler2D exit_dir;
 layout(location = REFRACT_EYE_TO_POINT) in vec3 eye_to_point;
 layout(location = REFRACT_NORMAL) in vec3 normal;
 
-layout(location = 0) out vec4 color; /* premultiplied */
+layout(location = 0) out vec4 color; /* premultiplied alpha */
 
-/* Returns the light on the surface. A panorama or colour is looked up along the normal alone. */
+/* Returns the irradiance of the frost. A panorama or uniform colour is sampled along the normal. */
 vec3 light_on(vec3 n)
 {
     if (constant_background == GLOBALS_SKY)
@@ -28,12 +28,12 @@ vec3 light_on(vec3 n)
     return texture(blurred, n).rgb;
 }
 
-/* Thin frost blurs the picture behind it; thick frost is white. */
+/* Blends from a blurred view behind (thin frost) to a white diffuse surface (thick frost). */
 void main()
 {
     vec3 n = normalize(normal);
     vec2 mask = bump_mask_here(n);
-    float share = push.amount * (1.0 - mask.r) * mask.g;
+    float opacity = push.amount * (1.0 - mask.r) * mask.g;
     vec3 behind = texture(blurred, texelFetch(exit_dir, ivec2(gl_FragCoord.xy), 0).xyz).rgb;
-    color = vec4(share * mix(behind, light_on(n), share), share);
+    color = vec4(opacity * mix(behind, light_on(n), opacity), opacity);
 }

@@ -13,11 +13,11 @@ layout(set = 0, binding = FROST_ENV_CUBE) uniform samplerCube env_cube;
 layout(location = 0) out vec4 color;
 
 const uint count = 128u;
-const float golden = 2.39996323; /* radians */
-const float brightest = 16.0;    /* clamps the sun, which would show as a spot for each sample */
+const float golden = 2.39996323; /* golden angle, radians */
+const float brightest = 16.0;    /* clamp on the sun, which would show up as one spot per sample */
 
-/* Computes the mean radiance that the crystals scatter into a direction: a slope of angle d bends
- * refracted light by (n - 1) d. */
+/* Computes the mean radiance that the frost crystals scatter into a direction. Slopes are
+ * GGX-distributed; a slope of angle d deflects refracted light by (n - 1) d. */
 void main()
 {
     vec2 ndc = gl_FragCoord.xy / float(FROST_CUBE_SIZE) * 2.0 - 1.0;
@@ -26,12 +26,12 @@ void main()
     vec3 v = cross(dir, u);
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < count; i++) {
-        float share = (float(i) + 0.5) / float(count);
-        float bend = (1.0 / frame.eta - 1.0) * atan(push.spread * sqrt(share / (1.0 - share)));
-        float turn = golden * float(i);
-        vec3 around = cos(turn) * u + sin(turn) * v;
-        vec3 seen = texture(env_cube, cos(bend) * dir + sin(bend) * around).rgb;
-        sum += min(seen, vec3(brightest));
+        float s = (float(i) + 0.5) / float(count);
+        float bend = (1.0 / frame.eta - 1.0) * atan(push.spread * sqrt(s / (1.0 - s)));
+        float azimuth = golden * float(i);
+        vec3 around = cos(azimuth) * u + sin(azimuth) * v;
+        vec3 radiance = texture(env_cube, cos(bend) * dir + sin(bend) * around).rgb;
+        sum += min(radiance, vec3(brightest));
     }
     color = vec4(sum / float(count), 1.0);
 }

@@ -8,7 +8,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) flat in uint material;
 layout(location = 0) out vec4 out_normal;
-layout(location = 1) out vec4 out_position; /* w: distance along the view's axis */
+layout(location = 1) out vec4 out_position; /* w: distance along the view axis */
 
 void main()
 {

@@ -16,7 +16,7 @@ layout(push_constant, scalar) uniform Push
 layout(location = 0) out vec3 out_position;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec2 out_uv;
-layout(location = 3) flat out uint out_material; /* 0: no holes */
+layout(location = 3) flat out uint out_material; /* 0 for no alpha cut-out */
 
 void main()
 {

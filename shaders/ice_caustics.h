@@ -1,49 +1,49 @@
-/* ice_caustics.h: shared by ice_caustics.c, background.c and their shaders: the sun's light through
- * the ice, and its light map. */
+/* ice_caustics.h: bindings, constants and push constants of the ice's caustics and shadow map. */
 #ifndef SHADERS_ICE_CAUSTICS_H
 #define SHADERS_ICE_CAUSTICS_H
 #include "refract_march.h"
 
-#define ICE_CAUSTICS_NONE 0 /* ice_caustics_params.light */
+#define ICE_CAUSTICS_NONE 0 /* values of ice_caustics_params.light */
 #define ICE_CAUSTICS_SUN  1
 
-#define ICE_CAUSTICS_PHOTONS  512     /* texels a side of the sun's view of the ice */
-#define ICE_CAUSTICS_SIZE     512     /* texels a side of the light map */
+#define ICE_CAUSTICS_PHOTONS  512     /* photons along each side of the sun's view of the ice */
+#define ICE_CAUSTICS_SIZE     512     /* side of the caustic map, texels */
 #define ICE_CAUSTICS_DISTANCE 1000.0f /* distance of the sun's camera, radii of the ice's sphere */
-#define ICE_CAUSTICS_MARGIN   1.02f   /* half width of its view, radii of the ice's sphere */
-#define ICE_CAUSTICS_WEIGHT   4096.0f /* integer weight of a photon without losses */
-#define ICE_CAUSTICS_GROUP    8       /* invocations along each side of a workgroup */
+#define ICE_CAUSTICS_MARGIN   1.02f   /* half width of the sun's view, radii of the ice's sphere */
+#define ICE_CAUSTICS_WEIGHT   4096.0f /* fixed-point weight of a photon without losses */
+#define ICE_CAUSTICS_GROUP    8       /* workgroup size along x and y */
 
-/* Bindings of ice_caustics_ground.* and of the photons, which also have 2 to 5 of refract.h. */
+/* Bindings of ice_caustics_ground.* and of the photon pass, which also uses 2 to 5 of refract.h. */
 #define ICE_CAUSTICS_LIGHT  6 /* struct ice_caustics_light */
-#define ICE_CAUSTICS_GROUND 7 /* depth of the ground in the sun's view */
-#define ICE_CAUSTICS_FRONT  8 /* depth of the ice's front faces in the sun's view */
+#define ICE_CAUSTICS_GROUND 7 /* depth of the ground, from the sun */
+#define ICE_CAUSTICS_FRONT  8 /* depth of the ice's front faces, from the sun */
 
-/* The sun's view of all surroundings, which may hide it from each other. */
-#define ICE_CAUSTICS_SHADE       24   /* binding: its depth; 0 where there is none */
-#define ICE_CAUSTICS_SHADE_SIZE  2048 /* texels a side */
-#define ICE_CAUSTICS_SHADE_REACH 6.0f /* half its width, in those of the sun's view of the ice */
+/* Shadow map: depth of all surroundings in the sun's view. */
+#define ICE_CAUSTICS_SHADE      24   /* binding; cleared to 0, the far plane */
+#define ICE_CAUSTICS_SHADE_SIZE 2048 /* side, texels */
+#define ICE_CAUSTICS_SHADE_REACH \
+    6.0f /* width of the shadow map, relative to the sun's view of the ice */
 
-/* Bindings of the passes that count photons. */
-#define ICE_CAUSTICS_LANDED 1 /* landing points of red; green and blue are 2 and 3 */
+/* Bindings of the passes that accumulate photons. */
+#define ICE_CAUSTICS_LANDED 1 /* landing points of red; green and blue use bindings 2 and 3 */
 #define ICE_CAUSTICS_COUNTS 4 /* maps of red, green and blue side by side */
-#define ICE_CAUSTICS_NORMAL 5 /* w: 1 where the sun sees ice */
+#define ICE_CAUSTICS_NORMAL 5 /* w: 1 where the sun sees the ice */
 
-/* Binding of shaders that look up the light map (lib/ice_light.glsl). */
-#define ICE_CAUSTICS_MAP 9 /* rgb: light; a: cover of the ice */
+/* Binding in shaders that look up the caustic map (lib/ice_light.glsl). */
+#define ICE_CAUSTICS_MAP 9 /* rgb: caustics; a: coverage of the ice's shadow */
 
-/* The sun's view of ground and ice: a square, `reach` times as wide as its view of the ice. */
+/* View of the caustic map: the sun's view of the ice, widened by the factor `reach`. */
 struct ice_caustics_light {
     mat4s clip_from_world;
     float reach;
-    float front; /* distance from the eye at which the ground begins, metres */
-    float lift;  /* of points over their own surface in the view of all surroundings, metres */
+    float front; /* distance from the sun's camera at which the ground begins, metres */
+    float lift;  /* offset of shadow map look-ups along the surface normal, metres */
 };
 
 struct ice_caustics_push {
     ABI_STRUCT(refract_march) march;
-    float sun_x, sun_y; /* offset of this sample's random points on the sun, 0 to 1 */
-    float sun;          /* the sun's diameter, degrees */
+    float sun_x, sun_y; /* random offset of this sample's points on the sun's disc, 0 to 1 */
+    float sun;          /* angular diameter of the sun, degrees */
 };
 
 #endif

@@ -6,7 +6,7 @@ layout(set = 0, binding = ICE_CAUSTICS_FRONT) uniform sampler2D front;
 
 layout(location = 0) in vec3 point;
 
-/* Ground is all surfaces behind the front of the ice, which excludes roofs above it. */
+/* Keeps surfaces behind the ice's front faces, so that roofs above it do not count as ground. */
 void main()
 {
     vec4 clip = ice_light_clip(point);

@@ -6,9 +6,9 @@ layout(set = 0, binding = ICE_CAUSTICS_COUNTS) uniform usampler2D counts;
 layout(set = 0, binding = ICE_CAUSTICS_NORMAL) uniform sampler2D normal_front;
 
 layout(
-    location = 0) out vec4 map; /* rgb: light relative to that without ice; a: cover of the ice */
+    location = 0) out vec4 map; /* rgb: light relative to direct sunlight; a: coverage by the ice */
 
-/* Returns the counted light in rgb and the cover in a. */
+/* Returns the accumulated photon weights in rgb and the coverage in a. */
 vec4 counted(ivec2 texel)
 {
     ivec2 at = clamp(texel, ivec2(0), ivec2(ICE_CAUSTICS_SIZE - 1));
@@ -20,8 +20,8 @@ vec4 counted(ivec2 texel)
     return found;
 }
 
-/* Averages the nine texels around a texel, which blurs photons and the shadow's edge, and scales
- * the counts by the area of a photon in texels. */
+/* Filters the counts with a 3 x 3 tent, which reduces photon noise and softens the shadow's edge,
+ * and scales them by the area of a photon in texels. */
 void main()
 {
     const float weights[3] = { 0.25, 0.5, 0.25 };
@@ -33,6 +33,6 @@ void main()
     }
     float photon = float(ICE_CAUSTICS_SIZE) / (float(ICE_CAUSTICS_PHOTONS) * light.reach);
     map.rgb = sum.rgb * (photon * photon / ICE_CAUSTICS_WEIGHT);
-    map.rgb = min(map.rgb, vec3(65504.0)); /* focused light may exceed the largest half */
+    map.rgb = min(map.rgb, vec3(65504.0)); /* focused light may exceed the range of a half float */
     map.a = sum.a;
 }

@@ -1,7 +1,8 @@
 /*
- * ice_caustics_photons.glsl: main() of photons, one for each texel of the ice's front faces in the
- * sun's view, which writes where they land in the map and their energy. The faces are read from
- * their pictures; with REFRACT_BUMP they are drawn again, with bumps.
+ * ice_caustics_photons.glsl: main() of the photon pass, one photon for each texel of the ice's
+ * front faces in the sun's view; writes its landing point in the caustic map and its energy. The
+ * faces are read from their depth and normal maps; with REFRACT_BUMP they are rasterised again,
+ * with bumps.
  */
 #ifndef REFRACT_BUMP
 #define REFRACT_PHOTONS
@@ -21,10 +22,10 @@ layout(push_constant, scalar) uniform Push
 
 layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D ground;
 #ifdef REFRACT_PHOTONS
-layout(location = 0) in vec3 ray; /* from the eye, of length 1 along the view's axis */
+layout(location = 0) in vec3 ray; /* from the camera, of length 1 along the view axis */
 #endif
 
-/* xy: position in the map; z: share of the photon's energy that arrives */
+/* xy: position in the map; z: fraction of the photon's energy that arrives */
 layout(location = 0) out vec4 landed_red;
 layout(location = 1) out vec4 landed_green;
 layout(location = 2) out vec4 landed_blue;
@@ -32,7 +33,7 @@ layout(location = 2) out vec4 landed_blue;
 const int ground_steps = 24;
 const int ground_halvings = 12;
 const float ground_first = 0.02; /* length of the first step, radii of the ice's sphere */
-const float ground_last = 64.0;  /* length after which a ray ends that stays above the map */
+const float ground_last = 64.0;  /* maximum length of a ray, radii of the ice's sphere */
 
 /* Returns two random numbers from 0 to 1 for a texel: pcg2d of Jarzynski and Olano 2020. */
 vec2 random(uvec2 v)
@@ -58,19 +59,19 @@ vec3 sun_ray(vec3 e)
     return normalize(e + away * (cos(angle) * a + sin(angle) * b));
 }
 
-/* Returns the length of a ray to the map's edge, where |x| or |y| equals w. */
-float map_room(vec4 clip, vec4 way)
+/* Returns the length of a ray up to the edge of the map, where |x| or |y| equals w. */
+float length_to_map_edge(vec4 clip, vec4 dir_clip)
 {
-    float room = ground_last * frame.radius;
+    float limit = ground_last * frame.radius;
     for (int axis = 0; axis < 2; axis++) {
         for (float side = -1.0; side < 2.0; side += 2.0) {
             float gap = clip.w - side * clip[axis];
-            float closing = side * way[axis] - way.w;
+            float closing = side * dir_clip[axis] - dir_clip.w;
             if (closing > 0.0)
-                room = min(room, gap / closing);
+                limit = min(limit, gap / closing);
         }
     }
-    return room;
+    return limit;
 }
 
 bool is_below(vec4 clip)
@@ -84,34 +85,35 @@ bool march_is_in_ground(vec3 point)
     return is_below(ice_light_clip(point));
 }
 
-/* Returns in xy where a ray meets the ground in the map, and in z 1, or 0 if it does not. A ray
- * that passes behind a surface of the depth map lands on that surface. */
+/* Intersects a ray with the depth map of the ground: steps of growing length, then bisection.
+ * Returns the map coordinates in xy, and in z 1 for a hit or 0. The depth map is treated as solid:
+ * a ray that passes behind a surface hits it. */
 vec3 land(vec3 point, vec3 dir)
 {
     vec4 clip = ice_light_clip(point);
-    vec4 way = light.clip_from_world * vec4(dir, 0.0);
+    vec4 dir_clip = light.clip_from_world * vec4(dir, 0.0);
     float first = ground_first * frame.radius;
-    float growth = max(map_room(clip, way), first) / first;
+    float growth = max(length_to_map_edge(clip, dir_clip), first) / first;
     float above = 0.0;
     float below = 0.0;
     bool found = is_below(clip);
     for (int i = 0; i <= ground_steps && !found; i++) {
         above = below;
         below = first * pow(growth, float(i) / float(ground_steps));
-        found = is_below(clip + below * way);
+        found = is_below(clip + below * dir_clip);
     }
     for (int i = 0; i < ground_halvings; i++) {
         float t = 0.5 * (above + below);
-        if (is_below(clip + t * way))
+        if (is_below(clip + t * dir_clip))
             below = t;
         else
             above = t;
     }
-    return vec3(ice_light_uv(clip + below * way), found ? 1.0 : 0.0);
+    return vec3(ice_light_uv(clip + below * dir_clip), found ? 1.0 : 0.0);
 }
 
 #ifdef REFRACT_PHOTONS
-/* Reads the face of this texel. Returns whether there is one. */
+/* Reads the front face at this texel. Returns false if there is none. */
 bool find_front()
 {
     ivec2 texel = ivec2(gl_FragCoord.xy);
@@ -131,18 +133,18 @@ void main()
     vec3 e = sun_ray(normalize(eye_to_point));
     vec3 n_f = refract_front_normal();
     vec4 landed[3];
-    refract_way way;
+    refract_way exit_ray;
     float leaving;
-    vec3 place;
+    vec3 landing;
     for (uint i = 0u; i < 3u; i++) {
         int channel = int(i + 1u) % 3;
         if (i < constant_refract_colors) {
-            way = march_follow(e, n_f, channel, leaving);
-            place = land(way.point, way.dir);
+            exit_ray = march_follow(e, n_f, channel, leaving);
+            landing = land(exit_ray.point, exit_ray.dir);
             leaving *= 1.0 - optics_fresnel(e, n_f, frame.etas[channel]);
         }
-        float kept = leaving * exp(-frame.absorb[channel] * way.path);
-        landed[channel] = vec4(place.xy, place.z * kept, 0.0);
+        float energy = leaving * exp(-frame.absorb[channel] * exit_ray.path);
+        landed[channel] = vec4(landing.xy, landing.z * energy, 0.0);
     }
     landed_red = landed[0];
     landed_green = landed[1];

@@ -8,7 +8,7 @@ layout(set = 0, binding = ICE_CAUSTICS_LANDED + 1) uniform sampler2D landed_gree
 layout(set = 0, binding = ICE_CAUSTICS_LANDED + 2) uniform sampler2D landed_blue;
 layout(set = 0, binding = ICE_CAUSTICS_COUNTS, r32ui) uniform uimage2D counts;
 
-/* Integers are added, so that their order does not matter. */
+/* Adds a photon to the map. Weights are integers, so that the sum does not depend on the order. */
 void splat(vec4 landed, int channel)
 {
     ivec2 texel = ivec2(floor(landed.xy * float(ICE_CAUSTICS_SIZE)));

@@ -1,5 +1,6 @@
 /*
- * mirror.glsl: follows rays that surfaces mirror through the depths of the objects' picture.
+ * mirror.glsl: ray march of the screen-space reflections: linear steps through the depth buffer of
+ * the refractive objects, followed by bisection.
  */
 #ifndef MIRROR_GLSL
 #define MIRROR_GLSL
@@ -20,12 +21,11 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) in vec3 ray;
 
-const int halvings = 4; /* of the step in which a ray meets an object */
+const int halvings = 4; /* bisections of the step in which the ray hits an object */
 
-/* The part of a mirrored ray in the objects' box: metres from its begin, and homogeneous points of
- * the picture. */
+/* Segment of a reflected ray inside the objects' bounding box; its end points in clip space. */
 struct part {
-    float enters, leaves; /* leaves <= enters: it misses the box */
+    float enters, leaves; /* the ray misses the box if leaves <= enters */
     vec4 from, to;
 };
 
@@ -50,44 +50,43 @@ part part_in_box(vec3 point, vec3 dir)
     return p;
 }
 
-/* Returns how far a point is behind the objects' fronts, metres along the view's axis; below 0
- * before them, and beside them. */
-float behind(vec4 clip)
+/* Returns the depth of a point behind the objects' front faces, metres along the view axis;
+ * negative in front of the objects and beside them. */
+float depth_behind_front(vec4 clip)
 {
     vec2 uv = picture_uv(clip);
     float front = texelFetch(fronts, ivec2(uv * vec2(textureSize(fronts, 0))), 0).r;
-    bool is_beside =
-        front <= 0.0 || any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)));
-    if (is_beside)
+    bool misses = front <= 0.0 || any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)));
+    if (misses)
         return -1e30;
     return view_distance(frame.clip_from_world, clip.z / clip.w) -
            view_distance(frame.clip_from_world, front);
 }
 
-/* Returns the share of a part after which the ray meets an object; above 1: none. */
+/* Returns the hit parameter along a segment, 0 to 1, or a value above 1 if nothing is hit. */
 float find(part p)
 {
-    float before = 0.0, after = 2.0;
+    float t_before = 0.0, t_hit = 2.0;
     uint count = p.leaves > p.enters ? push.steps : 0u;
-    for (uint i = 1u; i <= count && after > 1.0; i++) {
-        float share = (float(i) - 0.5) / float(count);
-        float deep = behind(mix(p.from, p.to, share));
-        if (deep > 0.0 && deep < push.thickness)
-            after = share;
+    for (uint i = 1u; i <= count && t_hit > 1.0; i++) {
+        float t = (float(i) - 0.5) / float(count);
+        float depth_behind = depth_behind_front(mix(p.from, p.to, t));
+        if (depth_behind > 0.0 && depth_behind < push.thickness)
+            t_hit = t;
         else
-            before = share;
+            t_before = t;
     }
-    for (int i = 0; i < halvings && after <= 1.0; i++) {
-        float share = 0.5 * (before + after);
-        if (behind(mix(p.from, p.to, share)) > 0.0)
-            after = share;
+    for (int i = 0; i < halvings && t_hit <= 1.0; i++) {
+        float t = 0.5 * (t_before + t_hit);
+        if (depth_behind_front(mix(p.from, p.to, t)) > 0.0)
+            t_hit = t;
         else
-            before = share;
+            t_before = t;
     }
-    return after;
+    return t_hit;
 }
 
-/* Returns whether a pixel shows a surface that mirrors the objects, no object before it. */
+/* Returns true if a pixel shows a reflective surface that no object hides. */
 bool is_mirror(ivec2 pixel)
 {
     float depth = texelFetch(depths, pixel, 0).r;
@@ -96,7 +95,7 @@ bool is_mirror(ivec2 pixel)
     return depth > front && surface.w > 0.0 && surface.z < MATERIAL_ROUGH;
 }
 
-/* Returns the point that a pixel shows, from the eye. */
+/* Returns the surface point of a pixel, relative to the camera. */
 vec3 mirror_point(ivec2 pixel, vec3 ray)
 {
     float depth = texelFetch(depths, pixel, 0).r;

@@ -4,7 +4,7 @@
 
 layout(location = 0) out vec3 out_view_ray;
 
-/* A triangle that covers the picture. */
+/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

@@ -11,10 +11,11 @@
 layout(set = 0, binding = MIRROR_POINT) uniform sampler2D points;
 layout(set = 0, binding = MIRROR_DIR) uniform sampler2D dirs;
 
-layout(location = 0) out vec4 refracted; /* premultiplied */
+layout(location = 0) out vec4 refracted; /* premultiplied alpha */
 
-/* What a mirrored ray sees of the object that it meets, as the rung shades the eye's rays. Nothing
- * is known where it meets the face that the picture has there from behind, and so another one. */
+/* Shades a reflected ray at the object it hits, with the refraction model of primary rays. The
+ * depth maps hold faces visible to the camera only: where the ray hits such a face from behind, it
+ * should have hit another, unknown one, so the result is empty. */
 void main()
 {
     ivec2 at = ivec2(gl_FragCoord.xy);
@@ -28,7 +29,7 @@ void main()
     normal = texelFetch(shading, pixel, 0).xyz;
     fresnel_paper = optics_fresnel_paper(e, normal);
     refract_result r = refract_shade(e, normal);
-    vec3 seen = optics_compose(r.reflection, r.refraction, r.fresnel);
-    bool is_met = dot(normal, e) < 0.0;
-    refracted = is_met ? vec4(min(seen, vec3(MIRROR_BRIGHTEST)), 1.0) : vec4(0.0);
+    vec3 color = optics_compose(r.reflection, r.refraction, r.fresnel);
+    bool hits_front = dot(normal, e) < 0.0;
+    refracted = hits_front ? vec4(min(color, vec3(MIRROR_BRIGHTEST)), 1.0) : vec4(0.0);
 }

@@ -5,14 +5,14 @@
 layout(set = 0, binding = MIRROR_COLOR) uniform sampler2D picture;
 layout(set = 0, binding = MIRROR_DEPTH) uniform sampler2D depths;
 
-layout(location = 0) out vec4 seen; /* premultiplied */
+layout(location = 0) out vec4 seen; /* premultiplied alpha */
 layout(location = 1) out float front;
 
-/* Keeps what the picture has before the surroundings are drawn into it: the objects. */
+/* Copies the objects' colour and depth before the surroundings are drawn over them. */
 void main()
 {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec3 color = min(texelFetch(picture, at, 0).rgb, vec3(MIRROR_BRIGHTEST));
     front = texelFetch(depths, at, 0).r;
-    seen = front > 0.0 ? vec4(color, 1.0) : vec4(0.0); /* the rest is undefined */
+    seen = front > 0.0 ? vec4(color, 1.0) : vec4(0.0); /* else undefined */
 }

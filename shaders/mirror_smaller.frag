@@ -6,7 +6,7 @@ layout(set = 0, binding = MIRROR_COLOR) uniform sampler2D larger;
 
 layout(location = 0) out vec4 color;
 
-/* The mean of four texels of an image of twice the size. */
+/* Downsamples a mip level by 2 x 2 texels. */
 void main()
 {
     vec2 size = max(vec2(textureSize(larger, 0)) * 0.5, vec2(1.0));

@@ -11,9 +11,9 @@ layout(set = 0, binding = OVER_AIR) uniform sampler2D air;
 layout(set = 0, binding = OVER_BUBBLES) uniform sampler2D bubbles;
 layout(set = 0, binding = OVER_CRACKS) uniform sampler2D cracks;
 
-layout(location = 0) flat in vec3 light; /* light of the air */
+layout(location = 0) flat in vec3 light; /* in-scattered light of the air */
 
-layout(location = 0) out vec4 color; /* premultiplied */
+layout(location = 0) out vec4 color; /* premultiplied alpha */
 
 void cover(vec4 upper)
 {
@@ -44,5 +44,5 @@ void main()
     if ((constant_over & OVER_HAS_CRACKS) != 0u)
         cover(here(cracks));
     if ((constant_over & OVER_HAS_HIGHLIGHT) != 0u)
-        color.rgb += highlight; /* added, without cover */
+        color.rgb += highlight; /* added, does not change the coverage */
 }

@@ -11,7 +11,7 @@ layout(set = 0, binding = OVER_ENVIRONMENT) uniform sampler2D environment;
 
 layout(location = 0) flat out vec3 out_light;
 
-/* A triangle that covers the picture. */
+/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

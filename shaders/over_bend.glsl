@@ -1,7 +1,8 @@
 /*
- * over_bend.glsl: the bubbles that a pixel's bent ray meets, of over.frag with BUBBLES_BENT.
+ * over_bend.glsl: bubbles along refracted rays: searches the bubbles' depth image for the hit of a
+ * pixel's refracted ray; part of over.frag with BUBBLES_BENT.
  *
- * Error: the bubbles themselves are as straight rays see them.
+ * Error: the shading of the bubbles is that of straight primary rays.
  */
 #ifndef OVER_BEND_GLSL
 #define OVER_BEND_GLSL
@@ -17,11 +18,11 @@
 
 layout(location = OVER_BEND) OVER_BEND_IO vec3 bend_ray;
 
-/* Members of `frame`, flat, as in refract_frame.glsl. */
+/* Uniforms of `frame`, passed as flat varyings like in refract_frame.glsl. */
 layout(location = OVER_BEND + 1) OVER_BEND_IO OverBend
 {
     flat mat4 clip_from_world;
-    flat vec4 eye;    /* w: refractive index outside / inside */
+    flat vec4 eye;    /* w: index of refraction outside relative to inside */
     flat vec4 center; /* w: radius */
     flat vec3 forward;
 }
@@ -42,7 +43,7 @@ layout(set = 0, binding = OVER_FRONT_DEPTH) uniform sampler2D front_depth;
 layout(set = 0, binding = OVER_SHADING) uniform sampler2D shading;
 layout(set = 0, binding = OVER_BUBBLE_DEPTH) uniform sampler2D bubble_depth;
 
-/* Returns where a point or direction is in the image of bubbles. */
+/* Projects a homogeneous point or direction to texel coordinates of the bubbles' images. */
 vec4 bend_texels(vec4 v)
 {
     vec2 size = vec2(textureSize(bubble_depth, 0));
@@ -68,9 +69,9 @@ vec4 bend_bubbles(sampler2D bubbles)
     ray.is_across = false;
     float middle = dot(from_center, dir);
     float outside = dot(from_center, from_center) - radius * radius;
-    float most = sqrt(max(middle * middle - outside, 0.0)) - middle;
-    float t = within_find(bubble_depth, ray, most);
-    vec4 found = texelFetch(bubbles, within_texel(ray, min(t, most)), 0);
+    float max_length = sqrt(max(middle * middle - outside, 0.0)) - middle;
+    float t = within_find(bubble_depth, ray, max_length);
+    vec4 found = texelFetch(bubbles, within_texel(ray, min(t, max_length)), 0);
     return t < within_none ? found : vec4(0.0);
 }
 #endif

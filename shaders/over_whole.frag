@@ -6,7 +6,7 @@ layout(set = 0, binding = OVER_SMALL) uniform sampler2D small;
 
 layout(location = 0) in vec2 uv;
 
-layout(location = 0) out vec4 color; /* premultiplied */
+layout(location = 0) out vec4 color; /* premultiplied alpha */
 
 void main()
 {

@@ -3,7 +3,7 @@
 
 layout(location = 0) out vec2 uv;
 
-/* A triangle that covers the picture. */
+/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 2.0 : 0.0, gl_VertexIndex == 2 ? 2.0 : 0.0);

@@ -1,17 +1,17 @@
-/* overlay.h: shared by overlay.c and overlay.{vert,frag}. */
+/* overlay.h: bindings, vertex locations and push constants of overlay.{vert,frag}. */
 #ifndef SHADERS_OVERLAY_H
 #define SHADERS_OVERLAY_H
 #include "abi.h"
 
 #define OVERLAY_FONT 0
 
-/* Locations of the fields of a vertex. */
+/* Vertex attribute locations. */
 #define OVERLAY_POSITION 0
 #define OVERLAY_UV       1
 #define OVERLAY_COLOR    2
 
 struct overlay_push {
-    vec2s clip_from_pixel; /* scale; the top left pixel's corner is (-1, -1) */
+    vec2s clip_from_pixel; /* scale; the top left corner of the window is (-1, -1) */
 };
 
 #endif

@@ -1,25 +1,26 @@
-/* present.h: shared by present.c, its shaders, overlay.frag and picture_file.c. */
+/* present.h: bindings and push constants for presenting the image in the window; shared by
+ * present.c, its shaders, overlay.frag and picture_file.c. */
 #ifndef SHADERS_PRESENT_H
 #define SHADERS_PRESENT_H
 #include "abi.h"
 
 #define PRESENT_PICTURE 0
 
-/* Id of the one specialization constant: 1: the window's format encodes what shaders write as sRGB.
- * On a push constant lavapipe would decode in every pixel of every window. */
+/* Specialization constant id: 1 if the swapchain's format converts shader output to sRGB. As a push
+ * constant, lavapipe would execute the decoding for every pixel even where it is off. */
 #define PRESENT_ENCODES 0
 
-/* Two pictures are separated by a bright and a dark column, one of which is visible anywhere. */
+/* Two images side by side are separated by a bright and a dark column, visible on any content. */
 #define PRESENT_IS_BRIGHT(column, line) ((column) == (line))
 #define PRESENT_IS_DARK(column, line)   ((column) == (line) + 1u)
 #define PRESENT_NO_LINE                 0xfffffff0u
 
-/* Where the picture is in the window; the vertex shader's coordinates make a third less of a pass
- * that scales on lavapipe than coordinates made in each pixel. */
+/* Placement of the image in the window. The vertex shader computes the texture coordinates, which
+ * saves a third of the scaling pass's time on lavapipe. */
 struct present_push {
-    vec2s uv_from_clip; /* factors of the picture's coordinates: 0, 0 and 1, 1 are its corners */
-    vec2s uv_of_middle; /* those in the middle of the window */
-    uint32_t x, y;      /* of the picture's first pixel in the window */
+    vec2s uv_from_clip; /* scale of the image's texture coordinates, (0, 0) to (1, 1) */
+    vec2s uv_of_middle; /* texture coordinates at the centre of the window */
+    uint32_t x, y;      /* position of the image's first pixel in the window */
 };
 
 #endif

@@ -9,7 +9,7 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) out vec2 uv;
 
-/* A triangle that covers the window. */
+/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

@@ -1,9 +1,9 @@
 /*
- * sky.h: radiance of the procedural sky in a direction, and its light; callers multiply both by
+ * sky.h: radiance and irradiance of the procedural sky; callers multiply both by
  * globals.sky_strength.
  *
- * It is not based on measurements: a gradient from a bright horizon to a deep zenith, a soft sun,
- * and dark ground below.
+ * An artistic model, not a measured one: a gradient from a bright horizon to a deep zenith, a sun
+ * with a soft glow, and dark ground below.
  */
 #ifndef SHADERS_SKY_H
 #define SHADERS_SKY_H
@@ -32,8 +32,8 @@ ABI_FUNCTION vec3s sky_seen(vec3s dir, vec3s sun_dir, float sun_strength)
     return glms_vec3_add(sky_gradient(dir), sun);
 }
 
-/* Radiance of a disc of an angular radius, where it gives a matt white surface which faces it
- * radiance 1; all of it is in a disc of the radius `blur` if that is larger. Radians. */
+/* Returns the radiance of a sun disc of an angular radius in radians, normalised so that a facing
+ * white diffuse surface has radiance 1. The disc is widened to the radius `blur` if larger. */
 ABI_FUNCTION float sky_disc(vec3s dir, vec3s sun_dir, float radius, float blur)
 {
     float wide = fmaxf(radius, blur);
@@ -43,7 +43,7 @@ ABI_FUNCTION float sky_disc(vec3s dir, vec3s sun_dir, float radius, float blur)
     return (1.0f - glm_smoothstep(wide - edge, wide + edge, away)) / (wide * wide);
 }
 
-/* Light of the sky on a matt white surface, from above and below. */
+/* Returns the irradiance of the sky on a surface, a blend of light from above and from below. */
 ABI_FUNCTION vec3s sky_diffuse(vec3s normal)
 {
     vec3s below = ABI_VEC3(0.20f, 0.19f, 0.18f);
@@ -51,8 +51,8 @@ ABI_FUNCTION vec3s sky_diffuse(vec3s normal)
     return glms_vec3_lerp(below, above, 0.5f + 0.5f * normal.y);
 }
 
-/* Radiance of the sky in a direction, averaged over what a surface of this roughness reflects
- * there; an estimate. The sun's disc is left out: it is a light of its own. */
+/* Returns an estimate of the sky's radiance, prefiltered for a reflection of the given roughness.
+ * Excludes the sun's disc, which is a light source of its own. */
 ABI_FUNCTION vec3s sky_glossy(vec3s dir, float roughness, vec3s sun_dir, float sun_strength)
 {
     float c = glm_clamp(glms_vec3_dot(dir, sun_dir), 0.0f, 1.0f);
@@ -62,7 +62,7 @@ ABI_FUNCTION vec3s sky_glossy(vec3s dir, float roughness, vec3s sun_dir, float s
     return glms_vec3_add(glms_vec3_lerp(sky_gradient(dir), sky_diffuse(dir), roughness), sun);
 }
 
-/* Light reflected by a matt white surface: sun without shadow, and sky from above and below. */
+/* Returns the light reflected by a white diffuse surface: unshadowed sun plus sky. */
 ABI_FUNCTION vec3s sky_reflected(vec3s normal, vec3s sun_dir, float sun_strength)
 {
     float sun = fmaxf(0.0f, glms_vec3_dot(normal, sun_dir)) * sun_strength;

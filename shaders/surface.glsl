@@ -1,8 +1,8 @@
 /*
- * surface.glsl: highlights of the lights on the ice's front.
+ * surface.glsl: Blinn-Phong highlights of the light sources on the ice's front faces.
  *
- * With SURFACE_VERTEX, the vertex shader's part, which passes values that are constant over a
- * triangle, because lavapipe's fragment shaders fetch uniforms float by float.
+ * SURFACE_VERTEX selects the vertex shader's part, which passes per-draw constants as flat
+ * varyings, because lavapipe's fragment shaders fetch each float of a uniform separately.
  */
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
@@ -16,7 +16,7 @@
 #define SURFACE_IO in
 #endif
 
-/* xyz: from the eye to a light, world, metres; w: radiance of its highlight */
+/* xyz: from the camera to a light, world, metres; w: radiance of its highlight */
 layout(location = REFRACT_LIGHTS) flat SURFACE_IO vec4 surface_lights[GLOBALS_LIGHT_COUNT];
 layout(location = REFRACT_SHININESS) flat SURFACE_IO float surface_shininess;
 
@@ -29,7 +29,7 @@ void surface_hand_on()
     surface_shininess = frame.surface.shininess;
 }
 #else
-/* Returns the radiance of the highlights towards the eye, which sees the point along e. */
+/* Returns the radiance of the highlights towards the camera; e is the view direction. */
 float surface_highlight(vec3 e, vec3 eye_to_point, vec3 n_f)
 {
     float highlight = 0.0;

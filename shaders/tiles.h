@@ -1,24 +1,24 @@
-/* tiles.h: the tiles of a pool: squares of several blues, and light joints. */
+/* tiles.h: procedural pool tiles: squares in several shades of blue, with light joints. */
 #ifndef SHADERS_TILES_H
 #define SHADERS_TILES_H
 #include "abi_math.h"
 
-#define TILES_JOINT 0.06f /* width of the joints, tiles */
+#define TILES_JOINT 0.06f /* width of the joints, in tiles */
 
-/* Returns the integral from 0 to x of stripes that cover `share` of each unit. */
-ABI_FUNCTION float tiles_stripes(float x, float share)
+/* Returns the integral from 0 to x of stripes that cover the fraction `fraction` of each unit. */
+ABI_FUNCTION float tiles_stripes(float x, float fraction)
 {
-    return floorf(x) * share + fminf(x - floorf(x), share);
+    return floorf(x) * fraction + fminf(x - floorf(x), fraction);
 }
 
-/* Returns the share of stripes in a pixel of a given width. */
-ABI_FUNCTION float tiles_stripes_within(float x, float width, float share)
+/* Returns the coverage of stripes in a pixel of a given width (analytic box filter). */
+ABI_FUNCTION float tiles_stripes_within(float x, float width, float fraction)
 {
-    return (tiles_stripes(x + 0.5f * width, share) - tiles_stripes(x - 0.5f * width, share)) /
+    return (tiles_stripes(x + 0.5f * width, fraction) - tiles_stripes(x - 0.5f * width, fraction)) /
            width;
 }
 
-/* Returns a random number from 0 to 1 of a tile. */
+/* Returns a random number from 0 to 1 for the tile at a point. */
 ABI_FUNCTION float tiles_shade(vec2s at)
 {
     uint32_t h = (ABI_UINT(ABI_INT(floorf(at.x))) * 0x9e3779b9u) ^
@@ -27,7 +27,7 @@ ABI_FUNCTION float tiles_shade(vec2s at)
     return ABI_FLOAT(h >> 8) / 16777216.0f;
 }
 
-/* Returns the colour at a point, in tiles, averaged over a pixel `width` tiles wide. */
+/* Returns the colour at a point in units of tiles, box-filtered over a pixel `width` tiles wide. */
 ABI_FUNCTION vec3s tiles_color(vec2s at, vec2s width)
 {
     float shown = glm_clamp(1.5f - fmaxf(width.x, width.y), 0.0f, 1.0f);

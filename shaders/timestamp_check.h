@@ -1,13 +1,13 @@
-/* timestamp_check.h: shared by src/profile/timestamp_check.c and its shaders. */
+/* timestamp_check.h: push constants of the GPU load in src/profile/timestamp_check.c. */
 #ifndef SHADERS_TIMESTAMP_CHECK_H
 #define SHADERS_TIMESTAMP_CHECK_H
 #include "abi.h"
 
-#define TIMESTAMP_CHECK_GROUP   64 /* invocations of a workgroup */
+#define TIMESTAMP_CHECK_GROUP   64 /* workgroup size */
 #define TIMESTAMP_CHECK_NUMBERS 0  /* output of timestamp_check.comp, one float per invocation */
 
 struct timestamp_check_push {
-    uint32_t rounds; /* iterations of arithmetic in each invocation */
+    uint32_t rounds; /* loop iterations of arithmetic in each invocation */
 };
 
 #endif

@@ -1,11 +1,11 @@
-/* tonemap.h: shared by tonemap.c and tonemap.frag. */
+/* tonemap.h: tone mapping curves and sRGB encoding, for tonemap.frag and C. */
 #ifndef SHADERS_TONEMAP_H
 #define SHADERS_TONEMAP_H
 #include "abi_math.h"
 
-#define TONEMAP_COLOR 0 /* linear picture */
+#define TONEMAP_COLOR 0 /* linear HDR image */
 
-#define TONEMAP_NEUTRAL 0 /* CONSTANT_TONEMAP_CURVE */
+#define TONEMAP_NEUTRAL 0 /* values of CONSTANT_TONEMAP_CURVE */
 #define TONEMAP_CLIP    1
 #define TONEMAP_AGX     2
 #define TONEMAP_ACES    3
@@ -16,7 +16,7 @@ struct tonemap_push {
     float gain; /* exp2(exposure) */
 };
 
-/* Khronos PBR Neutral: base colours up to 0.8 are unchanged, highlights are compressed to white. */
+/* Khronos PBR Neutral: base colours up to 0.8 are unchanged, highlights compress to white. */
 ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
 {
     float start = 0.8f - 0.04f;
@@ -28,8 +28,8 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
     float peak = fmaxf(c.x, fmaxf(c.y, c.z));
     if (peak < start)
         return c;
-    /* new_peak = above / below, and what is left of the colour 1 / (desaturation * (peak -
-     * new_peak) + 1): here so that no division waits for another. */
+    /* Rearranged so that no division depends on another: new_peak = above / below, and the colour
+     * keeps the fraction 1 / (desaturation * (peak - new_peak) + 1). */
     float below = peak + (room - start);
     float above = below - room * room;
     float scale = above / (peak * (desaturation * (peak * below - above) + below));
@@ -37,8 +37,7 @@ ABI_FUNCTION vec3s tonemap_neutral(vec3s c)
     return glms_vec3_add(glms_vec3_scale(c, scale), ABI_VEC3(white, white, white));
 }
 
-/* AgX by Sobotka (2022), as fitted by Wrensch (2023). Its result is encoded for a display of gamma
- * 2.2, which is undone here. */
+/* AgX by Sobotka (2022), fitted by Wrensch (2023). Undoes the fit's encoding with gamma 2.2. */
 ABI_FUNCTION float tonemap_agx_channel(float c)
 {
     float least = -12.47393f, most = 4.026069f;
@@ -66,7 +65,7 @@ ABI_FUNCTION vec3s tonemap_agx(vec3s c)
                     powf(fmaxf(b, 0.0f), 2.2f));
 }
 
-/* ACES: the reference rendering and output transforms, as fitted by Hill (2016). */
+/* ACES: reference rendering and output transforms, fitted by Hill (2016). */
 ABI_FUNCTION float tonemap_aces_channel(float v)
 {
     return (v * (v + 0.0245786f) - 0.000090537f) / (v * (0.983729f * v + 0.432951f) + 0.238081f);
@@ -83,7 +82,7 @@ ABI_FUNCTION vec3s tonemap_aces(vec3s c)
                     glms_vec3_dot(v, ABI_VEC3(-0.00327f, -0.07276f, 1.07602f)));
 }
 
-/* Hable's curve of a film (2010), with 11.2 as white and one stop more of exposure. */
+/* Hable's filmic curve (2010), with white point 11.2 and one extra stop of exposure. */
 ABI_FUNCTION float tonemap_hable_channel(float x)
 {
     return (x * (0.15f * x + 0.05f) + 0.004f) / (x * (0.15f * x + 0.5f) + 0.06f) - 0.02f / 0.3f;
@@ -97,20 +96,21 @@ ABI_FUNCTION vec3s tonemap_hable(vec3s c)
 }
 
 /*
- * Encodes by IEC 61966-2-1, extended beyond 0 and 1. The power is a polynomial of the fourth root,
- * fitted by Remez' algorithm, with an error of at most 3.5e-5, a hundredth of the step of a byte.
- * On a CPU three powers would take about as long as the rest of this pass.
+ * Encodes by the sRGB transfer function of IEC 61966-2-1; the argument is clamped to 0 to 1. The
+ * power function is approximated by a polynomial in the fourth root (Remez algorithm), with an
+ * error of at most 3.5e-5, a hundredth of an 8-bit step. On a CPU three calls of pow() would take
+ * about as long as the rest of this pass.
  */
 ABI_FUNCTION float tonemap_srgb(float linear)
 {
     float c = glm_clamp(linear, 0.0f, 1.0f);
-    float square = sqrtf(c); /* of the fourth root */
+    float square = sqrtf(c); /* square of the fourth root */
     float even = 1.1226816f * square + (0.081329981f * c - 0.064611537f);
     float high = even + sqrtf(square) * (0.19613586f - 0.33550157f * square);
     return c <= 0.0031308f ? c * 12.92f : high;
 }
 
-/* Returns the colour of linear radiance, before it is clamped and encoded. */
+/* Returns the tone-mapped colour of linear radiance, before clamping and encoding. */
 ABI_FUNCTION vec3s tonemap_apply(vec3s radiance, float gain, uint32_t curve)
 {
     vec3s c = ABI_VEC3(fmaxf(radiance.x * gain, 0.0f), fmaxf(radiance.y * gain, 0.0f),
@@ -126,7 +126,7 @@ ABI_FUNCTION vec3s tonemap_apply(vec3s radiance, float gain, uint32_t curve)
     return c;
 }
 
-/* Returns the encoded colour, 0 to 1, of linear radiance, as in a PNG file. */
+/* Returns the tone-mapped, sRGB-encoded colour of linear radiance, 0 to 1, as in PNG files. */
 ABI_FUNCTION vec3s tonemap_encode(vec3s radiance, float gain, uint32_t curve)
 {
     vec3s c = tonemap_apply(radiance, gain, curve);

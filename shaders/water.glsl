@@ -1,6 +1,6 @@
 /*
- * water.glsl: radiance along rays in water; with WATER_WITH_CAUSTICS, with caustics on the
- * ground; with WATER_WITH_ICE, with ice in the water.
+ * water.glsl: radiance along rays in the pool; WATER_WITH_CAUSTICS adds caustics on the ground,
+ * WATER_WITH_ICE floating ice.
  */
 #ifndef WATER_GLSL
 #define WATER_GLSL
@@ -19,7 +19,7 @@ layout(set = 0, binding = WATER_ENVIRONMENT) uniform sampler2D environment;
 
 const vec3 up = vec3(0.0, 0.0, 1.0);
 
-/* ---- the ground: floor and walls ---- */
+/* ---- floor and walls ---- */
 
 vec3 tiles(vec2 at)
 {
@@ -27,14 +27,14 @@ vec3 tiles(vec2 at)
     return tiles_color(x, clamp(fwidth(x) * exp2(frame.lod_bias), 1e-4, 16.0));
 }
 
-/* ---- light ---- */
+/* ---- lighting ---- */
 
 #ifdef WATER_WITH_CAUSTICS
 #include "lib/caustics_map.glsl"
 layout(set = 0, binding = WATER_CAUSTICS) uniform sampler2D caustics;
 #endif
 
-/* Returns the sun's light on level ground, relative to that below water at rest without walls. */
+/* Returns the sunlight on the ground relative to that below level, unbounded water. */
 float sun_share(vec3 at, vec3 inside)
 {
 #ifdef WATER_WITH_CAUSTICS
@@ -50,8 +50,8 @@ vec3 passed(float path)
     return exp(-path * vec3(push.water.red, push.water.green, push.water.blue));
 }
 
-/* Returns the light that a white surface below water reflects: of the sun, as through water at
- * rest, and of the sky. */
+/* Returns the light that a white surface below the water reflects: sunlight, refracted as through
+ * level water, and sky light, both attenuated by absorption. */
 vec3 light_below(vec3 at, vec3 n, float share)
 {
     vec3 sun_dir = pool_sun_dir();
@@ -72,7 +72,7 @@ vec3 box_normal(vec3 at, vec3 upper)
     return side.x > side.y ? vec3(-sign(at.x), 0.0, 0.0) : vec3(0.0, -sign(at.y), 0.0);
 }
 
-/* Returns the radiance of dry walls and sky along a ray that goes up. */
+/* Returns the radiance of the dry walls or the sky along a ray that goes up. */
 vec3 radiance_above(vec3 from, vec3 r)
 {
     float half_size = 0.5 * push.pool.size;
@@ -84,20 +84,20 @@ vec3 radiance_above(vec3 from, vec3 r)
     return vec3(POOL_STONE) * sky_light(pool_to_world(n));
 }
 
-/* A ray traced from the eye. */
+/* A ray in the pool, in pool coordinates. */
 struct water_ray {
     vec3 from;
-    vec3 dir;   /* unit; in water or, if `above`, up in air */
+    vec3 dir;   /* unit; points up if `above` */
     bool above; /* the ray has left the water */
-    vec3 kept;  /* transmittance of the path so far */
+    vec3 kept;  /* throughput of the path so far */
 };
 
 struct water_ground {
     vec3 radiance;
-    float caustics; /* sun_share() of the visible ground */
+    float caustics; /* sun_share() at the hit */
 };
 
-/* Returns the length of a ray to the floor or a wall. */
+/* Returns the distance along a ray to the floor or a wall. */
 float path_to_ground(vec3 from, vec3 dir)
 {
     float half_size = 0.5 * push.pool.size;
@@ -105,7 +105,7 @@ float path_to_ground(vec3 from, vec3 dir)
                      vec3(vec2(half_size), 1e6));
 }
 
-/* Returns the radiance at the end of a ray: of the ground through water, or above the water. */
+/* Returns the radiance along a ray: of the ground through water, or of what is above the water. */
 water_ground look_along(water_ray ray)
 {
     water_ground ground;
@@ -114,7 +114,7 @@ water_ground look_along(water_ray ray)
     float path = path_to_ground(ray.from, ray.dir);
     vec3 at = ray.from + path * ray.dir;
     vec3 n = box_normal(at, upper);
-    at.z = min(at.z, 0.0); /* walls above the water at rest, in a crest, are lit as at its height */
+    at.z = min(at.z, 0.0); /* walls under a crest are lit as at the water's rest level */
     ground.caustics = sun_share(at, pool_sun_inside(push.water.ior));
     vec2 on_tiles = n.z > 0.5 ? at.xy : vec2(n.x != 0.0 ? at.y : at.x, at.z);
     vec3 light = light_below(at, n, ground.caustics);

@@ -1,4 +1,4 @@
-/* water_aov.glsl: main() of the layer of light on the ground below the water. */
+/* water_aov.glsl: main() of the AOV layer `caustics`: sunlight on the ground below the water. */
 #define WATER_WITH_CAUSTICS
 #include "water_surface.glsl"
 

@@ -1,11 +1,11 @@
 /*
- * water_below.glsl: main() of the picture for an eye below the water; with WATER_LAYER, of the
- * layer of light on the ground.
+ * water_below.glsl: main() for a camera below the water; with WATER_LAYER, of the AOV layer
+ * `caustics`.
  *
- * Rays meet the waves exactly. Through the surface they see what is above within the cone of
- * Snell's window; elsewhere, and in part inside it, the surface mirrors the ground. Radiance is not
- * multiplied by the squared index where light enters the water, as it is not divided where it
- * leaves (water.c).
+ * Rays are intersected with the wave function itself. Through the surface they see the scene above
+ * within Snell's window; outside it, and partly inside, the surface reflects the ground. Radiance
+ * is not scaled by the squared index of refraction where light enters or leaves the water
+ * (water.c).
  */
 #include "lib/constants.glsl"
 #include "lib/view_ray.glsl"
@@ -23,21 +23,21 @@ layout(location = 0) out vec4 color;
 const int below_steps = 96;
 const int below_halvings = 12;
 
-/* Returns the greatest height of the waves in the pool. */
+/* Returns the maximum height of the waves in the pool. */
 float below_crest()
 {
     water_params w = push.water;
-    float across = 0.70711 * push.pool.size; /* half of the diagonal, the greatest r */
+    float across = 0.70711 * push.pool.size; /* half of the pool's diagonal, the maximum of r */
     return w.wave == WATER_SERIES ? 4.0 * w.height * w.amplitude * across : w.height * w.scale;
 }
 
-/* Returns the height of a point over the water. */
+/* Returns the height of a point above the water surface. */
 float below_height(vec3 at)
 {
     return at.z - wave_at(push.water, at.xy, frame.time).z;
 }
 
-/* Returns the length of a ray to the water's surface, or `last` if it does not meet it before. */
+/* Returns the distance along a ray to the water surface, or `last` if there is no hit before it. */
 float below_surface(vec3 from, vec3 dir, float last)
 {
     float crest = below_crest();
@@ -66,15 +66,15 @@ float below_surface(vec3 from, vec3 dir, float last)
     return over < last ? under : last;
 }
 
-/* Both ways of light that meet the surface: the mirrored one is in `way`, and what is seen through
- * the surface, with its share, is added to the picture. */
-struct below_parted {
-    water_ray way;
+/* Splits a ray at the water surface: `reflected` continues as the reflected ray; the transmitted
+ * radiance, weighted by the Fresnel transmittance, is in `through`. */
+struct below_rays {
+    water_ray reflected;
     vec3 through;
-    float mirrored; /* share of the way */
+    float reflectance; /* reflectance, the weight of `reflected` */
 };
 
-below_parted below_part(vec3 from, vec3 e, float t)
+below_rays below_split(vec3 from, vec3 e, float t)
 {
     vec3 at = from + t * e;
     vec3 n = -wave_normal(wave_at(push.water, at.xy, frame.time));
@@ -82,12 +82,12 @@ below_parted below_part(vec3 from, vec3 e, float t)
     vec3 out_dir = optics_refract(e, n, push.water.ior);
     vec3 in_dir = optics_reflect(e, n);
     float share = optics_fresnel(e, n, push.water.ior);
-    /* Neither ray meets a second wave. */
+    /* Keep both directions on their side of the surface, so that neither ray hits a second wave. */
     out_dir = normalize(vec3(out_dir.xy, max(out_dir.z, 1e-3)));
     in_dir = normalize(vec3(in_dir.xy, min(in_dir.z, -1e-3)));
     vec3 kept = passed(t);
-    vec3 seen = share < 1.0 ? (1.0 - share) * radiance_above(at, out_dir) : vec3(0.0);
-    return below_parted(water_ray(at, in_dir, false, kept), kept * seen, share);
+    vec3 transmitted = share < 1.0 ? (1.0 - share) * radiance_above(at, out_dir) : vec3(0.0);
+    return below_rays(water_ray(at, in_dir, false, kept), kept * transmitted, share);
 }
 
 void main()
@@ -96,22 +96,22 @@ void main()
     vec3 from = pool_from_world(frame.eye + view_at(ray, 0.0));
     float last = path_to_ground(from, e);
     float t = below_surface(from, e, last);
-    below_parted parted = below_parted(water_ray(from, e, false, vec3(1.0)), vec3(0.0), 1.0);
+    below_rays rays = below_rays(water_ray(from, e, false, vec3(1.0)), vec3(0.0), 1.0);
 #ifdef WATER_WITH_ICE
     float to_ice = ice_distance(pool_to_world(from), pool_to_world(e));
     bool is_ice = to_ice >= 0.0 && to_ice < t;
     if (is_ice)
-        parted.way = ice_below(parted.way);
+        rays.reflected = ice_below(rays.reflected);
 #else
     const bool is_ice = false;
 #endif
     if (t < last && !is_ice)
-        parted = below_part(from, e, t);
-    water_ground ground = look_along(parted.way);
+        rays = below_split(from, e, t);
+    water_ground ground = look_along(rays.reflected);
 #ifdef WATER_LAYER
     out_caustics = ground.caustics;
 #else
-    vec3 radiance = parted.through + parted.mirrored * ground.radiance;
-    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* the largest half */
+    vec3 radiance = rays.through + rays.reflectance * ground.radiance;
+    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* largest half float */
 #endif
 }

@@ -5,7 +5,7 @@
 
 layout(location = REFRACT_VIEW_RAY) out vec3 out_view_ray;
 
-/* A triangle that covers the picture. */
+/* Draws a full-screen triangle. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

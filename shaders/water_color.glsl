@@ -1,4 +1,4 @@
-/* water_color.glsl: main() of the picture of the water. */
+/* water_color.glsl: main() of the water surface for a camera above it. */
 #include "water_surface.glsl"
 
 layout(location = 0) out vec4 color;
@@ -7,5 +7,5 @@ void main()
 {
     water_view view = water_look();
     vec3 radiance = optics_compose(view.reflection, view.refraction, view.fresnel);
-    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* focused light may exceed the largest half */
+    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* focused light may exceed a half float */
 }

@@ -10,7 +10,7 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) in vec3 point; /* pool coordinates */
 layout(location = 0) out vec4 out_normal;
-layout(location = 1) out vec4 out_position; /* w: distance along the view's axis */
+layout(location = 1) out vec4 out_position; /* w: distance along the view axis */
 
 void main()
 {

@@ -1,23 +1,23 @@
 /*
- * water_ice.glsl: traces light through the floating ice in the ice's maps, as in refract_bounce.c,
- * to the water below the surface at rest or to the air above it.
+ * water_ice.glsl: traces rays through the floating ice by ray marching its depth and normal maps,
+ * as in refract_bounce.c, down to the water below the surface at rest or up to the air.
  *
- * All colours have the path of green. Partial reflections are left out.
+ * All colours share the path of green (no dispersion). Partial internal reflections are left out.
  */
 #define REFRACT_BOUNCE
 #define REFRACT_MARCH refract_march(16u, 8u, 4u)
 #include "refract_inside.glsl"
 
-const uint ice_steps = 24u; /* steps between the water's surface and the ice */
+const uint ice_steps = 24u; /* ray march steps between the water's surface and the ice */
 
-/* Returns the index of the ice over that of water or air at a height. */
+/* Returns the index of refraction of the ice relative to that of water or air at a height. */
 float ice_ratio(float height)
 {
     return (height < 0.0 ? 1.0 / push.water.ior : 1.0) / frame.eta;
 }
 
-/* Continues a ray that has left the ice, for look_along(). A ray that goes up in water is reflected
- * by the surface; one that goes down in air enters the water. Neither meets the ice again. */
+/* Continues a ray that has left the ice, for look_along(). Going up in water it is reflected by the
+ * surface; going down in air it enters the water. It is not tested against the ice again. */
 water_ray ice_outside(water_ray ray)
 {
     bool in_water = ray.from.z < 0.0;
@@ -38,7 +38,7 @@ water_ray ice_outside(water_ray ray)
     return ray;
 }
 
-/* Traces a ray from inside the ice to its exit. */
+/* Traces a ray from inside the ice through total internal reflections until it leaves. */
 water_ray ice_through(water_ray ray)
 {
     vec3 point = pool_to_world(ray.from);
@@ -63,12 +63,12 @@ water_ray ice_through(water_ray ray)
     return ice_outside(ray);
 }
 
-/* Returns the length of a ray in the water until it meets the ice; negative if it does not. */
+/* Returns the distance along a ray in the water to the ice; negative if it misses the ice. */
 float ice_distance(vec3 point, vec3 dir)
 {
     march_space space = march_space_of_frame();
     vec4 from = space.map_from_world * vec4(point, 1.0);
-    vec4 way = space.map_from_world * vec4(dir, 0.0);
+    vec4 dir_map = space.map_from_world * vec4(dir, 0.0);
     vec3 from_center = point - space.center;
     float middle = -dot(from_center, dir);
     float room = space.radius * space.radius - dot(from_center, from_center) + middle * middle;
@@ -78,7 +78,7 @@ float ice_distance(vec3 point, vec3 dir)
     float inside = -1.0;
     for (uint i = 0u; i <= ice_steps && room > 0.0 && last > first; i++) {
         float t = mix(first, last, float(i) / float(ice_steps));
-        if (march_is_inside(space, fma(vec4(t), way, from))) {
+        if (march_is_inside(space, fma(vec4(t), dir_map, from))) {
             inside = t;
             break;
         }
@@ -86,7 +86,7 @@ float ice_distance(vec3 point, vec3 dir)
     }
     for (uint i = 0u; i < REFRACT_MARCH.halvings && inside >= 0.0; i++) {
         float t = 0.5 * (outside + inside);
-        if (march_is_inside(space, fma(vec4(t), way, from)))
+        if (march_is_inside(space, fma(vec4(t), dir_map, from)))
             inside = t;
         else
             outside = t;
@@ -94,7 +94,7 @@ float ice_distance(vec3 point, vec3 dir)
     return inside;
 }
 
-/* Continues a ray that has just entered the water, through the ice if it meets it. */
+/* Continues a ray that has just entered the water, through the ice if it hits it. */
 water_ray ice_below(water_ray ray)
 {
     vec3 dir = pool_to_world(ray.dir);
@@ -113,7 +113,7 @@ water_ray ice_below(water_ray ray)
     if (dot(n, dir) > 0.0) {
         dir = optics_refract(dir, -n, push.water.ior * frame.eta);
         ray.dir = pool_from_world(dir);
-        if (dot(n, dir) < 0.0) /* total reflection, since the ice has the lower index */
+        if (dot(n, dir) < 0.0) /* total reflection, because ice has the lower index */
             return ice_outside(ray);
     }
     return ice_through(ray);

@@ -1,4 +1,4 @@
-/* water_ice_color.glsl: main() of the ice above the water. Reflected rays that go down are
+/* water_ice_color.glsl: main() of the ice above the water. Reflected rays that point down are
  * reflected once more by the water. */
 #define WATER_WITH_ICE
 #include "water.glsl"
@@ -18,5 +18,5 @@ void main()
     vec3 r = optics_reflect(e, n);
     vec3 reflection = radiance_above(point, vec3(r.xy, abs(r.z)));
     vec3 radiance = optics_compose(reflection, ground.radiance, optics_fresnel(e, n, frame.eta));
-    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* the largest half */
+    color = vec4(min(radiance, vec3(65504.0)), 1.0); /* largest half float */
 }

@@ -1,4 +1,4 @@
-/* water_surface.glsl: radiance of the water's surface, for an eye above it. */
+/* water_surface.glsl: radiance of the water surface for a camera above the water. */
 #ifndef WATER_SURFACE_GLSL
 #define WATER_SURFACE_GLSL
 #include "water.glsl"
@@ -6,14 +6,13 @@
 layout(location = 0) in vec3 point; /* pool coordinates */
 
 struct water_view {
-    vec3 refraction; /* radiance of the ground seen through the surface */
+    vec3 refraction; /* radiance of the ground along the refracted ray */
     vec3 reflection;
-    float fresnel;  /* share of light that is reflected */
-    float caustics; /* sun_share() of the visible ground */
+    float fresnel;  /* Fresnel reflectance */
+    float caustics; /* sun_share() at the visible point of the ground */
 };
 
-/* Returns the unit normal of the surface, turned to the eye where the grid shows a face that points
- * away. */
+/* Returns the unit normal of the wave, bent towards the camera where it would face away. */
 vec3 water_normal(vec3 e)
 {
     vec3 n = wave_normal(wave_at(push.water, point.xy, frame.time));
@@ -29,7 +28,7 @@ water_view water_look()
     vec3 n = water_normal(e);
     vec3 r = optics_reflect(e, n);
     vec3 t = optics_refract(e, n, 1.0 / push.water.ior);
-    /* Neither ray meets a second wave. */
+    /* Keep both directions on their side of the surface, so that neither ray hits a second wave. */
     r = normalize(vec3(r.xy, max(r.z, 1e-3)));
     t = normalize(vec3(t.xy, min(t.z, -1e-3)));
     water_ray ray = water_ray(point, t, false, vec3(1.0));

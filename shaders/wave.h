@@ -1,13 +1,12 @@
 /*
- * wave.h: the surface of the water.
+ * wave.h: height and normal of the water's waves.
  *
- * In pool coordinates: x and y along the water at rest, z up, metres. With r = |(x, y)|, F_i = F /
- * 2^i and phi_i = S t + x y W 2^i the series is
+ * Pool coordinates: x and y along the water at rest, z up, metres. With r = |(x, y)|, F_i = F / 2^i
+ * and phi_i = S t + x y W 2^i the series is
  *     z = -2 V r sum F_i cos phi_i
- * The text has W / F_i in the phase, where the amplitude F would be a frequency, too; for its F of
- * 1 that is the same. The slopes grow with r squared; the series is meant for r up to about 1.4
- * units. At r = 0 it has a tip, whose slope is set to 0. The cosine, for comparison with closed
- * forms, is
+ * The published phase has W / F_i, where F would act as a frequency, too; both agree for F = 1. The
+ * slopes grow with r squared; the series is meant for r up to about 1.4 units. At r = 0 it has a
+ * cusp, whose slope is set to 0. The cosine wave, for comparison with closed forms, is
  *     z = V cos(W x - S t)
  */
 #ifndef SHADERS_WAVE_H
@@ -21,7 +20,7 @@ ABI_FUNCTION vec3s wave_series(ABI_STRUCT(water_params) w, vec2s p, float time)
     float r = fmaxf(sqrtf(p.x * p.x + p.y * p.y), 1e-6f);
     float f = w.amplitude;
     float turns = p.x * p.y * w.frequency;
-    float heights = 0.0f; /* sum of F cos phi */
+    float heights = 0.0f; /* sum of F_i cos phi_i */
     float sines = 0.0f;
     for (uint32_t i = 0u; i < w.octaves; i++) {
         float phi = w.speed * time + turns;
@@ -43,7 +42,7 @@ ABI_FUNCTION vec3s wave_cosine(ABI_STRUCT(water_params) w, vec2s p, float time)
     return ABI_VEC3(-w.height * w.frequency * sinf(phi), 0.0f, w.height * cosf(phi));
 }
 
-/* Returns the slopes in xy and the height, metres, in z. */
+/* Returns the slopes in xy and the height in metres in z. */
 ABI_FUNCTION vec3s wave_at(ABI_STRUCT(water_params) w, vec2s p, float time)
 {
     vec2s q = ABI_VEC2(p.x / w.scale, p.y / w.scale);

@@ -1,17 +1,17 @@
 /*
- * air.c: the milky white of air enclosed in the ice: texture impostors.
+ * air.c: milky air enclosed in the ice, drawn as textured planes (impostors).
  *
- * Seipel and Nivfors 2006, section 3.1: polygons with transparent textures at random in the ice,
- * whose textures show bubbles of certain sizes and frequencies, drawn in a pass of their own and
- * composited by alpha blending; section 4 draws 19. Clipped to the ice as section 3.3 clips cracks.
- * Drawn at the view's size; the paper's target is 512 x 512.
+ * Seipel and Nivfors 2006, section 3.1: randomly oriented polygons in the ice whose transparent
+ * textures show bubbles of certain sizes and frequencies, drawn in a pass of their own and
+ * composited by alpha blending; section 4 draws 19. They are clipped to the ice like the cracks of
+ * section 3.3. The pass has the resolution of the view; the paper's target is 512 x 512.
  *
- * All planes scatter the same light, the mean of the light from all directions. Equal colours blend
- * to colour x (1 - product of (1 - alpha)) in any order, so no plane has to be sorted.
+ * All planes scatter the same light, the mean over all directions. Layers of equal colour blend to
+ * colour x (1 - product of (1 - alpha)) in any order, so the planes need no depth sorting.
  *
- * Limits: the air is seen along the straight ray, not the refracted one. The light of the air is
- * not absorbed by the ice. Convex objects only, as for ice_depth. A plane is invisible when it is
- * seen edge on, so it fades out near that angle.
+ * Limits: planes are seen along the unrefracted primary ray. Their light is not absorbed by the
+ * ice. Convex objects only, as for ice_depth. A plane seen edge on would be a line, so planes fade
+ * out near that angle.
  */
 #include "src/tech/air.h"
 #include "shaders/air.h"
@@ -23,7 +23,7 @@
 
 static rg_record_fn record_planes;
 
-/* The scene's struct air_layers, imported; this size is that of the fallback. */
+/* The scene's struct air_layers, imported; this is the size of the fallback image. */
 static const struct rg_image air_layers = {
     .name = "frame.air",
     .format = VK_FORMAT_R8G8_UNORM,
@@ -178,7 +178,7 @@ static const struct setting rows[] = {
         .max = AIR_MEDIUM,
         .choices = models,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "model of the air: planes of bubbles, or a medium that scatters light (rungs "
+        .help = "model of enclosed air: textured planes, or a scattering medium (refraction models "
                 "bounce, one-sided, trace and reference)",
     },
     {
@@ -187,7 +187,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, density),
         .initial = 4,
         .max = 1000,
-        .help = "optical depth across the object's width where the air is densest, with "
+        .help = "optical depth across the object's width at the maximum density, with "
                 "air.model=medium",
     },
     {
@@ -196,7 +196,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct air_params, clouds),
         .initial = 1,
         .max = 100,
-        .help = "factor on the density of clouds in materials of files, extras.cloud (0: none)",
+        .help = "factor on the density of scattering media in scene files, extras.cloud (0: none)",
     },
     {
         .name = "air.anisotropy",
@@ -205,7 +205,7 @@ static const struct setting rows[] = {
         .initial = 0.71,
         .min = -0.95,
         .max = 0.95,
-        .help = "mean cosine of the scattering angle in clouds and with air.model=medium",
+        .help = "Henyey-Greenstein g of scattering media, the mean cosine of the scattering angle",
     },
     {
         .name = "air.steps",
@@ -214,7 +214,7 @@ static const struct setting rows[] = {
         .initial = 6,
         .max = 64,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "steps of each part of a path through clouds, rungs bounce and one-sided (0: "
+        .help = "ray march steps per path segment in scattering media, bounce and one-sided (0: "
                 "clear ice)",
     },
 };

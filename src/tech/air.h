@@ -1,46 +1,45 @@
-/* air.h: planes of air bubbles inside the ice. */
+/* air.h: air enclosed in the ice: textured planes of bubbles, or a scattering medium. */
 #ifndef TECH_AIR_H
 #define TECH_AIR_H
 #include "shaders/cloud.h"
 #include "shaders/over.h"
 #include "src/tech/technique.h"
 
-extern const struct rg_image air_cover; /* opacity of all planes together */
-extern const struct rg_image air_color; /* premultiplied colour, for the layer only; 0: no air */
+extern const struct rg_image air_cover; /* combined opacity of all planes */
+extern const struct rg_image air_color; /* premultiplied colour of the AOV layer; 0 without air */
 
-/* The use of the environment by over.vert, which computes the light of the air from it. */
+/* Binding of the environment for over.vert, which computes the in-scattered light of the air. */
 #define AIR_USE_ENVIRONMENT \
     FRAME_SAMPLE(frame_environment, OVER_ENVIRONMENT, .sampler = &frame_environment_sampler, \
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
 
-/* The densities of the scene's clouds (shaders/cloud.h), imported; this size is that of the
- * fallback. */
+/* Density fields of the scattering media (shaders/cloud.h), imported; size of the fallback. */
 extern const struct rg_image air_clouds;
 extern const struct rg_sampler air_cloud_sampler;
 #define AIR_USE_CLOUDS FRAME_SAMPLE(air_clouds, CLOUD_TEXELS, .sampler = &air_cloud_sampler)
 
-/* Returns whether there is air, and it is a medium. */
+/* Returns true if there is air and it is a scattering medium. */
 bool air_is_medium(const struct settings *settings);
 
 extern const struct technique air;
 extern const struct setting_group air_settings;
 
 enum air_model {
-    AIR_PLANES, /* textures on planes */
-    AIR_MEDIUM, /* a cloud that scatters light, of rungs that draw clouds */
+    AIR_PLANES, /* textured planes */
+    AIR_MEDIUM, /* scattering medium, for refraction models that support media */
 };
 
 struct air_params {
-    uint32_t count, seed; /* number of planes; seed of their poses and textures */
-    float size;           /* diameter of the largest bubbles, in diagonals of the object's box */
-    float frequency;      /* of the largest bubbles along that diagonal */
-    float strength;       /* opacity of a plane's bubbles at most */
-    float haze;           /* opacity of a plane's haze at most */
+    uint32_t count, seed; /* number of planes; random seed of their transforms and textures */
+    float size;           /* diameter of the largest bubbles, relative to the object's diagonal */
+    float frequency;      /* number of the largest bubbles along that diagonal */
+    float strength;       /* maximum opacity of a plane's bubbles */
+    float haze;           /* maximum opacity of a plane's haze */
     uint32_t model;       /* enum air_model */
-    float density;        /* of a medium: extinction where it is densest, by the object's width */
-    float clouds;         /* factor on material.cloud */
-    float anisotropy;     /* of all clouds: mean cosine of the angle by which light is turned */
-    uint32_t steps;       /* of a part of a way in clouds, but for trace; 0: they are clear */
+    float density;    /* optical depth of the medium across the object's width at maximum density */
+    float clouds;     /* factor on material.cloud */
+    float anisotropy; /* Henyey-Greenstein g of all scattering media */
+    uint32_t steps; /* ray march steps per path segment, except in model `trace`; 0 for clear ice */
 };
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * background.c: the surroundings, and behind them the sky or environment picture.
+ * background.c: passes that draw the surroundings, and behind them the sky or environment map.
  *
- * Drawn after the ice, if there is any: hidden pixels then cost only a depth test.
+ * Drawn after the ice, if there is any: pixels hidden by it then cost only a depth test.
  */
 #include "src/tech/background.h"
 #include "shaders/embedded.h"
@@ -38,8 +38,8 @@ static const struct rg_use texture_uses[] = {
     { 0 },
 };
 
-/* Of a cube: without an anisotropic filter, which costs more than all the rest of lit textures.
- * Instead, pixels that see a surface at a slant are filtered as squares of the same area. */
+/* Sampler for cube maps. An anisotropic filter would cost more than the rest of the shading of
+ * textured surfaces; elongated texture footprints are filtered as squares instead. */
 static const struct rg_sampler square_sampler = {
     .linear = true,
     .mips = true,
@@ -66,7 +66,7 @@ static const struct rg_use sky_uses[] = {
     { 0 },
 };
 
-/* The constant part of the rows; background_make() adds names, targets, uses, record functions. */
+/* Fixed part of the passes; background_make() adds names, targets, uses and record functions. */
 static const struct rg_pass passes[] = {
     {
         .depth_compare = VK_COMPARE_OP_GREATER,
@@ -90,14 +90,14 @@ static const struct rg_shader *const frags[3][2] = {
     { &background_extra_frag, &background_extra_shine_frag },
 };
 
-/* The same for mirror.h; surroundings without materials mirror nothing. */
+/* Variants that write the inputs of screen-space reflections, which need materials. */
 static const struct rg_shader *const mirror_frags[3][2] = {
     { NULL },
     { &background_materials_mirror_frag, &background_materials_shine_mirror_frag },
     { &background_extra_mirror_frag, &background_extra_shine_mirror_frag },
 };
 
-/* The same where most of the light is computed at vertices. */
+/* Variants that compute most of the lighting per vertex. */
 static const struct rg_shader *const vertices_verts[2][2] = {
     { &background_vertices_vert, &background_vertices_shine_vert },
     { &background_vertices_extra_vert, &background_vertices_extra_shine_vert },
@@ -121,7 +121,7 @@ static void light_vertices(struct rg_pass *row, struct row_builder *builder,
 struct rg_technique background_make(struct row_builder *builder,
                                     const struct background_rows *wanted)
 {
-    /* The sky covers all pixels without surroundings, so the colours need no clear. */
+    /* The sky covers all pixels without surroundings, so the colour needs no clear. */
     const enum rg_load color_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
     const enum rg_load depth_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
     const bool has_extras = wanted->has_materials && wanted->has_extras;
@@ -164,7 +164,7 @@ struct rg_technique background_make(struct row_builder *builder,
     return (struct rg_technique){ wanted->name, rows, 2 };
 }
 
-/* The background is drawn before the water of a pool, but after an object. */
+/* Makes the passes that draw the background: before the water of a pool, but after an object. */
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
@@ -197,7 +197,7 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
-/* ---- pictures of the scene ---- */
+/* ---- images of the scene ---- */
 
 static struct technique_texels find_environment(const struct scene *scene)
 {
@@ -308,7 +308,7 @@ static const struct technique_import imports[] = {
 
 const struct technique background = {
     .name = "background",
-    .help = "sky or environment picture, and the surroundings",
+    .help = "sky or environment map, and the surroundings",
     .parts = { { PHASE_LIGHT, SCENE_OF_POOL, .rows = make_rows },
                { PHASE_BACKGROUND, SCENE_OF_OBJECT, .rows = make_rows } },
     .imports = imports,

@@ -1,24 +1,24 @@
-/* background.h: the scene around the ice, as the eye sees it. */
+/* background.h: passes that draw the scene around the ice. */
 #ifndef TECH_BACKGROUND_H
 #define TECH_BACKGROUND_H
 #include "graph/rg_cmd.h"
 #include "src/tech/technique.h"
 
-/* Rows that draw the surroundings, and then the sky where there are no surroundings. */
+/* Parameters of the passes that draw the surroundings, and then the sky in the remaining pixels. */
 struct background_rows {
-    const char *name;                     /* of the technique */
+    const char *name;                     /* of the technique, prefix of the passes' names */
     const struct rg_image *color, *depth; /* reversed depth: 0 is infinity */
-    bool keep;                            /* keep the images' content: the object, drawn before */
-    bool shine;                           /* lit by ice_caustics.h */
-    bool has_materials, has_extras;       /* of technique_choice */
-    bool at_vertices; /* surroundings with materials are lit there, and do not mirror */
-    bool mirrors;     /* surroundings with materials fill the images of mirror.h, too */
+    bool keep;  /* load the images instead of clearing: the object has been drawn */
+    bool shine; /* apply the caustics and shadow of ice_caustics.c */
+    bool has_materials, has_extras; /* as in technique_choice */
+    bool at_vertices; /* lighting per vertex of surroundings with materials; excludes `mirrors` */
+    bool mirrors;     /* write the inputs of the screen-space reflections */
     enum rg_repeat repeat;
     rg_record_fn *record_surroundings, *record_sky; /* both push a struct background_push */
-    rg_when_fn *when;                               /* of both */
+    rg_when_fn *when;                               /* condition for both passes */
 };
 
-/* Makes the rows with `builder`, which owns them. */
+/* Builds the two passes in memory that `builder` owns. */
 struct rg_technique background_make(struct row_builder *builder,
                                     const struct background_rows *wanted);
 

@@ -1,21 +1,21 @@
 /*
- * bubbles.c: bubbles of air in the ice, each drawn as a rectangle whose fragments trace a ray.
+ * bubbles.c: air bubbles in the ice, drawn as billboards whose fragments are ray traced.
  *
- * Closed forms of geometrical optics: with b the sine of the angle of incidence, light beyond
- * b = 1.0003 / 1.3091 is totally reflected, 41.6 % of the disc; other light leaves turned outward
- * by 2 (theta_t - theta_i). Reflectances are those of Fresnel's equations. Through ellipsoids and
- * capsules rays are followed. Spheres do not overlap and are drawn farthest first, sorted by the
- * centre's squared distance less the squared radius, which is exact for them, and for other shapes
- * where the spheres around them do not overlap.
+ * Geometrical optics in closed form: with b the sine of the angle of incidence, light beyond b =
+ * 1.0003 / 1.3091 is totally reflected, 41.6 % of the disc; other light leaves deflected outward by
+ * 2 (theta_t - theta_i). Reflectances follow Fresnel's equations. Rays through ellipsoids and
+ * capsules are intersected twice. Spheres do not overlap and are drawn back to front, sorted by the
+ * squared distance of the centre less the squared radius. This order is exact for spheres, and for
+ * other shapes whose bounding spheres do not overlap.
  *
- * Limits: unless bubbles_are_bent(), bubbles show the environment cube: the ice's surface bends
- * neither the ray from the bubble nor that from the eye, and clouds are left out. Of hollow objects
- * the latter alone is bent. Because the picture behind is already bent, transmitted light counts
- * only by the squared sine of its angle inside (bubble_cover), so that the middle of a bubble shows
- * the picture behind it, where a true bubble shows it smaller.
- * Light that is reflected inside the bubble is treated as transmitted. A bubble around the eye is
- * invisible, and so is what is no sphere if the eye is in the sphere around it. Convex objects
- * only, as for ice_depth.
+ * Limits: unless bubbles_are_bent(), bubbles reflect and transmit the environment cube: the ice's
+ * surface refracts neither the ray from the bubble nor the primary ray, and scattering media are
+ * left out. In hollow objects only the primary ray is refracted. Because the image behind is
+ * already refracted, transmitted light is weighted by the squared sine of its angle inside
+ * (bubble_cover): the middle of a bubble shows the image behind it, which a real bubble would show
+ * reduced. Light that is internally reflected in a bubble is treated as transmitted. A bubble
+ * around the camera is invisible, as is a non-spherical one whose bounding sphere contains the
+ * camera. Convex objects only, as for ice_depth.
  */
 #include "src/tech/bubbles.h"
 #include <cglm/struct.h>
@@ -34,7 +34,7 @@
 #include "src/tech/refract_bounce.h"
 #include "src/tech/row_builder.h"
 
-static rg_record_fn record_bubbles, record_followed;
+static rg_record_fn record_bubbles, record_traced;
 
 const struct rg_image bubbles_color = {
     .name = "bubbles.color",
@@ -77,7 +77,7 @@ static const struct rg_use uses[] = {
     { 0 },
 };
 
-/* Without other shapes than spheres. */
+/* Simpler pass for scenes in which all bubbles are spheres. */
 static const struct rg_pass spheres_row = {
     .name = "bubbles.spheres",
     .color = RG_TARGETS({ &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
@@ -98,13 +98,13 @@ static const struct rg_pass shapes_row = {
 
 static const struct rg_fallback no_cracks = { { 0 } };
 
-static const struct rg_use bent_uses[] = {
+static const struct rg_use refracted_uses[] = {
     FRAME_SAMPLE(cracks_met, BUBBLES_CRACKS, .same_texel = true, .fallback = &no_cracks),
     { 0 },
 };
 
-/* The rung's maps, for the light of bubbles. */
-static const struct rg_use followed_uses[] = {
+/* Depth and normal maps of the ice, in which light is traced from bubbles to the surface. */
+static const struct rg_use traced_uses[] = {
     FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
     FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
@@ -112,7 +112,7 @@ static const struct rg_use followed_uses[] = {
     { 0 },
 };
 
-static const struct rg_use followed_wide_uses[] = {
+static const struct rg_use traced_wide_uses[] = {
     FRAME_SAMPLE(ice_normal_wide_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_wide_back_depth, REFRACT_DEPTH_BACK),
     FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
@@ -120,7 +120,7 @@ static const struct rg_use followed_wide_uses[] = {
     { 0 },
 };
 
-static const struct rg_target bent_targets[] = {
+static const struct rg_target refracted_targets[] = {
     { &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER },
     { &bubbles_depth, RG_LOAD_CLEAR },
 };
@@ -131,14 +131,15 @@ static void record_bubbles(struct rg_cmd *cmd, const struct rg_frame *frame)
         rg_cmd_draw(cmd, 6 * frame->scene->bubbles.count);
 }
 
-/* Of bubbles on bent rays: as they are, with their light followed, and that in cloudy ice. */
-static const struct rg_shader *const bent_frags[3][2] = {
+/* Fragment shaders of bubbles seen along refracted rays: unrefracted light, light traced through
+ * the ice, and light traced through a scattering medium. */
+static const struct rg_shader *const refracted_frags[3][2] = {
     { &bubbles_bent_frag, &bubbles_shapes_bent_frag },
     { &bubbles_followed_frag, &bubbles_shapes_followed_frag },
     { &bubbles_followed_cloud_frag, &bubbles_shapes_followed_cloud_frag },
 };
 
-static void record_followed(struct rg_cmd *cmd, const struct rg_frame *frame)
+static void record_traced(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_push(cmd, settings_of(frame->settings, &refract_bounce_settings),
                 sizeof(struct refract_bounce_params));
@@ -186,7 +187,7 @@ static const struct setting rows[] = {
         .choices = shape_names,
         .affects = SETTING_AFFECTS_SCENE,
         .help = "shape of the bubbles: spheres, long or flat ellipsoids, capsules, a mixture, or "
-                "grown: worms and eggs, in rows along which ice grows",
+                "grown: elongated and egg-shaped, in rows along the growth of the ice",
     },
     {
         .name = "bubbles.stretch",
@@ -208,7 +209,8 @@ static bool is_on(const struct settings *settings)
     return params->count > 0;
 }
 
-/* With several objects, the faces' maps have only those of the nearest. */
+/* Returns true if bubbles can be searched along refracted rays: with several objects, the depth and
+ * normal maps hold the nearest faces only. */
 bool bubbles_are_bent(const struct technique_choice *choice)
 {
     const struct target_params *target = settings_of(choice->settings, &target_settings);
@@ -227,35 +229,37 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     const struct rg_pass *row = are_spheres ? &spheres_row : &shapes_row;
     if (!bubbles_are_bent(choice))
         return (struct rg_technique){ "bubbles", row, 1 };
-    struct rg_pass *bent = row_builder_rows(builder, row, 1);
-    if (!bent)
+    struct rg_pass *refracted_row = row_builder_rows(builder, row, 1);
+    if (!refracted_row)
         return (struct rg_technique){ 0 };
-    bent->color = bent_targets;
-    bent->color_count = sizeof(bent_targets) / sizeof(bent_targets[0]);
-    const bool is_followed = !choice->is_nested, is_cloudy = is_followed && choice->is_cloudy;
+    refracted_row->color = refracted_targets;
+    refracted_row->color_count = sizeof(refracted_targets) / sizeof(refracted_targets[0]);
+    const bool traces_light = !choice->is_nested, is_cloudy = traces_light && choice->is_cloudy;
     const struct rg_use *const all_uses[] = {
         uses,
-        bent_uses,
-        !is_followed      ? NULL
-        : choice->is_wide ? followed_wide_uses
-                          : followed_uses,
+        refracted_uses,
+        !traces_light     ? NULL
+        : choice->is_wide ? traced_wide_uses
+                          : traced_uses,
         is_cloudy ? refract_cloud_uses : NULL,
     };
-    bent->uses = row_builder_uses(builder, all_uses, sizeof(all_uses) / sizeof(all_uses[0]));
-    bent->frag = bent_frags[is_followed + is_cloudy][!are_spheres];
-    if (is_followed) {
-        bent->push_size = sizeof(struct refract_bounce_params);
-        bent->record = record_followed;
+    refracted_row->uses =
+        row_builder_uses(builder, all_uses, sizeof(all_uses) / sizeof(all_uses[0]));
+    refracted_row->frag = refracted_frags[traces_light + is_cloudy][!are_spheres];
+    if (traces_light) {
+        refracted_row->push_size = sizeof(struct refract_bounce_params);
+        refracted_row->record = record_traced;
     }
-    return (struct rg_technique){ "bubbles", bent, 1 };
+    return (struct rg_technique){ "bubbles", refracted_row, 1 };
 }
 
-/* ---- the bubbles of a frame ---- */
+/* ---- bubbles of a frame ---- */
 
 struct far_bubble {
     struct bubbles_drawn drawn;
-    float power; /* of the eye: squared length of its tangents to the sphere around the bubble; of
-                    an orthographic camera: distance along its axis */
+    /* Sort key: power of the camera's position with respect to the bounding sphere (squared tangent
+     * length); for an orthographic camera the distance along its axis. */
+    float power;
 };
 
 static int compare_far(const void *a, const void *b)
@@ -265,8 +269,8 @@ static int compare_far(const void *a, const void *b)
     return (x->power < y->power) - (x->power > y->power);
 }
 
-/* The points of equal power of two spheres that do not overlap form a plane between them, so the
- * one with more power is on the far side. */
+/* Sorts the bubbles back to front. The points of equal power of two spheres that do not overlap
+ * form a plane between them, so the sphere with more power is on the far side. */
 void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals)
 {
     const struct bubbles *all = &view->scene->bubbles;

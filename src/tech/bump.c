@@ -1,4 +1,4 @@
-/* bump.c: the map of the ice's uneven surface. */
+/* bump.c: settings and bump map of the ice's uneven surface. */
 #include "src/tech/bump.h"
 #include <math.h>
 #include "shaders/constants.h"
@@ -43,7 +43,7 @@ static const struct setting rows[] = {
         .initial = 0.4,
         .max = 1,
         .affects = SETTING_AFFECTS_SCENE,
-        .help = "share of the ice's surface that is smooth",
+        .help = "fraction of the ice's surface that is smooth",
     },
     {
         .name = "bump.mapping",
@@ -95,7 +95,7 @@ static void write_globals(const struct frame_view *view, struct globals *g)
     const struct bump_params *params = settings_of(view->settings, &bump_settings);
     const struct melted *melted = &view->scene->melted;
     const float diagonal =
-        melted->share > 0.0f ? box_diagonal(melted->box) : 2.0f * g->radius; /* of the whole ice */
+        melted->share > 0.0f ? box_diagonal(melted->box) : 2.0f * g->radius; /* before melting */
     const float width = fmaxf(diagonal, 1e-6f);
     g->bump_strength = params->strength * melted_hollows(melted);
     g->bump_scale = params->mapping == BUMP_UV ? params->scale : params->scale / width;

@@ -1,30 +1,28 @@
 /*
- * caustics.c: the sun's light on the floor of a pool, by four methods.
+ * caustics.c: caustics of the sun on the floor of a pool, by four methods.
  *
  * Three are those of a text on water caustics after Guardado and Sanchez-Crespo 2004 (GPU Gems 1,
- * chapter 2), one is physical and fast:
+ * chapter 2), the fourth is physical and fast:
  *
- *   naive      photons from the sun through random points of the surface, counted where they land.
- *              Right, and grainy: the noise falls with the root of their number.
- *   gather     traces directions in a cone about the straight ray from each point of the floor, and
- *              counts those that leave the surface towards the sun. Right if the cone contains all
- *              of the light; slow, since few directions meet a small sun.
- *   backtrace  traces one ray up from each point of the floor and looks it up in a round light map.
- *              One shader, not physical: crests and troughs are equally bright at any depth. Here
- *              the ray is refracted by Snell's law; as published it leaves along the surface's
- *              slope, which bends it three times too much. The result is scaled to the light that
- *              enters the pool.
- *   area       a grid of points of the surface, refracted to the floor; light is dimmed as the
- *              triangles between them grow, and added up where they fold over one another.
+ * naive: photons from the sun through random points of the surface, counted where they land.
+ *   Unbiased but noisy: the noise falls with the square root of their number.
+ * gather: samples directions in a cone about the unperturbed ray from each point of the floor, and
+ *   counts those whose refracted ray hits the sun. Correct if the cone contains all of the light;
+ *   slow, since few directions hit a small sun.
+ * backtrace: traces one ray up from each point of the floor and evaluates a radially symmetric glow
+ *   around the sun. One shader, not physical: crests and troughs are equally bright at any depth.
+ *   The ray is refracted by Snell's law; as published it leaves along the slope of the surface,
+ *   which bends it three times too much. The map is normalised to the light that enters the pool.
+ * area: refracts the vertices of a surface grid to the floor; the light of a triangle is inversely
+ *   proportional to its projected area, and overlapping triangles are added up.
  *
- * All methods model the light that enters through the pool's surface, and the shadow of its rim.
- * The sun is a disc; area traces its middle and blurs the map by the sun's image below water at
- * rest.
+ * All methods include the shadow of the pool's rim. The sun is a disc; `area` traces its centre and
+ * blurs the map by the image of the disc below level water.
  *
- * Limits: light that falls on a wall is focused as on the floor behind it. Light that a wave
- * reflects is lost; light meets no second wave. The map has CAUSTICS_SIZE texels a side: finer
- * lines are lost. The light of one triangle of `area` in a texel is clamped, so that a fold that
- * covers a texel's centre by chance makes no bright dot.
+ * Limits: light on a wall is focused as on the floor behind it. Light reflected by a wave is lost;
+ * no ray hits a second wave. The map has CAUSTICS_SIZE texels a side; finer caustics are lost.
+ * `area` clamps the light of a triangle in a texel, since a fold that covers a texel's centre by
+ * chance would make a bright dot.
  */
 #include "src/tech/caustics.h"
 #include "shaders/embedded.h"
@@ -62,7 +60,7 @@ static const struct rg_buffer caustics_sum = {
 
 #define PUSH .push_size = sizeof(struct caustics_push)
 
-/* The last row of each method draws the map. */
+/* Final pass of every method, which writes the light map. */
 #define LIGHT \
     .name = "caustics.light", .color = RG_TARGETS({ &caustics_light, RG_LOAD_DISCARD }), \
     .vert = &screen_vert, .record = record_screen
@@ -263,7 +261,7 @@ static const struct setting rows[] = {
     ROW(directions, SETTING_COUNT, .initial = 64, .min = 1, .max = 65536,
         .help = "number of directions per point of the floor with caustics.method=gather"),
     ROW(cone, SETTING_FLOAT, .initial = 20, .min = 0.1, .max = 90, .unit = "degrees",
-        .help = "half-angle of the cone of gathered directions around the straight ray (90: "
+        .help = "half-angle of the cone of gathered directions around the unperturbed ray (90: "
                 "hemisphere)"),
     ROW(slope, SETTING_CHOICE, .max = CAUSTICS_PUBLISHED, .choices = slopes,
         .help =
@@ -296,7 +294,7 @@ bool caustics_are_lit(const struct settings *settings)
     return params->method != CAUSTICS_NONE;
 }
 
-/* Whoever places a sun that has a disc takes its size from here. */
+/* Writes the angular radius of the sun, for all techniques that model the sun as a disc. */
 static void write_globals(const struct frame_view *view, struct globals *g)
 {
     const struct caustics_params *params = settings_of(view->settings, &caustics_settings);
@@ -310,14 +308,14 @@ static const struct frame_layer layers[] = {
         .planes = { "caustics.Z" },
         .mean = true,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "sunlight on the ground; 1: as below water at rest, or without the ice",
+        .help = "sunlight on the ground, relative to that below level water or without the ice",
     },
     { 0 },
 };
 
 const struct technique caustics = {
     .name = "caustics",
-    .help = "sunlight on the floor of a pool",
+    .help = "caustics of the sun on the floor of a pool",
     .settings = { &caustics_settings },
     .parts = { { PHASE_DEPTHS, SCENE_OF_POOL, .rows = make_rows } },
     .layers = layers,

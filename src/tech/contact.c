@@ -1,23 +1,22 @@
 /*
- * contact.c: what objects hide of the light on what is around them, and bring to it instead.
+ * contact.c: ambient occlusion of the refractive objects on their surroundings, from box occluders.
  *
- * A box is around each object, as slim as its shape (src/scene/contact.h). A lit surface near it
- * sees the sky where the box is not: what the box hides of the light on a matt surface is the sum
- * over its outline (Lambert 1760), as bright as the environment is in that direction. In exchange
- * it brings light of the sky and of the ground that goes through the object or is mirrored by it,
- * less what is absorbed (src/scene/contact_light.h): clear things hide little, and in an even
- * environment nothing. A map has the result for a level surface at the objects' foot, seen from
- * above; surroundings look it up, and the less of it counts the farther they are above or below.
- * In the map is as well what surroundings that stand on that level, as high as they are seen from
- * above, hide of an even sky; they are taken to be of a light grey in the light of that sky.
+ * Each object is approximated by a box (src/scene/contact.h). The sky light that it blocks at a
+ * diffuse surface is the form factor of the box, a sum over its silhouette edges (Lambert 1760),
+ * times the environment's radiance in that direction. In return the object adds sky and ground
+ * light that it transmits or reflects, less absorption (src/scene/contact_light.h), so clear
+ * objects occlude little, and not at all in a uniform environment. The result is stored in a map
+ * from above for the plane of the objects' base; surroundings look it up and fade it with their
+ * distance from that plane. Unlike screen-space ambient occlusion, boxes give analytic, noise-free
+ * and view-independent results. The map also holds the occlusion of the sky by surroundings that
+ * stand on the plane (height field, horizon search); they are taken to be light grey.
  *
- * Limits: an object brings the same shares of light to all points around it. The light is that of
- * the whole sky, of what is straight behind it, or of the surface itself, not of the place that is
- * seen there. Walls are not shaded. A hollow object is one that is thinner throughout. Bubbles,
- * cracks and frost are not counted; a cloud is taken to be even. CONTACT_BODIES bodies at most;
- * films and puddles have none. Surroundings shade each other around bodies alone, as far as the map
- * goes, and not where the room below them is higher than they are. Glossy light of surfaces that
- * mirror.c makes mirrors is left to that.
+ * Limits: an object transmits equal fractions to all points around it; the light is that of the
+ * whole sky, of the environment behind it or of the surface itself. Walls are not shaded. Hollow
+ * objects count as thinner solid ones. Bubbles, cracks and frost are ignored; scattering media are
+ * averaged. At most CONTACT_BODIES objects; water layers and puddles have none. Surroundings
+ * occlude each other only inside the map, and not where the free space below them is higher than
+ * they are. Specular light of surfaces with screen-space reflections is not occluded.
  */
 #include "src/tech/contact.h"
 #include <cglm/struct.h>
@@ -41,10 +40,10 @@ static const struct rg_image map = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
     .width = CONTACT_SIDE,
     .height = CONTACT_SIDE,
-    .persistent = true, /* read in frames in which it is not due */
+    .persistent = true, /* also read in frames that do not update it */
 };
 
-/* Of surroundings above the foot, and of what they have lowest that looks down; from above. */
+/* Height fields of the surroundings, from above: upward faces, and the lowest undersides. */
 static const struct rg_image heights = {
     .name = "contact.heights",
     .format = VK_FORMAT_D32_SFLOAT,
@@ -80,7 +79,7 @@ static bool is_due(const struct rg_frame *frame, uint32_t repetition)
 
 static void record_heights(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    if (frame->scene->contact.count) /* else the map is of no change, and does not look them up */
+    if (frame->scene->contact.count) /* else the heights are not read */
         rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
@@ -92,7 +91,7 @@ static const struct rg_pass passes[] = {
         .uses = RG_USES(FRAME_USE_GLOBALS, USE_BODIES),
         .vert = &contact_heights_vert,
         .vertices = &frame_mesh_layout,
-        .cull = VK_CULL_MODE_BACK_BIT, /* ceilings */
+        .cull = VK_CULL_MODE_BACK_BIT, /* drops ceilings */
         .record = record_heights,
         .when = is_due,
     },
@@ -121,7 +120,7 @@ static const struct rg_pass passes[] = {
     },
 };
 
-static const float reach = 4.0f; /* half side of the map, radii of the objects' sphere */
+static const float reach = 4.0f; /* half side of the map, radii of the objects' bounding sphere */
 
 static const struct setting rows[] = {
     {
@@ -131,8 +130,8 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 1,
         .switches = SETTING_AFFECTS_PLAN,
-        .help = "how much objects darken what they stand on: 0 not at all, 1 as much as they hide "
-                "of its light, and clear ones little (trace and reference: ground.light)",
+        .help = "strength of the ambient occlusion of objects on the surroundings (0: off; trace "
+                "and reference: ground.light)",
     },
 };
 
@@ -151,7 +150,7 @@ static bool is_on(const struct settings *settings)
 
 /* ---- media ---- */
 
-/* Returns the mean density of a cloud in a ball or a cube, whose depths have the same shares. */
+/* Returns the mean density of a medium in a ball or cube (equal depth distributions). */
 static float cloud_mean(void)
 {
     const int steps = 32;
@@ -163,13 +162,13 @@ static float cloud_mean(void)
     return sum / (float)steps;
 }
 
-/* Returns the medium of a body: the mean of its members'. */
+/* Returns the average medium of an occluder, over the objects that it consists of. */
 static struct contact_medium medium_of(const struct frame_view *view, const struct globals *globals,
                                        const struct contact_shape *shape)
 {
     const uint32_t outside = frame_media_count(view->scene) - 1;
     const float around = frame_medium_at(view->scene, view->settings, outside).ior[1];
-    const float turned = (1.0f - globals->cloud_cosine) * cloud_mean();
+    const float reduced = (1.0f - globals->cloud_cosine) * cloud_mean();
     struct contact_medium medium = { .ior = 1.0f };
     for (uint32_t i = 0; i < shape->member_count; i++) {
         const struct contact_member *member = &shape->members[i];
@@ -177,10 +176,10 @@ static struct contact_medium medium_of(const struct frame_view *view, const stru
             frame_medium_at(view->scene, view->settings, member->object);
         const struct cloud_place cloud =
             frame_cloud_of(view->scene, view->settings, member->object);
-        const float share = fmaxf(member->share, 0.0f);
-        medium.ior += share * (own.ior[1] / around - 1.0f);
-        medium.absorption = glms_vec3_muladds(own.absorption, share, medium.absorption);
-        medium.scattering += share * turned * cloud.extinction;
+        const float weight = fmaxf(member->share, 0.0f);
+        medium.ior += weight * (own.ior[1] / around - 1.0f);
+        medium.absorption = glms_vec3_muladds(own.absorption, weight, medium.absorption);
+        medium.scattering += weight * reduced * cloud.extinction;
         if (i == 0) {
             medium.tint = own.tint;
             medium.shine = own.shine;
@@ -190,10 +189,10 @@ static struct contact_medium medium_of(const struct frame_view *view, const stru
     return medium;
 }
 
-/* ---- bodies ---- */
+/* ---- occluders ---- */
 
-/* Moves a corner of the box around a shape towards its upright axis. */
-static vec3s slimmer(const struct contact_shape *shape, vec3s corner)
+/* Moves a corner of a shape's box towards its vertical axis, to match the surface area. */
+static vec3s slimmed_corner(const struct contact_shape *shape, vec3s corner)
 {
     const vec3s middle = box_center(shape->box);
     corner.x = glm_lerp(middle.x, corner.x, shape->slim);
@@ -201,8 +200,8 @@ static vec3s slimmer(const struct contact_shape *shape, vec3s corner)
     return corner;
 }
 
-/* Returns the height of the lowest corner of a box of the objects' space in the world. */
-static float lowest(struct box box, mat4s world)
+/* Returns the world-space height of the lowest corner of a box in object space. */
+static float lowest_corner_height(struct box box, mat4s world)
 {
     float least = INFINITY;
     for (int corner = 0; corner < 8; corner++) {
@@ -218,12 +217,12 @@ static void write_bodies(void *memory, const struct frame_view *view, const stru
     struct contact_bodies *all = memory;
     const struct contact *found = &view->scene->contact;
     const mat4s world = globals->world_from_object;
-    const vec3s up = { { world.m01, world.m11, world.m21 } }; /* that of the world, for objects */
+    const vec3s up = { { world.m01, world.m11, world.m21 } }; /* world up in object space */
     const struct box box = view->scene->box;
     all->strength = strength_of(view->settings);
     all->count = is_on(view->settings) ? found->count : 0;
     all->middle = globals->center;
-    all->middle.y = lowest(box, world);
+    all->middle.y = lowest_corner_height(box, world);
     all->half_side = reach * fmaxf(globals->radius, 1e-6f);
     all->height = fmaxf(globals->center.y - all->middle.y, 1e-6f);
     for (uint32_t i = 0; i < all->count; i++) {
@@ -231,8 +230,8 @@ static void write_bodies(void *memory, const struct frame_view *view, const stru
         const struct contact_medium medium = medium_of(view, globals, shape);
         const struct contact_light light = contact_light_of(shape, &medium, up);
         all->all[i] = (struct contact_body){
-            .min = slimmer(shape, shape->box.min),
-            .max = slimmer(shape, shape->box.max),
+            .min = slimmed_corner(shape, shape->box.min),
+            .max = slimmed_corner(shape, shape->box.max),
             .sky = light.sky,
             .ground = light.ground,
             .straight = light.straight,
@@ -261,19 +260,19 @@ static const struct technique_upload uploads[] = {
 
 static void write_constants(const struct technique_subject *subject, uint32_t *values)
 {
-    const bool is_met = subject->rung && subject->rung->rung.meets_tree;
-    values[CONSTANT_CONTACT] = is_on(subject->settings) && !is_met;
+    const bool uses_bvh = subject->rung && subject->rung->rung.meets_tree;
+    values[CONSTANT_CONTACT] = is_on(subject->settings) && !uses_bvh;
 }
 
 const struct technique contact = {
     .name = "contact",
-    .help = "what objects hide of the light on lit surroundings",
+    .help = "ambient occlusion of the objects on the surroundings",
     .settings = { &contact_settings },
     .is_on = is_on,
     .is_traced = true,
     .is_met = true,
     .relights = relights,
-    .title = "darkness at the objects' foot",
+    .title = "ambient occlusion",
     .parts = { { PHASE_LIGHT, SCENE_OF_OBJECT, .rows = make_rows } },
     .uploads = uploads,
     .write_constants = write_constants,

@@ -1,26 +1,26 @@
 /*
- * cracks.c: highlights on cracks inside the ice.
+ * cracks.c: cracks inside the ice: highlights, and reflections of air gaps.
  *
- * Seipel and Nivfors 2006, section 3.3: generic sheets, turned and placed at random near the
- * object's centre, drawn from both sides with a bump map, a fragment kept only if it lies inside
- * the object. They show nothing but specular highlights and are transparent elsewhere. The paper's
- * clipping (cracks.clip=convex) is right for convex objects; in a concave one it keeps fragments
- * between two parts of the object. Intervals of each pixel's ray are right for any closed object,
- * and so are cracks that were cut in advance (the paper's section 5). The bump map is procedural
- * noise.
+ * Seipel and Nivfors 2006, section 3.3: double-sided, bump-mapped sheets at random positions near
+ * the object's centre; fragments outside the object are discarded. They show only specular
+ * highlights and are transparent elsewhere. The paper's clipping (cracks.clip=convex) is correct
+ * for convex objects; in a concave one it keeps fragments between two parts of the object. Clipping
+ * to the intervals of each pixel's ray is correct for any closed object, as are cracks cut at load
+ * time (the paper's section 5). The bump map is procedural noise.
  *
- * cracks.refract=normals is the experiment of the paper's section 5, which is too strong, as the
- * paper says: light leaves a crack in the direction in which it enters. cracks.refract=gap follows
- * that law: light that a thin parallel gap of air does not reflect goes straight on; it is thinner
- * towards the rim, where it reflects colours and then nothing (shaders/cracks_law.h).
- * cracks.surface paints the sheets red and opaque, as the paper's figures 5c and 5d do.
+ * cracks.refract=normals is the experiment of the paper's section 5, which overstates the effect,
+ * as the paper notes: light leaves a parallel gap in the direction in which it enters.
+ * cracks.refract=gap models this: light that a thin air gap does not reflect continues straight;
+ * towards the rim the gap gets thinner, shows interference colours and then nothing
+ * (shaders/cracks_law.h). cracks.surface draws the sheets in opaque red, like the paper's figures
+ * 5c and 5d.
  *
- * A rung that bends what is inside (technique_rung.bends_cracks) meets gaps on the ray that the
- * surface has bent, and follows the light on from there.
+ * A refraction model with technique_rung.bends_cracks intersects gaps along the refracted ray and
+ * continues the path there.
  *
- * Error: other rungs see cracks along the straight ray, not the refracted one, and their light is
- * not refracted by the surface above them. Cracks behind each other are blended in the order of the
- * mesh, not of depth; of those that are met, one is.
+ * Error: other models show cracks along the unrefracted ray, and the cracks' light is not refracted
+ * at the surface above. Cracks are blended in mesh order, not by depth; a refracted ray hits at
+ * most one.
  */
 #include "src/tech/cracks.h"
 #include "shaders/constants.h"
@@ -49,12 +49,12 @@ static const struct rg_image cracks_depth = {
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
-/* ---- rows ---- */
+/* ---- passes ---- */
 
-/* A method of clipping: its shaders and their uses. */
+/* Clipping method: its shaders, and the resources that they use. */
 struct clipping {
     const struct rg_use *uses, *normal_uses;
-    const struct rg_shader *vert, *color, *gap, *normal, *met;
+    const struct rg_shader *vert, *color, *gap, *normal, *hit;
     bool before_back; /* the depth test rejects fragments behind the ice */
 };
 
@@ -85,11 +85,11 @@ static const struct clipping convex = {
     .color = &cracks_convex_color_frag,
     .gap = &cracks_convex_gap_frag,
     .normal = &cracks_convex_normal_frag,
-    .met = &cracks_convex_met_frag,
+    .hit = &cracks_convex_met_frag,
     .before_back = true,
 };
 
-/* No test: for cracks that were cut in advance or are drawn over the whole picture. */
+/* No clipping: for cracks that were cut at load time or are drawn over the whole image. */
 static const struct clipping none = {
     .uses = globals_use,
     .normal_uses = globals_use,
@@ -97,7 +97,7 @@ static const struct clipping none = {
     .color = &cracks_free_color_frag,
     .gap = &cracks_free_gap_frag,
     .normal = &cracks_free_normal_frag,
-    .met = &cracks_free_met_frag,
+    .hit = &cracks_free_met_frag,
 };
 
 static const struct clipping interval = {
@@ -105,7 +105,7 @@ static const struct clipping interval = {
     .color = &cracks_interval_color_frag,
     .gap = &cracks_interval_gap_frag,
     .normal = &cracks_interval_normal_frag,
-    .met = &cracks_interval_met_frag,
+    .hit = &cracks_interval_met_frag,
     .before_back = true,
 };
 
@@ -119,8 +119,8 @@ static const struct rg_use *use_intervals(struct row_builder *builder, uint32_t 
     return row_builder_uses(builder, (const struct rg_use *const[]){ globals_use, layers }, 2);
 }
 
-/* An object that is known to be convex has one interval, from the nearest to the farthest face, so
- * it needs no depth peeling. */
+/* Returns the clipping method. An object known to be convex has one interval per pixel, from the
+ * nearest to the farthest face, so it needs no depth peeling. */
 static struct clipping find_clipping(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
@@ -163,7 +163,7 @@ static const struct rg_pass normal_row = {
     .record = record_cracks,
 };
 
-static const struct rg_pass met_row = {
+static const struct rg_pass hit_row = {
     .name = "cracks.met",
     .color = RG_TARGETS({ &cracks_met, RG_LOAD_CLEAR }),
     .depth = { &cracks_depth, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } },
@@ -173,7 +173,7 @@ static const struct rg_pass met_row = {
     .record = record_cracks,
 };
 
-static const struct rg_pass over_all[] = {
+static const struct rg_pass composite_passes[] = {
     {
         .name = "cracks.over",
         .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
@@ -278,7 +278,8 @@ static const struct setting rows[] = {
         .initial = 2.4,
         .min = 0.01,
         .max = 1000,
-        .help = "gap in the middle of cracks, micrometres, where they reflect as gaps of air",
+        .help =
+            "width of the air gap in the middle of cracks, micrometres, with cracks.refract=gap",
     },
     {
         .name = "cracks.surface",
@@ -314,7 +315,8 @@ bool cracks_are_met(const struct settings *settings, const struct technique *run
            !params->look.surface;
 }
 
-/* Without cracks the rows draw an empty layer; they are culled unless the layer is requested. */
+/* Makes the colour pass. Without cracks it only clears the layer, and is culled unless requested.
+ */
 static struct rg_technique make_color(const struct technique_choice *choice,
                                       struct row_builder *builder)
 {
@@ -336,26 +338,26 @@ static struct rg_technique make_normals(const struct technique_choice *choice,
                                         struct row_builder *builder)
 {
     const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
-    const bool are_met = cracks_are_met(choice->settings, choice->rung);
-    if (!are_met && (!params->count || params->refract != CRACKS_REFRACT_NORMALS))
+    const bool are_traced = cracks_are_met(choice->settings, choice->rung);
+    if (!are_traced && (!params->count || params->refract != CRACKS_REFRACT_NORMALS))
         return (struct rg_technique){ 0 };
     const struct clipping clipping = find_clipping(choice, builder);
-    struct rg_pass *row = row_builder_rows(builder, are_met ? &met_row : &normal_row, 1);
+    struct rg_pass *row = row_builder_rows(builder, are_traced ? &hit_row : &normal_row, 1);
     if (!row)
         return (struct rg_technique){ 0 };
     row->uses = clipping.normal_uses;
     row->vert = &cracks_vert;
-    row->frag = are_met ? clipping.met : clipping.normal;
-    return (struct rg_technique){ are_met ? "cracks_met" : "cracks_normal", row, 1 };
+    row->frag = are_traced ? clipping.hit : clipping.normal;
+    return (struct rg_technique){ are_traced ? "cracks_met" : "cracks_normal", row, 1 };
 }
 
-static struct rg_technique make_over(const struct technique_choice *choice,
-                                     struct row_builder *builder)
+static struct rg_technique make_composite(const struct technique_choice *choice,
+                                          struct row_builder *builder)
 {
     (void)builder;
     if (!is_on(choice->settings) || cracks_are_in_ice(choice->settings))
         return (struct rg_technique){ 0 };
-    return (struct rg_technique)RG_TECHNIQUE("cracks_over", over_all);
+    return (struct rg_technique)RG_TECHNIQUE("cracks_over", composite_passes);
 }
 
 static const struct mesh *find_sheets(const struct scene *scene)
@@ -389,7 +391,7 @@ const struct technique cracks = {
     .is_met = true,
     .parts = { { PHASE_NORMALS, .rows = make_normals },
                { PHASE_INCLUSIONS, .rows = make_color },
-               { PHASE_FINISH, .rows = make_over } },
+               { PHASE_FINISH, .rows = make_composite } },
     .layers = layers,
     .mesh = find_sheets,
     .write_constants = write_constants,

@@ -1,16 +1,16 @@
 /*
- * env_cube.c: the environment cube.
+ * env_cube.c: cube map of the environment around the ice.
  *
- * Seipel and Nivfors 2006, section 3.2: the entire scene without the ice, rendered six times with
- * a field of view of 90 degrees from the centre of the ice object, 512 x 512 texels a face.
- * Alpha is 1 / distance from the centre, 0 where only the sky is seen; rungs use it to follow a ray
- * to near surroundings. Faces have Vulkan's order and orientation, which is left-handed: nothing
- * here is culled by winding. The cube keeps its content from frame to frame: a face is drawn when
- * it is due (src/frame/cube.h).
+ * Seipel and Nivfors 2006, section 3.2: the scene without the ice, rendered six times with a field
+ * of view of 90 degrees from the centre of the object, 512 x 512 texels a face. Alpha is 1 /
+ * distance from the centre, or 0 for the sky; refraction models use it to intersect rays with near
+ * surroundings. Faces have Vulkan's order and orientation, which is left-handed, so nothing is
+ * culled by winding order. The cube map is cached: a face is redrawn only when it is due
+ * (src/frame/cube.h).
  *
- * Limits: if refract.lookup is infinite, surroundings near the object appear as seen from its
- * centre, not from where light leaves it. Surroundings that are hidden from the centre are missing
- * in any case.
+ * Limits: with refract.lookup=infinite, near surroundings appear as seen from the object's centre,
+ * not from the point where the ray leaves. Surroundings that are occluded from the centre are
+ * missing in any case.
  */
 #include "src/settings/scene_settings.h"
 #include "src/tech/background.h"

@@ -1,4 +1,4 @@
-/* frame_cloud.c: densities and places of a scene's clouds. */
+/* frame_cloud.c: looks up the density fields of a scene's scattering media. */
 #include "src/tech/frame_cloud.h"
 #include <cglm/struct.h>
 #include <math.h>

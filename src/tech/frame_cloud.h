@@ -1,5 +1,4 @@
-/* frame_cloud.h: the clouds of a scene (shaders/cloud.h), where settings say how dense they are.
- */
+/* frame_cloud.h: density fields of a scene's scattering media, scaled by the settings. */
 #ifndef FIRN_TECH_FRAME_CLOUD_H
 #define FIRN_TECH_FRAME_CLOUD_H
 
@@ -7,15 +6,15 @@
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
 
-/* Returns where the densities of a cloud of scene->clouds are, and how dense it is. */
+/* Returns the transform and extinction of field `index` of scene->clouds. */
 struct cloud_place frame_cloud_at(const struct scene *scene, const struct settings *settings,
                                   uint32_t index);
 
-/* Returns the cloud of an object; without one, its extinction is 0. */
+/* Returns the density field of an object; its extinction is 0 if it has none. */
 struct cloud_place frame_cloud_of(const struct scene *scene, const struct settings *settings,
                                   uint32_t object);
 
-/* Returns whether an object is cloudy. */
+/* Returns true if any object contains a scattering medium. */
 bool frame_has_cloud(const struct scene *scene, const struct settings *settings);
 
 #endif

@@ -1,19 +1,19 @@
 /*
- * frost.c: white crystals on the ice's surface, which blur what is behind them.
+ * frost.c: frost on the ice's surface: white crystals that blur what is behind them.
  *
- * Seipel and Nivfors 2006, section 3.1: in the cold the surface is populated with thousands of
- * microscopically small crystals and reflects diffusely; the paper does not draw them. Here frost
- * is where the bump mask has a rough surface, over all else that the pixel shows. Thin frost
- * transmits light and scatters it by its slopes, distributed as GGX (Walter and others 2007); thick
- * frost is a matt white surface.
+ * Seipel and Nivfors 2006, section 3.1: in the cold the surface is covered with thousands of
+ * microscopic crystals and reflects diffusely; the paper does not draw them. Here frost grows where
+ * the bump mask marks a rough surface, and is blended over the shaded pixel. Thin frost transmits
+ * light and scatters it by its slopes, which are GGX-distributed (Walter et al. 2007); thick frost
+ * is a white diffuse surface.
  *
- * A slope of angle d tilts refracted light by (n - 1) d, and would tilt a reflection by 2 d: the
- * lobe is (n - 1) / 2 times as wide, 0.155 for ice. That is right for small angles, perpendicular
- * light and one rough side. The environment is blurred with this lobe into a small cube, which is
- * looked up in the direction that the rung found: the lobe is round, and light is scattered as it
- * leaves although it was scattered as it entered. Air and cracks behind the frost are covered, not
- * blurred, and there is no rough reflection. The white is lit by sky and sun without shadow; by a
- * panorama or a colour through the same small cube, as if all light came along the normal.
+ * A slope of angle d tilts refracted light by (n - 1) d, and would tilt a reflection by 2 d, so the
+ * lobe is (n - 1) / 2 times as wide, 0.155 for ice. That holds for small angles, perpendicular
+ * incidence and one rough side. The environment is prefiltered with this lobe into a small cube
+ * map, which is sampled in the direction found by the refraction model. So the lobe is isotropic,
+ * and light is scattered at the exit instead of the entry. Air and cracks behind the frost are
+ * covered, not blurred, and there is no rough reflection. White frost is lit by the sky and the
+ * unshadowed sun, or by a panorama or colour sampled from the same cube map along the normal.
  */
 #include "src/tech/frost.h"
 #include "shaders/embedded.h"
@@ -51,7 +51,7 @@ static const struct rg_pass passes[] = {
         .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
         .depth = { &frame_depth, RG_LOAD_KEEP },
         .depth_read_only = true,
-        .depth_compare = VK_COMPARE_OP_EQUAL, /* only the faces that the rung drew */
+        .depth_compare = VK_COMPARE_OP_EQUAL, /* only pixels of the front faces already drawn */
         .uses = RG_USES(FRAME_USE_GLOBALS, BUMP_USE_MAP,
                         { .image = &frost_blurred,
                           .access = RG_SAMPLED,

@@ -1,4 +1,4 @@
-/* frost.h: crystals on the ice's surface. */
+/* frost.h: frost crystals on the ice's surface. */
 #ifndef TECH_FROST_H
 #define TECH_FROST_H
 #include "src/tech/technique.h"
@@ -7,8 +7,8 @@ extern const struct technique frost;
 extern const struct setting_group frost_settings;
 
 struct frost_params {
-    float amount;    /* share of the light that the thickest frost scatters; 0: no frost */
-    float roughness; /* of the crystals; GGX's alpha is its square */
+    float amount;    /* fraction of light that the thickest frost scatters; 0 for no frost */
+    float roughness; /* of the crystals' slopes; GGX alpha is its square */
 };
 
 #endif

@@ -1,9 +1,9 @@
 /*
- * gbuffer.c: normal, position and depth of the nearest surface: the layers N, P and Z.
+ * gbuffer.c: G-buffer of the visible surface: normal, position and depth (layers N, P and Z).
  *
- * Both rows draw into the same targets and use a depth buffer of their own, so that these layers
- * can be drawn without a picture. Holes of materials show what is behind them, and so does a
- * blended surface where its alpha is below one half.
+ * Both passes draw into the same targets and have a depth buffer of their own, so that these layers
+ * can be rendered without the beauty image. Alpha cut-outs, and blended surfaces with alpha below
+ * one half, show what is behind them.
  */
 #include "src/tech/gbuffer.h"
 #include "shaders/embedded.h"
@@ -83,21 +83,22 @@ static const struct frame_layer layers[] = {
         .planes = { "Z" },
         .first_channel = 3,
         .shown = FRAME_SHOWN_DISTANCE,
-        .help = "distance of the first surface along the view axis, metres; 1e10: no surface",
+        .help =
+            "distance of the visible surface along the view axis, metres; 1e10 if there is none",
     },
     {
         .name = "N",
         .image = &gbuffer_normal,
         .planes = { "N.X", "N.Y", "N.Z" },
         .shown = FRAME_SHOWN_DIRECTION,
-        .help = "world normal of the first surface",
+        .help = "world-space normal of the visible surface",
     },
     {
         .name = "P",
         .image = &gbuffer_position,
         .planes = { "P.X", "P.Y", "P.Z" },
         .shown = FRAME_SHOWN_POSITION,
-        .help = "world position of the first surface, metres",
+        .help = "world-space position of the visible surface, metres",
     },
     { 0 },
 };

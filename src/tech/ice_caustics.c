@@ -1,24 +1,24 @@
 /*
- * ice_caustics.c: the sun's light that passes through the ice, and the ice's shadow.
+ * ice_caustics.c: caustics and shadow of the ice in sunlight by photon splatting, and a shadow map
+ * of the surroundings.
  *
- * Photon maps of refractive objects in the light's view, after Wyman and Davis 2006, Interactive
+ * Image-space photon mapping of refractive objects after Wyman and Davis 2006, Interactive
  * Image-Space Techniques for Approximating Caustics, and Shah, Konttinen and Pattanaik 2007,
- * Caustics Mapping: the ice's faces are drawn as the sun sees them. Each texel of the front faces
- * is a photon, which is traced as in refract_bounce.c to the depth buffer of the surroundings that
- * the sun sees behind the ice, and counted there. The map is perpendicular to the light, so that
- * each texel receives the same light, however steep the ground is, and energy is preserved. A
- * photon carries the light that is transmitted by Fresnel's equations where it enters and where it
- * leaves, less absorption.
+ * Caustics Mapping. The ice's faces are rasterised from the sun. Each texel of the front faces is a
+ * photon, which is traced as in refract_bounce.c to the ground, the depth buffer of the
+ * surroundings behind the ice, and splatted into a map. Splatting needs no photon search structure
+ * and has a fixed cost. The map is perpendicular to the sunlight, so all texels receive equal light
+ * on any slope, and energy is preserved. A photon carries the light transmitted by Fresnel's
+ * equations at its entry and exit, less absorption.
  *
- * Limits: light is lost that is partly reflected inside, leaves the map, or is reflected by the
- * ice's outside. Ground that the sun cannot see behind the ice gets no caustics. Beams end at the
- * first surface on their path in the sun's view, even where they would pass behind it or through
- * holes of a cut-out texture. Each photon covers three by three texels, which blurs the map.
- * Cracks, air, bubbles and frost transmit all light.
+ * Limits: light is lost that is partially reflected inside, leaves the map or is reflected by the
+ * ice's outside. Ground that the sun cannot see behind the ice gets no caustics. Rays end at the
+ * first surface in the sun's view, even where they would pass behind it or through a cut-out. The
+ * map is blurred by the 3 x 3 texel filter. Cracks, air, bubbles and frost transmit all light.
  *
- * Surroundings hide the sun from each other by a depth buffer of all of them in its view, which
- * points are compared with that are lifted over their own surface (Holbert 2011, "Saying Goodbye to
- * Shadow Acne"). It reaches ICE_CAUSTICS_SHADE_REACH radii of the ice; its edges are a texel soft.
+ * The shadow map is the depth of all surroundings from the sun. Look-ups are offset along the
+ * surface normal against shadow acne (Holbert 2011, "Saying Goodbye to Shadow Acne"). It extends to
+ * ICE_CAUSTICS_SHADE_REACH radii of the ice; shadow edges are one texel soft.
  */
 #include "src/tech/ice_caustics.h"
 #include <cglm/struct.h>
@@ -37,8 +37,8 @@
 static rg_record_fn record_ground, record_shade, record_photons, record_clear, record_splat;
 static rg_record_fn record_layers;
 
-/* What frames read in which it is not due is persistent. */
-#define PICTURE(title, texel, is_kept) \
+/* Images that are read in frames which do not redraw them are persistent. */
+#define SUN_VIEW_IMAGE(title, texel, is_kept) \
     { \
         .name = (title), .format = (texel), .width = ICE_CAUSTICS_PHOTONS, \
         .height = ICE_CAUSTICS_PHOTONS, .persistent = (is_kept) \
@@ -62,21 +62,21 @@ const struct rg_buffer ice_caustics_light = {
 };
 
 static const struct rg_image back =
-    PICTURE("ice_caustics.back", VK_FORMAT_R16G16B16A16_SFLOAT, false);
+    SUN_VIEW_IMAGE("ice_caustics.back", VK_FORMAT_R16G16B16A16_SFLOAT, false);
 static const struct rg_image back_depth =
-    PICTURE("ice_caustics.back_depth", VK_FORMAT_D32_SFLOAT, false);
+    SUN_VIEW_IMAGE("ice_caustics.back_depth", VK_FORMAT_D32_SFLOAT, false);
 static const struct rg_image front =
-    PICTURE("ice_caustics.front", VK_FORMAT_R16G16B16A16_SFLOAT, false);
+    SUN_VIEW_IMAGE("ice_caustics.front", VK_FORMAT_R16G16B16A16_SFLOAT, false);
 const struct rg_image ice_caustics_front_depth =
-    PICTURE("ice_caustics.front_depth", VK_FORMAT_D32_SFLOAT, true);
+    SUN_VIEW_IMAGE("ice_caustics.front_depth", VK_FORMAT_D32_SFLOAT, true);
 static const struct rg_image photons_depth =
-    PICTURE("ice_caustics.photons_depth", VK_FORMAT_D32_SFLOAT, false);
+    SUN_VIEW_IMAGE("ice_caustics.photons_depth", VK_FORMAT_D32_SFLOAT, false);
 static const struct rg_image landed_red =
-    PICTURE("ice_caustics.landed_red", VK_FORMAT_R32G32B32A32_SFLOAT, false);
+    SUN_VIEW_IMAGE("ice_caustics.landed_red", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 static const struct rg_image landed_green =
-    PICTURE("ice_caustics.landed_green", VK_FORMAT_R32G32B32A32_SFLOAT, false);
+    SUN_VIEW_IMAGE("ice_caustics.landed_green", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 static const struct rg_image landed_blue =
-    PICTURE("ice_caustics.landed_blue", VK_FORMAT_R32G32B32A32_SFLOAT, false);
+    SUN_VIEW_IMAGE("ice_caustics.landed_blue", VK_FORMAT_R32G32B32A32_SFLOAT, false);
 
 const struct rg_image ice_caustics_ground = MAP("ice_caustics.ground", VK_FORMAT_D32_SFLOAT);
 const struct rg_image ice_caustics_shade = {
@@ -126,7 +126,7 @@ static const struct rg_use photon_uses[] = {
     { 0 },
 };
 
-/* Besides those of the rung `trace`. */
+/* Added to the uses of the refraction model `trace`. */
 static const struct rg_use traced_uses[] = {
     USE_LIGHT,
     FRAME_READ(ice_caustics_ground, ICE_CAUSTICS_GROUND),
@@ -146,7 +146,7 @@ static bool is_due(const struct rg_frame *frame, uint32_t repetition)
 }
 
 static const struct rg_pass passes[] = {
-    /* The ice's faces as the sun sees them, drawn as in ice_normal.c. */
+    /* Faces of the ice from the sun's view, drawn as in ice_normal.c. */
     {
         .name = "ice_caustics.back",
         .color = RG_TARGETS({ &back, RG_LOAD_CLEAR }),
@@ -245,7 +245,7 @@ static const struct rg_pass passes[] = {
 
 static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
 
-static const struct rg_pass seen_row = {
+static const struct rg_pass layer_row = {
     .name = "ice_caustics.layers",
     .color = RG_TARGETS({ &caustics_seen, RG_LOAD_CLEAR }),
     .depth = { &frame_depth, RG_LOAD_KEEP },
@@ -296,7 +296,7 @@ static void record_bumps(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw_mesh(cmd, &frame->object);
 }
 
-/* Makes the photons' row draw the faces, with bumps. */
+/* Makes the photon pass rasterise the front faces, with bump-mapped normals. */
 static void draw_bumps(struct rg_pass *row)
 {
     row->depth = (struct rg_target){ &photons_depth, RG_LOAD_CLEAR };
@@ -342,8 +342,8 @@ static const struct setting rows[] = {
         .max = ICE_CAUSTICS_SUN,
         .choices = lights,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "light source of caustics and shadows (none: neither of them; files whose "
-                "surroundings the sun lights bring sun)",
+        .help = "light source of the ice's caustics and shadow (none: neither; scene files lit by "
+                "the sun select sun)",
     },
     {
         .name = "ice_caustics.reach",
@@ -353,7 +353,7 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 100,
         .unit = "radii",
-        .help = "distance from the shadow's centre that caustics cover; larger is coarser",
+        .help = "half width of the caustic map around the shadow's centre; larger is coarser",
     },
     {
         .name = "ice_caustics.shadow",
@@ -370,7 +370,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct ice_caustics_params, ground),
         .initial = 1,
         .max = 1,
-        .help = "let surroundings keep the sun from each other, up to 6 radii from the ice (off: "
+        .help = "shadow map of the surroundings, up to 6 radii from the ice (off: shadows "
                 "only where ground.light=traced)",
     },
 };
@@ -407,21 +407,21 @@ static struct rg_technique make_maps(const struct technique_choice *choice,
     return (struct rg_technique){ "ice_caustics", made, count };
 }
 
-/* The layer: the sun's light on the visible surroundings. */
+/* Makes the pass of the AOV layer: sunlight on the visible surroundings. */
 static struct rg_technique make_layer(const struct technique_choice *choice,
                                       struct row_builder *builder)
 {
     const struct rg_use *const uses[] = { globals_use, ice_caustics_uses };
-    struct rg_pass *row = row_builder_rows(builder, &seen_row, 1);
+    struct rg_pass *row = row_builder_rows(builder, &layer_row, 1);
     if (!row || !is_on(choice->settings))
         return (struct rg_technique){ 0 };
     row->uses = row_builder_uses(builder, uses, 2);
     return (struct rg_technique){ "ice_caustics", row, 1 };
 }
 
-/* ---- the sun's view ---- */
+/* ---- sun's view ---- */
 
-/* Returns a camera at the sun's direction, so far away that its rays are nearly parallel. */
+/* Returns a camera in the sun's direction, so distant that its rays are nearly parallel. */
 static struct camera sun_camera(const struct globals *globals)
 {
     const float radius = fmaxf(globals->radius, 1e-6f);
@@ -439,7 +439,7 @@ void ice_caustics_write_globals(void *memory, const struct frame_view *view,
     struct globals *sun = memory;
     const struct camera camera = sun_camera(globals);
     *sun = *globals;
-    sun->lod_bias = 0.0f; /* the sun's view is never tiled */
+    sun->lod_bias = 0.0f; /* the sun's view is never rendered in tiles */
     sun->eye = camera.eye;
     sun->forward = glms_vec3_negate(globals->sun_dir);
     sun->clip_from_world =
@@ -447,7 +447,7 @@ void ice_caustics_write_globals(void *memory, const struct frame_view *view,
                                scene_near_plane(view->scene), view->light_jitter);
 }
 
-/* The map's view is the sun's view of the ice with a wider angle. */
+/* Writes the view of the caustic map: the sun's view of the ice with a wider angle. */
 void ice_caustics_write_light(void *memory, const struct frame_view *view,
                               const struct globals *globals)
 {
@@ -491,12 +491,12 @@ static void write_constants(const struct technique_subject *subject, uint32_t *v
 
 const struct technique ice_caustics = {
     .name = "ice_caustics",
-    .help = "sunlight through the ice, by photons from the sun's view",
+    .help = "caustics and shadow of the ice in sunlight, by photon splatting",
     .settings = { &ice_caustics_settings },
     .is_on = is_on,
     .is_traced = true,
     .relights = relights,
-    .title = "light through the ice",
+    .title = "caustics of the ice",
     .parts = { { PHASE_LIGHT, .rows = make_maps }, { PHASE_FINISH, .rows = make_layer } },
     .uploads = uploads,
     .write_constants = write_constants,

@@ -1,21 +1,21 @@
 /*
- * mirror.c: the objects' mirror image in the surroundings, in screen space.
+ * mirror.c: screen-space reflections of the refractive objects in glossy surroundings.
  *
- * Sousa, Kasyan and Schulz 2011, Secrets of CryENGINE 3 Graphics Technology, "real-time local
- * reflections": the ray that a surface mirrors is followed through the depths of the picture. Here
- * only the objects are met. Their colours and depths are kept before the surroundings are drawn
- * over them, so what hides an object does not hide its image; and rays are followed only in the box
- * around them. What is met replaces the light of the environment in the surface's glossy share, so
- * nothing is brighter in an even environment. Rough surfaces look up smaller images of the objects,
- * as wide as their reflections at the distance of what they mirror. For a quarter of the pixels,
- * rays that meet ice are refracted there, and followed as the rung follows those of the eye.
+ * Screen-space ray marching after Sousa, Kasyan and Schulz 2011, Secrets of CryENGINE 3 Graphics
+ * Technology ("real-time local reflections"): reflected rays are marched linearly through the depth
+ * buffer, then refined by bisection. Two changes make it cheap and robust: only the objects are
+ * intersected, whose colour and depth are copied before the surroundings are drawn over them, so
+ * that occluders do not hide reflections; and rays are marched only inside the objects' bounding
+ * box, so that a few steps suffice. A hit replaces the environment's contribution to the specular
+ * term, which conserves energy in a uniform environment. Rough surfaces sample prefiltered mip
+ * levels whose texels match the footprint of the lobe at the hit. At half resolution, rays that hit
+ * ice are refracted there by the refraction model.
  *
- * Limits: where a ray is not refracted, the image shows what the eye sees, not the surface; the
- * sun's glints are cut off. Sides that the eye does not see are mirrored as if they had the colours
- * of the edges before them; what is outside of the picture is not. The image is drawn around the
- * objects' foot and below it. A rough reflection is as wide as high, and ends at the outline of
- * what a mirror would show. Opaque surroundings do not mirror each other, nor do the surroundings
- * that are seen through and in the objects mirror these.
+ * Limits: a reflection without refraction shows the camera's view of the object, with sun glints
+ * clamped. Hidden sides repeat the colours of the edges in front of them; what is off screen has no
+ * reflection. Reflections are drawn only around and below the objects' base. The lobe is isotropic,
+ * and ends at the outline of a perfectly sharp one. Opaque surroundings do not reflect each
+ * other, and surroundings visible in or through the objects have no reflections of them.
  */
 #include "src/tech/mirror.h"
 #include <cglm/struct.h>
@@ -28,9 +28,9 @@
 #include "src/tech/refract_bounce.h"
 #include "src/tech/row_builder.h"
 
-static const float edge_share = 0.08f; /* of the area that is drawn */
+static const float edge_fraction = 0.08f; /* width of the fade-out in the scissored area */
 
-static rg_record_fn record_seen, record_half, record_find, record_refracted, record_screen;
+static rg_record_fn record_copy, record_half, record_find, record_refracted, record_screen;
 
 const struct rg_image mirror_surface = {
     .name = "mirror.surface",
@@ -42,33 +42,33 @@ const struct rg_image mirror_glossy = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
-/* The first level is undefined beyond a margin around the objects. */
-static const struct rg_image seen = {
+/* Colours of the objects with mip levels; level 0 is undefined beyond a margin around them. */
+static const struct rg_image object_color = {
     .name = "mirror.seen",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
     .mips = RG_ALL_MIPS,
 };
 
-static const struct rg_image front = {
+static const struct rg_image object_depth = {
     .name = "mirror.front",
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
-/* Of what each fourth pixel mirrors of the objects: where its ray meets them, from the eye, and in
- * which direction; and what the ray sees there, premultiplied, undefined beside the found ones. */
-static const struct rg_image point = {
+/* Hits of reflected rays at half resolution: point relative to the camera, direction, a depth
+ * buffer that marks hits, and the premultiplied colour refracted there, undefined without a hit. */
+static const struct rg_image hit_point = {
     .name = "mirror.point",
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
     .scale = 0.5f,
 };
 
-static const struct rg_image dir = {
+static const struct rg_image hit_dir = {
     .name = "mirror.dir",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
     .scale = 0.5f,
 };
 
-static const struct rg_image is_found = {
+static const struct rg_image hit_mask = {
     .name = "mirror.is_found",
     .format = VK_FORMAT_D32_SFLOAT,
     .scale = 0.5f,
@@ -82,34 +82,34 @@ static const struct rg_image refracted = {
 
 static const struct rg_fallback none_refracted = { { 0 } };
 
-static const struct rg_sampler seen_sampler = { .linear = true, .mips = true };
+static const struct rg_sampler object_sampler = { .linear = true, .mips = true };
 
-#define SMALLER_FROM(...) \
-    .uses = RG_USES( \
-        FRAME_SAMPLE(seen, MIRROR_COLOR, .sampler = &frame_linear, .range = { __VA_ARGS__ })), \
+#define DOWNSAMPLE_FROM(...) \
+    .uses = RG_USES(FRAME_SAMPLE(object_color, MIRROR_COLOR, .sampler = &frame_linear, \
+                                 .range = { __VA_ARGS__ })), \
     .vert = &screen_vert, .frag = &mirror_smaller_frag
 
 static const struct rg_pass object_passes[] = {
     {
         .name = "mirror.seen",
-        .color = RG_TARGETS({ &seen, RG_LOAD_DISCARD }, { &front, RG_LOAD_CLEAR }),
+        .color = RG_TARGETS({ &object_color, RG_LOAD_DISCARD }, { &object_depth, RG_LOAD_CLEAR }),
         .uses =
             RG_USES(FRAME_READ(frame_color, MIRROR_COLOR), FRAME_READ(frame_depth, MIRROR_DEPTH)),
         .vert = &screen_vert,
         .frag = &mirror_seen_frag,
-        .record = record_seen,
+        .record = record_copy,
     },
     {
         .name = "mirror.half",
-        .color = RG_TARGETS({ &seen, RG_LOAD_CLEAR, .mip = 1 }),
-        SMALLER_FROM(.mip_count = 1),
+        .color = RG_TARGETS({ &object_color, RG_LOAD_CLEAR, .mip = 1 }),
+        DOWNSAMPLE_FROM(.mip_count = 1),
         .record = record_half,
     },
     {
         .name = "mirror.smaller",
         .repeat = RG_PER_MIP,
-        .color = RG_TARGETS({ &seen, RG_LOAD_DISCARD, .mip = 2 }),
-        SMALLER_FROM(.mip = 1, .each = true),
+        .color = RG_TARGETS({ &object_color, RG_LOAD_DISCARD, .mip = 2 }),
+        DOWNSAMPLE_FROM(.mip = 1, .each = true),
         .record = frame_draw_screen,
     },
 };
@@ -117,20 +117,20 @@ static const struct rg_pass object_passes[] = {
 static const struct rg_use refracted_uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_READ(ice_normal_shading, REFRACT_SHADING),
-    FRAME_SAMPLE(point, MIRROR_POINT, .same_texel = true),
-    FRAME_SAMPLE(dir, MIRROR_DIR, .same_texel = true),
+    FRAME_SAMPLE(hit_point, MIRROR_POINT, .same_texel = true),
+    FRAME_SAMPLE(hit_dir, MIRROR_DIR, .same_texel = true),
     { 0 },
 };
 
 static const struct rg_pass refracted_passes[] = {
     {
         .name = "mirror.find",
-        .color = RG_TARGETS({ &point, RG_LOAD_DISCARD }, { &dir, RG_LOAD_DISCARD }),
-        .depth = { &is_found, RG_LOAD_CLEAR },
+        .color = RG_TARGETS({ &hit_point, RG_LOAD_DISCARD }, { &hit_dir, RG_LOAD_DISCARD }),
+        .depth = { &hit_mask, RG_LOAD_CLEAR },
         .depth_compare = VK_COMPARE_OP_ALWAYS,
-        .uses =
-            RG_USES(FRAME_USE_GLOBALS, FRAME_READ(frame_depth, MIRROR_DEPTH),
-                    FRAME_READ(front, MIRROR_FRONT), FRAME_READ(mirror_surface, MIRROR_SURFACE)),
+        .uses = RG_USES(FRAME_USE_GLOBALS, FRAME_READ(frame_depth, MIRROR_DEPTH),
+                        FRAME_READ(object_depth, MIRROR_FRONT),
+                        FRAME_READ(mirror_surface, MIRROR_SURFACE)),
         .vert = &mirror_vert,
         .frag = &mirror_find_frag,
         .push_size = sizeof(struct mirror_push),
@@ -139,7 +139,7 @@ static const struct rg_pass refracted_passes[] = {
     {
         .name = "mirror.refracted",
         .color = RG_TARGETS({ &refracted, RG_LOAD_CLEAR }),
-        .depth = { &is_found, RG_LOAD_KEEP },
+        .depth = { &hit_mask, RG_LOAD_KEEP },
         .depth_read_only = true,
         .depth_compare = VK_COMPARE_OP_LESS,
         .push_size = sizeof(struct refract_bounce_params),
@@ -153,10 +153,10 @@ static const struct rg_pass screen_passes[] = {
         .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }),
         .uses =
             RG_USES(FRAME_USE_GLOBALS, FRAME_SAMPLE(frame_depth, MIRROR_DEPTH, .same_texel = true),
-                    FRAME_SAMPLE(seen, MIRROR_SEEN, .sampler = &seen_sampler),
+                    FRAME_SAMPLE(object_color, MIRROR_SEEN, .sampler = &object_sampler),
                     FRAME_SAMPLE(refracted, MIRROR_REFRACTED, .sampler = &frame_linear,
                                  .fallback = &none_refracted),
-                    FRAME_READ(front, MIRROR_FRONT),
+                    FRAME_READ(object_depth, MIRROR_FRONT),
                     FRAME_SAMPLE(mirror_surface, MIRROR_SURFACE, .same_texel = true),
                     FRAME_SAMPLE(mirror_glossy, MIRROR_GLOSSY, .same_texel = true)),
         .vert = &mirror_vert,
@@ -166,7 +166,7 @@ static const struct rg_pass screen_passes[] = {
     },
 };
 
-/* Returns the texels of a mip level that show an area of the first one, with a margin of texels. */
+/* Returns the texels of a mip level that cover an area of level 0, plus a margin in texels. */
 static VkRect2D area_at(VkRect2D area, uint32_t mip, int32_t margin, VkExtent2D size)
 {
     const int32_t x = area.offset.x >> mip, y = area.offset.y >> mip;
@@ -179,8 +179,8 @@ static VkRect2D area_at(VkRect2D area, uint32_t mip, int32_t margin, VkExtent2D 
                          (uint32_t)((last_y < height ? last_y : height) - first_y) } };
 }
 
-/* The margins: smaller levels read no more of the larger one than that has. */
-static void record_seen(struct rg_cmd *cmd, const struct rg_frame *frame)
+/* Scissored; each mip level has a smaller margin, so that it reads only texels that are written. */
+static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_scissor(cmd, area_at(frame->object_area, 0, 4, rg_cmd_extent(cmd)));
     rg_cmd_draw(cmd, 3);
@@ -192,7 +192,7 @@ static void record_half(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-/* The depth of the thickest object, along any axis. */
+/* Returns the longest bounding box diagonal of an object. */
 static float thickness_of(const struct scene *scene)
 {
     float most = 0.0f;
@@ -201,8 +201,8 @@ static float thickness_of(const struct scene *scene)
     return most;
 }
 
-/* Puts an area into the push constants. Edges that are the picture's are far away. */
-static void put_area(struct mirror_push *push, VkRect2D area, VkExtent2D picture)
+/* Writes an area to the push constants. Edges shared with the image are moved far outside. */
+static void write_area(struct mirror_push *push, VkRect2D area, VkExtent2D picture)
 {
     const int32_t first[2] = { area.offset.x, area.offset.y };
     const uint32_t size[2] = { area.extent.width, area.extent.height };
@@ -211,7 +211,7 @@ static void put_area(struct mirror_push *push, VkRect2D area, VkExtent2D picture
         const uint32_t last = (uint32_t)first[axis] + size[axis];
         push->area_min.raw[axis] = first[axis] > 0 ? (float)first[axis] : -1e6f;
         push->area_max.raw[axis] = last < sides[axis] ? (float)last : 1e6f;
-        push->area_edge.raw[axis] = edge_share * (float)size[axis];
+        push->area_edge.raw[axis] = edge_fraction * (float)size[axis];
     }
 }
 
@@ -225,7 +225,7 @@ static void push_all(struct rg_cmd *cmd, const struct rg_frame *frame)
         .thickness = thickness_of(frame->scene),
         .pixel = 2.0f * glms_vec3_norm(frame->view.up) / (float)rg_cmd_extent(cmd).height,
     };
-    put_area(&push, frame->foot_area, rg_cmd_extent(cmd));
+    write_area(&push, frame->foot_area, rg_cmd_extent(cmd));
     rg_cmd_push(cmd, &push, sizeof(push));
 }
 
@@ -259,8 +259,8 @@ static const struct setting rows[] = {
         .initial = 8,
         .max = 64,
         .switches = SETTING_AFFECTS_PLAN,
-        .help = "steps of the search for objects that glossy surroundings mirror, in screen space "
-                "(0: they mirror none; trace and reference: ground.light)",
+        .help = "ray march steps of the screen-space reflections of objects in glossy surroundings "
+                "(0: off; trace and reference: ground.light)",
     },
     {
         .name = "mirror.refract",
@@ -269,8 +269,9 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "mirrored rays refracted by the object that they meet, which otherwise is mirrored "
-                "as the eye sees it (rung bounce, scenes with one object, not nested)",
+        .help =
+            "refract reflected rays at the object that they hit, instead of reusing the camera's "
+            "view of it (refraction model bounce, one object, not nested)",
     },
 };
 
@@ -299,8 +300,8 @@ static struct rg_technique make_object_rows(const struct technique_choice *choic
     return (struct rg_technique)RG_TECHNIQUE("mirror", object_passes);
 }
 
-/* Returns the shader of what mirrored rays see in the object, or NULL: they see what the eye does.
- * Of several objects, and of some in others, the maps of faces are gone when this is drawn. */
+/* Returns the shader that refracts reflected rays in the object, or NULL to reuse the camera's
+ * view. With several or nested objects, the depth and normal maps no longer exist at this point. */
 static const struct rg_shader *refracted_frag(const struct technique_choice *choice)
 {
     const struct mirror_params *params = settings_of(choice->settings, &mirror_settings);
@@ -343,12 +344,12 @@ static struct rg_technique make_screen_rows(const struct technique_choice *choic
 
 const struct technique mirror = {
     .name = "mirror",
-    .help = "mirror image of the objects in glossy surroundings",
+    .help = "screen-space reflections of the objects in glossy surroundings",
     .settings = { &mirror_settings },
     .is_on = is_on,
     .is_traced = true,
     .is_met = true,
-    .title = "mirror image of the objects",
+    .title = "screen-space reflections",
     .parts = { { PHASE_COMPOSITE, SCENE_OF_OBJECT, .rows = make_object_rows },
                { PHASE_FINISH, SCENE_OF_OBJECT, .rows = make_refracted_rows },
                { PHASE_FINISH, SCENE_OF_OBJECT, .rows = make_screen_rows } },

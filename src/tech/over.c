@@ -1,8 +1,8 @@
 /*
- * over.c: blends the premultiplied colours of air, bubbles and cracks, in this order, over the ice
- * and adds the highlights of the surface.
+ * over.c: composites the inclusions (air, bubbles, cracks, premultiplied, in this order) on top of
+ * the ice and adds the highlights of the light sources.
  *
- * The shader always has the same bindings; those of techniques that are off are bound to the
+ * The shader has a fixed set of bindings; those of techniques that are off are bound to the
  * highlights and not read.
  */
 #include "shaders/over.h"
@@ -48,45 +48,46 @@ static const struct rg_pass passes[] = {
     },
 };
 
-/* Returns CONSTANT_OVER: bits of the layers that are drawn beside a rung. */
+/* Returns CONSTANT_OVER: the layers to composite, which the refraction model does not draw. */
 static uint32_t layers_of(const struct settings *settings, const struct technique *rung,
                           bool is_cloudy)
 {
-    const bool meets = rung && rung->rung.meets_tree;
+    const bool uses_bvh = rung && rung->rung.meets_tree;
     const struct target_params *target = settings_of(settings, &target_settings);
     const struct light_params *light = settings_of(settings, &light_settings);
-    /* The rung has shown all but highlights. */
+    /* The refraction model has drawn cracks except for their highlights. */
     const bool is_without_cracks = cracks_are_met(settings, rung) && !light->count;
     return (surface.is_on(settings) ? OVER_HAS_HIGHLIGHT : 0u) |
-           (air.is_on(settings) && !((meets || is_cloudy) && air_is_medium(settings)) ? OVER_HAS_AIR
-                                                                                      : 0u) |
-           (bubbles.is_on(settings) && !meets ? OVER_HAS_BUBBLES : 0u) |
-           (cracks_are_in_ice(settings) && !meets && !is_without_cracks ? OVER_HAS_CRACKS : 0u) |
+           (air.is_on(settings) && !((uses_bvh || is_cloudy) && air_is_medium(settings))
+                ? OVER_HAS_AIR
+                : 0u) |
+           (bubbles.is_on(settings) && !uses_bvh ? OVER_HAS_BUBBLES : 0u) |
+           (cracks_are_in_ice(settings) && !uses_bvh && !is_without_cracks ? OVER_HAS_CRACKS : 0u) |
            (target->scale < 1.0f ? OVER_IS_SMALL : 0u);
 }
 
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
-    const uint32_t found = layers_of(choice->settings, choice->rung, choice->is_cloudy);
+    const uint32_t bits = layers_of(choice->settings, choice->rung, choice->is_cloudy);
     struct rg_use changed[sizeof(uses) / sizeof(uses[0])];
     struct rg_pass *rows = row_builder_rows(builder, passes, 1);
-    if (!(found & ~OVER_IS_SMALL) || !rows)
+    if (!(bits & ~OVER_IS_SMALL) || !rows)
         return (struct rg_technique){ 0 };
     memcpy(changed, uses, sizeof(uses));
     for (struct rg_use *use = changed; use->access; use++) {
         const bool is_layer =
             use->binding == OVER_AIR || use->binding == OVER_BUBBLES || use->binding == OVER_CRACKS;
-        if (use->image && is_layer && !(found & 1u << use->binding))
+        if (use->image && is_layer && !(bits & 1u << use->binding))
             use->image = &surface_highlight;
         if (use->image == &bubbles_color && bubbles_are_bent(choice))
             use->same_texel = false;
     }
-    const bool bends = (found & OVER_HAS_BUBBLES) && bubbles_are_bent(choice);
+    const bool shows_refracted = (bits & OVER_HAS_BUBBLES) && bubbles_are_bent(choice);
     rows->uses = row_builder_uses(
-        builder, (const struct rg_use *const[]){ changed, bends ? bent_uses : NULL }, 2);
-    rows->vert = bends ? &over_bent_vert : &over_vert;
-    rows->frag = bends ? &over_bent_frag : &over_frag;
+        builder, (const struct rg_use *const[]){ changed, shows_refracted ? bent_uses : NULL }, 2);
+    rows->vert = shows_refracted ? &over_bent_vert : &over_vert;
+    rows->frag = shows_refracted ? &over_bent_frag : &over_frag;
     return (struct rg_technique){ "over", rows, 1 };
 }
 
@@ -104,7 +105,7 @@ static void write_constants(const struct technique_subject *subject, uint32_t *v
 
 const struct technique over = {
     .name = "over",
-    .help = "air, bubbles, cracks and highlights over the picture of the ice",
+    .help = "compositing of air, bubbles, cracks and highlights over the ice",
     .parts = { { PHASE_COMPOSITE, .rows = make_rows } },
     .write_constants = write_constants,
 };

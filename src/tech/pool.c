@@ -1,8 +1,8 @@
 /*
- * pool.c: the settings of a pool of water: waves, ground, floating ice.
+ * pool.c: settings of a pool of water: waves, ground, floating ice.
  *
- * water.c draws it and caustics.c lights it. Absorption by default is that of pure water (Pope and
- * Fry 1997) at 650, 550 and 450 nm.
+ * water.c draws the pool and caustics.c lights it. The default absorption is that of pure water
+ * (Pope and Fry 1997) at 650, 550 and 450 nm.
  */
 #include "src/tech/pool.h"
 #include "src/tech/frame.h"

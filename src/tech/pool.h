@@ -1,4 +1,4 @@
-/* pool.h: the settings of a pool of water: waves, ground, floating ice. */
+/* pool.h: settings of a pool of water: waves, ground, floating ice. */
 #ifndef TECH_POOL_H
 #define TECH_POOL_H
 #include "shaders/water.h"
@@ -6,7 +6,7 @@
 
 extern const struct setting_group water_settings, pool_settings;
 
-/* Returns whether ice floats in the pool. */
+/* Returns true if ice floats in the pool. */
 bool pool_has_ice(const struct settings *settings);
 
 /* Returns the push constants of the pool's shaders. */

@@ -1,8 +1,8 @@
 /*
- * resolve.c: copies the mean of the samples into the picture.
+ * resolve.c: uploads the mean of the samples to the colour image.
  *
- * Samples are added up in float on the CPU. The tonemapped mean differs from the mean of tonemapped
- * samples, so the mean is copied to frame_color before tonemap reads it.
+ * Samples are accumulated in float on the CPU. Tone mapping is not linear, so the mean is taken
+ * first and copied to frame_color, where tonemap reads it.
  */
 #include "src/tech/frame.h"
 #include "src/tech/technique.h"

@@ -1,14 +1,14 @@
 /*
- * surface.c: highlights of the lights on the ice's front.
+ * surface.c: Blinn-Phong highlights of the light sources on the ice's front faces.
  *
- * Seipel and Nivfors 2006, sections 3.1 b and 5: specular highlights on the outer surface, of light
- * sources that move. The paper does not name the model; this is Blinn's (1977): a power of the
- * cosine between the normal and the direction halfway between light and eye. The rungs compute the
- * highlights, because they have the normal with bumps; over.c adds them to the picture.
+ * Seipel and Nivfors 2006, sections 3.1 b and 5: specular highlights of moving light sources on the
+ * outside of the ice. The paper does not name the model; this is Blinn's (1977): a power of the
+ * cosine between the normal and the half vector. The refraction models compute the highlights,
+ * because they have the bump-mapped normal; over.c adds them to the image.
  *
- * Error: a highlight has the same radiance and size for every direction of its light, where
- * Fresnel's equations make a grazing one up to 56 times as bright. The lights are invisible and
- * light nothing else.
+ * Error: a highlight has equal radiance and size for all directions of its light, where Fresnel's
+ * equations make a grazing one up to 56 times as bright. The lights are invisible and light nothing
+ * else.
  */
 #include "src/tech/surface.h"
 #include "shaders/surface.h"
@@ -37,7 +37,8 @@ static const struct setting rows[] = {
         .initial = 900,
         .min = 1,
         .max = 1e5,
-        .help = "exponent of the lights' highlights on the ice; a larger one makes them smaller",
+        .help =
+            "Blinn-Phong exponent of the highlights on the ice; a larger one makes them smaller",
     },
 };
 

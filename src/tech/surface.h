@@ -1,9 +1,9 @@
-/* surface.h: highlights of the lights on the ice's front. */
+/* surface.h: Blinn-Phong highlights of the light sources on the ice's front faces. */
 #ifndef TECH_SURFACE_H
 #define TECH_SURFACE_H
 #include "src/tech/technique.h"
 
-/* Radiance of the highlights; below 0 in pixels without ice. A rung's row writes it. */
+/* Radiance of the highlights, drawn by the refraction model; negative in pixels without ice. */
 extern const struct rg_image surface_highlight;
 
 extern const struct technique surface;

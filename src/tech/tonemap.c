@@ -1,9 +1,9 @@
 /*
- * tonemap.c: exposure, highlight compression, sRGB encoding; for PNG and windows only.
+ * tonemap.c: tone mapping pass: exposure, tone curve and sRGB encoding, for PNG files and windows.
  *
  * Curve "neutral": Khronos PBR Neutral (Khronos Group 2024), which preserves base colours. Curve
- * "agx": for scenes with the sun in sight (Sobotka 2022). Curves "aces" and "hable": as other
- * programs have them (Hill 2016; Hable 2010). Curve "clip": only the encoding, for measurements.
+ * "agx": for images that show the sun (Sobotka 2022). Curves "aces" and "hable": widely used
+ * alternatives (Hill 2016; Hable 2010). Curve "clip": encoding only, for measurements.
  */
 #include "src/tech/tonemap.h"
 #include <math.h>
@@ -50,7 +50,7 @@ static const struct setting rows[] = {
         .min = -16,
         .max = 16,
         .unit = "stops",
-        .help = "exposure of PNG pictures",
+        .help = "exposure of PNG images",
     },
     {
         .name = "tonemap.curve",
@@ -60,14 +60,14 @@ static const struct setting rows[] = {
         .max = TONEMAP_LAST,
         .choices = curves,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "tone curve of highlights in PNG pictures",
+        .help = "tone mapping curve of PNG images",
     },
     {
         .name = "tonemap.dither",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct tonemap_params, dither),
         .max = 1,
-        .help = "dither PNG files of 8 bits: noise of one step, in place of bands",
+        .help = "dither 8-bit PNG files with noise of one step, which hides banding",
     },
 };
 
@@ -81,7 +81,7 @@ static void write_constants(const struct technique_subject *subject, uint32_t *v
 
 const struct technique tonemap = {
     .name = "tonemap",
-    .help = "conversion of linear light to 8-bit sRGB",
+    .help = "tone mapping of linear colour to 8-bit sRGB",
     .settings = { &tonemap_settings },
     .parts = { { PHASE_DISPLAY, SCENE_OF_ANY,
                  .purposes = 1u << TECHNIQUE_PICTURE | 1u << TECHNIQUE_RESOLVE,

@@ -1,12 +1,12 @@
-/* tonemap.h: converts the linear picture to 8 bits, sRGB, for displays. */
+/* tonemap.h: tone mapping of the linear HDR image to 8-bit sRGB. */
 #ifndef TECH_TONEMAP_H
 #define TECH_TONEMAP_H
 #include "src/tech/technique.h"
 
 struct tonemap_params {
     float exposure;  /* stops */
-    uint32_t curve;  /* TONEMAP_NEUTRAL ... */
-    uint32_t dither; /* 1: PNG files of 8 bits have noise of one step, which hides bands */
+    uint32_t curve;  /* TONEMAP_NEUTRAL, ... */
+    uint32_t dither; /* 1: adds noise of one step to 8-bit PNG files, which hides banding */
 };
 
 extern const struct setting_group tonemap_settings;

@@ -1,25 +1,24 @@
 /*
- * water.c: a pool of water: waves, their reflection, and the ground seen by refraction.
+ * water.c: passes that draw a pool of water: waves, reflections and the refracted ground.
  *
- * The waves of shaders/wave.h have exact normals. The surface is drawn as a grid; in each
- * pixel the ray is refracted once, meets the floor or a wall of the pool exactly, and is absorbed
- * along its path through the water by the law of Beer and Lambert. Reflectances are those of
- * Fresnel's equations. The sun's light falls as through water at rest, multiplied by the light map
- * of src/tech/caustics.c.
+ * The waves of shaders/wave.h have analytic normals. The surface is drawn as a grid; the primary
+ * ray is refracted once per pixel, intersected with the floor and walls of the pool, and attenuated
+ * along its path in the water by the Beer-Lambert law. Reflectances follow Fresnel's equations.
+ * Sunlight is that below level water, multiplied by the light map of src/tech/caustics.c.
  *
- * Limits: no ray meets a second wave. Reflections show the sky and the pool's dry walls, but no
- * surroundings. Interreflection is left out between parts of the ground, and between the ground and
- * the surface above it; to make up for that, radiance is not divided by the squared index where
- * light leaves the water.
+ * Limits: no ray hits a second wave. Reflections show the sky and the pool's dry walls, but no
+ * other surroundings. Interreflections between parts of the ground, and between the ground and the
+ * surface above, are left out; to compensate, radiance is not divided by the squared index of
+ * refraction where light leaves the water.
  *
- * An eye in the water has passes of its own, which cover the picture: rays to the ground, and to
- * the waves, through which they see the sky, or which mirror the ground once.
+ * A camera below the water has passes of its own, full-screen: rays to the ground, and to the
+ * waves, which transmit the sky or reflect the ground once.
  *
- * Ice that floats in the pool (pool.ice) is drawn above the water. Rays below the water meet it in
- * the maps of ice_normal.c in the eye's view, bent by air and water at rest. The limits are those
- * of refract_bounce.c, and: there is no dispersion; the ice reflects only the sky and the dry
- * walls; the water does not reflect the ice; no ray meets the ice twice; the ice changes neither
- * the sun's light nor the waves.
+ * Ice that floats in the pool (pool.ice) is drawn above the water. Rays below the water intersect
+ * it by ray marching the maps of ice_normal.c in the camera's view, refracted by air and level
+ * water. The limits are those of refract_bounce.c, and: there is no dispersion; the ice reflects
+ * only the sky and the dry walls; the water does not reflect the ice; no ray hits the ice twice;
+ * the ice affects neither the sunlight nor the waves.
  */
 #include "shaders/water.h"
 #include <math.h>
@@ -47,7 +46,7 @@ static const struct rg_use caustics_uses[] = {
     { 0 },
 };
 
-/* The maps in which shaders/refract_inside.glsl searches the ice. */
+/* Depth and normal maps of the ice that shaders/refract_inside.glsl marches through. */
 static const struct rg_use ice_uses[] = {
     FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
     FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
@@ -81,7 +80,7 @@ static const struct rg_pass color_row = {
     .when = is_above,
 };
 
-/* Draws the part of the ice above the water. */
+/* Draws the part of the floating ice above the water. */
 static const struct rg_pass ice_row = {
     .name = "water.ice",
     .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP }),
@@ -129,7 +128,7 @@ enum {
     ROW_COUNT = 6
 };
 
-/* Shaders for water without and with ice, without and with caustics. */
+/* Shader variants: without and with ice, without and with caustics. */
 static const struct rg_shader *const color_frags[2][2] = {
     { &water_frag, &water_caustics_frag },
     { &water_iced_frag, &water_iced_caustics_frag },
@@ -149,7 +148,7 @@ static const struct rg_shader *const below_layers_frags[2] = {
     &water_below_iced_caustics_aov_frag,
 };
 
-/* Adds a row; the uses are those of all rows that shade. */
+/* Appends a pass; `uses` are shared by all shading passes. */
 static void add_row(struct rg_technique *technique, struct rg_pass *rows, const struct rg_pass *row,
                     const struct rg_use *uses, const struct rg_shader *frag)
 {
@@ -183,7 +182,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     return technique;
 }
 
-/* Returns whether the eye is in the water; the floating ice does not matter. */
+/* Returns true if the camera is in the water; the floating ice is ignored. */
 static bool is_below(const struct rg_frame *frame, uint32_t repetition)
 {
     const struct water_push push = pool_push_of(frame->settings);
