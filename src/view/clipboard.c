@@ -1,4 +1,4 @@
-/* clipboard.c: starts the program that owns the selection. */
+/* clipboard.c: copies a PNG file to the clipboard through wl-copy or xclip. */
 #include "src/view/clipboard.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* In the child. It holds nothing of this program's: it stays as long as others may ask for data. */
+/* Runs in the child: turns it into the clipboard owner, which lives on to serve paste requests. */
 __attribute__((noreturn)) static void become_owner(int png, int nothing)
 {
     const bool ready = dup2(png, STDIN_FILENO) >= 0 && dup2(nothing, STDOUT_FILENO) >= 0 &&

@@ -1,11 +1,11 @@
-/* clipboard.h: pictures in the desktop's clipboard, of which GLFW knows only text. */
+/* clipboard.h: PNG images in the desktop's clipboard; GLFW can copy only text. */
 #ifndef FIRN_VIEW_CLIPBOARD_H
 #define FIRN_VIEW_CLIPBOARD_H
 
 #include <stdbool.h>
 
-/* Gives a PNG file's data to wl-copy (under Wayland) or xclip, which keeps them for others. False:
- * the program is not installed, or fails; not logged. */
+/* Passes a PNG file to wl-copy (Wayland) or xclip, which then serve paste requests. Returns false,
+ * without logging, if the program is not installed or fails. */
 bool clipboard_copy_png(const char *path);
 
 #endif

@@ -1,4 +1,5 @@
-/* drop.c: files by their names and, where these do not tell, by what is in them. */
+/* drop.c: detects the kind of an opened or dropped file: by its name or, for images, the contents.
+ */
 #include "src/view/drop.h"
 #include <string.h>
 #include "src/base/path.h"
@@ -6,7 +7,7 @@
 #include "src/scene/panorama.h"
 #include "src/scene/scene.h"
 
-/* Twice as wide as high, or six faces of a cube in a row. */
+/* Returns true for the aspect ratio of a panorama (2:1) or of six cube faces in a strip. */
 static bool has_panorama_shape(const struct image *image)
 {
     const uint64_t width = image->width;
@@ -14,7 +15,7 @@ static bool has_panorama_shape(const struct image *image)
     return width == 2 * height || height == 6 * width || width == 6 * height;
 }
 
-/* Whether six faces may be a cross in it. */
+/* Returns true if the aspect ratio is that of a cube map laid out as a cross (4:3 or 3:4). */
 static bool has_cross_shape(const struct image *image)
 {
     const uint64_t width = image->width;
@@ -22,9 +23,9 @@ static bool has_cross_shape(const struct image *image)
     return 3 * width == 4 * height || 4 * width == 3 * height;
 }
 
-/* A cross has nothing but black around it, which all texels must say. */
-static enum status look_for_cross(const char *path, const struct reader_params *reader,
-                                  enum drop *drop)
+/* Detects a cube map as a cross: all else is black, so every texel has to be decoded. */
+static enum status detect_cross(const char *path, const struct reader_params *reader,
+                                enum drop *drop)
 {
     struct image image = { 0 };
     const enum status status = picture_read(&image, path, reader);
@@ -34,9 +35,9 @@ static enum status look_for_cross(const char *path, const struct reader_params *
     return status;
 }
 
-/* Whether firn wrote it. */
-static enum status look_into_png(const char *path, const struct reader_params *reader,
-                                 enum drop *drop)
+/* Classifies a PNG file: a preset if firn stored its settings in it, otherwise an image. */
+static enum status classify_png(const char *path, const struct reader_params *reader,
+                                enum drop *drop)
 {
     struct picture_head head;
     const enum status status = picture_check(&head, path, reader);
@@ -46,8 +47,8 @@ static enum status look_into_png(const char *path, const struct reader_params *r
     return status;
 }
 
-static enum status look_into_picture(const char *path, const struct reader_params *reader,
-                                     enum drop *drop)
+static enum status classify_image(const char *path, const struct reader_params *reader,
+                                  enum drop *drop)
 {
     struct picture_reader *picture;
     struct picture_head head;
@@ -59,7 +60,7 @@ static enum status look_into_picture(const char *path, const struct reader_param
     }
     picture_close(picture);
     picture_head_finish(&head);
-    return may_be_cross ? look_for_cross(path, reader, drop) : status;
+    return may_be_cross ? detect_cross(path, reader, drop) : status;
 }
 
 enum status drop_find(const char *path, const struct reader_params *reader, enum drop *drop)
@@ -71,9 +72,9 @@ enum status drop_find(const char *path, const struct reader_params *reader, enum
     else if (path_ends_in(path, ".txt"))
         *drop = DROP_PRESET;
     else if (path_ends_in(path, ".png"))
-        return look_into_png(path, reader, drop);
+        return classify_png(path, reader, drop);
     else if (picture_is_named(path))
-        return look_into_picture(path, reader, drop);
+        return classify_image(path, reader, drop);
     else
         *drop = DROP_MODEL;
     return STATUS_OK;

@@ -1,10 +1,10 @@
-/* echo.c: a stream in the place of stderr. */
-#define _GNU_SOURCE /* fopencookie */
+/* echo.c: replaces stderr by a stream that forwards text and keeps the last error line. */
+#define _GNU_SOURCE /* for fopencookie */
 #include "src/view/echo.h"
 #include <string.h>
 #include <unistd.h>
 
-/* Warnings and notes name what nobody has asked for just now. */
+/* Returns true if a line is an error; warnings and notes are not shown in the window. */
 static bool is_error(const char *text, size_t size)
 {
     static const char *const others[] = { "firn: warning: ", "firn: note: " };
@@ -15,7 +15,7 @@ static bool is_error(const char *text, size_t size)
     return size > strlen("firn: ") && !strncmp(text, "firn: ", strlen("firn: "));
 }
 
-static ssize_t hear(void *user, const char *text, size_t size)
+static ssize_t capture(void *user, const char *text, size_t size)
 {
     struct echo *e = user;
     const size_t skipped = strlen("firn: ");
@@ -31,13 +31,13 @@ static ssize_t hear(void *user, const char *text, size_t size)
 
 void echo_begin(struct echo *e)
 {
-    FILE *stream = fopencookie(e, "w", (cookie_io_functions_t){ .write = hear });
+    FILE *stream = fopencookie(e, "w", (cookie_io_functions_t){ .write = capture });
     if (!stream || pthread_mutex_init(&e->lock, NULL) != 0) {
         if (stream)
             (void)fclose(stream);
         return;
     }
-    setvbuf(stream, NULL, _IONBF, 0); /* as stderr is: a line comes whole */
+    setvbuf(stream, NULL, _IONBF, 0); /* unbuffered like stderr, so that messages arrive whole */
     e->before = stderr;
     stderr = stream;
 }

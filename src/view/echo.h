@@ -1,7 +1,7 @@
 /*
- * echo.h: what the program says on stderr, for the window, too.
+ * echo.h: captures error messages written to stderr, so that the window can show them.
  *
- * Thread-safety: any thread may log meanwhile.
+ * Thread-safety: other threads may log at any time.
  */
 #ifndef FIRN_VIEW_ECHO_H
 #define FIRN_VIEW_ECHO_H
@@ -11,21 +11,21 @@
 #include <stdio.h>
 
 enum {
-    ECHO_SIZE = 512, /* bytes of a line, '\0' included; longer ones are cut */
+    ECHO_SIZE = 512, /* maximum bytes of a line, including '\0'; longer lines are truncated */
 };
 
 struct echo {
-    FILE *before; /* that stderr was; NULL: not begun */
+    FILE *before; /* original stderr; NULL if capturing has not begun */
     pthread_mutex_t lock;
-    char line[ECHO_SIZE]; /* the last error, without "firn: "; "": none */
+    char line[ECHO_SIZE]; /* last error without its "firn: " prefix; "" if there was none */
 };
 
-/* From now on what is written to stderr is also heard. If that cannot be, nothing is. It must not
- * move until echo_end(). */
+/* Starts capturing text written to stderr, which is still printed. Does nothing on failure. *echo
+ * must not move until echo_end(). */
 void echo_begin(struct echo *echo);
-void echo_end(struct echo *echo); /* {0} is fine */
+void echo_end(struct echo *echo); /* restores stderr; {0} is fine */
 
-/* The last error that was logged since the last call. False: there was none. */
+/* Moves the last error since the previous call to `line`. Returns false if there was none. */
 bool echo_take(struct echo *echo, char line[static ECHO_SIZE]);
 
 #endif

@@ -1,4 +1,4 @@
-/* error_map.c: FLIP beside the loop. */
+/* error_map.c: computes a FLIP error map of two images on a worker thread. */
 #include "src/view/error_map.h"
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include "src/metric/quantile.h"
 #include "src/view/window.h"
 
-static const double most = 0.95; /* of all pixels */
+static const double most = 0.95; /* fraction of the pixels whose error is at most `high` */
 
 static void forget(struct error_map *map)
 {

@@ -1,7 +1,8 @@
 /*
- * error_map.h: how different two pictures look: FLIP of each pixel, on a thread of its own.
+ * error_map.h: per-pixel FLIP error of two images, computed on a worker thread.
  *
- * They are compared as they are shown, tonemapped, as `firn diff` compares two PNG files.
+ * FLIP is a metric of displayed colours, so both images are tone-mapped first; the result equals
+ * that of `firn diff` on two PNG files.
  */
 #ifndef FIRN_VIEW_ERROR_MAP_H
 #define FIRN_VIEW_ERROR_MAP_H
@@ -12,11 +13,11 @@
 #include <stdint.h>
 #include "src/image/image.h"
 
-/* A picture: planes R, G and B of an image. */
+/* One of the compared images: planes R, G and B. */
 struct error_side {
     const struct image *image;
-    float scale;   /* of its values */
-    bool is_shown; /* they are tonemapped */
+    float scale;   /* factor on the texel values, such as 1 / sample count of a sum */
+    bool is_shown; /* the planes are tone-mapped already */
 };
 
 struct error_map {
@@ -24,24 +25,26 @@ struct error_map {
     bool runs;
     atomic_bool done;
     uint32_t width, height;
-    float *planes[2]; /* R, G, B of each, one after the other */
+    float *planes[2]; /* planes R, G and B of each image, one after the other */
     bool is_shown[2];
     float gain;
     uint32_t curve;
-    float *errors;     /* of each pixel, 0 to 1 */
-    uint8_t *rgba;     /* the same in the colours of heat.h */
-    bool failed;       /* out of memory */
-    double mean, high; /* high: 95 % of the pixels have no larger error */
+    float *errors;     /* FLIP error of each pixel, 0 to 1 */
+    uint8_t *rgba;     /* errors in the false colours of heat.h */
+    bool failed;       /* the worker thread ran out of memory */
+    double mean, high; /* mean error, and the 95th percentile of the errors */
 };
 
-void error_map_finish(struct error_map *map); /* waits for the thread; {0} is fine */
+void error_map_finish(struct error_map *map); /* waits for the worker thread; {0} is fine */
 
-/* Compares the first with the second, of the same size; both are copied. `gain` and `curve`:
- * tonemap_apply(). Nothing may be running. False: out of memory. */
+/* Starts to compute the error of the first image relative to the second. Both have the same size
+ * and are copied. `gain` and `curve` are those of tonemap_apply(). No other run may be in progress.
+ * Returns false if out of memory. */
 bool error_map_begin(struct error_map *map, const struct error_side sides[static 2], float gain,
                      uint32_t curve);
 
-/* True once when it is done: `rgba` (unless it failed), `mean` and `high` are there. */
+/* Returns true once when the worker is done: `rgba` (unless failed), `mean` and `high` are valid
+ * then. */
 bool error_map_take(struct error_map *map);
 
 #endif

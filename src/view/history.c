@@ -1,4 +1,4 @@
-/* history.c: a list of states. */
+/* history.c: undo stack: an array of whole states and the index of the current one. */
 #include "src/view/history.h"
 #include <string.h>
 #include "src/tech/technique.h"
@@ -46,20 +46,20 @@ const struct view_state *history_redo(struct history *h)
 
 static const char *name_of(const struct technique *rung)
 {
-    return rung ? rung->rung.name : "none";
+    return rung ? rung->rung.name : "off";
 }
 
 static const char *name_other(const struct view_state *state)
 {
     static const char *const names[] = {
         [VIEW_OTHER_STATE] = "the stored state",
-        [VIEW_OTHER_FILE] = "a picture",
+        [VIEW_OTHER_FILE] = "an image",
         [VIEW_OTHER_REFERENCE] = "the reference",
     };
     return state->other > VIEW_OTHER_RUNG ? names[state->other] : name_of(state->split);
 }
 
-/* The first row that differs; further ones are counted. */
+/* Prints the first setting that differs. Returns the number of settings that differ. */
 static uint32_t name_settings(const struct view_state *before, const struct view_state *after,
                               FILE *out)
 {
@@ -90,11 +90,11 @@ void history_name(const struct view_state *before, const struct view_state *afte
         return;
     const uint32_t count = name_settings(before, after, out);
     if (!count && before->rung != after->rung)
-        fprintf(out, "rung %s -> %s", name_of(before->rung), name_of(after->rung));
+        fprintf(out, "refraction model %s -> %s", name_of(before->rung), name_of(after->rung));
     else if (!count && (before->other != after->other || before->split != after->split))
-        fprintf(out, "compare with %s -> %s", name_other(before), name_other(after));
+        fprintf(out, "comparison %s -> %s", name_other(before), name_other(after));
     else if (!count && differ(before->env_rotate, after->env_rotate))
-        fprintf(out, "turn of the panorama %.0f -> %.0f", (double)before->env_rotate,
+        fprintf(out, "panorama rotation %.0f -> %.0f", (double)before->env_rotate,
                 (double)after->env_rotate);
     if (count > 1)
         fprintf(out, " and %u more", count - 1);

@@ -1,4 +1,4 @@
-/* keys.c: the table of actions. */
+/* keys.c: table of actions with their keyboard shortcuts, labels and help texts. */
 #define GLFW_INCLUDE_NONE
 #include "src/view/keys.h"
 #include <GLFW/glfw3.h>
@@ -6,20 +6,21 @@
 #include <string.h>
 
 enum {
-    KEYS_MAX = 2, /* of an action */
+    KEYS_MAX = 2, /* keys that an action can be bound to */
 };
 
-/* Letters and signs are found by what is typed: where they lie depends on the keyboard. */
+/* Letters and signs are matched by the typed character, not by key code, because their position
+ * depends on the keyboard layout. */
 static const struct {
-    int keys[KEYS_MAX];             /* 0: none */
-    const char *characters;         /* NULL: none */
-    const char *controlled;         /* with Ctrl */
-    const char *controlled_shifted; /* with both */
+    int keys[KEYS_MAX];             /* GLFW key codes; 0 if unused */
+    const char *characters;         /* typed characters; NULL if there are none */
+    const char *controlled;         /* characters with Ctrl */
+    const char *controlled_shifted; /* characters with Ctrl and Shift */
     bool repeats;
-    const char *name;   /* of its keys; NULL: none */
-    const char *label;  /* a few words */
-    const char *help;   /* what it does, where the label does not say all; NULL: it does */
-    const char *button; /* a word; NULL: the label */
+    const char *name;   /* display name of the shortcut; NULL if not listed */
+    const char *label;  /* short description, for the F1 panel and the palette */
+    const char *help;   /* sentence for the tooltip; NULL if the label says everything */
+    const char *button; /* one-word caption for a button; NULL to use the label */
 } actions[VIEW_DEED_COUNT] = {
     [VIEW_LEFT] = {
         .keys = { GLFW_KEY_LEFT },
@@ -49,9 +50,9 @@ static const struct {
         .characters = "+=",
         .repeats = true,
         .name = "+, -",
-        .label = "move closer, or away",
+        .label = "zoom in or out",
     },
-    [VIEW_FARTHER] = { .characters = "-", .repeats = true, .label = "move away" },
+    [VIEW_FARTHER] = { .characters = "-", .repeats = true, .label = "zoom out" },
     [VIEW_RESET] = {
         .keys = { GLFW_KEY_HOME },
         .characters = "rR",
@@ -63,40 +64,40 @@ static const struct {
         .keys = { GLFW_KEY_KP_1 },
         .characters = "1",
         .name = "1, 3, 7",
-        .label = "look from front, right, above",
+        .label = "front, right or top view",
     },
     [VIEW_SIDE] = {
         .keys = { GLFW_KEY_KP_3 },
         .characters = "3",
-        .label = "look from the right",
+        .label = "right view",
     },
     [VIEW_TOP] = {
         .keys = { GLFW_KEY_KP_7 },
         .characters = "7",
-        .label = "look from above",
+        .label = "top view",
     },
     [VIEW_ORTHOGRAPHIC] = {
         .keys = { GLFW_KEY_KP_5 },
         .characters = "5oO",
         .name = "5, O",
         .label = "orthographic or perspective",
-        .help = "switch between an orthographic and a perspective camera; the copied command has "
-                "a perspective one",
+        .help = "switch between an orthographic and a perspective camera; a copied command is "
+                "always perspective",
     },
     [VIEW_GO_1] = {
         .controlled = "1",
-        .name = "Ctrl 1 to 4",
+        .name = "Ctrl 1-4",
         .label = "go to stored camera 1",
-        .help = "go back to a camera that was stored",
+        .help = "go to a stored camera",
     },
     [VIEW_GO_2] = { .controlled = "2", .label = "go to stored camera 2" },
     [VIEW_GO_3] = { .controlled = "3", .label = "go to stored camera 3" },
     [VIEW_GO_4] = { .controlled = "4", .label = "go to stored camera 4" },
     [VIEW_STORE_1] = {
         .controlled_shifted = "1",
-        .name = "with Shift",
+        .name = "Ctrl Shift 1-4",
         .label = "store camera 1",
-        .help = "Ctrl with Shift and 1 to 4: store the camera",
+        .help = "store a camera",
     },
     [VIEW_STORE_2] = { .controlled_shifted = "2", .label = "store camera 2" },
     [VIEW_STORE_3] = { .controlled_shifted = "3", .label = "store camera 3" },
@@ -104,41 +105,41 @@ static const struct {
     [VIEW_UNDO] = {
         .controlled = "z",
         .name = "Ctrl Z",
-        .label = "undo a change of settings",
+        .label = "undo the last change",
         .button = "Undo",
     },
     [VIEW_REDO] = {
         .controlled = "y",
         .controlled_shifted = "z",
         .name = "Ctrl Shift Z",
-        .label = "redo it",
-        .help = "redo the change of settings that was undone last (also Ctrl Y)",
+        .label = "redo a change",
+        .help = "redo the change that was undone last (also Ctrl Y)",
         .button = "Redo",
     },
     [VIEW_NEXT_FILE] = {
         .keys = { GLFW_KEY_PAGE_DOWN },
         .name = "Page Down",
-        .label = "next model of the folder",
-        .help = "open the next model of the folder, or the next scene of firn",
+        .label = "next model in the folder",
+        .help = "open the next model in the folder, or the next built-in scene",
     },
     [VIEW_LAST_FILE] = {
         .keys = { GLFW_KEY_PAGE_UP },
         .name = "Page Up",
-        .label = "previous model of the folder",
-        .help = "open the previous model of the folder, or the previous scene of firn",
+        .label = "previous model in the folder",
+        .help = "open the previous model in the folder, or the previous built-in scene",
     },
     [VIEW_SAVE_SESSION] = {
         .controlled = "s",
         .name = "Ctrl S",
         .label = "save the session",
-        .help = "save scene, settings, cameras, time and B as a session, for --session, in "
+        .help = "save scene, settings, cameras, time and side B as a session (--session) in "
                 "~/.local/share/firn/sessions",
     },
     [VIEW_SAVE_PRESET] = {
         .controlled_shifted = "s",
         .name = "Ctrl Shift S",
-        .label = "save a preset of the settings",
-        .help = "save the settings that are not the defaults as a preset, for --preset, in "
+        .label = "save the settings as a preset",
+        .help = "save the settings that differ from the defaults as a preset (--preset) in "
                 "~/.local/share/firn/presets",
     },
     [VIEW_BRIGHTER] = {
@@ -146,71 +147,77 @@ static const struct {
         .repeats = true,
         .name = "E, Shift+E",
         .label = "half a stop brighter, or darker",
-        .help = "expose the picture by half a stop more; with Shift by half a stop less",
+        .help = "raise the exposure by half a stop; with Shift lower it",
     },
     [VIEW_DARKER] = { .characters = "E", .repeats = true, .label = "half a stop darker" },
     [VIEW_PAUSE] = {
         .characters = " ",
         .name = "Space",
-        .label = "pause or resume time",
+        .label = "play or pause",
         .button = "Pause",
     },
     [VIEW_NEXT_FRAME] = {
         .characters = ".",
         .repeats = true,
-        .name = "., ,",
-        .label = "one frame later, or earlier",
-        .help = "let time pass by one frame of motion.fps, or go back by one",
+        .name = "full stop",
+        .label = "one frame later",
+        .help = "step forward by one frame (motion.fps)",
     },
-    [VIEW_LAST_FRAME] = { .characters = ",", .repeats = true, .label = "one frame earlier" },
+    [VIEW_LAST_FRAME] = {
+        .characters = ",",
+        .repeats = true,
+        .name = "comma",
+        .label = "one frame earlier",
+    },
     [VIEW_SCREENSHOT] = {
         .keys = { GLFW_KEY_F12 },
         .characters = "p",
         .name = "P, F12",
-        .label = "save the picture",
-        .help = "save the picture as firn-0001.png and firn-0001.exr: all samples and layers, "
+        .label = "save the image",
+        .help = "save the image as firn-0001.png and firn-0001.exr, with all samples and layers, "
                 "without panels",
         .button = "Save",
     },
     [VIEW_SHOT_OF_ALL] = {
         .characters = "P",
         .name = "Shift+P",
-        .label = "save the window, with panels",
-        .help = "save a PNG file of the window as it is, with panels",
+        .label = "save the window with its panels",
+        .help = "save a screenshot of the window with its panels as a PNG file",
     },
     [VIEW_COPY] = {
         .characters = "cC",
         .name = "C",
         .label = "copy the firn render command",
-        .help = "copy the firn render command of this picture (with a divider, of its left side) "
-                "to the clipboard, and print it to stdout",
+        .help = "copy the firn render command of this image (side A of a comparison) to the "
+                "clipboard, and print it to stdout",
         .button = "Copy",
     },
     [VIEW_COPY_PICTURE] = {
         .controlled = "c",
         .name = "Ctrl C",
-        .label = "copy the picture",
-        .help = "copy the picture, without panels, to the clipboard, by wl-copy or xclip",
+        .label = "copy the image",
+        .help = "copy the image, without panels, to the clipboard (needs wl-copy or xclip)",
     },
     [VIEW_SPLIT] = {
         .characters = "w",
         .name = "W",
-        .label = "compare A with B, or not",
-        .help = "show A and B side by side, with a divider that can be dragged, or A alone; B is "
-                "what was stored, or the most exact rung",
+        .label = "compare A and B side by side",
+        .help = "show A and B side by side with a draggable divider, or A alone; B is the stored "
+                "state, or the most exact refraction model",
         .button = "Compare",
     },
     [VIEW_TRUTH] = {
         .characters = "W",
         .name = "Shift+W",
         .label = "compare with the reference",
-        .help = "compare with the reference, which is traced as soon as the picture is still",
+        .help = "compare with the path-traced reference, which is rendered while the image is at "
+                "rest",
     },
     [VIEW_STORE] = {
         .characters = "sS",
         .name = "S",
-        .label = "store the picture as B",
-        .help = "store settings and rung as B, to be compared with what comes",
+        .label = "store the current state as B",
+        .help = "store settings and refraction model as B, to compare later changes with them",
     },
     [VIEW_FLIP] = {
         .characters = "tT",
@@ -222,16 +229,16 @@ static const struct {
         .characters = "dD",
         .name = "D",
         .label = "difference of A and B",
-        .help = "show the differences of A and B, by FLIP from black to yellow, or the pictures",
+        .help = "show the difference of A and B (FLIP error, from black to yellow), or the images",
     },
     [VIEW_DIVIDER_LEFT] = {
         .characters = "[",
         .repeats = true,
         .name = "[, ]",
-        .label = "divider to the left, or right",
-        .help = "move the divider between A and B to the left, or to the right",
+        .label = "move divider left or right",
+        .help = "move the divider between A and B to the left or right",
     },
-    [VIEW_DIVIDER_RIGHT] = { .characters = "]", .repeats = true, .label = "divider to the right" },
+    [VIEW_DIVIDER_RIGHT] = { .characters = "]", .repeats = true, .label = "move divider right" },
     [VIEW_HIDE] = {
         .keys = { GLFW_KEY_TAB },
         .characters = "hH",
@@ -243,48 +250,48 @@ static const struct {
         .characters = "bB",
         .name = "B",
         .label = "time of each pass",
-        .help = "show the time of each pass, or the settings",
+        .help = "show the time of each pass, or the settings again",
         .button = "Passes",
     },
     [VIEW_PLAN] = {
         .characters = "gG",
         .name = "G",
         .label = "plan of the frame",
-        .help = "show the compiled plan of the frame, or the settings",
+        .help = "show the compiled render graph of the frame, or the settings again",
         .button = "Plan",
     },
     [VIEW_LOOK] = {
         .characters = "iI",
         .name = "I",
-        .label = "layers and values",
-        .help = "show the layers, a histogram and the values below the cursor, or the settings",
-        .button = "Look",
+        .label = "layers and pixel values",
+        .help = "show layers, histogram and the values below the cursor, or the settings again",
+        .button = "Inspect",
     },
     [VIEW_NEXT_LAYER] = {
         .characters = "l",
         .name = "L, Shift+L",
-        .label = "show the next layer, or previous",
-        .help = "show the next layer of the picture; after the last one the picture",
+        .label = "next or previous layer",
+        .help = "show the next layer of the image; after the last one the image itself",
     },
-    [VIEW_LAST_LAYER] = { .characters = "L", .label = "show the previous layer" },
+    [VIEW_LAST_LAYER] = { .characters = "L", .label = "previous layer" },
     [VIEW_FALSE_COLORS] = {
         .characters = "zZ",
         .name = "Z",
         .label = "false colours",
-        .help = "show the picture or layer in false colours, or as it is",
+        .help = "show the image or layer in false colours, or unmodified",
     },
     [VIEW_QUICK] = {
         .characters = "mM",
         .name = "M",
-        .label = "movements as drafts, or in full",
-        .help = "draw movements small and as drafts, so that they are fluid, or in full size and "
+        .label = "draft or full quality in motion",
+        .help = "while something moves, draw fast drafts at lower resolution, or full size and "
                 "quality",
     },
     [VIEW_FULLSCREEN] = {
         .keys = { GLFW_KEY_F11 },
         .characters = "fF",
         .name = "F, F11",
-        .label = "switch full screen on or off",
+        .label = "full screen on or off",
     },
     [VIEW_LARGER] = {
         .controlled = "+=",
@@ -299,7 +306,7 @@ static const struct {
     [VIEW_USUAL_SIZE] = {
         .controlled = "0",
         .name = "Ctrl 0",
-        .label = "first size of text and panels",
+        .label = "reset size of text and panels",
     },
     [VIEW_THEME] = {
         .controlled = "t",
@@ -316,8 +323,8 @@ static const struct {
         .keys = { GLFW_KEY_F1 },
         .characters = "?",
         .name = "F1, ?",
-        .label = "keys",
-        .help = "show or hide the list of keys, and print it",
+        .label = "keyboard shortcuts",
+        .help = "show or hide the keyboard shortcuts, and print them",
         .button = "Keys",
     },
     [VIEW_QUIT] = {
@@ -327,14 +334,14 @@ static const struct {
         .label = "close the window",
     },
     [VIEW_DRAG] = { .name = "drag", .label = "orbit around the object" },
-    [VIEW_SLIDE] = { .name = "right drag", .label = "move sideways (Shift, or middle)" },
-    [VIEW_TURN_LIGHT] = { .name = "Ctrl drag", .label = "turn the light or the panorama" },
-    [VIEW_MOVE_SUN] = { .name = "also Shift", .label = "Ctrl Shift drag: move the sun" },
-    [VIEW_WHEEL] = { .name = "wheel", .label = "move closer or away" },
-    [VIEW_AIM] = { .name = "double click", .label = "look at this point" },
+    [VIEW_SLIDE] = { .name = "right drag", .label = "pan (also Shift or middle drag)" },
+    [VIEW_TURN_LIGHT] = { .name = "Ctrl drag", .label = "rotate the light or panorama" },
+    [VIEW_MOVE_SUN] = { .name = "Ctrl Shift drag", .label = "move the sun" },
+    [VIEW_WHEEL] = { .name = "wheel", .label = "zoom" },
+    [VIEW_AIM] = { .name = "double click", .label = "centre the view on this point" },
     [VIEW_SEARCH] = { .name = "/", .label = "search for a setting" },
-    [VIEW_PANEL_KEYS] = { .name = "F6, Esc", .label = "use the panel by keys, or not" },
-    [VIEW_DROP] = { .name = "drop a file", .label = "model, picture, preset, session" },
+    [VIEW_PANEL_KEYS] = { .name = "F6, Esc", .label = "focus the panel, or leave it" },
+    [VIEW_DROP] = { .name = "drop a file", .label = "model, image, preset, session" },
 };
 
 static bool has_key(enum view_action action, int key)
@@ -363,7 +370,7 @@ static enum view_action find(const struct key_press *press, bool shifted)
     return VIEW_NOTHING;
 }
 
-/* '+' is a shifted key on many keyboards, so Shift may be without a meaning. */
+/* '+' needs Shift on many keyboards, so a shortcut with Shift falls back to the one without. */
 enum view_action keys_find(const struct key_press *press)
 {
     const enum view_action action =
@@ -391,7 +398,7 @@ const char *keys_button(enum view_action action)
     return actions[action].button ? actions[action].button : actions[action].label;
 }
 
-/* The label, or with `all` the help. */
+/* Finds row i of the key list: `help` is the label or, with `all`, the whole help text. */
 static bool find_row(uint32_t i, bool all, const char **name, const char **help)
 {
     uint32_t count = 0;
@@ -415,5 +422,5 @@ void keys_print(FILE *out)
     const char *name;
     const char *help;
     for (uint32_t i = 0; find_row(i, true, &name, &help); i++)
-        fprintf(out, "  %-14s %s\n", name, help);
+        fprintf(out, "  %-16s %s\n", name, help);
 }

@@ -1,5 +1,6 @@
 /*
- * keys.h: actions and their keys: the one table behind keys, buttons, their tips and F1.
+ * keys.h: actions and their keyboard shortcuts: the one table behind keys, buttons, tooltips and
+ * F1.
  */
 #ifndef FIRN_VIEW_KEYS_H
 #define FIRN_VIEW_KEYS_H
@@ -21,7 +22,7 @@ enum view_action {
     VIEW_SIDE,
     VIEW_TOP,
     VIEW_ORTHOGRAPHIC,
-    VIEW_GO_1, /* cameras that were stored */
+    VIEW_GO_1, /* go to a stored camera */
     VIEW_GO_2,
     VIEW_GO_3,
     VIEW_GO_4,
@@ -68,7 +69,7 @@ enum view_action {
     VIEW_THEME,
     VIEW_QUIT,
     VIEW_ACTION_COUNT,
-    VIEW_DRAG = VIEW_ACTION_COUNT, /* what no button does: */
+    VIEW_DRAG = VIEW_ACTION_COUNT, /* from here on: input that no button can trigger */
     VIEW_SLIDE,
     VIEW_TURN_LIGHT,
     VIEW_MOVE_SUN,
@@ -80,25 +81,25 @@ enum view_action {
     VIEW_DEED_COUNT,
 };
 
-/* How a key went down. */
+/* A key press, as GLFW reports it. */
 struct key_press {
-    int key;            /* as GLFW names keys; 0: none */
-    unsigned character; /* that is typed, or with Ctrl would be without; 0: none */
-    bool repeated;      /* it is held down; only movements are done again then */
+    int key;            /* GLFW key code; 0 if there is none */
+    unsigned character; /* what is typed, or would be without Ctrl; 0 if nothing */
+    bool repeated;      /* auto-repeat of a held key, ignored by most actions */
     bool control, shift;
 };
 
 enum view_action keys_find(const struct key_press *press);
 
-const char *keys_name(enum view_action action);   /* of its keys; NULL: none */
+const char *keys_name(enum view_action action);   /* display name, or NULL */
 const char *keys_label(enum view_action action);  /* a few words */
-const char *keys_help(enum view_action action);   /* one sentence, no full stop */
-const char *keys_button(enum view_action action); /* as short as can be */
+const char *keys_help(enum view_action action);   /* one sentence without full stop */
+const char *keys_button(enum view_action action); /* one word if possible */
 
-/* Row i of F1: a key's name and what it does; false: there are no more. */
+/* Returns row i of the F1 list: a shortcut and what it does. Returns false after the last row. */
 bool keys_row(uint32_t i, const char **name, const char **help);
 
-/* One line an action, with its help, and what the mouse does; docs/view.md has the same. */
+/* Prints one line per shortcut or mouse gesture, with its help; docs/view.md has a copy. */
 void keys_print(FILE *out);
 
 #endif

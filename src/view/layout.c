@@ -1,14 +1,14 @@
-/* layout.c: a panel on the right, a bar above, a line below. */
+/* layout.c: computes the rectangles of toolbar, image, timeline, side panel and status bar. */
 #include "src/view/layout.h"
 
-static const float bar_height = 36.0f; /* all at scale 1 */
+static const float bar_height = 36.0f; /* all lengths are pixels at scale 1 */
 static const float status_height = 26.0f;
 static const float strip_height = 30.0f;
-static const float strip_window = 560.0f; /* from this height of a window on */
+static const float strip_window = 560.0f; /* minimum height of a window that has a timeline */
 
-/* Wide windows have room for wide panels. */
+/* Widths of the side panel: wider windows get a wider panel. */
 static const struct {
-    float window, panel; /* from this width of a window on: width of its panel */
+    float window, panel; /* minimum width of the window; width of its panel */
 } widths[] = {
     { 1300.0f, 340.0f },
     { 900.0f, 300.0f },
@@ -69,6 +69,6 @@ VkExtent2D layout_around(VkExtent2D picture, float scale)
         if (panel_width(window.width, scale) + picture.width == window.width)
             return window;
     }
-    window.width = 2 * picture.width; /* the panel has half of a narrow one */
+    window.width = 2 * picture.width; /* in a narrow window the panel takes half of the width */
     return window;
 }

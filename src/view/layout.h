@@ -1,10 +1,10 @@
 /*
- * layout.h: where the picture and the panels are in a window. They never cover each other.
+ * layout.h: layout of the window: image area and docked panels. They never overlap.
  *
  *     +---------------------+-------+
  *     | bar                 |       |
  *     +---------------------+ panel |
- *     | picture             |       |
+ *     | image               |       |
  *     +---------------------+       |
  *     | strip               |       |
  *     +---------------------+-------+
@@ -17,17 +17,17 @@
 #include <stdbool.h>
 #include <volk.h>
 
-/* Pixels; extents of panels are 0x0 where they are hidden or the window is too small for them. */
+/* Rectangles in pixels; panels are 0x0 if they are hidden or the window is too small for them. */
 struct layout {
-    VkRect2D picture; /* at least 1x1 */
+    VkRect2D picture; /* area of the rendered image, at least 1x1 */
     VkRect2D bar, panel, status;
-    VkRect2D strip; /* of time; low windows have none */
+    VkRect2D strip; /* timeline; 0x0 in low windows */
 };
 
-/* `window` is at least 1x1 pixels, `scale` multiplies the sizes of panels. */
+/* Computes the layout of a window of at least 1x1 pixels; `scale` multiplies panel sizes. */
 struct layout layout_of(VkExtent2D window, float scale, bool has_panels);
 
-/* The window in which the picture has this size, pixels. */
+/* Returns the size of a window, in pixels, whose image area has the size `picture`. */
 VkExtent2D layout_around(VkExtent2D picture, float scale);
 
 #endif

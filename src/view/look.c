@@ -1,4 +1,4 @@
-/* look.c: layers of the picture to pixels and values. */
+/* look.c: pixel inspector: layers of the image as displayable pixels, histogram and values. */
 #include "src/view/look.h"
 #include <math.h>
 #include <stdio.h>
@@ -12,10 +12,11 @@
 #include "src/tech/tonemap.h"
 
 static const char *const always[] = { "Z", "N", "P", "object", NULL };
-static const float darkest_stops = -12.0f; /* the ends of the picture's histogram */
+static const float darkest_stops = -12.0f; /* range of the histogram of the image, in stops */
 static const float brightest_stops = 8.0f;
 
-/* The window knows images by their handles: two in turn are never the same. */
+/* Retires the current image. The one shown before stays alive for one more change, because the
+ * window's plan detects a new image by its handle, which two images in turn must not share. */
 static void forget(struct look *look, struct gpu *gpu)
 {
     gpu_image_destroy(gpu, &look->former);
@@ -34,7 +35,7 @@ void look_finish(struct look *look, struct gpu *gpu)
     look->names = NULL;
 }
 
-/* Those of the reference alone are left out. */
+/* Skips layers that only the reference has. */
 const struct frame_layer *look_layer(uint32_t i)
 {
     const struct frame_layer *layer;
@@ -73,13 +74,11 @@ enum status look_draw(struct look *look, struct picture *p, const struct rendere
     return status;
 }
 
-/* ---- what is shown ---- */
-
-/* The planes of a layer, or of the picture. */
+/* Planes of a layer or of the rendered image. */
 struct planes {
     const float *of[4];
     uint32_t count;
-    float scale; /* of their values */
+    float scale; /* factor on the texel values */
     size_t size;
 };
 
@@ -129,7 +128,7 @@ static void find_range(struct look *look, const struct planes *planes)
         look->least = look->greatest = 0.0f;
 }
 
-/* Of the picture in stops, of a layer from its least to its greatest value. */
+/* Fills the histogram: in stops for the rendered image, from minimum to maximum for a layer. */
 static void count_bins(struct look *look, const struct planes *planes)
 {
     const bool is_log = !look->choice.layer;
@@ -162,8 +161,8 @@ static uint8_t to_byte(float x)
     return (uint8_t)(fminf(fmaxf(x, 0.0f), 1.0f) * 255.0f + 0.5f);
 }
 
-static void put_color(const struct look *look, const struct planes *planes,
-                      const struct tonemap_params *tone, size_t i, uint8_t rgb[static 3])
+static void write_color(const struct look *look, const struct planes *planes,
+                        const struct tonemap_params *tone, size_t i, uint8_t rgb[static 3])
 {
     const struct look_choice *c = &look->choice;
     const float gain = exp2f((c->layer ? 0.0f : tone->exposure) + c->stops);
@@ -177,9 +176,9 @@ static void put_color(const struct look *look, const struct planes *planes,
         rgb[k] = to_byte(shown.raw[k]);
 }
 
-/* A channel, or a layer in false colours. */
-static void put_value(const struct look *look, const struct planes *planes, float least,
-                      float greatest, size_t i, uint8_t rgb[static 3])
+/* Writes one channel as grey, or a value in false colours. */
+static void write_value(const struct look *look, const struct planes *planes, float least,
+                        float greatest, size_t i, uint8_t rgb[static 3])
 {
     const float x = one_value(planes, look->choice.channel, i);
     const float width = greatest - least;
@@ -206,9 +205,9 @@ static uint8_t *make_rgba(struct look *look, const struct picture *p, const stru
     uint8_t *rgba = malloc(planes->size * 4);
     for (size_t i = 0; i < planes->size && rgba; i++) {
         if (shows_colors(c))
-            put_color(look, planes, tone, i, &rgba[i * 4]);
+            write_color(look, planes, tone, i, &rgba[i * 4]);
         else
-            put_value(look, planes, look->least, look->greatest, i, &rgba[i * 4]);
+            write_value(look, planes, look->least, look->greatest, i, &rgba[i * 4]);
         rgba[i * 4 + 3] = 255;
     }
     if (!rgba)
@@ -222,7 +221,7 @@ enum status look_show(struct look *look, const struct picture *p, uint32_t sampl
     forget(look, p->gpu);
     look->sample_count = sample_count;
     if (!planes.count)
-        return STATUS_OK; /* this picture has no such layer */
+        return STATUS_OK; /* the current image does not have this layer */
     find_range(look, &planes);
     if (look_replaces(&look->choice)) {
         look->rgba = make_rgba(look, p, &planes);
@@ -233,7 +232,7 @@ enum status look_show(struct look *look, const struct picture *p, uint32_t sampl
     if (!look->rgba)
         return STATUS_OK;
     const struct gpu_image_params params = {
-        .name = "look",
+        .name = "inspector",
         .format = VK_FORMAT_R8G8B8A8_UNORM,
         .width = p->state.width,
         .height = p->state.height,
@@ -242,8 +241,6 @@ enum status look_show(struct look *look, const struct picture *p, uint32_t sampl
     };
     return gpu_image_create(p->gpu, &look->image, &params);
 }
-
-/* ---- a pixel ---- */
 
 static uint32_t take(const struct image *image, const struct frame_layer *layer, size_t i,
                      float *values, uint32_t most)
@@ -258,7 +255,7 @@ static uint32_t take(const struct image *image, const struct frame_layer *layer,
     return count;
 }
 
-/* The line of the number. */
+/* Copies the name of object `number` from the lines "NUMBER NAME"; "" if it has none. */
 static void find_name(const char *names, uint32_t number, char *name, size_t size)
 {
     const char *line = names;

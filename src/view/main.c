@@ -1,4 +1,4 @@
-/* main.c: firn-view [options] SCENE; what `firn view` starts. */
+/* main.c: entry point of firn-view, the program that `firn view` starts. */
 #include "src/app/standard_streams.h"
 #include "src/scene/import/decode.h"
 #include "src/view/view.h"

@@ -1,16 +1,16 @@
-/* moving.c: the controller of the picture's size. */
+/* moving.c: dynamic resolution: controller of the render size while something moves. */
 #include "src/view/moving.h"
 #include <math.h>
 
-static const double aim = 0.028;      /* seconds of a frame */
-static const double early = 0.024;    /* a larger one must be expected to take less */
-static const double late = 0.033;     /* twice in a row: smaller */
-static const double very_late = 0.05; /* once */
+static const double target = 0.028; /* target seconds of a frame */
+static const double early = 0.024;  /* the size is increased only if the predicted time is below */
+static const double late = 0.033;   /* longer than this in two frames in a row: reduce the size */
+static const double very_late = 0.05; /* longer than this in one frame: reduce the size */
 static const double first_rest = 0.006;
-static const double share = 0.1; /* of the newest frame in the means */
+static const double smoothing = 0.1; /* weight of the newest frame in the running means */
 
 enum {
-    STILL_COUNT = 8, /* frames at least between steps up */
+    STILL_COUNT = 8, /* minimum number of frames between two increases of the size */
 };
 
 static double area(uint32_t k)
@@ -22,7 +22,7 @@ static double area(uint32_t k)
 static uint32_t largest(double passes, double rest)
 {
     uint32_t k = MOVING_MOST;
-    while (k > MOVING_LEAST && rest + passes * area(k) > aim)
+    while (k > MOVING_LEAST && rest + passes * area(k) > target)
         k--;
     return k;
 }
@@ -43,7 +43,8 @@ static void use(struct moving *m, uint32_t k)
 
 void moving_add(struct moving *m, double frame, double passes)
 {
-    passes = passes > 0.0 ? passes : frame; /* a device without a clock */
+    /* without GPU timestamps the whole frame counts as passes */
+    passes = passes > 0.0 ? passes : frame;
     const double whole = passes / area(m->k);
     const double rest = fmax(frame - passes, 0.0);
     m->late = frame > late ? m->late + 1 : 0;
@@ -55,8 +56,8 @@ void moving_add(struct moving *m, double frame, double passes)
         use(m, k < m->k ? k : m->k);
         return;
     }
-    m->passes += share * (whole - m->passes);
-    m->rest += share * (rest - m->rest);
+    m->passes += smoothing * (whole - m->passes);
+    m->rest += smoothing * (rest - m->rest);
     if (m->k < MOVING_MOST && m->since >= STILL_COUNT &&
         m->rest + m->passes * area(m->k + 1) <= early)
         use(m, m->k + 1);

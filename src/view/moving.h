@@ -1,9 +1,10 @@
 /*
- * moving.h: how large the picture is drawn while something moves, so that it is fluid.
+ * moving.h: dynamic resolution: chooses the render size while something moves, for a fluid frame
+ * rate.
  *
- * A frame takes F + V * (k / 16)^2 seconds: V the passes of the picture at full size, F all else. k
- * goes down at once when frames are late, and up a step at a time when they have been early for a
- * while, so that it does not swing.
+ * The model is: seconds of a frame = F + V * (k / 16)^2, where V is the time of the image's passes
+ * at full size, F everything else and k the size in sixteenths. k drops at once when frames are
+ * late and rises one step at a time after a run of early frames, so that it does not oscillate.
  */
 #ifndef FIRN_VIEW_MOVING_H
 #define FIRN_VIEW_MOVING_H
@@ -11,24 +12,26 @@
 #include <stdint.h>
 
 enum {
-    MOVING_LEAST = 8, /* sixteenths of the picture's width and height */
+    MOVING_LEAST = 8, /* range of the render width and height, in sixteenths of the full size */
     MOVING_MOST = 16,
 };
 
 struct moving {
-    uint32_t k;          /* sixteenths of the next frame; 0: not known */
-    uint32_t late;       /* frames in a row over 33 ms */
-    uint32_t since;      /* frames since k was another one */
-    double passes, rest; /* V and F, seconds; smoothed */
+    uint32_t k;          /* size of the next frame in sixteenths; 0 if not known yet */
+    uint32_t late;       /* consecutive frames longer than 33 ms */
+    uint32_t since;      /* frames since k changed last */
+    double passes, rest; /* V and F in seconds, exponentially smoothed */
 };
 
-/* Begins again: `passes` seconds was the last picture in full size; 0: nobody knows. */
+/* Restarts the controller; `passes` is the time of the passes at full size, seconds; 0 if unknown.
+ */
 void moving_begin(struct moving *moving, double passes);
 
-/* A frame drawn with moving->k took so many seconds, of which the picture's passes took some. */
+/* Adds a frame drawn at size moving->k: its time and that of the image's passes, seconds. */
 void moving_add(struct moving *moving, double frame, double passes);
 
-/* So much of a length, pixels; even, at least 2 unless the length is less. */
+/* Returns k sixteenths of a length in pixels, rounded to an even number; at least min(2, length).
+ */
 uint32_t moving_part(uint32_t length, uint32_t k);
 
 #endif

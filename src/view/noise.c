@@ -1,4 +1,4 @@
-/* noise.c: sums over blocks of pixels. */
+/* noise.c: estimates the remaining noise from running sums over blocks of pixels. */
 #include "src/view/noise.h"
 #include <math.h>
 #include <stdlib.h>
@@ -30,7 +30,7 @@ static void begin(struct noise *n, const struct image *sums)
     n->count = 0;
 }
 
-/* The mean of a block of the sums. */
+/* Returns the mean of one block of the accumulated sums, over all channels. */
 static double mean_of(const struct image *sums, const float *const planes[3], uint32_t column,
                       uint32_t row)
 {

@@ -1,8 +1,9 @@
 /*
- * noise.h: how uncertain the mean of a picture's samples still is.
+ * noise.h: estimates the standard error of a progressively refined image.
  *
- * The picture is looked at in blocks of 8x8 pixels: the standard error of a block's mean over the
- * samples so far, as if they were independent; the noise is the mean of all blocks' errors.
+ * The image is divided into blocks of 8x8 pixels. For each block, the standard error of its mean is
+ * computed from the variance over samples, treated as independent; the estimate is the mean over
+ * all blocks.
  */
 #ifndef FIRN_VIEW_NOISE_H
 #define FIRN_VIEW_NOISE_H
@@ -10,22 +11,22 @@
 #include "src/image/image.h"
 
 enum {
-    NOISE_BLOCK = 8, /* pixels, each way */
+    NOISE_BLOCK = 8, /* width and height of a block, pixels */
 };
 
 struct noise {
-    uint32_t columns, rows; /* of blocks; 0: nothing has been added */
-    double *blocks;         /* for each the sum, and that of the samples' squares */
-    uint32_t count;         /* samples */
+    uint32_t columns, rows; /* number of blocks; 0 if nothing has been added */
+    double *blocks;         /* per block: the sum of the samples, and the sum of their squares */
+    uint32_t count;         /* samples added so far */
 };
 
 void noise_finish(struct noise *noise); /* {0} is fine */
 
-/* Adds the sample that made the sums (planes R, G, B) what they are; sample 0 begins anew. Without
- * memory there is no noise. */
+/* Adds sample number `sample`, after which the accumulated planes R, G and B have the values
+ * `sums`; sample 0 restarts the estimate. Without memory there is no estimate. */
 void noise_add(struct noise *noise, const struct image *sums, uint32_t sample);
 
-/* In units of the picture's colours; below 0: it is not known, of less than two samples. */
+/* Returns the standard error in the image's units; negative with fewer than two samples. */
 double noise_now(const struct noise *noise);
 
 #endif

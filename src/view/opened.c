@@ -1,4 +1,4 @@
-/* opened.c: a list. */
+/* opened.c: linked list of scenes that undo can return to. */
 #include "src/view/opened.h"
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /*
- * opened.h: scenes that a window has shown and left, for undo to go back to.
+ * opened.h: scenes that the viewer has shown and left, kept so that undo can return to them.
  */
 #ifndef FIRN_VIEW_OPENED_H
 #define FIRN_VIEW_OPENED_H
@@ -9,19 +9,20 @@
 
 struct opened {
     struct opened *next;
-    uint32_t number;          /* of a view_state */
-    struct app_picture state; /* as it was left; its settings do not matter */
-    struct camera camera;     /* the same */
-    char *name, *environment; /* of the state; own */
+    uint32_t number;          /* scene number in struct view_state */
+    struct app_picture state; /* options when the scene was left; the settings in it are ignored */
+    struct camera camera;     /* camera when the scene was left */
+    char *name, *environment; /* strings of `state`, owned */
 };
 
-/* Keeps a picture's scene, in the place of an older one of this number. Logs: STATUS_TRY_AGAIN. */
+/* Saves the scene of the current viewport under a number, replacing an older entry of this number.
+ * Logs and returns STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status opened_add(struct opened **list, uint32_t number, const struct picture *now);
 
-/* The one of this number, or NULL. */
+/* Returns the entry of this number, or NULL. */
 const struct opened *opened_find(const struct opened *list, uint32_t number);
 
-/* Forgets those that no state is of; NULL: all. */
+/* Frees the entries that no state of the undo stack refers to; all of them if it is NULL. */
 void opened_forget(struct opened **list, const struct history *history);
 
 #endif

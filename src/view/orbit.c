@@ -1,4 +1,4 @@
-/* orbit.c: turns, pans and zooms. */
+/* orbit.c: rotation, pan and zoom of an orbit camera. */
 #include "src/view/orbit.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -12,7 +12,7 @@ void orbit_turn(struct camera *camera, float azimuth_deg, float elevation_deg)
     const float distance = glms_vec3_norm(away);
     const float azimuth = glm_deg(atan2f(away.x, away.z)) + azimuth_deg;
     const float elevation = glm_deg(asinf(glm_clamp(away.y / distance, -1.0f, 1.0f)));
-    /* from beyond the limits one can only come back */
+    /* a camera already beyond the elevation limit can only move back */
     const float limit = fmaxf(steepest_deg, fabsf(elevation));
     const struct camera before = *camera;
     *camera = camera_orbit(azimuth, glm_clamp(elevation + elevation_deg, -limit, limit), distance,
@@ -69,7 +69,7 @@ void orbit_zoom(struct camera *camera, float steps, float nearest, float farthes
             glm_clamp(height, fminf(nearest, camera->height), fmaxf(farthest, camera->height));
         return;
     }
-    /* from beyond the limits one can only come back */
+    /* a camera already beyond the distance limits can only move back */
     const float clamped = glm_clamp(wanted, fminf(nearest, distance), fmaxf(farthest, distance));
     camera->eye = glms_vec3_muladds(away, clamped / distance, camera->target);
 }

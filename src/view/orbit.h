@@ -1,31 +1,29 @@
 /*
- * orbit.h: how a hand moves a camera around what it looks at.
+ * orbit.h: orbit camera: rotates, pans and zooms around a target.
  *
- * Nothing has inertia, and the same movements give the same camera. A camera that is not moved
- * stays as it is, to the last bit. Turning is about +Y: a camera that leans is put upright by it.
+ * There is no inertia: equal movements give equal cameras, and a camera that is not moved stays
+ * bit-identical. Rotation is about +Y, so it also removes roll.
  */
 #ifndef FIRN_VIEW_ORBIT_H
 #define FIRN_VIEW_ORBIT_H
 
 #include "src/scene/camera.h"
 
-/* Turns by degrees: to the right around the target, and up, at most to just short of the poles. */
+/* Rotates around the target, in degrees: to the right and up, up to just short of the poles. */
 void orbit_turn(struct camera *camera, float azimuth_deg, float elevation_deg);
 
-/* Looks at the target from these angles, degrees, at the distance it has. */
+/* Looks at the target from these angles, degrees, at the current distance. */
 void orbit_look(struct camera *camera, float azimuth_deg, float elevation_deg);
 
-/* Makes an orthographic camera of a perspective one, which shows things up to `depth` metres from
- * the eye, or the other way round: what is as far as the target is as large as before. */
+/* Toggles between perspective and orthographic projection; objects at the target's distance keep
+ * their size. An orthographic camera shows objects up to `depth` metres away. */
 void orbit_project(struct camera *camera, float depth);
 
-/* Moves camera and target alike, along the picture's axes: by so many of the picture's heights, at
- * the target's distance, right and up. */
+/* Moves camera and target in the image plane by fractions of the image height at the target. */
 void orbit_pan(struct camera *camera, float right, float up);
 
-/* Goes nearer to the target (steps > 0) or away, a tenth of the distance a step; the distance stays
- * within nearest and farthest, metres. An orthographic camera stays where it is, and its picture
- * shows less or more. */
+/* Moves towards the target (steps > 0) or away, by a tenth of the distance per step, between the
+ * distances `nearest` and `farthest`, metres. An orthographic camera changes its height instead. */
 void orbit_zoom(struct camera *camera, float steps, float nearest, float farthest);
 
 #endif

@@ -1,8 +1,9 @@
 /*
- * overlay.c: triangles with the texels of a font and of pictures, blended over the window.
+ * overlay.c: render-graph passes that draw the user interface over the swapchain image.
  *
- * Colours are blended as they are encoded, as interfaces are designed; where the window encodes
- * what is written, in linear light: half-transparent panels then look a little lighter.
+ * Triangles are textured with the font atlas and alpha-blended. They are blended in sRGB encoding,
+ * as user interfaces are designed for; if the swapchain format encodes on write, blending is linear
+ * and half-transparent panels look slightly lighter.
  */
 #include "src/view/overlay.h"
 #include <string.h>
@@ -125,7 +126,7 @@ static bool are_old(const struct rg_frame *frame, uint32_t repetition)
     return are_kept(frame, repetition) && frame->window->panels_are_old;
 }
 
-/* The first part that is not copied. */
+/* Returns the first draw command that is drawn directly; earlier ones are copied from the cache. */
 static uint32_t first_part(const struct rg_frame *frame)
 {
     return are_kept(frame, 0) ? frame->window->overlay->docked_count : 0;
@@ -166,7 +167,7 @@ static void record_parts(struct rg_cmd *cmd, const struct rg_frame *frame)
     draw(cmd, frame->window->overlay, first_part(frame), frame->window->overlay->part_count);
 }
 
-/* The same part of both images. */
+/* Copies each docked panel from the cached image to the same place in the swapchain image. */
 static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct layout *l = &frame->window->layout;
@@ -188,7 +189,7 @@ static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 const struct technique overlay = {
     .name = "overlay",
     .parts = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("overlay", passes) } },
-    .help = "panels over the picture",
+    .help = "panels over the image",
 };
 
 void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window, bool copies)

@@ -1,10 +1,10 @@
 /*
- * overlay.h: panels over the picture in a window.
+ * overlay.h: technique that draws the user interface over the rendered image.
  *
- * Drawn after `present`, to the same image. The triangles and the font's image come from outside:
- * rg_frame.overlay, and the buffers below, filled before each frame. What is docked is drawn only
- * when it is another list (window_frame.panels_are_old), into an image that is copied into each
- * frame: that takes a tenth of the time.
+ * It runs after `present` on the same image. Triangles and font atlas come from outside:
+ * rg_frame.overlay and the buffers below, filled before each frame. Docked panels are redrawn only
+ * when their draw list changes (window_frame.panels_are_old), into an image that is copied into
+ * each frame, which is much cheaper than drawing.
  */
 #ifndef FIRN_VIEW_OVERLAY_H
 #define FIRN_VIEW_OVERLAY_H
@@ -17,7 +17,7 @@ enum {
     OVERLAY_PASS_COUNT,
 };
 
-/* Rows for a window of any format. Points into itself: must not move. */
+/* Render-graph tables for a given window format. Contain pointers to themselves: must not move. */
 struct overlay_tables {
     struct rg_image panels;
     struct rg_use copy_uses[3];
@@ -26,13 +26,13 @@ struct overlay_tables {
     struct rg_technique technique;
 };
 
-/* copies: images can be copied into the window's; else all is drawn in each frame. */
+/* Initialises the tables. `copies`: the window's images support transfer writes, so docked panels
+ * can be cached; otherwise everything is drawn in each frame. */
 void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window, bool copies);
 
-extern const struct rg_image overlay_font;      /* letters (white, A: how much is covered) and
-                                              pictures, sRGB-encoded; imported */
+extern const struct rg_image overlay_font; /* font atlas (white, coverage in A) and thumbnails */
 extern const struct rg_buffer overlay_vertices; /* struct overlay_vertex */
 extern const struct rg_buffer overlay_indices;  /* uint32_t */
-extern const struct technique overlay;          /* over present_window */
+extern const struct technique overlay;          /* draws over present_window */
 
 #endif

@@ -1,4 +1,4 @@
-/* picture.c: loads, draws, changes. */
+/* picture.c: viewport state: loads the scene, manages its renderers, applies changes. */
 #include "src/view/picture.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -45,7 +45,7 @@ enum status picture_create(struct picture **picture, struct gpu *gpu,
         app_choose_rung(&p->state, &p->scene, &p->camera);
     if (status == STATUS_OK)
         app_check_rays(&p->state.scene.settings, p->gpu);
-    p->state.scene.quiet = true; /* where a setting loads it again, all has been said */
+    p->state.scene.quiet = true; /* notes were logged on the first load */
     p->first_camera = p->camera;
     if (status == STATUS_OK)
         status = picture_upload(p);
@@ -101,7 +101,7 @@ void picture_destroy(struct picture *p)
     free(p);
 }
 
-/* ---- the renderer ---- */
+/* ---- the renderers ---- */
 
 struct renderer_params picture_params(struct picture *p)
 {
@@ -126,8 +126,8 @@ struct renderer_params picture_right_params(struct picture *p)
     return params;
 }
 
-/* Other settings may shape another scene, which is at the time of the one on the left. Takes the
- * place of the one there was. */
+/* Loads a scene for side B if B's settings affect the scene, at the same time as that of side A.
+ * Overwrites p->right_scene without freeing it. */
 static enum status make_right_scene(struct picture *p)
 {
     struct app_scene given = p->state.scene;
@@ -140,7 +140,7 @@ static enum status make_right_scene(struct picture *p)
         return log_out_of_memory(NULL);
     given.settings = p->right_settings;
     given.quiet = true;
-    memset(given.is_set, true, sizeof(given.is_set)); /* all is in the settings */
+    memset(given.is_set, true, sizeof(given.is_set)); /* all settings come from B */
     if (p->scene.is_animated)
         settings_put(&given.settings, settings_find("motion.time"), (double)p->scene.time);
     enum status status = app_load_scene(&made->scene, &given);
@@ -153,8 +153,8 @@ static enum status make_right_scene(struct picture *p)
     return status;
 }
 
-/* Changes the renderer, or makes one: where there is none, and where memory for both plans at a
- * time is short. */
+/* Updates a renderer to new parameters. Creates a new one if there is none, or if there is not
+ * enough memory for the old and the new plan at once. */
 static enum status fit_renderer(const struct picture *p, struct renderer_params params,
                                 struct renderer **renderer)
 {
@@ -190,13 +190,13 @@ static void forget_right(struct picture *p)
     p->right = p->quick.right = NULL;
 }
 
-/* On failure there are none. */
+/* Updates the renderers of both sides. On failure there are none. */
 static enum status fit_renderers(struct picture *p)
 {
     struct picture_scene *before = p->right_scene;
     enum status status = make_right_scene(p);
     if (before || p->right_scene || !p->state.split)
-        forget_right(p); /* a renderer is of one scene */
+        forget_right(p); /* a renderer is bound to one scene */
     forget_scene(before, p->gpu);
     if (status == STATUS_OK)
         status = fit_renderer(p, picture_params(p), &p->renderer);
@@ -218,8 +218,8 @@ enum status picture_remake(struct picture *p)
     return p->renderer ? fit_renderers(p) : STATUS_OK;
 }
 
-/* After that has failed, and the state is that of before, makes the renderers for it; where they
- * cannot be made any more, picture_resize() tries again. */
+/* Recreates the renderers of the restored state after a failed change. If that fails, too,
+ * picture_resize() tries again. */
 static enum status restore(struct picture *p, enum status status)
 {
     (void)fit_renderers(p);
@@ -421,7 +421,7 @@ uint32_t picture_line(const struct picture *p)
 
 /* ---- poses ---- */
 
-/* An animated model rests when its animation has ended. */
+/* Clamps the time to the end of a model's animation, where the pose stays. */
 static float pose_time(const struct picture *p, float time)
 {
     const struct model *model = &p->scene.model;
@@ -437,7 +437,7 @@ bool picture_is_posed(const struct picture *p, float time)
     return !(wanted < p->scene.time || wanted > p->scene.time);
 }
 
-/* A camera that a hand has moved stays where it is. */
+/* Applies the file's camera of the current pose, unless the user has moved the camera. */
 static enum status follow_camera(struct picture *p)
 {
     struct camera camera;
@@ -466,7 +466,7 @@ enum status picture_pose(struct picture *p, float time)
 
 /* ---- changes ---- */
 
-/* Takes the place of *picture, which is destroyed, with a renderer of the same size. */
+/* Replaces *picture by a new viewport with renderers of the same size, and destroys the old one. */
 static enum status replace(struct picture **picture, const struct app_picture *state,
                            bool keep_camera)
 {
@@ -512,7 +512,7 @@ struct settings picture_with_exposure(const struct settings *settings, const str
     return other;
 }
 
-/* Whether the renderers of one draw the other, too. */
+/* Returns true if renderers of state `a` can also draw state `b`. */
 static bool same_frame(const struct picture *p, const struct app_picture *a,
                        const struct app_picture *b)
 {
@@ -522,7 +522,7 @@ static bool same_frame(const struct picture *p, const struct app_picture *a,
     const struct settings other = picture_with_exposure(&a->scene.settings, &b->scene.settings);
     if (!memcmp(&other, &b->scene.settings, sizeof(other)))
         return true;
-    /* a cube that is drawn only once shows the settings it was drawn with */
+    /* a cube that is drawn only once keeps the lighting of the settings it was drawn with */
     return frame_draws_cube(&a->scene.settings, &p->scene) &&
            frame_draws_cube(&b->scene.settings, &p->scene);
 }
@@ -545,7 +545,7 @@ enum status picture_change(struct picture **picture, const struct app_scene *sce
     if (!p->renderer || same_frame(p, &before, &wanted))
         return STATUS_OK;
     const enum status status = picture_remake(p);
-    *remade = true; /* on failure, too */
+    *remade = true; /* the renderers may have been replaced even on failure */
     if (status == STATUS_OK)
         return status;
     p->state = before;
@@ -576,7 +576,7 @@ enum status picture_load(struct picture **picture, const char *path, bool *remad
     } else {
         state.scene.name = path;
         state.scene.quiet = (*picture)->quiet;
-        /* those were of the object before */
+        /* these belonged to the previous object */
         state.camera = NULL;
         state.scene.animation = NULL;
         state.scene.node_material_count = 0;

@@ -1,12 +1,12 @@
 /*
- * picture.h: what the window shows: its state, scene, camera and the renderer for them; where it is
- * split, two renderers of the same scene. The command line only begins the state: panels, keys and
- * dropped files change it.
+ * picture.h: the viewport: scene, camera, settings and renderers of the displayed image. With a
+ * split view there are two renderers of one scene. Command-line options give only the initial
+ * state; panels, keys and dropped files change it.
  *
- * A change makes anew only what it needs: nothing (the settings of shaders), what is other in the
- * renderer's plan (another list of techniques, another size), or the scene.
+ * A change rebuilds as little as possible: nothing for shader settings, the affected part of the
+ * renderer's plan for another set of techniques or another size, or the scene.
  *
- * Errors: logged once where found; a picture that cannot be made or changed leaves what was there.
+ * Errors: logged once where found; a viewport that cannot be changed keeps its previous state.
  */
 #ifndef FIRN_VIEW_PICTURE_H
 #define FIRN_VIEW_PICTURE_H
@@ -16,7 +16,7 @@
 #include "src/render/uploaded_scene.h"
 #include "src/view/quick.h"
 
-/* A scene, and that on the device. */
+/* A scene and its GPU resources. */
 struct picture_scene {
     struct scene scene;
     struct uploaded_scene uploaded;
@@ -24,149 +24,153 @@ struct picture_scene {
 
 struct picture {
     struct gpu *gpu;
-    bool quiet;               /* files are written without a line about them */
-    struct app_picture state; /* its size is that of the renderer; settings in use */
-    char *scene_name;         /* of the state; own */
-    char *environment_name;   /* the same; may be NULL */
+    bool quiet;               /* write files without printing a line about them */
+    struct app_picture state; /* current options; its size is that of the renderer */
+    char *scene_name;         /* string of `state`, owned */
+    char *environment_name;   /* string of `state`, owned; may be NULL */
     struct scene scene;
     struct uploaded_scene uploaded;
-    struct watch *watch;        /* may be NULL */
-    struct camera camera;       /* where a hand has put it */
-    struct camera first_camera; /* where it was */
+    struct watch *watch;        /* shader hot reload; may be NULL */
+    struct camera camera;       /* current camera, as moved by the user */
+    struct camera first_camera; /* camera before the user moved it */
     struct renderer *renderer;  /* NULL until picture_resize() */
-    struct renderer *right;     /* of state.split; NULL without */
-    struct quick quick;         /* for movements */
-    bool shows_quick;           /* picture_left() and picture_right() are those of `quick` */
-    bool has_right_settings;    /* else they are those on the left: */
+    struct renderer *right;     /* renderer of state.split (side B); NULL without a split */
+    struct quick quick;         /* draft renderers for interaction */
+    bool shows_quick;           /* picture_left() and picture_right() return images of `quick` */
+    bool has_right_settings;    /* side B uses right_settings */
     struct settings right_settings;
-    struct picture_scene *right_scene; /* that those shape; NULL: the one on the left */
-    bool shows_still;                  /* on the right, instead of a renderer's picture: */
-    VkImage still;                     /* NULL: nothing yet, so the left is shown there, too */
-    VkExtent2D still_extent;           /* pixels */
-    bool flipped;     /* the right is shown in place of the left, without a divider */
-    double divider;   /* between them: of the width, from the left */
-    bool refines;     /* renderers can do what picture_refine() needs */
-    VkImage instead;  /* of the whole size, shown in place of all; NULL: nothing */
+    struct picture_scene *right_scene; /* scene of side B; NULL if that is `scene` */
+    bool shows_still;                  /* side B is the fixed image `still` */
+    VkImage still;           /* NULL if not available yet; side A is then shown on both sides */
+    VkExtent2D still_extent; /* pixels */
+    bool flipped;            /* side B is shown in place of side A, without a divider */
+    double divider;          /* position of the divider, as a fraction of the width from the left */
+    bool refines;            /* renderers support picture_refine() */
+    VkImage instead;  /* full-size image displayed instead of everything else; NULL if none */
     bool shows_mean;  /* picture_left() and picture_right() are means of samples */
-    VkExtent2D view;  /* of what they show, pixels */
-    bool is_wide;     /* renderer_is_wide() of one of the renderers */
-    uint64_t version; /* another one whenever the renderers are */
+    VkExtent2D view;  /* size of these images, pixels */
+    bool is_wide;     /* renderer_is_wide() of either renderer */
+    uint64_t version; /* changes whenever the renderers are replaced */
 };
 
-/* Loads the scene; the strings of the state are copied or outlive the picture, as do the watched
- * shaders (may be NULL). */
 struct watch;
+/* Creates a viewport and loads its scene. Strings of `state` that are not copied, and `watch`, must
+ * outlive it. */
 MUST_USE enum status picture_create(struct picture **picture, struct gpu *gpu,
                                     const struct app_picture *state, struct watch *watch,
                                     bool quiet, bool refines);
 void picture_destroy(struct picture *picture); /* may be NULL; waits for its frames */
 
-/* Frees all that it has on the device, and brings the scene onto another, opened in the same gpu.
- * Between both, and if that fails, it may only be destroyed or given another try. */
+/* Frees everything on the device; picture_upload() then uploads the scene to another device that
+ * was opened in the same gpu. Between the calls, or after a failed upload, only destroying and
+ * picture_upload() are allowed. */
 void picture_leave_device(struct picture *picture); /* may be NULL */
 MUST_USE enum status picture_upload(struct picture *picture);
 
-/* Changes the renderers to this size, or makes them. On failure there are none. */
+/* Creates the renderers or changes them to this size. On failure there are none. */
 MUST_USE enum status picture_resize(struct picture *picture, VkExtent2D size);
 
 /*
- * Takes other settings, in a scene that is else the state's, and another rung. *remade: the
- * renderer is another one, and so is renderer_picture(). A new scene keeps the camera.
+ * Applies other settings (in an otherwise unchanged scene) and another refraction model. *remade is
+ * true if the renderer, and so renderer_picture(), was replaced. A reloaded scene keeps the camera.
  */
 MUST_USE enum status picture_change(struct picture **picture, const struct app_scene *scene,
                                     const struct technique *rung, bool *remade);
 
 /*
- * Another object (a model file) or, by its ending (.exr, .hdr) or its name (sky, or that of an
- * asset), another environment. If that fails *picture stays; else it is another one, of the same
- * size, and *remade. An environment keeps the camera. What the object before has brought with it,
- * settings and an environment, goes with it, unless a hand has set another value.
+ * Opens a model file or, by its extension (.exr, .hdr) or name (sky, or an asset), an environment.
+ * On success *picture is replaced by one of the same size and *remade is true; on failure it stays.
+ * An environment keeps the camera. Settings and environment that the previous object brought are
+ * dropped, unless the user has changed them.
  */
 MUST_USE enum status picture_load(struct picture **picture, const char *path, bool *remade);
 
-/* All that a state says, in the size of now and with its own camera. On failure *picture stays. */
+/* Applies a whole state with its camera at the current size. On failure *picture stays. */
 MUST_USE enum status picture_use(struct picture **picture, const struct app_picture *state);
 
-/* `settings` with the exposure of others, which needs no new samples. */
+/* Returns `settings` with the exposure of `of`; a change of exposure needs no new samples. */
 struct settings picture_with_exposure(const struct settings *settings, const struct settings *of);
 
-/* Shows another rung on the right; NULL: none. `settings`: those it has, copied; NULL: those on the
- * left. On failure it stays as it was. */
+/* Shows another refraction model on the right (side B); NULL ends the split. `settings` of side B
+ * are copied; NULL to use those of side A. On failure nothing changes. */
 MUST_USE enum status picture_split(struct picture *picture, const struct technique *rung,
                                    const struct settings *settings);
 
-bool picture_is_split(const struct picture *picture); /* something is shown on the right */
+bool picture_is_split(const struct picture *picture); /* true if side B is shown */
 
-/* Turns the panorama around the scene, degrees. On failure it stays as it was. */
+/* Rotates the environment panorama, degrees. On failure nothing changes. */
 MUST_USE enum status picture_turn(struct picture *picture, float degrees);
 
-/* Returns whether the camera has moved to where the renderers of its picture are different ones
- * (renderer_is_wide()). */
+/* Returns true if the camera has moved so far that other renderers are needed; renderer_is_wide().
+ */
 bool picture_is_outgrown(struct picture *picture);
 
-/* Changes the renderers, if there are any: the watched shaders are others, the projection, or what
- * picture_is_outgrown() says. On failure there are none: picture_resize() makes them. */
+/* Updates existing renderers after a change of watched shaders, of the projection, or if
+ * picture_is_outgrown(). On failure there are none; picture_resize() creates them. */
 MUST_USE enum status picture_remake(struct picture *picture);
 
-/* Returns whether an animated model has the pose of a time, seconds; true of others. */
+/* Returns true if an animated model has the pose of this time, seconds, or if nothing is animated.
+ */
 bool picture_is_posed(const struct picture *picture, float time);
 
-/* Poses an animated model for a time, and frees the renderers: picture_resize() makes others. If
- * the file cannot be read, all stays. The camera follows that of the file, unless it was moved. */
+/* Poses an animated model for a time and frees the renderers; picture_resize() creates new ones. If
+ * the file cannot be read, nothing changes. The camera follows the file's unless the user moved it.
+ */
 MUST_USE enum status picture_pose(struct picture *picture, float time);
 
-/* What of renderer.h the window needs, for one renderer or two. */
+/* Calls renderer_draw() or renderer_wait() for the renderers of both sides. */
 MUST_USE enum status picture_draw(struct picture *picture, const struct renderer_shot *shot);
 MUST_USE enum status picture_wait(struct picture *picture);
 
-/* Draws one that moves, in a size up to its own: by what is quick, if there is such a thing. */
+/* Draws a frame during interaction, at up to full size, with draft renderers if there are any. */
 MUST_USE enum status picture_draw_part(struct picture *picture, const struct renderer_shot *shot,
                                        VkExtent2D view);
 
-/* Whether that is still to be made, and makes it: quick_make(). */
+/* Returns true if draft renderers are missing but needed; picture_make_quick() creates them. */
 bool picture_wants_quick(const struct picture *picture);
 MUST_USE enum status picture_make_quick(struct picture *picture, const struct renderer_shot *shot);
 
-/* What renderer.h has for renderers that refine. */
+/* Call renderer_refine() or renderer_resolve() for the renderers of both sides. */
 MUST_USE enum status picture_refine(struct picture *picture, const struct renderer_shot *shot,
                                     uint32_t sample);
 MUST_USE enum status picture_resolve(struct picture *picture, uint32_t sample_count);
 
-/* The renderers of what is shown; right: NULL without one. */
+/* Returns the renderer of the displayed image on one side; NULL for `right` without a split. */
 const struct renderer *picture_renderer(const struct picture *picture, bool right);
 
-double picture_passes(const struct picture *picture); /* of the last frame that ended, seconds */
+/* GPU time of the last frame's passes, seconds */
+double picture_passes(const struct picture *picture);
 VkImage picture_left(const struct picture *picture);
-VkImage picture_right(const struct picture *picture);           /* unless split, the same */
-VkExtent2D picture_extent(const struct picture *picture);       /* of the left, pixels */
-VkExtent2D picture_right_extent(const struct picture *picture); /* of the right */
+VkImage picture_right(const struct picture *picture);           /* as on the left unless split */
+VkExtent2D picture_extent(const struct picture *picture);       /* size of the left image, pixels */
+VkExtent2D picture_right_extent(const struct picture *picture); /* size of the right image */
 
-/* The column where the line between left and right begins; PRESENT_NO_LINE: not split. */
+/* Returns the first column of the divider, or PRESENT_NO_LINE if not split. */
 uint32_t picture_line(const struct picture *picture);
 
-/* Metres between which the camera may stand off its target. */
+/* Returns the allowed range of the camera's distance from its target, metres. */
 void picture_range(const struct picture *picture, float *nearest, float *farthest);
 
-/*
- * Draws the picture as `firn render` does, with all samples and layers of the state, and
- * writes it with the same words in it, each to a file that its ending names. Of a split picture a
- * PNG file shows what the window shows, and NAME.exr becomes NAME-left.exr and NAME-right.exr.
- */
 struct signals;
+/*
+ * Renders the image as `firn render` does, with all samples and layers of the state, and writes it
+ * to each path with firn's metadata; the extension selects the format. Of a split view, a PNG
+ * file shows both sides with the divider, and NAME.exr becomes NAME-left.exr and NAME-right.exr.
+ */
 MUST_USE enum status picture_write(struct picture *picture, float time, const char *const *paths,
                                    uint32_t path_count, struct signals *stop);
 
-/* Writes what was drawn of it (`rgba` of this size, one sample) to a PNG file, with the same words
- * in it. */
+/* Writes pixels that were already drawn (`rgba` of this size, one sample) to a PNG file, with
+ * firn's metadata. */
 MUST_USE enum status picture_write_drawn(struct picture *picture, float time, const char *path,
                                          const struct render_result *drawn, VkExtent2D size,
                                          struct signals *stop);
 
-/* Whether a picture that is split (or not) can be written to them. Logs: STATUS_USAGE. */
+/* Returns STATUS_USAGE, logged, if a path cannot take the two sides of a split view. */
 MUST_USE enum status picture_can_write(bool is_split, const char *const *paths,
                                        uint32_t path_count);
 
-/* For renderers of the picture as it is, and of what is on the right of it. */
+/* Return parameters for renderers of side A and side B. */
 struct renderer_params picture_params(struct picture *picture);
 struct renderer_params picture_right_params(struct picture *picture);
 

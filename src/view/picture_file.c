@@ -1,4 +1,4 @@
-/* picture_file.c: a picture to files, or two halves to one. */
+/* picture_file.c: writes the viewport's image to files: PNG, or EXR per side of a split view. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,18 +15,18 @@ enum {
     PATH_SIZE = 4096,
 };
 
-/* One rung's picture. */
+/* One side of a split view. */
 struct side {
-    const char *suffix; /* of EXR files' names */
+    const char *suffix; /* appended to the names of EXR files */
     bool is_right;
     struct app_picture state;
     struct output output;
     struct render_result result;
 };
 
-/* The window's picture. */
+/* The rendered sides of the window's image. */
 struct drawn {
-    struct side sides[2]; /* left and, if it is split, right */
+    struct side sides[2]; /* left (A) and, if split, right (B) */
     size_t side_count;
     struct output whole;
 };
@@ -35,8 +35,7 @@ enum status picture_can_write(bool is_split, const char *const *paths, uint32_t 
 {
     for (uint32_t i = 0; i < path_count && is_split; i++) {
         if (!strcmp(paths[i], "-")) {
-            log_error(
-                "--screenshot: expected NAME.exr for the two files of a split picture, got '-'");
+            log_error("--screenshot: expected NAME.exr for the two files of a split view, got '-'");
             return STATUS_USAGE;
         }
     }
@@ -63,7 +62,7 @@ static enum status write_file(struct picture *p, const struct output *output, co
     return status;
 }
 
-/* NAME.exr to NAME-left.exr */
+/* Writes one side to a file with its suffix: NAME.exr becomes NAME-left.exr. */
 static enum status write_side(struct picture *p, const struct side *side, const char *path,
                               struct signals *stop)
 {
@@ -88,7 +87,7 @@ static enum status draw_side(struct picture *p, struct side *side, const struct 
     side->state.scene.settings = *params.settings;
     side->output = (struct output){ .picture = &side->state, .scene = params.scene, .shot = *shot };
     params.samples = p->state.samples;
-    bool makes_png = false; /* with alpha */
+    bool makes_png = false; /* a PNG file with an alpha channel is requested */
     for (uint32_t i = 0; i < path_count; i++) {
         if (!path_ends_in(paths[i], ".png"))
             params.linear = true;
@@ -111,9 +110,9 @@ static enum status draw_side(struct picture *p, struct side *side, const struct 
     return status;
 }
 
-/* As present.frag: right of the line, and the line. */
-static void put_right(uint8_t *rgba, const uint8_t *right, uint32_t width, uint32_t height,
-                      uint32_t line)
+/* Copies the part right of the divider from `right`, and draws the divider as present.frag does. */
+static void copy_right_side(uint8_t *rgba, const uint8_t *right, uint32_t width, uint32_t height,
+                            uint32_t line)
 {
     for (size_t y = 0; y < height; y++) {
         for (uint32_t x = line; x < width; x++) {
@@ -162,8 +161,8 @@ enum status picture_write(struct picture *p, float time, const char *const *path
         status = draw_side(p, &d.sides[s], &shot, paths, path_count);
     }
     if (status == STATUS_OK && d.side_count > 1 && d.sides[0].result.rgba)
-        put_right(d.sides[0].result.rgba, d.sides[1].result.rgba, p->state.width, p->state.height,
-                  picture_line(p));
+        copy_right_side(d.sides[0].result.rgba, d.sides[1].result.rgba, p->state.width,
+                        p->state.height, picture_line(p));
     if (status == STATUS_OK)
         status = write_all(p, &d, paths, path_count, stop);
     for (size_t s = 0; s < d.side_count; s++) {
@@ -184,7 +183,7 @@ enum status picture_write_drawn(struct picture *p, float time, const char *path,
         .scene = &p->scene,
         .shot = { .camera = p->camera, .time = time },
     };
-    state.samples = 1; /* as windows show it */
+    state.samples = 1; /* the window shows one sample per pixel */
     state.width = size.width;
     state.height = size.height;
     enum status status = output_describe(&output);

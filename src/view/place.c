@@ -1,5 +1,5 @@
-/* place.c: folders by XDG's rules, files by name. */
-#define _GNU_SOURCE /* asprintf */
+/* place.c: the viewer's XDG folders, and enumeration of the files in a folder. */
+#define _GNU_SOURCE /* for asprintf */
 #include "src/view/place.h"
 #include <dirent.h>
 #include <errno.h>
@@ -29,7 +29,7 @@ __attribute__((format(printf, 1, 2))) static char *print(const char *format, ...
     return text;
 }
 
-/* With all folders above it. */
+/* Creates a folder and its missing parents. */
 static bool make_folder(char *path)
 {
     for (char *slash = path + 1; *slash; slash++) {
@@ -44,13 +44,13 @@ static bool make_folder(char *path)
     return mkdir(path, 0700) == 0 || errno == EEXIST;
 }
 
-/* A folder of firn's own in that of a variable, or below the home. */
+/* Returns firn's folder `name` in the XDG base directory that `variable` names, or below HOME. */
 static char *own_folder(const char *variable, const char *below_home, const char *name, bool make)
 {
     const char *given = getenv(variable);
     const char *home = getenv("HOME");
     char *path = NULL;
-    if (given && given[0] == '/') /* a relative one is invalid */
+    if (given && given[0] == '/') /* XDG: relative paths are invalid */
         path = print("%s/%s", given, name);
     else if (home && home[0] == '/')
         path = print("%s/%s/%s", home, below_home, name);
@@ -96,7 +96,7 @@ static bool has_ending(const char *name, const char *const *endings)
     return false;
 }
 
-/* The names of a folder in order; the caller frees them. */
+/* Lists a folder in alphabetical order; the caller frees the entries. */
 static int list(const char *folder, struct dirent ***entries)
 {
     const int count = scandir(folder, entries, NULL, alphasort);

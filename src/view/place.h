@@ -1,5 +1,5 @@
 /*
- * place.h: where the window's own files are, and which file is next to another.
+ * place.h: folders of the viewer's own files (XDG), and the next file in a folder.
  *
  * Strings are malloc'd; the caller frees them.
  */
@@ -8,25 +8,23 @@
 
 #include <stdbool.h>
 
-/* The folder of presets, "$XDG_DATA_HOME/firn/presets"; with `make` it is made if it is not there.
- * NULL: there is no HOME, it cannot be made, or out of memory; not logged. */
+/* Returns the folder of presets, "$XDG_DATA_HOME/firn/presets", and creates it if `make`. Returns
+ * NULL, without logging, if there is no HOME, it cannot be created, or memory is out. */
 char *place_presets(bool make);
 
-char *place_sessions(bool make); /* the same of sessions, "$XDG_DATA_HOME/firn/sessions" */
+char *place_sessions(bool make); /* folder of session files, "$XDG_DATA_HOME/firn/sessions" */
 
-/* The same of what the window remembers, "$XDG_STATE_HOME/firn". */
+/* Returns the folder of persistent state such as recent files, "$XDG_STATE_HOME/firn". */
 char *place_state(bool make);
 
-/* A file "STEM-0001.ENDING" in a folder, with the first number that is not taken. NULL: out of
- * memory, or all are taken. */
+/* Returns the first unused file name "STEM-0001.ENDING" in a folder; NULL on failure. */
 char *place_new(const char *folder, const char *stem, const char *ending);
 
-/* File number i of a folder, by name, with one of the endings, which end at NULL. NULL: there are
- * no more. */
+/* Returns file i of a folder, by name, with one of the NULL-terminated extensions; NULL if none. */
 char *place_file(const char *folder, const char *const *endings, unsigned i);
 
-/* The scene that comes with firn, or the model in the folder of `path`, that is `step` (1 or -1)
- * after this one, by name; after the last comes the first. NULL: there is no other. */
+/* Returns the built-in scene, or the model in the folder of `path`, that follows this one by name
+ * (`step` 1) or precedes it (-1); wraps around. NULL if there is no other. */
 char *place_next(const char *path, int step);
 
 #endif

@@ -1,4 +1,4 @@
-/* present.c: draws over the whole window: unfiltered, unless the picture has another size. */
+/* present.c: passes that draw the rendered image into the swapchain image, 1:1 or scaled. */
 #include "src/view/present.h"
 #include <math.h>
 #include <string.h>
@@ -88,7 +88,7 @@ static void push(struct rg_cmd *cmd, const struct present_place *place)
     rg_cmd_push(cmd, &pushed, sizeof(pushed));
 }
 
-/* Columns of the shown picture. */
+/* Returns the rectangle of a range of columns of the displayed image. */
 static VkRect2D columns(const struct present_place *place, uint32_t from, uint32_t to)
 {
     to = to < place->width ? to : place->width;
@@ -105,7 +105,7 @@ static void draw(struct rg_cmd *cmd, const struct present_place *place, VkRect2D
     rg_cmd_draw(cmd, 3);
 }
 
-/* Fills a part of the window with a colour, 0xRRGGBB, sRGB-encoded. */
+/* Fills a rectangle of the window with a colour, 0xRRGGBB, sRGB-encoded. */
 static void fill(struct rg_cmd *cmd, const struct rg_frame *frame, VkRect2D part, uint32_t color)
 {
     VkClearAttachment clear = { .aspectMask = VK_IMAGE_ASPECT_COLOR_BIT };
@@ -126,7 +126,7 @@ static void record_left(struct rg_cmd *cmd, const struct rg_frame *frame)
     draw(cmd, place, columns(place, 0, place->line));
 }
 
-/* What is around the picture where it has another shape than its part of the window. */
+/* Fills the margins around the image if its aspect ratio differs from that of its area. */
 static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct present_place *p = &frame->window->present;
@@ -145,8 +145,8 @@ static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
         fill(cmd, frame, parts[i], p->surround);
 }
 
-/* What is around the picture, too: on llvmpipe a pass on an image as large as the window takes
- * time, even if it draws nothing. Where the picture is exact, that is all. */
+/* Draws the margins, and the left image if it is scaled. One pass does both, because on llvmpipe
+ * each pass over a window-sized image costs time even if it draws nothing. */
 static void record_scaled(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     surround(cmd, frame);
@@ -154,7 +154,7 @@ static void record_scaled(struct rg_cmd *cmd, const struct rg_frame *frame)
         record_left(cmd, frame);
 }
 
-/* And the line between both. */
+/* Draws the right image and the divider. */
 static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct present_place *place = &frame->window->present;
@@ -189,7 +189,7 @@ static bool is_split_scaled(const struct rg_frame *frame, uint32_t repetition)
 
 const struct technique present = {
     .name = "present",
-    .help = "presentation of the picture in a window",
+    .help = "presentation of the image in a window",
     .parts = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("present", passes) } },
 };
 

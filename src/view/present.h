@@ -1,11 +1,11 @@
 /*
- * present.h: a picture in a window; or two, side by side.
+ * present.h: technique that draws one image, or two side by side, into the swapchain image.
  *
- * It is shown texel by texel, or filtered until one of the window's size has been drawn.
+ * The image is copied texel by texel, or filtered until one of the window's size has been drawn.
  *
- * The pictures (frame_display and, right of a line, present_right) and the window's image are
- * imported by a plan of their own, apart from that of the frame. The window's format is known at
- * run time only, so its rows are made then.
+ * The source images (frame_display and, right of the divider, present_right) and the swapchain
+ * image are imported by a plan of their own, apart from that of the frame. The tables are built at
+ * run time, because the swapchain's format is known only then.
  */
 #ifndef FIRN_VIEW_PRESENT_H
 #define FIRN_VIEW_PRESENT_H
@@ -15,33 +15,33 @@
 
 struct overlay_list;
 
-/* Where the window shows a picture, pixels from the window's upper left corner. */
+/* Where the window shows the image, in pixels from the window's upper left corner. */
 struct present_place {
     uint32_t
-        line; /* first column of the line, from the picture's left; PRESENT_NO_LINE: one picture */
-    uint32_t x, y;                      /* of the shown picture */
-    uint32_t width, height;             /* as it is shown */
-    uint32_t texel_columns, texel_rows; /* as it was drawn */
-    uint32_t surround;                  /* what is around it, 0xRRGGBB, sRGB-encoded */
+        line; /* column of the divider, from the image's left edge; PRESENT_NO_LINE if not split */
+    uint32_t x, y;                      /* upper left corner of the image */
+    uint32_t width, height;             /* displayed size */
+    uint32_t texel_columns, texel_rows; /* size of the source image, texels */
+    uint32_t surround;                  /* colour of the margins, 0xRRGGBB, sRGB-encoded */
 };
 
-/* What the techniques of a window read: rg_frame.window. */
+/* Frame data of the window's techniques: rg_frame.window. */
 struct window_frame {
     struct present_place present;
     struct layout layout;
-    const struct overlay_list *overlay;    /* src/view/overlay_list.h; NULL: nothing lies over it */
-    bool keeps_panels;                     /* what is docked is copied from an image: */
-    bool panels_are_old;                   /* which has another list */
-    const struct rg_image *panels, *shown; /* that image, and the window's; with keeps_panels */
-    uint32_t right_columns, right_rows;    /* of the right picture, texels */
-    bool encodes;                          /* the window's format encodes what is written as sRGB */
+    const struct overlay_list *overlay; /* src/view/overlay_list.h; NULL without user interface */
+    bool keeps_panels;                  /* docked panels are cached in the image `panels` */
+    bool panels_are_old;                /* the cached panels have to be redrawn */
+    const struct rg_image *panels, *shown; /* cache image and window image, with keeps_panels */
+    uint32_t right_columns, right_rows;    /* size of the right image, texels */
+    bool encodes;                          /* the window's format applies sRGB encoding on write */
 };
 
 enum {
     PRESENT_PASS_COUNT = 4,
 };
 
-/* Points into itself: must not move. */
+/* Tables for a given window format. Contain pointers to themselves: must not move. */
 struct present_tables {
     struct rg_image window;
     struct rg_target targets[PRESENT_PASS_COUNT];
@@ -49,14 +49,14 @@ struct present_tables {
     struct rg_technique technique;
 };
 
-/* Shows a picture of a size as large as it fits into a part of the window, which is not empty.
- * `divider`: where it is split, of its width, from the left; below 0: it is not. */
+/* Fits an image of size `picture` into the non-empty rectangle `view`, keeping its aspect ratio.
+ * `divider` is its position as a fraction of the width; negative if not split. */
 struct present_place present_fit(VkRect2D view, VkExtent2D picture, double divider);
 
 void present_tables_init(struct present_tables *tables, VkFormat format);
 
-extern const struct rg_image present_window; /* the same for the format most windows have */
-extern const struct rg_image present_right;  /* as frame_display */
+extern const struct rg_image present_window; /* with the most common window format */
+extern const struct rg_image present_right;  /* like frame_display */
 extern const struct technique present;
 
 #endif

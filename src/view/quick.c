@@ -1,4 +1,4 @@
-/* quick.c: renderers for movements. */
+/* quick.c: draft renderers for interaction, and the choice of their quality level. */
 #include "src/view/quick.h"
 #include <math.h>
 #include <string.h>
@@ -6,31 +6,29 @@
 #include "src/settings/quality.h"
 #include "src/settings/scene_settings.h"
 
-/* What a movement has less than a draft, from a level on. */
+/* Limits on settings that apply from a quality level on, in addition to `--quality draft`. */
 static const struct {
     const char *setting;
     double value;
     enum quick_level level;
 } rows[] = {
-    { "ice_interval.count", 1.0, QUICK_WHOLE }, /* cracks end behind the first part of the ice */
+    { "ice_interval.count", 1.0, QUICK_WHOLE }, /* clips cracks behind the first segment of a ray */
     { "refract_bounce.margin", 0.0, QUICK_WHOLE },
     { "refract_bounce.nested", 0.0, QUICK_WHOLE },
     { "refract_bounce.count", 2.0, QUICK_WHOLE },
     { "refract_bounce.steps", 4.0, QUICK_WHOLE },
     { "refract_bounce.halvings", 4.0, QUICK_WHOLE },
     { "ground.shading", GROUND_VERTICES, QUICK_COARSE },
-    { "air.count", 0.0, QUICK_BARE }, /* the scene keeps its own */
+    { "air.count", 0.0, QUICK_BARE }, /* the scene is not rebuilt for it */
     { "cracks.count", 0.0, QUICK_BARE },
     { "bubbles.count", 0.0, QUICK_BARE },
     { "bump.strength", 0.0, QUICK_SMOOTH },
 };
 
-static const VkExtent2D small = { 32, 24 }; /* enough for a driver to compile */
-static const double most_seconds = 0.016;   /* of a picture in half the size, for 30 a second */
+static const VkExtent2D small = { 32, 24 }; /* enough to make the driver compile the shaders */
+static const double budget_seconds = 0.016; /* budget at half size, for 30 frames per second */
 
-/* ---- settings ---- */
-
-/* Whether a row has the value of a level of quality. */
+/* Returns true if a setting has the value of one of the quality levels. */
 static bool is_of_level(const struct settings *settings, const struct quality_row *row)
 {
     for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
@@ -56,8 +54,6 @@ struct settings quick_settings(const struct settings *settings, enum quick_level
     }
     return quick;
 }
-
-/* ---- renderers ---- */
 
 void quick_finish(struct quick *q)
 {
@@ -91,7 +87,7 @@ static enum status fit_all(struct quick *q, const struct quick_params *p)
     return status;
 }
 
-/* What the picture has now; whether it takes other plans. */
+/* Recomputes the draft settings. Returns true if they need another plan. */
 static bool take_settings(struct quick *q, const struct quick_params *p)
 {
     const struct settings left = q->settings;
@@ -102,7 +98,7 @@ static bool take_settings(struct quick *q, const struct quick_params *p)
            (p->is_split && settings_changed(&right, &q->right_settings) >= SETTING_AFFECTS_PLAN);
 }
 
-/* Without memory for them a movement is drawn with what there is. */
+/* Without memory for draft renderers, interaction uses the full renderers. */
 static enum status give_up(struct quick *q, enum status status)
 {
     quick_finish(q);
@@ -110,8 +106,8 @@ static enum status give_up(struct quick *q, enum status status)
     return status == STATUS_TRY_AGAIN ? STATUS_OK : status;
 }
 
-/* Draws what nobody sees; q->seconds: how long it took. */
-static enum status try(struct quick *q, const struct renderer_shot *shot, VkExtent2D view)
+/* Draws a frame that is not displayed and stores its time in q->seconds. */
+static enum status draw_timed(struct quick *q, const struct renderer_shot *shot, VkExtent2D view)
 {
     const double start = clock_seconds();
     enum status status = quick_draw(q, shot, view);
@@ -133,11 +129,11 @@ static enum status make(struct quick *q, const struct quick_params *p,
     (void)take_settings(q, p);
     enum status status = fit_all(q, p);
     if (status == STATUS_OK)
-        status = try(q, shot, least);
-    if (status == STATUS_OK) /* its memory is touched for the first time */
-        status = try(q, shot, half);
+        status = draw_timed(q, shot, least);
+    if (status == STATUS_OK) /* the first frame also touches its memory, so the second is timed */
+        status = draw_timed(q, shot, half);
     if (status == STATUS_OK)
-        status = try(q, shot, half);
+        status = draw_timed(q, shot, half);
     return status;
 }
 
@@ -145,7 +141,7 @@ enum status quick_make(struct quick *q, const struct quick_params *p,
                        const struct renderer_shot *shot)
 {
     enum status status = make(q, p, shot, QUICK_WHOLE);
-    while (status == STATUS_OK && q->seconds > most_seconds && q->level < QUICK_SMOOTH)
+    while (status == STATUS_OK && q->seconds > budget_seconds && q->level < QUICK_SMOOTH)
         status = make(q, p, shot, q->level + 1);
     return status == STATUS_OK ? status : give_up(q, status);
 }

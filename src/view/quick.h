@@ -1,11 +1,12 @@
 /*
- * quick.h: what draws a picture while something moves: renderers of its scene and rungs with the
- * settings of --quality draft, and fewer still (quick_settings()); where that is too slow in half
- * the size, with coarser meshes, then without cracks, air and bubbles, then without bumps, too.
+ * quick.h: draft renderers, which draw the image while something moves.
  *
- * They are made after the first picture, or once it is still, so the first movement finds them, and
- * follow its settings, size and rungs when they are drawn with. A picture that takes no longer than
- * a frame may needs none. Animated models have none: each pose is another scene.
+ * They use the scene's refraction models with the settings of --quality draft and further limits
+ * (quick_settings()). If that is too slow at half the size, meshes are coarser, then cracks, air
+ * and bubbles are left out, then bumps. They are created after the first image or when it stands
+ * still, so that the first interaction finds them, and follow later changes of settings, size and
+ * models. An image that is fast enough needs none; animated models have none, as each pose is
+ * another scene.
  *
  * Errors: logged once where found.
  */
@@ -14,46 +15,46 @@
 
 #include "src/render/renderer.h"
 
-/* What they are to draw, as the picture has it. */
+/* What the draft renderers are based on: the full renderers' parameters. */
 struct quick_params {
     struct renderer_params left, right;
-    bool is_split;    /* there is a right one */
-    uint64_t version; /* of the picture: another one whenever its renderers are */
+    bool is_split;    /* there is a right side (B) */
+    uint64_t version; /* version of the viewport's renderers */
 };
 
-/* What is left out. */
+/* What the draft leaves out. */
 enum quick_level {
-    QUICK_WHOLE,  /* nothing that can be seen well */
-    QUICK_COARSE, /* small triangles */
-    QUICK_BARE,   /* what is in the ice: cracks, air, bubbles */
-    QUICK_SMOOTH, /* bumps, too */
+    QUICK_WHOLE,  /* nothing that is easily noticed */
+    QUICK_COARSE, /* uses coarser meshes */
+    QUICK_BARE,   /* leaves out cracks, air and bubbles */
+    QUICK_SMOOTH, /* leaves out bumps as well */
 };
 
 struct quick {
-    struct renderer *left, *right; /* NULL: none */
-    struct settings settings;      /* that `left` draws with */
+    struct renderer *left, *right; /* NULL if there is none */
+    struct settings settings;      /* settings of `left` */
     struct settings right_settings;
-    uint64_t version; /* of the picture that they were made for */
+    uint64_t version; /* viewport version that they were created for */
     enum quick_level level;
-    double seconds; /* that a picture of half the size took when they were made */
-    bool is_off;    /* movements have all that the picture has, and its size */
-    bool failed;    /* there was no memory for them */
+    double seconds; /* time of a half-size image when they were created */
+    bool is_off;    /* draft rendering is disabled by the user */
+    bool failed;    /* there was not enough memory */
 };
 
-/* What a moving picture has of these settings: what levels of quality decide is that of `draft`,
- * unless it is a value that no level has, which somebody has chosen. */
+/* Returns the settings of a draft: settings controlled by quality levels get the value of `draft`,
+ * unless the user has chosen a value that no level has. */
 struct settings quick_settings(const struct settings *settings, enum quick_level level);
 
-/* Makes them and draws pictures that nobody sees: so that the driver compiles, and to see how long
- * they take. Without memory for them there are none, which is no failure. */
+/* Creates the renderers and draws hidden frames, to make the driver compile the shaders and to
+ * measure their time. It is no error if there is no memory for them. */
 MUST_USE enum status quick_make(struct quick *quick, const struct quick_params *params,
                                 const struct renderer_shot *shot);
 
-/* Lets those that are there draw the picture as it is now. On failure there are none. */
+/* Updates existing draft renderers to the viewport's current state. On failure there are none. */
 MUST_USE enum status quick_follow(struct quick *quick, const struct quick_params *params);
 
 MUST_USE enum status quick_draw(struct quick *quick, const struct renderer_shot *shot,
                                 VkExtent2D view);
-void quick_finish(struct quick *quick); /* {0} is fine; is_off stays */
+void quick_finish(struct quick *quick); /* {0} is fine; keeps is_off */
 
 #endif

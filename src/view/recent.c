@@ -1,5 +1,5 @@
-/* recent.c: a short text file. */
-#define _GNU_SOURCE /* asprintf */
+/* recent.c: list of recently opened files, kept in a short text file. */
+#define _GNU_SOURCE /* for asprintf */
 #include "src/view/recent.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,7 +18,7 @@ static char *file_name(bool make)
     return path;
 }
 
-/* The next line, without its end; NULL: there is none. The caller frees it. */
+/* Returns the next line without its newline; NULL at the end. The caller frees it. */
 static char *take_line(FILE *file)
 {
     char *line = NULL;
@@ -33,7 +33,7 @@ static char *take_line(FILE *file)
     return line;
 }
 
-/* `first`, and those that were there before. */
+/* Prints `first`, followed by the previous entries other than `first`. */
 static void print(FILE *out, const char *first, FILE *before)
 {
     char *line;
@@ -61,7 +61,7 @@ void recent_add(const char *path)
         if (before)
             (void)fclose(before);
         if (fclose(out) == 0)
-            (void)!file_write(name, text, size); /* has been logged */
+            (void)!file_write(name, text, size); /* errors are logged there */
     }
     free(text);
     free(name);

@@ -1,7 +1,7 @@
 /*
- * recent.h: the files that were opened last, in "$XDG_STATE_HOME/firn/recent", one path a line.
+ * recent.h: recently opened files, stored in "$XDG_STATE_HOME/firn/recent", one path per line.
  *
- * Several windows may write it: the last one counts.
+ * If several windows write it, the last one wins.
  */
 #ifndef FIRN_VIEW_RECENT_H
 #define FIRN_VIEW_RECENT_H
@@ -9,14 +9,14 @@
 #include <stdint.h>
 
 enum {
-    RECENT_COUNT = 20, /* older ones are forgotten */
+    RECENT_COUNT = 20, /* older entries are dropped */
 };
 
-/* A file was opened: it comes first. What is no file is no matter. Without HOME nothing is kept; a
- * file that cannot be written is logged. */
+/* Puts a file at the top of the list. Ignores names that are not files, and does nothing without
+ * HOME. A list that cannot be written is logged. */
 void recent_add(const char *path);
 
-/* File i of those that are still there, malloc'd; NULL: there are no more. */
+/* Returns entry i of the files that still exist, malloc'd; NULL after the last. */
 char *recent_find(uint32_t i);
 
 #endif

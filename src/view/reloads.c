@@ -1,4 +1,4 @@
-/* reloads.c: a ring of lines. */
+/* reloads.c: ring buffer of messages about slow changes. */
 #include "src/view/reloads.h"
 #include <stddef.h>
 #include <stdio.h>

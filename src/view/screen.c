@@ -1,4 +1,4 @@
-/* screen.c: the plan that brings a picture into a window's images. */
+/* screen.c: swapchain and render-graph plan that present the image in a window. */
 #include "src/view/screen.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
@@ -11,7 +11,7 @@ enum {
     IMPORT_PICTURE,
     IMPORT_RIGHT,
     IMPORT_WINDOW,
-    IMPORT_FONT, /* if there is one */
+    IMPORT_FONT, /* only with a user interface */
     IMPORT_COUNT,
 };
 
@@ -36,7 +36,7 @@ void screen_finish(struct screen *s)
 
 enum status screen_fit(struct screen *s, VkExtent2D size, bool *remade)
 {
-    /* the surface may settle on another extent, so what was asked for counts */
+    /* the surface may choose another extent than requested, so the requested size is compared */
     *remade = s->swapchain.stale || s->size.width != size.width || s->size.height != size.height;
     if (!*remade)
         return STATUS_OK;
@@ -44,8 +44,6 @@ enum status screen_fit(struct screen *s, VkExtent2D size, bool *remade)
     s->size = size;
     return gpu_swapchain_recreate(s->gpu, &s->swapchain, size);
 }
-
-/* ---- the plan ---- */
 
 static uint32_t import_count(const struct screen *s)
 {
@@ -118,12 +116,12 @@ struct rg_exec_params screen_exec_params(const struct gpu *gpu, const struct rg_
         .queue = gpu->queue,
         .queue_family = gpu->queue_family,
         .pipeline_cache = gpu->pipeline_cache,
-        .render_passes = gpu->validated, /* see rg_exec.h */
+        .render_passes = gpu->validated, /* needed by the validation layer; see rg_exec.h */
         .log = log_exec,
     };
 }
 
-/* Makes an executor of the plan, or has the one that is there run it. */
+/* Creates an executor for the plan, or updates the existing one. */
 static enum status realise(struct screen *s, const struct screen_picture *picture,
                            const struct rg_plan *plan)
 {
@@ -200,8 +198,6 @@ void screen_lay_over(struct screen *s, const struct gpu_image *font)
     screen_disconnect(s);
     s->font = font;
 }
-
-/* ---- a frame ---- */
 
 enum status screen_begin(struct screen *s, bool *ready)
 {

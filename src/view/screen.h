@@ -1,11 +1,11 @@
 /*
- * screen.h: brings a picture of the device into a window: swapchain, plan, frames in flight.
+ * screen.h: presents an image in a window: swapchain, render-graph plan, frames in flight.
  *
- *     screen_fit()      when a frame begins: the swapchain fits the window
- *     screen_connect()  after that, and when the picture is another image
- *     screen_begin()    waits for room
- *     ... draw the picture ...
- *     screen_end()      copies it and shows it
+ *     screen_fit()      at the start of a frame: recreates the swapchain if the size changed
+ *     screen_connect()  after that, and when the source image is another one
+ *     screen_begin()    waits for a free slot and acquires a swapchain image
+ *     ... render the source image ...
+ *     screen_end()      draws it into the swapchain image and presents it
  *
  * Errors: logged once where found.
  */
@@ -27,52 +27,51 @@ struct screen_picture {
 struct screen {
     struct gpu *gpu;
     struct gpu_swapchain swapchain;
-    rg_replace_shader_fn *replace; /* of rg_exec.h, set before screen_connect(); NULL: nothing */
+    rg_replace_shader_fn *replace; /* see rg_exec.h; set before screen_connect(); NULL if none */
     void *replace_user;
-    VkExtent2D size; /* of the window, that it was made for */
+    VkExtent2D size; /* window size for which the swapchain was created */
     struct present_tables tables;
     struct overlay_tables overlay;
-    uint32_t panels_version;      /* of the list in overlay.panels; 0: none */
-    const struct gpu_image *font; /* of what lies over the picture; NULL: nothing */
-    struct screen_picture shown;  /* while it is connected */
+    uint32_t panels_version;      /* draw-list version of the cached panels; 0 if none */
+    const struct gpu_image *font; /* font atlas of the user interface; NULL without one */
+    struct screen_picture shown;  /* source images, while connected */
     struct rg_plan *plan;
-    struct rg_exec *exec; /* NULL: not connected */
-    uint32_t slot, index; /* of the frame and image taken by screen_begin() */
-    double waited; /* by the host in that frame: for its image, and to have it shown; seconds */
+    struct rg_exec *exec; /* NULL if not connected */
+    uint32_t slot, index; /* frame slot and swapchain image acquired by screen_begin() */
+    double waited; /* seconds the host waited in this frame to acquire and present its image */
 };
 
-/* Must not move afterwards. Surface and canvas, which may be NULL, are the caller's. */
+/* Must not move afterwards. The caller owns surface and canvas; canvas may be NULL. */
 MUST_USE enum status screen_init(struct screen *screen, struct gpu *gpu, VkSurfaceKHR surface,
                                  VkPresentModeKHR mode, const struct gpu_canvas *canvas);
 void screen_finish(struct screen *screen); /* {0} and half-built are fine */
 
-/* Makes the swapchain anew if it does not fit a window of this size; *remade says so. Afterwards
- * the screen is not connected. If swapchain.stale is still true, nothing can be shown. */
+/* Recreates the swapchain if it does not match this window size and sets *remade; the screen is
+ * then not connected. If swapchain.stale is still true, nothing can be presented. */
 MUST_USE enum status screen_fit(struct screen *screen, VkExtent2D size, bool *remade);
 
-/* What is drawn with this font lies over the picture from now on; NULL: nothing does. Afterwards
- * the screen is not connected. */
+/* Sets the font atlas of the user interface; NULL if there is none. Disconnects the screen. */
 void screen_lay_over(struct screen *screen, const struct gpu_image *font);
 
-/* Shows a picture, ready to be sampled, from now on; and where a line is drawn, another one right
- * of it (without one, the same), as large as the first. Not between screen_begin() and
- * screen_end(). */
+/* Sets the images to present, which must be ready for sampling: `left`, and `right` for the part
+ * right of the divider (the same image without one). Not between screen_begin() and screen_end().
+ */
 MUST_USE enum status screen_connect(struct screen *screen, const struct screen_picture *picture);
 
-/* Waits for its frames and forgets the picture. */
+/* Waits for the frames in flight and releases the images. */
 void screen_disconnect(struct screen *screen);
 
-/* *ready is false if there is no image: fit it and begin again. */
+/* Acquires an image. *ready is false if there is none: call screen_fit() and try again. */
 MUST_USE enum status screen_begin(struct screen *screen, bool *ready);
 
-/* `overlay` of the frame, with the screen's buffers overlay_vertices and overlay_indices, is what
- * lies over the picture; its right_columns and right_rows are the screen's. */
+/* Draws and presents a frame. `shown->overlay` refers to overlay_vertices and overlay_indices in
+ * the screen's buffers; right_columns and right_rows are filled in here. */
 MUST_USE enum status screen_end(struct screen *screen, const struct window_frame *shown);
 
-/* Until no frame reads the picture any more. */
+/* Waits until no frame reads the source images. */
 MUST_USE enum status screen_wait(struct screen *screen);
 
-/* ---- for other plans of the same kind ---- */
+/* ---- shared with the plan of screenshots ---- */
 
 struct rg_exec_params screen_exec_params(const struct gpu *gpu, const struct rg_plan *plan);
 MUST_USE enum status screen_report_faults(const struct rg_plan *plan); /* logs them */

@@ -1,4 +1,4 @@
-/* session.c: lines of text. */
+/* session.c: parses and prints session files: lines of NAME=VALUE. */
 #include "src/view/session.h"
 #include <cglm/struct.h>
 #include <ctype.h>
@@ -9,20 +9,18 @@
 #include "src/tech/techniques.h"
 
 enum {
-    CAMERA_COUNT = 12, /* numbers */
+    CAMERA_COUNT = 12, /* numbers that describe a camera */
 };
 
 static const char *const others[] = {
     [VIEW_OTHER_NONE] = "none",           [VIEW_OTHER_RUNG] = "rung",
-    [VIEW_OTHER_STATE] = "stored",        [VIEW_OTHER_FILE] = NULL, /* pictures are not kept */
+    [VIEW_OTHER_STATE] = "stored",        [VIEW_OTHER_FILE] = NULL, /* images are not stored */
     [VIEW_OTHER_REFERENCE] = "reference",
 };
 
 enum {
     OTHER_COUNT = sizeof(others) / sizeof(others[0]),
 };
-
-/* ---- values ---- */
 
 static int digit(char c)
 {
@@ -31,7 +29,7 @@ static int digit(char c)
     return at ? (int)(at - digits) : -1;
 }
 
-/* "%e9" to a byte, in place. */
+/* Decodes percent-encoding such as "%e9" in place. Returns false if it is malformed or empty. */
 static bool decode_name(char *text)
 {
     char *to = text;
@@ -107,8 +105,6 @@ static void print_camera(const char *name, const struct camera *c, FILE *out)
     fputc('\n', out);
 }
 
-/* ---- the table ---- */
-
 static bool parse_rung(const char *value, const struct technique **rung)
 {
     *rung = techniques_find_rung(value);
@@ -126,7 +122,7 @@ static bool parse_other(const char *value, enum view_other *other)
     return false;
 }
 
-/* Numbers, each with what is said of one whose size exceeds `most`. */
+/* Numeric entries: limit of the magnitude, and the expected range for error messages. */
 static const struct {
     const char *name;
     size_t offset; /* in struct session */
@@ -166,8 +162,8 @@ static bool parse_place(struct session *s, const char *name, const char *value,
     return true;
 }
 
-/* Whether it is one of what is no setting; *expected: what its value should have been; NULL: it is
- * right. */
+/* Parses an entry that is not a setting; returns false if `name` is none. *expected describes a
+ * valid value if this one is invalid; otherwise NULL. */
 static bool parse_own(struct session *s, const char *name, char *value, const char **expected)
 {
     *expected = NULL;
@@ -178,7 +174,7 @@ static bool parse_own(struct session *s, const char *name, char *value, const ch
         *expected = decode_name(value) ? NULL : "a name or a file";
     } else if (!strcmp(name, "rung") || !strcmp(name, "b.rung")) {
         const bool ok = parse_rung(value, *name == 'r' ? &s->state.rung : &s->state.split);
-        *expected = ok ? NULL : "a rung (firn list rungs)";
+        *expected = ok ? NULL : "a refraction model (firn list rungs)";
     } else if (!strcmp(name, "b")) {
         *expected = parse_other(value, &s->state.other) ? NULL : "none, rung, stored or reference";
     } else
@@ -209,7 +205,7 @@ static enum status parse_line(struct session *s, struct preset_line *line, const
     return settings_assign(&s->state.settings, line->assignment, &source, &row);
 }
 
-/* What a line alone cannot say. */
+/* Checks entries that depend on each other. */
 static enum status check(const struct session *s, const char *path)
 {
     const enum view_other other = s->state.other;
@@ -220,7 +216,7 @@ static enum status check(const struct session *s, const char *path)
                                                                                      : NULL;
     if (!missing)
         return STATUS_OK;
-    log_error("%s: expected a line '%s=...', as sessions have that firn view writes (Ctrl S)", path,
+    log_error("%s: expected a line '%s=...', as in sessions saved by firn view (Ctrl S)", path,
               missing);
     return STATUS_DATA;
 }
@@ -249,8 +245,6 @@ void session_finish(struct session *s)
     preset_finish(&s->lines);
     *s = (struct session){ 0 };
 }
-
-/* ---- out ---- */
 
 static void print_number(const char *name, float value, FILE *out)
 {

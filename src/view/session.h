@@ -1,10 +1,9 @@
 /*
- * session.h: all that a window shows, as a file that can be opened again.
+ * session.h: session file: everything that a window shows, to be opened again later.
  *
- * A line of text for each thing, NAME=VALUE, as in a preset: settings by their names, those of B
- * behind "b."; and what session.c's table has. Bytes of names that are not ASCII, and '%', are %XX.
- *
- * The file is split into lines by a reader process (preset.h). What it says is checked here.
+ * It has one line NAME=VALUE per entry, like a preset: settings by name, those of side B with the
+ * prefix "b.", and the entries of session.c's table. Non-ASCII bytes and '%' in names are
+ * percent-encoded. A reader process splits the file into lines (preset.h); values are checked here.
  */
 #ifndef FIRN_VIEW_SESSION_H
 #define FIRN_VIEW_SESSION_H
@@ -19,20 +18,20 @@ enum {
 };
 
 struct session {
-    struct preset lines;     /* own the names */
-    const char *scene;       /* an asset, a built-in scene or a file; NULL: not said */
-    const char *environment; /* NULL: the scene's own */
+    struct preset lines;     /* owns the strings */
+    const char *scene;       /* asset, built-in scene or file; NULL if not given */
+    const char *environment; /* NULL to use the scene's own */
     float env_exposure;      /* stops */
     struct view_state state;
     bool has_camera;
     struct camera camera;
     bool bookmarked[SESSION_BOOKMARK_COUNT];
     struct camera bookmarks[SESSION_BOOKMARK_COUNT];
-    float time; /* of the scene, seconds */
+    float time; /* scene time, seconds */
 };
 
-/* Parses lines, which it takes over; `path` is for messages. Logs: STATUS_DATA. On failure *session
- * is {0}, and so it may be before. */
+/* Parses lines, of which it takes ownership; `path` is for messages. On failure it logs, returns
+ * STATUS_DATA and *session is {0}. */
 MUST_USE enum status session_parse(struct session *session, struct preset *lines, const char *path);
 
 void session_print(const struct session *session, FILE *out);

@@ -1,4 +1,4 @@
-/* still.c: a picture to the device. */
+/* still.c: encodes and uploads a fixed comparison image. */
 #include "src/view/still.h"
 #include <cglm/struct.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /*
- * still.h: a picture that does not follow the camera: of a file, or traced for one view.
+ * still.h: an image to compare with that does not follow the camera: from a file, or path-traced.
  *
  * Errors: logged once where found.
  */
@@ -10,19 +10,20 @@
 #include "src/image/image.h"
 
 struct still {
-    struct image linear;     /* planes R, G and B; width 0: nothing */
-    bool is_shown;           /* they are tonemapped, as those of PNG files */
-    struct gpu_image image;  /* as it is shown; {0}: not made yet, or not any more */
-    struct gpu_image former; /* the one before, which a window may still know */
-    bool is_made;            /* `image` is that of `linear`, with: */
+    struct image linear;     /* planes R, G and B; width 0 if there is none */
+    bool is_shown;           /* planes are tone-mapped already, like those of PNG files */
+    struct gpu_image image;  /* displayed pixels; {0} if not uploaded */
+    struct gpu_image former; /* previous image, which a window's plan may still refer to */
+    bool is_made;            /* `image` shows `linear` with `gain` and `curve` */
     float gain;
     uint32_t curve;
 };
 
-/* Makes `image`, unless it is there. `gain` and `curve`: tonemap_encode(). */
+/* Encodes and uploads `image` unless it is up to date. `gain` and `curve` are those of
+ * tonemap_encode(). */
 MUST_USE enum status still_show(struct still *still, struct gpu *gpu, float gain, uint32_t curve);
 
-/* Makes `image` of sRGB-encoded pixels, unless it is there. */
+/* Uploads sRGB-encoded pixels to `image` unless it is up to date. */
 MUST_USE enum status still_put(struct still *still, struct gpu *gpu, const uint8_t *rgba,
                                VkExtent2D size);
 

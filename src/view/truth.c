@@ -1,4 +1,4 @@
-/* truth.c: a thread for the reference. */
+/* truth.c: worker thread that path-traces the reference image. */
 #include "src/view/truth.h"
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 
 static const char *const names[] = { "R", "G", "B" };
 
-/* The sum of a plane; NULL: it is not summed. */
+/* Returns the accumulated sums of a plane; NULL if it is not accumulated. */
 static const double *find_sum(const struct reference_sums *sums, const char *plane)
 {
     const size_t value = reference_layers_find(plane);
@@ -90,7 +90,7 @@ static void *run(void *user)
     return NULL;
 }
 
-/* The window's thread has one, too. */
+/* Leaves one core to the window's thread. */
 static uint32_t thread_count(void)
 {
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);

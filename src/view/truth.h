@@ -1,5 +1,5 @@
 /*
- * truth.h: the reference, traced beside the loop of a window, sample by sample.
+ * truth.h: path-traces the reference image on a worker thread, sample by sample.
  *
  * Errors: logged once where found.
  */
@@ -14,28 +14,28 @@ struct truth {
     pthread_t thread;
     bool runs;
     atomic_bool stop, done;
-    struct settings settings; /* own: those of the window go on */
+    struct settings settings; /* own copy; the viewer's settings may change meanwhile */
     struct reference_request request;
     struct renderer_shot shot;
-    pthread_mutex_t lock; /* of what follows */
-    struct image mean;    /* planes R, G, B; width 0: nothing yet */
+    pthread_mutex_t lock; /* protects the following members */
+    struct image mean;    /* planes R, G, B; width 0 if there is none yet */
     bool is_new;
     uint32_t samples;
-    double noise;          /* reference.h */
-    enum status status;    /* once it is done */
-    uint32_t took_samples; /* of the mean that was taken last */
+    double noise;          /* standard error, see reference.h */
+    enum status status;    /* valid when `done` */
+    uint32_t took_samples; /* samples of the mean taken last */
     double took_noise;
 };
 
-/* Begins to trace a shot; the scene must stay as it is until truth_stop(). Nothing may be running.
- * False: there is no thread for it, which is logged. */
+/* Starts to trace a view of a scene, which must not change until truth_stop(). No run may be in
+ * progress. Returns false if no thread can be started, which is logged. */
 bool truth_begin(struct truth *truth, const struct reference_request *request,
                  const struct renderer_shot *shot);
 
-/* Ends it, and forgets what it has traced; {0} is fine. */
+/* Stops the thread and discards its result; {0} is fine. */
 void truth_stop(struct truth *truth);
 
-/* Takes the newest mean into *mean, which is finished before. False: there is no new one. */
+/* Moves the newest mean to *mean, freeing the old one. Returns false if there is no new one. */
 bool truth_take(struct truth *truth, struct image *mean);
 
 #endif

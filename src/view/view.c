@@ -1,4 +1,4 @@
-/* view.c: the loop around a window. */
+/* view.c: viewer: startup, frame loop and shutdown of the interactive window. */
 #include "src/view/view.h"
 #include <math.h>
 #include <stdio.h>
@@ -12,10 +12,11 @@
 #include "src/view/window_canvas.h"
 #include "src/view/worker.h"
 
-static const double rest_seconds = 0.12; /* of a window's size, before it is drawn for it */
-static const double idle_seconds = 0.1;  /* between looks, while there is nothing to draw */
+/* time that the window's size must stay unchanged before resizing */
+static const double rest_seconds = 0.12;
+static const double idle_seconds = 0.1; /* poll interval while there is nothing to draw */
 
-/* ---- start and end ---- */
+/* ---- startup and shutdown ---- */
 
 void view_say(struct view *v, const char *what)
 {
@@ -45,7 +46,7 @@ static bool shows_panels(const struct app_options *o)
     return o->view.overlay == APP_OVERLAY_ON || (hands && o->view.overlay == APP_OVERLAY_AUTO);
 }
 
-/* --size is that of the picture; what does not fit onto the screen is smaller. */
+/* Chooses the window size: --size is that of the image; limited to the desktop's size. */
 static VkExtent2D fit_window(void *user, float scale, VkExtent2D room)
 {
     struct view *v = user;
@@ -95,7 +96,7 @@ static enum status open_device(void *user)
 void view_show_name(struct view *v)
 {
     static const char *const other[] = {
-        [VIEW_OTHER_FILE] = "picture", [VIEW_OTHER_REFERENCE] = "reference"
+        [VIEW_OTHER_FILE] = "image", [VIEW_OTHER_REFERENCE] = "reference"
     };
     const struct app_picture *p = &v->picture->state;
     char words[200];
@@ -138,7 +139,7 @@ static enum status open_ui(struct view *v)
     return STATUS_OK;
 }
 
-/* What is not the device's stays: window, scene, settings, camera. */
+/* Frees everything that belongs to the device; window, scene, settings and camera stay. */
 static void leave_device(struct view *v)
 {
     v->window.listen = NULL;
@@ -179,8 +180,8 @@ static void finish(struct view *v)
 
 /* ---- frames ---- */
 
-/* Lets the scene's time pass, and the program's until a frame is due. False: there is none. */
-static bool wait_for_turn(struct view *v, VkExtent2D size)
+/* Advances the scene time and waits until a frame is due. Returns false if none is due yet. */
+static bool wait_for_frame(struct view *v, VkExtent2D size)
 {
     const struct app_view *o = &v->options->view;
     const double before = v->now;
@@ -209,8 +210,8 @@ static enum status resize(void *user)
     return picture_resize(v->picture, v->wanted);
 }
 
-/* While a hand drags the window's edge the last picture is shown scaled: another renderer takes
- * longer than a frame. */
+/* Resizes the renderer to the image area. While the user drags the window's edge, the last image is
+ * shown scaled, because replacing the renderer takes longer than a frame. */
 static enum status fit_picture(struct view *v, bool window_is_other)
 {
     const struct picture *p = v->picture;
@@ -233,8 +234,8 @@ static enum status fit_picture(struct view *v, bool window_is_other)
         return resize(v);
     const double start = clock_seconds();
     const enum status status = worker_run(&v->window, resize, v);
-    snprintf(words, sizeof(words), "size of the picture %ux%u (the plan, compiled anew in %.0f ms)",
-             room.width, room.height, (clock_seconds() - start) * 1e3);
+    snprintf(words, sizeof(words), "image size %ux%u (plan recompiled in %.0f ms)", room.width,
+             room.height, (clock_seconds() - start) * 1e3);
     reloads_add(&v->reloads, words);
     return status;
 }
@@ -245,7 +246,7 @@ void view_lay_out(struct view *v, VkExtent2D size)
     v->window.view = v->layout.picture;
 }
 
-/* Window, swapchain and renderer fit each other, or *ready is false. */
+/* Resizes swapchain, layout and renderer to the window. *ready is false if nothing can be drawn. */
 static enum status fit(struct view *v, VkExtent2D size, bool *ready)
 {
     bool remade;
@@ -257,7 +258,7 @@ static enum status fit(struct view *v, VkExtent2D size, bool *ready)
     return fit_picture(v, remade);
 }
 
-/* The plan between picture and window fits both. */
+/* Makes the presentation plan use the current images. */
 static enum status connect(struct view *v)
 {
     const double start = clock_seconds();
@@ -290,7 +291,7 @@ static struct renderer_shot shot_now(const struct view *v)
     return (struct renderer_shot){ .camera = v->picture->camera, .time = view_time(v) };
 }
 
-/* Plays the animation of a model. One that cannot be read any more stops, as it is. */
+/* Poses an animated model for the current time; pauses if its file cannot be read any more. */
 static void pose(struct view *v)
 {
     const double start = clock_seconds();
@@ -308,11 +309,11 @@ static void pose(struct view *v)
     view_costs_rest(&v->costs, start);
 }
 
-/* Unless it is the one that is there. */
+/* Draws the image unless it is unchanged. */
 static enum status draw_picture(struct view *v)
 {
     const struct renderer_shot shot = shot_now(v);
-    /* the images of other renderers have nothing in them yet */
+    /* images of new renderers have no contents yet */
     const bool is_new = v->picture->refines && v->picture->version != v->refine.seen.version;
     const bool other = v->changed || shot.time < v->shown || shot.time > v->shown;
     v->redrawn = is_new || (other && !(v->resize_at > 0.0));
@@ -332,7 +333,7 @@ struct window_frame view_window(const struct view *v, const struct overlay_list 
     };
 }
 
-/* The picture, and what lies over it. */
+/* Draws and presents a frame: the image and the user interface. */
 static enum status draw(struct view *v, bool *ready)
 {
     const struct overlay_list *list = NULL;
@@ -347,7 +348,7 @@ static enum status draw(struct view *v, bool *ready)
     }
     if (status == STATUS_OK)
         status = screen_begin(&v->screen, ready);
-    v->changed = v->changed || !*ready; /* what was drawn is still to be shown */
+    v->changed = v->changed || !*ready; /* what was drawn has not been presented yet */
     if (status != STATUS_OK || !*ready)
         return status;
     if (v->screen.font)
@@ -360,7 +361,7 @@ static enum status draw(struct view *v, bool *ready)
     return screen_end(&v->screen, &window);
 }
 
-/* What the options name was opened, too; a program's window keeps nothing. */
+/* Adds the files named by options to the recent files, except in scripted runs with --frames. */
 static void remember(const struct view *v)
 {
     const char *environment = v->first.scene.environment;
@@ -372,12 +373,12 @@ static void remember(const struct view *v)
         recent_add(v->first.scene.name);
 }
 
-/* After the first picture, by which all is there. */
+/* Restores the rest of a session after the first frame, when renderers and panels exist. */
 static void begin_session(struct view *v)
 {
     view_attempt(v);
     if (view_resume_session(v, &v->session) != STATUS_OK)
-        view_fail(v, "only a part of the session could be opened");
+        view_fail(v, "the session was opened only in part");
     session_finish(&v->session);
 }
 
@@ -425,7 +426,7 @@ static enum status run_frame(struct view *v)
         if (status != STATUS_OK || ready)
             return status;
     }
-    if (!wait_for_turn(v, size))
+    if (!wait_for_frame(v, size))
         return STATUS_OK;
     view_run_ui(v, size);
     pose(v);
@@ -440,7 +441,8 @@ static enum status run_frame(struct view *v)
     return v->costs.frame_count == 1 ? view_refine_begin(v) : STATUS_OK;
 }
 
-/* All that a first frame waits for: the renderers, and the driver, which compiles when it draws. */
+/* Performs the slow part of the first frame on the worker thread: creates the renderers and draws
+ * once, so that the driver compiles the shaders. */
 static enum status warm_up(void *user)
 {
     struct view *v = user;
@@ -454,7 +456,7 @@ static enum status warm_up(void *user)
     return status;
 }
 
-/* From the window to the first picture. */
+/* Opens the device, loads the scene and creates the user interface, while the window is open. */
 static enum status begin_device(struct view *v)
 {
     char words[200];
@@ -477,7 +479,7 @@ static enum status begin_device(struct view *v)
     return worker_run(&v->window, warm_up, v);
 }
 
-/* The window is there at once. */
+/* Opens the window first, so that the user sees it immediately. */
 static enum status begin(struct view *v)
 {
     const struct app_options *o = v->options;
@@ -490,7 +492,7 @@ static enum status begin(struct view *v)
     return status == STATUS_OK ? begin_device(v) : status;
 }
 
-/* Another device where the one before was lost, the first time; any other failure stays. */
+/* Reopens the device once after it was lost; any other error is passed on. */
 static enum status recover(struct view *v, enum status status)
 {
     const bool has_ui = v->ui;
@@ -554,7 +556,7 @@ enum status view_run(const struct app_options *options)
         view_costs_print(&v->costs, stderr);
     finish(v);
     if (status == STATUS_OK && v->message_count)
-        status = STATUS_FAILED; /* the validation layer has said why */
+        status = STATUS_FAILED; /* the validation layer has logged the reason */
     signals_end(&v->stop);
     free(v);
     return status;

@@ -1,12 +1,12 @@
 /*
- * view.h: firn view: a scene in a window.
+ * view.h: `firn view`: shows a scene in an interactive window.
  */
 #ifndef FIRN_VIEW_VIEW_H
 #define FIRN_VIEW_VIEW_H
 
 #include "src/app/app.h"
 
-/* Until the user closes the window or as many frames are drawn as the options name. Logs. */
+/* Runs until the user closes the window, or for the options' number of frames. Logs errors. */
 enum status view_run(const struct app_options *options);
 
 #endif

@@ -1,4 +1,4 @@
-/* view_actions.c: what actions do. */
+/* view_actions.c: executes the actions of keys, buttons and the command palette. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 static const float key_turn_deg = 5.0f;
 static const float ui_scale_step = 0.25f;
 static const double key_stops = 0.5;
-static const double key_slide = 1.0 / 32; /* of the picture's width */
+static const double key_slide = 1.0 / 32; /* fraction of the image width */
 
 void view_zoom(struct view *v, float steps)
 {
@@ -34,7 +34,7 @@ static void copy_command(struct view *v)
     window_copy(&v->window, words);
     printf("%s\n", words);
     fflush(stdout);
-    ui_say(v->ui, "copied the command to the clipboard");
+    ui_say(v->ui, "command copied to the clipboard");
     free(words);
 }
 
@@ -49,7 +49,7 @@ static void open_panel(struct view *v, enum view_action action)
         view_show_ui(v, true);
 }
 
-/* Of text and panels; what is shown stays so. */
+/* Rescales text and panels; keeps them shown or hidden. */
 static void resize_ui(struct view *v, float scale)
 {
     const bool shown = ui_is_shown(v->ui);
@@ -58,7 +58,7 @@ static void resize_ui(struct view *v, float scale)
     if (ui_rescale(v->ui, v->ui_scale) == STATUS_OK)
         view_show_ui(v, shown);
     else
-        v->quit = true; /* has been logged */
+        v->quit = true; /* the error has been logged */
 }
 
 static float usual_scale(const struct view *v)
@@ -72,7 +72,7 @@ void view_slide(struct view *v, double to)
     v->picture->divider = to < 0.0 ? 0.0 : to > 1.0 ? 1.0 : to;
 }
 
-/* A renderer is made for one kind of projection. */
+/* Sets the camera. Renderers support one kind of projection, so they are replaced if it changes. */
 void view_use_camera(struct view *v, const struct camera *camera)
 {
     struct picture *p = v->picture;
@@ -105,17 +105,18 @@ static void use_bookmark(struct view *v, uint32_t i, bool store)
     if (store) {
         v->bookmarks[i] = v->picture->camera;
         v->bookmarked[i] = true;
-        snprintf(words, sizeof(words), "stored camera %u: Ctrl %u goes back to it", i + 1, i + 1);
+        snprintf(words, sizeof(words), "stored camera %u: recall it with Ctrl %u", i + 1, i + 1);
     } else if (v->bookmarked[i]) {
         view_use_camera(v, &v->bookmarks[i]);
         snprintf(words, sizeof(words), "camera %u", i + 1);
     } else {
-        snprintf(words, sizeof(words), "camera %u: Ctrl Shift %u stores one first", i + 1, i + 1);
+        snprintf(words, sizeof(words), "camera %u is empty: store one with Ctrl Shift %u", i + 1,
+                 i + 1);
     }
     ui_say(v->ui, words);
 }
 
-/* Whether that is what the action does. */
+/* Handles view directions, projection and stored cameras. Returns true if `action` is one. */
 static bool place_camera(struct view *v, enum view_action action)
 {
     struct camera *camera = &v->picture->camera;
@@ -136,7 +137,7 @@ static bool place_camera(struct view *v, enum view_action action)
     return true;
 }
 
-/* Whether that is what the action does. */
+/* Handles orbiting, zooming and resetting the camera. Returns true if `action` is one of these. */
 static bool move_camera(struct view *v, enum view_action action)
 {
     struct camera *camera = &v->picture->camera;
@@ -153,16 +154,14 @@ static bool move_camera(struct view *v, enum view_action action)
     return true;
 }
 
-/* ---- the table ---- */
-
-static void look(struct view *v, uint32_t theme)
+static void set_theme(struct view *v, uint32_t theme)
 {
     v->theme = theme_at(theme) ? theme : 0;
     ui_look(v->ui, theme_at(v->theme));
     window_set_background(&v->window, theme_at(v->theme)->surround);
 }
 
-/* Whether that is what the action does. */
+/* Handles the actions of the window and its panels. Returns true if `action` is one of these. */
 static bool change_window(struct view *v, enum view_action action)
 {
     if (action == VIEW_FULLSCREEN)
@@ -177,7 +176,7 @@ static bool change_window(struct view *v, enum view_action action)
     else if (action == VIEW_USUAL_SIZE)
         resize_ui(v, usual_scale(v));
     else if (action == VIEW_THEME)
-        look(v, v->theme + 1);
+        set_theme(v, v->theme + 1);
     else if (action == VIEW_QUIT)
         v->quit = true;
     else
@@ -191,7 +190,7 @@ static void open_next(struct view *v, int step)
     if (path)
         view_open(v, path);
     else
-        ui_say(v->ui, "there is no other model in this folder");
+        ui_say(v->ui, "no other model in this folder");
     free(path);
 }
 
@@ -204,8 +203,8 @@ static void step_layer(struct view *v, int step)
     v->look_wanted.layer = (v->look_wanted.layer + count + (uint32_t)step) % count;
     v->look_wanted.channel = 0;
     const struct frame_layer *layer = look_layer(v->look_wanted.layer);
-    snprintf(words, sizeof(words), "%s: %s", layer ? layer->name : "picture",
-             layer ? layer->help : "as it is");
+    snprintf(words, sizeof(words), "%s: %s", layer ? layer->name : "image",
+             layer ? layer->help : "unmodified");
     ui_say(v->ui, words);
 }
 
@@ -219,7 +218,7 @@ static void step_time(struct view *v, float frames)
     ui_say(v->ui, words);
 }
 
-/* Saves or copies something. Whether that is what the action does. */
+/* Handles saving and copying. Returns true if `action` is one of these. */
 static bool save(struct view *v, enum view_action action)
 {
     if (action == VIEW_SCREENSHOT || action == VIEW_SHOT_OF_ALL) {
@@ -238,7 +237,7 @@ static bool save(struct view *v, enum view_action action)
     return true;
 }
 
-/* Goes to the next or the last one of something. Whether that is what the action does. */
+/* Handles next and previous frame, file and layer. Returns true if `action` is one of these. */
 static bool step(struct view *v, enum view_action action)
 {
     if (action == VIEW_NEXT_FRAME || action == VIEW_LAST_FRAME)
@@ -269,14 +268,14 @@ static void change_picture(struct view *v, enum view_action action)
     } else if (action == VIEW_QUICK) {
         struct quick *quick = &v->picture->quick;
         quick->is_off = !quick->is_off;
-        ui_say(v->ui, quick->is_off ? "movements have full size and quality"
-                                    : "movements are drawn small and as drafts");
+        ui_say(v->ui, quick->is_off ? "full size and quality while something moves"
+                                    : "fast drafts at lower resolution while something moves");
     } else if (action == VIEW_FALSE_COLORS) {
         v->look_wanted.false_color = !v->look_wanted.false_color;
     }
 }
 
-/* Whether that is what the action does. */
+/* Handles the actions of the A/B comparison. Returns true if `action` is one of these. */
 static bool compare(struct view *v, enum view_action action)
 {
     if (action == VIEW_SPLIT)

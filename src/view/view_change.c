@@ -1,4 +1,4 @@
-/* view_change.c: settings, rungs and files, as hands change them. */
+/* view_change.c: applies changes of settings and scene, with undo, presets and opening of files. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -105,7 +105,8 @@ static enum status return_to_scene(void *user)
     return picture_use(&v->picture, &state);
 }
 
-/* Whether the scene of a state is there. What is around an object does not move the camera. */
+/* Returns to the scene of a state if another one is open. Only a change of the object restores the
+ * camera that was used there; a change of the environment keeps the current one. */
 static enum status return_to(struct view *v, const struct view_state *state)
 {
     struct change change = { v, state };
@@ -153,23 +154,23 @@ bool view_use(struct view *v, const struct view_state *state)
     return status == STATUS_OK;
 }
 
-/* Why a change took longer than a frame; "": it did not. */
+/* Prints why a change took longer than a frame; "" if it did not. */
 static void print_cost(const struct view_state *before, const struct view_state *after,
                        double seconds, char *words, size_t size)
 {
     const enum setting_effect effect = settings_changed(&before->settings, &after->settings);
-    const char *what = effect == SETTING_AFFECTS_SCENE  ? "it shapes the scene, made anew"
-                       : effect == SETTING_AFFECTS_PLAN ? "it is part of the plan, compiled anew"
-                       : before->rung != after->rung    ? "other passes, compiled"
-                       : before->split != after->split  ? "passes, compiled"
+    const char *what = effect == SETTING_AFFECTS_SCENE  ? "scene rebuilt"
+                       : effect == SETTING_AFFECTS_PLAN ? "plan recompiled"
+                       : before->rung != after->rung    ? "other passes compiled"
+                       : before->split != after->split  ? "passes compiled"
                                                         : NULL;
     *words = '\0';
     if (what)
         snprintf(words, size, " (%s in %.0f ms)", what, seconds * 1e3);
 }
 
-/* What is marked was said by a hand, and so is what differs from settings of before, unless the
- * hand has brought back what was there without it. `marked` may be NULL. */
+/* Records which settings the user has set: those that are marked (`marked` may be NULL) and those
+ * that differ from `before`, unless they are back at the value that the scene brings. */
 static void state_settings(const struct view *v, struct view_state *state,
                            const struct settings *before, const bool *marked)
 {
@@ -210,7 +211,7 @@ bool view_change(struct view *v, const struct view_state *wanted, uint32_t gestu
     history_add(&v->history, &now, gesture);
     const struct view_state *since =
         v->history.at ? &v->history.states[v->history.at - 1] : &before;
-    history_name(since, &now, name, sizeof(name)); /* of all the gesture */
+    history_name(since, &now, name, sizeof(name)); /* describes the whole gesture */
     print_cost(&before, &now, clock_seconds() - start, cost, sizeof(cost));
     snprintf(words, sizeof(words), "%s%s", name, cost);
     if (*cost)
@@ -228,7 +229,7 @@ void view_undo(struct view *v, bool again)
     const struct view_state before = view_state_now(v);
     const struct view_state *to = again ? history_redo(&v->history) : history_undo(&v->history);
     if (!to) {
-        ui_say(v->ui, again ? "nothing was undone" : "there is nothing to undo");
+        ui_say(v->ui, again ? "nothing to redo" : "nothing to undo");
         return;
     }
     history_name(&before, to, name, sizeof(name));
@@ -237,7 +238,7 @@ void view_undo(struct view *v, bool again)
         return;
     }
     if (to->scene != before.scene)
-        snprintf(name, sizeof(name), "%s is back", v->picture->state.scene.name);
+        snprintf(name, sizeof(name), "back to %s", v->picture->state.scene.name);
     print_cost(&before, to, clock_seconds() - start, cost, sizeof(cost));
     snprintf(words, sizeof(words), "%s: %s%s", again ? "redo" : "undo", name, cost);
     if (*cost)
@@ -254,22 +255,22 @@ void view_load_preset(struct view *v, const char *path)
     struct view_state state = view_state_now(v);
     scene.settings = state.settings;
     scene.preset = path;
-    memset(scene.is_set, 0, sizeof(scene.is_set)); /* it may change everything */
+    memset(scene.is_set, 0, sizeof(scene.is_set)); /* a preset may change every setting */
     memset(scene.is_preset, 0, sizeof(scene.is_preset));
     view_attempt(v);
     if (option_preset_read(&scene) != STATUS_OK) {
-        view_fail(v, "no preset was loaded");
+        view_fail(v, "the preset was not loaded");
         return;
     }
     state.settings = scene.settings;
     state_settings(v, &state, &state.settings, scene.is_preset);
     if (!view_change(v, &state, 0))
         return;
-    snprintf(words, sizeof(words), "settings of %s", path);
+    snprintf(words, sizeof(words), "settings loaded from %s", path);
     ui_say(v->ui, words);
 }
 
-/* Defaults in the place of what the scene brings. */
+/* Prints settings that have their default value but would be set otherwise by the scene. */
 static void print_defaults(const struct view *v, const struct view_state *state, FILE *out)
 {
     const struct settings brought = view_brought(v);
@@ -317,8 +318,8 @@ void view_save_preset(struct view *v)
         snprintf(words, sizeof(words), "saved %s", path);
         ui_say(v->ui, words);
     } else {
-        ui_fail(v->ui, "no preset was saved: set HOME or XDG_DATA_HOME to a folder that can be "
-                       "written to");
+        ui_fail(v->ui, "the preset was not saved: set HOME or XDG_DATA_HOME to a writable "
+                       "folder");
     }
     free(text);
     free(path);
@@ -333,7 +334,7 @@ struct opening {
     enum drop drop;
 };
 
-static enum status find_out(void *user)
+static enum status detect_kind(void *user)
 {
     struct opening *opening = user;
     const struct reader_params *reader = &opening->view->picture->state.scene.reader;
@@ -358,11 +359,11 @@ static void load(struct view *v, struct opening *opening)
     view_attempt(v);
     if (opened_add(&v->opened, v->scene, v->picture) != STATUS_OK ||
         worker_run(&v->window, open_file, opening) != STATUS_OK) {
-        view_fail(v, "not opened");
+        view_fail(v, "the file was not opened");
     } else {
         view_enter_scene(v, &before);
-        snprintf(words, sizeof(words), "%s %s (another scene, made in %.0f ms)",
-                 opening->drop == DROP_ENVIRONMENT ? "around the object:" : "opened", opening->path,
+        snprintf(words, sizeof(words), "%s %s (scene loaded in %.0f ms)",
+                 opening->drop == DROP_ENVIRONMENT ? "opened environment" : "opened", opening->path,
                  (clock_seconds() - start) * 1e3);
         reloads_add(&v->reloads, words);
         ui_say(v->ui, words);
@@ -373,7 +374,7 @@ static void load(struct view *v, struct opening *opening)
     view_costs_rest(&v->costs, start);
 }
 
-/* A file that cannot be used has been logged; what was there stays. */
+/* Opens any kind of file. On failure, which is logged, the current scene stays. */
 void view_open(struct view *v, const char *path)
 {
     struct opening opening = { .view = v, .path = path };
@@ -383,10 +384,10 @@ void view_open(struct view *v, const char *path)
         return;
     }
     view_attempt(v);
-    const enum status status = worker_run(&v->window, find_out, &opening);
+    const enum status status = worker_run(&v->window, detect_kind, &opening);
     view_costs_rest(&v->costs, start);
     if (status != STATUS_OK)
-        view_fail(v, "not opened");
+        view_fail(v, "the file was not opened");
     else if (opening.drop == DROP_SESSION)
         view_load_session(v, path);
     else if (opening.drop == DROP_PRESET)

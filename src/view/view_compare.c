@@ -1,4 +1,4 @@
-/* view_compare.c: two sides. */
+/* view_compare.c: A/B comparison: chooses side B; runs the reference and the error map. */
 #include "src/view/view_compare.h"
 #include <math.h>
 #include <stdio.h>
@@ -27,15 +27,17 @@ static struct still *still_of(struct view *v)
                                                       : NULL;
 }
 
-/* What samples show is the picture as it is: renderers may just have been made anew. */
+/* Returns true if the samples belong to the current renderers, which may just have been replaced.
+ */
 static bool is_at_rest(const struct view *v)
 {
     return v->refine.shown && v->refine.seen.version == v->picture->version;
 }
 
-/* ---- which side is which ---- */
+/* ---- choice of side B ---- */
 
-/* --split, or the last rung, which is the most exact one; beside it the first. */
+/* Returns the default refraction model of side B: that of --split, or the last (most exact) one;
+ * the first one if side A already uses the last. */
 static const struct technique *other_rung(const struct view *v)
 {
     const struct technique *last = NULL, *next;
@@ -99,10 +101,10 @@ void view_compare_store(struct view *v)
     c->has_stored = true;
     if (c->other == VIEW_OTHER_STATE)
         view_compare_with(v, VIEW_OTHER_STATE);
-    ui_say(v->ui, "stored as B: change something, and W compares both");
+    ui_say(v->ui, "stored as B: change something, then compare with W");
 }
 
-/* Both need another side. */
+/* Ensures that there is a side B, which flipping and differences need. */
 static bool has_other(struct view *v)
 {
     if (v->compare.other == VIEW_OTHER_NONE)
@@ -125,10 +127,10 @@ void view_compare_differ(struct view *v)
         return;
     c->differs = !c->differs;
     v->picture->flipped = false;
-    ui_say(v->ui, c->differs ? "FLIP follows when both pictures are still" : "");
+    ui_say(v->ui, c->differs ? "the FLIP error follows when both images are at rest" : "");
 }
 
-/* ---- files ---- */
+/* ---- image files ---- */
 
 struct reading {
     struct view *view;
@@ -164,7 +166,7 @@ void view_compare_open(struct view *v, const char *path)
     c->awaits_file = false;
     view_attempt(v);
     if (worker_run(&v->window, read_file, &reading) != STATUS_OK) {
-        view_fail(v, "not opened");
+        view_fail(v, "the file was not opened");
         return;
     }
     image_finish(&c->file.linear);
@@ -175,12 +177,12 @@ void view_compare_open(struct view *v, const char *path)
     view_compare_choose(v, &state, VIEW_OTHER_FILE);
     if (!view_change(v, &state, 0))
         return;
-    snprintf(words, sizeof(words), "compared with %s: D shows differences, W hides it",
+    snprintf(words, sizeof(words), "compared with %s: D shows the difference, W hides it",
              c->file_name);
     ui_say(v->ui, words);
 }
 
-/* ---- the truth ---- */
+/* ---- reference ---- */
 
 void view_compare_stop(struct view *v)
 {
@@ -208,7 +210,7 @@ static void begin_truth(struct view *v)
     c->truth_failed = !truth_begin(&c->truth, &request, &shot);
 }
 
-/* It is traced for a picture at rest, and not for one that is past. */
+/* Runs the reference while the image is still, and stops it when the view or scene changes. */
 static void follow_truth(struct view *v)
 {
     struct view_compare *c = &v->compare;
@@ -229,11 +231,11 @@ static void follow_truth(struct view *v)
     if (c->truth.runs && atomic_load(&c->truth.done) && c->truth.status != STATUS_OK) {
         view_compare_stop(v);
         c->truth_failed = true;
-        view_fail(v, "no reference");
+        view_fail(v, "the reference cannot be rendered");
     }
 }
 
-/* ---- errors ---- */
+/* ---- error map ---- */
 
 static uint32_t count_of(const struct view *v)
 {
@@ -242,7 +244,7 @@ static uint32_t count_of(const struct view *v)
     return v->refine.shown + (other << 16);
 }
 
-/* False: there is nothing to compare yet, or sizes differ. */
+/* Fills in the two images to compare. Returns false if one is missing or if their sizes differ. */
 static bool find_sides(struct view *v, struct error_side sides[static 2])
 {
     const struct picture *p = v->picture;
@@ -268,7 +270,7 @@ static bool is_compared(const struct view *v)
            !(gain < c->map_gain || gain > c->map_gain);
 }
 
-/* The first few means, and the last one. */
+/* Returns true if the error map is outdated; it is updated at sample counts 2^n and at the last. */
 static bool is_due(const struct view *v)
 {
     const uint32_t shown = v->refine.shown;
@@ -286,7 +288,7 @@ static void take_errors(struct view *v)
     c->errors.is_made = false;
     v->changed = true;
     if (c->map.failed) {
-        ui_fail(v->ui, "there is no memory to compare both pictures: make the window smaller");
+        ui_fail(v->ui, "out of memory while comparing the images: make the window smaller");
         return;
     }
     snprintf(words, sizeof(words), "FLIP: mean %.4f, 95 %% of the pixels below %.4f", c->map.mean,
@@ -300,7 +302,7 @@ static void follow_errors(struct view *v)
     struct error_side sides[2];
     take_errors(v);
     if (!c->differs || c->map.runs || !is_at_rest(v) || !is_due(v) ||
-        (c->has_errors && !c->errors.is_made)) /* it is still to be shown */
+        (c->has_errors && !c->errors.is_made)) /* the previous map has not been shown yet */
         return;
     c->map_seen = v->refine.seen;
     c->map_count = count_of(v);
@@ -308,7 +310,7 @@ static void follow_errors(struct view *v)
     if (find_sides(v, sides))
         (void)error_map_begin(&c->map, sides, c->map_gain, tone_of(v)->curve);
     else if (still_of(v) && still_of(v)->linear.width)
-        ui_say(v->ui, "both pictures have different sizes: start with --size as large as the file");
+        ui_say(v->ui, "the images differ in size: start with --size equal to the file's");
 }
 
 void view_compare_follow(struct view *v)
@@ -317,7 +319,7 @@ void view_compare_follow(struct view *v)
     follow_errors(v);
 }
 
-/* ---- on the screen ---- */
+/* ---- display ---- */
 
 enum status view_compare_show(struct view *v)
 {
@@ -345,7 +347,7 @@ enum status view_compare_show(struct view *v)
     return status;
 }
 
-/* ---- words ---- */
+/* ---- labels ---- */
 
 void view_compare_print(const struct view *v, char left[static VIEW_SIDE_SIZE],
                         char right[static VIEW_SIDE_SIZE])
@@ -365,5 +367,5 @@ void view_compare_print(const struct view *v, char left[static VIEW_SIDE_SIZE],
                  v->refine.goal, c->truth.took_noise);
     else if (c->other == VIEW_OTHER_REFERENCE)
         snprintf(right, VIEW_SIDE_SIZE, "B reference: %s",
-                 v->refine.shown ? "its first sample is traced" : "when the picture is still");
+                 v->refine.shown ? "rendering the first sample" : "when the image is at rest");
 }

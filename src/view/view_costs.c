@@ -1,4 +1,4 @@
-/* view_costs.c: sums over frames. */
+/* view_costs.c: statistics of frame times and input latency. */
 #include "src/view/view_costs.h"
 #include <math.h>
 #include <stdlib.h>
@@ -34,12 +34,12 @@ void view_costs_frame(struct view_costs *c, const struct rg_times *times, uint32
     const double end = clock_seconds();
     const double whole = end - c->end - c->rest;
     double passes = 0.0;
-    double slots = 0.0; /* the host waited for an earlier frame's end on the device */
+    double slots = 0.0; /* the host waited for the GPU to finish an earlier frame */
     for (uint32_t i = 0; i < time_count; i++) {
         passes += passes_of(&times[i]);
         slots += (double)times[i].begin * 1e-9;
     }
-    /* the times are those of the slot's earlier frame, which has waited for one before it */
+    /* times are those of the slot's previous frame, which itself waited for the one before */
     const bool counts = c->end > 0.0 && c->frame_count >= 2 * GPU_SWAPCHAIN_SLOT_COUNT;
     c->last = (struct ui_pace){
         .frame = counts ? whole : 0.0,
@@ -51,7 +51,7 @@ void view_costs_frame(struct view_costs *c, const struct rg_times *times, uint32
         c->counted++;
         c->frames += whole - c->limit;
         c->passes += passes;
-        c->host += whole - c->limit - slots - screen; /* `slots` is of an earlier frame */
+        c->host += whole - c->limit - slots - screen; /* `slots` belongs to an earlier frame */
     }
     c->frame_count++;
     c->rest = c->limit = 0.0;
@@ -90,7 +90,7 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Milliseconds that a part of all took no longer than. */
+/* Returns a quantile of the recorded times, in milliseconds; `part` 0.5 is the median. */
 static double quantile(const struct view_times *times, double part)
 {
     struct view_times sorted = *times;
@@ -104,7 +104,7 @@ static void print_moving(const struct view_costs *c, FILE *out)
     if (!c->moving.count || !c->hand.count)
         return;
     fprintf(out,
-            "moving: %u pictures, median %.1f ms, 95 %% %.1f ms; hand to picture %.1f ms, 95 %% "
+            "moving: %u images, median %.1f ms, 95 %% %.1f ms; input to image %.1f ms, 95 %% "
             "%.1f ms; full size after %.0f ms\n",
             c->moving.count, quantile(&c->moving, 0.5), quantile(&c->moving, 0.95),
             quantile(&c->hand, 0.5), quantile(&c->hand, 0.95), quantile(&c->release, 0.5));

@@ -1,12 +1,12 @@
 /*
- * view_costs.h: where the time of frames goes.
+ * view_costs.h: statistics of frame times and input latency.
  *
- *     view_costs_rest()     what was no frame: files, other settings, a pause
- *     view_costs_limit()    waiting for --fps-limit
- *     view_costs_frame()    a frame has been handed to the screen
+ *     view_costs_rest()     excludes time outside frames: loading, changed settings, pauses
+ *     view_costs_limit()    excludes time spent waiting for --fps-limit
+ *     view_costs_frame()    ends a frame, after it was presented
  *
- * A frame takes from the end of the one before to its own. What is left of it after the passes on
- * the device and the host's own work are waits: until the screen takes the picture.
+ * A frame lasts from the end of the previous one to its own end. Its time minus GPU passes and host
+ * work is spent waiting for the presentation engine.
  */
 #ifndef FIRN_VIEW_VIEW_COSTS_H
 #define FIRN_VIEW_VIEW_COSTS_H
@@ -18,48 +18,50 @@
 #include "src/view/ui/ui_pace.h"
 
 enum {
-    VIEW_TIME_COUNT = 1024, /* of each kind; the newest */
+    VIEW_TIME_COUNT = 1024, /* capacity of a ring of times */
 };
 
-/* Seconds that something took, again and again. */
+/* Ring buffer of repeated measurements, in seconds. */
 struct view_times {
     float values[VIEW_TIME_COUNT];
-    uint32_t count; /* ever */
+    uint32_t count; /* measurements in total */
 };
 
-/* Seconds. The sums leave out the first frame, which compiles shaders. */
+/* All times in seconds. The sums skip the first frames, which compile shaders. */
 struct view_costs {
     uint32_t frame_count;
-    double end;                 /* of the frame before; 0: there is none to count from */
-    double rest, limit;         /* since then */
-    struct ui_pace last;        /* the newest frame; .frame 0: it says nothing */
-    uint32_t counted;           /* frames in the sums: */
-    double frames, passes;      /* passes: on the device */
-    double host;                /* the host worked */
-    struct view_times moving;   /* from picture to picture while something moves */
-    struct view_times hand;     /* from a hand's movement until its picture has been handed over */
-    struct view_times release;  /* from a hand's letting go to a picture in full size */
-    double hand_at, release_at; /* what is waited for; 0: nothing */
+    double end;                 /* end of the previous frame; 0 if there is none to measure from */
+    double rest, limit;         /* idle and limiter time since `end` */
+    struct ui_pace last;        /* newest frame; .frame is 0 if it was not measured */
+    uint32_t counted;           /* number of frames in the following sums */
+    double frames, passes;      /* passes: GPU time */
+    double host;                /* time in which the host worked */
+    struct view_times moving;   /* between images while something moves */
+    struct view_times hand;     /* from mouse movement until its image is presented */
+    struct view_times release;  /* from mouse release until an image in full size */
+    double hand_at, release_at; /* pending latency measurements; 0 if none */
 };
 
-void view_costs_rest(struct view_costs *costs, double start);  /* from `start` until now */
-void view_costs_limit(struct view_costs *costs, double start); /* the same */
+/* counts no frame time since `start` */
+void view_costs_rest(struct view_costs *costs, double start);
+/* counts the limiter since `start` */
+void view_costs_limit(struct view_costs *costs, double start);
 
-/* The frame before the next one does not count it: none was drawn for a while. */
+/* Excludes the time until the next frame, since nothing was drawn for a while. */
 void view_costs_pause(struct view_costs *costs);
 
-/* `times`: of each plan that ran, as they were seen last; `screen`: seconds the host waited for the
- * screen. */
+/* Ends a frame. `times`: latest times of each executed plan; `screen`: seconds the host waited for
+ * the presentation engine. */
 void view_costs_frame(struct view_costs *costs, const struct rg_times *times, uint32_t time_count,
                       double screen);
 
-/* A hand moved, or let go, at a moment; what has not been seen yet counts from its first. */
+/* Records when the mouse moved or was released; the first movement since the last image counts. */
 void view_costs_hand(struct view_costs *costs, double moved, double released);
 
-/* The frame that has just been counted shows another picture: of a movement, or in full size. */
+/* Tells that the frame just counted shows a new image: of an interaction, or in full size. */
 void view_costs_picture(struct view_costs *costs, bool is_moving);
 
-/* A line: frames, and the means of their parts; and one of movements, if there were any. */
+/* Prints the number of frames and mean times, and interaction times if there were any. */
 void view_costs_print(const struct view_costs *costs, FILE *out);
 
 #endif

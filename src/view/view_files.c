@@ -1,4 +1,4 @@
-/* view_files.c: pictures of the window to files. */
+/* view_files.c: saves screenshots and images, and copies the image to the clipboard. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -38,7 +38,7 @@ static bool is_taken(uint32_t number)
     return taken;
 }
 
-/* By a file that is there for a moment, in a folder of its own. */
+/* Copies the image through a temporary file in a private folder. */
 static void copy_picture(struct view *v)
 {
     const char *runtime = getenv("XDG_RUNTIME_DIR");
@@ -59,12 +59,12 @@ static void copy_picture(struct view *v)
         rmdir(folder);
     }
     if (copied)
-        ui_say(v->ui, "copied the picture to the clipboard");
+        ui_say(v->ui, "image copied to the clipboard");
     else
-        ui_fail(v->ui, "the picture was not copied: install xclip or wl-clipboard, or save it (P)");
+        ui_fail(v->ui, "the image was not copied: install xclip or wl-clipboard, or save it (P)");
 }
 
-/* In the size that was asked for. */
+/* Renders and saves the image in the requested size; in that of the window if there is none. */
 static enum status shoot_picture(struct view *v, const char *const *paths, uint32_t path_count)
 {
     struct app_picture *state = &v->picture->state;
@@ -79,7 +79,7 @@ static enum status shoot_picture(struct view *v, const char *const *paths, uint3
     return status;
 }
 
-/* Nothing that is there is written over. */
+/* Saves a screenshot or copies the image, as requested. Never overwrites existing files. */
 void view_shoot(struct view *v)
 {
     char png[NAME_SIZE];

@@ -1,4 +1,4 @@
-/* view_input.c: drags, drops, panels. */
+/* view_input.c: handles mouse input and dropped files, and runs the panels. */
 #include <math.h>
 #include <stdlib.h>
 #include "src/base/clock.h"
@@ -7,16 +7,14 @@
 #include "src/view/view_internal.h"
 #include "src/view/watch.h"
 
-static const float drag_turn_deg = 180.0f; /* over the window's height */
-
-/* ---- events ---- */
+static const float drag_turn_deg = 180.0f; /* rotation of a drag over the whole window height */
 
 static bool has_moved(const struct window_drag *drag)
 {
     return drag->x != 0.0 || drag->y != 0.0;
 }
 
-/* One movement from a button's press to its release is one. */
+/* Counts a drag once between pressing and releasing the button. */
 static void count_drag(struct view *v, const struct window_drag *drag, enum view_action gesture)
 {
     uint32_t *hold = &v->holds[gesture - VIEW_DRAG];
@@ -39,7 +37,7 @@ static void count_gestures(struct view *v, const struct window_input *input)
         ui_count(v->ui, VIEW_AIM);
 }
 
-/* The picture follows the hand. */
+/* Applies mouse input to camera and divider. */
 static void drag(struct view *v, const struct window_input *input)
 {
     struct camera *camera = &v->picture->camera;
@@ -61,7 +59,7 @@ static void drag(struct view *v, const struct window_input *input)
     if (input->pressed || input->wheel != 0.0 || input->action_count)
         v->refine.at_once = false;
     if (input->pressed)
-        v->refine.moved_at = clock_seconds(); /* no sample begins just before a movement */
+        v->refine.moved_at = clock_seconds(); /* delays the next sample, as a drag may follow */
     v->refine.at_once = v->refine.at_once || input->released;
     view_costs_hand(&v->costs, input->moved_at, input->released_at);
     v->dragged = v->dragged || has_moved(&input->turn);
@@ -86,7 +84,7 @@ static void open_dropped(struct view *v)
     free(path);
 }
 
-/* Shaders that were saved count from now on; if they cannot, those before stay. */
+/* Switches to recompiled shaders; keeps the previous ones if no pipelines can be created. */
 static void take_shaders(struct view *v)
 {
     const double start = clock_seconds();
@@ -118,9 +116,7 @@ void view_handle(struct view *v)
     v->quit = v->quit || window_is_closed(&v->window);
 }
 
-/* ---- panels ---- */
-
-/* As bright as it is shown. */
+/* Returns the noise scaled by the exposure, as it appears on the display. */
 static double noise_of(const struct view *v)
 {
     const struct tonemap_params *tone =

@@ -1,12 +1,12 @@
-/* view_light.c: sun and panorama follow a hand. */
+/* view_light.c: rotates sun and panorama, and changes the exposure. */
 #include <math.h>
 #include "src/settings/scene_settings.h"
 #include "src/tech/tonemap.h"
 #include "src/view/view_internal.h"
 
-static const double turn_deg = 180.0; /* over the window's height */
+static const double turn_deg = 180.0; /* rotation of a drag over the whole window height */
 
-/* From -180 to 180. */
+/* Wraps an angle to -180 ... 180 degrees. */
 static double wrap(double degrees)
 {
     return degrees - 360.0 * floor((degrees + 180.0) / 360.0);
@@ -20,15 +20,15 @@ static void move_sun(struct settings *settings, const struct setting *azimuth,
     settings_put(settings, elevation, fmin(fmax(height, elevation->min), elevation->max));
 }
 
-/* Why nothing can be turned; NULL: it can. */
+/* Returns why the light cannot be rotated; NULL if it can. */
 static const char *refusal(const struct scene *scene, const struct env_params *env, bool is_sun)
 {
     if (scene->cube.texels)
-        return "a baked cube cannot be turned: drop a panorama or a model without one";
+        return "a baked cube map cannot be rotated: open a panorama or a model without one";
     if (scene->background == SCENE_COLOR)
-        return "the background is one colour: drop a panorama to have light that can be turned";
+        return "the background is a single colour: open a panorama to rotate the light";
     if (scene->background == SCENE_ENVIRONMENT && is_sun && env->sun != ENV_SUN_OWN)
-        return "this panorama's sun turns with it (Ctrl, drag): env.sun=own gives it another";
+        return "the sun is part of this panorama: set env.sun to own to move it";
     return NULL;
 }
 

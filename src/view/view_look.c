@@ -1,4 +1,4 @@
-/* view_look.c: layers and values of a picture at rest. */
+/* view_look.c: runs the pixel inspector, and centres the camera on a double-clicked surface. */
 #include "src/view/view_internal.h"
 #include "src/view/worker.h"
 
@@ -15,7 +15,7 @@ static enum status draw(void *user)
     return look_draw(&v->look, v->picture, &shot);
 }
 
-/* On failure nothing is asked for any more: the picture itself goes on. */
+/* Closes the inspector after a failure, so that the image itself is still shown. */
 static void give_up(struct view *v)
 {
     v->look_wanted = (struct look_choice){ 0 };
@@ -24,7 +24,7 @@ static void give_up(struct view *v)
     view_fail(v, "the layers cannot be drawn");
 }
 
-/* The camera turns to the surface that was clicked on. */
+/* Points the camera at the surface that was double-clicked. */
 static void aim(struct view *v)
 {
     struct look_values at;
@@ -35,7 +35,7 @@ static void aim(struct view *v)
     if (x < 0.0 || y < 0.0 || !look_values(&v->look, v->picture, (uint32_t)x, (uint32_t)y, &at))
         return;
     if (!at.object) {
-        ui_say(v->ui, "there is no surface to look at");
+        ui_say(v->ui, "no surface at this point");
         return;
     }
     v->picture->camera.target = (vec3s){ { at.position[0], at.position[1], at.position[2] } };
@@ -52,7 +52,7 @@ void view_look(struct view *v)
     v->has_look_panel = look->is_open;
     if (!wanted || !v->refine.shown)
         return;
-    if (opens) { /* its layers may take seconds: the panel is there first */
+    if (opens) { /* the panel appears first, because rendering its layers may take seconds */
         ui_wake(v->ui);
         return;
     }

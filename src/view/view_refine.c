@@ -1,4 +1,4 @@
-/* view_refine.c: which picture is drawn next: a small one at once, or one more sample. */
+/* view_refine.c: progressive refinement: fast frames during interaction, then sample by sample. */
 #include "src/view/view_refine.h"
 #include <cglm/struct.h>
 #include <string.h>
@@ -6,12 +6,12 @@
 #include "src/view/view_internal.h"
 #include "src/view/worker.h"
 
-static const double rest_seconds = 0.12; /* without a movement, until samples are drawn */
-static const double show_seconds = 0.25; /* between means, after the first few */
-static const double soon_seconds = 0.15; /* a first sample that takes longer has a forerunner */
+static const double rest_seconds = 0.12; /* time without movement until samples are drawn */
+static const double show_seconds = 0.25; /* between displayed means, after the first few */
+static const double soon_seconds = 0.15; /* slower samples are preceded by a full-size draft */
 
 enum {
-    FIRST_COUNT = 8, /* samples until then: 1, 2, 4 and 8 are shown */
+    FIRST_COUNT = 8, /* up to this sample, means are shown at 1, 2, 4 and 8 samples */
 };
 
 static struct view_seen seen_now(const struct view *v, float time)
@@ -44,7 +44,7 @@ bool view_refine_is_same(const struct view_seen *a, const struct view_seen *b)
            !differ(a->time, b->time) && !memcmp(&settings, &b->settings, sizeof(settings));
 }
 
-/* Whether all but the exposure is as it was. */
+/* Returns true if the view is unchanged except for the exposure. */
 static bool is_same(const struct view *v, const struct view_seen *now)
 {
     return v->refine.has_seen && view_refine_is_same(&v->refine.seen, now);
@@ -89,15 +89,15 @@ static bool is_to_be_shown(const struct view_refine *r)
 static enum status resolve(struct view *v)
 {
     struct view_refine *r = &v->refine;
-    /* no frame may read what is drawn over */
+    /* frames in flight may still read the image that is overwritten here */
     enum status status = screen_wait(&v->screen);
     if (status == STATUS_OK)
         status = picture_resolve(v->picture, r->count);
     r->seen.settings = v->picture->state.scene.settings;
     r->shown = r->count;
-    v->look.sample_count = 0; /* what it shows is old */
+    v->look.sample_count = 0; /* invalidates the inspector's image */
     r->shown_at = clock_seconds();
-    v->changed = true; /* there is something to see */
+    v->changed = true; /* the new mean has to be displayed */
     return status;
 }
 
@@ -113,8 +113,7 @@ static enum status make_quick(void *user)
     return picture_make_quick(v->picture, &shot);
 }
 
-/* Whether movements are fluid as the picture is: what was drawn of it last, in full size, took no
- * longer than a frame may. */
+/* Returns true if the full renderers are fast enough for interaction, judged by the last frame. */
 static bool is_fluid(const struct picture *p)
 {
     struct moving moving;
@@ -142,7 +141,7 @@ enum status view_refine_begin(struct view *v)
     return status == STATUS_OK && !is_fluid(p) ? begin_quick(v) : status;
 }
 
-/* A sample takes long: until there is one, what a movement has in full size is shown. */
+/* Draws a draft in full size, shown until the first sample is finished. */
 static enum status draw_whole(struct view *v)
 {
     const struct renderer_shot shot = shot_seen(v);
@@ -154,7 +153,8 @@ static enum status draw_whole(struct view *v)
     return status;
 }
 
-/* What comes before samples of this picture, or of the movement after it. *drew: something did. */
+/* Does what precedes the next sample: creates draft renderers, replaces outgrown ones, or draws a
+ * full-size draft. *drew is true if it did one of these. */
 static enum status prepare(struct view *v, bool *drew)
 {
     struct view_refine *r = &v->refine;
@@ -164,7 +164,7 @@ static enum status prepare(struct view *v, bool *drew)
         return begin_quick(v);
     if (!r->count && picture_is_outgrown(p)) {
         screen_disconnect(&v->screen);
-        v->changed = true; /* other renderers draw from the beginning */
+        v->changed = true; /* the new renderers start from the first sample */
         return picture_remake(p);
     }
     const bool is_soon = r->sample > 0.0 && r->sample <= soon_seconds;

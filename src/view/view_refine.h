@@ -1,8 +1,9 @@
 /*
- * view_refine.h: a picture that is fluid while something moves, and gets better when it is still.
+ * view_refine.h: progressive refinement: low-latency frames during interaction, more samples at
+ * rest.
  *
- * What is seen is known by value (camera, time, settings, renderers): whatever else happens, the
- * samples go on.
+ * The view is identified by value (camera, time, settings, renderers), so samples accumulate until
+ * one of these really changes.
  */
 #ifndef FIRN_VIEW_VIEW_REFINE_H
 #define FIRN_VIEW_VIEW_REFINE_H
@@ -13,29 +14,29 @@
 #include "src/view/noise.h"
 
 enum {
-    VIEW_SAMPLE_COUNT = 64, /* unless --samples says so */
+    VIEW_SAMPLE_COUNT = 64, /* default of --samples */
 };
 
-/* What a picture depends on, but for its exposure. */
+/* Everything the image depends on, except for the exposure. */
 struct view_seen {
-    uint64_t version; /* of the picture */
+    uint64_t version; /* of the viewport's renderers */
     struct camera camera;
     float time;
     struct settings settings;
 };
 
 struct view_refine {
-    struct view_seen seen; /* by the samples, or by the last picture of a movement */
+    struct view_seen seen; /* view of the accumulated samples or of the last interactive frame */
     bool has_seen;
-    uint32_t count, goal; /* samples drawn; at rest: all */
-    uint32_t shown;       /* samples of the picture that is shown; 0: of a movement */
-    struct noise noise;   /* of the left picture */
-    bool is_whole;        /* a movement's last picture has been drawn in full size */
-    double begun_at;      /* seconds; sample 0 */
-    double sample;        /* seconds that one takes; 0: none has been drawn */
-    double moved_at;      /* seconds; of the last picture of a movement, or a hand on the mouse */
-    double shown_at;      /* seconds; of the last mean */
-    bool at_once;         /* a hand has let go: nothing to wait for */
+    uint32_t count, goal; /* samples drawn; samples to draw */
+    uint32_t shown;       /* samples of the displayed image; 0 during interaction */
+    struct noise noise;   /* noise estimate of the left image */
+    bool is_whole;        /* a full-size draft was drawn for this view */
+    double begun_at;      /* start of sample 0, seconds */
+    double sample;        /* duration of the last sample, seconds; 0 if none */
+    double moved_at;      /* last interactive frame or button press, seconds */
+    double shown_at;      /* last displayed mean, seconds */
+    bool at_once;         /* the mouse was released: start sampling without delay */
     struct moving moving;
 };
 

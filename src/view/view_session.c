@@ -1,5 +1,5 @@
-/* view_session.c: sessions from files, and to them. */
-#define _GNU_SOURCE /* realpath */
+/* view_session.c: opens and saves sessions. */
+#define _GNU_SOURCE /* for realpath */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +13,8 @@
 #include "src/view/view_internal.h"
 #include "src/view/worker.h"
 
-_Static_assert((int)SESSION_BOOKMARK_COUNT == (int)VIEW_BOOKMARK_COUNT, "all are kept");
+_Static_assert((int)SESSION_BOOKMARK_COUNT == (int)VIEW_BOOKMARK_COUNT,
+               "sessions keep all bookmarks");
 
 enum status view_read_session(struct session *session, const char *path,
                               const struct reader_params *reader)
@@ -35,7 +36,7 @@ void view_apply_session(const struct session *session, struct app_picture *state
     scene->env_exposure = session->environment ? session->env_exposure : 0.0f;
     scene->settings = session->state.settings;
     scene->stated = scene->settings;
-    memset(scene->is_set, true, sizeof(scene->is_set)); /* all is in the settings */
+    memset(scene->is_set, true, sizeof(scene->is_set)); /* all come from the session */
     scene->has_own_environment = false;
     scene->animation = scene->surroundings = scene->material = NULL;
     scene->cracks = scene->bump = scene->bump_mask = scene->air = NULL;
@@ -48,8 +49,8 @@ void view_apply_session(const struct session *session, struct app_picture *state
     state->eye.is_given = state->target.is_given = state->orbit.is_given = false;
 }
 
-/* What the scene would have brought was said by nobody: it goes with the scene. */
-static void tell_own(struct view *v)
+/* Unmarks settings that equal those the scene brings, so that they are dropped with the scene. */
+static void unmark_scene_settings(struct view *v)
 {
     const struct app_scene *given = &v->options->picture.scene;
     struct app_scene *scene = &v->picture->state.scene;
@@ -73,7 +74,7 @@ static void tell_own(struct view *v)
 
 enum status view_resume_session(struct view *v, const struct session *session)
 {
-    tell_own(v);
+    unmark_scene_settings(v);
     v->scene = ++v->scene_count;
     struct view_state state = view_state_now(v);
     if (session->has_camera)
@@ -94,8 +95,6 @@ enum status view_resume_session(struct view *v, const struct session *session)
     v->changed = true;
     return view_compare_use(v, &state);
 }
-
-/* ---- from a file ---- */
 
 struct loading {
     struct view *view;
@@ -127,7 +126,7 @@ void view_load_session(struct view *v, const char *path)
     if (status == STATUS_OK)
         status = view_resume_session(v, &loading.session);
     if (status == STATUS_OK)
-        ui_say(v->ui, "this is the session as it was saved");
+        ui_say(v->ui, "session opened");
     else
         view_fail(v, "the session was not opened");
     session_finish(&loading.session);
@@ -136,9 +135,8 @@ void view_load_session(struct view *v, const char *path)
     view_costs_rest(&v->costs, start);
 }
 
-/* ---- to a file ---- */
-
-/* A file by its whole path, so that it is found from anywhere; NULL: out of memory. */
+/* Returns the absolute path of a file, so that it is found from any folder, or a copy of a built-in
+ * name; NULL when out of memory. */
 static char *whole_name(const char *name)
 {
     const bool is_file = !scene_find_builtin(name) && !asset_find(name, ASSET_SCENE) &&
@@ -147,7 +145,7 @@ static char *whole_name(const char *name)
     return path ? path : strdup(name);
 }
 
-/* What a session does not keep; NULL: nothing of it is there. */
+/* Returns the first option or feature in use that a session cannot store; NULL if there is none. */
 static const char *left_out(const struct view *v)
 {
     const struct app_scene *s = &v->picture->state.scene;
@@ -164,7 +162,7 @@ static const char *left_out(const struct view *v)
         { s->animation, "--animation" },
         { s->node_material_count, "--material NODE=..." },
         { s->background.is_given, "--background" },
-        { v->compare.other == VIEW_OTHER_FILE, "the picture on the right" },
+        { v->compare.other == VIEW_OTHER_FILE, "the image on side B" },
     };
 
     for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++) {
@@ -214,8 +212,8 @@ void view_save_session(struct view *v)
                  out ? out : "");
         ui_say(v->ui, words);
     } else {
-        ui_fail(v->ui, "no session was saved: set HOME or XDG_DATA_HOME to a folder that can be "
-                       "written to");
+        ui_fail(v->ui, "the session was not saved: set HOME or XDG_DATA_HOME to a writable "
+                       "folder");
     }
     free(text);
     free(environment);

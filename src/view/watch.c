@@ -1,4 +1,4 @@
-/* watch.c: sees what has changed, has it compiled, hands it over. */
+/* watch.c: shader hot reload: polls files, recompiles them on a thread, replaces shaders. */
 #include "src/view/watch.h"
 #include <pthread.h>
 #include <stdio.h>
@@ -13,36 +13,36 @@
 enum {
     PATH_SIZE = 4096,
     NAME_SIZE = 128,
-    DEPTH_MAX = 16,               /* of includes */
-    LOOK_NANOSECONDS = 100000000, /* between looks at the files */
+    DEPTH_MAX = 16,               /* maximum nesting of #include */
+    POLL_NANOSECONDS = 100000000, /* polling interval */
 };
 
-/* One of embedded_all. */
+/* Reload state of one shader of embedded_all. */
 struct file {
-    const char *name;          /* in the folder, of what it was compiled from */
-    uint64_t stamp;            /* of it and what it includes, when it was compiled last */
-    uint64_t seen;             /* the same at the last look */
-    bool failed;               /* to compile, at that stamp; as are these the thread's: */
-    struct watch_code ready;   /* compiled, but others have failed */
-    struct watch_code offered; /* under the lock */
-    struct rg_shader live;     /* counts for executors; words NULL: the program's own does */
-    struct watch_code code;    /* its words */
-    struct watch_code before;  /* the same before watch_take() */
-    bool taken;                /* by the last one */
+    const char *name; /* source file, relative to the folder */
+    uint64_t stamp;   /* hash of the file and its includes when compiled last */
+    uint64_t seen;    /* hash at the last poll */
+    bool failed;      /* compilation at `stamp` failed; like `ready`, used only by the thread */
+    struct watch_code ready;   /* compiled code held back until all others compile, too */
+    struct watch_code offered; /* code for watch_take(); protected by the lock */
+    struct rg_shader live;     /* shader that executors use; words NULL for the embedded one */
+    struct watch_code code;    /* owns the words of `live` */
+    struct watch_code before;  /* code that was live before watch_take(), for watch_revert() */
+    bool taken;                /* replaced by the last watch_take() */
 };
 
 struct watch {
     const char *folder;
     bool quiet;
-    struct file *files; /* as embedded_all */
+    struct file *files; /* parallel to embedded_all */
     size_t count;
     pthread_t thread;
     bool runs;
     pthread_mutex_t lock;
     pthread_cond_t wake;
-    bool quit, news;                  /* under the lock, as is: */
-    char message[WATCH_MESSAGE_SIZE]; /* of the last compilation */
-    char shown[WATCH_MESSAGE_SIZE];   /* as of the last watch_take() */
+    bool quit, news;                  /* protected by the lock, like `message` */
+    char message[WATCH_MESSAGE_SIZE]; /* error of the last compilation */
+    char shown[WATCH_MESSAGE_SIZE];   /* copy of `message` made by watch_take() */
 };
 
 static void free_code(struct watch_code *code)
@@ -51,9 +51,7 @@ static void free_code(struct watch_code *code)
     *code = (struct watch_code){ 0 };
 }
 
-/* ---- what has changed ---- */
-
-/* FNV-1a, 64 bits */
+/* 64-bit FNV-1a hash */
 static uint64_t mix(uint64_t stamp, const void *data, size_t size)
 {
     const unsigned char *bytes = data;
@@ -62,7 +60,8 @@ static uint64_t mix(uint64_t stamp, const void *data, size_t size)
     return stamp;
 }
 
-/* Of a file and all that it includes: another one when any of them is saved. 0: it is not there. */
+/* Hashes the metadata of a file and all its includes, so that saving any of them changes the
+ * result. Returns 0 if the file does not exist. */
 static uint64_t find_stamp(const char *folder, const char *name, int depth)
 {
     char path[PATH_SIZE];
@@ -89,9 +88,9 @@ static uint64_t find_stamp(const char *folder, const char *name, int depth)
     return stamp;
 }
 
-/* Looks at all files. Whether some have changed, and none since the look before: an editor may
- * still be writing. */
-static bool look(struct watch *w)
+/* Polls all files. Returns true if some have changed since they were compiled but none since the
+ * previous poll, as an editor may still be writing. */
+static bool poll_files(struct watch *w)
 {
     bool changed = false;
     bool settled = true;
@@ -105,9 +104,7 @@ static bool look(struct watch *w)
     return changed && settled;
 }
 
-/* ---- the thread ---- */
-
-static bool quits(struct watch *w)
+static bool should_quit(struct watch *w)
 {
     pthread_mutex_lock(&w->lock);
     const bool quit = w->quit;
@@ -142,13 +139,13 @@ static void compile(struct watch *w, size_t index, char message[static WATCH_MES
     f->ready = code;
 }
 
-/* All that is ready, at once. */
+/* Offers all compiled shaders to watch_take() at once, unless one of them has failed. */
 static void offer(struct watch *w, const char *message, bool sound)
 {
     size_t count = 0;
     const char *name = "";
     pthread_mutex_lock(&w->lock);
-    if (sound || *message) /* else the fault is still the one before */
+    if (sound || *message) /* otherwise the previous error is still valid */
         snprintf(w->message, sizeof(w->message), "%s", message);
     for (size_t i = 0; i < w->count && sound; i++) {
         struct file *f = &w->files[i];
@@ -162,7 +159,7 @@ static void offer(struct watch *w, const char *message, bool sound)
     }
     w->news = w->news || count;
     pthread_mutex_unlock(&w->lock);
-    if (!sound) /* only this thread writes it */
+    if (!sound) /* `message` is written only by this thread, so no lock is needed */
         log_error("%s (the previous shaders stay in use)", w->message);
     else if (count == 1 && !w->quiet)
         fprintf(stderr, "%s/%s: compiled\n", w->folder, name);
@@ -177,7 +174,7 @@ static void compile_all(struct watch *w)
     for (size_t i = 0; i < w->count; i++) {
         char fault[WATCH_MESSAGE_SIZE] = "";
         struct file *f = &w->files[i];
-        if (quits(w))
+        if (should_quit(w))
             return;
         if (f->seen != f->stamp)
             compile(w, i, fault);
@@ -191,25 +188,23 @@ static void compile_all(struct watch *w)
 static void *run(void *data)
 {
     struct watch *w = data;
-    while (!quits(w)) {
+    while (!should_quit(w)) {
         struct timespec until;
         clock_gettime(CLOCK_REALTIME, &until);
-        until.tv_nsec += LOOK_NANOSECONDS;
+        until.tv_nsec += POLL_NANOSECONDS;
         until.tv_sec += until.tv_nsec / 1000000000;
         until.tv_nsec %= 1000000000;
         pthread_mutex_lock(&w->lock);
         if (!w->quit)
             pthread_cond_timedwait(&w->wake, &w->lock, &until);
         pthread_mutex_unlock(&w->lock);
-        if (look(w))
+        if (poll_files(w))
             compile_all(w);
     }
     return NULL;
 }
 
-/* ---- start and end ---- */
-
-/* Several shaders may come of one file. Whether there is one of them. */
+/* Finds the source files; several shaders may share one. Returns true if any exists. */
 static bool find_files(struct watch *w)
 {
     bool found = false;
@@ -229,7 +224,7 @@ enum status watch_create(struct watch **watch, const char *folder, bool quiet)
     *watch = NULL;
     while (embedded_all[count])
         count++;
-    struct file *files = calloc(count + 1, sizeof(*files)); /* never 0 */
+    struct file *files = calloc(count + 1, sizeof(*files)); /* not calloc(0) */
     if (!w || !files) {
         log_error("out of memory");
         free(w);
@@ -283,8 +278,6 @@ void watch_destroy(struct watch *w)
     free(w->files);
     free(w);
 }
-
-/* ---- what counts ---- */
 
 static void set_live(struct file *f, const struct rg_shader *own)
 {

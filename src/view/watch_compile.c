@@ -1,4 +1,4 @@
-/* watch_compile.c: runs glslc, and looks at what comes of it. */
+/* watch_compile.c: compiles a shader with glslc and checks the resulting SPIR-V. */
 #include "src/view/watch_compile.h"
 #include <errno.h>
 #include <signal.h>
@@ -17,7 +17,7 @@ enum {
     BINDING_COUNT = 64,
     SPIRV_MAGIC = 0x07230203,
     SPIRV_HEADER_WORDS = 5,
-    SPIRV_OP_DECORATE = 71, /* id, decoration, value */
+    SPIRV_OP_DECORATE = 71, /* operands: target id, decoration, value */
     SPIRV_BINDING = 33,
 };
 
@@ -30,7 +30,8 @@ enum {
     WORD_COUNT = FLAG_COUNT + OWN_FLAG_COUNT + 6,
 };
 
-/* Its words go to `out`. Returns the exit code; -1: it could not be run, or crashed. */
+/* Runs the compiler with stdout and stderr redirected to `out`. Returns its exit code; -1 if it
+ * could not be run or crashed. */
 static int run(char *const *words, FILE *out)
 {
     posix_spawn_file_actions_t files;
@@ -45,7 +46,7 @@ static int run(char *const *words, FILE *out)
         posix_spawn_file_actions_destroy(&files);
         return -1;
     }
-    posix_spawnattr_setsigmask(&how, &none); /* this program's threads block some */
+    posix_spawnattr_setsigmask(&how, &none); /* inherit none of this thread's blocked signals */
     posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGMASK);
     posix_spawn_file_actions_adddup2(&files, fileno(out), 1);
     posix_spawn_file_actions_adddup2(&files, fileno(out), 2);
@@ -71,7 +72,7 @@ bool watch_compile_is_possible(void)
     return possible;
 }
 
-/* Its first error, without the newline. */
+/* Finds the compiler's first error message, without its newline. */
 static void find_fault(FILE *out, char message[static WATCH_MESSAGE_SIZE])
 {
     char line[WATCH_MESSAGE_SIZE];
@@ -102,7 +103,7 @@ static bool read_code(struct watch_code *code, FILE *file)
     return false;
 }
 
-/* Both files have no name, so nothing is left behind whatever happens. */
+/* Compiles into `spirv`. Both files are unlinked temporary files, so nothing is left behind. */
 static bool compile_to(struct watch_code *code, const char *folder,
                        const struct embedded_origin *origin,
                        char message[static WATCH_MESSAGE_SIZE], FILE *spirv, FILE *out)
@@ -153,7 +154,7 @@ bool watch_compile(struct watch_code *code, const char *folder,
     return compiled;
 }
 
-/* Bit i: it has binding i. */
+/* Returns a mask of the descriptor bindings in SPIR-V code: bit i for binding i. */
 static uint64_t find_bindings(const uint32_t *words, size_t count)
 {
     uint64_t bindings = 0;

@@ -1,4 +1,4 @@
-/* watch_compile.h: GLSL to SPIR-V with glslc, as the build does it. */
+/* watch_compile.h: compiles GLSL to SPIR-V with glslc and the build's options. */
 #ifndef FIRN_VIEW_WATCH_COMPILE_H
 #define FIRN_VIEW_WATCH_COMPILE_H
 
@@ -10,23 +10,23 @@ enum {
     WATCH_MESSAGE_SIZE = 512,
 };
 
-/* SPIR-V; words NULL: none. */
+/* SPIR-V code; words is NULL if there is none. */
 struct watch_code {
     uint32_t *words; /* malloc'd */
     size_t count;
 };
 
-/* Whether the program is in PATH. */
+/* Returns true if glslc can be run. */
 bool watch_compile_is_possible(void);
 
 struct embedded_origin; /* shaders/embedded.h */
 
-/* Compiles a file in the folder, from which its includes start, too. On failure *code is {0} and
- * the message says why, one line. */
+/* Compiles a shader; includes are searched in the folder. On failure *code is {0} and `message`
+ * gets the reason, one line. */
 bool watch_compile(struct watch_code *code, const char *folder,
                    const struct embedded_origin *origin, char message[static WATCH_MESSAGE_SIZE]);
 
-/* The first binding that `code` has and `allowed` has not; -1: none. */
+/* Returns the first descriptor binding of `code` that is not in `allowed`; -1 if there is none. */
 int watch_compile_new_binding(const struct watch_code *code, const uint32_t *allowed,
                               size_t allowed_count);
 

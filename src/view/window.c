@@ -1,4 +1,4 @@
-/* window.c: GLFW. */
+/* window.c: platform window on GLFW: creation, input events, full screen, Vulkan surface. */
 #define GLFW_INCLUDE_NONE
 #include "src/view/window.h"
 #include <GLFW/glfw3.h>
@@ -9,9 +9,9 @@
 #include "src/base/log.h"
 #include "src/view/window_x11.h"
 
-static const double divider_reach = 8.0; /* how near a hand must come, pixels */
-static const double pair_seconds = 0.4;  /* between two clicks that are one */
-static const double pair_reach = 5.0;    /* screen coordinates */
+static const double divider_reach = 8.0; /* pixels; maximum distance for dragging the divider */
+static const double double_click_seconds = 0.4; /* maximum time between both clicks */
+static const double double_click_reach = 5.0;   /* screen coordinates between both clicks */
 
 static enum status failed(const char *what)
 {
@@ -21,9 +21,7 @@ static enum status failed(const char *what)
     return STATUS_NO_DEVICE;
 }
 
-/* ---- what hands do ---- */
-
-static bool tell(struct window *w, const struct window_event *event)
+static bool notify(struct window *w, const struct window_event *event)
 {
     return w->listen && w->listen(w->listener, event);
 }
@@ -34,8 +32,9 @@ static void add_action(struct window *w, enum view_action action)
         w->input.actions[w->input.action_count++] = action;
 }
 
-/* What the key writes alone, on this keyboard; with Ctrl nothing is typed. */
-static unsigned written(int key, int code)
+/* Returns the character that a key types without modifiers on this keyboard layout; GLFW reports no
+ * characters while Ctrl is held. */
+static unsigned typed_character(int key, int code)
 {
     const char *name = glfwGetKeyName(key, code);
     return name && name[0] && !name[1] ? (unsigned char)name[0] : 0;
@@ -44,7 +43,7 @@ static unsigned written(int key, int code)
 static void on_key(GLFWwindow *handle, int key, int code, int event, int modifiers)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
-    const struct window_event told = {
+    const struct window_event notice = {
         .kind = WINDOW_KEY,
         .code = key,
         .down = event != GLFW_RELEASE,
@@ -55,20 +54,20 @@ static void on_key(GLFWwindow *handle, int key, int code, int event, int modifie
     w->repeated = event == GLFW_REPEAT;
     const struct key_press press = {
         .key = key == GLFW_KEY_UNKNOWN ? 0 : key,
-        .character = told.control ? written(key, code) : 0,
+        .character = notice.control ? typed_character(key, code) : 0,
         .repeated = w->repeated,
-        .control = told.control,
-        .shift = told.shift,
+        .control = notice.control,
+        .shift = notice.shift,
     };
-    if (!tell(w, &told) && told.down)
+    if (!notify(w, &notice) && notice.down)
         add_action(w, keys_find(&press));
 }
 
 static void on_character(GLFWwindow *handle, unsigned character)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
-    const struct window_event told = { .kind = WINDOW_CHARACTER, .code = (int)character };
-    if (!tell(w, &told))
+    const struct window_event notice = { .kind = WINDOW_CHARACTER, .code = (int)character };
+    if (!notify(w, &notice))
         add_action(
             w, keys_find(&(struct key_press){ .character = character, .repeated = w->repeated }));
 }
@@ -83,8 +82,8 @@ static bool holds(GLFWwindow *handle, int left, int right)
     return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
 }
 
-/* What a drag moves: camera or light. */
-static struct window_drag *dragged(struct window *w)
+/* Returns the drag that mouse movement adds to, chosen by button, Ctrl and Shift. */
+static struct window_drag *current_drag(struct window *w)
 {
     const bool shift = holds(w->handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     const bool left = is_down(w->handle, GLFW_MOUSE_BUTTON_LEFT);
@@ -93,8 +92,8 @@ static struct window_drag *dragged(struct window *w)
     return left && !shift ? &w->input.turn : &w->input.pan;
 }
 
-/* Screen coordinates to a part of the picture's width. */
-static double part_of_view(const struct window *w, double x)
+/* Converts an x coordinate of the window to a fraction of the image width. */
+static double fraction_of_view(const struct window *w, double x)
 {
     int width;
     int height;
@@ -105,24 +104,25 @@ static double part_of_view(const struct window *w, double x)
 
 static bool is_near_divider(const struct window *w, double x)
 {
-    const double distance = fabs(part_of_view(w, x) - w->divider) * w->view.extent.width;
+    const double distance = fabs(fraction_of_view(w, x) - w->divider) * w->view.extent.width;
     return w->divider >= 0.0 && distance <= divider_reach;
 }
 
-/* Twice at one place in a short time. */
-static void hear_pair(struct window *w)
+/* Detects double clicks: two presses close to each other in time and position. */
+static void detect_double_click(struct window *w)
 {
     const double now = glfwGetTime();
     const double distance = hypot(w->cursor_x - w->pressed_x, w->cursor_y - w->pressed_y);
-    const bool is_pair = now - w->pressed_at < pair_seconds && distance < pair_reach;
+    const bool is_double =
+        now - w->pressed_at < double_click_seconds && distance < double_click_reach;
     int width;
     int height;
     glfwGetWindowSize(w->handle, &width, &height);
     const double pixels = width > 0 ? (double)window_size(w).width / width : 1.0;
-    w->pressed_at = is_pair ? 0.0 : now;
+    w->pressed_at = is_double ? 0.0 : now;
     w->pressed_x = w->cursor_x;
     w->pressed_y = w->cursor_y;
-    if (!is_pair)
+    if (!is_double)
         return;
     w->input.doubled = true;
     w->input.at_x = w->cursor_x * pixels;
@@ -132,25 +132,25 @@ static void hear_pair(struct window *w)
 static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
-    const struct window_event told = {
+    const struct window_event notice = {
         .kind = WINDOW_BUTTON,
         .code = button,
         .down = event == GLFW_PRESS,
     };
     (void)modifiers;
-    const bool kept = tell(w, &told);
-    w->input.pressed = w->input.pressed || told.down;
-    w->input.released = w->input.released || !told.down;
-    if (!told.down)
+    const bool kept = notify(w, &notice);
+    w->input.pressed = w->input.pressed || notice.down;
+    w->input.released = w->input.released || !notice.down;
+    if (!notice.down)
         w->input.released_at = clock_seconds();
     if (button == GLFW_MOUSE_BUTTON_LEFT)
-        w->slides = !kept && told.down && is_near_divider(w, w->cursor_x);
-    if (button == GLFW_MOUSE_BUTTON_LEFT && !kept && told.down && !w->slides)
-        hear_pair(w);
+        w->slides = !kept && notice.down && is_near_divider(w, w->cursor_x);
+    if (button == GLFW_MOUSE_BUTTON_LEFT && !kept && notice.down && !w->slides)
+        detect_double_click(w);
 }
 
-/* The divider follows the hand; where it can be taken, the mouse looks so. */
-static void slide(struct window *w, double x)
+/* Moves the divider while it is dragged, and changes the cursor shape near it. */
+static void drag_divider(struct window *w, double x)
 {
     const bool shown = w->slides || is_near_divider(w, x);
     if (shown && !w->slider)
@@ -160,7 +160,7 @@ static void slide(struct window *w, double x)
     if (!w->slides)
         return;
     w->input.slid = true;
-    w->input.divider = fmin(fmax(part_of_view(w, x), 0.0), 1.0);
+    w->input.divider = fmin(fmax(fraction_of_view(w, x), 0.0), 1.0);
 }
 
 static void on_cursor(GLFWwindow *handle, double x, double y)
@@ -175,30 +175,30 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     const bool held = (is_down(handle, GLFW_MOUSE_BUTTON_LEFT) && !w->slides) ||
                       is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) ||
                       is_down(handle, GLFW_MOUSE_BUTTON_MIDDLE);
-    w->cursor_x = x; /* as the events come: where it is now is later already */
+    w->cursor_x = x; /* from the event, because glfwGetCursorPos() may already be ahead of it */
     w->cursor_y = y;
     const double pixels = scale * window_size(w).height;
-    if (tell(w, &(struct window_event){ WINDOW_CURSOR, x * pixels, y * pixels }))
+    if (notify(w, &(struct window_event){ WINDOW_CURSOR, x * pixels, y * pixels }))
         return;
-    slide(w, x);
+    drag_divider(w, x);
     if (!held)
         return;
-    if (hypot(x - w->pressed_x, y - w->pressed_y) >= pair_reach)
-        w->pressed_at = 0.0; /* a movement is no click */
+    if (hypot(x - w->pressed_x, y - w->pressed_y) >= double_click_reach)
+        w->pressed_at = 0.0; /* a drag is not part of a double click */
     if (!(w->input.moved_at > 0.0))
         w->input.moved_at = clock_seconds();
-    dragged(w)->x += dx;
-    dragged(w)->y += dy;
+    current_drag(w)->x += dx;
+    current_drag(w)->y += dy;
 }
 
 static void on_wheel(GLFWwindow *handle, double x, double y)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
-    if (!tell(w, &(struct window_event){ WINDOW_WHEEL, x, y }))
+    if (!notify(w, &(struct window_event){ WINDOW_WHEEL, x, y }))
         w->input.wheel += y;
 }
 
-/* Of several files the first one counts. */
+/* Keeps the first of the dropped files; the viewer opens one file at a time. */
 static void on_drop(GLFWwindow *handle, int count, const char **paths)
 {
     struct window *w = glfwGetWindowUserPointer(handle);
@@ -233,8 +233,9 @@ static void on_minimise(GLFWwindow *handle, int minimised)
     on_refresh(handle);
 }
 
-/* Asks the window system, which answers when it has done all that came before: not in frames. */
-static void ask_for_size(struct window *w)
+/* Queries the size from the window system. This waits until all earlier requests are processed, so
+ * it is too slow to do in every frame. */
+static void query_size(struct window *w)
 {
     int width;
     int height;
@@ -257,9 +258,8 @@ static void listen(struct window *w)
     glfwSetWindowRefreshCallback(w->handle, on_refresh);
 }
 
-/* ---- the window ---- */
-
-/* Windows are made in screen coordinates, which may be coarser than pixels. */
+/* Resizes the window to a framebuffer size; window sizes are in screen coordinates, which may be
+ * coarser than pixels. */
 static void fit_framebuffer(struct window *w, uint32_t width, uint32_t height)
 {
     const VkExtent2D size = window_size(w);
@@ -272,7 +272,7 @@ static void fit_framebuffer(struct window *w, uint32_t width, uint32_t height)
                       (int)((double)height * window_height / size.height + 0.5));
 }
 
-/* The part of the monitor that panels and docks leave; 0: not known. */
+/* Returns the work area of a monitor, without the desktop's panels and docks; 0x0 if not known. */
 static VkExtent2D find_room(GLFWmonitor *monitor)
 {
     int place[4] = { 0 };
@@ -291,7 +291,7 @@ static VkExtent2D choose_size(const struct window_params *params, VkExtent2D roo
     return params->fit(params->user, fmaxf(scale[0], scale[1]), room);
 }
 
-/* Window managers tell of a title bar and borders before a window is shown. */
+/* Subtracts title bar and borders, which window managers report before the window is shown. */
 static VkExtent2D without_frame(struct window *w, VkExtent2D room)
 {
     int left, top, right, bottom;
@@ -303,8 +303,8 @@ static VkExtent2D without_frame(struct window *w, VkExtent2D room)
                : room;
 }
 
-/* Connects to the window system. GLFW 3.4 tries Wayland too, whose library prints an error where it
- * has no session. */
+/* Connects to the window system. GLFW 3.4 also tries Wayland, whose library prints an error if
+ * there is no Wayland session, so X11 is forced then. */
 static bool connect_system(void)
 {
 #ifdef GLFW_PLATFORM
@@ -323,7 +323,7 @@ enum status window_init(struct window *w, const struct window_params *params)
     if (!glfwVulkanSupported())
         return failed("cannot use Vulkan with windows");
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE); /* a full screen stays while others have keys */
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE); /* full screen stays without focus */
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "firn");
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     const VkExtent2D room = find_room(glfwGetPrimaryMonitor());
@@ -333,12 +333,12 @@ enum status window_init(struct window *w, const struct window_params *params)
         return failed("cannot open a window");
     window_set_background(w, params->background);
     listen(w);
-    ask_for_size(w);
+    query_size(w);
     size = choose_size(params, without_frame(w, room));
     fit_framebuffer(w, size.width, size.height);
     glfwShowWindow(w->handle);
     glfwPollEvents();
-    ask_for_size(w);
+    query_size(w);
     return STATUS_OK;
 }
 
@@ -447,8 +447,6 @@ void window_fill_screen(struct window *w)
                              mode->refreshRate);
     }
 }
-
-/* ---- Vulkan ---- */
 
 static bool can_present(VkInstance instance, VkPhysicalDevice physical, uint32_t queue_family)
 {

@@ -1,7 +1,8 @@
 /*
- * window.h: a window of the desktop, and what hands do in it. The one place that knows GLFW.
+ * window.h: platform window on GLFW: creation, input events, full screen, Vulkan surface. Only
+ * window.c and window_x11.c call GLFW functions.
  *
- * Errors: logged, one line, with GLFW's words: STATUS_NO_DEVICE.
+ * Errors: logged on one line with GLFW's description; STATUS_NO_DEVICE.
  */
 #ifndef FIRN_VIEW_WINDOW_H
 #define FIRN_VIEW_WINDOW_H
@@ -13,29 +14,29 @@ struct GLFWcursor;
 struct GLFWwindow;
 
 enum {
-    WINDOW_ACTION_COUNT = 32, /* between two looks; more are lost */
+    WINDOW_ACTION_COUNT = 32, /* maximum between two calls of window_take() */
 };
 
-/* In heights of the window, right and down. */
+/* Mouse drag in fractions of the window height, right and down. */
 struct window_drag {
     double x, y;
 };
 
-/* What happened since it was looked at last. */
+/* Input accumulated since the last window_take(). */
 struct window_input {
-    struct window_drag turn, pan;  /* of the camera */
-    struct window_drag light, sun; /* with Ctrl all light, with Ctrl and Shift the sun alone */
-    double wheel;                  /* steps, away from the hand */
-    bool slid;                     /* the divider is now somewhere else: */
+    struct window_drag turn, pan;  /* orbit and pan of the camera */
+    struct window_drag light, sun; /* of all light (Ctrl drag) and of the sun (Ctrl Shift drag) */
+    double wheel;                  /* steps; positive away from the user */
+    bool slid;                     /* the divider was dragged to `divider` */
     double divider;
     enum view_action actions[WINDOW_ACTION_COUNT];
     uint32_t action_count;
-    bool redraw;            /* what is shown may be gone */
-    bool pressed, released; /* a button of the mouse */
-    double moved_at;    /* when a hand first moved the picture, clock_seconds(); 0: it did not */
-    double released_at; /* when it let go */
-    bool doubled;       /* the left one, twice, at: */
-    double at_x, at_y;  /* pixels */
+    bool redraw;            /* the window's contents may be damaged */
+    bool pressed, released; /* a mouse button was pressed or released */
+    double moved_at;    /* first mouse movement that moved the image, clock_seconds(); 0 if none */
+    double released_at; /* release of a mouse button, clock_seconds() */
+    bool doubled;       /* double click of the left button at (at_x, at_y) */
+    double at_x, at_y;  /* position of the double click, pixels */
 };
 
 enum window_event_kind {
@@ -46,92 +47,95 @@ enum window_event_kind {
     WINDOW_CHARACTER,
 };
 
-/* One thing that hands did, as it comes. */
+/* An input event, passed to the listener in order. */
 struct window_event {
     enum window_event_kind kind;
-    double x, y;              /* of the cursor, pixels; of the wheel, steps */
-    int code;                 /* button or key, as GLFW names them, or character */
-    bool down;                /* of a button or key */
-    bool control, shift, alt; /* of a key */
+    double x, y;              /* cursor position, pixels; wheel movement, steps */
+    int code;                 /* GLFW button or key code, or Unicode character */
+    bool down;                /* pressed rather than released */
+    bool control, shift, alt; /* modifiers held with a key */
 };
 
-/* Hears of everything first. True: keeps it to itself; it moves no camera and is no action. */
+/* Listener that gets events first. Returns true to consume an event, so that it moves no camera and
+ * triggers no action. */
 typedef bool window_listen_fn(void *user, const struct window_event *event);
 
 struct window {
     struct GLFWwindow *handle;
     window_listen_fn *listen; /* may be NULL */
     void *listener;
-    bool has_library; /* GLFW is up */
+    bool has_library; /* GLFW is initialised */
     struct window_input input;
-    char *dropped;             /* path of a file, malloc'd; NULL: none */
-    double cursor_x, cursor_y; /* where it was seen last, screen coordinates */
-    VkRect2D view;             /* where the picture is, pixels */
-    double divider; /* that a hand can take, of its width, from its left; below 0: none */
-    bool slides;    /* a hand has it */
-    double pressed_at, pressed_x, pressed_y; /* the left button, when and where, to find a pair */
-    struct GLFWcursor *slider; /* what the mouse looks like there; NULL: never was there */
-    bool repeated;             /* the key that is being handled is held down */
-    VkExtent2D framebuffer;    /* pixels, also while it is: */
+    char *dropped;             /* path of a dropped file, malloc'd; NULL if none */
+    double cursor_x, cursor_y; /* last cursor position, screen coordinates */
+    VkRect2D view;             /* area of the image, pixels */
+    double divider; /* position as a fraction of the image width; negative without a divider */
+    bool slides;    /* the divider is being dragged */
+    double pressed_at, pressed_x, pressed_y; /* last press, to detect double clicks */
+    struct GLFWcursor *slider;               /* cursor shape near the divider; NULL until needed */
+    bool repeated;                           /* the current key event is an auto-repeat */
+    VkExtent2D framebuffer;                  /* size in pixels, kept while minimised */
     bool minimised;
-    int left, top, width, height; /* before it filled the screen */
+    int left, top, width, height; /* window rectangle to restore after full screen */
 };
 
-/* The size of a window, pixels, where all is `scale` times as large as usual and there is so much
- * room (0x0: not known). */
+/* Chooses the window size in pixels for a user interface `scale` and an available work area `room`
+ * (0x0 if not known). */
 typedef VkExtent2D window_fit_fn(void *user, float scale, VkExtent2D room);
 
 struct window_params {
     window_fit_fn *fit;
     void *user;
     const char *title;
-    uint32_t background; /* where nothing has been drawn, 0xRRGGBB */
+    uint32_t background; /* colour of undrawn areas, 0xRRGGBB */
 };
 
-/* Shows it at once, empty, with a framebuffer of this size if the desktop allows it. It must not
- * move afterwards. */
+/* Opens the window and shows it empty at once; `fit` chooses its framebuffer size, which the
+ * desktop may change. *window must not move afterwards. */
 MUST_USE enum status window_init(struct window *window, const struct window_params *params);
 
 void window_set_background(struct window *window, uint32_t color);
 
-/* {0} and half-built are fine. */
+/* Closes the window; {0} and half-initialised ones are fine. */
 void window_finish(struct window *window);
 
-/* Pixels of a desktop's unit: 2 where all is twice as large. */
+/* Returns the desktop's content scale: 2 if everything is drawn twice as large. */
 float window_scale(const struct window *window);
 
-/* Into the clipboard, where it stays at least as long as the window. */
+/* Copies text to the clipboard, where it stays at least as long as the window exists. */
 void window_copy(struct window *window, const char *text);
 
 void window_title(struct window *window, const char *title);
 
 void window_hide(struct window *window);
 
-/* Handles what has happened; or waits until something happens, at most so many seconds. */
+/* window_poll() handles pending events; window_wait() waits for events for at most `seconds`. */
 void window_poll(struct window *window);
 void window_wait(struct window *window, double seconds);
 
-/* Ends window_wait(); from any thread. */
+/* Ends window_wait(); may be called from any thread. */
 void window_wake(void);
 
-/* From now on somebody hears of everything first, and at once of where the cursor is: it may rest
- * there since before the window was. */
+/* Sets the listener that gets all events first. It immediately gets the current cursor position, as
+ * the cursor may not move for a while. */
 void window_tell(struct window *window, window_listen_fn *hear, void *listener);
 
-/* Returns what has happened, and forgets it. */
+/* Returns the accumulated input and clears it. */
 struct window_input window_take(struct window *window);
 
-/* The file dropped last, which the caller frees; NULL: none. Forgets it. */
+/* Returns the last dropped file and forgets it; the caller frees the path. NULL if there is none.
+ */
 char *window_take_dropped(struct window *window);
 
-bool window_is_closed(const struct window *window); /* the user wants it so */
+/* true once the user has requested to close it */
+bool window_is_closed(const struct window *window);
 
-/* Pixels; 0x0 while it is minimised. */
+/* Returns the framebuffer size in pixels; 0x0 while minimised. */
 VkExtent2D window_size(const struct window *window);
 
-void window_fill_screen(struct window *window); /* or not any more */
+void window_fill_screen(struct window *window); /* toggles full screen */
 
-/* For gpu_create(), as long as the window is there. */
+/* Returns the extensions and callbacks that gpu_create() needs; valid while the window exists. */
 MUST_USE enum status window_system(const struct window *window, struct gpu_window_system *system);
 MUST_USE enum status window_surface(const struct window *window, const struct gpu *gpu,
                                     VkSurfaceKHR *surface);

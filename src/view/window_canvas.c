@@ -1,4 +1,4 @@
-/* window_canvas.c: segments of System V memory, attached to an X server. */
+/* window_canvas.c: presents through System V shared memory attached to the X server (MIT-SHM). */
 #include "src/view/window_canvas.h"
 #ifdef WINDOW_CANVAS
 #include <stdlib.h>
@@ -10,9 +10,10 @@
 #include "src/view/window_x11.h"
 
 struct segment {
-    void *memory; /* NULL: there is none */
+    void *memory; /* NULL if not allocated */
     xcb_shm_seg_t id;
-    xcb_get_input_focus_cookie_t read; /* answered when what came before is done, if: */
+    /* round trip that ends after the server has read the image */
+    xcb_get_input_focus_cookie_t read;
     bool is_shown;
 };
 
@@ -24,8 +25,6 @@ struct window_canvas {
     uint8_t depth;
     struct segment segments[GPU_CANVAS_COUNT];
 };
-
-/* ---- a canvas ---- */
 
 static void *map(void *user, uint32_t index, size_t size)
 {
@@ -42,14 +41,14 @@ static void *map(void *user, uint32_t index, size_t size)
         free(error);
     }
     if (number >= 0)
-        shmctl(number, IPC_RMID, NULL); /* gone when nobody has it attached any more */
+        shmctl(number, IPC_RMID, NULL); /* mark for deletion once nobody is attached */
     if (memory != (void *)-1 && !is_attached)
         shmdt(memory);
     s->memory = is_attached ? memory : NULL;
     return s->memory;
 }
 
-/* Errors, such as of a window that is gone, and what every client is told, as of new keys. */
+/* Discards queued errors, such as of a closed window, and events that every X client gets. */
 static void forget_events(struct window_canvas *c)
 {
     xcb_generic_event_t *event;
@@ -92,8 +91,6 @@ static void show(void *user, uint32_t index, VkExtent2D extent, uint32_t row_siz
     xcb_flush(c->x);
 }
 
-/* ---- whether there can be one ---- */
-
 static bool has_extension(xcb_connection_t *x, const char *name)
 {
     xcb_query_extension_reply_t *reply =
@@ -103,7 +100,7 @@ static bool has_extension(xcb_connection_t *x, const char *name)
     return is_there;
 }
 
-/* Returns a screen's visual; NULL: it has no such one. */
+/* Returns a visual of a screen; NULL if the screen does not have it. */
 static const xcb_visualtype_t *find_visual(const xcb_screen_t *screen, xcb_visualid_t wanted)
 {
     xcb_depth_iterator_t depth = xcb_screen_allowed_depths_iterator(screen);
@@ -117,7 +114,7 @@ static const xcb_visualtype_t *find_visual(const xcb_screen_t *screen, xcb_visua
     return NULL;
 }
 
-/* Whether pixels of a visual are as gpu_canvas.h has them, with the last byte free. */
+/* Returns true if pixels of a visual are BGRX bytes, the format of gpu_canvas.h. */
 static bool is_blue_first(const xcb_setup_t *setup, xcb_visualid_t wanted)
 {
     const xcb_visualtype_t *visual = NULL;

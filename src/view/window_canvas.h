@@ -1,8 +1,9 @@
 /*
- * window_canvas.h: an X window's pictures in memory that the X server reads (MIT-SHM).
+ * window_canvas.h: presents images to an X window through shared memory (MIT-SHM).
  *
- * Only under servers without DRI3: to others drivers hand images themselves. It has a connection of
- * its own, so that GLFW's requests and answers stay GLFW's.
+ * Used only on X servers without DRI3; with DRI3, drivers share images with the server themselves.
+ * It opens an X connection of its own, so that it does not interfere with GLFW's requests and
+ * replies.
  */
 #ifndef FIRN_VIEW_WINDOW_CANVAS_H
 #define FIRN_VIEW_WINDOW_CANVAS_H
@@ -12,12 +13,12 @@
 struct GLFWwindow;
 struct window_canvas;
 
-/* Returns NULL, silently, if the window's server cannot read memory of this process, or need not,
- * and in programs without X11. It outlives what shows pictures, and not the window. */
+/* Returns NULL, without logging, if the server cannot read shared memory or has DRI3, and without
+ * X11. The canvas must outlive its users, but not the window. */
 struct window_canvas *window_canvas_open(struct GLFWwindow *window);
 void window_canvas_close(struct window_canvas *canvas); /* may be NULL */
 
-/* Of NULL: NULL. */
+/* Returns the canvas for a swapchain; NULL for NULL. */
 const struct gpu_canvas *window_canvas_of(const struct window_canvas *canvas);
 
 #endif

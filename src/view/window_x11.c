@@ -1,6 +1,6 @@
-/* window_x11.c: GLFW's windows have neither a background nor a gravity under X11, so new area shows
- * what the window manager draws there: often white. Libraries are asked for what they have, since
- * GLFW may be built without X11. */
+/* window_x11.c: sets background and gravity of GLFW's X11 windows, and handles X errors. GLFW sets
+ * neither, so newly exposed areas flash in the window manager's colour, often white. X11 symbols
+ * are looked up at run time, because GLFW may be built without X11. */
 #include "src/view/window_x11.h"
 #ifdef WINDOW_X11
 #include <X11/Xlib.h>
@@ -13,7 +13,7 @@ typedef Window get_window_fn(struct GLFWwindow *window);
 typedef int change_fn(Display *, Window, unsigned long, XSetWindowAttributes *);
 typedef XErrorHandler set_handler_fn(XErrorHandler handler);
 
-/* A pointer to a function, which C keeps apart from others. */
+/* Converts between object and function pointers, which ISO C does not allow by a cast. */
 union symbol {
     void *address;
     get_display_fn *get_display;
@@ -22,7 +22,7 @@ union symbol {
     set_handler_fn *set_handler;
 };
 
-/* Returns NULL and 0 if GLFW uses no X11. */
+/* Returns GLFW's X display and the window's id; NULL and 0 if GLFW does not use X11. */
 static Display *find(struct GLFWwindow *window, Window *id)
 {
     void *program = dlopen(NULL, RTLD_LAZY);
@@ -55,8 +55,8 @@ void window_x11_background(struct GLFWwindow *window, uint32_t color)
         dlclose(x11);
 }
 
-/* Xlib must not be called here. */
-static int hear_error(Display *display, XErrorEvent *event)
+/* X error handler; it must not call Xlib. */
+static int handle_error(Display *display, XErrorEvent *event)
 {
     (void)display;
     if (event->error_code != BadWindow)
@@ -67,10 +67,10 @@ static int hear_error(Display *display, XErrorEvent *event)
 
 void window_x11_go_on(void)
 {
-    void *x11 = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD); /* only if GLFW uses it */
+    void *x11 = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD); /* loaded only if GLFW uses X11 */
     const union symbol set = { x11 ? dlsym(x11, "XSetErrorHandler") : NULL };
     if (set.set_handler)
-        set.set_handler(hear_error);
+        set.set_handler(handle_error);
     if (x11)
         dlclose(x11);
 }

@@ -1,5 +1,6 @@
 /*
- * window_x11.h: what GLFW leaves undone under X11. Without X11 nothing happens.
+ * window_x11.h: X11 features that GLFW lacks: background colour, gravity, error handling. Does
+ * nothing without X11.
  */
 #ifndef FIRN_VIEW_WINDOW_X11_H
 #define FIRN_VIEW_WINDOW_X11_H
@@ -8,18 +9,18 @@
 
 struct GLFWwindow;
 
-/* Returns the number of a window; 0 without X11. */
+/* Returns the X11 id of a window; 0 without X11. */
 uint32_t window_x11_id(struct GLFWwindow *window);
 
-/* Fills new area of a window with a colour, 0xRRGGBB, and keeps what is in the old area while it is
- * resized. */
+/* Sets the colour of newly exposed areas, 0xRRGGBB, and keeps the existing contents in place while
+ * the window is resized. */
 void window_x11_background(struct GLFWwindow *window, uint32_t color);
 
 /*
- * Lets the program go on after a request that the X server refuses: as a rule Xlib ends it, for
- * instance where what is dropped comes from a window that is gone when GLFW answers it. What is
- * refused for another reason is logged. GLFW 3.3 takes this back now and then, so it is called
- * before events are handled.
+ * Installs an X error handler that keeps the program running. By default Xlib exits when the server
+ * refuses a request, for instance if GLFW answers a drag and drop whose source window is gone.
+ * Other errors are logged. GLFW 3.3 occasionally restores the old handler, so call this before
+ * handling events.
  */
 void window_x11_go_on(void);
 

@@ -1,9 +1,10 @@
-/* worker.c: a thread for work, this one for the window. */
+/* worker.c: runs a job on a worker thread while the window handles events. */
 #include "src/view/worker.h"
 #include <pthread.h>
 #include <stdatomic.h>
 
-static const double look_seconds = 0.1; /* between looks at a window where nothing happens */
+/* interval at which a window without events is checked for being closed */
+static const double poll_seconds = 0.1;
 
 struct job {
     worker_fn *work;
@@ -26,9 +27,9 @@ enum status worker_run(struct window *window, worker_fn *work, void *user)
     struct job job = { .work = work, .user = user };
     pthread_t thread;
     if (pthread_create(&thread, NULL, run, &job) != 0)
-        return work(user); /* then the window waits, too */
+        return work(user); /* without a thread, the window is blocked during the job */
     while (!atomic_load(&job.done)) {
-        window_wait(window, look_seconds);
+        window_wait(window, poll_seconds);
         if (window_is_closed(window))
             window_hide(window);
     }

@@ -1,5 +1,5 @@
 /*
- * worker.h: what takes long is done in a thread, while the window answers.
+ * worker.h: runs long jobs on a worker thread, so that the window stays responsive.
  */
 #ifndef FIRN_VIEW_WORKER_H
 #define FIRN_VIEW_WORKER_H
@@ -9,9 +9,9 @@
 typedef enum status worker_fn(void *user);
 
 /*
- * Does the work, handles the window's events until it is done, and returns how it ended. A window
- * that is closed meanwhile disappears at once. The work may not touch the window, and nothing else
- * touches what it works on.
+ * Runs `work` on a thread and handles window events until it is done; returns its status. A window
+ * that is closed meanwhile is hidden at once. The job must not access the window, and no other
+ * thread may access the job's data.
  */
 MUST_USE enum status worker_run(struct window *window, worker_fn *work, void *user);
 

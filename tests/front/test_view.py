@@ -179,7 +179,7 @@ class Hands(WindowCase):
         rows = [tuple(cell.strip() for cell in line.split('|')[1:3])
                 for line in table.splitlines()[2:]]
         lines = self.printed().splitlines()[:len(rows)]
-        self.assertEqual(rows, [(line[2:16].strip(), line[17:]) for line in lines])
+        self.assertEqual(rows, [(line[2:18].strip(), line[19:]) for line in lines])
 
     def test_closed_while_it_loads(self):
         window = self.start('teapot', title='loading .*', plain=())
@@ -260,10 +260,10 @@ class Drop(WindowCase):
         (self.folder / 'photo.jpg').write_bytes(b'\xff\xd8\xff\xe0 a photograph')
         window = self.start('sphere')
         self.assertTrue(self.desktop.drop(window, self.folder / 'drawn.exr'))
-        self.find(r'sphere, paper \| picture, paused')
+        self.find(r'sphere, paper \| image, paused')
         self.press_for(window, 'ctrl+z', 'sphere, paused')
         self.assertTrue(self.desktop.drop(window, self.folder / 'red.png'))
-        self.find(r'sphere, paper \| picture, paused')
+        self.find(r'sphere, paper \| image, paused')
         red = bytes([0xc0, 0x40, 0x20])
         wait_until('its right half', lambda: self.desktop.pixels(window)[-3:] == red, self.words)
         self.press_for(window, 'w', 'sphere, paused')

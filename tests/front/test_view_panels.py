@@ -162,14 +162,15 @@ class Panels(PanelsCase):
         material = self.names('materials')[-1]
         window = self.start_with_panels(plain=PLAIN)
         self.wait_for_command(window, f' --material {material} ',
-                              act=lambda: self.choose(window, 'material', material))
-        for group, row, shown in (('Material', 'material', False),
-                                  ('Inside', 'cracks.count', False), ('Quality', 'rung', True)):
+                              act=lambda: self.choose(window, 'Material preset', material))
+        for group, row, shown in (('Material', 'Material preset', False),
+                                  ('Inside', 'cracks.count', False),
+                                  ('Quality', 'Refraction model', True)):
             self.fold(window, group, row, shown)
         self.wait_for_command(window, f' --refraction {second} ',
-                              act=lambda: self.choose(window, 'rung', second))
+                              act=lambda: self.choose(window, 'Refraction model', second))
         self.find(rf'sphere, {second} \| {first}, paused',
-                  act=lambda: self.choose(window, 'compare with', first))
+                  act=lambda: self.choose(window, 'Compare with', first))
         self.shoot(window, 1, '.png', '-left.exr', '-right.exr')
         self.press_for(window, 'w', 'sphere, paused')
         self.pictures(window)
@@ -190,8 +191,8 @@ class Panels(PanelsCase):
         wait_until('a picture of each rung', each_has_its_own, self.words)
         self.wait_for_command(window, ' --refraction wyman ',
                               act=lambda: self.click(window, 'wyman'))
-        self.fold(window, 'Quality', 'rung', False)
-        self.fold(window, 'Material', 'material', True)
+        self.fold(window, 'Quality', 'Refraction model', False)
+        self.fold(window, 'Material', 'Material preset', True)
         self.wait_for_command(window, ' --material diamond ',
                               act=lambda: self.click(window, 'diamond'))
 
@@ -241,7 +242,7 @@ class Panels(PanelsCase):
             window, 'cracks.count', 0.2, 0.7))
         self.press(window, 'Escape')
         self.press_until(window, 'b', 'why a change took long', lambda: len(self.said(
-            r'cracks.count \d+ -> \d+ \(it shapes the scene, made anew.*')) > 1)  # and below
+            r'cracks.count \d+ -> \d+ \(scene rebuilt.*')) > 1)  # and below
         for key in ('F1', 'ctrl+t', 'ctrl+plus'):
             self.press_until(window, key, key, lambda: self.desktop.pixels(window) not in shown)
             shown.add(self.desktop.pixels(window))
@@ -260,10 +261,10 @@ class Panels(PanelsCase):
         """Its first press is where it is: on the picture, which follows."""
         self.desktop.do('mousemove', 400, 300)  # in the middle, where windows open
         window = self.start_with_panels()
-        wait_until('a hint', lambda: self.label('drag turns'), self.words)
+        wait_until('a hint', lambda: self.label('drag: orbit'), self.words)
         self.desktop.do('mousedown', 1, 'mousemove_relative', '--', 9, 5, 'mouseup', 1)
         self.wait_for_command(window, '--eye')
-        wait_until('no hint any more', lambda: not self.label('drag turns'), self.words)
+        wait_until('no hint any more', lambda: not self.label('drag: orbit'), self.words)
         self.close(window)
 
     def time(self, window):
@@ -291,7 +292,7 @@ class Panels(PanelsCase):
         self.wait_for_command(window, 'air.count', without=row,
                               act=lambda: self.click(window, 'reset Material'))
         self.wait_for_command(window, without='air.count',
-                              act=lambda: self.click(window, 'reset all'))
+                              act=lambda: self.click(window, 'Reset all'))
         size = len(self.printed())
         wait_until('a command', lambda: len(self.printed()) > size,
                    act=lambda: self.click(window, 'Copy'))
@@ -330,7 +331,7 @@ class Panels(PanelsCase):
         self.press_until(window, 'ctrl+shift+s', 'a preset', lambda: list(presets.glob('*.txt')))
         self.assertIn('refract.ior=1.5\n', (presets / 'preset-0001.txt').read_text())
         self.wait_for_command(window, without='refract.ior',
-                              act=lambda: self.click(window, 'reset all'))
+                              act=lambda: self.click(window, 'Reset all'))
         self.wait_for_command(window, 'refract.ior=1.5 ', 'bump.strength=0', act=lambda:
                               self.find_and_choose(window, 'preset preset-0001.txt'))
         self.bookmarks(window)
@@ -412,13 +413,13 @@ class Panels(PanelsCase):
         self.find(f'{model}, paused', act=lambda: self.find_and_choose(window, 'recent shape.obj'))
         small = self.folder / 'firn-0001.png'
         wait_until('a small picture', small.exists, self.words, act=lambda: self.find_and_choose(
-            window, 'save the picture, 64x48'))
+            window, 'save the image, 64x48'))
         self.assertEqual(png_size(small), (64, 48))
         point = (90, 115)
         command = self.wait_for_command(window, '--target', act=lambda: self.desktop.do(
             'mousemove', '--window', window, *point, 'click', '--repeat', 2, '--delay', 20, 1))
         target = command.partition('--target ')[2].split()[0].split(',')
-        self.press_until(window, 'i', 'the panel of values', lambda: self.control('layer'))
+        self.press_until(window, 'i', 'the panel of values', lambda: self.control('Layer'))
 
         def look():  # what is in the middle of the picture now
             lines = (self.folder / 'ui').read_text().splitlines()

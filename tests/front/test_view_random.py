@@ -37,25 +37,24 @@ HOUR, OFTEN = 3600, 100  # then each action was done so often
 PAUSE = 0.04  # seconds between two things that a hand does, in a long run
 MORE = 2048  # KiB in a quarter
 SIGNS = {'+': 'plus', '-': 'minus', '[': 'bracketleft', ']': 'bracketright', '/': 'slash',
-         '?': 'question', '.': 'period', ',': 'comma', 'Esc': 'Escape', 'Space': 'space',
-         'Page Down': 'Next', 'Page Up': 'Prior'}
+         '?': 'question', 'full stop': 'period', 'comma': 'comma', 'Esc': 'Escape',
+         'Space': 'space', 'Page Down': 'Next', 'Page Up': 'Prior'}
 LAST = ('Q', 'Ctrl Q')
-NO_KEYS = ('drag', 'right drag', 'Ctrl drag', 'also Shift', 'wheel', 'double click', 'drop a file')
+NO_KEYS = ('drag', 'right drag', 'Ctrl drag', 'Ctrl Shift drag', 'wheel', 'double click',
+           'drop a file')
 
 
 def keys():
     """As xdotool names them."""
     text = (pathlib.Path(__file__).parents[2] / 'docs' / 'view.md').read_text()
     table = text.partition('## Mouse and keyboard')[2].partition('\n\n')[2].partition('\n\n')[0]
-    found, before = [], ''
+    found = []
     for line in table.splitlines()[2:]:
         name = line.split('|')[1].strip()
         if name in NO_KEYS:
             continue
-        name = before.replace('Ctrl', 'Ctrl Shift') if name == 'with Shift' else name
-        before = name
         for word in name.split(', '):
-            first, _, last = word.partition(' to ')
+            first, _, last = word.partition('-')
             for one in [first[:-1] + str(i) for i in range(1, int(last) + 1)] if last else [word]:
                 if one in LAST:
                     continue
@@ -79,15 +78,15 @@ def slope(points):
 class Random(PanelsCase):
     CHECKED = CHECKED[1:] if os.environ.get('FIRN_RANDOM_VALIDATE') == 'off' else CHECKED
     DROPPED = ('shape.obj', 'around.exr', 'flat.png', 'lines.txt', 'broken.firn')
-    GESTURES = ('click', 'drag', 'right drag', 'Ctrl drag', 'also Shift', 'wheel', 'double click',
-                'rest')
+    GESTURES = ('click', 'drag', 'right drag', 'Ctrl drag', 'Ctrl Shift drag', 'wheel',
+                'double click', 'rest')
 
     def act(self, rng, window, gesture):
         """Something that is done with a mouse, as words for xdotool."""
         def place():
             return 'mousemove', '--window', window, rng.randrange(305), rng.randrange(201)
         button = 3 if gesture == 'right drag' else 1
-        held = {'Ctrl drag': ('ctrl',), 'also Shift': ('ctrl', 'shift')}.get(gesture, ())
+        held = {'Ctrl drag': ('ctrl',), 'Ctrl Shift drag': ('ctrl', 'shift')}.get(gesture, ())
         if gesture == 'rest':
             return place()
         if gesture == 'click':

@@ -232,7 +232,7 @@ class FirstMinutes(PanelsCase):
         self.press_for(window, 'w', 'sphere, paused')
         self.do('normals', 2, [click('shown layer'), lambda: self.control('N') and self.click(
             window, 'N')], lambda: self.label('N: ') or not self.control('Z'))
-        self.do('what is this pixel', 1, [key('i')], lambda: self.control('layer'))
+        self.do('what is this pixel', 1, [key('i')], lambda: self.control('Layer'))
         self.do('save a picture', 1, [key('F12')], lambda: 'firn-0001.png' in self.files())
         self.do('show a colleague', 1, [key('ctrl+c')], copied.exists)
         self.do('which keys', 1, [key('F1')], lambda: 'Ctrl Shift Z' in self.printed())
@@ -247,7 +247,7 @@ class FirstMinutes(PanelsCase):
         around = self.folder / 'around.exr'
         self.render(around.name, '--size', '64x32')
         self.do('other environment', 1, [lambda: self.desktop.drop(window, around)],
-                lambda: self.label(f'around the object: {around}'[:40]))
+                lambda: self.label(f'opened environment {around}'[:40]))
         self.do('open my model', 1, [lambda: self.desktop.drop(window, model)],
                 lambda: self.desktop.ask('xdotool', 'search', '--name', 'shape.obj'))
         shutil.copy(model, self.folder / 'shape2.obj')

@@ -68,7 +68,7 @@ class Still(PanelsCase):
         self.succeed(*words, '-o', 'a.exr', '--aov', 'Z,N,P,object', '-o', 'a.png')
         self.succeed(*words, '-o', 'z.png', '--show', 'Z')
         x, y = 75, 80
-        self.press_until(window, 'i', 'the panel of values', lambda: self.control('layer'))
+        self.press_until(window, 'i', 'the panel of values', lambda: self.control('Layer'))
 
         def over(at, *name):
             wait_until(f'values of {at}', lambda: self.value('pixel') == [str(at[0]), str(at[1])]
@@ -79,7 +79,7 @@ class Still(PanelsCase):
         names = [*'RGBZ', *(f'{layer}.{axis}' for layer in 'NP' for axis in 'XYZ')]
         planes = Exr((self.folder / 'a.exr').read_bytes()).read_planes(names)
         at = y * self.PICTURE[0] + x
-        for name, channels in (('colour', 'RGB'), ('position', ('P.X', 'P.Y', 'P.Z')),
+        for name, channels in (('linear', 'RGB'), ('position', ('P.X', 'P.Y', 'P.Z')),
                                ('normal', ('N.X', 'N.Y', 'N.Z')), ('distance', 'Z')):
             for word, channel in zip(self.value(name), channels):
                 self.assertAlmostEqual(float(word), planes[channel][at],
@@ -87,7 +87,7 @@ class Still(PanelsCase):
         self.assertEqual(self.value('object')[:1], ['1'])
         self.assertEqual(self.value('material'), ['ice'])
         pixels = png_pixels(self.folder / 'a.png')
-        self.assertEqual(list(map(int, self.value('shown'))), list(pixels[at * 3:at * 3 + 3]))
+        self.assertEqual(list(map(int, self.value('8')[1:])), list(pixels[at * 3:at * 3 + 3]))
         self.pin(window, x, y)
         over((3, 3))
         self.assertIn('no surface', self.labels())
@@ -100,21 +100,21 @@ class Still(PanelsCase):
         self.press_until(window, 'z', 'false colours',
                          lambda: self.picture(window, self.PICTURE) != pixels)
         wait_until('the picture', lambda: self.picture(window, self.PICTURE) == pixels, self.words,
-                   act=lambda: self.click(window, 'as it is'))
+                   act=lambda: self.click(window, 'Reset'))
         self.close(window)
 
     def channel(self, window, pixels):
         """One alone is grey; there is a histogram of the picture, in stops."""
-        wait_until('a histogram', lambda: any(re.fullmatch(r'-\d+ to \d+ stops from 1', label)
-                                              for label in self.labels()), self.words)
+        wait_until('a histogram', lambda: any(re.fullmatch(r'-\d+ to \d+ stops relative to 1', word)
+                                              for word in self.labels()), self.words)
 
         def look():
             shown = self.picture(window, self.PICTURE)
             return shown[0::3] == shown[1::3] == shown[2::3]
         wait_until('one channel, in grey', look, self.words,
-                   act=lambda: self.choose(window, 'channel', 'R'))
+                   act=lambda: self.choose(window, 'Channel', 'R'))
         wait_until('the picture', lambda: self.picture(window, self.PICTURE) == pixels, self.words,
-                   act=lambda: self.click(window, 'as it is'))
+                   act=lambda: self.click(window, 'Reset'))
 
     def drag_until(self, window, start, what, happens):
         """Of each size of a movement that the line below the picture shows. All there were."""
@@ -176,9 +176,9 @@ class Still(PanelsCase):
         self.beside += self.STRIP
         window = self.start_with_panels('--samples', 3, '--size', '360x340', scene='valley',
                                         plain=('--plain', '-r', 'bounce', *SMALL_CUBE))
-        self.press_until(window, 'm', 'what it does', lambda: self.label('movements have full'))
+        self.press_until(window, 'm', 'what it does', lambda: self.label('full size and quality'))
         self.assertEqual(self.drag_until(window, (65, 105), 'full size', bool), {'360×340'})
-        self.press_until(window, 'm', 'what it does', lambda: self.label('movements are drawn'))
+        self.press_until(window, 'm', 'what it does', lambda: self.label('fast drafts'))
         self.drag_until(window, self.BESIDE, 'a smaller picture', lambda size: size != '360×340')
         for _ in range(7):
             self.desktop.do('mousemove', '--window', window, *self.BESIDE, 'click', 4)

@@ -1,10 +1,10 @@
-/* font.c: asks fontconfig. */
+/* font.c: finds a system font through fontconfig. */
 #include "src/view/ui/font.h"
 #ifdef FONT_CONFIG
 #include <fontconfig/fontconfig.h>
 #include <stdio.h>
 
-/* A pattern is only a wish: the answer may be a bitmap font where there is no other. */
+/* Accepts only scalable fonts; fontconfig may return a bitmap font if nothing else fits. */
 static bool take(struct font *font, const FcPattern *found)
 {
     FcChar8 *path;
@@ -14,7 +14,7 @@ static bool take(struct font *font, const FcPattern *found)
         return false;
     if (FcPatternGetInteger(found, FC_INDEX, 0, &font->index) != FcResultMatch)
         font->index = 0;
-    font->index &= 0xffff; /* above are the instances of variable fonts */
+    font->index &= 0xffff; /* the upper bits select an instance of a variable font */
     const int length = snprintf(font->path, sizeof(font->path), "%s", (const char *)path);
     return length > 0 && length < FONT_PATH_SIZE;
 }

@@ -1,5 +1,5 @@
 /*
- * font.h: which font of the system the panels are written in.
+ * font.h: lookup of the system font for the user interface.
  */
 #ifndef FIRN_VIEW_UI_FONT_H
 #define FIRN_VIEW_UI_FONT_H
@@ -12,11 +12,11 @@ enum {
 
 struct font {
     char path[FONT_PATH_SIZE];
-    int index; /* of the face in the file */
+    int index; /* index of the face in the font file */
 };
 
-/* Finds the scalable font that fontconfig takes for `family` ("sans", "monospace"). False: there is
- * none, or firn was built without fontconfig; *font is then {0}. */
+/* Finds the scalable font that fontconfig prefers for `family` ("sans", "monospace"). Returns
+ * false, with *font {0}, if there is none or firn was built without fontconfig. */
 bool font_find(struct font *font, const char *family);
 
 #endif

@@ -1,4 +1,4 @@
-/* imgui.cpp: Dear ImGui's life and frames. It and imgui_widgets.cpp alone know the library. */
+/* imgui.cpp: C wrapper of Dear ImGui: context, style, fonts and frames. */
 #include "src/view/ui/imgui.h"
 #include <cstring>
 #include <new>
@@ -10,10 +10,10 @@
 namespace
 {
 
-constexpr float text_size = 15.0f;        /* pixels at scale 1 */
-constexpr float bitmap_text_size = 13.0f; /* of the built-in font, which has one size */
+constexpr float text_size = 15.0f;        /* font size in pixels at scale 1 */
+constexpr float bitmap_text_size = 13.0f; /* size of the built-in bitmap font */
 
-/* Latin with all accents, Greek, Cyrillic, punctuation, arrows, mathematics. */
+/* Glyph ranges: Latin with accents, Greek, Cyrillic, punctuation, arrows, mathematics. */
 constexpr ImWchar characters[] = { 0x20,   0x24f,  0x370,  0x3ff,  0x400,  0x4ff, 0x2000,
                                    0x206f, 0x2190, 0x21ff, 0x2200, 0x22ff, 0 };
 
@@ -31,8 +31,6 @@ bool contains(const imgui_place &place, float x, float y)
 }
 
 } // namespace
-
-/* ---- life ---- */
 
 static void set_colors(const theme &t)
 {
@@ -79,7 +77,7 @@ static void set_look(float scale, const theme &theme)
     style.FrameRounding = 4.0f;
     style.GrabRounding = 4.0f;
     style.PopupRounding = 4.0f;
-    style.GrabMinSize = 4.0f; /* numbers stay legible behind it */
+    style.GrabMinSize = 4.0f; /* the number on the slider stays legible */
     style.ScrollbarSize = 12.0f;
     style.WindowPadding = ImVec2(8.0f, 5.0f);
     style.ItemSpacing = ImVec2(6.0f, 4.0f);
@@ -88,10 +86,11 @@ static void set_look(float scale, const theme &theme)
     style.WindowBorderSize = 0.0f;
     set_colors(theme);
     style.ScaleAllSizes(scale);
-    style.WindowMinSize = ImVec2(1.0f, 1.0f); /* less is refused */
+    style.WindowMinSize = ImVec2(1.0f, 1.0f); /* Dear ImGui rejects less */
 }
 
-/* A window of the library's own takes it in the first frame, and the first panel inherits it. */
+/* Runs one empty frame, in which Dear ImGui's fallback window takes the initial focus, and clears
+ * the focus, which the first panel would otherwise get. */
 static void lose_first_focus()
 {
     ImGui::GetIO().DisplaySize = ImVec2(1.0f, 1.0f);
@@ -100,7 +99,7 @@ static void lose_first_focus()
     ImGui::SetWindowFocus(nullptr);
 }
 
-/* False: the file is no font that can be used. */
+/* Returns false if the file is not a usable font. */
 static bool add_font(const imgui *ui)
 {
     ImGuiIO &io = ImGui::GetIO();
@@ -116,7 +115,7 @@ static bool add_font(const imgui *ui)
            io.Fonts->Build();
 }
 
-/* Room for each in the font's image, which is yet to be built. */
+/* Reserves a rectangle for each thumbnail in the font atlas, before the atlas is built. */
 static void add_pictures(imgui *ui)
 {
     const imgui_pictures &p = ui->pictures;
@@ -179,7 +178,7 @@ struct imgui *imgui_create(const struct font *font)
     IMGUI_CHECKVERSION();
     ui->context = ImGui::CreateContext();
     ImGuiIO &io = ImGui::GetIO();
-    io.IniFilename = nullptr; /* leaves no files */
+    io.IniFilename = nullptr; /* do not write a settings file */
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
@@ -217,8 +216,6 @@ const uint8_t *imgui_font(const struct imgui *, uint32_t *width, uint32_t *heigh
     return texels;
 }
 
-/* ---- a frame ---- */
-
 void imgui_begin(struct imgui *ui, const struct imgui_input *input)
 {
     ImGuiIO &io = ImGui::GetIO();
@@ -249,7 +246,7 @@ void imgui_end(struct imgui *ui)
     ImGui::Render();
 }
 
-/* The part of a command that the window shows. */
+/* Clips a draw command's scissor rectangle to the window. */
 static overlay_part clip(const ImDrawCmd &command, const ImDrawData *data)
 {
     const float left = command.ClipRect.x > 0.0f ? command.ClipRect.x : 0.0f;
@@ -268,7 +265,7 @@ static overlay_part clip(const ImDrawCmd &command, const ImDrawData *data)
     return part;
 }
 
-/* A list's vertices lie from `base` on; its indices become those of all vertices. */
+/* Appends the commands of a draw list; `base` is added to its vertex indices. */
 static bool take_commands(const ImDrawList *from, uint32_t base, uint32_t *index_count,
                           uint32_t *indices, overlay_list *list)
 {
@@ -293,9 +290,12 @@ static bool take_commands(const ImDrawList *from, uint32_t base, uint32_t *index
 bool imgui_take(const struct imgui *, struct overlay_vertex *vertices, uint32_t *indices,
                 struct overlay_list *list)
 {
-    static_assert(sizeof(ImDrawVert) == sizeof(overlay_vertex), "copied as they are");
-    static_assert(offsetof(ImDrawVert, uv) == offsetof(overlay_vertex, u), "the same");
-    static_assert(offsetof(ImDrawVert, col) == offsetof(overlay_vertex, color), "the same");
+    static_assert(sizeof(ImDrawVert) == sizeof(overlay_vertex),
+                  "the layouts must be equal for memcpy");
+    static_assert(offsetof(ImDrawVert, uv) == offsetof(overlay_vertex, u),
+                  "the layouts must be equal");
+    static_assert(offsetof(ImDrawVert, col) == offsetof(overlay_vertex, color),
+                  "the layouts must be equal");
     const ImDrawData *data = ImGui::GetDrawData();
     uint32_t vertex_count = 0;
     uint32_t index_count = 0;
@@ -313,8 +313,6 @@ bool imgui_take(const struct imgui *, struct overlay_vertex *vertices, uint32_t 
     }
     return true;
 }
-
-/* ---- between frames ---- */
 
 bool imgui_covers(const struct imgui *ui, float x, float y)
 {

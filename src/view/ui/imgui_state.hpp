@@ -1,4 +1,4 @@
-/* imgui_state.hpp: what imgui.cpp and imgui_widgets.cpp share; in C++. */
+/* imgui_state.hpp: private state shared by imgui.cpp and imgui_widgets.cpp. */
 #ifndef FIRN_VIEW_UI_IMGUI_STATE_H
 #define FIRN_VIEW_UI_IMGUI_STATE_H
 
@@ -10,19 +10,19 @@ constexpr int panel_count_max = 8;
 
 struct imgui {
     ImGuiContext *context;
-    imgui_place panels[panel_count_max]; /* of the frame */
+    imgui_place panels[panel_count_max]; /* panels of the current frame */
     int panel_count;
-    bool popup;   /* a list is open */
-    bool focuses; /* the next line of text gets the keys */
+    bool popup;   /* a popup such as a drop-down list is open */
+    bool focuses; /* the next text field gets the keyboard focus */
     float scale;
     const theme *look;
     imgui_item items[IMGUI_ITEM_COUNT];
     uint32_t item_count;
-    unsigned active; /* what a hand has hold of; 0: nothing */
+    unsigned active; /* ID of the active item; 0 if none */
     uint32_t gesture;
-    font system; /* path "": the built-in one */
+    font system; /* system font; path "" for the built-in one */
     imgui_pictures pictures;
-    int places[IMGUI_PICTURE_MAX]; /* of pictures in the font's image, as the library counts them */
+    int places[IMGUI_PICTURE_MAX]; /* atlas rectangles of the thumbnails */
 };
 
 inline ImVec4 imgui_state_color(uint32_t rgb)

@@ -1,4 +1,4 @@
-/* imgui_widgets.cpp: panels and what is in them. */
+/* imgui_widgets.cpp: C wrapper of Dear ImGui: panels and widgets. */
 #include <cstring>
 #include "src/view/ui/imgui.h"
 #include "src/view/ui/imgui_state.hpp"
@@ -6,7 +6,7 @@
 namespace
 {
 
-constexpr float picture_width = 64.0f; /* of a button's picture, pixels at scale 1 */
+constexpr float picture_width = 64.0f; /* width of a thumbnail on a button, pixels at scale 1 */
 
 ImVec2 position(const imgui_place &place)
 {
@@ -70,8 +70,8 @@ void imgui_scroll_to_here(void)
     ImGui::SetScrollHereY();
 }
 
-/* What came last can be found by its label: what it shows, or what follows "##" where that is only
- * a sign or nothing. */
+/* Lists the last item under its label: the visible part or, if that is only a symbol or empty, the
+ * part after "##". */
 static void note(const char *label)
 {
     imgui *ui = static_cast<imgui *>(ImGui::GetIO().UserData);
@@ -95,7 +95,7 @@ void imgui_focus_panel(const char *title)
     ImGuiWindow *window = title ? ImGui::FindWindowByName(title) : nullptr;
     if (!window)
         return;
-    ImGui::NavInitWindow(window, true); /* else the first arrow key does that alone */
+    ImGui::NavInitWindow(window, true); /* otherwise the first arrow key only starts navigation */
     ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
 
@@ -129,7 +129,7 @@ float imgui_room(void)
     return ImGui::GetContentRegionAvail().x;
 }
 
-/* ---- what is in them ---- */
+/* ---- items ---- */
 
 void imgui_indent(float x)
 {
@@ -146,7 +146,8 @@ void imgui_next_width(float width)
     ImGui::SetNextItemWidth(width);
 }
 
-/* Dear ImGui 1.90 finds no widget to focus where another panel had the keys. */
+/* Focuses the next text field. With Dear ImGui 1.90, SetKeyboardFocusHere() fails if another panel
+ * has the focus, so focus() does it after the widget. */
 void imgui_next_focus(void)
 {
 #if IMGUI_VERSION_NUM >= 18900
@@ -156,7 +157,7 @@ void imgui_next_focus(void)
 #endif
 }
 
-/* What came last gets the keys, if that was asked for. */
+/* Gives the last item the keyboard focus if imgui_next_focus() requested it. */
 static void focus(void)
 {
 #if IMGUI_VERSION_NUM >= 18900
@@ -247,7 +248,7 @@ static bool is_within_character(const char *at)
     return (*at & 0xc0) == 0x80;
 }
 
-/* What is in the middle says least: names end in what they are. */
+/* Shortens a text in the middle, because names differ mostly at their ends. */
 void imgui_text_cut(const char *text, float width)
 {
     const char *end = text + strlen(text);
@@ -324,8 +325,8 @@ bool imgui_choice(const char *label, bool chosen)
     return pressed;
 }
 
-/* In the middle of the button that came last, below its upper edge; as wide as it can be. */
-static void put_picture(const imgui *ui, uint32_t picture, const ImVec2 &size)
+/* Draws a thumbnail centred at the top of the last button. */
+static void draw_thumbnail(const imgui *ui, uint32_t picture, const ImVec2 &size)
 {
     const ImFontAtlas *fonts = ImGui::GetIO().Fonts;
     const float padding = ImGui::GetStyle().FramePadding.y;
@@ -356,13 +357,13 @@ bool imgui_picture(const char *label, uint32_t picture, float width, bool chosen
     ImGui::PopStyleColor();
     ImGui::PopID();
     note(label);
-    put_picture(ui, picture, size);
+    draw_thumbnail(ui, picture, size);
     const ImVec2 corner = ImGui::GetItemRectMin();
     const ImVec2 end = ImGui::GetItemRectMax();
     const ImVec2 from(corner.x + 1.0f, corner.y + size.y + 2.0f * padding.y);
     ImGui::RenderTextClipped(from, ImVec2(end.x - 1.0f, end.y), label, nullptr, nullptr,
                              ImVec2(0.5f, 0.0f));
-    if (chosen) /* not by its colour alone */
+    if (chosen) /* the frame marks the choice independently of colour */
         ImGui::GetWindowDrawList()->AddRect(corner, end, imgui_rgba(look->accent),
                                             ImGui::GetStyle().FrameRounding, 0, 2.0f * ui->scale);
     return pressed;

@@ -1,4 +1,4 @@
-/* theme.c: dark and light. */
+/* theme.c: the dark and the light colour theme. */
 #include "src/view/ui/theme.h"
 #include <math.h>
 #include <stddef.h>

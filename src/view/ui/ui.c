@@ -1,4 +1,4 @@
-/* ui.c: what panels hear, and when they run. */
+/* ui.c: user interface: lifecycle, input routing and frame updates of the panels. */
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <math.h>
@@ -9,14 +9,14 @@
 #include "src/view/ui/ui_internal.h"
 
 enum {
-    SETTLE_COUNT = 3, /* frames after an event until nothing moves any more */
-    HOLD_COUNT = 6,   /* the same until what was asked for has the keys; Dear ImGui 1.90 takes 4 */
+    SETTLE_COUNT = 3, /* frames to draw after an event until the layout has settled */
+    HOLD_COUNT = 6,   /* frames until the requested focus takes effect; Dear ImGui 1.90 needs 4 */
 };
 
-static const double drag_seconds = 0.25; /* between frames while the picture is dragged */
-static const float click_reach = 3.0f;   /* pixels; farther it is a drag */
+static const double drag_seconds = 0.25; /* between frames of the panels during a drag */
+static const float click_reach = 3.0f;   /* pixels; a longer movement is a drag */
 
-/* ---- what programs read ---- */
+/* ---- dump for scripts ---- */
 
 void ui_count(struct ui *ui, enum view_action action)
 {
@@ -28,7 +28,7 @@ void ui_dump(struct ui *ui, const char *path)
     ui->dump = path;
 }
 
-/* Readers see the old list or the new one. */
+/* Replaces the file by renaming, so that readers see the old list or the new one. */
 static void replace_dump(const struct ui *ui, const struct imgui_item *items, uint32_t count)
 {
     char path[FONT_PATH_SIZE];
@@ -46,7 +46,7 @@ static void replace_dump(const struct ui *ui, const struct imgui_item *items, ui
         (void)!rename(path, ui->dump);
 }
 
-/* FNV-1a */
+/* 32-bit FNV-1a hash */
 static uint32_t hash_more(uint32_t hash, const void *bytes, size_t size)
 {
     for (size_t i = 0; i < size; i++)
@@ -65,7 +65,7 @@ static void write_dump(struct ui *ui)
     ui->dumped = hash;
 }
 
-/* ---- life ---- */
+/* ---- lifecycle ---- */
 
 static enum status make_font(struct ui *ui)
 {
@@ -130,7 +130,7 @@ void ui_destroy(struct ui *ui)
     if (!ui)
         return;
     if (ui->dump)
-        write_dump(ui); /* what was done while it was hidden, too */
+        write_dump(ui); /* includes actions counted while the panels were hidden */
     gpu_image_destroy(ui->gpu, &ui->font);
     imgui_destroy(ui->imgui);
     free(ui);
@@ -223,11 +223,11 @@ bool ui_toggle(struct ui *ui, enum view_action action)
     return action == VIEW_HELP ? ui->keys_open : ui->tab == tab;
 }
 
-/* ---- what hands do ---- */
+/* ---- input ---- */
 
-/* On the picture. While its values are shown a click, which is no drag, keeps those of a pixel, or
- * lets them go. */
-static void hear_click(struct ui *ui, bool down)
+/* Handles a click on the image. With the inspector open, a click that is not a drag pins the pixel
+ * under the cursor or unpins it. */
+static void handle_click(struct ui *ui, bool down)
 {
     const float moved = fabsf(ui->x - ui->press_x) + fabsf(ui->y - ui->press_y);
     if (down) {
@@ -237,14 +237,14 @@ static void hear_click(struct ui *ui, bool down)
         ui->pinned = !ui->pinned;
 }
 
-static bool hear_button(struct ui *ui, const struct window_event *event)
+static bool handle_button(struct ui *ui, const struct window_event *event)
 {
     const unsigned bit = 1u << (event->code & 31);
     if (event->down && !ui->buttons)
         ui->grabbed = imgui_covers(ui->imgui, ui->x, ui->y);
     ui->buttons = event->down ? ui->buttons | bit : ui->buttons & ~bit;
     if (event->code == GLFW_MOUSE_BUTTON_LEFT && !ui->grabbed)
-        hear_click(ui, event->down);
+        handle_click(ui, event->down);
     return ui->grabbed;
 }
 
@@ -253,8 +253,8 @@ static bool has_keys(const struct ui *ui)
     return imgui_has_keys(ui->imgui) && !ui->released;
 }
 
-/* While the palette is open, some keys are its own. Whether this is one. */
-static bool hear_palette(struct ui *ui, const struct window_event *event)
+/* Handles the palette's navigation keys. Returns true if the event was one. */
+static bool handle_palette_key(struct ui *ui, const struct window_event *event)
 {
     const int key = event->code;
     if (!ui->palette_open)
@@ -275,7 +275,7 @@ static bool hear_palette(struct ui *ui, const struct window_event *event)
     return true;
 }
 
-/* With Ctrl only a line of text has keys of its own; all others act even while one is typed. */
+/* Returns true for Ctrl shortcuts that a text field uses itself; all others remain actions. */
 static bool is_for_text(const struct window_event *event)
 {
     return event->code == GLFW_KEY_A || event->code == GLFW_KEY_C || event->code == GLFW_KEY_V ||
@@ -284,8 +284,8 @@ static bool is_for_text(const struct window_event *event)
            event->code == GLFW_KEY_BACKSPACE || event->code == GLFW_KEY_DELETE;
 }
 
-/* Keys that do something within a panel that has them; all others are for the picture even then. */
-static bool hear_key(struct ui *ui, const struct window_event *event)
+/* Handles a key. Returns true if the focused panel uses it; all other keys act on the image. */
+static bool handle_key(struct ui *ui, const struct window_event *event)
 {
     const bool function = event->code >= GLFW_KEY_F1 && event->code <= GLFW_KEY_F25;
     const bool kept = !function && (event->control ? imgui_has_text(ui->imgui) && is_for_text(event)
@@ -307,7 +307,7 @@ static bool hear_key(struct ui *ui, const struct window_event *event)
     return kept;
 }
 
-static bool hear_character(struct ui *ui, const struct window_event *event)
+static bool handle_character(struct ui *ui, const struct window_event *event)
 {
     if (imgui_has_text(ui->imgui) || ui->held) {
         ui_input_add(&ui->input, event);
@@ -332,19 +332,19 @@ bool ui_hear(void *user, const struct window_event *event)
     if (!ui->shown)
         return false;
     if (event->kind == WINDOW_CURSOR && ui_drags_picture(ui))
-        return false; /* it hears where that ends */
+        return false; /* the end of the drag is still reported */
     ui->settle = SETTLE_COUNT;
     if (event->kind == WINDOW_KEY)
-        return hear_palette(ui, event) || hear_key(ui, event);
+        return handle_palette_key(ui, event) || handle_key(ui, event);
     if (event->kind == WINDOW_CHARACTER)
-        return hear_character(ui, event);
+        return handle_character(ui, event);
     if (ui_drags_picture(ui))
         ui_input_add(&ui->input, &(struct window_event){ .kind = WINDOW_CURSOR,
                                                          .x = (double)ui->x,
                                                          .y = (double)ui->y });
     ui_input_add(&ui->input, event);
     if (event->kind == WINDOW_BUTTON)
-        return hear_button(ui, event);
+        return handle_button(ui, event);
     return event->kind == WINDOW_WHEEL ? imgui_covers(ui->imgui, ui->x, ui->y) : ui->grabbed;
 }
 
@@ -369,7 +369,8 @@ static void measure(struct ui *ui, const struct ui_view *view)
     }
 }
 
-/* What was typed ahead waits until there is a line of text or a panel for it. */
+/* Advances the input queue. Keys typed ahead are held back until the requested panel or text field
+ * has the focus. */
 static void take_input(struct ui *ui)
 {
     const bool there = ui->searches ? imgui_has_text(ui->imgui) : imgui_has_keys(ui->imgui);
@@ -384,9 +385,9 @@ static void take_input(struct ui *ui)
     if (escaped || !ui->input.now.keys[IMGUI_ESCAPE])
         return;
     if (!imgui_is_active())
-        imgui_focus_panel(NULL); /* it waited, too */
+        imgui_focus_panel(NULL); /* the Escape key was queued before */
     else if (ui->searches && imgui_has_text(ui->imgui))
-        ui->release = true; /* one key is enough to leave the search */
+        ui->release = true; /* a single Escape leaves the search field */
 }
 
 void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
@@ -401,7 +402,7 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     };
     take_input(ui);
     if (ui->input.event_count)
-        ui->settle = SETTLE_COUNT; /* after the last of them */
+        ui->settle = SETTLE_COUNT; /* restart after the last event */
     else
         ui->settle -= ui->settle ? 1 : 0;
     input->seconds = ui->last > 0.0 ? (float)(view->now - ui->last) : 0.0f;
@@ -419,7 +420,7 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     write_dump(ui);
 }
 
-/* Whether no triangle of a part reaches into the picture; those of panels are upright. */
+/* Returns true if a draw command lies completely outside the image; panels are axis-aligned. */
 static bool is_beside(const struct ui *ui, const struct overlay_part *part,
                       const struct overlay_vertex *vertices, const uint32_t *indices)
 {

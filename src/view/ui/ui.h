@@ -1,8 +1,9 @@
 /*
- * ui.h: panels over the picture: settings, times, plan, keys.
+ * ui.h: user interface of the viewer: panels for settings, inspection, pass times, plan and
+ * shortcuts.
  *
- * Hears of hands first (ui_hear) and keeps to itself what is meant for panels. Hidden it costs
- * nothing and keeps nothing.
+ * It receives input events first (ui_hear) and consumes those meant for panels. While hidden, it
+ * costs no time and consumes no events.
  */
 #ifndef FIRN_VIEW_UI_UI_H
 #define FIRN_VIEW_UI_UI_H
@@ -21,106 +22,108 @@
 
 struct ui;
 
-/* `scale`: of all sizes; `pictures` outlive the ui. Logs; where there is no font but the built-in
- * one, unless `quiet`. */
+/* Creates the user interface. `scale` multiplies all sizes; `pictures` must outlive it. Logs errors
+ * and, unless `quiet`, that only the built-in font is available. */
 MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale,
                                const struct theme *theme, const struct ui_pictures *pictures,
                                bool quiet);
 void ui_destroy(struct ui *ui); /* may be NULL */
 
-window_listen_fn ui_hear; /* user: the ui */
+window_listen_fn ui_hear; /* `user` is the ui */
 
 void ui_show(struct ui *ui, bool shown);
 bool ui_is_shown(const struct ui *ui);
 
-/* Shown, and not yet up to date with what hands did. */
+/* Returns true if the panels are shown but not yet up to date with the input. */
 bool ui_is_busy(const struct ui *ui);
 
-/* A hand has taken hold of the picture, and of no panel. Then all panels say is how long a frame
- * takes: whether the last frame of theirs is new enough for that. */
+/* ui_drags_picture() returns true while the user drags the image rather than a panel. The panels
+ * then change only in their frame time, so ui_may_wait() returns true if their next update can be
+ * skipped. */
 bool ui_drags_picture(const struct ui *ui);
 bool ui_may_wait(const struct ui *ui, double now);
 
-/* Another size of all there is. ui_font() is another one afterwards: nothing may use it. */
+/* Changes the scale. ui_font() is replaced, so no frame may still use it. */
 MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 
-void ui_look(struct ui *ui, const struct theme *theme); /* other colours, from the next frame on */
+void ui_look(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
-/* Writes to a file, whenever it changes, what hands can use, one a line: left, top, width, height,
- * pixels, and the label; and at 0 0 0 0 how often each action has been done. For programs that
- * use the window. */
+/* Lets a file be rewritten on each change, with one line per usable item: left, top, width, height
+ * in pixels, label; and lines at 0 0 0 0 with the count of each action. For scripts that drive the
+ * window. */
 void ui_dump(struct ui *ui, const char *path);
-void ui_count(struct ui *ui, enum view_action action); /* it was done */
+void ui_count(struct ui *ui, enum view_action action); /* counts an executed action */
 
 float ui_scale(const struct ui *ui);
 
-/* For screen_lay_over(). */
+/* Returns the font atlas for screen_lay_over(). */
 const struct gpu_image *ui_font(const struct ui *ui);
 
-/* What the panels tell of. */
+/* Viewer state that the panels display. */
 struct ui_view {
     const struct picture *picture;
     const struct screen *screen;
-    struct ui_pace pace; /* of the last frame */
+    struct ui_pace pace; /* timing of the last frame */
     double now;          /* seconds */
-    VkExtent2D size;     /* of the window, pixels */
+    VkExtent2D size;     /* size of the window, pixels */
     const struct history *history;
     const struct reloads *reloads;
-    const struct layout *layout; /* of the window */
+    const struct layout *layout; /* layout of the window */
     const struct look *look;
     struct look_choice look_wanted;
-    const struct present_place *place; /* of the picture in the window */
+    const struct present_place *place; /* position of the image in the window */
     enum view_other other;
-    const char *left, *right; /* what both sides are, in words */
-    bool has_stored;          /* VIEW_OTHER_STATE can be shown */
-    bool differs;             /* their difference is shown */
+    const char *left, *right; /* labels of side A and side B */
+    bool has_stored;          /* VIEW_OTHER_STATE is available */
+    bool differs;             /* the error map is shown */
     bool paused;
-    float time;                         /* of the scene, seconds */
-    uint32_t sample_count, sample_goal; /* of the picture that is shown; 0: while it moves */
-    double noise;                       /* of it; below 0: not known */
-    double seconds_left; /* until all samples are drawn; 0: they are, or it is not known */
-    bool is_new;         /* nothing has been dragged yet */
+    float time;                         /* scene time, seconds */
+    uint32_t sample_count, sample_goal; /* samples of the displayed image; 0 during interaction */
+    double noise;                       /* noise of the image; negative if not known */
+    double seconds_left; /* seconds until all samples are drawn; 0 if done or unknown */
+    bool is_new;         /* the user has not orbited the camera yet */
 };
 
-/* What a hand wants. */
+/* What the user requested in the panels during a frame. */
 struct ui_wish {
-    enum view_action action; /* VIEW_NOTHING: none */
-    char *open;              /* a file or scene, malloc'd; NULL: none */
-    bool changed;            /* these: */
+    enum view_action action; /* VIEW_NOTHING if none */
+    char *open;              /* file or scene to open, malloc'd; NULL if none */
+    bool changed;            /* `settings` or `rung` were changed */
     struct settings settings;
     const struct technique *rung;
-    uint32_t gesture; /* the same for all changes by one movement of a hand; see imgui.h */
-    bool seeks;       /* the scene's time is to be: */
+    uint32_t gesture; /* equal for all changes of one drag; see imgui_gesture() */
+    bool seeks;       /* set the scene time to `time` */
     float time;
-    VkExtent2D shot; /* a picture of this size is to be saved; 0x0: none */
+    VkExtent2D shot; /* save an image of this size; 0x0 if none */
     struct look_choice look;
-    bool looks;                    /* the panel of values is open */
-    enum view_other other;         /* whatever is changed: on the right */
-    const struct technique *split; /* the rung there; NULL: it has none */
+    bool looks;                    /* the inspector panel is open */
+    enum view_other other;         /* side B, changed independently of `changed` */
+    const struct technique *split; /* refraction model of side B; NULL if there is none */
 };
 
-/* Shows or hides what an action names: times, plan, keys. Returns whether it is shown. */
+/* Toggles the panel that an action names: pass times, plan, inspector ... Returns true if it is
+ * shown. */
 bool ui_toggle(struct ui *ui, enum view_action action);
 
-/* A frame is due, though no hand has done anything. */
+/* Requests a frame although there was no input. */
 void ui_wake(struct ui *ui);
 
 void ui_close_look(struct ui *ui);
 
-/* Words that stand in the panel until others do; cut where they are too long. */
+/* Shows a message in the status bar until the next one; too long messages are shortened. */
 void ui_say(struct ui *ui, const char *words);
 
-/* The same of what went wrong: what to do about it. */
+/* Shows an error message in the status bar, with a hint what to do. */
 void ui_fail(struct ui *ui, const char *words);
 
-/* What is wrong, until it is not: "". Stands in red. */
+/* Shows a persistent error in red until it is cleared by "". */
 void ui_complain(struct ui *ui, const char *words);
 
-/* Runs the panels; before the frame they are drawn in. */
+/* Runs the panels for one frame; call it before drawing that frame. */
 void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish);
 
-/* Writes what is to be drawn, nothing while hidden; arrays of OVERLAY_*_COUNT. The list is the
- * ui's. */
+/* Writes vertices and indices, of OVERLAY_*_COUNT elements, and returns the draw list, which the ui
+ * owns. The list is empty while hidden. */
 const struct overlay_list *ui_take(struct ui *ui, struct overlay_vertex *vertices,
                                    uint32_t *indices);
 

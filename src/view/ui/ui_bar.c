@@ -1,4 +1,4 @@
-/* ui_bar.c: what is done most, above the picture; what there is to say, below it. */
+/* ui_bar.c: toolbar above the image and status bar below it. */
 #include <stdio.h>
 #include "src/tech/tonemap.h"
 #include "src/view/ui/ui_internal.h"
@@ -8,15 +8,15 @@ enum {
     BUTTON_COUNT = 9,
 };
 
-/* What is left out first comes last. */
+/* Buttons from left to right; in narrow windows the last ones are omitted. */
 static const enum view_action buttons[BUTTON_COUNT] = {
     VIEW_PAUSE,      VIEW_PALETTE, VIEW_HELP,  VIEW_UNDO,  VIEW_REDO,
     VIEW_SCREENSHOT, VIEW_COPY,    VIEW_SPLIT, VIEW_RESET,
 };
 
-static const float slot_width = 130.0f;   /* of exposure and layers, at scale 1 */
-static const float exposure_reach = 6.0f; /* stops; the group Camera has more */
-static const float name_width = 60.0f;    /* at least, at scale 1 */
+static const float slot_width = 130.0f;   /* of exposure slider and layer list, at scale 1 */
+static const float exposure_reach = 6.0f; /* stops; the setting itself allows more */
+static const float name_width = 60.0f;    /* minimum width of the scene's name, at scale 1 */
 
 struct imgui_place ui_place(VkRect2D r)
 {
@@ -56,7 +56,7 @@ static void exposure(float width, struct ui_wish *wish)
         settings_put(&wish->settings, row, (double)stops);
         wish->changed = true;
     }
-    imgui_tip("exposure (E, Shift+E by half a stop): tonemap.exposure; costs no samples");
+    imgui_tip("exposure (E, Shift+E: half a stop): tonemap.exposure; needs no new samples");
 }
 
 void ui_bar(const struct ui_view *view, struct ui_wish *wish)
@@ -103,8 +103,6 @@ void ui_bar(const struct ui_view *view, struct ui_wish *wish)
     }
 }
 
-/* ---- below ---- */
-
 static void print_pace(const struct ui *ui, const struct ui_view *view, char *text, size_t size)
 {
     const struct app_picture *p = &view->picture->state;
@@ -126,7 +124,7 @@ static void print_pace(const struct ui *ui, const struct ui_view *view, char *te
         snprintf(text, size, "%u\xc3\x97%u", drawn.width, drawn.height);
 }
 
-/* A line below the picture that grows with its samples. */
+/* Draws a progress bar of the samples along the lower edge of the image. */
 static void show_progress(const struct ui_view *view)
 {
     struct imgui_place line = ui_place(view->layout->picture);
@@ -137,7 +135,8 @@ static void show_progress(const struct ui_view *view)
         imgui_rectangle(line, imgui_rgba(imgui_theme()->accent));
 }
 
-static const char hint[] = "drag turns, Ctrl drag: light, wheel zooms, drop a file, F1: keys";
+static const char hint[] =
+    "drag: orbit, Ctrl drag: light, wheel: zoom, F1: keys; drop files to open";
 
 void ui_status(const struct ui *ui, const struct ui_view *view)
 {

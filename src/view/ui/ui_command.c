@@ -1,4 +1,4 @@
-/* ui_command.c: options in words. */
+/* ui_command.c: prints the `firn render` command that reproduces the viewer's image. */
 #include "src/view/ui/ui_command.h"
 #include <cglm/struct.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 #include "src/tech/refract.h"
 #include "src/tech/techniques.h"
 
-static const float leaning = 1e-4f; /* of the picture's axes, from where +Y would put them */
+static const float roll_tolerance = 1e-4f; /* deviation of the up axis that counts as roll */
 
 static void print_name(FILE *out, const char *option, const char *name)
 {
@@ -43,8 +43,6 @@ static void print_fov(FILE *out, float fov_deg)
     settings_print_number(fov_deg, out);
 }
 
-/* ---- the camera ---- */
-
 static bool same_camera(const struct camera *a, const struct camera *b)
 {
     return glms_vec3_eqv(a->eye, b->eye) && glms_vec3_eqv(a->target, b->target) &&
@@ -52,14 +50,15 @@ static bool same_camera(const struct camera *a, const struct camera *b)
            !(a->height < b->height || a->height > b->height);
 }
 
-static bool leans(const struct camera *camera)
+static bool has_roll(const struct camera *camera)
 {
     struct camera upright = *camera;
     upright.up = (vec3s){ 0 };
-    return glms_vec3_distance(camera_basis(camera).up, camera_basis(&upright).up) > leaning;
+    return glms_vec3_distance(camera_basis(camera).up, camera_basis(&upright).up) > roll_tolerance;
 }
 
-/* The options that placed it, if they still do, in a picture of this size. */
+/* Prints the camera options given at the start if they still hold, otherwise the camera's vectors.
+ */
 static void print_camera(FILE *out, const struct ui_command *c)
 {
     const struct app_picture *p = c->picture;
@@ -73,7 +72,7 @@ static void print_camera(FILE *out, const struct ui_command *c)
             print_fov(out, p->fov_deg);
         return;
     }
-    if (leans(c->camera))
+    if (has_roll(c->camera))
         log_warning("the camera is tilted sideways, which no option of firn render supports: the "
                     "copied view is level");
     if (c->camera->height > 0.0f)
@@ -84,14 +83,12 @@ static void print_camera(FILE *out, const struct ui_command *c)
     print_fov(out, c->camera->fov_deg);
 }
 
-/* ---- settings ---- */
-
 static bool differ(double a, double b)
 {
     return a < b || a > b;
 }
 
-/* Unless it is 0. */
+/* Prints an option unless its value is 0. */
 static void print_number(FILE *out, const char *option, float value)
 {
     if (differ((double)value, 0.0)) {
@@ -106,8 +103,8 @@ static void print_setting(FILE *out, const struct settings *settings, const stru
     settings_print(settings, row, out);
 }
 
-/* Whether anything is there by itself, so that it is not said, that --material would take off. */
-static bool is_dressed(const struct settings *settings)
+/* Returns true if inclusions or bumps are on by default, which --material would turn off. */
+static bool has_default_inclusions(const struct settings *settings)
 {
     const struct settings defaults = settings_default();
     for (const struct technique *const *t = techniques; *t; t++) {
@@ -119,8 +116,8 @@ static bool is_dressed(const struct settings *settings)
     return false;
 }
 
-/* Unless it is what the model, or firn, has by itself. --material also decides what of a file is an
- * object. */
+/* Prints the refractive index as --material or refract.ior, unless it is the model's own or the
+ * default. For files, --material also decides which parts are refractive. */
 static void print_ior(FILE *out, const struct ui_command *c)
 {
     const struct setting *row =
@@ -140,7 +137,7 @@ static void print_ior(FILE *out, const struct ui_command *c)
     if (!differ(ior, own))
         return;
     const struct material_preset *m = material_presets;
-    for (; m->name && !is_dressed(&c->picture->scene.settings); m++) {
+    for (; m->name && !has_default_inclusions(&c->picture->scene.settings); m++) {
         if (!differ((double)m->ior, ior)) {
             print_name(out, "material", m->name);
             return;
@@ -167,13 +164,11 @@ static void print_settings(FILE *out, const struct ui_command *c)
     }
 }
 
-/* ---- all of it ---- */
-
 static void print(FILE *out, const struct ui_command *c)
 {
     const struct app_picture *p = c->picture;
     fputs("firn render ", out);
-    if (p->scene.name[0] == '-') /* else an option */
+    if (p->scene.name[0] == '-') /* otherwise the name would be parsed as an option */
         fputs("./", out);
     shell_words_quote(p->scene.name, out);
     fprintf(out, " --size %ux%u", p->width, p->height);

@@ -1,9 +1,9 @@
 /*
- * ui_command.h: the `firn render` that draws what a window shows.
+ * ui_command.h: prints the `firn render` command that draws what the window shows.
  *
- * Only what differs from the defaults is said, in words that a shell reads back as they were. With
- * env_cube.dynamic=off the cube is drawn at the time of the command's picture. Of a split window it
- * draws what is on the left.
+ * Only options and settings that differ from the defaults are printed, quoted for a shell. With
+ * env_cube.dynamic=off, the cube is drawn at the command's time. Of a split view, only side A is
+ * drawn.
  */
 #ifndef FIRN_VIEW_UI_UI_COMMAND_H
 #define FIRN_VIEW_UI_UI_COMMAND_H
@@ -11,14 +11,14 @@
 #include "src/app/app.h"
 
 struct ui_command {
-    const struct app_picture *picture; /* settings and size in use */
+    const struct app_picture *picture; /* current settings and size */
     const struct scene *scene;
     const struct camera *camera;
-    float time; /* seconds */
+    float time; /* scene time, seconds */
 };
 
-/* One line, malloc'd, without newline. NULL: out of memory, which is logged. A camera that leans is
- * put upright, with a warning: no option says how it leans. */
+/* Returns one line, malloc'd, without newline; NULL if out of memory, which is logged. A camera
+ * with roll is levelled, with a warning, because no option describes roll. */
 char *ui_command_print(const struct ui_command *command);
 
 #endif

@@ -1,16 +1,16 @@
-/* ui_gallery.c: values to choose from: a list, buttons, pictures. */
+/* ui_gallery.c: widgets that choose one of several values: list, buttons, thumbnails. */
 #include <math.h>
 #include <stdio.h>
 #include "src/view/ui/ui_internal.h"
 
 enum {
-    BUTTON_MAX = 8, /* values without pictures; more are a list */
+    BUTTON_MAX = 8, /* maximum values shown as buttons; more become a list */
 };
 
-static const float cell_width = 63.0f; /* of a picture with its margins, at least; at scale 1 */
+static const float cell_width = 63.0f; /* minimum width of a thumbnail with margins, at scale 1 */
 static const float cell_gap = 6.0f;
 
-/* What a row begins with; what a hand changes begins at `x`. */
+/* Draws the label of a row; its control starts at `x`. */
 static void head(const char *name, float x, const char *tip)
 {
     imgui_indent(8.0f * imgui_scale());

@@ -1,4 +1,4 @@
-/* ui_groups.c: the one table of which setting is where. */
+/* ui_groups.c: table that assigns settings to the groups of the settings panel. */
 #include "src/view/ui/ui_groups.h"
 #include <assert.h>
 #include <string.h>
@@ -10,7 +10,7 @@ static const char *const names[UI_GROUP_COUNT] = {
     [UI_WATER] = "Water",   [UI_EXPERT] = "Expert",
 };
 
-/* In the order in which a group shows them. */
+/* Settings of each group, in display order. */
 static const struct {
     enum ui_group group;
     const char *setting;

@@ -1,5 +1,5 @@
 /*
- * ui_groups.h: what a person looks for, and which settings that is.
+ * ui_groups.h: groups of the settings panel, and which settings belong to them.
  */
 #ifndef FIRN_VIEW_UI_UI_GROUPS_H
 #define FIRN_VIEW_UI_UI_GROUPS_H
@@ -15,16 +15,16 @@ enum ui_group {
     UI_CAMERA,
     UI_QUALITY,
     UI_WATER,
-    UI_EXPERT, /* every setting that has no row in the table */
+    UI_EXPERT, /* settings that are in no other group */
     UI_GROUP_COUNT,
 };
 
 const char *ui_group_name(enum ui_group group);
 
-/* Where a setting is. */
+/* Returns the group of a setting. */
 enum ui_group ui_group_of(const struct setting *row);
 
-/* Setting i of a group, those that are wanted most first; NULL: there are no more. */
+/* Returns setting i of a group, the most useful ones first; NULL after the last. */
 const struct setting *ui_group_row(enum ui_group group, uint32_t i);
 
 #endif

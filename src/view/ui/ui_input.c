@@ -1,14 +1,14 @@
-/* ui_input.c: a queue of events that is emptied as fast as frames can follow. */
+/* ui_input.c: queue of input events that are spread over frames for Dear ImGui. */
 #define GLFW_INCLUDE_NONE
 #include "src/view/ui/ui_input.h"
 #include <GLFW/glfw3.h>
 #include <string.h>
 
-/* The first key of a kind is enough for panels, but for Enter. */
+/* Maps GLFW keys to Dear ImGui keys; of equivalent keys, panels need only one, except for Enter. */
 static const struct {
     int key;
     enum imgui_key means;
-    bool with_control; /* else it is a character */
+    bool with_control; /* used only with Ctrl; otherwise the key types a character */
 } keys[] = {
     { GLFW_KEY_TAB, IMGUI_TAB, false },
     { GLFW_KEY_LEFT, IMGUI_LEFT, false },
@@ -42,14 +42,15 @@ static enum imgui_key find_key(const struct imgui_input *now, const struct windo
     return IMGUI_KEY_COUNT;
 }
 
-/* What a frame has seen change. */
-struct seen {
+/* Input changes that the current frame already contains. */
+struct changes {
     bool moved, button, key, character;
     bool buttons[IMGUI_BUTTON_COUNT];
     bool keys[IMGUI_KEY_COUNT];
 };
 
-static void apply_key(struct imgui_input *now, const struct window_event *event, struct seen *seen)
+static void apply_key(struct imgui_input *now, const struct window_event *event,
+                      struct changes *changes)
 {
     const enum imgui_key key = find_key(now, event);
     now->control = event->control;
@@ -58,52 +59,54 @@ static void apply_key(struct imgui_input *now, const struct window_event *event,
     if (key == IMGUI_KEY_COUNT)
         return;
     now->keys[key] = event->down;
-    seen->key = seen->keys[key] = true;
+    changes->key = changes->keys[key] = true;
 }
 
-static void apply(struct imgui_input *now, const struct window_event *event, struct seen *seen)
+static void apply(struct imgui_input *now, const struct window_event *event,
+                  struct changes *changes)
 {
     switch (event->kind) {
     case WINDOW_CURSOR:
         now->x = (float)event->x;
         now->y = (float)event->y;
-        seen->moved = true;
+        changes->moved = true;
         break;
     case WINDOW_BUTTON:
         if (event->code < IMGUI_BUTTON_COUNT) {
             now->buttons[event->code] = event->down;
-            seen->button = seen->buttons[event->code] = true;
+            changes->button = changes->buttons[event->code] = true;
         }
         break;
     case WINDOW_WHEEL:
         now->wheel += (float)event->y;
         break;
     case WINDOW_KEY:
-        apply_key(now, event, seen);
+        apply_key(now, event, changes);
         break;
     case WINDOW_CHARACTER:
         if (now->character_count < IMGUI_CHARACTER_COUNT)
             now->characters[now->character_count++] = (unsigned)event->code;
-        seen->character = true;
+        changes->character = true;
         break;
     }
 }
 
-/* Whether it must not come into a frame that has seen so much. */
-static bool is_for_later(const struct imgui_input *now, const struct window_event *event,
-                         const struct seen *seen)
+/* Returns true if an event must wait for the next frame because of earlier changes in this one. */
+static bool must_wait(const struct imgui_input *now, const struct window_event *event,
+                      const struct changes *changes)
 {
     const enum imgui_key key = find_key(now, event);
     switch (event->kind) {
     case WINDOW_CURSOR:
     case WINDOW_WHEEL:
-        return seen->button;
+        return changes->button;
     case WINDOW_BUTTON:
-        return event->code < IMGUI_BUTTON_COUNT && (seen->buttons[event->code] || seen->moved);
+        return event->code < IMGUI_BUTTON_COUNT &&
+               (changes->buttons[event->code] || changes->moved);
     case WINDOW_KEY:
-        return key != IMGUI_KEY_COUNT && (seen->character || seen->keys[key]);
+        return key != IMGUI_KEY_COUNT && (changes->character || changes->keys[key]);
     case WINDOW_CHARACTER:
-        return seen->key || now->character_count == IMGUI_CHARACTER_COUNT;
+        return changes->key || now->character_count == IMGUI_CHARACTER_COUNT;
     }
     return false;
 }
@@ -122,8 +125,8 @@ void ui_input_add(struct ui_input *input, const struct window_event *event)
         return;
     }
     if (input->event_count == UI_INPUT_EVENT_COUNT) {
-        struct seen seen = { 0 };
-        apply(&input->now, &input->events[0], &seen);
+        struct changes changes = { 0 };
+        apply(&input->now, &input->events[0], &changes);
         forget(input, 1);
     }
     input->events[input->event_count++] = *event;
@@ -131,11 +134,11 @@ void ui_input_add(struct ui_input *input, const struct window_event *event)
 
 void ui_input_step(struct ui_input *input)
 {
-    struct seen seen = { 0 };
+    struct changes changes = { 0 };
     uint32_t count = 0;
     input->now.wheel = 0.0f;
     input->now.character_count = 0;
-    while (count < input->event_count && !is_for_later(&input->now, &input->events[count], &seen))
-        apply(&input->now, &input->events[count++], &seen);
+    while (count < input->event_count && !must_wait(&input->now, &input->events[count], &changes))
+        apply(&input->now, &input->events[count++], &changes);
     forget(input, count);
 }

@@ -1,4 +1,4 @@
-/* ui_look.c: which layer is shown, how, and what is below the cursor. */
+/* ui_look.c: panel of the pixel inspector: layer, channel, histogram, pixel values, magnifier. */
 #include "src/view/ui/ui_look.h"
 #include <math.h>
 #include <stdio.h>
@@ -7,20 +7,18 @@
 #include "src/view/ui/ui_internal.h"
 
 enum {
-    ZOOM_COLUMNS = 15, /* pixels of the magnifier */
+    ZOOM_COLUMNS = 15, /* pixels shown in the magnifier */
     ZOOM_ROWS = 9,
     ZOOM_MIDDLE = ZOOM_ROWS / 2 * ZOOM_COLUMNS + ZOOM_COLUMNS / 2,
     NAMES_MAX = LOOK_LAYER_MAX + 1,
 };
 
-static const float histogram_height = 64.0f; /* at scale 1 */
-
-/* ---- what is shown ---- */
+static const float histogram_height = 64.0f; /* height of the histogram at scale 1 */
 
 static uint32_t name_layers(const char *names[static NAMES_MAX])
 {
     uint32_t count = 1;
-    names[0] = "picture";
+    names[0] = "image";
     for (; count < NAMES_MAX && look_layer(count); count++)
         names[count] = look_layer(count)->name;
     return count;
@@ -31,8 +29,8 @@ static void choose_layer(struct look_choice *c)
     const char *names[NAMES_MAX];
     const uint32_t count = name_layers(names);
     const struct frame_layer *now = look_layer(c->layer);
-    if (ui_named_list("layer", names, count, &c->layer,
-                      now ? now->help : "what is shown: the picture, or one of its layers (L)"))
+    if (ui_named_list("Layer", names, count, &c->layer,
+                      now ? now->help : "image or layer to show (L)"))
         c->channel = 0;
 }
 
@@ -43,7 +41,7 @@ void ui_look_list(const char *label, struct look_choice *c)
     const struct frame_layer *now = look_layer(c->layer);
     if (imgui_list(label, names, count, &c->layer))
         c->channel = 0;
-    imgui_tip(now ? now->help : "what is shown: the picture, or one of its layers (L)");
+    imgui_tip(now ? now->help : "image or layer to show (L)");
 }
 
 static void choose_channel(struct look_choice *c)
@@ -57,7 +55,7 @@ static void choose_channel(struct look_choice *c)
         if (!names[count])
             break;
     }
-    ui_named_list("channel", names, count, &c->channel, "one channel alone, or all");
+    ui_named_list("Channel", names, count, &c->channel, "channel to show, or all");
 }
 
 static void choose(struct look_choice *c)
@@ -66,20 +64,18 @@ static void choose(struct look_choice *c)
     choose_layer(c);
     choose_channel(c);
     imgui_align();
-    imgui_text("brighter");
+    imgui_text("Gain");
     imgui_same_line(imgui_room() * 0.4f);
     imgui_next_width(imgui_room());
-    imgui_slider("##brighter", &c->stops, &stops);
-    imgui_tip("shows colours brighter; changes no setting");
-    imgui_checkbox("false colours", &c->false_color);
-    imgui_tip("from black (least) over violet and red to yellow (greatest) (Z)");
+    imgui_slider("##gain", &c->stops, &stops);
+    imgui_tip("exposure gain of the inspector; changes no setting");
+    imgui_checkbox("False colours", &c->false_color);
+    imgui_tip("black (minimum) over violet and red to yellow (maximum) (Z)");
     imgui_same_line(0.0f);
-    if (imgui_button("as it is"))
+    if (imgui_button("Reset"))
         *c = (struct look_choice){ 0 };
-    imgui_tip("the picture again");
+    imgui_tip("show the unmodified image");
 }
-
-/* ---- the histogram ---- */
 
 static void histogram(const struct look *look, const struct theme *theme)
 {
@@ -98,7 +94,8 @@ static void histogram(const struct look *look, const struct theme *theme)
                                               step, height },
                         imgui_rgba(theme->accent));
     }
-    snprintf(text, sizeof(text), look->choice.layer ? "%.4g to %.4g" : "%.0f to %.0f stops from 1",
+    snprintf(text, sizeof(text),
+             look->choice.layer ? "%.4g to %.4g" : "%.0f to %.0f stops relative to 1",
              (double)look->least, (double)look->greatest);
     imgui_text_wrapped(text);
     if (look->below > 0.0f || look->above > 0.0f) {
@@ -108,9 +105,7 @@ static void histogram(const struct look *look, const struct theme *theme)
     }
 }
 
-/* ---- below the cursor ---- */
-
-/* Its pixels, large; the middle one has a frame. */
+/* Draws the pixels around (x, y) enlarged; the centre pixel has a frame. */
 static void magnifier(const struct ui_view *view, uint32_t x, uint32_t y, const struct theme *theme)
 {
     struct look_values v;
@@ -147,14 +142,14 @@ static void line(const char *name, const float *values, uint32_t count, const ch
     imgui_value(text);
 }
 
-/* Of an object that bends light, by its index of refraction; NULL: it has none, or no name. */
+/* Returns the material preset with the object's refractive index; NULL if there is none. */
 static const char *material_of(const struct picture *p, uint32_t object)
 {
     const struct model *model = &p->scene.model;
     const struct refract_params *refract = settings_of(&p->state.scene.settings, &refract_settings);
     const uint32_t count = model->object_count ? model->object_count : 1;
     if (object > count || (count > 1 && p->scene.material_rows))
-        return NULL; /* each may have another */
+        return NULL; /* several objects may have different materials */
     for (const struct material_preset *m = material_presets; m->name; m++) {
         if (!(m->ior < refract->ior || m->ior > refract->ior))
             return m->name;
@@ -169,9 +164,9 @@ static void values(const struct ui_view *view, const struct look_values *v, uint
     const struct frame_layer *layer = look_layer(view->look->choice.layer);
     snprintf(text, sizeof(text), "pixel %u %u%s", x, y, pinned ? " pinned" : "");
     imgui_value(text);
-    imgui_tip(pinned ? "a click on the picture lets it go" : "a click on the picture pins it");
-    line("colour", v->color, 3, "");
-    snprintf(text, sizeof(text), "shown %u %u %u", v->shown[0], v->shown[1], v->shown[2]);
+    imgui_tip(pinned ? "click the image to unpin" : "click the image to pin");
+    line("linear", v->color, 3, "");
+    snprintf(text, sizeof(text), "8 bit %u %u %u", v->shown[0], v->shown[1], v->shown[2]);
     imgui_value(text);
     if (layer)
         line(layer->name, v->layer, v->layer_count, "");
@@ -184,7 +179,7 @@ static void values(const struct ui_view *view, const struct look_values *v, uint
     line("distance", &v->distance, 1, " m");
     snprintf(text, sizeof(text), "object %u %s", v->object, v->name);
     imgui_value(text);
-    imgui_tip(text); /* names may be long */
+    imgui_tip(text); /* long names are cut in the panel */
     const char *material = material_of(view->picture, v->object);
     if (material) {
         snprintf(text, sizeof(text), "material %s", material);
@@ -192,7 +187,7 @@ static void values(const struct ui_view *view, const struct look_values *v, uint
     }
 }
 
-/* Whether the cursor is over the picture; where. */
+/* Returns true if the cursor is over the image, and its pixel. */
 static bool find_pixel(const struct ui *ui, const struct ui_view *view, uint32_t *x, uint32_t *y)
 {
     const struct present_place *place = view->place;
@@ -212,7 +207,7 @@ void ui_look_panel(struct ui *ui, const struct ui_view *view, struct ui_wish *wi
     choose(&wish->look);
     imgui_scroll_begin("values");
     if (!view->look->sample_count) {
-        imgui_text_dim("values come when the picture is still");
+        imgui_text_dim("values are available when the image is at rest");
         imgui_scroll_end();
         return;
     }
@@ -223,7 +218,7 @@ void ui_look_panel(struct ui *ui, const struct ui_view *view, struct ui_wish *wi
         values(view, &v, ui->look_x, ui->look_y, ui->pinned);
         magnifier(view, ui->look_x, ui->look_y, ui->theme);
     } else {
-        imgui_text_dim("point at the picture");
+        imgui_text_dim("point at the image");
     }
     imgui_scroll_end();
 }

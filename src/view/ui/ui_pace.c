@@ -1,9 +1,9 @@
-/* ui_pace.c: running means, and which of them is all of a frame. */
+/* ui_pace.c: running means of frame times, and what limits the frame rate. */
 #include "src/view/ui/ui_pace.h"
 
-static const double share = 0.1; /* of the newest frame in the mean */
-static const double busy = 0.8;  /* of a frame: nothing else counts */
-static const double waits = 0.3; /* of a frame: more than chance */
+static const double smoothing = 0.1; /* weight of the newest frame in the running means */
+static const double busy = 0.8;      /* a device busy for more of a frame than this is the limit */
+static const double waits = 0.3;     /* a wait for more of a frame than this is the limit */
 
 static void mix(double *mean, double value, double by)
 {
@@ -12,7 +12,7 @@ static void mix(double *mean, double value, double by)
 
 void ui_pace_add(struct ui_pace *pace, const struct ui_pace *sample)
 {
-    const double by = pace->frame > 0.0 ? share : 1.0;
+    const double by = pace->frame > 0.0 ? smoothing : 1.0;
     if (sample->frame <= 0.0)
         return;
     mix(&pace->frame, sample->frame, by);
@@ -21,7 +21,7 @@ void ui_pace_add(struct ui_pace *pace, const struct ui_pace *sample)
     mix(&pace->limit, sample->limit, by);
 }
 
-/* Waiting for the screen hides work of the device, not the other way round. */
+/* Checks the device first, because waiting for the screen includes waiting for the device. */
 const char *ui_pace_limit(const struct ui_pace *pace)
 {
     if (pace->device > busy * pace->frame)

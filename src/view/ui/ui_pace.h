@@ -1,21 +1,21 @@
 /*
- * ui_pace.h: how fast frames follow each other, and what keeps them from being faster.
+ * ui_pace.h: frame pacing: how long frames take and what limits the frame rate.
  */
 #ifndef FIRN_VIEW_UI_UI_PACE_H
 #define FIRN_VIEW_UI_UI_PACE_H
 
-/* Of a frame, or smoothed over some: seconds. All but the first happen side by side. */
+/* Seconds of one frame, or means over several. device, screen and limit may overlap in time. */
 struct ui_pace {
-    double frame;  /* from one to the next */
+    double frame;  /* from the start of a frame to the next */
     double device; /* the device worked, or the host waited for it */
-    double screen; /* the host waited for an image to draw to, and for it to be shown */
+    double screen; /* the host waited to acquire or present an image */
     double limit;  /* the host waited because of --fps-limit */
 };
 
-/* *pace comes nearer to the sample, from {0} at once; a sample without a frame counts nothing. */
+/* Updates the running means; the first sample is taken as it is. Ignores samples with frame 0. */
 void ui_pace_add(struct ui_pace *pace, const struct ui_pace *sample);
 
-/* What frames wait for, in words. */
+/* Returns what limits the frame rate, as a phrase for the status bar. */
 const char *ui_pace_limit(const struct ui_pace *pace);
 
 #endif

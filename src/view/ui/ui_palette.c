@@ -1,4 +1,4 @@
-/* ui_palette.c: actions, settings, materials, scenes and presets, found by words. */
+/* ui_palette.c: command palette: fuzzy search of actions, settings, materials, scenes and files. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,11 +16,11 @@
 
 enum {
     ENTRIES_MAX = 400,
-    SHOWN_MAX = 12, /* rows at once */
+    SHOWN_MAX = 12, /* visible rows */
     LABEL_SIZE = 96,
-    SYNONYM = 500,   /* distance of words that are no name's */
-    IN_HELP = 1000,  /* that only the help of a setting has */
-    MISSPELT = 2000, /* least distance of words with a wrong letter */
+    SYNONYM = 500,   /* distance if only a synonym matches */
+    IN_HELP = 1000,  /* distance if only the help of a setting matches */
+    MISSPELT = 2000, /* minimum distance of matches with a wrong letter */
 };
 
 enum entry_kind {
@@ -36,20 +36,20 @@ enum entry_kind {
     ENTRY_SETTING,
 };
 
-/* What can be chosen. */
+/* An entry of the palette. */
 struct entry {
     enum entry_kind kind;
-    uint32_t index;  /* of the action, material, scene, preset, file or rung */
-    VkExtent2D size; /* of a picture to be saved */
+    uint32_t index;  /* index in the table of its kind */
+    VkExtent2D size; /* size of an image to be saved */
     const struct setting *row;
     char label[LABEL_SIZE];
-    const char *key;   /* NULL: none */
-    uint32_t distance; /* of the words: the nearest first */
+    const char *key;   /* keyboard shortcut; NULL if there is none */
+    uint32_t distance; /* match distance; the nearest entries come first */
 };
 
 struct palette {
     struct entry entries[ENTRIES_MAX];
-    const struct entry *order[ENTRIES_MAX]; /* as they are shown */
+    const struct entry *order[ENTRIES_MAX]; /* entries sorted by distance */
     uint32_t count;
     const char *words;
 };
@@ -83,10 +83,11 @@ __attribute__((format(printf, 3, 4))) static void add(struct palette *p, const s
     vsnprintf(e->label, sizeof(e->label), format, arguments);
     va_end(arguments);
     e->distance = distance_of(p, e);
-    p->count += e->distance != UI_WORDS_NONE; /* else it is written over */
+    /* overwritten by the next entry if it does not match */
+    p->count += e->distance != UI_WORDS_NONE;
 }
 
-/* Of one distance, entries stay as they are. */
+/* Compares by distance; entries of equal distance keep their order. */
 static int compare(const void *a, const void *b)
 {
     const struct entry *x = *(const struct entry *const *)a;
@@ -111,7 +112,7 @@ static void collect_files(struct palette *p)
     }
 }
 
-/* Sizes of pictures to be saved: some, and the one that is typed. */
+/* Adds sizes for saving the image: common ones, and the one that is typed. */
 static void collect_sizes(struct palette *p)
 {
     static const VkExtent2D sizes[] = { { 1920, 1080 }, { 3840, 2160 }, { 2048, 2048 } };
@@ -119,11 +120,11 @@ static void collect_sizes(struct palette *p)
     VkExtent2D typed;
     char end;
     for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++)
-        add(p, &(struct entry){ ENTRY_SHOT, .size = sizes[i] }, "save the picture, %ux%u",
+        add(p, &(struct entry){ ENTRY_SHOT, .size = sizes[i] }, "save the image, %ux%u",
             sizes[i].width, sizes[i].height);
     if (sscanf(digits, "%5ux%5u%c", &typed.width, &typed.height, &end) == 2 && typed.width &&
         typed.height)
-        add(p, &(struct entry){ ENTRY_SHOT, .size = typed }, "save the picture, %ux%u", typed.width,
+        add(p, &(struct entry){ ENTRY_SHOT, .size = typed }, "save the image, %ux%u", typed.width,
             typed.height);
 }
 
@@ -230,7 +231,7 @@ static void rows(struct ui *ui, const struct palette *p, struct ui_wish *wish)
         imgui_id_end();
     }
     if (!p->count)
-        imgui_text_dim("no action, setting, material, scene, file or preset has these words");
+        imgui_text_dim("no matches");
 }
 
 void ui_palette(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
@@ -252,12 +253,12 @@ void ui_palette(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     if (ui->focus_palette)
         imgui_next_focus();
     imgui_next_width(imgui_room());
-    if (imgui_line_of_text("##palette", "an action, a setting, a material, a scene",
+    if (imgui_line_of_text("##palette", "search actions, settings, materials, scenes",
                            ui->palette_words, sizeof(ui->palette_words)))
         ui->palette_at = 0;
     collect(p);
     ui->palette_at = p->count && ui->palette_at >= p->count ? p->count - 1 : ui->palette_at;
-    /* what was typed before Enter comes first */
+    /* Enter takes effect after queued text has been searched */
     const bool entered = ui->palette_entered && !ui->held && !ui->input.event_count;
     if (entered && ui->palette_at < p->count)
         choose(ui, p->order[ui->palette_at], wish);

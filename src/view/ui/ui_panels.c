@@ -1,4 +1,4 @@
-/* ui_panels.c: the panels. */
+/* ui_panels.c: draws the panels: side panel with tabs, shortcut list, labels of compared sides. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,18 +14,16 @@
 #include "src/view/ui/ui_settings.h"
 
 enum {
-    MATERIAL_MAX = 16, /* in the list */
+    MATERIAL_MAX = 16, /* maximum entries of each list */
     ENVIRONMENT_MAX = 8,
     RUNG_MAX = 32,
-    OTHER_COUNT = 3, /* that can be compared with, and are no rungs */
+    OTHER_COUNT = 3, /* choices for side B that are not refraction models */
 };
 
 static const char panel[] = "settings";
-static const float gallery_panel = 440.0f; /* height of a panel with pictures, at least; scale 1 */
+static const float gallery_panel = 440.0f; /* minimum height for thumbnails, at scale 1 */
 
-/* ---- the first panel ---- */
-
-/* The index of `rung` in names, which are those of all rungs. */
+/* Fills in the names of all refraction models. Returns the index of `rung`. */
 static uint32_t name_rungs(const char *names[static RUNG_MAX], uint32_t *count,
                            const struct technique *rung)
 {
@@ -60,20 +58,21 @@ static void environment_buttons(const struct ui_view *view, struct ui_wish *wish
         names[count] = ui_environment(count);
         chosen = now && !strcmp(now, names[count]) ? count : chosen;
     }
-    if (ui_named_buttons("environment", names, count, &chosen,
-                         "what is around the object: --env; or drop an .exr or .hdr") &&
+    if (ui_named_buttons("Environment", names, count, &chosen,
+                         "surrounding panorama (--env); or drop an .exr or .hdr file") &&
         !wish->open)
         wish->open = strdup(names[chosen]);
 }
 
 static void quality_list(struct ui_wish *wish)
 {
-    const char *names[QUALITY_COUNT + 1] = { [QUALITY_COUNT] = "other" };
+    const char *names[QUALITY_COUNT + 1] = { [QUALITY_COUNT] = "custom" };
     uint32_t level = quality_of(&wish->settings);
     const uint32_t count = level < QUALITY_COUNT ? QUALITY_COUNT : QUALITY_COUNT + 1;
     for (uint32_t i = 0; i < QUALITY_COUNT; i++)
         names[i] = qualities[i].name;
-    if (!ui_named_list("quality", names, count, &level, "a set of values of settings: --quality") ||
+    if (!ui_named_list("Quality preset", names, count, &level,
+                       "sets several settings at once: --quality") ||
         level == QUALITY_COUNT)
         return;
     for (const struct quality_row *row = quality_rows; row->setting; row++)
@@ -81,7 +80,7 @@ static void quality_list(struct ui_wish *wish)
     wish->changed = true;
 }
 
-/* None, the rungs, and what else there is. */
+/* Draws the list of side B: none, the refraction models, reference, image file, stored state. */
 static void other_list(const struct ui_view *view, struct ui_wish *wish, const char **names,
                        uint32_t count)
 {
@@ -89,9 +88,9 @@ static void other_list(const struct ui_view *view, struct ui_wish *wish, const c
         enum view_other other;
         const char *name;
     } more[OTHER_COUNT] = {
-        { VIEW_OTHER_REFERENCE, "the reference" },
-        { VIEW_OTHER_FILE, "a picture: drop it" },
-        { VIEW_OTHER_STATE, "what was stored (S)" },
+        { VIEW_OTHER_REFERENCE, "reference" },
+        { VIEW_OTHER_FILE, "image file: drop it" },
+        { VIEW_OTHER_STATE, "stored state (S)" },
     };
 
     const uint32_t more_count = view->has_stored ? OTHER_COUNT : OTHER_COUNT - 1;
@@ -103,8 +102,8 @@ static void other_list(const struct ui_view *view, struct ui_wish *wish, const c
         names[count + i] = more[i].name;
         chosen = wish->other == more[i].other ? count + i : chosen;
     }
-    if (!ui_named_list("compare with", names, count + more_count, &chosen,
-                       "to the right of the divider (W, [ and ])"))
+    if (!ui_named_list("Compare with", names, count + more_count, &chosen,
+                       "side B, right of the divider (W, [ and ])"))
         return;
     wish->split = chosen && chosen < count ? techniques_rung(chosen - 1) : NULL;
     wish->other = !chosen       ? VIEW_OTHER_NONE
@@ -112,7 +111,7 @@ static void other_list(const struct ui_view *view, struct ui_wish *wish, const c
                                 : more[chosen - count].other;
 }
 
-/* Low panels have no room for pictures. */
+/* Returns the thumbnail, or none in low panels, which lack the room. */
 static uint32_t picture_if_high(const struct ui *ui, const struct ui_view *view, uint32_t picture)
 {
     const float height = (float)view->layout->panel.extent.height;
@@ -128,8 +127,8 @@ static void rung_lists(const struct ui *ui, const struct ui_view *view, struct u
     for (uint32_t i = 0; i < count; i++)
         tips[i] = techniques_rung(i)->help;
     const struct ui_gallery gallery = {
-        .name = "rung",
-        .words = "rung: how refraction is drawn",
+        .name = "Refraction model",
+        .words = "Refraction model",
         .names = &names[1],
         .tips = tips,
         .first_picture = picture_if_high(ui, view, ui_pictures_rung(ui->pictures, 0)),
@@ -142,7 +141,7 @@ static void rung_lists(const struct ui *ui, const struct ui_view *view, struct u
     other_list(view, wish, names, count + 1);
 }
 
-/* By its index of refraction: glass and plastic are one. */
+/* Draws the material presets; the current one is recognised by its refractive index alone. */
 static void material_buttons(const struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     const struct setting *ior =
@@ -160,8 +159,8 @@ static void material_buttons(const struct ui *ui, const struct ui_view *view, st
             chosen = count;
     }
     const struct ui_gallery gallery = {
-        .name = "material",
-        .words = "material: sets refract.ior",
+        .name = "Material preset",
+        .words = "Material",
         .names = names,
         .tips = tips,
         .first_picture = picture_if_high(ui, view, ui_pictures_material(ui->pictures, 0)),
@@ -173,7 +172,7 @@ static void material_buttons(const struct ui *ui, const struct ui_view *view, st
     }
 }
 
-/* What a group has that is no setting. */
+/* Draws the controls of a group that are not settings. */
 static void lists(const struct ui *ui, enum ui_group group, const struct ui_view *view,
                   struct ui_wish *wish)
 {
@@ -203,17 +202,17 @@ static void groups(struct ui *ui, const struct ui_view *view, const struct ui_se
 
 static void search(struct ui *ui, const struct settings *usual, struct ui_wish *wish)
 {
-    static const char all[] = "reset all";
+    static const char all[] = "Reset all";
     if (ui->focus_search)
         imgui_next_focus();
     imgui_next_width(imgui_room() - imgui_width(all) - 6.0f * imgui_scale());
-    imgui_line_of_text("##search", "find a setting (/)", ui->filter, sizeof(ui->filter));
+    imgui_line_of_text("##search", "search settings (/)", ui->filter, sizeof(ui->filter));
     imgui_same_line(0.0f);
     if (imgui_button(all)) {
         wish->settings = *usual;
         wish->changed = true;
     }
-    imgui_tip("reset all settings to what the scene has");
+    imgui_tip("reset all settings to the scene's values");
 }
 
 static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
@@ -231,16 +230,16 @@ static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_wi
     imgui_scroll_end();
 }
 
-/* What the plan of the picture takes on the device, and why parts were made anew. */
+/* Draws the memory of the image's plan, and the log of slow changes with their reasons. */
 static void costs(const struct ui_view *view)
 {
     const struct renderer *renderer = picture_renderer(view->picture, false);
     const char *words = reloads_at(view->reloads, 0);
     if (renderer)
         ui_plan_memory(renderer_frame(renderer));
-    imgui_text_dim(words ? "made anew, and why:" : "nothing was made anew");
-    imgui_tip("changes that took longer than a frame, the newest first; tips of settings say what "
-              "a change costs");
+    imgui_text_dim(words ? "slow changes:" : "no slow changes");
+    imgui_tip("changes that took longer than a frame, newest first; tooltips of settings tell what "
+              "they rebuild");
     for (uint32_t i = 0; (words = reloads_at(view->reloads, i)); i++)
         imgui_text_wrapped(words);
 }
@@ -249,10 +248,10 @@ static void times_tab(const struct ui *ui, const struct ui_view *view)
 {
     imgui_scroll_begin("times");
     costs(view);
-    ui_times_panel("the frame", &ui->frame_times);
+    ui_times_panel("frame", &ui->frame_times);
     if (view->picture->right)
-        ui_times_panel("the right frame", &ui->right_times);
-    ui_times_panel("the window", &ui->window_times);
+        ui_times_panel("side B", &ui->right_times);
+    ui_times_panel("window", &ui->window_times);
     imgui_scroll_end();
 }
 
@@ -270,10 +269,10 @@ static void tabs(struct ui *ui)
     static const struct {
         const char *label, *tip;
     } rows[] = {
-        [UI_SETTINGS] = { "Settings", "what is drawn, and how" },
+        [UI_SETTINGS] = { "Settings", "settings of scene and rendering" },
         [UI_TIMES] = { "Passes", "time of each pass (B)" },
-        [UI_PLAN] = { "Plan", "compiled plan of the frame (G)" },
-        [UI_LOOK] = { "Look", "layers, histogram, values below the cursor (I)" },
+        [UI_PLAN] = { "Plan", "compiled render graph of the frame (G)" },
+        [UI_LOOK] = { "Inspect", "layers, histogram, values below the cursor (I)" },
     };
 
     for (enum ui_tab t = UI_SETTINGS; t <= UI_LOOK; t++) {
@@ -303,8 +302,8 @@ static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_wish
     ui->focus_search = false;
 }
 
-/* In the middle of the window, two columns if it is wide enough; rows as close as its height wants.
- * Where even that is too much, they scroll. */
+/* Draws the shortcut list in the middle of the window, in two columns if it is wide enough. Row
+ * spacing adapts to the window's height; if that is not enough, the list scrolls. */
 static void keys_panel(struct ui *ui, const struct ui_view *view)
 {
     const char *name;
@@ -313,10 +312,10 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     while (keys_row(count, &name, &help))
         count++;
     const float scale = ui->scale;
-    const float width = fminf(680.0f * scale, (float)view->size.width);
+    const float width = fminf(728.0f * scale, (float)view->size.width);
     const uint32_t columns = width < 600.0f * scale ? 1 : 2;
     const uint32_t rows = (count + columns - 1) / columns;
-    const float room = (float)view->size.height - 16.0f * scale; /* without the panel's edges */
+    const float room = (float)view->size.height - 16.0f * scale; /* without the panel's padding */
     const float line = imgui_line_height();
     const float gap = fmaxf(fminf(4.0f * scale, room / (float)rows - line), scale);
     const float height =
@@ -334,8 +333,8 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
                 imgui_same_line(x);
             imgui_text_in(name, ui->theme->accent);
             imgui_name(name);
-            imgui_same_line(x + 88.0f * scale);
-            imgui_text_cut(help, column - 98.0f * scale);
+            imgui_same_line(x + 112.0f * scale);
+            imgui_text_cut(help, column - 122.0f * scale);
         }
     }
     imgui_scroll_end();
@@ -343,7 +342,7 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     imgui_panel_end();
 }
 
-/* What a side is, in a corner of the picture: the one thing that lies over it. */
+/* Draws the label of a side over a corner of the image, the only panel that covers it. */
 static void name_side(struct ui *ui, const struct ui_view *view, const char *name, bool is_right)
 {
     const struct present_place *p = view->place;
@@ -375,7 +374,8 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
 {
     const struct layout *l = view->layout;
     if (ui->focus_panel || ui->release)
-        imgui_focus_panel(ui->release ? NULL : panel); /* before its first widget, which it marks */
+        /* before its first widget, which gets the focus highlight */
+        imgui_focus_panel(ui->release ? NULL : panel);
     ui->focus_panel = ui->release = false;
     if (l->panel.extent.width) {
         imgui_panel_begin(ui->imgui, "bar", ui_place(l->bar), IMGUI_DOCKED);

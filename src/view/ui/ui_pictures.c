@@ -1,4 +1,4 @@
-/* ui_pictures.c: cuts the sheets of assets/ into pictures. */
+/* ui_pictures.c: loads the thumbnails of materials and refraction models from sheets in assets/. */
 #include "src/view/ui/ui_pictures.h"
 #include <stdlib.h>
 #include "src/base/log.h"
@@ -9,7 +9,7 @@
 #include "src/scene/material.h"
 #include "src/tech/techniques.h"
 
-/* Both sheets have pictures of this size, in texels: twice as large as they are at scale 1. */
+/* Both sheets have thumbnails of this size in texels, twice their size at scale 1. */
 static const struct sheet_grid grid = { .columns = SHEET_COLUMNS, .width = 128, .height = 96 };
 
 static size_t texel_count(uint32_t count)
@@ -33,7 +33,7 @@ static void cut(const struct image *sheet, uint32_t i, uint8_t *rgba)
     }
 }
 
-/* Writes the pictures of a sheet that must have so many. */
+/* Reads `count` thumbnails of a sheet, which must have exactly as many. */
 static bool read_sheet(const char *name, uint32_t count, uint8_t *rgba,
                        const struct reader_params *reader)
 {
@@ -46,7 +46,7 @@ static bool read_sheet(const char *name, uint32_t count, uint8_t *rgba,
     const bool fits = status == STATUS_OK && sheet.width == sheet_width(&grid) &&
                       sheet.height == sheet_height(&grid, count);
     if (status == STATUS_OK && !fits)
-        log_warning("%s: expected a sheet of %u pictures: their buttons have words alone", path,
+        log_warning("%s: expected a sheet of %u thumbnails: buttons are shown without them", path,
                     count);
     for (uint32_t i = 0; i < count && fits; i++)
         cut(&sheet, i, rgba + 4 * texel_count(i));

@@ -1,4 +1,4 @@
-/* ui_plan.c: bars and columns. */
+/* ui_plan.c: draws the compiled render graph as a chart of passes and resource lifetimes. */
 #include "src/view/ui/ui_plan.h"
 #include "src/view/ui/imgui.h"
 
@@ -7,7 +7,7 @@ static const double mebi = 1024.0 * 1024.0;
 struct chart {
     const struct rg_plan *plan;
     struct imgui_place place;
-    float column, row; /* pixels */
+    float column, row; /* width of a pass and height of a resource, pixels */
 };
 
 static struct imgui_place cell(const struct chart *c, uint32_t first, uint32_t last, uint32_t row)
@@ -50,7 +50,7 @@ static void draw_image(const struct chart *c, uint32_t i)
     imgui_hint(text);
 }
 
-/* The row of passes; a batch of barriers is the gap before one. */
+/* Draws a pass in the top row, red if a batch of barriers precedes it. */
 static void draw_pass(const struct chart *c, uint32_t p)
 {
     const struct rg_plan_pass *pass = &c->plan->passes[p];
@@ -77,7 +77,7 @@ void ui_plan_memory(const struct rg_plan *plan)
     snprintf(text, sizeof(text), "%.1f MiB of memory, %.1f without aliasing",
              (double)plan->memory_used / mebi, (double)plan->memory_without_aliasing / mebi);
     imgui_text_wrapped(text);
-    imgui_tip("images and buffers of the picture's plan, on the device");
+    imgui_tip("device memory of the plan's images and buffers");
 }
 
 static void print_sums(const struct rg_plan *plan)
@@ -87,7 +87,7 @@ static void print_sums(const struct rg_plan *plan)
              plan->barrier_count, plan->batch_count);
     imgui_text_wrapped(text);
     ui_plan_memory(plan);
-    imgui_text_dim("passes (red: barriers), images");
+    imgui_text_dim("passes (red: waits for barriers), images");
 }
 
 void ui_plan_panel(const struct rg_plan *plan)

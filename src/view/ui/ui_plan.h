@@ -1,6 +1,5 @@
 /*
- * ui_plan.h: a plan as a small picture: passes from left to right, resources as bars over their
- * life.
+ * ui_plan.h: chart of a compiled render graph: passes from left to right, resources as bars.
  */
 #ifndef FIRN_VIEW_UI_UI_PLAN_H
 #define FIRN_VIEW_UI_UI_PLAN_H
@@ -9,7 +8,7 @@
 
 void ui_plan_panel(const struct rg_plan *plan);
 
-/* A line: the memory that its images and buffers take. */
+/* Draws a line with the memory of the plan's images and buffers. */
 void ui_plan_memory(const struct rg_plan *plan);
 
 #endif

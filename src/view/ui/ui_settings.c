@@ -1,4 +1,4 @@
-/* ui_settings.c: rows as widgets. */
+/* ui_settings.c: draws settings as widgets, with reset buttons, and searches them. */
 #include "src/view/ui/ui_settings.h"
 #include <ctype.h>
 #include <math.h>
@@ -8,15 +8,15 @@
 #include "src/view/ui/ui_words.h"
 
 enum {
-    ROWS_FIRST = 8, /* of a group; more of them on demand */
+    ROWS_FIRST = 8, /* rows shown per group before "more" */
     LABEL_SIZE = 64,
 };
 
-static const double wide = 50.0;       /* a range so many times the initial value, or 1 */
-static const double too_wide = 1e4;    /* for whole numbers to be found by sliding */
-static const float label_share = 0.5f; /* of a row's width */
+static const double wide = 50.0;       /* slider is logarithmic if range > wide * default */
+static const double too_wide = 1e4;    /* longest integer range that is usable with a slider */
+static const float label_share = 0.5f; /* start of the widget / width of the row */
 
-/* Units in words take more room than the numbers. */
+/* Short forms of units, since the words take more room than the numbers. */
 static const struct {
     const char *words, *sign;
 } units[] = {
@@ -46,21 +46,19 @@ enum ui_widget ui_settings_widget(const struct setting *row)
     return range > wide * fmax(fabs(row->initial), 1.0) ? UI_LOGARITHMIC : UI_SLIDER;
 }
 
-/* ---- a row ---- */
-
 static void reset(const struct ui_settings *settings, const struct setting *row)
 {
     settings_put(settings->now, row, settings_get(settings->usual, row));
 }
 
-static bool is_usual(const struct ui_settings *settings, const struct setting *row)
+static bool is_scene_value(const struct ui_settings *settings, const struct setting *row)
 {
     struct settings usual = *settings->now;
     reset(&(struct ui_settings){ &usual, settings->usual }, row);
     return !memcmp(&usual, settings->now, sizeof(usual));
 }
 
-/* "cracks.count" to "cracks count". */
+/* Converts a setting's name to its label: "cracks.count" to "cracks count". */
 static void print_label(const struct setting *row, char label[static LABEL_SIZE])
 {
     snprintf(label, LABEL_SIZE, "%s", row->name);
@@ -106,7 +104,7 @@ static uint32_t choice_count(const struct setting *row)
     return count;
 }
 
-/* Whether it was moved; *value is then the new one, in range. */
+/* Draws the widget of a setting. Returns true if it was changed; *value is then in range. */
 static bool widget(const struct setting *row, const char *label, double *value)
 {
     const enum ui_widget kind = ui_settings_widget(row);
@@ -143,8 +141,8 @@ static void describe(const struct setting *row, char *text, size_t size)
     static const char *const costs[] = {
         [SETTING_AFFECTS_NOTHING] = "",
         [SETTING_AFFECTS_FRAME] = "",
-        [SETTING_AFFECTS_PLAN] = "\nA change recompiles the plan.",
-        [SETTING_AFFECTS_SCENE] = "\nA change makes the scene anew.",
+        [SETTING_AFFECTS_PLAN] = "\nRecompiles the plan.",
+        [SETTING_AFFECTS_SCENE] = "\nRebuilds the scene.",
     };
     const char *unit = row->unit ? row->unit : "";
     if (row->has_auto)
@@ -157,7 +155,7 @@ static void describe(const struct setting *row, char *text, size_t size)
         snprintf(text, size, "%s: %s%s", row->name, row->help, costs[row->affects]);
 }
 
-/* Its name, marked if it is not as usual; what a hand changes begins at `x`. */
+/* Draws the label of a row, marked if the value was changed; the widget starts at `x`. */
 static void head(const struct setting *row, const char *label, bool changed, float x)
 {
     const struct theme *theme = imgui_theme();
@@ -179,7 +177,7 @@ static void head(const struct setting *row, const char *label, bool changed, flo
 bool ui_settings_row(const struct ui_settings *settings, const struct setting *row)
 {
     const double before = settings_get(settings->now, row);
-    const bool usual = is_usual(settings, row);
+    const bool usual = is_scene_value(settings, row);
     const float button = imgui_width("\xc3\x97");
     const float x = imgui_room() * label_share;
     double value = before;
@@ -207,12 +205,10 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
             snprintf(text, sizeof(text), "reset %s to auto", row->name);
         else
             snprintf(text, sizeof(text), "reset %s to %g", row->name, usually);
-        imgui_tip(row->type == SETTING_CHOICE ? "reset to what the scene has" : text);
+        imgui_tip(row->type == SETTING_CHOICE ? "reset to the scene's value" : text);
     }
     return changed;
 }
-
-/* ---- a group ---- */
 
 bool ui_settings_fit(const struct setting *row, const char *words)
 {
@@ -229,13 +225,13 @@ static bool reset_button(const struct ui_settings *settings, enum ui_group group
     bool usual = true;
     char id[LABEL_SIZE];
     for (uint32_t i = 0; (row = ui_group_row(group, i)); i++)
-        usual = usual && is_usual(settings, row);
+        usual = usual && is_scene_value(settings, row);
     if (usual)
         return false;
     imgui_same_line(x);
     snprintf(id, sizeof(id), "\xc3\x97##reset %s", ui_group_name(group));
     const bool pressed = imgui_small_button(id);
-    imgui_tip("reset this group to what the scene has");
+    imgui_tip("reset this group to the scene's values");
     for (uint32_t i = 0; pressed && (row = ui_group_row(group, i)); i++)
         reset(settings, row);
     return pressed;
@@ -264,11 +260,11 @@ bool ui_settings_group(const struct ui_settings *settings, enum ui_group group, 
     return changed;
 }
 
-/* How words fit a row. */
+/* How well the searched words match a setting. */
 enum fit {
     FIT_NAME,
     FIT_HELP,
-    FIT_LETTERS, /* roughly its name */
+    FIT_LETTERS, /* the letters occur in the name, perhaps with an error */
     FIT_NOTHING,
 };
 
@@ -306,6 +302,6 @@ bool ui_settings_found(const struct ui_settings *settings, const char *words)
     uint32_t count = show_found(settings, words, FIT_NAME, &changed);
     count += show_found(settings, words, FIT_HELP, &changed);
     if (!count && !show_found(settings, words, FIT_LETTERS, &changed))
-        imgui_text_dim("no setting has these words");
+        imgui_text_dim("no matching setting");
     return changed;
 }

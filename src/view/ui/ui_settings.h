@@ -1,7 +1,7 @@
 /*
- * ui_settings.h: a widget for every row of the settings, by itself.
+ * ui_settings.h: settings panel: generates a widget for every setting from its table row.
  *
- * True of what draws: a hand has changed a setting.
+ * All drawing functions return true if the user has changed a setting.
  */
 #ifndef FIRN_VIEW_UI_UI_SETTINGS_H
 #define FIRN_VIEW_UI_UI_SETTINGS_H
@@ -13,32 +13,32 @@ enum ui_widget {
     UI_CHECKBOX,
     UI_LIST,
     UI_SLIDER,
-    UI_LOGARITHMIC, /* a slider whose small values have more room */
-    UI_NUMBER,      /* typed: a range too long for sliding */
+    UI_LOGARITHMIC, /* slider with more room for small values */
+    UI_NUMBER,      /* number field for ranges too long for a slider */
 };
 
-/* What fits a row. */
+/* Returns the kind of widget for a setting. */
 enum ui_widget ui_settings_widget(const struct setting *row);
 
-/* What hands change, and what it is reset to: what the scene has by itself. */
+/* Settings edited by the user, and those of the unmodified scene, to which they are reset. */
 struct ui_settings {
     struct settings *now;
     const struct settings *usual;
 };
 
-/* A row's name, its widget, its help and, where it is not as usual, a mark and a reset. */
+/* Draws label, widget, tooltip and, if the value is not the scene's, a mark and a reset button. */
 bool ui_settings_row(const struct ui_settings *settings, const struct setting *row);
 
-/* The heading of a group, which opens and closes it, with a reset of all in it. */
+/* Draws the collapsible heading of a group, with a button that resets the group. */
 bool ui_settings_heading(const struct ui_settings *settings, enum ui_group group, bool *open);
 
-/* The rows of a group; those wanted less only with `more`, which a hand changes. */
+/* Draws the rows of a group; less useful ones only if *more, which a button toggles. */
 bool ui_settings_group(const struct ui_settings *settings, enum ui_group group, bool *more);
 
-/* Whether name, help, group or synonyms hold each of the words, which blanks separate. */
+/* Returns true if each word, separated by blanks, occurs in name, help, group or synonyms. */
 bool ui_settings_fit(const struct setting *row, const char *words);
 
-/* The rows of all groups that words fit. */
+/* Draws the rows of all groups that match the words. */
 bool ui_settings_found(const struct ui_settings *settings, const char *words);
 
 #endif

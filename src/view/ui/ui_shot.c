@@ -1,4 +1,4 @@
-/* ui_shot.c: the window's plan, with an image of its own in the window's place. */
+/* ui_shot.c: renders the window's contents off screen: its plan, with a readback at the end. */
 #include "src/view/ui/ui_shot.h"
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,7 @@ static const struct rg_buffer pixels = {
     .memory = RG_MEMORY_READBACK,
 };
 
-/* Points into itself. */
+/* Tables contain pointers to this struct, so it must not move. */
 struct shot {
     const struct screen *screen;
     const struct picture *picture;

@@ -1,4 +1,4 @@
-/* ui_synonyms.c: the table of other words. */
+/* ui_synonyms.c: table of search synonyms for settings and actions. */
 #include "src/view/ui/ui_synonyms.h"
 #include <stddef.h>
 #include <string.h>
@@ -51,31 +51,31 @@ static const struct {
     /* actions */
     { "half a stop brighter, or darker", "brightness exposure light dark" },
     { "half a stop darker", "brightness exposure" },
-    { "save the picture", "export screenshot image png exr" },
-    { "save the window, with panels", "export screenshot image" },
+    { "save the image", "export screenshot image png exr" },
+    { "save the window with its panels", "export screenshot image" },
     { "save the session", "project scene store" },
-    { "save a preset of the settings", "export store" },
+    { "save the settings as a preset", "export store" },
     { "copy the firn render command", "terminal command line share shell" },
-    { "copy the picture", "clipboard image share" },
-    { "next model of the folder", "open file browse" },
+    { "copy the image", "clipboard image share" },
+    { "next model in the folder", "open file browse" },
     { "orthographic or perspective", "isometric parallel projection lens" },
     { "reset the camera", "home centre center view start" },
-    { "switch full screen on or off", "fullscreen maximise maximize window" },
+    { "full screen on or off", "fullscreen maximise maximize window" },
     { "enlarge text and panels", "zoom font bigger scale dpi" },
     { "shrink text and panels", "zoom font smaller scale dpi" },
     { "dark or light theme", "colours colors night mode appearance" },
     { "hide or show the panels", "sidebar interface menu settings" },
-    { "compare A with B, or not", "wipe split before after side" },
+    { "compare A and B side by side", "wipe split before after side" },
     { "compare with the reference", "truth ground accurate exact raytracing path tracing" },
     { "difference of A and B", "error flip delta" },
     { "time of each pass", "performance speed fps profile slow gpu" },
     { "plan of the frame", "graph passes memory" },
-    { "layers and values", "pixel probe histogram magnifier inspect normals depth" },
+    { "layers and pixel values", "pixel probe histogram magnifier inspect normals depth" },
     { "false colours", "heat map heatmap" },
-    { "pause or resume time", "play animation stop start" },
-    { "movements as drafts, or in full", "slow lag preview resolution blurry fast" },
-    { "keys", "shortcuts help keyboard hotkeys" },
-    { "undo a change of settings", "revert back" },
+    { "play or pause", "play animation stop start" },
+    { "draft or full quality in motion", "slow lag preview resolution blurry fast" },
+    { "keyboard shortcuts", "shortcuts help keyboard hotkeys" },
+    { "undo the last change", "revert back" },
     { "close the window", "quit exit leave" },
 };
 

@@ -1,12 +1,12 @@
-/* ui_synonyms.h: what a person may type for a setting or an action that has another name. */
+/* ui_synonyms.h: synonyms that users may type when they search for a setting or an action. */
 #ifndef FIRN_VIEW_UI_UI_SYNONYMS_H
 #define FIRN_VIEW_UI_UI_SYNONYMS_H
 
 #include <stdint.h>
 
-/* Returns the words for the name of a setting or the label of an action; "": there are none. */
+/* Returns the synonyms of a setting's name or an action's label; "" if there are none. */
 const char *ui_synonyms(const char *name);
 
-const char *ui_synonyms_name(uint32_t i); /* row i of the table; NULL: there are no more */
+const char *ui_synonyms_name(uint32_t i); /* name in row i of the table; NULL after the last */
 
 #endif

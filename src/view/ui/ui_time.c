@@ -1,11 +1,11 @@
-/* ui_time.c: the line of time below the picture. */
+/* ui_time.c: timeline below the image: play button and time slider. */
 #include <math.h>
 #include <stdio.h>
 #include "src/view/ui/ui_internal.h"
 
-static const float usual_end = 10.0f; /* seconds, of what has no end of its own */
+static const float usual_end = 10.0f; /* length of the timeline of scenes without an end, seconds */
 
-/* Of an animated model its end; else as far as it takes, in steps. */
+/* Returns the end of the timeline: that of the model's animation, or the next multiple of 10 s. */
 static float end_of(const struct ui_view *view)
 {
     const struct model *model = &view->picture->scene.model;
@@ -23,7 +23,7 @@ void ui_time(const struct ui_view *view, struct ui_wish *wish)
     const struct imgui_slide slide = { 0.0f, end > 0.0f ? end : 1.0f, format, false };
     if (imgui_button(view->paused ? "Play##play" : "Pause##play"))
         wish->action = VIEW_PAUSE;
-    imgui_tip("let time pass, or stop it (Space); . and , go on by one frame of motion.fps");
+    imgui_tip("play or pause (Space); comma and full stop step by one frame");
     imgui_same_line(0.0f);
     imgui_next_width(imgui_room());
     if (!imgui_slider("##time", &time, &slide))

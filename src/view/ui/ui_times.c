@@ -1,4 +1,4 @@
-/* ui_times.c: running means of the passes' times. */
+/* ui_times.c: running means and history of pass times, and their panel. */
 #include "src/view/ui/ui_times.h"
 #include <math.h>
 #include <stdio.h>
@@ -6,8 +6,8 @@
 #include <string.h>
 #include "src/view/ui/imgui.h"
 
-static const double share = 0.15;        /* of the newest frame in the mean */
-static const float strip_height = 64.0f; /* at scale 1 */
+static const double smoothing = 0.15;    /* weight of the newest frame in the running means */
+static const float strip_height = 64.0f; /* height of the frame history at scale 1 */
 
 static bool is_same_row(const struct rg_plan *plan, uint32_t p)
 {
@@ -21,13 +21,13 @@ static double milliseconds(const struct rg_pass_time *time)
 
 uint32_t ui_times_key(const char *name)
 {
-    uint32_t key = 2166136261u; /* FNV-1a */
+    uint32_t key = 2166136261u; /* 32-bit FNV-1a hash */
     for (; *name; name++)
         key = (key ^ (unsigned char)*name) * 16777619u;
     return key;
 }
 
-/* The rows of a plan, with the times of one frame. */
+/* Reads the rows of a plan and their times in one frame. */
 static void read_rows(struct ui_times *new, const struct rg_plan *plan,
                       const struct rg_times *frame)
 {
@@ -71,7 +71,7 @@ void ui_times_add(struct ui_times *times, const struct rg_plan *plan, const stru
         struct ui_times_row *row = &times->rows[r];
         if (!strcmp(old[r].name, row->name))
             row->milliseconds =
-                old[r].milliseconds + share * (row->milliseconds - old[r].milliseconds);
+                old[r].milliseconds + smoothing * (row->milliseconds - old[r].milliseconds);
     }
 }
 
@@ -83,7 +83,7 @@ double ui_times_sum(const struct ui_times *times)
     return sum;
 }
 
-/* NULL: there is none. */
+/* Returns the frame recorded `ago` frames before the newest; NULL if there is none. */
 static const struct ui_times_frame *frame_at(const struct ui_times *times, uint32_t ago)
 {
     if (ago >= times->frame_count || ago >= UI_TIMES_FRAME_COUNT)
@@ -105,8 +105,6 @@ double ui_times_frame(const struct ui_times *times, uint32_t ago)
     return frame ? sum_of(frame) : -1.0;
 }
 
-/* ---- panels ---- */
-
 static double longest(const struct ui_times *times)
 {
     double most = 1e-9;
@@ -115,7 +113,7 @@ static double longest(const struct ui_times *times)
     return most;
 }
 
-/* A hue for each key: neighbours in a plan seldom have the same. */
+/* Returns a colour for a pass key, a hash, so that neighbouring passes rarely look alike. */
 static uint32_t color_of(uint32_t key)
 {
     const float around = (float)(key % 1021u) * (6.0f / 1021.0f);
@@ -149,7 +147,7 @@ static void bar(const struct ui_times_row *row, double most)
     imgui_text(text);
 }
 
-/* The pass that takes longest in a frame, if it is one of the newest plan's. */
+/* Returns the name of the longest pass of a frame, if the newest plan still has it. */
 static const char *name_longest(const struct ui_times *times, const struct ui_times_frame *frame)
 {
     uint32_t at = 0;
@@ -159,10 +157,10 @@ static const char *name_longest(const struct ui_times *times, const struct ui_ti
         if (frame->row_count && ui_times_key(times->rows[r].name) == frame->keys[at])
             return times->rows[r].name;
     }
-    return "a pass of another plan";
+    return "a pass of a previous plan";
 }
 
-/* What takes longer than the column is high is cut. */
+/* Draws a frame as stacked bars, clipped at the top. */
 static void draw_column(const struct ui_times *times, uint32_t ago, struct imgui_place whole,
                         float scale)
 {
@@ -178,8 +176,8 @@ static void draw_column(const struct ui_times *times, uint32_t ago, struct imgui
     if (!imgui_is_over(whole))
         return;
     imgui_rectangle(whole, IMGUI_RGBA(255, 255, 255, 60));
-    snprintf(text, sizeof(text), "%u frame%s ago: %.2f ms\nmost of it %s", ago, ago == 1 ? "" : "s",
-             sum_of(frame), name_longest(times, frame));
+    snprintf(text, sizeof(text), "%u frame%s ago: %.2f ms\nlongest pass: %s", ago,
+             ago == 1 ? "" : "s", sum_of(frame), name_longest(times, frame));
     imgui_hint(text);
 }
 
@@ -190,7 +188,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Milliseconds that a column is high: a frame that compiled shaders does not hide the others. */
+/* Returns the time at full height. It is limited to 3 times the median, so that a frame in which
+ * shaders were compiled does not flatten all others. */
 static double height_of(const struct ui_times *times, uint32_t count, double most)
 {
     double sums[UI_TIMES_FRAME_COUNT];
@@ -200,7 +199,7 @@ static double height_of(const struct ui_times *times, uint32_t count, double mos
     return fmin(most, 3.0 * sums[count / 2] + 1e-9);
 }
 
-/* The newest frame is at the right edge. */
+/* Draws the recorded frames as columns; the newest is at the right edge. */
 static void strip(const struct ui_times *times)
 {
     const struct imgui_place all = imgui_canvas(imgui_room(), strip_height * imgui_scale());
@@ -226,12 +225,12 @@ void ui_times_panel(const char *what, const struct ui_times *times)
 {
     char text[96];
     if (!times->row_count) {
-        imgui_text_dim("this device has no timestamps");
+        imgui_text_dim("this device does not support timestamps");
         return;
     }
     snprintf(text, sizeof(text), "%s: %.2f ms", what, ui_times_sum(times));
     imgui_text(text);
-    imgui_tip("time on the device, as running means");
+    imgui_tip("device time, running mean");
     strip(times);
     for (uint32_t r = 0; r < times->row_count; r++)
         bar(&times->rows[r], longest(times));

@@ -1,5 +1,6 @@
 /*
- * ui_times.h: what each pass takes, as bars, and over time: a column for each of the last frames.
+ * ui_times.h: GPU time of each pass: running means as bars, and a column for each of the last
+ * frames.
  */
 #ifndef FIRN_VIEW_UI_UI_TIMES_H
 #define FIRN_VIEW_UI_UI_TIMES_H
@@ -7,45 +8,47 @@
 #include "graph/rg_time.h"
 
 enum {
-    UI_TIMES_ROW_COUNT = 96,    /* more are left out */
-    UI_TIMES_FRAME_COUNT = 120, /* older ones are forgotten */
+    UI_TIMES_ROW_COUNT = 96,    /* maximum rows; further passes are omitted */
+    UI_TIMES_FRAME_COUNT = 120, /* recorded frames; older ones are dropped */
 };
 
-/* A row of the frame's tables, with all its repetitions. */
+/* Time of one pass of the plan, summed over its repetitions. */
 struct ui_times_row {
-    char name[64]; /* cut; the plan may be gone when it is shown */
+    char name[64]; /* truncated copy, since the plan may be destroyed earlier */
     uint32_t repetition_count;
-    double milliseconds; /* a running mean */
+    double milliseconds; /* running mean */
 };
 
-/* A frame. */
+/* Recorded times of one frame. */
 struct ui_times_frame {
     uint32_t row_count;
     float milliseconds[UI_TIMES_ROW_COUNT];
-    uint32_t keys[UI_TIMES_ROW_COUNT]; /* ui_times_key() of the rows' names */
+    uint32_t keys[UI_TIMES_ROW_COUNT]; /* ui_times_key() of the pass names */
 };
 
 struct ui_times {
-    struct ui_times_row rows[UI_TIMES_ROW_COUNT]; /* of the newest plan */
+    struct ui_times_row rows[UI_TIMES_ROW_COUNT]; /* rows of the newest plan */
     uint32_t row_count;
-    uint64_t start;                                     /* of the newest frame: rg_times.start */
-    struct ui_times_frame frames[UI_TIMES_FRAME_COUNT]; /* frame n is at n modulo their count */
-    uint32_t frame_count;                               /* ever */
+    uint64_t start; /* rg_times.start of the newest frame */
+    /* ring buffer; frame n is at n modulo its size */
+    struct ui_times_frame frames[UI_TIMES_FRAME_COUNT];
+    uint32_t frame_count; /* frames recorded in total */
 };
 
-/* The number by which a pass has its colour, whatever its plan. */
+/* Returns a hash of a pass name, which gives the pass the same colour in all plans. */
 uint32_t ui_times_key(const char *name);
 
-/* Takes a frame in; nothing if it was not measured, or has been taken. Means of another plan's rows
- * begin anew; frames stay. */
+/* Adds the times of a frame, unless it was not measured or is already added. The means restart if
+ * the plan changes; recorded frames stay. */
 void ui_times_add(struct ui_times *times, const struct rg_plan *plan, const struct rg_times *frame);
 
 double ui_times_sum(const struct ui_times *times); /* milliseconds */
 
-/* Milliseconds of a frame's passes; `ago` 0: the newest. Below 0: there is none. */
+/* Returns the total milliseconds of a recorded frame; `ago` is 0 for the newest; negative if none.
+ */
 double ui_times_frame(const struct ui_times *times, uint32_t ago);
 
-/* `what`: whose times they are. */
+/* Draws the panel; `what` names the measured plan. */
 void ui_times_panel(const char *what, const struct ui_times *times);
 
 #endif

@@ -1,16 +1,16 @@
-/* ui_words.c: words in texts. */
+/* ui_words.c: fuzzy matching of search words. */
 #include "src/view/ui/ui_words.h"
 #include <ctype.h>
 #include <string.h>
 #include <strings.h>
 
 enum {
-    WITHIN = 2,         /* the distance of a word that is within another */
-    GAPS_MAX = 2,       /* letters left out, for each that was typed; with a wrong one: */
-    GAPS_PART = 2,      /* for so many that were typed */
-    ABBREVIATION = 3,   /* letters at least, else every text has them somewhere */
-    MISSPELT_LEAST = 4, /* the same with a wrong one */
-    MISSPELT = 8,       /* what a wrong letter counts */
+    WITHIN = 2,         /* distance of a word found inside another word */
+    GAPS_MAX = 2,       /* skipped letters allowed per typed letter */
+    GAPS_PART = 2,      /* one skipped letter per so many typed ones if a letter is wrong */
+    ABBREVIATION = 3,   /* minimum length of a fuzzy word; shorter ones match too much */
+    MISSPELT_LEAST = 4, /* minimum length of a word with a wrong letter */
+    MISSPELT = 8,       /* distance added for a wrong letter */
 };
 
 static bool holds(const char *text, const char *word, size_t length)
@@ -36,8 +36,6 @@ bool ui_words_fit(const char *words, const char *const *texts, size_t text_count
     return true;
 }
 
-/* ---- distances ---- */
-
 static bool begins_word(const char *text, size_t at)
 {
     return isalnum((unsigned char)text[at]) && (!at || !isalnum((unsigned char)text[at - 1]));
@@ -53,7 +51,7 @@ static uint32_t least(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* Of all of a word in one piece. */
+/* Returns the distance of a word that occurs unbroken in the text. */
 static uint32_t whole(const char *text, const char *word, size_t length)
 {
     uint32_t distance = UI_WORDS_NONE;
@@ -64,7 +62,7 @@ static uint32_t whole(const char *text, const char *word, size_t length)
     return distance;
 }
 
-/* How many letters of a text are between those of a word, one of which is not looked for. */
+/* Counts the letters of `text` skipped between those of a word, whose letter `wrong` is ignored. */
 static uint32_t gaps(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t count = 0;
@@ -84,8 +82,8 @@ static uint32_t gaps(const char *text, const char *word, size_t length, size_t w
     return count;
 }
 
-/* Of letters that are in this order, the first one where a word begins; UI_WORDS_NONE: they are
- * not, or too far apart. */
+/* Returns the distance of a word whose letters occur in order, the first at the start of a word;
+ * UI_WORDS_NONE if they do not, or too far apart. */
 static uint32_t scattered(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t distance = UI_WORDS_NONE;

@@ -1,4 +1,4 @@
-/* ui_words.h: looks for what a person typed. */
+/* ui_words.h: fuzzy search of typed words in labels. */
 #ifndef FIRN_VIEW_UI_UI_WORDS_H
 #define FIRN_VIEW_UI_UI_WORDS_H
 
@@ -8,16 +8,15 @@
 
 #define UI_WORDS_NONE UINT32_MAX
 
-/* Whether each of the words, which blanks separate, is in one of the texts; capital letters count
- * as small ones. */
+/* Returns true if each word, separated by blanks, occurs in one of the texts; ignores case. */
 bool ui_words_fit(const char *words, const char *const *texts, size_t text_count);
 
 /*
- * Returns how far words are from a text; UI_WORDS_NONE: they are not in it. A word that the text
- * begins with counts nothing, one that begins a word of it 1, one within it 2. Else its letters
- * have to follow each other in the text from the beginning of a word on, with letters left out
- * between them, which count: "crk cnt" is cracks.count. With `misspelt` one letter of each word,
- * from four on, may be a wrong one.
+ * Returns the distance of the typed words from a text, or UI_WORDS_NONE if one does not match. A
+ * word counts 0 if the text begins with it, 1 at the start of a word, 2 inside one. Otherwise its
+ * letters must occur in order from the start of a word on, and each skipped letter counts: "crk
+ * cnt" matches cracks.count. With `misspelt`, one letter of each word of at least four letters may
+ * be wrong.
  */
 uint32_t ui_words_distance(const char *words, const char *text, bool misspelt);
 
