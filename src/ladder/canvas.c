@@ -1,14 +1,14 @@
-/* canvas.c: draws text by stb_easy_font, whose letters are made of boxes. */
+/* canvas.c: 2D drawing into an RGBA image; text by stb_easy_font, whose glyphs consist of quads. */
 #include "src/ladder/canvas.h"
 #include <stb/stb_easy_font.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-    GLYPHS_SIZE = 32768, /* bytes of boxes: about 120 letters; the rest is left out */
+    GLYPHS_SIZE = 32768, /* bytes of glyph quads, enough for about 120 letters */
 };
 
-/* The vertices of stb_easy_font_print(), four per box, clockwise from its top left corner. */
+/* Vertex format of stb_easy_font_print(): four vertices per quad, clockwise from the top left. */
 struct corner {
     float x, y, z;
     unsigned char color[4];
@@ -53,7 +53,7 @@ void canvas_write(struct canvas *canvas, uint32_t x, uint32_t y, uint32_t scale,
     size_t length = strlen(text);
     if (length >= sizeof(letters))
         length = sizeof(letters) - 1;
-    memcpy(letters, text, length); /* stb's parameter is not const */
+    memcpy(letters, text, length); /* stb_easy_font_print() takes a mutable string */
     letters[length] = '\0';
     const int count = stb_easy_font_print(0.0f, 0.0f, letters, NULL, bytes, sizeof(bytes));
     for (int i = 0; i < count; i++) {

@@ -1,4 +1,4 @@
-/* furnace.c: measures the white furnace test. */
+/* furnace.c: measures and prints the white furnace test. */
 #include "src/ladder/furnace.h"
 #include <math.h>
 
@@ -15,7 +15,7 @@ static struct furnace_row measure(const char *name, const struct image *image,
     uint64_t count = 0;
     for (int c = 0; c < 3; c++) {
         color[c] = image_find(image, colors[c]);
-        rest[c] = image_find(image, rests[c]); /* NULL for rungs */
+        rest[c] = image_find(image, rests[c]); /* NULL for refraction models */
     }
     for (size_t i = 0; i < (size_t)image->width * image->height; i++) {
         bool is_off = false;
@@ -58,7 +58,7 @@ bool furnace_holds(const struct furnace *furnace)
 
 void furnace_print(const struct furnace *furnace, FILE *out)
 {
-    fprintf(out, "%-12s %10s %10s %10s %10s %10s\n", "rung", "least", "mean", "greatest",
+    fprintf(out, "%-12s %10s %10s %10s %10s %10s\n", "model", "least", "mean", "greatest",
             "remaining", "pixels off");
     for (uint32_t i = 0; i < furnace->row_count; i++) {
         const struct furnace_row *row = &furnace->rows[i];
@@ -66,7 +66,8 @@ void furnace_print(const struct furnace *furnace, FILE *out)
                 row->greatest, row->remaining, (unsigned long long)row->off);
     }
     fprintf(out,
-            "\nThe environment is 1 everywhere. Of the object's %llu pixels, those are off whose "
-            "value, including\nthe layer remaining, differs from 1 by more than %g.\n",
+            "\nThe environment has radiance 1 everywhere. The object covers %llu pixels; a pixel "
+            "is off "
+            "if its\nvalue plus the layer remaining differs from 1 by more than %g.\n",
             (unsigned long long)furnace->pixel_count, furnace_tolerance);
 }

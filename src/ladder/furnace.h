@@ -1,9 +1,9 @@
 /*
- * furnace.h: the white furnace test: in surroundings of radiance 1, an object that neither absorbs
- * nor emits light must show 1.
+ * furnace.h: the white furnace test, which checks energy conservation: in an environment of
+ * radiance 1, an object that neither absorbs nor emits light must have radiance 1 everywhere.
  *
- * A surface whose weights of reflection and refraction add up to 1 shows 1; any difference is
- * energy that a rung or the reference loses or adds.
+ * The weights of reflection and refraction must add up to 1. Any deviation is energy that a
+ * refraction model or the reference loses or creates.
  */
 #ifndef FIRN_LADDER_FURNACE_H
 #define FIRN_LADDER_FURNACE_H
@@ -11,15 +11,15 @@
 #include <stdio.h>
 #include "src/ladder/ladder.h"
 
-/* Greatest difference from 1 that is accepted in a pixel. */
+/* Largest deviation from 1 at which a pixel passes. */
 extern const double furnace_tolerance;
 
 /* Statistics of R, G and B over the object's pixels. */
 struct furnace_row {
     const char *name;
     double least, mean, greatest;
-    double remaining; /* greatest weight of rays that the reference terminated, missing to 1 */
-    uint64_t off;     /* pixels in which value and remaining weight do not add up to 1 */
+    double remaining; /* maximum throughput of terminated rays of the reference */
+    uint64_t off;     /* pixels in which radiance and remaining throughput do not add up to 1 */
 };
 
 struct furnace {
@@ -28,10 +28,10 @@ struct furnace {
     uint64_t pixel_count;
 };
 
-/* Measures a ladder that was drawn in white surroundings. Names are borrowed. */
+/* Measures a comparison that was rendered in a white environment. Names are borrowed. */
 struct furnace furnace_measure(const struct ladder *ladder);
 
-/* Returns whether no row has pixels that are off. */
+/* Returns true if every pixel passes. */
 bool furnace_holds(const struct furnace *furnace);
 
 void furnace_print(const struct furnace *furnace, FILE *out);

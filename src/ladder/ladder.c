@@ -1,4 +1,4 @@
-/* ladder.c: draws every rung, traces the reference, compares. */
+/* ladder.c: renders every refraction model, traces the reference, and measures the errors. */
 #include "src/ladder/ladder.h"
 #include <math.h>
 #include <stdio.h>
@@ -31,7 +31,7 @@ const char *const ladder_inclusion_names[LADDER_INCLUSION_COUNT] = {
     [LADDER_AIR] = "air",
 };
 
-/* The state of the progress callback. */
+/* User data of the progress callback. */
 struct work {
     ladder_progress_fn *progress;
     void *user;
@@ -49,7 +49,7 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return !work->progress || work->progress(work->user, work->stage, done, all);
 }
 
-/* Returns the bits of the layers that comparisons need. */
+/* Returns the bit mask of the layers that the comparison needs. */
 static uint32_t find_layers(bool of_reference)
 {
     static const char *const names[] = { "exit", "path", "bounces", "tir", "remaining", "met" };
@@ -62,9 +62,7 @@ static uint32_t find_layers(bool of_reference)
     return bits;
 }
 
-/* ---- pictures ---- */
-
-/* Rounds to half, as in files and on the device, so that errors equal those of firn diff. */
+/* Rounds values to half precision, as image files do, so that errors equal those of `firn diff`. */
 static void round_to_half(const struct image *image)
 {
     for (uint32_t p = 0; p < image->plane_count; p++) {
@@ -104,13 +102,13 @@ static enum status trace(struct ladder *ladder, const struct ladder_params *para
 }
 
 static struct renderer_params renderer_params_of(const struct ladder_params *params,
-                                                 const struct technique *rung)
+                                                 const struct technique *model)
 {
     struct renderer_params made = {
         .gpu = params->gpu,
         .scene = params->scene,
         .settings = params->settings,
-        .rung = rung,
+        .rung = model,
         .width = params->width,
         .height = params->height,
         .samples = params->samples,
@@ -121,34 +119,32 @@ static struct renderer_params renderer_params_of(const struct ladder_params *par
     return made;
 }
 
-static enum status draw(struct ladder_rung *rung, const struct ladder_params *params,
+static enum status draw(struct ladder_rung *model, const struct ladder_params *params,
                         struct work *work)
 {
-    struct renderer_params renderer_params = renderer_params_of(params, rung->rung);
+    struct renderer_params renderer_params = renderer_params_of(params, model->rung);
     struct renderer *renderer = NULL;
     renderer_params.layers = find_layers(false);
     renderer_params.linear = renderer_params.display = true;
     enum status status = renderer_create(&renderer, &renderer_params);
     if (status == STATUS_OK)
-        status = renderer_render(renderer, &params->shot, &rung->result, show_progress, work);
+        status = renderer_render(renderer, &params->shot, &model->result, show_progress, work);
     renderer_destroy(renderer);
     return status;
 }
 
-/* ---- errors ---- */
-
-/* The pixels to measure. */
+/* Masks of the pixels over which each error is measured. */
 struct masks {
     bool *object, *straight, *causes[LADDER_CAUSE_COUNT], *inclusions[LADDER_INCLUSION_COUNT];
     const bool *truth;
 };
 
-static enum ladder_cause cause_of(float bounces)
+static enum ladder_cause class_of(float bounces)
 {
     return bounces < 0.5f ? LADDER_REFRACTED : bounces < 1.5f ? LADDER_REFLECTED : LADDER_TRAPPED;
 }
 
-/* `met` has the bits of enum reference_met; `inclusion` is enum ladder_inclusion. */
+/* Returns true if a path with the bits `met` (enum reference_met) hit a kind of inclusion. */
 static bool has_inclusion(uint32_t met, uint32_t inclusion)
 {
     static const uint32_t bits[LADDER_INCLUSION_COUNT] = {
@@ -181,7 +177,7 @@ static enum status make_masks(struct masks *masks, struct ladder *ladder,
         masks->object[i] = path[i] > 0.0f;
         masks->straight[i] = masks->object[i] && tir[i] == 0.0f;
         if (masks->object[i]) {
-            const enum ladder_cause cause = cause_of(bounces[i]);
+            const enum ladder_cause cause = class_of(bounces[i]);
             masks->causes[cause][i] = true;
             ladder->cause_counts[cause]++;
         }
@@ -202,47 +198,47 @@ static void find_planes(const struct image *image, const char *const names[stati
         planes[i] = image_find(image, names[i]);
 }
 
-static enum status measure_flip(struct ladder_rung *rung, const struct ladder *ladder)
+static enum status measure_flip(struct ladder_rung *model, const struct ladder *ladder)
 {
     struct flip_pair pair = { .width = ladder->width, .height = ladder->height, .ppd = FLIP_PPD };
     double sum = 0.0;
     find_planes(&ladder->reference.image, colors, pair.reference);
-    find_planes(&rung->result.image, colors, pair.test);
-    rung->flip = malloc(pixel_count(ladder) * sizeof(*rung->flip));
-    if (!rung->flip || !flip_ldr(&pair, 0.0, rung->flip))
+    find_planes(&model->result.image, colors, pair.test);
+    model->flip = malloc(pixel_count(ladder) * sizeof(*model->flip));
+    if (!model->flip || !flip_ldr(&pair, 0.0, model->flip))
         return log_out_of_memory(NULL);
     for (size_t i = 0; i < pixel_count(ladder); i++)
-        sum += (double)rung->flip[i];
-    rung->error.flip = sum / (double)pixel_count(ladder);
+        sum += (double)model->flip[i];
+    model->error.flip = sum / (double)pixel_count(ladder);
     return STATUS_OK;
 }
 
-static enum status measure_angle(struct ladder_rung *rung, const struct ladder *ladder,
+static enum status measure_angle(struct ladder_rung *model, const struct ladder *ladder,
                                  const struct masks *masks)
 {
     struct angle_pair pair = { .counted = masks->straight, .pixel_count = pixel_count(ladder) };
     struct angle angle;
     find_planes(&ladder->reference.image, directions, pair.reference);
-    find_planes(&rung->result.image, directions, pair.test);
+    find_planes(&model->result.image, directions, pair.test);
     if (!angle_measure(&angle, &pair, NULL))
         return log_out_of_memory(NULL);
-    rung->error.angle = angle.mean;
-    rung->error.angle_95 = angle.most_95;
+    model->error.angle = angle.mean;
+    model->error.angle_95 = angle.most_95;
     return STATUS_OK;
 }
 
-static double measure_tir(const struct ladder_rung *rung, const struct ladder *ladder,
+static double measure_tir(const struct ladder_rung *model, const struct ladder *ladder,
                           const struct masks *masks)
 {
     const float *reference = image_find(&ladder->reference.image, "tir.Z");
-    const float *test = image_find(&rung->result.image, "tir.Z");
+    const float *test = image_find(&model->result.image, "tir.Z");
     uint64_t count = 0;
     for (size_t i = 0; i < pixel_count(ladder); i++)
         count += masks->object[i] && !(reference[i] == test[i]);
     return ladder->object_count ? (double)count / (double)ladder->object_count : (double)NAN;
 }
 
-/* Measures the difference of the colours of counted pixels. */
+/* Measures the colour difference of the pixels in a mask. */
 static struct difference measure_colors(const struct image *a, const struct image *b,
                                         const bool *counted)
 {
@@ -255,7 +251,7 @@ static struct difference measure_colors(const struct image *a, const struct imag
     return difference;
 }
 
-/* Returns the mae against another program's picture; NaN without one. */
+/* Returns the MAE against an image of another renderer; NaN if there is none. */
 static double measure_truth(const struct image *image, const struct image *truth,
                             const struct masks *masks)
 {
@@ -265,38 +261,36 @@ static double measure_truth(const struct image *image, const struct image *truth
     return difference_mae(&difference);
 }
 
-static enum status compare(struct ladder_rung *rung, const struct ladder *ladder,
+static enum status compare(struct ladder_rung *model, const struct ladder *ladder,
                            const struct image *truth, const struct masks *masks)
 {
     const struct difference difference =
-        measure_colors(&ladder->reference.image, &rung->result.image, masks->object);
-    rung->error.truth = measure_truth(&rung->result.image, truth, masks);
-    rung->error.not_finite = difference.not_finite;
-    rung->error.mae = difference_mae(&difference);
-    rung->error.rmse = difference_rmse(&difference);
+        measure_colors(&ladder->reference.image, &model->result.image, masks->object);
+    model->error.truth = measure_truth(&model->result.image, truth, masks);
+    model->error.not_finite = difference.not_finite;
+    model->error.mae = difference_mae(&difference);
+    model->error.rmse = difference_rmse(&difference);
     for (int c = 0; c < LADDER_CAUSE_COUNT; c++) {
         const struct difference part =
-            measure_colors(&ladder->reference.image, &rung->result.image, masks->causes[c]);
-        rung->error.cause_mae[c] = difference_mae(&part);
+            measure_colors(&ladder->reference.image, &model->result.image, masks->causes[c]);
+        model->error.cause_mae[c] = difference_mae(&part);
     }
     for (int c = 0; c < LADDER_INCLUSION_COUNT; c++) {
         const struct difference part =
-            measure_colors(&ladder->reference.image, &rung->result.image, masks->inclusions[c]);
-        rung->error.inclusion_mae[c] = difference_mae(&part);
+            measure_colors(&ladder->reference.image, &model->result.image, masks->inclusions[c]);
+        model->error.inclusion_mae[c] = difference_mae(&part);
     }
-    rung->error.tir_differs = measure_tir(rung, ladder, masks);
-    enum status status = measure_flip(rung, ladder);
-    return status == STATUS_OK ? measure_angle(rung, ladder, masks) : status;
+    model->error.tir_differs = measure_tir(model, ladder, masks);
+    enum status status = measure_flip(model, ladder);
+    return status == STATUS_OK ? measure_angle(model, ladder, masks) : status;
 }
-
-/* ---- all ---- */
 
 static bool is_wanted(const struct ladder_params *params, uint32_t index)
 {
     return !params->rungs || (params->rungs >> index & 1u);
 }
 
-static uint32_t count_rungs(const struct ladder_params *params)
+static uint32_t count_models(const struct ladder_params *params)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; techniques_rung(i); i++)
@@ -306,10 +300,10 @@ static uint32_t count_rungs(const struct ladder_params *params)
 
 uint32_t ladder_stages(const struct ladder_params *params)
 {
-    return 1 + count_rungs(params) + (params->run_count > 0);
+    return 1 + count_models(params) + (params->run_count > 0);
 }
 
-static void choose_rungs(struct ladder *ladder, const struct ladder_params *params)
+static void choose_models(struct ladder *ladder, const struct ladder_params *params)
 {
     for (uint32_t i = 0; techniques_rung(i) && ladder->rung_count < LADDER_RUNG_COUNT; i++) {
         if (is_wanted(params, i))
@@ -317,8 +311,8 @@ static void choose_rungs(struct ladder *ladder, const struct ladder_params *para
     }
 }
 
-static enum status draw_rungs(struct ladder *ladder, const struct ladder_params *params,
-                              struct work *work)
+static enum status draw_models(struct ladder *ladder, const struct ladder_params *params,
+                               struct work *work)
 {
     struct masks masks = { 0 };
     enum status status = make_masks(&masks, ladder, params);
@@ -333,7 +327,7 @@ static enum status draw_rungs(struct ladder *ladder, const struct ladder_params 
     return status;
 }
 
-/* Measures frames of one sample, since costs are proportional to the samples. */
+/* Measures frame times with one sample per pixel, since the cost is proportional to the samples. */
 static enum status measure_costs(struct ladder *ladder, const struct ladder_params *params,
                                  struct work *work)
 {
@@ -363,10 +357,10 @@ enum status ladder_run(struct ladder *ladder, const struct ladder_params *params
     *ladder = (struct ladder){ .width = params->width,
                                .height = params->height,
                                .is_whole = params->is_whole };
-    choose_rungs(ladder, params);
+    choose_models(ladder, params);
     enum status status = trace(ladder, params, &work);
     if (status == STATUS_OK)
-        status = draw_rungs(ladder, params, &work);
+        status = draw_models(ladder, params, &work);
     if (status == STATUS_OK && params->run_count)
         status = measure_costs(ladder, params, &work);
     if (status != STATUS_OK)
@@ -393,8 +387,8 @@ const struct ladder_rung *ladder_base(const struct ladder *ladder)
     return &ladder->rungs[0];
 }
 
-double ladder_cost_ratio(const struct ladder *ladder, const struct ladder_rung *rung)
+double ladder_cost_ratio(const struct ladder *ladder, const struct ladder_rung *model)
 {
     const double base = ladder_base(ladder)->cost;
-    return base > 0.0 ? rung->cost / base : (double)NAN;
+    return base > 0.0 ? model->cost / base : (double)NAN;
 }

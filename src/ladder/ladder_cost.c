@@ -1,4 +1,4 @@
-/* ladder_cost.c: measures frame times of several renderers alternately. */
+/* ladder_cost.c: measures the frame times of several renderers alternately. */
 #include "src/ladder/ladder_cost.h"
 #include <stdlib.h>
 #include "src/base/clock.h"
@@ -16,8 +16,8 @@ static enum status time_frame(struct renderer *renderer, const struct renderer_s
     return status;
 }
 
-/* Fills samples[i * run_count + run] for renderer i. Run 0 is drawn twice: the first time is the
- * warm-up. */
+/* Stores the frame time of renderer i and run r in samples[i * run_count + r]. The first run is
+ * rendered twice, and its warm-up time is overwritten. */
 static enum status time_all(struct renderer *const *renderers,
                             const struct ladder_cost_request *request, double *samples,
                             renderer_progress_fn *progress, void *user)

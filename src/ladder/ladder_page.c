@@ -1,4 +1,4 @@
-/* ladder_page.c: writes table, plot and contact sheet as one self-contained HTML file. */
+/* ladder_page.c: writes table, plot, image slider and contact sheet as one self-contained HTML. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +23,7 @@ static const char head[] =
     "#ab [hidden]{display:none}\n"
     "#at{width:16rem;vertical-align:middle}\nlabel{margin-right:1.5rem}\n</style>\n";
 
-/* The divider follows the mouse; by keyboard it is the range's. */
+/* Comparison slider: the divider follows the mouse or, with the keyboard, the range input. */
 static const char script[] =
     "<script>\n\"use strict\";\n"
     "const ab = document.getElementById(\"ab\"), at = document.getElementById(\"at\");\n"
@@ -43,13 +43,14 @@ static const char script[] =
     "rung.addEventListener(\"input\", show);\n"
     "show();\n</script>\n";
 
-/* A PNG file: of the reference, or of a rung. */
+/* A PNG file in memory: the image of the reference or of a refraction model. */
 struct encoded {
     void *data;
     size_t size;
 };
 
-/* Writes a text with HTML's special characters escaped; names of files may have any characters. */
+/* Writes text with HTML's special characters escaped, since file names may contain any character.
+ */
 static void put_text(const char *text, FILE *out)
 {
     for (; *text; text++) {
@@ -86,14 +87,14 @@ static void put_number(double number, int digits, FILE *out)
 
 static void put_table(const struct ladder *ladder, FILE *out)
 {
-    fputs("<table>\n<tr><th>rung<th>FLIP<th>MAE<th>refracted<th>reflected<th>trapped", out);
+    fputs("<table>\n<tr><th>model<th>FLIP<th>MAE<th>refracted<th>reflected<th>trapped", out);
     for (int c = 0; c < LADDER_INCLUSION_COUNT && ladder->is_whole; c++)
         fprintf(out, "<th>%s", ladder_inclusion_names[c]);
     fputs("<th>RMSE<th>degrees<th>95 %<th>other class<th>ms<th>cost\n", out);
     for (uint32_t i = 0; i < ladder->rung_count; i++) {
-        const struct ladder_rung *rung = &ladder->rungs[i];
-        const struct ladder_error *e = &rung->error;
-        fprintf(out, "<tr><td>%s", rung->rung->rung.name);
+        const struct ladder_rung *model = &ladder->rungs[i];
+        const struct ladder_error *e = &model->error;
+        fprintf(out, "<tr><td>%s", model->rung->rung.name);
         put_number(e->flip, 4, out);
         put_number(e->mae, 4, out);
         for (int c = 0; c < LADDER_CAUSE_COUNT; c++)
@@ -105,8 +106,8 @@ static void put_table(const struct ladder *ladder, FILE *out)
         put_number(e->angle_95, 3, out);
         put_number(100.0 * e->tir_differs, 1, out);
         fputs(isnan(e->tir_differs) ? "" : " %", out);
-        put_number(rung->cost > 0.0 ? rung->cost : (double)NAN, 2, out);
-        put_number(ladder_cost_ratio(ladder, rung), 2, out);
+        put_number(model->cost > 0.0 ? model->cost : (double)NAN, 2, out);
+        put_number(ladder_cost_ratio(ladder, model), 2, out);
         putc('\n', out);
     }
     fputs("</table>\n", out);
@@ -116,7 +117,7 @@ static void put_head(const struct ladder_report *report, FILE *out)
 {
     const struct ladder *l = report->ladder;
     fputs(head, out);
-    fputs("<h1>Error of each refraction rung against the ray traced reference</h1>\n<p><code>",
+    fputs("<h1>Error of each refraction model against the path-traced reference</h1>\n<p><code>",
           out);
     put_text(report->command, out);
     fprintf(out,
@@ -127,7 +128,7 @@ static void put_head(const struct ladder_report *report, FILE *out)
     put_text(l->tracer, out);
     fprintf(out, ", %.1f s.", l->reference_cost * 1e-3);
     if (report->device) {
-        fputs(" Rungs: ", out);
+        fputs(" GPU: ", out);
         put_text(report->device, out);
         putc('.', out);
     }
@@ -135,12 +136,13 @@ static void put_head(const struct ladder_report *report, FILE *out)
 }
 
 static const char notes[] =
-    "<p>FLIP: over all pixels. MAE (clipped to 0 and 1) and RMSE: over the object's pixels. "
-    "Refracted, reflected, trapped: MAE of the pixels whose light is totally reflected never, "
+    "<p>FLIP: over all pixels. MAE (clamped to 0 and 1) and RMSE: over the object's pixels. "
+    "Refracted, reflected, trapped: MAE of the pixels whose light undergoes total internal "
+    "reflection never, "
     "once, "
     "or more often before it leaves. Degrees: mean and 95th percentile of the angle between the "
     "exit directions, where there is no "
-    "total reflection. Other class: pixels with total reflection in only one of the two pictures. "
+    "total reflection. Other class: pixels with total reflection in only one of the two images. "
     "Cost: median frame time relative to ";
 
 static void put_image(const char *attributes, const char *alt, const struct encoded *png, FILE *out)
@@ -150,16 +152,16 @@ static void put_image(const char *attributes, const char *alt, const struct enco
     fputs("\">\n", out);
 }
 
-/* A rung on the left of a divider, the reference on the right. `pictures` begins with the
- * reference's; without JavaScript the last rung is seen. */
+/* Writes the comparison slider: a refraction model left of the divider, the reference right of it.
+ * `pictures` begins with that of the reference. Without JavaScript the last model is shown. */
 static void put_slider(const struct ladder *ladder, const struct encoded *pictures, FILE *out)
 {
     fputs("<h2>Side by side</h2>\n<p><label>Left of the divider: <select id=\"rung\">\n", out);
     for (uint32_t i = 0; i < ladder->rung_count; i++) {
-        const struct ladder_rung *rung = &ladder->rungs[i];
-        fprintf(out, "<option data-says=\"FLIP %.4f, MAE %.4f\"%s>%s\n", rung->error.flip,
-                rung->error.mae, i + 1 == ladder->rung_count ? " selected" : "",
-                rung->rung->rung.name);
+        const struct ladder_rung *model = &ladder->rungs[i];
+        fprintf(out, "<option data-says=\"FLIP %.4f, MAE %.4f\"%s>%s\n", model->error.flip,
+                model->error.mae, i + 1 == ladder->rung_count ? " selected" : "",
+                model->rung->rung.name);
     }
     fputs(
         "</select></label>\n<label>Divider: <input id=\"at\" type=\"range\" min=\"0\" max=\"100\" "
@@ -194,10 +196,10 @@ static void put_page(const struct ladder_report *report, const char *svg,
     const struct ladder_rung *base = ladder_base(report->ladder);
     put_head(report, out);
     put_table(report->ladder, out);
-    fprintf(out, "%s%s, frames of all rungs in turns.\n%s", notes, base->rung->rung.name,
-            base->cost > 0.0 ? svg : "");
+    fprintf(out, "%s%s, with the frames of all models interleaved.\n%s", notes,
+            base->rung->rung.name, base->cost > 0.0 ? svg : "");
     put_slider(report->ladder, pictures, out);
-    fputs("<h2>Pictures</h2>\n<p>Each picture is followed by its FLIP error, in the colours of the "
+    fputs("<h2>Images</h2>\n<p>Each image is followed by its FLIP error map in the colours of the "
           "scale.\n",
           out);
     put_image("id=\"sheet\"", "contact sheet", sheet, out);

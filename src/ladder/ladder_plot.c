@@ -1,10 +1,10 @@
-/* ladder_plot.c: draws the plot of error against cost. */
+/* ladder_plot.c: draws the plot of error over cost as SVG. */
 #include <math.h>
 #include <stdlib.h>
 #include "src/base/log.h"
 #include "src/ladder/ladder_report.h"
 
-/* Layout of the plot, pixels. */
+/* Layout of the plot in pixels. */
 enum {
     WIDTH = 760,
     HEIGHT = 460,
@@ -23,34 +23,35 @@ static const char style[] =
     "@media(prefers-color-scheme:dark){svg{background:rgb(22 24 28);color:rgb(221 221 221)}"
     "circle{fill:rgb(109 179 255)}}";
 
-static const double least_error = 1e-4; /* smaller errors are drawn here, for the logarithm */
-static const double room = 1.4;         /* factor between the outermost points and the axes' ends */
+/* smallest error that is drawn, since the axis is logarithmic */
+static const double least_error = 1e-4;
+static const double margin = 1.4; /* factor between the outermost points and the ends of an axis */
 
-/* A logarithmic axis: from `low` at pixel `start` to `high` at pixel `end`. */
+/* A logarithmic axis from the value `low` at pixel `start` to `high` at pixel `end`. */
 struct axis {
     double low, high, start, end;
 };
 
-static double map(const struct axis *axis, double value)
+static double to_pixel(const struct axis *axis, double value)
 {
     return axis->start +
            (axis->end - axis->start) * log(value / axis->low) / log(axis->high / axis->low);
 }
 
-static double error_of(const struct ladder_rung *rung)
+static double error_of(const struct ladder_rung *model)
 {
-    return fmax(rung->error.flip, least_error);
+    return fmax(model->error.flip, least_error);
 }
 
-static void include(struct axis *axis, double value)
+static void extend(struct axis *axis, double value)
 {
-    axis->low = fmin(axis->low, value / room);
-    axis->high = fmax(axis->high, value * room);
+    axis->low = fmin(axis->low, value / margin);
+    axis->high = fmax(axis->high, value * margin);
 }
 
 static void put_tick_across(const struct axis *x, const struct axis *y, double value, FILE *out)
 {
-    const double at = map(x, value);
+    const double at = to_pixel(x, value);
     fprintf(out,
             "<line class=\"grid\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>"
             "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%g</text>\n",
@@ -59,7 +60,7 @@ static void put_tick_across(const struct axis *x, const struct axis *y, double v
 
 static void put_tick_up(const struct axis *x, const struct axis *y, double value, FILE *out)
 {
-    const double at = map(y, value);
+    const double at = to_pixel(y, value);
     fprintf(out,
             "<line class=\"grid\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>"
             "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n",
@@ -93,13 +94,13 @@ static void put_frame(const struct axis *x, const struct axis *y, const char *ba
             (y->start + y->end) / 2);
 }
 
-/* The position of a label: its start or, if it is to the left of its point, its end. */
+/* Position of a label: its start, or its end if it is left of its point. */
 struct label {
     double x, y;
     bool to_the_left;
 };
 
-/* Places a label beside its point, below all labels that it would overlap. */
+/* Places a label beside its point, moved below all labels that it would overlap. */
 static struct label place_label(const struct axis *x, double across, double up,
                                 const struct label *others, uint32_t count)
 {
@@ -107,12 +108,12 @@ static struct label place_label(const struct axis *x, double across, double up,
     if (label.to_the_left)
         label.x = across - 9;
     for (uint32_t i = 0; i < count; i++) {
-        const bool meets =
+        const bool overlaps =
             fabs(others[i].x - label.x) < LABEL_WIDTH && fabs(others[i].y - label.y) < LABEL_HEIGHT;
-        if (!meets)
+        if (!overlaps)
             continue;
         label.y = others[i].y + LABEL_HEIGHT;
-        i = UINT32_MAX; /* checks all labels again */
+        i = UINT32_MAX; /* restarts the loop: checks all labels again */
     }
     return label;
 }
@@ -120,25 +121,25 @@ static struct label place_label(const struct axis *x, double across, double up,
 static void put_point(const struct axis *x, const struct axis *y, const struct ladder *ladder,
                       uint32_t index, struct label labels[static LADDER_RUNG_COUNT], FILE *out)
 {
-    const struct ladder_rung *rung = &ladder->rungs[index];
-    const double ratio = ladder_cost_ratio(ladder, rung);
-    const double across = map(x, ratio), up = map(y, error_of(rung));
+    const struct ladder_rung *model = &ladder->rungs[index];
+    const double ratio = ladder_cost_ratio(ladder, model);
+    const double across = to_pixel(x, ratio), up = to_pixel(y, error_of(model));
     labels[index] = place_label(x, across, up, labels, index);
     fprintf(out,
             "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"5\"><title>%s: FLIP %.4f, cost %.2f</title>"
             "</circle><text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">%s</text>\n",
-            across, up, rung->rung->rung.name, rung->error.flip, ratio, labels[index].x,
-            labels[index].y, labels[index].to_the_left ? "end" : "start", rung->rung->rung.name);
+            across, up, model->rung->rung.name, model->error.flip, ratio, labels[index].x,
+            labels[index].y, labels[index].to_the_left ? "end" : "start", model->rung->rung.name);
 }
 
 static void put_points(const struct ladder *ladder, FILE *out)
 {
     struct label labels[LADDER_RUNG_COUNT];
-    struct axis x = { 1.0 / room, room, LEFT, WIDTH - RIGHT };
+    struct axis x = { 1.0 / margin, margin, LEFT, WIDTH - RIGHT };
     struct axis y = { 0.1, 0.1, HEIGHT - BOTTOM, TOP };
     for (uint32_t i = 0; i < ladder->rung_count; i++) {
-        include(&x, ladder_cost_ratio(ladder, &ladder->rungs[i]));
-        include(&y, error_of(&ladder->rungs[i]));
+        extend(&x, ladder_cost_ratio(ladder, &ladder->rungs[i]));
+        extend(&y, error_of(&ladder->rungs[i]));
     }
     put_frame(&x, &y, ladder_base(ladder)->rung->rung.name, out);
     for (uint32_t i = 0; i < ladder->rung_count; i++)

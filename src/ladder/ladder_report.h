@@ -1,8 +1,8 @@
 /*
- * ladder_report.h: writes a ladder as table, JSON, contact sheet, plot, page and layers.
+ * ladder_report.h: writes a comparison of refraction models as table, JSON, PNG, SVG, HTML or EXR.
  *
- * Functions that return a status log errors and return STATUS_TRY_AGAIN when out of memory. Texts
- * and bytes are malloc'd, and the caller frees them; they are NULL on failure.
+ * Functions that return a status log errors and return STATUS_TRY_AGAIN when out of memory. Text
+ * and data are allocated by malloc and freed by the caller; they are NULL on failure.
  */
 #ifndef FIRN_LADDER_LADDER_REPORT_H
 #define FIRN_LADDER_LADDER_REPORT_H
@@ -12,30 +12,28 @@
 
 struct ladder_report {
     const struct ladder *ladder;
-    const char *scene;   /* its name on the command line */
-    const char *command; /* the whole command line, quoted for a shell */
-    const char *device;  /* the device that drew the rungs; NULL without rungs */
+    const char *scene;   /* scene name as on the command line */
+    const char *command; /* whole command line, quoted for a shell */
+    const char *device;  /* GPU that rendered the models; NULL if there are none */
     uint32_t samples;    /* per pixel */
 };
 
-/* Writes a table of at most 100 columns. */
+/* Writes a text table of at most 100 columns. */
 void ladder_table(const struct ladder_report *report, FILE *out);
 
 MUST_USE enum status ladder_json(const struct ladder_report *report, char **text, size_t *size);
 
-/* Writes FLIP against cost, both on logarithmic axes, as an SVG file, which can be an element of a
- * page. Rungs whose cost was not measured are left out. */
+/* Writes FLIP over cost, both on logarithmic axes, as an SVG file that can also be embedded in
+ * HTML. Models without measured cost are omitted. */
 MUST_USE enum status ladder_svg(const struct ladder_report *report, char **text, size_t *size);
 
-/* Encodes a PNG file: the reference, and each rung's picture beside its FLIP in heat.h's
- * colours. */
+/* Encodes a contact sheet as PNG: the reference; each model's image and its FLIP heat map. */
 MUST_USE enum status ladder_sheet(const struct ladder_report *report, void **data, size_t *size);
 
-/* Writes one HTML file with table, plot, sheet, and each rung beside the reference. */
+/* Writes one HTML file with table, plot, contact sheet, and a slider over each model's image. */
 MUST_USE enum status ladder_page(const struct ladder_report *report, char **text, size_t *size);
 
-/* Encodes an EXR file: the reference as R, G, B; each rung as RUNG.R, RUNG.G, RUNG.B and
- * RUNG.flip.Z. */
+/* Encodes an EXR file: the reference as R, G, B; each model as layer NAME with R, G, B, flip.Z. */
 MUST_USE enum status ladder_exr(const struct ladder_report *report, void **data, size_t *size);
 
 #endif

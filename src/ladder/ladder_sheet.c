@@ -1,4 +1,4 @@
-/* ladder_sheet.c: writes the contact sheet, and all pictures as layers of one file. */
+/* ladder_sheet.c: writes all images as a PNG contact sheet or as layers of an EXR file. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,14 +11,12 @@
 #include "src/metric/heat.h"
 
 enum {
-    COLUMNS = 2, /* of cells */
-    MARGIN = 8,  /* pixels */
-    LABEL = 330, /* width of a label at scale 1, the least width of a cell; pixels */
-    LETTERS = 2, /* scale of the letters in cells that are wide enough */
+    COLUMNS = 2,    /* cells per row */
+    MARGIN = 8,     /* pixels */
+    LABEL = 330,    /* width of a label at scale 1, in pixels; also the minimum width of a cell */
+    TEXT_SCALE = 2, /* text scale in cells that are wide enough */
     GREY = 34,
 };
-
-/* ---- the sheet ---- */
 
 static uint32_t cell_width(const struct ladder *ladder)
 {
@@ -28,7 +26,7 @@ static uint32_t cell_width(const struct ladder *ladder)
 
 static uint32_t letter_scale(const struct ladder *ladder)
 {
-    return cell_width(ladder) >= LETTERS * LABEL ? LETTERS : 1;
+    return cell_width(ladder) >= TEXT_SCALE * LABEL ? TEXT_SCALE : 1;
 }
 
 static uint32_t label_height(const struct ladder *ladder)
@@ -36,25 +34,25 @@ static uint32_t label_height(const struct ladder *ladder)
     return letter_scale(ladder) * CANVAS_TEXT_HEIGHT + 4;
 }
 
-/* Returns the top left corner of a cell. */
-static void place(const struct ladder *ladder, uint32_t index, uint32_t *x, uint32_t *y)
+/* Computes the top left corner of a cell. */
+static void cell_origin(const struct ladder *ladder, uint32_t index, uint32_t *x, uint32_t *y)
 {
     *x = MARGIN + index % COLUMNS * (cell_width(ladder) + 2 * MARGIN);
     *y = MARGIN + index / COLUMNS * (ladder->height + label_height(ladder) + MARGIN);
 }
 
 static void write_label(struct canvas *canvas, uint32_t x, uint32_t y, const struct ladder *ladder,
-                        const struct ladder_rung *rung)
+                        const struct ladder_rung *model)
 {
-    const double ratio = ladder_cost_ratio(ladder, rung);
+    const double ratio = ladder_cost_ratio(ladder, model);
     char angle[32] = "";
     char cost[32] = "";
     char text[128];
-    if (!isnan(rung->error.angle))
-        snprintf(angle, sizeof(angle), "   %.2f degrees", rung->error.angle);
+    if (!isnan(model->error.angle))
+        snprintf(angle, sizeof(angle), "   %.2f degrees", model->error.angle);
     if (!isnan(ratio))
         snprintf(cost, sizeof(cost), "   cost %.2f", ratio);
-    snprintf(text, sizeof(text), "%s   FLIP %.3f%s%s", rung->rung->rung.name, rung->error.flip,
+    snprintf(text, sizeof(text), "%s   FLIP %.3f%s%s", model->rung->rung.name, model->error.flip,
              angle, cost);
     canvas_write(canvas, x, y, letter_scale(ladder), text);
 }
@@ -76,7 +74,7 @@ static void put_reference(struct canvas *canvas, const struct ladder *ladder)
 {
     const struct canvas picture = { ladder->width, ladder->height, ladder->reference.rgba };
     uint32_t x, y;
-    place(ladder, 0, &x, &y);
+    cell_origin(ladder, 0, &x, &y);
     canvas_write(canvas, x, y, letter_scale(ladder), "reference   FLIP:");
     canvas_put(canvas, x, y + label_height(ladder), &picture);
     legend_put(canvas,
@@ -85,22 +83,23 @@ static void put_reference(struct canvas *canvas, const struct ladder *ladder)
                letter_scale(ladder));
 }
 
-static bool put_rung(struct canvas *canvas, const struct ladder *ladder, uint32_t index)
+static bool put_model(struct canvas *canvas, const struct ladder *ladder, uint32_t index)
 {
-    const struct ladder_rung *rung = &ladder->rungs[index];
-    const struct canvas picture = { ladder->width, ladder->height, rung->result.rgba };
+    const struct ladder_rung *model = &ladder->rungs[index];
+    const struct canvas picture = { ladder->width, ladder->height, model->result.rgba };
     uint32_t x, y;
-    place(ladder, index + 1, &x, &y);
-    write_label(canvas, x, y, ladder, rung);
+    cell_origin(ladder, index + 1, &x, &y);
+    write_label(canvas, x, y, ladder, model);
     canvas_put(canvas, x, y + label_height(ladder), &picture);
     return put_errors(canvas, x + ladder->width + MARGIN, y + label_height(ladder), ladder,
-                      rung->flip);
+                      model->flip);
 }
 
 enum status ladder_sheet(const struct ladder_report *report, void **data, size_t *size)
 {
     const struct ladder *l = report->ladder;
-    const uint32_t rows = (l->rung_count + COLUMNS) / COLUMNS; /* the reference is a cell, too */
+    /* the reference occupies a cell, too */
+    const uint32_t rows = (l->rung_count + COLUMNS) / COLUMNS;
     struct canvas canvas;
     *data = NULL;
     bool ok = canvas_init(&canvas, COLUMNS * (cell_width(l) + 2 * MARGIN),
@@ -108,7 +107,7 @@ enum status ladder_sheet(const struct ladder_report *report, void **data, size_t
     if (ok)
         put_reference(&canvas, l);
     for (uint32_t i = 0; i < l->rung_count && ok; i++)
-        ok = put_rung(&canvas, l, i);
+        ok = put_model(&canvas, l, i);
     const struct png_picture picture = {
         .rgba = canvas.rgba,
         .width = canvas.width,
@@ -119,9 +118,7 @@ enum status ladder_sheet(const struct ladder_report *report, void **data, size_t
     return status;
 }
 
-/* ---- layers ---- */
-
-/* Adds a plane with borrowed texels; they are not const in the struct, but are not written to. */
+/* Adds a plane with borrowed texels, which are not const in struct image_plane but not modified. */
 static void add_plane(struct image *image, const char *layer, const char *name,
                       float *texels) /* NOLINT(readability-non-const-parameter) */
 {

@@ -1,4 +1,4 @@
-/* ladder_table.c: writes the numbers as a table and as JSON. */
+/* ladder_table.c: writes errors and costs as a text table and as JSON. */
 #include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
@@ -9,8 +9,6 @@
 enum {
     NAME_COLUMNS = 12
 };
-
-/* ---- text ---- */
 
 static void print_number(double number, int digits, FILE *out)
 {
@@ -38,7 +36,7 @@ static void print_head(const struct ladder_report *report, FILE *out)
         fprintf(out, "device     %s\n", report->device);
 }
 
-/* `ratio` is the cost relative to ladder_base(). */
+/* Prints the line of a refraction model; `ratio` is its cost relative to ladder_base(). */
 static void print_row(const char *name, const struct ladder_error *e, double ms, double ratio,
                       FILE *out)
 {
@@ -68,13 +66,13 @@ static void print_rows(const struct ladder *l, FILE *out)
               base > 0.0 ? l->reference_cost / base : none, out);
 }
 
-/* Columns of pixels and their errors. */
+/* A table of MAE with one column per pixel class. */
 struct columns {
     const char *title;
     const char *const *names;
     const uint64_t *counts;
     int count;
-    size_t offset; /* of the errors in struct ladder_error */
+    size_t offset; /* offset of the errors in struct ladder_error */
 };
 
 static void print_columns(const struct ladder *l, const struct columns *columns, FILE *out)
@@ -95,22 +93,22 @@ static void print_columns(const struct ladder *l, const struct columns *columns,
     }
 }
 
-/* The causes of the errors, in tables of their own: lines have at most 100 columns. */
-static void print_causes(const struct ladder *l, FILE *out)
+/* Prints MAE by pixel class in separate tables, since lines have at most 100 columns. */
+static void print_classes(const struct ladder *l, FILE *out)
 {
     const struct columns paths = { "MAE by path", ladder_cause_names, l->cause_counts,
                                    LADDER_CAUSE_COUNT, offsetof(struct ladder_error, cause_mae) };
-    const struct columns inclusions = { "MAE, meets", ladder_inclusion_names, l->inclusion_counts,
+    const struct columns inclusions = { "MAE, hits", ladder_inclusion_names, l->inclusion_counts,
                                         LADDER_INCLUSION_COUNT,
                                         offsetof(struct ladder_error, inclusion_mae) };
     print_columns(l, &paths, out);
-    fputs("\nrefracted: light that leaves at the first surface inside; reflected: that is totally "
-          "reflected there\nonce before it leaves; trapped: more often.\n",
+    fputs("\nrefracted: light exits at the first inner surface; reflected: one total internal "
+          "reflection before\nit exits; trapped: two or more.\n",
           out);
     if (!l->is_whole)
         return;
     print_columns(l, &inclusions, out);
-    fputs("\nmeets: what this light meets on its way; clear: nothing. A pixel may count more than "
+    fputs("\nhits: inclusions along this path; clear: none. A pixel may be counted more than "
           "once.\n",
           out);
 }
@@ -120,15 +118,15 @@ void ladder_table(const struct ladder_report *report, FILE *out)
     const struct ladder *l = report->ladder;
     const bool has_truth = !isnan(l->reference_error.truth);
     print_head(report, out);
-    fprintf(out, "\n%-*s %9s %9s %9s %9s %9s %9s", NAME_COLUMNS, "rung", "FLIP", "MAE", "RMSE",
+    fprintf(out, "\n%-*s %9s %9s %9s %9s %9s %9s", NAME_COLUMNS, "model", "FLIP", "MAE", "RMSE",
             "degrees", "95 %", "TIR %");
     fprintf(out, "%s %9s %9s\n", has_truth ? "     truth" : "", "ms", "cost");
     print_rows(l, out);
     fprintf(out,
             "\nFLIP: over all pixels. MAE, RMSE: over the object's pixels. degrees: error of the "
             "exit direction\nwhere there is no total reflection. TIR %%: pixels with total "
-            "reflection in only one of the two\npictures. cost: median frame time relative to %s, "
-            "frames of all rungs in turns.\n",
+            "reflection in only one of the two\nimages. cost: median frame time relative to %s, "
+            "frames of all models interleaved.\n",
             ladder_base(l)->rung->rung.name);
     for (uint32_t i = 0; i < l->rung_count; i++) {
         if (l->rungs[i].error.not_finite)
@@ -136,13 +134,11 @@ void ladder_table(const struct ladder_report *report, FILE *out)
                     (unsigned long long)l->rungs[i].error.not_finite);
     }
     if (has_truth)
-        fputs("truth: MAE against the picture of --truth.\n", out);
-    print_causes(l, out);
+        fputs("truth: MAE against the image given with --truth.\n", out);
+    print_classes(l, out);
 }
 
-/* ---- JSON ---- */
-
-/* Numbers that are not finite become null, because JSON lacks them. */
+/* Adds a number; one that is not finite becomes null, since JSON cannot represent it. */
 static bool put_number(json_t *object, const char *key, double number)
 {
     return !json_object_set_new(object, key, isfinite(number) ? json_real(number) : json_null());
@@ -153,7 +149,7 @@ static bool put_count(json_t *object, const char *key, uint64_t count)
     return !json_object_set_new(object, key, json_integer((json_int_t)count));
 }
 
-/* Replaces bytes that are not UTF-8, which names of files may have. */
+/* Adds a string. Bytes that are not UTF-8, as in file names, are replaced. */
 static bool put_text(json_t *object, const char *key, const char *text)
 {
     char *clean = NULL;
@@ -170,7 +166,7 @@ static bool put_text(json_t *object, const char *key, const char *text)
     return ok;
 }
 
-/* "mae_refracted", "refracted_pixels", ... */
+/* Adds an error or a pixel count per class: "mae_refracted", "refracted_pixels", ... */
 static bool put_named(json_t *object, const char *const *names, int count, const double *errors,
                       const uint64_t *counts)
 {
@@ -183,8 +179,8 @@ static bool put_named(json_t *object, const char *const *names, int count, const
     return ok;
 }
 
-/* The errors by cause, or, without any, the numbers of pixels. */
-static bool put_causes(json_t *object, const struct ladder *l, const struct ladder_error *error)
+/* Adds the MAE of each pixel class or, if `error` is NULL, the number of pixels in each class. */
+static bool put_classes(json_t *object, const struct ladder *l, const struct ladder_error *error)
 {
     return put_named(object, ladder_cause_names, LADDER_CAUSE_COUNT,
                      error ? error->cause_mae : NULL, l->cause_counts) &&
@@ -192,18 +188,18 @@ static bool put_causes(json_t *object, const struct ladder *l, const struct ladd
                                       error ? error->inclusion_mae : NULL, l->inclusion_counts));
 }
 
-static json_t *make_rung(const struct ladder *ladder, const struct ladder_rung *rung)
+static json_t *make_model(const struct ladder *ladder, const struct ladder_rung *model)
 {
-    const struct ladder_error *e = &rung->error;
+    const struct ladder_error *e = &model->error;
     json_t *object = json_object();
     const bool ok =
-        put_text(object, "name", rung->rung->rung.name) && put_number(object, "flip", e->flip) &&
+        put_text(object, "name", model->rung->rung.name) && put_number(object, "flip", e->flip) &&
         put_number(object, "mae", e->mae) && put_number(object, "rmse", e->rmse) &&
-        put_causes(object, ladder, e) && put_number(object, "angle", e->angle) &&
+        put_classes(object, ladder, e) && put_number(object, "angle", e->angle) &&
         put_number(object, "angle_95", e->angle_95) && put_number(object, "tir", e->tir_differs) &&
         put_number(object, "truth", e->truth) && put_count(object, "not_finite", e->not_finite) &&
-        put_number(object, "ms", rung->cost > 0.0 ? rung->cost : (double)NAN) &&
-        put_number(object, "cost", ladder_cost_ratio(ladder, rung));
+        put_number(object, "ms", model->cost > 0.0 ? model->cost : (double)NAN) &&
+        put_number(object, "cost", ladder_cost_ratio(ladder, model));
     if (ok)
         return object;
     json_decref(object);
@@ -218,13 +214,13 @@ static bool fill(json_t *root, const struct ladder_report *report)
               put_text(root, "command", report->command) && put_count(root, "width", l->width) &&
               put_count(root, "height", l->height) && put_count(root, "samples", report->samples) &&
               put_count(root, "object_pixels", l->object_count) &&
-              put_count(root, "straight_pixels", l->straight_count) && put_causes(root, l, NULL) &&
+              put_count(root, "straight_pixels", l->straight_count) && put_classes(root, l, NULL) &&
               put_text(root, "reference", l->tracer) &&
               put_number(root, "reference_ms", l->reference_cost) &&
               put_number(root, "reference_truth", l->reference_error.truth) &&
               put_text(root, "device", report->device ? report->device : "");
     for (uint32_t i = 0; i < l->rung_count && ok; i++)
-        ok = !json_array_append_new(rungs, make_rung(l, &l->rungs[i]));
+        ok = !json_array_append_new(rungs, make_model(l, &l->rungs[i]));
     return !json_object_set_new(root, "rungs", rungs) && ok;
 }
 

@@ -1,4 +1,4 @@
-/* sheet_grid.h: where the pictures of a `firn sheet` are, for who writes one and who cuts it. */
+/* sheet_grid.h: grid layout of the contact sheets of `firn sheet`, for writing and cutting. */
 #ifndef FIRN_LADDER_SHEET_GRID_H
 #define FIRN_LADDER_SHEET_GRID_H
 
@@ -6,15 +6,15 @@
 #include "src/ladder/canvas.h"
 
 enum {
-    SHEET_COLUMNS = 4, /* of values of one parameter */
-    SHEET_MARGIN = 8,  /* around each picture, pixels */
-    SHEET_ROOM = 150,  /* for words of scale 1, pixels */
+    SHEET_COLUMNS = 4, /* images per row, for the values of one parameter */
+    SHEET_MARGIN = 8,  /* margin around each image, pixels */
+    SHEET_ROOM = 150,  /* room for a label at scale 1, pixels */
 };
 
-/* Pictures of one size in rows, each below a line of words. Lengths are pixels. */
+/* A grid of images of equal size, each below a line of text. Lengths are in pixels. */
 struct sheet_grid {
-    uint32_t columns;       /* pictures in a row */
-    uint32_t width, height; /* of a picture */
+    uint32_t columns;       /* images per row */
+    uint32_t width, height; /* of an image */
 };
 
 static inline uint32_t sheet_letter_scale(const struct sheet_grid *grid)
@@ -27,7 +27,7 @@ static inline uint32_t sheet_label_height(const struct sheet_grid *grid)
     return sheet_letter_scale(grid) * CANVAS_TEXT_HEIGHT + 4;
 }
 
-/* The size of a sheet of so many pictures. */
+/* Returns the width of a sheet, in pixels. */
 static inline uint32_t sheet_width(const struct sheet_grid *grid)
 {
     return grid->columns * (grid->width + SHEET_MARGIN) + SHEET_MARGIN;
@@ -39,7 +39,7 @@ static inline uint32_t sheet_height(const struct sheet_grid *grid, uint32_t coun
     return rows * (grid->height + sheet_label_height(grid) + SHEET_MARGIN) + SHEET_MARGIN;
 }
 
-/* The left edge of picture i, and the upper edge of its words; it is below them. */
+/* Returns the left edge of image i. Below: the top edge of its label, which is above the image. */
 static inline uint32_t sheet_left(const struct sheet_grid *grid, uint32_t i)
 {
     return SHEET_MARGIN + i % grid->columns * (grid->width + SHEET_MARGIN);

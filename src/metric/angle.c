@@ -1,4 +1,4 @@
-/* angle.c: angles between directions. */
+/* angle.c: statistics of the angles between the directions of two images. */
 #include "src/metric/angle.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -6,19 +6,19 @@
 #include <string.h>
 #include "src/metric/quantile.h"
 
-static vec3s load(const float *const direction[static 3], size_t i)
+static vec3s load_direction(const float *const direction[static 3], size_t i)
 {
     return (vec3s){ { direction[0][i], direction[1][i], direction[2][i] } };
 }
 
 bool angle_is_there(const float *const direction[static 3], size_t pixel)
 {
-    const float length = glms_vec3_norm(load(direction, pixel));
+    const float length = glms_vec3_norm(load_direction(direction, pixel));
     return isfinite(length) && length > 0.5f;
 }
 
-/* Uses the tangent, because the cosine of a small angle is imprecise. */
-static float measure(vec3s a, vec3s b)
+/* Returns the angle in degrees by atan2, since acos is imprecise for small angles. */
+static float angle_between(vec3s a, vec3s b)
 {
     const float across = glms_vec3_norm(glms_vec3_cross(a, b));
     return glm_deg(atan2f(across, glms_vec3_dot(a, b)));
@@ -58,7 +58,8 @@ bool angle_measure(struct angle *angle, const struct angle_pair *pair, float *de
         angle->only_test += in_test && !in_reference;
         if (!in_reference || !in_test)
             continue;
-        angles[count] = measure(load(pair->reference, i), load(pair->test, i));
+        angles[count] =
+            angle_between(load_direction(pair->reference, i), load_direction(pair->test, i));
         if (degrees)
             degrees[i] = angles[count];
         count++;

@@ -23,8 +23,6 @@ static bool counts(const struct comparison_params *params, size_t pixel)
     return !params->counted || params->counted[pixel];
 }
 
-/* ---- layers ---- */
-
 static bool is_beauty(const char *plane)
 {
     return strlen(plane) == 1 && strchr("RGB", *plane);
@@ -51,7 +49,8 @@ static struct comparison_layer *take_layer(struct comparison *c, const char *nam
             return layer;
     }
     struct comparison_layer *layer = &c->layers[c->layer_count++];
-    memcpy(layer->name, name, length); /* shorter than IMAGE_NAME_SIZE, and zeros follow */
+    /* the name is shorter than IMAGE_NAME_SIZE, and the struct is zeroed */
+    memcpy(layer->name, name, length);
     return layer;
 }
 
@@ -91,8 +90,6 @@ static bool measure_layers(struct comparison *c, const struct comparison_params 
     return true;
 }
 
-/* ---- layers with a metric of their own ---- */
-
 static bool measure_flip(struct comparison *c, const struct comparison_params *params)
 {
     struct flip_pair pair = {
@@ -131,7 +128,8 @@ static bool measure_exit(struct comparison *c, const struct comparison_params *p
     return c->degrees && angle_measure(&c->angle, &pair, c->degrees);
 }
 
-/* If both images have the layer exit, too, only its pixels are compared. */
+/* Counts the pixels whose total internal reflection differs. If both images have the layer `exit`,
+ * only pixels with an exit direction are compared. */
 static void measure_tir(struct comparison *c, const struct comparison_params *params)
 {
     static const char *const names[3] = { "exit.X", "exit.Y", "exit.Z" };
@@ -150,8 +148,6 @@ static void measure_tir(struct comparison *c, const struct comparison_params *pa
         c->tir_differs += !(reference[i] == test[i]); /* NaN differs from everything */
     }
 }
-
-/* ---- all ---- */
 
 bool comparison_init(struct comparison *c, const struct comparison_params *params)
 {

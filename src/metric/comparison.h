@@ -1,8 +1,8 @@
 /*
- * comparison.h: compares two images layer by layer.
+ * comparison.h: compares two images layer by layer: FLIP, RMSE, relMSE, MAE, angles.
  *
- * A layer is all planes with the same name before the last dot; R, G and B are "beauty". Only
- * planes that both pictures have are measured.
+ * A layer consists of all planes with the same name before the last dot; R, G and B are the layer
+ * "beauty". Only planes that exist in both images are compared.
  */
 #ifndef FIRN_METRIC_COMPARISON_H
 #define FIRN_METRIC_COMPARISON_H
@@ -13,13 +13,13 @@
 #include "src/metric/flip.h"
 
 struct comparison_params {
-    const struct image *reference, *test; /* of one size */
-    const bool *counted;                  /* pixels to compare; NULL: all */
-    bool display;          /* display-referred images: LDR-FLIP; else HDR-FLIP, unless: */
-    bool has_exposure;     /* LDR-FLIP with `exposure` */
+    const struct image *reference, *test; /* must have the same size */
+    const bool *counted;                  /* mask of the pixels to compare; NULL for all */
+    bool display;          /* the images are display-referred: use LDR-FLIP, else HDR-FLIP */
+    bool has_exposure;     /* use LDR-FLIP with `exposure` for scene-referred images, too */
     double exposure;       /* stops */
     enum flip_curve curve; /* tone curve of HDR-FLIP */
-    double ppd;            /* pixels per degree, 1 to FLIP_PPD_MAX */
+    double ppd;            /* pixels per degree of visual angle, 1 to FLIP_PPD_MAX */
 };
 
 struct comparison_layer {
@@ -27,48 +27,48 @@ struct comparison_layer {
     struct difference difference;
 };
 
-/* The differences that are one number and may have a limit. */
+/* Scalar metrics, which can be checked against a limit. */
 enum comparison_metric {
-    COMPARISON_FLIP,   /* mean, of beauty */
-    COMPARISON_RMSE,   /* of beauty */
-    COMPARISON_RELMSE, /* of beauty */
-    COMPARISON_MAE,    /* of beauty, clipped to 0 and 1 */
-    COMPARISON_ANGLE,  /* mean of the layer exit, degrees */
+    COMPARISON_FLIP,   /* mean FLIP error of beauty */
+    COMPARISON_RMSE,   /* root mean square error of beauty */
+    COMPARISON_RELMSE, /* relative mean squared error of beauty */
+    COMPARISON_MAE,    /* mean absolute error of beauty, clamped to 0..1 */
+    COMPARISON_ANGLE,  /* mean angle of the layer `exit`, degrees */
     COMPARISON_METRIC_COUNT,
 };
 
 extern const char *const comparison_metric_names[COMPARISON_METRIC_COUNT];
 
 struct comparison {
-    size_t counted; /* pixels */
+    size_t counted; /* pixels in the mask */
     bool has_beauty;
-    double flip;                     /* mean */
+    double flip;                     /* mean over the pixels */
     bool is_hdr;                     /* `flip` is HDR-FLIP */
-    struct flip_exposures exposures; /* of HDR-FLIP */
-    float *errors;                   /* FLIP of each pixel, 0 if it is not counted; or NULL */
-    bool has_exit;                   /* both images have exit.X, .Y and .Z */
-    struct angle angle;              /* of the layer exit */
-    float *degrees;                  /* of angle_measure(); or NULL */
-    bool has_tir;                    /* both images have the layer tir */
-    uint64_t tir_differs, tir_count; /* pixels of different tir; pixels with an exit in either */
+    struct flip_exposures exposures; /* exposures used by HDR-FLIP */
+    float *errors;      /* FLIP error of each pixel, 0 outside the mask; NULL without beauty */
+    bool has_exit;      /* both images have exit.X, .Y and .Z */
+    struct angle angle; /* statistics of the layer `exit` */
+    float *degrees;     /* angle of each pixel, from angle_measure(); NULL without `exit` */
+    bool has_tir;       /* both images have the layer `tir` */
+    uint64_t tir_differs, tir_count; /* pixels whose `tir` differs; pixels compared */
     struct comparison_layer *layers; /* beauty first, then in the reference's order */
     uint32_t layer_count;
-    const char **only_reference, **only_test; /* names of planes, borrowed from the images */
+    const char **only_reference, **only_test; /* borrowed names of unmatched planes */
     uint32_t only_reference_count, only_test_count;
 };
 
-/* Compares the images. Returns false when out of memory; *comparison is then {0}. */
+/* Compares two images. Returns false when out of memory; *comparison is then {0}. */
 bool comparison_init(struct comparison *comparison, const struct comparison_params *params);
 
 void comparison_finish(struct comparison *comparison);
 
-/* Returns the layer of that name, or NULL. */
+/* Returns the layer with this name, or NULL. */
 const struct comparison_layer *comparison_find(const struct comparison *comparison,
                                                const char *name);
 
 /*
- * Returns the layer that a metric measures, or NULL if an image lacks it. *value is the metric, NaN
- * if no pixel is counted.
+ * Returns the layer that a metric measures, or NULL if an image lacks it. *value receives the
+ * metric, NaN if no pixel is in the mask.
  */
 const struct comparison_layer *comparison_metric(const struct comparison *comparison,
                                                  enum comparison_metric metric, double *value);

@@ -1,4 +1,4 @@
-/* difference.c: differences of the values of a layer. */
+/* difference.c: accumulates the sums of RMSE, MAE and relMSE. */
 #include "src/metric/difference.h"
 #include <math.h>
 

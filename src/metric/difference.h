@@ -1,4 +1,4 @@
-/* difference.h: differences of the values of a layer in two images. */
+/* difference.h: per-value error metrics of a layer: RMSE, MAE, relMSE. */
 #ifndef FIRN_METRIC_DIFFERENCE_H
 #define FIRN_METRIC_DIFFERENCE_H
 
@@ -6,26 +6,26 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Sums over the planes that were added; initialise it with {0}. */
+/* Sums over all planes added so far; initialise with {0}. */
 struct difference {
-    double absolutes; /* of values clipped to 0 and 1 */
+    double absolutes; /* of values clamped to 0..1 */
     double squares, relative_squares;
-    double largest;      /* |test - reference| */
-    uint64_t count;      /* values in the sums */
-    uint64_t not_finite; /* pairs in which one is NaN or infinite: they are not in the sums */
+    double largest;      /* maximum of |test - reference| */
+    uint64_t count;      /* pairs of values in the sums */
+    uint64_t not_finite; /* pairs excluded from the sums because one value is NaN or infinite */
 };
 
-/* Adds a plane of `count` texels; `counted` selects the texels to add (NULL: all). */
+/* Adds a plane of `count` texels. `counted` is a mask of the texels to add; NULL for all. */
 void difference_add(struct difference *difference, const float *reference, const float *test,
                     const bool *counted, size_t count);
 
-/* Returns the root of the mean square. This and the functions below return NaN if count is 0. */
+/* Returns the root mean square error. All three metrics are NaN if no values were added. */
 double difference_rmse(const struct difference *difference);
 
-/* Returns the mean of |test - reference|, both clipped to a display's range, 0 to 1. */
+/* Returns the mean of |test - reference|, both clamped to the display range 0..1. */
 double difference_mae(const struct difference *difference);
 
-/* Returns the mean of (test - reference)^2 / (reference^2 + 0.01). */
+/* Returns relMSE: the mean of (test - reference)^2 / (reference^2 + 0.01). */
 double difference_relmse(const struct difference *difference);
 
 #endif

@@ -1,4 +1,4 @@
-/* flip.c: LDR-FLIP and HDR-FLIP. */
+/* flip.c: computes LDR-FLIP and HDR-FLIP error maps. */
 #include "src/metric/flip.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -7,10 +7,10 @@
 #include "src/metric/flip_filter.h"
 #include "src/metric/quantile.h"
 
-/* A processed image. */
+/* A filtered image: one side of the comparison. */
 struct side {
-    struct flip_plane color[3];    /* opponent colours, which are then converted to Hunt's */
-    struct flip_plane edge, point; /* strength of edges and points */
+    struct flip_plane color[3];    /* YCxCz, filtered, later Hunt-adjusted L*a*b* */
+    struct flip_plane edge, point; /* edge and point feature strength */
 };
 
 struct work {
@@ -23,10 +23,10 @@ struct work {
     float *memory;
 };
 
-/* How both images are displayed. */
-struct shown {
+/* How both images are mapped to the display. */
+struct display {
     float scale;
-    bool has_curve; /* tone mapped by `curve`, else clamped */
+    bool has_curve; /* tone-mapped by `curve`, else clamped */
     enum flip_curve curve;
 };
 
@@ -52,7 +52,7 @@ static bool work_init(struct work *work, const struct flip_pair *pair)
     *work = (struct work){ .pair = pair };
     if (plane_size > (SIZE_MAX / sizeof(float) - flip_line_size(pair->width)) / PLANE_COUNT)
         return false;
-    /* Zeroed, because filters read texels between width and stride. */
+    /* Zeroed, because the filters read the padding between width and stride. */
     work->memory = calloc(PLANE_COUNT * plane_size + flip_line_size(pair->width), sizeof(float));
     if (!work->memory)
         return false;
@@ -81,14 +81,12 @@ static bool work_init(struct work *work, const struct flip_pair *pair)
     return true;
 }
 
-/* ---- an image ---- */
-
-/* HDR-FLIP is defined from 0 to 65536; pixels that are not finite get the error 1 later. */
+/* Reads a pixel, clamped to the range of HDR-FLIP. Non-finite pixels get the error 1 elsewhere. */
 static vec3s load(const float *const planes[static 3], size_t i)
 {
     vec3s v;
     for (int c = 0; c < 3; c++)
-        v.raw[c] = fminf(fmaxf(planes[c][i], 0.0f), 65536.0f); /* NaN: 0 */
+        v.raw[c] = fminf(fmaxf(planes[c][i], 0.0f), 65536.0f); /* NaN becomes 0 */
     return v;
 }
 
@@ -98,14 +96,16 @@ static void store(const struct flip_plane planes[static 3], size_t at, vec3s v)
         planes[c].texels[at] = v.raw[c];
 }
 
-static void fill(struct side *side, const float *const planes[static 3], const struct shown *shown)
+static void fill(struct side *side, const float *const planes[static 3],
+                 const struct display *display)
 {
     const struct flip_plane *first = &side->color[0];
     for (uint32_t y = 0; y < first->height; y++) {
         for (uint32_t x = 0; x < first->width; x++) {
             vec3s v = load(planes, (size_t)y * first->width + x);
-            v = glms_vec3_scale(v, shown->scale);
-            v = shown->has_curve ? flip_tone(shown->curve, v) : glms_vec3_minv(v, glms_vec3_one());
+            v = glms_vec3_scale(v, display->scale);
+            v = display->has_curve ? flip_tone(display->curve, v)
+                                   : glms_vec3_minv(v, glms_vec3_one());
             store(side->color, y * first->stride + x, flip_color_opponent(v));
         }
     }
@@ -121,11 +121,11 @@ static void filter(struct work *work, const struct flip_plane *in, const struct 
         .scratch = &work->scratch,
         .out = out,
         .line = work->line,
-        .share = 1.0f,
+        .scale = 1.0f,
     });
 }
 
-/* Computes the length of the gradient of Y for one feature kernel. */
+/* Computes the gradient magnitude of luminance for one feature kernel. */
 static void find_feature(struct work *work, const struct flip_plane *y,
                          const struct flip_kernel *kernel, struct flip_plane *strength)
 {
@@ -133,12 +133,12 @@ static void find_feature(struct work *work, const struct flip_plane *y,
     filter(work, y, &work->features.smooth, kernel, &work->second);
     for (size_t i = 0; i < y->stride * y->height; i++) {
         const float a = work->first.texels[i], b = work->second.texels[i];
-        strength->texels[i] = sqrtf(a * a + b * b) / 116.0f; /* scaled to luminance, 1 for white */
+        strength->texels[i] = sqrtf(a * a + b * b) / 116.0f; /* from Y to luminance, 1 for white */
     }
 }
 
-/* Filters a channel by its contrast sensitivity. */
-static void blur(struct work *work, struct flip_plane *plane, enum flip_channel channel)
+/* Filters a colour channel with its contrast sensitivity function. */
+static void filter_contrast(struct work *work, struct flip_plane *plane, enum flip_channel channel)
 {
     const struct flip_sensitivity *s = &work->sensitivity[channel];
     struct flip_plane blurred = s->count > 1 ? work->first : *plane;
@@ -150,7 +150,7 @@ static void blur(struct work *work, struct flip_plane *plane, enum flip_channel 
             .scratch = &work->scratch,
             .out = &blurred,
             .line = work->line,
-            .share = s->shares[i],
+            .scale = s->fractions[i],
             .add = i > 0,
         });
     }
@@ -161,13 +161,13 @@ static void blur(struct work *work, struct flip_plane *plane, enum flip_channel 
 }
 
 static void prepare(struct work *work, struct side *side, const float *const planes[static 3],
-                    const struct shown *shown)
+                    const struct display *display)
 {
-    fill(side, planes, shown);
+    fill(side, planes, display);
     find_feature(work, &side->color[0], &work->features.edge, &side->edge);
     find_feature(work, &side->color[0], &work->features.point, &side->point);
     for (int c = 0; c < FLIP_CHANNEL_COUNT; c++)
-        blur(work, &side->color[c], (enum flip_channel)c);
+        filter_contrast(work, &side->color[c], (enum flip_channel)c);
     for (size_t i = 0; i < side->edge.stride * side->edge.height; i++) {
         const vec3s v = { { side->color[0].texels[i], side->color[1].texels[i],
                             side->color[2].texels[i] } };
@@ -175,8 +175,6 @@ static void prepare(struct work *work, struct side *side, const float *const pla
         store(side->color, i, flip_color_hunt(linear));
     }
 }
-
-/* ---- errors ---- */
 
 static float find_error(const struct work *work, size_t i)
 {
@@ -191,12 +189,12 @@ static float find_error(const struct work *work, size_t i)
     return powf(flip_color_error(flip_color_distance(a, b)), 1.0f - feature);
 }
 
-/* Sets errors[] to the maximum of themselves and the errors of images displayed in one way. */
-static void raise(struct work *work, const struct shown *shown, float *errors)
+/* Raises errors[] to the FLIP errors at one exposure, where these are larger. */
+static void raise_errors(struct work *work, const struct display *display, float *errors)
 {
     const struct flip_pair *pair = work->pair;
-    prepare(work, &work->reference, pair->reference, shown);
-    prepare(work, &work->test, pair->test, shown);
+    prepare(work, &work->reference, pair->reference, display);
+    prepare(work, &work->test, pair->test, display);
     for (uint32_t y = 0; y < pair->height; y++) {
         for (uint32_t x = 0; x < pair->width; x++) {
             float *error = &errors[(size_t)y * pair->width + x];
@@ -205,8 +203,8 @@ static void raise(struct work *work, const struct shown *shown, float *errors)
     }
 }
 
-/* Initialises errors[]: 1 for pixels that are not finite, else 0. */
-static void begin(const struct flip_pair *pair, float *errors)
+/* Initialises errors[] with 1 for pixels that are not finite, else 0. */
+static void init_errors(const struct flip_pair *pair, float *errors)
 {
     for (size_t i = 0; i < (size_t)pair->width * pair->height; i++) {
         bool finite = true;
@@ -221,15 +219,16 @@ bool flip_ldr(const struct flip_pair *pair, double exposure, float *errors)
     struct work work;
     if (!work_init(&work, pair))
         return false;
-    begin(pair, errors);
-    raise(&work, &(struct shown){ .scale = (float)exp2(exposure) }, errors);
+    init_errors(pair, errors);
+    raise_errors(&work, &(struct display){ .scale = (float)exp2(exposure) }, errors);
     free(work.memory);
     return true;
 }
 
 /*
- * If half of the image or more is black, the median is that of the other pixels, because the paper
- * defines no exposure for that case. Black is what half floats cannot represent.
+ * Computes the exposure range of HDR-FLIP from the reference. The paper defines none if at least
+ * half of the image is black; the median is then that of the other pixels. Black means below the
+ * smallest half float.
  */
 static bool find_exposures(const struct flip_pair *pair, enum flip_curve curve,
                            struct flip_exposures *exposures)
@@ -260,14 +259,14 @@ bool flip_hdr(const struct flip_pair *pair, enum flip_curve curve, float *errors
     if (!find_exposures(pair, curve, exposures) || !work_init(&work, pair))
         return false;
     const double step = (exposures->last - exposures->first) / (exposures->count - 1);
-    begin(pair, errors);
+    init_errors(pair, errors);
     for (uint32_t i = 0; i < exposures->count; i++) {
-        const struct shown shown = {
+        const struct display display = {
             .scale = (float)exp2(exposures->first + i * step),
             .has_curve = true,
             .curve = curve,
         };
-        raise(&work, &shown, errors);
+        raise_errors(&work, &display, errors);
     }
     free(work.memory);
     return true;

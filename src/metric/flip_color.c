@@ -1,8 +1,8 @@
-/* flip_color.c: the colours of FLIP. */
+/* flip_color.c: colour spaces and colour distance of FLIP. */
 #include "src/metric/flip_color.h"
 #include <math.h>
 
-/* Rows of the matrix from linear Rec.709 to XYZ divided by that of white. */
+/* Rows of the matrix from linear Rec.709 to XYZ relative to the D65 white point. */
 static const float white_from_linear[3][3] = {
     { 0.433895389f, 0.376242373f, 0.189862239f },
     { 0.212636822f, 0.715182982f, 0.072180196f },
@@ -24,7 +24,7 @@ static vec3s multiply(const float matrix[static 3][3], vec3s v)
     return result;
 }
 
-/* The opponent transform: CIE L*a*b* applies it to cube roots, YCxCz to the values themselves. */
+/* Computes opponent colours: of cube roots in CIE L*a*b*, of the values themselves in YCxCz. */
 static vec3s oppose(vec3s v)
 {
     return (vec3s){ { 116.0f * v.y - 16.0f, 500.0f * (v.x - v.y), 200.0f * (v.y - v.z) } };
@@ -47,7 +47,8 @@ float flip_color_luminance(float y)
     return (y + 16.0f) / 116.0f;
 }
 
-/* CIE 15:2004, 8.2.1 */
+/* Evaluates the nonlinearity of L*a*b* (CIE 15:2004, 8.2.1): a cube root with a linear part near 0.
+ */
 static float root(float x)
 {
     const float delta = 6.0f / 29.0f;
@@ -71,7 +72,7 @@ float flip_color_distance(vec3s a, vec3s b)
 
 float flip_color_error(float distance)
 {
-    const float most = 41.2760984f; /* distance of green and blue, to the power of 0.7 */
+    const float most = 41.2760984f; /* HyAB distance of pure green and blue, to the power of 0.7 */
     const float knee = 0.4f * most, error_at_knee = 0.95f;
     const float power = powf(distance, 0.7f);
     if (power < knee)

@@ -1,31 +1,32 @@
 /*
- * flip_color.h: the colours of FLIP and how far apart they are.
+ * flip_color.h: the colour spaces of FLIP and its perceptual colour distance.
  *
  * Andersson, Nilsson, Akenine-Moeller, Oskarsson, Astroem, Fairchild: FLIP: A Difference Evaluator
- * for Alternating Images. HPG 2020: sections 4.1.1 (opponent colours), 4.1.2 (uniform ones and
- * their distance) and 4.1.3 (errors). White is D65, and linear colours are of Rec.709.
+ * for Alternating Images. HPG 2020: sections 4.1.1 (opponent colour space), 4.1.2 (perceptually
+ * uniform colour space and distance) and 4.1.3 (error). The white point is D65, and linear colours
+ * have Rec.709 primaries.
  */
 #ifndef FIRN_METRIC_FLIP_COLOR_H
 #define FIRN_METRIC_FLIP_COLOR_H
 
 #include <cglm/types-struct.h>
 
-/* Converts linear colours to YCxCz; Y is from -16 to 100. */
+/* Converts linear colours to the opponent space YCxCz; Y ranges from -16 to 100. */
 vec3s flip_color_opponent(vec3s linear);
 
 /* Converts YCxCz to linear colours, without clamping. */
 vec3s flip_color_linear(vec3s opponent);
 
-/* Converts Y to luminance, from 0 to 1 for white. */
+/* Converts the Y of YCxCz to relative luminance, 0 to 1 (white). */
 float flip_color_luminance(float y);
 
-/* Converts linear colours to L*a*b* with Hunt's adjustment, which scales a* and b* by L*. */
+/* Converts linear colours to L*a*b* with Hunt's adjustment: lightness scales chroma. */
 vec3s flip_color_hunt(vec3s linear);
 
-/* Returns the HyAB distance of two colours of flip_color_hunt(). */
+/* Returns the HyAB distance of two colours from flip_color_hunt(). */
 float flip_color_distance(vec3s a, vec3s b);
 
-/* Maps a distance to an error from 0 to 1, the distance of green and blue. */
+/* Maps a colour distance to an error, 0 to 1. The distance of green and blue maps to 1. */
 float flip_color_error(float distance);
 
 #endif

@@ -1,19 +1,18 @@
-/* flip_filter.c: the filters of FLIP. */
+/* flip_filter.c: separable contrast sensitivity and feature filters of FLIP. */
 #include "src/metric/flip_filter.h"
 #include <assert.h>
 #include <math.h>
 #include <string.h>
 
-/* Texels that are filtered together; enough for vector registers of any size. */
+/* Texels that are filtered together, so that compilers can vectorise the inner loop. */
 enum {
     LANES = 16
 };
 
 static const double pi = 3.14159265358979323846;
 
-/* ---- weights ---- */
-
-/* Table 1 of the paper: a sum of a_i * sqrt(pi / b_i) * exp(-pi^2 * degrees^2 / b_i) */
+/* Contrast sensitivity, table 1 of the paper: the sum of a_i sqrt(pi / b_i) exp(-pi^2 degrees^2 /
+ * b_i). */
 static const struct {
     uint32_t count;
     double a[2], b[2];
@@ -23,8 +22,8 @@ static const struct {
     [FLIP_BLUE_YELLOW] = { 2, { 34.1, 13.5 }, { 0.04, 0.025 } },
 };
 
-/* Makes weights exp(-x^2 / (2 * deviation^2)), x in texels, normalised to a sum of 1. Returns the
- * sum before. */
+/* Computes the Gaussian weights exp(-x^2 / (2 * deviation^2)), x in texels, and normalises them.
+ * Returns their sum before normalisation. */
 static double make_gaussian(struct flip_kernel *kernel, uint32_t radius, double deviation)
 {
     double values[2 * FLIP_RADIUS_MAX + 1], sum = 0.0;
@@ -42,21 +41,21 @@ static double make_gaussian(struct flip_kernel *kernel, uint32_t radius, double 
 
 void flip_sensitivity_init(struct flip_sensitivity *s, enum flip_channel channel, double ppd)
 {
-    const double widest = 0.04; /* greatest b of all channels: all filters have the same radius */
+    const double widest = 0.04; /* largest b of table 1: one radius for all filters */
     const uint32_t radius = (uint32_t)ceil(3.0 * sqrt(widest / 2.0) / pi * ppd);
-    double shares[2] = { 0.0 };
+    double fractions[2] = { 0.0 };
     s->count = gaussians[channel].count;
     for (uint32_t i = 0; i < s->count; i++) {
         const double a = gaussians[channel].a[i], b = gaussians[channel].b[i];
         const double sum = make_gaussian(&s->kernels[i], radius, sqrt(b / 2.0) / pi * ppd);
-        shares[i] = a * sqrt(pi / b) * sum * sum;
+        fractions[i] = a * sqrt(pi / b) * sum * sum;
     }
     for (uint32_t i = 0; i < s->count; i++)
-        s->shares[i] = (float)(shares[i] / (shares[0] + shares[1]));
+        s->fractions[i] = (float)(fractions[i] / (fractions[0] + fractions[1]));
 }
 
-/* Divides positive weights by their sum and negative ones by the absolute value of theirs. */
-static void balance(struct flip_kernel *kernel, const double *values)
+/* Normalises positive weights to a sum of 1 and negative weights to a sum of -1. */
+static void normalise_signed(struct flip_kernel *kernel, const double *values)
 {
     double above = 0.0, below = 0.0;
     for (uint32_t i = 0; i <= 2 * kernel->radius; i++) {
@@ -69,7 +68,8 @@ static void balance(struct flip_kernel *kernel, const double *values)
 
 void flip_features_init(struct flip_features *features, double ppd)
 {
-    const double deviation = 0.5 * 0.082 * ppd; /* degrees between the peaks of an edge */
+    /* half the distance of an edge filter's peaks, 0.082 degrees */
+    const double deviation = 0.5 * 0.082 * ppd;
     const uint32_t radius = (uint32_t)ceil(3.0 * deviation);
     double first[2 * FLIP_RADIUS_MAX + 1], second[2 * FLIP_RADIUS_MAX + 1];
     make_gaussian(&features->smooth, radius, deviation);
@@ -79,11 +79,9 @@ void flip_features_init(struct flip_features *features, double ppd)
         second[i] = (x * x - 1.0) * g;
     }
     features->edge.radius = features->point.radius = radius;
-    balance(&features->edge, first);
-    balance(&features->point, second);
+    normalise_signed(&features->edge, first);
+    normalise_signed(&features->point, second);
 }
-
-/* ---- filtering ---- */
 
 size_t flip_stride(uint32_t width)
 {
@@ -95,7 +93,7 @@ size_t flip_line_size(uint32_t width)
     return flip_stride(width) + 2 * (size_t)FLIP_RADIUS_MAX;
 }
 
-/* Copies a row, extended on both sides by the filter's radius. */
+/* Copies a row to `line` and extends it on both sides by clamping to the edge. */
 static void make_line(float *line, const float *row, uint32_t width, uint32_t radius)
 {
     for (uint32_t i = 0; i < radius; i++) {
@@ -123,7 +121,7 @@ static void filter_rows(const struct flip_filter *filter)
     }
 }
 
-/* Lists the rows within the filter's radius of row y. */
+/* Lists the rows within `radius` of row y, clamped to the plane. */
 static void find_rows(const struct flip_plane *plane, uint32_t y, uint32_t radius,
                       const float *rows[static 2 * FLIP_RADIUS_MAX + 1])
 {
@@ -150,7 +148,7 @@ static void filter_columns(const struct flip_filter *filter)
                     sums[lane] += kernel->weights[i] * rows[i][x + lane];
             }
             for (size_t lane = 0; lane < LANES; lane++)
-                out[x + lane] = filter->share * sums[lane] + (filter->add ? out[x + lane] : 0.0f);
+                out[x + lane] = filter->scale * sums[lane] + (filter->add ? out[x + lane] : 0.0f);
         }
     }
 }

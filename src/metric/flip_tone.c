@@ -1,4 +1,4 @@
-/* flip_tone.c: the tone curves and exposures of HDR-FLIP. */
+/* flip_tone.c: tone curves and exposure range of HDR-FLIP. */
 #include "src/metric/flip_tone.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -9,8 +9,7 @@ const char *const flip_curve_names[FLIP_CURVE_COUNT] = {
     [FLIP_REINHARD] = "reinhard",
 };
 
-/* Hable's constants: the argument of the curve is doubled, and its value divided by that of
- * 11.2. */
+/* Hable's filmic curve with a doubled argument, divided by its value at the white point 11.2. */
 #define HABLE_A  0.15
 #define HABLE_B  0.50
 #define HABLE_C  0.10
@@ -27,11 +26,11 @@ const char *const flip_curve_names[FLIP_CURVE_COUNT] = {
     ((HABLE_N2 * HABLE_W + HABLE_N1) * HABLE_W / \
      ((HABLE_D2 * HABLE_W + HABLE_D1) * HABLE_W + HABLE_D0))
 
-/* Coefficients of the curves (n2 x^2 + n1 x) / (d2 x^2 + d1 x + d0). */
+/* Coefficients of rational tone curves (n2 x^2 + n1 x) / (d2 x^2 + d1 x + d0). */
 static const struct {
     double n2, n1, d2, d1, d0;
 } curves[FLIP_CURVE_COUNT] = {
-    /* The coefficients contain the exposure of 0.6. */
+    /* multiplied out with the curve's pre-exposure of 0.6 */
     [FLIP_ACES] = { 0.36 * 2.51, 0.6 * 0.03, 0.36 * 2.43, 0.6 * 0.59, 0.14 },
     [FLIP_HABLE] = { 4 * HABLE_N2 / HABLE_MAX, 2 * HABLE_N1 / HABLE_MAX, 4 * HABLE_D2, 2 * HABLE_D1,
                      HABLE_D0 },

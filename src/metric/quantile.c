@@ -1,4 +1,4 @@
-/* quantile.c: quantiles of lists of numbers. */
+/* quantile.c: median and quantiles of float arrays. */
 #include "src/metric/quantile.h"
 #include <assert.h>
 #include <math.h>
@@ -21,9 +21,9 @@ double quantile_median(const float *sorted, size_t count)
     return 0.5 * ((double)sorted[(count - 1) / 2] + (double)sorted[count / 2]);
 }
 
-double quantile_at(const float *sorted, size_t count, double share)
+double quantile_at(const float *sorted, size_t count, double fraction)
 {
     assert(count > 0);
-    const double rank = ceil(share * (double)count);
+    const double rank = ceil(fraction * (double)count);
     return (double)sorted[rank < 1.0 ? 0 : (size_t)rank - 1];
 }

@@ -1,16 +1,16 @@
-/* quantile.h: quantiles of lists of numbers, none of which may be NaN. */
+/* quantile.h: median and quantiles of float arrays without NaN. */
 #ifndef FIRN_METRIC_QUANTILE_H
 #define FIRN_METRIC_QUANTILE_H
 
 #include <stddef.h>
 
-/* Sorts in ascending order. */
+/* Sorts values in ascending order, for the functions below. */
 void quantile_sort(float *values, size_t count);
 
 /* Returns the median of at least one sorted value. */
 double quantile_median(const float *sorted, size_t count);
 
-/* Returns the least of the sorted values that a share (0 to 1) of all does not exceed. */
-double quantile_at(const float *sorted, size_t count, double share);
+/* Returns the nearest-rank quantile: a fraction of 0 to 1 of all values does not exceed it. */
+double quantile_at(const float *sorted, size_t count, double fraction);
 
 #endif

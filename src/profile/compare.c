@@ -1,4 +1,4 @@
-/* compare.c: compares two profiles. */
+/* compare.c: compares a profile with a baseline and tests each line for significance. */
 #include "src/profile/compare.h"
 #include <inttypes.h>
 #include <math.h>
@@ -15,14 +15,14 @@ enum {
     NUMBER_SIZE = 32
 };
 
-static const double level = 0.01;
+static const double significance = 0.01;
 
-/* A line of the table; one of both samples may be missing. */
+/* A line of the comparison table. Its name may exist in only one of the profiles. */
 struct pair {
     char name[PROFILE_TABLE_ROW_NAME_SIZE];
-    double *base, *now; /* ascending; owned; NULL: the profile has no such line */
+    double *base, *now; /* samples in ascending order, owned; NULL if not in the profile */
     struct profile_ratio ratio;
-    double p; /* adjusted */
+    double p; /* p-value, adjusted for multiple tests */
 };
 
 struct comparison {
@@ -95,7 +95,7 @@ static double *sorted_copy(const double *samples, uint32_t count)
     return copy;
 }
 
-/* Adds a line of which one of the samples may be NULL. */
+/* Adds a line to the comparison. One of the samples may be NULL. */
 static bool add_pair(struct comparison *c, const char *name, const double *base, const double *now)
 {
     struct pair *pair = &c->pairs[c->count++];
@@ -120,7 +120,8 @@ static const struct profile_table_row *find_line(const struct profile_table_rows
     return NULL;
 }
 
-/* Adds the lines of `now` in their order, then those that only `base` has, then the frame. */
+/* Adds the lines of `now` in their order, then the lines that exist only in `base`, then the frame.
+ */
 static bool add_pairs(struct comparison *c, const struct profile_table_rows *base,
                       const struct profile_table_rows *now, bool each)
 {
@@ -172,10 +173,10 @@ static double median_of(const double *samples, const struct profile *p)
     return profile_quantile(samples, p->run_count, 0.5);
 }
 
-/* Returns -1 for faster, 0 for a difference within the noise, 1 for slower. */
-static int judge(const struct pair *pair, const struct comparison *c)
+/* Returns 1 if the line is significantly slower, -1 if significantly faster, else 0. */
+static int verdict_of(const struct pair *pair, const struct comparison *c)
 {
-    if (!pair->base || !pair->now || pair->p > level)
+    if (!pair->base || !pair->now || pair->p > significance)
         return 0;
     if (pair->ratio.ratio > 0)
         return pair->ratio.ratio > 1 ? 1 : -1;
@@ -220,17 +221,18 @@ static void print_pair(const struct pair *pair, const struct comparison *c, int 
     } else {
         fprintf(out, " %6s %16s", "-", "");
     }
-    fprintf(out, " %8.2g  %s\n", pair->p, verdicts[1 + judge(pair, c)]);
+    fprintf(out, " %8.2g  %s\n", pair->p, verdicts[1 + verdict_of(pair, c)]);
 }
 
-/* Warns about too few runs, with which no difference can be significant. */
+/* Warns if there are too few runs for any difference to be significant. */
 static void print_least(const struct comparison *c, FILE *out)
 {
     char words[WORDS_SIZE];
     uint32_t runs = 2;
-    if (profile_mann_whitney_least(c->base->run_count, c->now->run_count) * c->tested <= level)
+    if (profile_mann_whitney_least(c->base->run_count, c->now->run_count) * c->tested <=
+        significance)
         return;
-    while (profile_mann_whitney_least(runs, runs) * c->tested > level)
+    while (profile_mann_whitney_least(runs, runs) * c->tested > significance)
         runs++;
     snprintf(words, sizeof(words),
              "With %" PRIu32 " and %" PRIu32 " runs no difference can be significant in %" PRIu32
@@ -251,11 +253,10 @@ static void print_table(const struct comparison *c, FILE *out)
     for (uint32_t i = 0; i < c->count; i++)
         print_pair(&c->pairs[i], c, decimals, out);
     snprintf(words, sizeof(words),
-             "ratio: median of the quotients of all pairs of a run now and a run of the baseline. "
-             "p: Mann-Whitney, "
-             "two-sided, after Holm's correction for %" PRIu32 " tests; slower and faster: p is at "
-             "most %g. Runs: %" PRIu32 ", %" PRIu32 ".",
-             c->tested, level, c->base->run_count, c->now->run_count);
+             "ratio: median of now / baseline over all pairs of runs. p: two-sided Mann-Whitney "
+             "test, after Holm's correction for %" PRIu32 " tests; slower and faster: p is "
+             "at most %g. Runs: %" PRIu32 ", %" PRIu32 ".",
+             c->tested, significance, c->base->run_count, c->now->run_count);
     profile_print_words(words, 0, out);
     print_least(c, out);
 }
@@ -289,7 +290,7 @@ enum status profile_compare(const struct profile *base, const struct profile *no
     note_differences(base, now, out);
     print_table(&c, out);
     for (uint32_t i = 0; i < c.count; i++)
-        any = any || judge(&c.pairs[i], &c) > 0;
+        any = any || verdict_of(&c.pairs[i], &c) > 0;
     if (is_slower)
         *is_slower = any;
 fail:

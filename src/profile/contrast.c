@@ -1,4 +1,4 @@
-/* contrast.c: whether two points of a sweep differ, and by how much. */
+/* contrast.c: tests whether the frame rates of two points of a sweep differ, and by how much. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -14,8 +14,8 @@ static double *sorted_copy(const struct profile *p)
     return copy;
 }
 
-/* Returns p as if there were this contrast alone; below 0 when out of memory. */
-static double test(const struct profile_sweep *sweep, struct profile_contrast *contrast)
+/* Returns the unadjusted p-value of one contrast; below 0 when out of memory. */
+static double test_contrast(const struct profile_sweep *sweep, struct profile_contrast *contrast)
 {
     const struct profile *before = &sweep->points[contrast->before];
     const struct profile *after = &sweep->points[contrast->after];
@@ -28,7 +28,7 @@ static double test(const struct profile_sweep *sweep, struct profile_contrast *c
             .a_count = after->run_count,
             .b_count = before->run_count,
         };
-        contrast->rate = profile_ratio(&pair); /* of rates: the times upside down */
+        contrast->rate = profile_ratio(&pair); /* frame rate ratio: inverse of the time ratio */
         p = profile_mann_whitney(&pair);
     }
     free(times[0]);
@@ -42,7 +42,7 @@ enum status profile_contrast_all(struct profile_sweep *sweep)
     double *p = calloc(2 * (size_t)count + 1, sizeof(*p));
     bool done = p;
     for (uint32_t i = 0; i < count && done; i++) {
-        p[i] = test(sweep, &sweep->contrasts[i]);
+        p[i] = test_contrast(sweep, &sweep->contrasts[i]);
         done = p[i] >= 0;
     }
     if (done)

@@ -1,4 +1,4 @@
-/* csv.c: writes samples as comma-separated values. */
+/* csv.c: writes a profile's samples as comma-separated values. */
 #include "src/profile/csv.h"
 #include <inttypes.h>
 #include <locale.h>

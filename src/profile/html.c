@@ -1,4 +1,4 @@
-/* html.c: inserts the data into the page's text. */
+/* html.c: inserts profile and sweep as JSON into the HTML page. */
 #include "src/profile/html.h"
 #include <stdlib.h>
 #include <string.h>
@@ -20,8 +20,8 @@ static char *put(char *at, const char *text, size_t size)
     return at + size;
 }
 
-/* Escapes '<', which occurs in JSON only in strings, because "</script>" or "<!--" would end the
- * element. */
+/* Copies JSON with '<' escaped, because "</script>" or "<!--" in a string would end the script
+ * element. In JSON '<' occurs only in strings. */
 static char *put_data(char *at, const char *json)
 {
     for (; *json; json++)
@@ -29,7 +29,7 @@ static char *put_data(char *at, const char *json)
     return at;
 }
 
-/* Returns the page with its data, or NULL when out of memory. */
+/* Returns the page with its data inserted, or NULL when out of memory. */
 static char *fill_page(const char *const data[static PAGE_PART_COUNT - 1], size_t *size)
 {
     *size = page_parts[0].size;

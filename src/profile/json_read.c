@@ -1,4 +1,4 @@
-/* json_read.c: reads profiles from untrusted JSON. */
+/* json_read.c: reads and validates profiles from untrusted JSON. */
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -11,14 +11,14 @@
 #include "src/profile/json_fields.h"
 
 enum {
-    MAX_FILE_SIZE = 64 * 1024 * 1024, /* jansson needs about 20 times that memory */
+    MAX_FILE_SIZE = 64 * 1024 * 1024, /* jansson needs about 20 times as much memory */
     PLACE_SIZE = 64
 };
 
 static const double max_number =
-    1e8; /* 27 hours in ms: no sum is infinite, and tables keep their width */
+    1e8; /* 27 hours in ms; keeps sums finite and table columns within their width */
 
-/* The file, and the reader's place in it for messages: "rows[3]", or "" at the top. */
+/* The file, and the JSON path that error messages name: "rows[3]", or "" at top level. */
 struct reader {
     const char *path;
     char place[PLACE_SIZE];
@@ -41,7 +41,7 @@ static bool is_number(const json_t *value)
     return json_is_number(value) && fabs(json_number_value(value)) <= max_number;
 }
 
-/* Returns what is wrong with a value for a field, or NULL. */
+/* Returns an error message if a value does not fit a field, else NULL. */
 static const char *find_fault(const struct profile_field *field, const json_t *value)
 {
     const json_int_t most = field->kind == PROFILE_FIELD_U32 ? UINT32_MAX : INT64_MAX;
@@ -80,8 +80,8 @@ static bool find_kind(const char *name, enum profile_kind *kind)
     return false;
 }
 
-/* Sets a field to a value of the right type. Returns false for an unknown kind of row or when out
- * of memory. */
+/* Stores a value of the correct type. Returns false for an unknown row kind or when out of memory.
+ */
 static bool set_value(const struct profile_field *field, const json_t *value, void *object)
 {
     void *at = (char *)object + field->offset;
@@ -132,7 +132,7 @@ static enum status read_fields(const struct reader *reader, const json_t *json,
     return STATUS_OK;
 }
 
-/* Reads an array of `count` numbers into `samples`. */
+/* Reads an array of exactly `count` numbers into `samples`. */
 static enum status read_samples(const struct reader *reader, const json_t *json, const char *key,
                                 double *samples, uint32_t count)
 {
@@ -150,7 +150,7 @@ static enum status read_samples(const struct reader *reader, const json_t *json,
     return STATUS_OK;
 }
 
-/* Finds an array of objects, and allocates as many elements. */
+/* Finds an array of objects and allocates one element for each. */
 static enum status read_array(const struct reader *reader, const json_t *root, const char *key,
                               uint32_t *count, void **elements, size_t element_size)
 {
@@ -160,7 +160,7 @@ static enum status read_array(const struct reader *reader, const json_t *root, c
     *elements = calloc(json_array_size(array) + 1, element_size);
     if (!*elements)
         return no_memory(reader);
-    *count = (uint32_t)json_array_size(array); /* fits: the file's size is limited */
+    *count = (uint32_t)json_array_size(array); /* cannot overflow, since the file size is limited */
     return STATUS_OK;
 }
 
@@ -198,7 +198,7 @@ static enum status read_residents(struct reader *reader, const json_t *root, str
     return status;
 }
 
-/* Checks before memory is allocated that the file has as many rows and samples as it says. */
+/* Checks the declared numbers of rows and samples before memory is allocated for them. */
 static enum status check_counts(const struct reader *reader, const json_t *root,
                                 const struct profile *p)
 {
@@ -226,7 +226,7 @@ static enum status read_row(const struct reader *reader, const json_t *json,
                             const struct profile *p, uint32_t index)
 {
     struct profile_row *row = &p->rows[index];
-    const struct profile_row expected = *row; /* name and kind, of rows after the passes */
+    const struct profile_row expected = *row; /* name and kind of the rows after the passes */
     enum status status = read_fields(reader, json, &profile_row_fields, row);
     if (status == STATUS_OK)
         status = read_samples(reader, json, "ms", row->ms, p->run_count);
@@ -246,7 +246,7 @@ static enum status read_row(const struct reader *reader, const json_t *json,
                        "is out of order: expected record, submit, unattributed at the end");
 }
 
-/* Checks that the rows of each run add up to its frame, apart from rounding. */
+/* Checks that the rows of each run add up to its frame time, apart from rounding. */
 static enum status check_sums(const struct reader *reader, const struct profile *p)
 {
     for (uint32_t run = 0; run < p->run_count; run++) {
@@ -290,7 +290,7 @@ static enum status read_rows(struct reader *reader, const json_t *root, struct p
     return status == STATUS_OK ? check_sums(reader, p) : status;
 }
 
-/* Checks the type and format of the file, and logs another one. */
+/* Checks that the file is a profile of the supported format. */
 static enum status check_type(const struct reader *reader, const json_t *root)
 {
     const char *type = json_string_value(json_object_get(root, "type"));

@@ -8,7 +8,7 @@
 #include "src/profile/table_rows.h"
 #include "src/profile/text.h"
 
-/* The key, offset and size of a field. */
+/* Key, offset and size of a struct member, for struct profile_field. */
 #define AT(object, name) #name, offsetof(struct object, name), sizeof(((struct object *)0)->name)
 #define FIELDS(table) \
     { \
@@ -92,7 +92,7 @@ const char *const profile_kind_names[PROFILE_KIND_COUNT] = {
 
 json_t *profile_json_put(json_t *json, const char *key, json_t *value)
 {
-    /* jansson accepts NULL for either, and releases the value on failure. */
+    /* jansson accepts NULL for object and value, and releases the value on failure. */
     const int result =
         key ? json_object_set_new(json, key, value) : json_array_append_new(json, value);
     return result == 0 ? value : NULL;

@@ -1,4 +1,4 @@
-/* measure.c: measures the runs of a profile. */
+/* measure.c: renders frames repeatedly and records their GPU and CPU times in profiles. */
 #include "src/profile/measure.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,8 +20,6 @@ static double ms(uint64_t ns)
     return (double)ns * 1e-6;
 }
 
-/* ---- data of the plan ---- */
-
 static uint64_t target_size(const struct rg_plan *plan, const struct rg_plan_pass *pass,
                             const struct rg_plan_target *target)
 {
@@ -32,7 +30,7 @@ static uint64_t target_size(const struct rg_plan *plan, const struct rg_plan_pas
            rg_format_info(image->image->format)->size;
 }
 
-/* The rows of several objects are repetitions of one row. */
+/* Names a row. Passes of the same name, one per object or cube face, become its repetitions. */
 static void name_pass(const struct measure *m, uint32_t index, struct profile_row *row)
 {
     const struct rg_plan *plan = m->plan;
@@ -112,8 +110,6 @@ static enum status describe_memory(struct profile *p, const struct rg_plan *plan
     return STATUS_OK;
 }
 
-/* ---- data of the machine ---- */
-
 static void describe_host(char *text, size_t size)
 {
     char line[256];
@@ -151,8 +147,6 @@ static void describe(struct profile *p, const struct profile_request *request)
     p->time = request->time;
     p->time_step = request->time_step;
 }
-
-/* ---- frames ---- */
 
 static enum status draw(struct measure *m, double time, const struct rg_measure *what,
                         double *frame_ms)
@@ -194,7 +188,8 @@ static void keep_counts(struct profile *p, const struct rg_times *times)
     }
 }
 
-/* The order of the two frames alternates, so that neither always has warmer caches. */
+/* Renders the measured and the unmeasured frame of a run, in alternating order because of caches.
+ */
 static enum status run_once(struct measure *m, uint32_t index)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
@@ -218,7 +213,7 @@ static enum status run_once(struct measure *m, uint32_t index)
     return status;
 }
 
-/* Captures one frame, drawn as in the runs. */
+/* Captures one frame with RenderDoc, rendered without measurement. */
 static enum status capture(struct measure *m)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
@@ -230,7 +225,8 @@ static enum status capture(struct measure *m)
     return status == STATUS_OK ? ended : status;
 }
 
-/* Draws what precedes the runs: the first frame, that of the counts, and the captured one. */
+/* Renders the frames before the runs: the first one, one with pipeline statistics, a captured one.
+ */
 static enum status begin(struct measure *m)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
@@ -246,7 +242,7 @@ static enum status begin(struct measure *m)
     return status == STATUS_OK && m->request->capture ? capture(m) : status;
 }
 
-/* Each run is drawn by all, one after another. */
+/* Interleaves the runs: each run is rendered by all renderers in turn. */
 static enum status run_all(struct measure *all, const struct profile_run *run)
 {
     const uint32_t run_count = all->request->warmup + all->request->run_count;

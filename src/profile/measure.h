@@ -1,8 +1,9 @@
 /*
- * measure.h: draws a frame repeatedly and measures its passes.
+ * measure.h: renders a frame repeatedly and measures its passes.
  *
- * Every run draws the frame of its time twice, once measured and once not; which of them is first
- * alternates. There is no readback: the picture stays on the device.
+ * Each run renders the frame twice, once with measurement of each pass and once without; their
+ * order alternates. The difference is the measurement overhead. There is no readback: the image
+ * stays on the GPU.
  */
 #ifndef FIRN_PROFILE_MEASURE_H
 #define FIRN_PROFILE_MEASURE_H
@@ -16,33 +17,32 @@ enum {
 };
 
 struct profile_request {
-    /* Only gpu, scene, settings, rung, width, height and sharing are used. */
+    /* Only these members are used: gpu, scene, settings, rung, width, height, sharing. */
     struct renderer_params renderer;
     struct camera camera;
     const struct profile_clock *clock;
-    uint32_t warmup, run_count; /* warm-up runs; measured runs, from 1 */
-    char *capture; /* NULL, or MEASURE_PATH_SIZE bytes for the path of a file in which RenderDoc,
-                      which must be loaded, captures a frame */
-    double time, time_step; /* seconds: time of the first run; from run to run */
+    uint32_t warmup, run_count; /* warm-up runs; measured runs, at least 1 */
+    char *capture; /* NULL, or MEASURE_PATH_SIZE bytes for the path of a RenderDoc capture */
+    double time, time_step; /* seconds: scene time of the first run; time step per run */
 };
 
-/* Called after every run, including the warm-up. If it returns false, measuring stops with
- * STATUS_FAILED and logs nothing. */
+/* Called after each run, warm-up included. Returns false to stop with STATUS_FAILED, without a log.
+ */
 typedef bool profile_progress_fn(void *user, uint32_t done, uint32_t all);
 
-/* What is measured together. */
+/* Profiles that are measured together. */
 struct profile_run {
-    const struct profile_request *requests; /* with equal `warmup` and `run_count` */
-    struct profile *profiles;               /* for the results */
-    uint32_t count;                         /* of both; from 1 */
-    profile_progress_fn *progress;          /* may be NULL; counts the runs of all */
+    const struct profile_request *requests; /* all with the same `warmup` and `run_count` */
+    struct profile *profiles;               /* receive the results */
+    uint32_t count;                         /* number of requests and profiles, at least 1 */
+    profile_progress_fn *progress;          /* may be NULL; counts the runs of all profiles */
     void *user;
 };
 
 /*
- * Creates a renderer for each request, draws each run by all renderers, one after another, so that
- * other load of the machine affects all equally, and fills the profiles, except for command, scene,
- * material and settings, which the caller fills. On failure all profiles are {0}.
+ * Creates a renderer for each request and fills the profiles. Runs are interleaved between the
+ * renderers, so that other load on the machine affects all of them equally. The caller fills
+ * command, scene, material and settings. On failure all profiles are {0}.
  */
 MUST_USE enum status profile_measure(const struct profile_run *run);
 

@@ -1,4 +1,4 @@
-/* profile.c: allocates and frees a profile. */
+/* profile.c: allocates and frees struct profile. */
 #include "src/profile/profile.h"
 #include <stdio.h>
 #include <stdlib.h>

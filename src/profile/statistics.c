@@ -1,4 +1,5 @@
-/* statistics.c: what samples say. */
+/* statistics.c: quantiles, Mann-Whitney test, Holm's method, Hodges-Lehmann ratio, power-law fit.
+ */
 #include "src/profile/statistics.h"
 #include <assert.h>
 #include <float.h>
@@ -6,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Keys have the order of the numbers: of positive ones the sign is flipped, of others all bits. */
+/* Converts a sortable integer key to the double that it encodes. Keys of positive numbers have the
+ * sign bit flipped, keys of negative numbers all bits. */
 static double from_key(uint64_t key)
 {
     const uint64_t sign = UINT64_C(1) << 63;
@@ -16,22 +18,22 @@ static double from_key(uint64_t key)
     return value;
 }
 
-/* How many things are at most `value`. */
-typedef uint64_t count_fn(const void *things, double value);
+/* Returns the number of items that are at most `value`. */
+typedef uint64_t count_fn(const void *items, double value);
 
-/* The least number that more than `index` things are at most: found bit by bit, so that nothing
- * needs to be sorted, copied or even listed. */
-static double find_nth(count_fn *count, const void *things, uint64_t index)
+/* Returns the item with this index in ascending order, by bisecting over all doubles bit by bit.
+ * Needs no sorted list, so it also works on all pairs of two samples without allocation. */
+static double find_nth(count_fn *count, const void *items, uint64_t index)
 {
     uint64_t key = 0;
     for (int bit = 63; bit >= 0; bit--) {
         const double value = from_key((key | UINT64_C(1) << bit) - 1);
-        /* infinities and what is beyond them are no numbers */
-        const bool is_above = isnan(value) ? !signbit(value) : count(things, value) > index;
+        /* keys beyond the infinities encode NaN */
+        const bool is_above = isnan(value) ? !signbit(value) : count(items, value) > index;
         if (!is_above)
             key |= UINT64_C(1) << bit;
     }
-    return from_key(key) + 0.0; /* -0 is found where there is 0 */
+    return from_key(key) + 0.0; /* turns -0 into 0 */
 }
 
 struct samples {
@@ -39,9 +41,9 @@ struct samples {
     uint32_t count;
 };
 
-static uint64_t count_samples(const void *things, double value)
+static uint64_t count_samples(const void *items, double value)
 {
-    const struct samples *samples = things;
+    const struct samples *samples = items;
     uint64_t count = 0;
     for (uint32_t i = 0; i < samples->count; i++)
         count += samples->values[i] <= value;
@@ -101,13 +103,13 @@ void profile_sort(double *samples, uint32_t count)
     qsort(samples, count, sizeof(*samples), compare_numbers);
 }
 
-/* Mann and Whitney's U, and what its distribution depends on. */
+/* The Mann-Whitney U statistic and the tie term of its variance. */
 struct ranks {
-    double u;    /* pairs in which b is above a, ties as halves */
-    double ties; /* sum of t^3 - t over the groups of t equal samples */
+    double u;    /* pairs in which b is above a; ties count one half */
+    double ties; /* sum of t^3 - t over all groups of t equal samples */
 };
 
-/* How many of the sorted samples, from `first` on, equal the value. */
+/* Returns how many of the sorted samples equal `value`, from index `first` on. */
 static uint32_t count_equal(const double *samples, uint32_t first, uint32_t count, double value)
 {
     uint32_t end = first;
@@ -136,8 +138,8 @@ static struct ranks rank(const struct profile_pair *pair)
 }
 
 /*
- * P(U <= u) * 2. The numbers of orders of a + b samples with U = 0, 1, 2... are the coefficients of
- * the product over i = 1..a of (1 - q^(b + i)) / (1 - q^i).
+ * Returns the exact two-sided p-value 2 * P(U <= u). The number of permutations of a + b samples
+ * with a given U is a coefficient of the product over i = 1..a of (1 - q^(b + i)) / (1 - q^i).
  */
 static double exact_probability(uint32_t a, uint32_t b, uint32_t u)
 {
@@ -162,7 +164,7 @@ static double normal_probability(double a, double b, const struct ranks *ranks)
     const double n = a + b;
     const double variance = a * b / 12 * (n + 1 - ranks->ties / (n * (n - 1)));
     const double distance = fabs(ranks->u - a * b / 2) - 0.5;
-    if (variance <= 0) /* all are equal */
+    if (variance <= 0) /* all samples are equal */
         return 1;
     return distance <= 0 ? 1 : erfc(distance / sqrt(2 * variance));
 }
@@ -208,16 +210,16 @@ void profile_holm(const double *p, double *adjusted, uint32_t count)
                 ties++;
             }
         }
-        assert(ties > 0); /* a p that is no number */
+        assert(ties > 0); /* fails if a p-value is NaN */
         done += ties;
         last = next;
     }
 }
 
-/* How many quotients b / a are at most `value`. */
-static uint64_t count_quotients(const void *things, double value)
+/* Returns how many ratios b / a are at most `value`. */
+static uint64_t count_ratios(const void *items, double value)
 {
-    const struct profile_pair *pair = things;
+    const struct profile_pair *pair = items;
     uint64_t count = 0;
     uint32_t j = 0;
     for (uint32_t i = 0; i < pair->a_count; i++) {
@@ -231,7 +233,7 @@ static uint64_t count_quotients(const void *things, double value)
 struct profile_ratio profile_ratio(const struct profile_pair *pair)
 {
     assert(pair->a_count > 0 && pair->b_count > 0);
-    const double z = 2.5758293035489004; /* of the normal distribution, 99 % lie within */
+    const double z = 2.5758293035489004; /* 99 % quantile of the normal distribution, two-sided */
     const double a = pair->a_count, b = pair->b_count;
     const uint64_t count = (uint64_t)pair->a_count * pair->b_count;
     if (pair->a[0] <= 0 || pair->b[0] <= 0)
@@ -239,11 +241,11 @@ struct profile_ratio profile_ratio(const struct profile_pair *pair)
 
     const double margin = floor(a * b / 2 - z * sqrt(a * b * (a + b + 1) / 12));
     const uint64_t skipped = margin > 1 ? (uint64_t)margin - 1 : 0;
-    const double middle = find_nth(count_quotients, pair, (count - 1) / 2);
+    const double middle = find_nth(count_ratios, pair, (count - 1) / 2);
     return (struct profile_ratio){
-        .low = find_nth(count_quotients, pair, skipped),
-        .ratio = count % 2 ? middle : (middle + find_nth(count_quotients, pair, count / 2)) / 2,
-        .high = find_nth(count_quotients, pair, count - 1 - skipped),
+        .low = find_nth(count_ratios, pair, skipped),
+        .ratio = count % 2 ? middle : (middle + find_nth(count_ratios, pair, count / 2)) / 2,
+        .high = find_nth(count_ratios, pair, count - 1 - skipped),
     };
 }
 
@@ -278,7 +280,7 @@ struct profile_fit profile_fit(const double *x, const double *y, uint32_t count)
         sums.xy += dx * dy;
         sums.yy += dy * dy;
     }
-    if (sums.xx <= used * DBL_EPSILON) /* all x are the same */
+    if (sums.xx <= used * DBL_EPSILON) /* all x are equal */
         return fit;
     fit.exponent = sums.xy / sums.xx;
     fit.factor = exp(y_mean - fit.exponent * x_mean);

@@ -1,4 +1,4 @@
-/* sweep.c: parameters and their values, and fits of the costs' growth. */
+/* sweep.c: parses sweep parameters and fits power laws to the growth of costs. */
 #include "src/profile/sweep.h"
 #include <ctype.h>
 #include <math.h>
@@ -7,7 +7,8 @@
 #include "src/base/log.h"
 #include "src/profile/table_rows.h"
 
-static const double least_share = 0.02; /* share of a frame below which a row is not fitted */
+/* rows below this fraction of the frame time are not fitted */
+static const double fit_fraction_min = 0.02;
 
 static enum status usage(const char *text, const char *what)
 {
@@ -20,7 +21,7 @@ static enum status no_memory(void)
     return log_out_of_memory(NULL);
 }
 
-/* Returns what is wrong with a name or value of this length, or NULL. */
+/* Returns an error message for a name or value of this length, or NULL if it is valid. */
 static const char *find_fault(size_t length)
 {
     if (length == 0)
@@ -34,7 +35,7 @@ static void copy_part(char to[static PROFILE_NAME_SIZE], const char *from, size_
     to[length] = '\0';
 }
 
-/* Splits the values, whose number is that of the commas plus one. */
+/* Splits the list of values at its commas. Returns an error message, or NULL. */
 static const char *split_values(struct profile_parameter *parameter, const char *text)
 {
     for (uint32_t i = 0; i < parameter->value_count; i++) {
@@ -86,7 +87,7 @@ enum status profile_sweep_add(struct profile_sweep *sweep, const char *text)
         return usage(text, "expected at most 1000 combinations of values");
     parameter->values = calloc(count, sizeof(*parameter->values));
     parameter->value_count = count;
-    sweep->parameter_count++; /* finish() frees it from here on */
+    sweep->parameter_count++; /* from here on profile_sweep_finish() frees it */
     free(sweep->points);
     sweep->points = calloc((size_t)before * count, sizeof(*sweep->points));
     sweep->point_count = sweep->points ? before * count : 0;
@@ -130,7 +131,7 @@ static bool read_size(const char *text, double *pixels)
 static bool read_number(const char *text, double *number)
 {
     char *end = NULL;
-    if (text[strspn(text, "+-.0123456789eE")]) /* strtod() accepts more: "inf", "0x10" */
+    if (text[strspn(text, "+-.0123456789eE")]) /* strtod() also accepts "inf" and "0x10" */
         return false;
     *number = strtod(text, &end);
     return end > text && *end == '\0' && isfinite(*number);
@@ -144,11 +145,11 @@ bool profile_sweep_number(const struct profile_sweep *sweep, uint32_t point, uin
                                                                   : read_number(value, number);
 }
 
-/* The fits of a sweep of one parameter whose values are numbers. */
+/* Power-law fits in progress, for a sweep of one numeric parameter. */
 struct fitting {
     struct profile_table_rows *lines; /* one per point */
     double *x, *used_x, *y;           /* one per point */
-    struct profile_growth *growths;   /* the first one is of the frame */
+    struct profile_growth *growths;   /* the frame is the first one */
     uint32_t count;
 };
 
@@ -160,13 +161,13 @@ static bool has_growth(const struct fitting *fitting, const char *name)
     return false;
 }
 
-/* Lists all rows to fit, in the order of the points' rows. */
+/* Lists the names of all rows to fit, in the order in which they first occur. */
 static bool name_growths(struct fitting *fitting, uint32_t point_count)
 {
-    size_t room = 1;
+    size_t capacity = 1;
     for (uint32_t i = 0; i < point_count; i++)
-        room += fitting->lines[i].count;
-    fitting->growths = calloc(room, sizeof(*fitting->growths));
+        capacity += fitting->lines[i].count;
+    fitting->growths = calloc(capacity, sizeof(*fitting->growths));
     if (!fitting->growths)
         return false;
     snprintf(fitting->growths[0].name, PROFILE_NAME_SIZE, "frame");
@@ -174,7 +175,7 @@ static bool name_growths(struct fitting *fitting, uint32_t point_count)
     for (uint32_t i = 0; i < point_count; i++) {
         for (uint32_t k = 0; k < fitting->lines[i].count; k++) {
             const struct profile_table_row *line = &fitting->lines[i].lines[k];
-            if (line->share > least_share && line->row->kind != PROFILE_REST &&
+            if (line->share > fit_fraction_min && line->row->kind != PROFILE_REST &&
                 !has_growth(fitting, line->row->name))
                 snprintf(fitting->growths[fitting->count++].name, PROFILE_NAME_SIZE, "%s",
                          line->row->name);
@@ -183,7 +184,7 @@ static bool name_growths(struct fitting *fitting, uint32_t point_count)
     return true;
 }
 
-/* Returns the median of a row at a point, or NULL if the point lacks the row. */
+/* Returns the median of a row at a point, or NULL if the point has no such row. */
 static const double *find_median(const struct profile_table_rows *lines, const char *name)
 {
     for (uint32_t i = 0; i < lines->count; i++)
@@ -208,7 +209,7 @@ static void fit_growth(const struct fitting *fitting, uint32_t index, uint32_t p
     growth->fit = profile_fit(fitting->used_x, fitting->y, used);
 }
 
-/* Fits all rows, and removes those that cannot be fitted. */
+/* Fits all rows and drops those without a valid fit. */
 static void fit_all(struct fitting *fitting, uint32_t point_count)
 {
     uint32_t kept = 0;

@@ -1,4 +1,4 @@
-/* sweep_report.c: writes a sweep as a table and as JSON. */
+/* sweep_report.c: writes a sweep as text table and JSON. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "src/profile/text.h"
 
 enum {
-    PARAMETERS_COLUMNS = 42, /* of all parameters together, at most */
+    PARAMETERS_COLUMNS = 42, /* maximum for all parameters together */
     TIMES_COLUMNS = 20,
     COSTLIEST_COUNT = 3,
     SHARE_COLUMNS = 8, /* "  ", name, "  64 %" */
@@ -20,10 +20,11 @@ enum {
 
 struct columns {
     uint32_t parameter[PROFILE_SWEEP_PARAMETERS];
-    uint32_t passes; /* columns that are left for the passes */
+    uint32_t passes; /* columns left for the passes */
 };
 
-/* Counts bytes, not characters, so that columns may be too wide but not too narrow. */
+/* Distributes table columns among the parameters. Widths are in bytes, so columns of non-ASCII text
+ * may become too wide but never too narrow. */
 static struct columns make_columns(const struct profile_sweep *sweep)
 {
     struct columns columns = { 0 };
@@ -42,7 +43,7 @@ static struct columns make_columns(const struct profile_sweep *sweep)
     return columns;
 }
 
-/* Finds the costliest passes, in descending order; returns their number. */
+/* Finds the most expensive passes, in descending order. Returns their number. */
 static uint32_t find_costliest(const struct profile_table_rows *lines,
                                const struct profile_table_row *costliest[static COSTLIEST_COUNT])
 {
@@ -58,7 +59,7 @@ static uint32_t find_costliest(const struct profile_table_rows *lines,
     return count;
 }
 
-/* Prints as many of the costliest passes as fit, with the last one's name shortened. */
+/* Prints the most expensive passes that fit into the line; the last name may be shortened. */
 static void print_costliest(const struct profile_table_rows *lines, uint32_t room, FILE *out)
 {
     const struct profile_table_row *costliest[COSTLIEST_COUNT];
@@ -127,7 +128,7 @@ enum status profile_sweep_table(const struct profile_sweep *sweep, FILE *out)
         fputc(' ', out);
     }
     if (status == STATUS_OK)
-        fprintf(out, "%9s ± %8s  %s\n", "frame ms", "sigma", "most expensive passes, shares");
+        fprintf(out, "%9s ± %8s  %s\n", "frame ms", "sigma", "most expensive passes");
     for (uint32_t i = 0; i < sweep->point_count && status == STATUS_OK; i++)
         status = print_point(sweep, i, &columns, out);
     if (status == STATUS_OK)

@@ -1,4 +1,4 @@
-/* table.c: prints a profile as a table. */
+/* table.c: prints a profile as a text table. */
 #include "src/profile/table.h"
 #include <inttypes.h>
 #include <math.h>
@@ -56,7 +56,7 @@ static void print_times(const struct profile_table_rows *lines, FILE *out)
     print_summary("frame", &lines->frame, lines->frame.mean > 0 ? 1 : 0, decimals, out);
 }
 
-/* Prints a count; 0 is "-". */
+/* Prints a count, with a unit prefix if it is large; 0 becomes "-". */
 static void print_count(uint64_t count, int columns, FILE *out)
 {
     static const char units[] = { 'M', 'G', 'T', 'P', 'E' };
@@ -111,7 +111,7 @@ static void print_work(const struct profile_table_rows *lines, const struct prof
             2, out);
 }
 
-/* A sample that is far from the others of its line. */
+/* A sample that lies outside the Tukey fences of its line. */
 struct outlier {
     const struct profile_table_row *line;
     uint32_t run;
@@ -122,7 +122,7 @@ static double excess(const struct outlier *outlier)
     return fabs(outlier->line->ms[outlier->run] - outlier->line->summary.median);
 }
 
-/* Inserts an outlier into the worst ones, in descending order; returns the number of outliers. */
+/* Inserts an outlier into the sorted list of the largest. Returns the number of outliers so far. */
 static uint32_t add_outlier(struct outlier *worst, uint32_t count, struct outlier outlier)
 {
     uint32_t at = count < MAX_OUTLIERS ? count : MAX_OUTLIERS;
@@ -148,7 +148,7 @@ static void print_outlier(const struct outlier *outlier, FILE *out)
     profile_print_words(words, 2, out);
 }
 
-/* Prints outliers that are farther from their median than a hundredth of the frame. */
+/* Prints the outliers that deviate from their median by more than 1 % of the frame time. */
 static void print_outliers(const struct profile_table_rows *lines, uint32_t run_count, FILE *out)
 {
     struct outlier worst[MAX_OUTLIERS];
@@ -184,14 +184,14 @@ static void print_rest(const struct profile_table_rows *lines, const struct prof
         out, "measurement overhead: %+.1f %% (median frame %.*f ms, without measurement %.*f ms)\n",
         profile_overhead(p) * 100, profile_decimals(frame), frame, profile_decimals(plain), plain);
     snprintf(words, sizeof(words),
-             "setup: scene upload %.*f ms, plan %.*f ms, objects and pipelines %.*f ms, first "
+             "setup: scene upload %.*f ms, graph %.*f ms, objects and pipelines %.*f ms, first "
              "frame %.*f ms",
              profile_decimals(p->upload), p->upload, profile_decimals(p->compile), p->compile,
              profile_decimals(p->realise), p->realise, profile_decimals(p->first_frame),
              p->first_frame);
     profile_print_words(words, 2, out);
     if (p->tree_triangles) {
-        snprintf(words, sizeof(words), "tree: %u triangles, %.*f ms, %.1f MiB", p->tree_triangles,
+        snprintf(words, sizeof(words), "BVH: %u triangles, %.*f ms, %.1f MiB", p->tree_triangles,
                  profile_decimals(p->tree), p->tree, (double)p->tree_size / (1 << 20));
         profile_print_words(words, 2, out);
     }

@@ -1,4 +1,4 @@
-/* table.h: prints a profile as a table of PROFILE_COLUMNS columns. */
+/* table.h: prints a profile as a text table of PROFILE_COLUMNS columns. */
 #ifndef FIRN_PROFILE_TABLE_H
 #define FIRN_PROFILE_TABLE_H
 
@@ -6,11 +6,11 @@
 #include <stdio.h>
 #include "src/profile/profile.h"
 
-/* Prints the table. Repetitions of a pass (cube faces) are added up in one line, unless `each`.
- * Logs and returns STATUS_TRY_AGAIN when out of memory. */
+/* Prints the table. Repetitions of a pass, such as cube faces, are added up in one line unless
+ * `each`. When out of memory logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status profile_table(const struct profile *profile, bool each, FILE *out);
 
-/* Returns the number of decimals with which `greatest` has five digits, for a column of numbers. */
+/* Returns the number of decimals that gives `greatest` five significant digits. */
 int profile_decimals(double greatest);
 
 #endif

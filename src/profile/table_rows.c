@@ -1,4 +1,4 @@
-/* table_rows.c: makes the lines of a profile's table. */
+/* table_rows.c: aggregates the rows of a profile into table lines. */
 #include "src/profile/table_rows.h"
 #include <inttypes.h>
 #include <stdio.h>

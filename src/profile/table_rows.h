@@ -1,5 +1,5 @@
 /*
- * table_rows.h: the lines of a profile's table, with repetitions added up and summaries.
+ * table_rows.h: the lines of a profile's table: rows with repetitions added up, and summaries.
  *
  * Ownership: lines own their samples and borrow the profile, which must outlive them.
  */
@@ -10,39 +10,38 @@
 #include "src/profile/statistics.h"
 
 struct profile_table_row {
-    const struct profile_row *row; /* the first row: name, kind, size of its targets */
-    uint32_t row_count;            /* rows that are added up */
-    double *ms;                    /* sum in each run */
+    const struct profile_row *row; /* first aggregated row: name, kind, target size */
+    uint32_t row_count;            /* number of aggregated rows */
+    double *ms;                    /* sum over the rows in each run */
     struct profile_summary summary;
-    double share; /* of the frame, by the mean */
-    /* Sums of the rows: */
+    double share; /* fraction of the mean frame time */
+    /* Sums over the aggregated rows: */
     uint64_t target_bytes, vertices, triangles, fragments, invocations, covered;
 };
 
 struct profile_table_rows {
-    struct profile_table_row *lines; /* in the order of the first row of each */
+    struct profile_table_row *lines; /* table lines, in order of first occurrence */
     uint32_t count;
-    uint32_t pass_count; /* lines of passes; they are the first ones */
+    uint32_t pass_count; /* number of pass lines, which come first */
     struct profile_summary frame, plain;
 };
 
-/* Makes a line for every name or, if `each`, for every row. Logs and returns STATUS_TRY_AGAIN when
- * out of memory. */
+/* Creates one line per name or, if `each`, per row. STATUS_TRY_AGAIN when out of memory, logged. */
 MUST_USE enum status profile_table_rows_init(struct profile_table_rows *lines,
                                              const struct profile *profile, bool each);
 void profile_table_rows_finish(struct profile_table_rows *lines);
 
-/* Bytes of a line's name: "env_cube.objects x6", "env_cube.objects [2]". */
+/* Maximum size of a line's name in bytes: "env_cube.objects x6", "env_cube.objects [2]". */
 enum {
     PROFILE_TABLE_ROW_NAME_SIZE = PROFILE_NAME_SIZE + 24
 };
 
-/* Writes a line's name. */
+/* Writes the display name of a line. */
 void profile_table_row_name(const struct profile_table_row *line,
                             char name[static PROFILE_TABLE_ROW_NAME_SIZE]);
 
-/* Returns the overhead of measuring: the median of `frame` over that of `plain`, minus 1; 0.02 is
- * 2 %. Returns 0 without `plain`. */
+/* Returns median `frame` / median `plain` - 1, the measurement overhead; 0 if there is no `plain`.
+ */
 double profile_overhead(const struct profile *profile);
 
 #endif

@@ -1,4 +1,4 @@
-/* text.c: text in tables and in files. */
+/* text.c: UTF-8 aware printing and cleaning of text. */
 #include "src/profile/text.h"
 #include <stdbool.h>
 #include <string.h>
@@ -8,8 +8,7 @@ static bool is_within(unsigned char c, unsigned char low, unsigned char high)
     return c >= low && c <= high;
 }
 
-/* Returns the bytes of the first character (table 3-7 of the Unicode Standard), or 0 if the text
- * does not begin with UTF-8. */
+/* Returns the size of the first UTF-8 character (Unicode, table 3-7), or 0 if it is invalid. */
 static size_t utf8_size(const char *text)
 {
     static const struct {
@@ -46,13 +45,13 @@ void profile_clean_text(char *text)
     }
 }
 
-/* Writes the first character of a text, and returns the rest. */
+/* Prints the first character of a text. Returns a pointer to the rest. */
 static const char *print_character(const char *text, FILE *out)
 {
     const size_t size = utf8_size(text);
     const unsigned char first = (unsigned char)text[0];
     const unsigned char second = (unsigned char)(size > 1 ? text[1] : 0);
-    /* The controls are C0, delete and C1. */
+    /* control characters: C0, delete, C1 */
     const bool is_control = first < 0x20 || first == 0x7f || (first == 0xc2 && second < 0xa0);
     if (size == 0 || is_control)
         fputc('?', out);

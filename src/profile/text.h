@@ -1,4 +1,4 @@
-/* text.h: prints text in tables of a fixed width, and cleans text for files in UTF-8. */
+/* text.h: prints UTF-8 text in columns of fixed width, and removes invalid UTF-8. */
 #ifndef FIRN_PROFILE_TEXT_H
 #define FIRN_PROFILE_TEXT_H
 
@@ -7,19 +7,18 @@
 #include <stdio.h>
 
 enum {
-    PROFILE_COLUMNS = 100 /* of every table */
+    PROFILE_COLUMNS = 100 /* width of all tables */
 };
 
-/* Replaces bytes that are not UTF-8, in place, by '?'. */
+/* Replaces bytes that are not valid UTF-8 by '?', in place. */
 void profile_clean_text(char *text);
 
-/* Writes a text padded with spaces to `columns`, one column per character; the middle of a longer
- * text is replaced by "…". Control characters, which could be commands to a terminal, and bytes
- * that are not UTF-8 become '?'. */
+/* Prints text padded with spaces to `columns`, one per character. The middle of longer text becomes
+ * "…". Control characters, which are a risk in terminals, and invalid UTF-8 become '?'. */
 void profile_print_name(const char *name, uint32_t columns, FILE *out);
 
-/* Writes a text in lines of at most PROFILE_COLUMNS, broken between words if possible; lines after
- * the first one begin with `indent` spaces. Ends with a newline. */
+/* Prints text wrapped to PROFILE_COLUMNS at word boundaries if possible, and a newline.
+ * Continuation lines are indented by `indent` spaces. */
 void profile_print_words(const char *text, uint32_t indent, FILE *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* timestamp_check.c: measures a frame of known passes with two clocks. */
+/* timestamp_check.c: times known GPU passes by timestamps and by the CPU's clock. */
 #include "src/profile/timestamp_check.h"
 #include <math.h>
 #include <stdio.h>
@@ -8,18 +8,18 @@
 #include "src/base/log.h"
 
 enum {
-    SIDE = 250, /* no multiple of a rasteriser's blocks */
-    HEAVY = 16, /* work of heavy passes over that of light ones */
+    SIDE = 250, /* not a multiple of a rasteriser's tile size */
+    HEAVY = 16, /* work of heavy passes relative to light passes */
     GROUP_COUNT = 256,
     FRAME_COUNT = 3, /* frames per clock and attempt */
     TRY_COUNT = 20,
     FIRST_ROUNDS = 16,
     MOST_ROUNDS = 1 << 22,
-    ENOUGH_MS = 6, /* least time of a heavy pass: much more than the cost of a submit */
+    ENOUGH_MS = 6, /* minimum time of a heavy pass, far above the cost of a submit */
 };
 
 struct rg_frame {
-    uint32_t rounds; /* of the light passes */
+    uint32_t rounds; /* loop iterations of the light passes */
 };
 
 static const struct rg_image first = {
@@ -113,8 +113,6 @@ static const struct rg_pass passes[TIMESTAMP_CHECK_PASS_COUNT] = {
     },
 };
 
-/* ---- running the passes ---- */
-
 struct test {
     struct rg_plan *plan;
     struct rg_exec *exec;
@@ -201,11 +199,12 @@ static double pass_ms(const struct test *test, uint32_t pass)
     return (double)(time->end - time->begin) * 1e-6;
 }
 
-/* Increases the work until a heavy pass takes ENOUGH_MS. */
+/* Doubles the work until a heavy pass takes at least ENOUGH_MS. */
 static VkResult find_rounds(struct test *test)
 {
     test->frame.rounds = FIRST_ROUNDS;
-    VkResult result = draw(test, RG_CLOCK_SUBMITS, false); /* the driver compiles the shaders */
+    /* warm-up: the driver compiles the shaders */
+    VkResult result = draw(test, RG_CLOCK_SUBMITS, false);
     while (result == VK_SUCCESS && test->frame.rounds < MOST_ROUNDS / HEAVY) {
         result = draw(test, RG_CLOCK_SUBMITS, false);
         if (result != VK_SUCCESS || pass_ms(test, 0) >= ENOUGH_MS)
@@ -215,8 +214,8 @@ static VkResult find_rounds(struct test *test)
     return result;
 }
 
-/* Takes the minimum of several frames by either clock, alternately, and of earlier attempts,
- * because other load only adds time. */
+/* Measures several frames with both clocks alternately, and keeps the minimum time of each pass
+ * over all attempts, because other load can only add time. */
 static VkResult take_least(struct test *test, struct timestamp_check_times *times, bool is_first)
 {
     const enum rg_clock clocks[] = { RG_CLOCK_SUBMITS, RG_CLOCK_EXACT };
@@ -233,8 +232,6 @@ static VkResult take_least(struct test *test, struct timestamp_check_times *time
     return result;
 }
 
-/* ---- the verdict ---- */
-
 double timestamp_check_error(const struct timestamp_check_times *times)
 {
     const double submit = times->alone[TIMESTAMP_CHECK_PASS_COUNT - 1];
@@ -250,8 +247,8 @@ double timestamp_check_error(const struct timestamp_check_times *times)
     return worst;
 }
 
-/* Repeats the test until both clocks agree: other load is temporary, errors of a driver are not.
- * Usually the first attempt suffices. */
+/* Repeats the test until both clocks agree, usually once. Interference by other load is temporary,
+ * whereas errors of a driver persist. */
 static VkResult judge(struct test *test, uint32_t try_count, struct profile_clock *clock)
 {
     struct timestamp_check_times times = { 0 };

@@ -1,4 +1,4 @@
-/* trace.c: writes a profile as a Chrome trace. Times are nanoseconds, so that sums are exact. */
+/* trace.c: writes a Chrome trace. Times are integer nanoseconds, so that sums are exact. */
 #include "src/profile/trace.h"
 #include <inttypes.h>
 #include <math.h>
@@ -14,18 +14,18 @@ enum {
 };
 
 struct event {
-    int64_t begin, duration; /* duration 0: a counter */
+    int64_t begin, duration; /* duration 0 marks a counter */
     uint64_t number;
     json_t *json;
 };
 
 struct trace {
     const struct profile *profile;
-    uint64_t *alive; /* bytes of transient memory in use during each pass */
+    uint64_t *memory_in_use; /* bytes of transient memory in use during each pass */
     struct event *events;
-    uint64_t count, room;
+    uint64_t count, capacity;
     int64_t queue_end; /* end of the last pass */
-    bool is_whole;     /* no allocation has failed */
+    bool is_whole;     /* false once an allocation has failed */
 };
 
 static int64_t nanoseconds(double ms)
@@ -54,7 +54,7 @@ static json_t *make_event(const char *phase, const char *name, int track)
 
 static json_t *add_event(struct trace *trace, json_t *json, int64_t begin, int64_t duration)
 {
-    trace->is_whole = trace->is_whole && json && trace->count < trace->room &&
+    trace->is_whole = trace->is_whole && json && trace->count < trace->capacity &&
                       profile_json_put(json, "ts", microseconds(begin));
     if (!trace->is_whole) {
         json_decref(json);
@@ -65,7 +65,7 @@ static json_t *add_event(struct trace *trace, json_t *json, int64_t begin, int64
     return json;
 }
 
-/* Adds a span and returns its end. */
+/* Adds a span. Returns its end. */
 static int64_t add_span(struct trace *trace, const char *name, int track, int64_t begin,
                         int64_t duration)
 {
@@ -78,12 +78,12 @@ static void add_counter(struct trace *trace, const char *name, const char *unit,
                         int64_t begin)
 {
     json_t *json = add_event(trace, make_event("C", name, CPU_TRACK), begin, 0);
-    /* The call releases the value even on failure. */
+    /* profile_json_put() releases the value even on failure. */
     trace->is_whole =
         profile_json_put(json_object_get(json, "args"), unit, value) && trace->is_whole;
 }
 
-static int64_t shorter(int64_t a, int64_t b)
+static int64_t min_i64(int64_t a, int64_t b)
 {
     return a < b ? a : b;
 }
@@ -93,7 +93,8 @@ static void name_row(const struct profile_row *row, char name[static PROFILE_TAB
     profile_table_row_name(&(struct profile_table_row){ .row = row, .row_count = 1 }, name);
 }
 
-/* Adds the host's spans of a run, clamping children to their parents. Returns the end of submit. */
+/* Adds the CPU spans of a run, and clamps children to their parents. Returns the end of the submit.
+ */
 static int64_t add_host(struct trace *trace, uint32_t run, int64_t begin)
 {
     const struct profile *p = trace->profile;
@@ -109,17 +110,17 @@ static int64_t add_host(struct trace *trace, uint32_t run, int64_t begin)
             continue;
         const int64_t first = at;
         at =
-            add_span(trace, row->name, CPU_TRACK, at, shorter(nanoseconds(row->ms[run]), end - at));
+            add_span(trace, row->name, CPU_TRACK, at, min_i64(nanoseconds(row->ms[run]), end - at));
         int64_t pass_begin = first;
         for (uint32_t k = 0; k < p->pass_count && i == p->pass_count;
              k++) { /* i is the row `record` */
             name_row(&p->rows[k], name);
             const int64_t length = nanoseconds(p->rows[k].record_ms[run]);
             pass_begin =
-                add_span(trace, name, CPU_TRACK, pass_begin, shorter(length, at - pass_begin));
+                add_span(trace, name, CPU_TRACK, pass_begin, min_i64(length, at - pass_begin));
         }
     }
-    add_span(trace, "wait", CPU_TRACK, at, shorter(nanoseconds(p->wait[run]), end - at));
+    add_span(trace, "wait", CPU_TRACK, at, min_i64(nanoseconds(p->wait[run]), end - at));
     add_counter(trace, "frame", "ms", json_real(p->frame[run]), begin);
     return at;
 }
@@ -137,13 +138,13 @@ static void add_queue(struct trace *trace, uint32_t run, int64_t begin)
         trace->queue_end = add_span(trace, name, QUEUE_TRACK, at, nanoseconds(row->ms[run]));
         if (p->resident_count > 0)
             add_counter(trace, "transient memory", "bytes",
-                        json_integer((json_int_t)trace->alive[i]), at);
+                        json_integer((json_int_t)trace->memory_in_use[i]), at);
     }
     if (p->resident_count > 0)
         add_counter(trace, "transient memory", "bytes", json_integer(0), trace->queue_end);
 }
 
-/* Compares by time; a span is before the spans that it contains. */
+/* Orders events by time; a span precedes the spans that it contains. */
 static int compare_events(const void *a, const void *b)
 {
     const struct event *x = a, *y = b;
@@ -173,14 +174,14 @@ static bool trace_init(struct trace *trace, const struct profile *p)
 {
     *trace = (struct trace){
         .profile = p,
-        .alive = calloc((size_t)p->pass_count + 1, sizeof(*trace->alive)),
-        .room = (uint64_t)p->run_count * (3 * (uint64_t)p->pass_count + 6),
+        .memory_in_use = calloc((size_t)p->pass_count + 1, sizeof(*trace->memory_in_use)),
+        .capacity = (uint64_t)p->run_count * (3 * (uint64_t)p->pass_count + 6),
     };
-    trace->events = calloc(trace->room, sizeof(*trace->events));
-    trace->is_whole = trace->alive && trace->events;
+    trace->events = calloc(trace->capacity, sizeof(*trace->events));
+    trace->is_whole = trace->memory_in_use && trace->events;
     for (uint32_t i = 0; i < p->resident_count && trace->is_whole; i++)
         for (uint32_t k = p->residents[i].first_pass; k <= p->residents[i].last_pass; k++)
-            trace->alive[k] += p->residents[i].size;
+            trace->memory_in_use[k] += p->residents[i].size;
     return trace->is_whole;
 }
 
@@ -189,7 +190,7 @@ static void trace_finish(struct trace *trace)
     for (uint64_t i = 0; i < trace->count; i++)
         json_decref(trace->events[i].json);
     free(trace->events);
-    free(trace->alive);
+    free(trace->memory_in_use);
 }
 
 static bool add_all(struct trace *trace, json_t *array)

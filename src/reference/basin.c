@@ -1,4 +1,4 @@
-/* basin.c: meshes of water and tiles, and light below water at rest. */
+/* basin.c: the pool as triangle meshes of water, tiles and floating ice; light in its water. */
 #include "src/reference/basin.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -8,35 +8,34 @@
 #include "src/tech/pool.h"
 
 enum {
-    RING = BASIN_GRID + 3, /* vertices a side: the surface's, and a ring at the bottom */
-    QUAD_COUNT = 5,        /* of tiles */
+    SHELL_SIDE = BASIN_GRID + 3, /* vertices per side: the surface and one ring at the bottom */
+    QUAD_COUNT = 5,              /* tiled quads: the floor and four walls */
     WATER = 0,
-    FLOE = 1,
+    FLOATING_ICE = 1,
 };
 
-#define REACH 0.05f /* of the shell beyond the pool, half sides of the pool */
-#define INSET 1e-4f /* of the tiles before the walls, sides of the pool */
+#define SHELL_MARGIN 0.05f /* how far the shell extends into walls, in half sides */
+#define TILE_INSET   1e-4f /* gap between tiles and walls, in sides of the pool */
 
 static vec3s to_world(vec3s v)
 {
     return (vec3s){ { v.x, v.z, -v.y } };
 }
 
-/* ---- water ---- */
-
-/* Returns a vertex of the shell; the outermost ones are below their neighbours. */
-static struct mesh_vertex shell_vertex(const struct basin *basin, uint32_t column, uint32_t row,
-                                       float time)
+/* Returns a vertex of the water shell. The outermost ring is lowered to the bottom: the side walls.
+ */
+static struct mesh_vertex shell_vertex(const struct pool_scene *basin, uint32_t column,
+                                       uint32_t row, float time)
 {
     const struct pool_params *pool = &basin->push.pool;
     const uint32_t x = (uint32_t)glm_clamp((float)column - 1.0f, 0.0f, BASIN_GRID);
     const uint32_t y = (uint32_t)glm_clamp((float)row - 1.0f, 0.0f, BASIN_GRID);
-    const float half = 0.5f * pool->size * (1.0f + REACH);
+    const float half = 0.5f * pool->size * (1.0f + SHELL_MARGIN);
     const vec2s at = { { half * (2.0f * (float)x / BASIN_GRID - 1.0f),
                          half * (2.0f * (float)y / BASIN_GRID - 1.0f) } };
     const vec3s wave = wave_at(basin->push.water, at, time);
     const bool is_below = column != x + 1 || row != y + 1;
-    const float height = is_below ? -pool->depth * (1.0f + REACH) : wave.z;
+    const float height = is_below ? -pool->depth * (1.0f + SHELL_MARGIN) : wave.z;
     return (struct mesh_vertex){
         .position = to_world((vec3s){ { at.x, at.y, height } }),
         .normal = to_world(wave_normal(wave)),
@@ -44,35 +43,37 @@ static struct mesh_vertex shell_vertex(const struct basin *basin, uint32_t colum
     };
 }
 
-static void put_quad(uint32_t *indices, uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+static void write_quad(uint32_t *indices, uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {
     const uint32_t order[6] = { a, b, c, a, c, d };
     memcpy(indices, order, sizeof(order));
 }
 
-static bool make_shell(struct mesh *mesh, const struct basin *basin, float time)
+static bool build_shell(struct mesh *mesh, const struct pool_scene *basin, float time)
 {
-    const uint32_t cells = RING - 1, last = RING - 1;
-    if (!mesh_init(mesh, RING * RING, 6 * (cells * cells + 1)))
+    const uint32_t cells = SHELL_SIDE - 1, last = SHELL_SIDE - 1;
+    if (!mesh_init(mesh, SHELL_SIDE * SHELL_SIDE, 6 * (cells * cells + 1)))
         return false;
-    for (uint32_t i = 0; i < RING * RING; i++)
-        mesh->vertices[i] = shell_vertex(basin, i % RING, i / RING, time);
+    for (uint32_t i = 0; i < SHELL_SIDE * SHELL_SIDE; i++)
+        mesh->vertices[i] = shell_vertex(basin, i % SHELL_SIDE, i / SHELL_SIDE, time);
     for (uint32_t i = 0; i < cells * cells; i++) {
-        const uint32_t a = i / cells * RING + i % cells;
-        put_quad(&mesh->indices[(size_t)6 * i], a, a + 1, a + RING + 1, a + RING);
+        const uint32_t a = i / cells * SHELL_SIDE + i % cells;
+        write_quad(&mesh->indices[(size_t)6 * i], a, a + 1, a + SHELL_SIDE + 1, a + SHELL_SIDE);
     }
-    put_quad(&mesh->indices[(size_t)6 * cells * cells], 0, last * RING, RING * RING - 1, last);
+    write_quad(&mesh->indices[(size_t)6 * cells * cells], 0, last * SHELL_SIDE,
+               SHELL_SIDE * SHELL_SIDE - 1, last);
     return true;
 }
 
-/* Appends the ice, turned as it is at the time. */
-static bool add_floe(struct basin *basin, const struct mesh *floe, mat4s world_from_object)
+/* Appends the mesh of the floating ice, transformed to world space. */
+static bool add_floating_ice(struct pool_scene *basin, const struct mesh *ice,
+                             mat4s world_from_object)
 {
     struct mesh *mesh = &basin->scene.model.object;
     const uint32_t first = mesh->vertex_count;
-    basin->objects[FLOE].first_index = mesh->index_count;
-    basin->objects[FLOE].index_count = floe->index_count;
-    if (!mesh_append(mesh, floe))
+    basin->objects[FLOATING_ICE].first_index = mesh->index_count;
+    basin->objects[FLOATING_ICE].index_count = ice->index_count;
+    if (!mesh_append(mesh, ice))
         return false;
     for (uint32_t i = first; i < mesh->vertex_count; i++) {
         struct mesh_vertex *vertex = &mesh->vertices[i];
@@ -82,11 +83,9 @@ static bool add_floe(struct basin *basin, const struct mesh *floe, mat4s world_f
     return true;
 }
 
-/* ---- tiles ---- */
-
-/* Adds a quad in pool coordinates, counter-clockwise; uvs are in metres. */
-static void add_tiles(struct mesh *mesh, const struct basin *basin, const vec3s corners[static 4],
-                      const vec2s uvs[static 4])
+/* Adds a quad of tiles; `corners` are in pool coordinates, counter-clockwise, `uvs` in metres. */
+static void add_tiles(struct mesh *mesh, const struct pool_scene *basin,
+                      const vec3s corners[static 4], const vec2s uvs[static 4])
 {
     const vec3s n = glms_vec3_crossn(glms_vec3_sub(corners[1], corners[0]),
                                      glms_vec3_sub(corners[3], corners[0]));
@@ -99,15 +98,15 @@ static void add_tiles(struct mesh *mesh, const struct basin *basin, const vec3s 
             .uv = glms_vec2_divs(uvs[k], basin->push.pool.tile),
             .material = MESH_TILES,
         };
-    put_quad(&mesh->indices[mesh->index_count], first, first + 1, first + 2, first + 3);
+    write_quad(&mesh->indices[mesh->index_count], first, first + 1, first + 2, first + 3);
     mesh->vertex_count += 4;
     mesh->index_count += 6;
 }
 
-/* The floor, and the walls up to the water at rest, in pool coordinates. */
-static bool make_tiles(struct mesh *mesh, const struct basin *basin)
+/* Builds the floor and the four walls up to the still water level, in pool coordinates. */
+static bool build_tiles(struct mesh *mesh, const struct pool_scene *basin)
 {
-    const float s = basin->push.pool.size * (0.5f - INSET), d = -basin->push.pool.depth;
+    const float s = basin->push.pool.size * (0.5f - TILE_INSET), d = -basin->push.pool.depth;
     const vec3s floor_at[4] = {
         { { -s, -s, d } }, { { s, -s, d } }, { { s, s, d } }, { { -s, s, d } }
     };
@@ -130,12 +129,10 @@ static bool make_tiles(struct mesh *mesh, const struct basin *basin)
     return true;
 }
 
-/* ---- the scene ---- */
-
-bool basin_init(struct basin *basin, const struct scene *scene, const struct settings *settings,
-                const struct globals *globals)
+bool basin_init(struct pool_scene *basin, const struct scene *scene,
+                const struct settings *settings, const struct globals *globals)
 {
-    *basin = (struct basin){
+    *basin = (struct pool_scene){
         .scene = *scene,
         .bare.flags = MATERIAL_IS_BARE,
         .push = pool_push_of(settings),
@@ -143,31 +140,31 @@ bool basin_init(struct basin *basin, const struct scene *scene, const struct set
     struct model *model = &basin->scene.model;
     model->object = model->surroundings = (struct mesh){ 0 };
     model->objects = basin->objects;
-    model->opaque_count = 0; /* tiles have the first vertices */
+    model->opaque_count = 0; /* the ranges of opaque parts do not match this mesh */
     model->object_count = scene->model.object.index_count ? 2 : 1;
     if (!model->materials)
         model->materials = &basin->bare;
     basin->scene.has_pool = false;
-    bool done = make_shell(&model->object, basin, globals->time) &&
-                make_tiles(&model->surroundings, basin) &&
+    bool done = build_shell(&model->object, basin, globals->time) &&
+                build_tiles(&model->surroundings, basin) &&
                 mesh_append(&model->surroundings, &scene->model.surroundings);
     basin->objects[WATER].index_count = model->object.index_count;
     if (done && model->object_count > 1)
-        done = add_floe(basin, &scene->model.object, globals->world_from_object);
+        done = add_floating_ice(basin, &scene->model.object, globals->world_from_object);
     if (!done)
         basin_finish(basin);
     return done;
 }
 
-void basin_finish(struct basin *basin)
+void basin_finish(struct pool_scene *basin)
 {
     mesh_finish(&basin->scene.model.object);
     mesh_finish(&basin->scene.model.surroundings);
-    *basin = (struct basin){ 0 };
+    *basin = (struct pool_scene){ 0 };
 }
 
-void basin_set_media(const struct basin *basin, const struct scene *scene,
-                     const struct settings *settings, struct media *media)
+void basin_set_media(const struct pool_scene *basin, const struct scene *scene,
+                     const struct settings *settings, struct nested_media *media)
 {
     const struct water_params *w = &basin->push.water;
     const struct frame_medium outside =
@@ -182,23 +179,21 @@ void basin_set_media(const struct basin *basin, const struct scene *scene,
         water->ior[c] = w->ior * outside.ior[c];
     media->is_dispersive = false;
     if (basin->scene.model.object_count > 1) {
-        media->all[FLOE] = frame_medium_at(scene, settings, 0);
-        media->all[FLOE].rank = 2;
-        media->is_dispersive = media->all[FLOE].ior[0] < media->all[FLOE].ior[2];
+        media->all[FLOATING_ICE] = frame_medium_at(scene, settings, 0);
+        media->all[FLOATING_ICE].rank = 2;
+        media->is_dispersive = media->all[FLOATING_ICE].ior[0] < media->all[FLOATING_ICE].ior[2];
     }
     media->all[media->outside] = media->all[media->bubble] = outside;
     media->all[media->bubble].rank = UINT32_MAX;
 }
 
-/* ---- light ---- */
-
-vec3s basin_passed(const struct basin *basin, float path)
+vec3s basin_passed(const struct pool_scene *basin, float path)
 {
     const struct water_params *w = &basin->push.water;
     return (vec3s){ { expf(-w->red * path), expf(-w->green * path), expf(-w->blue * path) } };
 }
 
-struct radiance_sun basin_light(const struct basin *basin, const struct globals *globals,
+struct radiance_sun basin_light(const struct pool_scene *basin, const struct globals *globals,
                                 vec3s point, vec3s n)
 {
     const float half = 0.5f * basin->push.pool.size;
@@ -206,21 +201,23 @@ struct radiance_sun basin_light(const struct basin *basin, const struct globals 
     struct radiance_sun light = { .sky = basin_passed(basin, depth) };
     if (!(globals->sun_dir.y > 0.0f))
         return light;
-    /* The sun's direction below the water: of its horizontal part, the index takes away. */
-    const float across = 1.0f / basin->push.water.ior;
-    const vec3s flat = { { globals->sun_dir.x * across, 0.0f, globals->sun_dir.z * across } };
-    const float down = sqrtf(fmaxf(1.0f - glms_vec3_norm2(flat), 0.0f));
-    const vec3s inside = { { flat.x, down, flat.z } };
-    const float ci = globals->sun_dir.y, eta = across;
+    /* Snell's law at a horizontal surface scales the horizontal part of the direction by 1 / index.
+     */
+    const float inverse_index = 1.0f / basin->push.water.ior;
+    const vec3s horizontal = { { globals->sun_dir.x * inverse_index, 0.0f,
+                                 globals->sun_dir.z * inverse_index } };
+    const float down = sqrtf(fmaxf(1.0f - glms_vec3_norm2(horizontal), 0.0f));
+    const vec3s inside = { { horizontal.x, down, horizontal.z } };
+    const float ci = globals->sun_dir.y, eta = inverse_index;
     const float rs = (eta * ci - down) / (eta * ci + down);
     const float rp = (ci - eta * down) / (ci + eta * down);
-    const float entering = 1.0f - 0.5f * (rs * rs + rp * rp);
+    const float transmittance = 1.0f - 0.5f * (rs * rs + rp * rp);
     const vec3s entry = glms_vec3_muladds(inside, depth / down, point);
     const bool is_open = fmaxf(fabsf(entry.x), fabsf(entry.z)) <= half;
-    const float steepness = fmaxf(glms_vec3_dot(n, inside) / down, 0.0f);
+    const float incidence = fmaxf(glms_vec3_dot(n, inside) / down, 0.0f);
     if (is_open)
         light.through =
-            glms_vec3_scale(basin_passed(basin, depth / down), entering * ci * steepness);
+            glms_vec3_scale(basin_passed(basin, depth / down), transmittance * ci * incidence);
     light.through_dir = inside;
     return light;
 }

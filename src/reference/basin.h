@@ -1,13 +1,13 @@
 /*
- * basin.h: a pool as a scene for rays: a closed shell of water with the waves of one time, tiles
- * below it, and the ice that floats in it.
+ * basin.h: the pool as a scene that the path tracer can intersect: a closed shell of water
+ * displaced by the waves at one point in time, the tiles below it, and the floating ice.
  *
- * The shell reaches into walls and floor, so that no ray meets its sides. Its surface has
- * BASIN_GRID cells a side, with the normals of the waves.
+ * The shell extends into walls and floor, so that no ray can hit its sides. Its surface has
+ * BASIN_GRID cells per side, with the analytic normals of the waves.
  *
- * Light on tiles: the sun's is that of photons, or as through water at rest; the sky's is that of
- * the rasteriser, absorbed by the water above. As there, radiance is not divided by the squared
- * index where light leaves the water.
+ * Lighting of the tiles: sunlight comes from the photon map or, without one, is refracted at a flat
+ * water surface. Sky light is that of the rasteriser, absorbed by the water above. As in the
+ * rasteriser, radiance is not divided by the squared index when light leaves the water.
  */
 #ifndef FIRN_REFERENCE_BASIN_H
 #define FIRN_REFERENCE_BASIN_H
@@ -20,28 +20,29 @@ enum {
     BASIN_GRID = 512
 };
 
-struct basin {
-    struct scene scene; /* owns its meshes of object and surroundings; the rest is borrowed */
+struct pool_scene {
+    struct scene scene; /* owns the object and surroundings meshes; all else is borrowed */
     struct object objects[2];
     struct material bare;
     struct water_push push;
 };
 
-/* `globals` are those of the scene with the pool, at the time of its waves. Returns false when out
- * of memory; *basin is then {0}. */
-bool basin_init(struct basin *basin, const struct scene *scene, const struct settings *settings,
-                const struct globals *globals);
-void basin_finish(struct basin *basin); /* {0} is fine */
+/* Builds the meshes. `globals` are those of the scene that has the pool, at the time of the waves.
+ * Returns false when out of memory; *basin is then {0}. */
+bool basin_init(struct pool_scene *basin, const struct scene *scene,
+                const struct settings *settings, const struct globals *globals);
+void basin_finish(struct pool_scene *basin); /* accepts {0} */
 
-/* Sets the media of water, ice and air. `scene` is the one with the pool. */
-void basin_set_media(const struct basin *basin, const struct scene *scene,
-                     const struct settings *settings, struct media *media);
+/* Sets the media of water, ice and air with their priorities. `scene` is the one that has the pool.
+ */
+void basin_set_media(const struct pool_scene *basin, const struct scene *scene,
+                     const struct settings *settings, struct nested_media *media);
 
-/* Returns the sun's and the sky's light on tiles below water at rest; n is unit. */
-struct radiance_sun basin_light(const struct basin *basin, const struct globals *globals,
+/* Returns sunlight and sky light on a tile below a flat water surface; `n` is a unit normal. */
+struct radiance_sun basin_light(const struct pool_scene *basin, const struct globals *globals,
                                 vec3s point, vec3s n);
 
-/* Returns the share of the sky's light that reaches a point below water at rest. */
-vec3s basin_passed(const struct basin *basin, float path);
+/* Returns the Beer-Lambert transmittance of the water over a path of `path` metres, per channel. */
+vec3s basin_passed(const struct pool_scene *basin, float path);
 
 #endif

@@ -1,4 +1,4 @@
-/* branch.h: a ray with its weight, between two surfaces that part it. */
+/* branch.h: a ray with throughput and medium stack, advanced from one surface to the next. */
 #ifndef FIRN_REFERENCE_BRANCH_H
 #define FIRN_REFERENCE_BRANCH_H
 
@@ -6,60 +6,63 @@
 #include "src/reference/reference_layers.h"
 #include "src/reference/tracing.h"
 
-struct branch {
+struct ray_branch {
     struct bvh_ray ray;
-    struct media_set inside; /* the objects that the ray is in */
-    vec3s weight;
-    vec3s air;        /* light that air has added since its last surface */
-    uint32_t bounces; /* surfaces that it has met */
-    uint32_t seed;    /* of the random numbers at its next surface */
+    struct media_set inside; /* objects that contain the ray's origin */
+    vec3s throughput;
+    vec3s air;        /* radiance from air inclusions since the last surface */
+    uint32_t bounces; /* surfaces hit so far */
+    uint32_t seed;    /* seed of the random numbers at the next surface */
     uint32_t scatterings;
-    uint32_t met;     /* enum reference_met */
-    bool is_straight; /* it passes clouds, as if they were not there */
-    bool is_gathered; /* it brings light to surroundings (ground.h) */
-    bool is_path;     /* at surfaces it goes one way, by chance */
+    uint32_t met;            /* bits of enum reference_met: inclusions hit so far */
+    bool ignores_scattering; /* scattering media do not deflect it; used for layers */
+    bool is_gather_ray;      /* gathers light at a surface of the surroundings (ground.h) */
+    bool is_single_path;     /* samples reflection or refraction instead of splitting */
 };
 
-/* The two branches of light that meets a surface. */
+/* The reflected and the refracted ray at a surface. */
 struct fork {
-    struct parting parting;
-    struct branch reflected, refracted;
+    struct dielectric_split split;
+    struct ray_branch reflected, refracted;
 };
 
 /*
- * Finds the next surface that parts the light of a branch, or a surface around the objects. What
- * lies between two equal media is no surface. The branch then ends there, with the weight that is
- * left; in clouds it may have been scattered before. Returns false if there is none.
+ * Advances a ray to the next surface that splits it, or to the surroundings, and multiplies its
+ * throughput by the transmittance on the way. Boundaries between equal media are skipped. In
+ * scattering media the ray may change its direction before. Returns false if nothing is hit, or if
+ * the ray has reached its limit of surfaces.
  */
-bool branch_advance(const struct tracing *tracing, struct branch *b, struct meeting *meeting);
+bool branch_advance(const struct tracer *tracing, struct ray_branch *b, struct meeting *meeting);
 
-/* Lets a branch go on behind a surface around the objects, with a share of its weight. */
-void branch_pass(const struct tracing *tracing, struct branch *b, const struct bvh_hit *hit,
+/* Continues a ray behind a transparent surface, with its throughput multiplied by `passing`. */
+void branch_pass(const struct tracer *tracing, struct ray_branch *b, const struct bvh_hit *hit,
                  float passing);
 
-/* Returns whether it has met as much as any branch may: with reference.roulette more than
- * reference.bounces. */
-bool branch_is_spent(const struct tracing *tracing, const struct branch *b);
+/* Returns true if a ray has reached its limit of surfaces or scattering events. With
+ * reference.roulette the limit is higher than reference.bounces, since Russian roulette ends paths.
+ */
+bool branch_is_spent(const struct tracer *tracing, const struct ray_branch *b);
 
-/* Returns whether a branch is in an object itself, and not in a bubble. */
-bool branch_is_in(const struct tracing *tracing, const struct branch *b, uint32_t object);
+/* Returns true if a ray is in the medium of an object, and not in a bubble inside it. */
+bool branch_is_in(const struct tracer *tracing, const struct ray_branch *b, uint32_t object);
 
-/* Returns whether a branch is in ice that scatters light. */
-bool branch_is_in_cloud(const struct tracing *tracing, const struct branch *b);
+/* Returns true if a ray is in ice that scatters light. */
+bool branch_is_in_cloud(const struct tracer *tracing, const struct ray_branch *b);
 
-/* Returns what a surface takes away of light that passes it: an object's, or nothing's. */
-const struct frame_medium *branch_surface(const struct tracing *tracing,
+/* Returns the medium with the surface properties of a hit: the object's or, at a crack, air. */
+const struct frame_medium *branch_surface(const struct tracer *tracing,
                                           const struct meeting *meeting);
 
-struct fork branch_fork(const struct tracing *tracing, const struct branch *b,
+struct fork branch_fork(const struct tracer *tracing, const struct ray_branch *b,
                         const struct meeting *meeting);
 
-/* Lets a branch that is too weak or too long for a tree go on as a path with reference.roulette: a
- * weak one by chance, with a greater weight. Returns false if chance ends it. */
-bool branch_goes_on(const struct tracing *tracing, struct branch *b);
+/* Applies Russian roulette to a ray whose throughput is below reference.cutoff: it survives with
+ * probability throughput / cutoff, reweighted so that the estimate stays unbiased. A ray that has
+ * split too often becomes a single path. Returns false if the ray is terminated. */
+bool branch_goes_on(const struct tracer *tracing, struct ray_branch *b);
 
-/* Returns which of both branches a path becomes by chance, with its whole weight. */
-struct branch branch_choose(const struct tracing *tracing, const struct branch *b,
-                            const struct fork *fork);
+/* Samples one of reflection and refraction by Fresnel reflectance, divided by its probability. */
+struct ray_branch branch_choose(const struct tracer *tracing, const struct ray_branch *b,
+                                const struct fork *fork);
 
 #endif

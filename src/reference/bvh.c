@@ -1,4 +1,5 @@
-/* bvh.c: Embree's scene of the object, its bubbles and its surroundings. */
+/* bvh.c: builds the Embree scene of objects, bubbles, inclusions, surroundings, and intersects it.
+ */
 #include "src/reference/bvh.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -7,27 +8,26 @@
 #include "src/base/log.h"
 #include "src/tech/frame_media.h"
 
-/* Embree passes the context of a ray on to the filters. */
+/* Ray query context with the ray that is traced. Embree passes it to the intersection filters. */
 struct context {
     struct embree_context embree;
     const struct bvh_ray *ray;
 };
 
-/* Bytes per triangle while the tree is built: 110 to 130 were measured with Embree 3.13, more where
+/* Estimated memory of an Embree build per triangle: Embree 3.13 needs 110 to 130 bytes, more where
  * it splits large triangles. */
 enum {
     TRIANGLE_SIZE = 256
 };
 
-/* ---- filters ---- */
-
-/* Returns the hit; there is always one, because one ray is traced at a time. */
+/* Returns the candidate hit of a filter call; there is exactly one, since rays are traced singly.
+ */
 static const struct RTCHit *hit_of(const struct RTCFilterFunctionNArguments *args)
 {
     return (const struct RTCHit *)(const void *)args->hit;
 }
 
-/* Returns the index of the object of a triangle. */
+/* Returns the index of the object to which a triangle belongs. */
 static uint32_t object_of(const struct bvh *bvh, uint32_t triangle)
 {
     const struct model *model = &bvh->radiance->scene->model;
@@ -53,21 +53,22 @@ static void filter_object(const struct RTCFilterFunctionNArguments *args)
         args->valid[0] = 0;
 }
 
-static struct mesh_vertex blended(const struct bvh_part *part, uint32_t triangle, float u, float v);
+static struct mesh_vertex interpolated(const struct bvh_part *part, uint32_t triangle, float u,
+                                       float v);
 
-/* Rejects hits in holes; set only for meshes that may have some. */
+/* Rejects hits in holes of cutout materials; installed only for meshes that may have holes. */
 static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
 {
     const struct bvh *bvh = args->geometryUserPtr;
     const struct RTCHit *hit = hit_of(args);
     const struct mesh_vertex surface =
-        blended(&bvh->parts[BVH_SURROUNDINGS], hit->primID, hit->u, hit->v);
+        interpolated(&bvh->parts[BVH_SURROUNDINGS], hit->primID, hit->u, hit->v);
     if (radiance_passing(bvh->radiance, &surface) >= 1.0f)
         args->valid[0] = 0;
 }
 
-/* A sheet is not met again by light that it reflects or lets pass, nor twice at an edge of its
- * triangles. */
+/* Rejects hits on a sheet that are closer than epsilon: a ray does not hit the sheet from which it
+ * starts again, nor both triangles at a shared edge. */
 static void filter_sheets(const struct RTCFilterFunctionNArguments *args)
 {
     const struct bvh *bvh = args->geometryUserPtr;
@@ -75,7 +76,7 @@ static void filter_sheets(const struct RTCFilterFunctionNArguments *args)
         args->valid[0] = 0;
 }
 
-static bool has_holes(const struct model *model, const struct mesh *mesh)
+static bool has_cutouts(const struct model *model, const struct mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const uint32_t material = mesh->vertices[i].material;
@@ -87,26 +88,24 @@ static bool has_holes(const struct model *model, const struct mesh *mesh)
     return false;
 }
 
-/* ---- bubbles ---- */
-
 static void bound_bubble(const struct RTCBoundsFunctionArguments *args)
 {
     const struct bvh *bvh = args->geometryUserPtr;
     const struct bubble *bubble = &bvh->bubbles[args->primID];
     const struct box box = bubble_box(bubble);
-    const float room =
+    const float margin =
         1e-4f * glms_vec3_distance(box.min, box.max) + 1e-6f * glms_vec3_norm(bubble->center);
     *args->bounds_o = (struct RTCBounds){
-        .lower_x = box.min.x - room,
-        .lower_y = box.min.y - room,
-        .lower_z = box.min.z - room,
-        .upper_x = box.max.x + room,
-        .upper_y = box.max.y + room,
-        .upper_z = box.max.z + room,
+        .lower_x = box.min.x - margin,
+        .lower_y = box.min.y - margin,
+        .lower_z = box.min.z - margin,
+        .upper_x = box.max.x + margin,
+        .upper_y = box.max.y + margin,
+        .upper_z = box.max.z + margin,
     };
 }
 
-/* Embree's rays are rows of floats. */
+/* Embree stores vectors of a ray as separate floats. */
 static vec3s origin_of(const struct RTCRay *ray)
 {
     return (vec3s){ { ray->org_x, ray->org_y, ray->org_z } };
@@ -117,7 +116,7 @@ static vec3s dir_of(const struct RTCRay *ray)
     return (vec3s){ { ray->dir_x, ray->dir_y, ray->dir_z } };
 }
 
-static void meet_bubble(const struct RTCIntersectFunctionNArguments *args)
+static void intersect_bubble(const struct RTCIntersectFunctionNArguments *args)
 {
     const struct bvh *bvh = args->geometryUserPtr;
     const struct bvh_ray *from = ((const struct context *)(const void *)args->context)->ray;
@@ -139,16 +138,14 @@ static void meet_bubble(const struct RTCIntersectFunctionNArguments *args)
     rayhit->hit.instID[0] = args->context->instID[0];
 }
 
-/* ---- building ---- */
-
-static mat4s pose(const struct bvh *bvh, const struct bvh_part *part, uint32_t material)
+static mat4s world_from_part(const struct bvh *bvh, const struct bvh_part *part, uint32_t material)
 {
     if (part != &bvh->parts[BVH_SURROUNDINGS])
         return bvh->radiance->globals->world_from_object;
     return material & MESH_MOVES ? bvh->radiance->globals->world_from_movers : glms_mat4_identity();
 }
 
-/* Adds a part to the scene. Returns false when out of memory. */
+/* Adds the mesh of one part to the Embree scene. Returns false when out of memory. */
 static bool add_part(struct bvh *bvh, RTCDevice device, uint32_t index)
 {
     struct bvh_part *part = &bvh->parts[index];
@@ -164,7 +161,8 @@ static bool add_part(struct bvh *bvh, RTCDevice device, uint32_t index)
     const bool done = positions && indices;
     for (uint32_t i = 0; done && i < mesh->vertex_count; i++) {
         const struct mesh_vertex *vertex = &mesh->vertices[i];
-        positions[i] = glms_mat4_mulv3(pose(bvh, part, vertex->material), vertex->position, 1.0f);
+        positions[i] =
+            glms_mat4_mulv3(world_from_part(bvh, part, vertex->material), vertex->position, 1.0f);
     }
     if (done)
         memcpy(indices, mesh->indices, mesh->index_count * sizeof(uint32_t));
@@ -174,7 +172,7 @@ static bool add_part(struct bvh *bvh, RTCDevice device, uint32_t index)
         rtcSetGeometryIntersectFilterFunction(geometry, filter_object);
     else if (index == BVH_CRACKS || index == BVH_AIR)
         rtcSetGeometryIntersectFilterFunction(geometry, filter_sheets);
-    else if (has_holes(&bvh->radiance->scene->model, mesh))
+    else if (has_cutouts(&bvh->radiance->scene->model, mesh))
         rtcSetGeometryIntersectFilterFunction(geometry, filter_surroundings);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(bvh->scene, geometry, index);
@@ -182,7 +180,7 @@ static bool add_part(struct bvh *bvh, RTCDevice device, uint32_t index)
     return done;
 }
 
-/* Adds the bubbles to the scene. Returns false when out of memory. */
+/* Adds the bubbles to the Embree scene as user geometry. Returns false when out of memory. */
 static bool add_bubbles(struct bvh *bvh, RTCDevice device)
 {
     const struct bubbles *bubbles = &bvh->radiance->scene->bubbles;
@@ -202,14 +200,14 @@ static bool add_bubbles(struct bvh *bvh, RTCDevice device)
     rtcSetGeometryUserPrimitiveCount(geometry, bubbles->count);
     rtcSetGeometryUserData(geometry, bvh);
     rtcSetGeometryBoundsFunction(geometry, bound_bubble, NULL);
-    rtcSetGeometryIntersectFunction(geometry, meet_bubble);
+    rtcSetGeometryIntersectFunction(geometry, intersect_bubble);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(bvh->scene, geometry, BVH_BUBBLES);
     rtcReleaseGeometry(geometry);
     return true;
 }
 
-/* Checks the memory before any allocation, so that the machine does not swap. */
+/* Estimates the memory of the build before any allocation, so that the machine does not swap. */
 static enum status check_size(const struct bvh *bvh, uint64_t memory)
 {
     uint64_t triangles = 0;
@@ -224,7 +222,7 @@ static enum status check_size(const struct bvh *bvh, uint64_t memory)
     return STATUS_TRY_AGAIN;
 }
 
-static bool is_dressed(const struct model *model)
+static bool has_textured_object(const struct model *model)
 {
     for (uint32_t i = 0; i < model->object_count; i++) {
         if (material_is_dressed(&model->materials[model->objects[i].material]))
@@ -239,7 +237,7 @@ enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *r
     *bvh = (struct bvh){
         .radiance = radiance,
         .hair = 1e-4f * radiance->globals->radius,
-        .is_dressed = is_dressed(&radiance->scene->model),
+        .is_dressed = has_textured_object(&radiance->scene->model),
         .parts[BVH_OBJECT].mesh = &radiance->scene->model.object,
         .parts[BVH_SURROUNDINGS].mesh = &radiance->scene->model.surroundings,
         .parts[BVH_CRACKS].mesh = &radiance->scene->cracks,
@@ -250,7 +248,8 @@ enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *r
         goto fail;
     rtcGetDeviceError(device); /* clears earlier errors */
     bvh->scene = rtcNewScene(device);
-    rtcSetSceneFlags(bvh->scene, RTC_SCENE_FLAG_ROBUST); /* no gaps between triangles */
+    /* watertight intersection at shared edges */
+    rtcSetSceneFlags(bvh->scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(bvh->scene, RTC_BUILD_QUALITY_HIGH);
     bool done = true;
     for (uint32_t i = 0; i < BVH_MESH_COUNT; i++)
@@ -275,9 +274,7 @@ void bvh_finish(struct bvh *bvh)
     *bvh = (struct bvh){ 0 };
 }
 
-/* ---- intersection ---- */
-
-/* Adds s b to a sum, in double. */
+/* Adds s * b to a sum in double precision. */
 static void add_scaled(double sum[static 3], double s, vec3s b)
 {
     for (int k = 0; k < 3; k++)
@@ -289,38 +286,39 @@ static vec3s rounded(const double v[static 3])
     return (vec3s){ { (float)v[0], (float)v[1], (float)v[2] } };
 }
 
-/* Interpolates the vertices of a triangle; only the position is transformed to the world. */
-static struct mesh_vertex blended(const struct bvh_part *part, uint32_t triangle, float u, float v)
+/* Interpolates a triangle's vertices: position in world space, normal still in object space. */
+static struct mesh_vertex interpolated(const struct bvh_part *part, uint32_t triangle, float u,
+                                       float v)
 {
     const uint32_t *corners = &part->mesh->indices[(size_t)triangle * 3];
-    const double shares[3] = { 1.0 - (double)u - (double)v, (double)u, (double)v };
+    const double weights[3] = { 1.0 - (double)u - (double)v, (double)u, (double)v };
     double position[3] = { 0 };
     double normal[3] = { 0 };
     struct mesh_vertex surface = { .material = part->mesh->vertices[corners[0]].material };
     for (int k = 0; k < 3; k++) {
         const struct mesh_vertex *corner = &part->mesh->vertices[corners[k]];
-        add_scaled(position, shares[k], part->positions[corners[k]]);
-        add_scaled(normal, shares[k], corner->normal);
-        surface.color = glms_vec3_muladds(corner->color, (float)shares[k], surface.color);
-        surface.uv = glms_vec2_muladds(corner->uv, (float)shares[k], surface.uv);
+        add_scaled(position, weights[k], part->positions[corners[k]]);
+        add_scaled(normal, weights[k], corner->normal);
+        surface.color = glms_vec3_muladds(corner->color, (float)weights[k], surface.color);
+        surface.uv = glms_vec2_muladds(corner->uv, (float)weights[k], surface.uv);
     }
     surface.position = rounded(position);
     surface.normal = rounded(normal);
     return surface;
 }
 
-/* Interpolates the extras of a triangle's vertices. */
-static struct mesh_extra blended_extra(const struct bvh_part *part, uint32_t triangle, float u,
-                                       float v)
+/* Interpolates the extra vertex attributes (tangent, second uv) of a triangle. */
+static struct mesh_extra interpolated_extra(const struct bvh_part *part, uint32_t triangle, float u,
+                                            float v)
 {
     const uint32_t *corners = &part->mesh->indices[(size_t)triangle * 3];
-    const float shares[3] = { 1.0f - u - v, u, v };
+    const float weights[3] = { 1.0f - u - v, u, v };
     struct mesh_extra extra = { 0 };
     for (int k = 0; k < 3; k++) {
         const struct mesh_extra *corner = &part->mesh->extras[corners[k]];
-        extra.tangent = glms_vec3_muladds(corner->tangent, shares[k], extra.tangent);
-        extra.side += shares[k] * corner->side;
-        extra.uv = glms_vec2_muladds(corner->uv, shares[k], extra.uv);
+        extra.tangent = glms_vec3_muladds(corner->tangent, weights[k], extra.tangent);
+        extra.side += weights[k] * corner->side;
+        extra.uv = glms_vec2_muladds(corner->uv, weights[k], extra.uv);
     }
     return extra;
 }
@@ -333,8 +331,8 @@ static vec3s facet_normal(const struct bvh_part *part, uint32_t triangle)
                                                glms_vec3_sub(p[corners[2]], p[corners[0]])));
 }
 
-/* Sets the derivatives of the position by one of the vertices' two uv. */
-static void find_tangents(const struct bvh_part *part, struct bvh_hit *hit, int set)
+/* Computes the derivatives of the position with respect to one of the two uv sets, 0 or 1. */
+static void compute_derivatives(const struct bvh_part *part, struct bvh_hit *hit, int set)
 {
     const uint32_t *corners = &part->mesh->indices[(size_t)hit->triangle * 3];
     vec2s uv[3];
@@ -405,18 +403,18 @@ bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *
         .v = rayhit.hit.v,
         .distance = rayhit.ray.tfar,
         .facet = facet_normal(part, rayhit.hit.primID),
-        .surface = blended(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v),
+        .surface = interpolated(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v),
     };
     const bool has_textures =
         hit->part == BVH_SURROUNDINGS || (hit->part == BVH_OBJECT && bvh->is_dressed);
     if (has_textures)
-        find_tangents(part, hit, 0);
+        compute_derivatives(part, hit, 0);
     if (has_textures && part->mesh->extras) {
-        find_tangents(part, hit, 1);
-        hit->extra = blended_extra(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v);
+        compute_derivatives(part, hit, 1);
+        hit->extra = interpolated_extra(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v);
     }
-    const mat3s turn = glms_mat4_pick3(pose(bvh, part, hit->surface.material));
-    hit->surface.normal = glms_vec3_normalize(glms_mat3_mulv(turn, hit->surface.normal));
-    hit->extra.tangent = glms_mat3_mulv(turn, hit->extra.tangent);
+    const mat3s rotation = glms_mat4_pick3(world_from_part(bvh, part, hit->surface.material));
+    hit->surface.normal = glms_vec3_normalize(glms_mat3_mulv(rotation, hit->surface.normal));
+    hit->extra.tangent = glms_mat3_mulv(rotation, hit->extra.tangent);
     return true;
 }

@@ -1,13 +1,14 @@
 /*
- * bvh.h: intersects rays with the scene's triangles and bubbles at one time, by Embree.
+ * bvh.h: ray intersection with the scene's triangles and bubbles at one point in time, by Embree.
  *
- * A ray that begins on an object's surface does not intersect the triangle on which it begins, nor,
- * very near or if it is astray, faces of that object that it could only see from the other side.
- * Cracks and planes of air are not intersected where they are nearer to its origin than `hair`,
- * nor are holes of cut-out materials. Bubbles are exact (src/scene/bubble.h): a ray that begins on
- * one meets it again only where it leaves its inside.
+ * Self-intersection: a ray that starts on an object ignores the triangle on which it starts. It
+ * also ignores faces of that object with the wrong orientation if they are closer than epsilon
+ * (`hair`), or if interpolated normals have turned its direction to the wrong side (`is_astray`).
+ * Cracks and planes of air closer than epsilon are ignored, as are holes of cutout materials.
+ * Bubbles are intersected analytically (src/scene/bubble.h): a ray that starts on a bubble hits it
+ * again only from inside.
  *
- * Thread-safety: several threads may call bvh_meet() at the same time.
+ * Thread safety: several threads may call bvh_meet() at the same time.
  */
 #ifndef FIRN_REFERENCE_BVH_H
 #define FIRN_REFERENCE_BVH_H
@@ -20,63 +21,60 @@ enum {
     BVH_OBJECT,
     BVH_SURROUNDINGS,
     BVH_CRACKS,
-    BVH_AIR,        /* planes of air */
-    BVH_MESH_COUNT, /* the parts above are meshes */
+    BVH_AIR,        /* sheets of trapped air */
+    BVH_MESH_COUNT, /* the parts above are triangle meshes */
     BVH_BUBBLES = BVH_MESH_COUNT,
 };
 
-#define BVH_NOWHERE UINT32_MAX /* bvh_ray.from: the ray begins on no triangle */
+#define BVH_NOWHERE UINT32_MAX /* bvh_ray.from of a ray that does not start on a surface */
 
 struct bvh_ray {
-    vec3s origin, dir; /* dir is unit */
-    float near;        /* metres; nearer surfaces are ignored */
-    bool is_inside;    /* the ray begins inside the object on whose surface it begins */
-    bool is_astray;    /* its direction is on the other side of the triangle, which only the
-                          interpolated normal allows */
-    uint32_t from;   /* the objects' triangle, or the bubble, on which it begins, or BVH_NOWHERE */
-    uint32_t part;   /* of that: BVH_OBJECT ... */
-    uint32_t object; /* of that triangle */
+    vec3s origin, dir; /* dir is unit length */
+    float near;        /* metres; closer surfaces are ignored */
+    bool is_inside;    /* the ray starts inside the object on whose surface its origin lies */
+    bool is_astray;    /* its direction is on the wrong side, due to interpolated normals */
+    uint32_t from;     /* triangle or bubble on which the ray starts, or BVH_NOWHERE */
+    uint32_t part;     /* part of that primitive: BVH_OBJECT ... */
+    uint32_t object;   /* object of that primitive */
 };
 
 struct bvh_hit {
-    uint32_t part;     /* BVH_OBJECT ... */
-    uint32_t triangle; /* of the part's mesh; of BVH_BUBBLES: the bubble */
-    uint32_t object;   /* of the scene; of a bubble: that of its medium, frame_media_count();
-                          of other parts: 0 */
-    float u, v;        /* shares of the triangle's second and third vertex */
-    float distance;    /* metres */
-    vec3s facet;       /* unit normal of the triangle, by its winding; of a bubble: outward */
-    vec3s along_u[2], along_v[2]; /* derivatives of the world position by the vertices' uv, and by
-                                     that of their extras, of the surroundings, and of objects if
-                                     any has textures; 0 without an area in the texture */
-    struct mesh_extra extra;      /* interpolated; {0} if there are none */
-    struct mesh_vertex surface;   /* interpolated vertices in the world; the normal is unit */
+    uint32_t part;     /* part that was hit: BVH_OBJECT ... */
+    uint32_t triangle; /* triangle index in the part's mesh; for BVH_BUBBLES the bubble's index */
+    uint32_t object;   /* object in the scene; a bubble's medium, frame_media_count(); else 0 */
+    float u, v;        /* barycentric coordinates of the triangle's second and third vertex */
+    float distance;    /* from the ray's origin, metres */
+    vec3s facet;       /* unit geometric normal, by the triangle's winding; outward for a bubble */
+    /* Derivatives of the position by uv set; 0 if the mesh has no textures, or where degenerate. */
+    vec3s along_u[2], along_v[2];
+    struct mesh_extra extra;    /* interpolated; {0} if the mesh has none */
+    struct mesh_vertex surface; /* interpolated vertex in world space, with a unit normal */
 };
 
-/* The hierarchy of a scene; {0} until bvh_init(). */
+/* The Embree scene of one frame; {0} until bvh_init(). */
 struct bvh {
     RTCScene scene;
     const struct radiance *radiance;
-    float hair;      /* metres: how near a ray's origin may be to a face by rounding alone */
-    bool is_dressed; /* some object's material has textures */
+    float hair;      /* epsilon, metres: largest rounding error of a ray's origin */
+    bool is_dressed; /* at least one object has a textured material */
 
     struct bvh_part {
         const struct mesh *mesh;
-        const vec3s *positions; /* in the world; owned by Embree's scene */
+        const vec3s *positions; /* in world space; owned by Embree */
     } parts[BVH_MESH_COUNT];
 
-    struct bubble *bubbles; /* in the world; NULL: none */
+    struct bubble *bubbles; /* in world space; NULL if there are none */
 };
 
 /*
- * Builds the hierarchy. `radiance` is borrowed. `memory` is a limit in bytes: a scene that would
- * need more is refused before it is built. Logs and returns STATUS_TRY_AGAIN; *bvh is then {0}.
+ * Builds the Embree scene. `radiance` is borrowed. `memory` is a limit in bytes: a larger scene is
+ * refused before the build. Logs errors, returns STATUS_TRY_AGAIN and sets *bvh to {0}.
  */
 MUST_USE enum status bvh_init(struct bvh *bvh, RTCDevice device, const struct radiance *radiance,
                               uint64_t memory);
 void bvh_finish(struct bvh *bvh);
 
-/* Finds the first intersection of a ray; returns false if there is none. */
+/* Finds the closest hit of a ray. Returns false if nothing is hit. */
 bool bvh_meet(const struct bvh *bvh, const struct bvh_ray *ray, struct bvh_hit *hit);
 
 #endif

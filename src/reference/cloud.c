@@ -1,4 +1,4 @@
-/* cloud.c: free paths and directions of light in cloudy ice. */
+/* cloud.c: delta tracking and Henyey-Greenstein sampling in heterogeneous scattering media. */
 #include "src/reference/cloud.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -7,7 +7,7 @@
 #include "src/tech/frame_cloud.h"
 
 enum {
-    SUN_STEPS = 32, /* towards the sun */
+    SUN_STEPS = 32, /* ray marching steps towards the sun */
 };
 
 struct cloud cloud_of(const struct radiance *radiance, const struct settings *settings,

@@ -1,8 +1,9 @@
 /*
- * cloud.h: cloudy ice: a medium that scatters light and absorbs none (scene.clouds).
+ * cloud.h: a heterogeneous medium inside an object that scatters light and absorbs none.
  *
- * A free path is found by delta tracking (Woodcock 1965), which is exact for any density below the
- * greatest; directions are those of Henyey and Greenstein 1941.
+ * Free-flight distances are sampled by delta tracking (Woodcock 1965), which is unbiased for every
+ * density that stays below the majorant, and needs no step size. Directions follow the phase
+ * function of Henyey and Greenstein 1941.
  */
 #ifndef FIRN_REFERENCE_CLOUD_H
 #define FIRN_REFERENCE_CLOUD_H
@@ -12,38 +13,39 @@
 
 struct cloud {
     const struct clouds *fields; /* borrowed */
-    uint32_t index;              /* of the cloud in it */
-    uint32_t object;             /* that it is in */
+    uint32_t index;              /* index of the density field */
+    uint32_t object;             /* index of the object that contains the medium */
     mat4s object_from_world;
-    float most;       /* greatest extinction, 1 / metre; 0: there is no cloud */
-    float anisotropy; /* mean cosine of the angle by which light is turned */
+    float most;       /* majorant extinction, 1 / metre; 0 if there is no medium */
+    float anisotropy; /* Henyey-Greenstein g: mean cosine of the scattering angle */
 };
 
-/* Returns cloud `index` of a scene. */
+/* Returns the medium of density field `index` of a scene. */
 struct cloud cloud_of(const struct radiance *radiance, const struct settings *settings,
                       uint32_t index);
 
-/* Returns the extinction at a point of the world, 1 / metre. */
+/* Returns the extinction coefficient at a world-space point, 1 / metre. */
 float cloud_density(const struct cloud *cloud, vec3s point);
 
-/* A straight way in the world. */
+/* A ray segment in world space. */
 struct cloud_way {
-    vec3s from, dir; /* dir is unit */
+    vec3s from, dir; /* dir is unit length */
     float length;    /* metres */
 };
 
-/* Returns whether light is scattered on a way, and after which distance. Random numbers are those
- * of `sample` and `seed` (microfacet_point()). */
+/* Samples the distance to the next scattering event by delta tracking. Returns false if there is
+ * none on the segment. `sample` and `seed` select the random numbers (microfacet_point()). */
 bool cloud_scatters(const struct cloud *cloud, const struct cloud_way *way, uint32_t sample,
                     uint32_t seed, float *distance);
 
-/* Returns the scatterings on the straight way from a point to the sun. */
+/* Returns the optical depth along a straight shadow ray from a point to the sun, by ray marching.
+ */
 float cloud_sun_depth(const struct cloud *cloud, vec3s point, vec3s to_sun);
 
-/* Returns the share of light that is turned by an angle, by that of even scattering. */
+/* Returns the Henyey-Greenstein phase function for a cosine, relative to isotropic scattering. */
 float cloud_phase(const struct cloud *cloud, float cosine);
 
-/* Returns a direction of scattered light for a random point of the unit square. */
+/* Samples the Henyey-Greenstein phase function: returns the direction for a random point `at`. */
 vec3s cloud_turned(const struct cloud *cloud, vec3s dir, vec2s at);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * embree.h: Embree 4, or Embree 3, which names the context of a ray otherwise and takes it as an
- * argument of its own. Of two that are installed, it is Embree 4 (meson.build).
+ * embree.h: one interface to Embree 3 and Embree 4, which name the ray query context differently
+ * and pass it differently. If both are installed, meson.build selects Embree 4.
  */
 #ifndef FIRN_REFERENCE_EMBREE_H
 #define FIRN_REFERENCE_EMBREE_H
@@ -21,7 +21,7 @@ struct embree_context {
 
 #endif
 
-/* Finds the nearest hit of a ray. Filters and functions of user geometry get `context`. */
+/* Finds the closest hit of a ray. Intersection filters and user geometry receive `context`. */
 static inline void embree_intersect(RTCScene scene, struct embree_context *context,
                                     struct RTCRayHit *rayhit)
 {

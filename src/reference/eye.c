@@ -1,25 +1,25 @@
-/* eye.c: rays through pixels and through the points of a lens. */
+/* eye.c: generates camera rays for perspective, orthographic and thin-lens cameras. */
 #include "src/reference/eye.h"
 #include <cglm/struct.h>
 #include "src/frame/lens.h"
 #include "src/frame/view.h"
 #include "src/settings/scene_settings.h"
 
-struct eye eye_of(const struct frame_view *view, enum pixel_filter filter)
+struct camera_rays eye_of(const struct frame_view *view, enum pixel_filter filter)
 {
     const struct lens_params *lens = settings_of(view->settings, &lens_settings);
-    const bool is_flat = view->camera.height > 0.0f;
-    return (struct eye){
+    const bool is_orthographic = view->camera.height > 0.0f;
+    return (struct camera_rays){
         .view = *view,
         .push = frame_view_push(view),
         .filter = filter,
         .forward = camera_basis(&view->camera).forward,
-        .is_flat = is_flat,
-        .has_lens = lens->f_stop > 0.0f && !is_flat,
+        .is_orthographic = is_orthographic,
+        .has_lens = lens->f_stop > 0.0f && !is_orthographic,
     };
 }
 
-struct bvh_ray eye_ray(const struct eye *eye, uint32_t x, uint32_t y, uint32_t sample)
+struct bvh_ray eye_ray(const struct camera_rays *eye, uint32_t x, uint32_t y, uint32_t sample)
 {
     const vec2s jitter = pixel_filter_offset(eye->filter, sample);
     const struct background_push *push = &eye->push;
@@ -34,7 +34,7 @@ struct bvh_ray eye_ray(const struct eye *eye, uint32_t x, uint32_t y, uint32_t s
         .near = scene_near_plane(view.scene),
         .from = BVH_NOWHERE,
     };
-    if (eye->is_flat) {
+    if (eye->is_orthographic) {
         ray.origin = glms_vec3_add(push->eye, glms_vec3_sub(along, push->forward));
         ray.dir = push->forward;
         return ray;

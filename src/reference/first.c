@@ -1,26 +1,28 @@
-/* first.c: the layers of the first surface. */
+/* first.c: fills the layers (AOVs) of the primary hit, such as depth, normal, albedo and motion. */
 #include "src/reference/first.h"
 #include <cglm/struct.h>
 
 enum {
-    SHEETS_MAX = 256, /* that a ray passes */
+    SKIPPED_MAX = 256, /* transparent sheets that a camera ray may pass */
 };
 
-static bool is_first(const struct first *first, const struct bvh_hit *hit)
+static bool is_visible(const struct primary_hit_layers *first, const struct bvh_hit *hit)
 {
     if (hit->part == BVH_SURROUNDINGS)
         return !(radiance_passing(first->radiance, &hit->surface) > 0.5f);
     return hit->part != BVH_AIR;
 }
 
-/* Returns false if there is none. */
-static bool find(const struct first *first, const struct bvh_ray *ray, struct bvh_hit *hit)
+/* Finds the first visible surface of a camera ray, beyond planes of air and mostly transparent
+ * surfaces. Returns false if there is none. */
+static bool find_visible(const struct primary_hit_layers *first, const struct bvh_ray *ray,
+                         struct bvh_hit *hit)
 {
     struct bvh_ray next = *ray;
     next.from = BVH_NOWHERE;
     next.near = first->bvh->hair;
-    for (uint32_t i = 0; i < SHEETS_MAX; i++) {
-        if (is_first(first, hit))
+    for (uint32_t i = 0; i < SKIPPED_MAX; i++) {
+        if (is_visible(first, hit))
             return true;
         next.origin = hit->surface.position;
         if (!bvh_meet(first->bvh, &next, hit))
@@ -29,30 +31,30 @@ static bool find(const struct first *first, const struct bvh_ray *ray, struct bv
     return false;
 }
 
-/* Returns the point of the surface in the frame before, in the space of its mesh. */
-static vec3s point_earlier(const struct first *first, const struct bvh_hit *hit)
+/* Returns the position of a hit point in the previous frame, in the space of its mesh. */
+static vec3s previous_point(const struct primary_hit_layers *first, const struct bvh_hit *hit)
 {
     const struct scene *scene = first->radiance->scene;
     const struct mesh *mesh = first->bvh->parts[hit->part].mesh;
     const uint32_t *corners = &mesh->indices[(size_t)hit->triangle * 3];
     const size_t offset =
         hit->part == BVH_SURROUNDINGS ? scene->model.object.vertex_count : (size_t)0;
-    const float shares[3] = { 1.0f - hit->u - hit->v, hit->u, hit->v };
+    const float weights[3] = { 1.0f - hit->u - hit->v, hit->u, hit->v };
     vec3s point = glms_vec3_zero();
     for (int k = 0; k < 3; k++) {
         const vec3s corner = scene->earlier ? glms_vec3(scene->earlier[offset + corners[k]])
                                             : mesh->vertices[corners[k]].position;
-        point = glms_vec3_muladds(corner, shares[k], point);
+        point = glms_vec3_muladds(corner, weights[k], point);
     }
     return point;
 }
 
-static vec2s motion_of(const struct first *first, const struct bvh_hit *hit)
+static vec2s motion_of(const struct primary_hit_layers *first, const struct bvh_hit *hit)
 {
     const struct first_surface_earlier *e = first->earlier;
     const struct globals *g = first->radiance->globals;
-    const vec3s was = point_earlier(first, hit);
-    vec4s before = glms_vec4(was, 1.0f);
+    const vec3s previous = previous_point(first, hit);
+    vec4s before = glms_vec4(previous, 1.0f);
     if (hit->part == BVH_OBJECT)
         before = glms_mat4_mulv(e->world_from_object, before);
     else if (hit->surface.material & MESH_MOVES)
@@ -65,7 +67,7 @@ static vec2s motion_of(const struct first *first, const struct bvh_hit *hit)
                       (now.y / now.w - before.y / before.w) * e->half_size.y } };
 }
 
-float first_number(const struct first *first, const struct bvh_hit *hit)
+float first_number(const struct primary_hit_layers *first, const struct bvh_hit *hit)
 {
     const struct model *model = &first->radiance->scene->model;
     const struct mesh *mesh = first->bvh->parts[hit->part].mesh;
@@ -75,17 +77,17 @@ float first_number(const struct first *first, const struct bvh_hit *hit)
                    model_opaque_find(model, mesh->indices[(size_t)hit->triangle * 3]));
 }
 
-void first_look(const struct first *first, const struct bvh_ray *ray, vec3s forward,
+void first_look(const struct primary_hit_layers *first, const struct bvh_ray *ray, vec3s forward,
                 const struct bvh_hit *met, struct reference_seen *seen)
 {
     struct bvh_hit hit = *met;
-    if (!find(first, ray, &hit))
+    if (!find_visible(first, ray, &hit))
         return;
     const bool is_object = hit.part == BVH_OBJECT;
     seen->z = glms_vec3_dot(glms_vec3_sub(hit.surface.position, ray->origin), forward);
     seen->normal = hit.surface.normal;
     seen->position = hit.surface.position;
-    if (!is_object && hit.part != BVH_SURROUNDINGS) /* the eye is in the ice */
+    if (!is_object && hit.part != BVH_SURROUNDINGS) /* the camera is inside the ice */
         return;
     seen->albedo = radiance_albedo(first->radiance, &hit.surface);
     seen->object = first_number(first, &hit);

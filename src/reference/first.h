@@ -1,4 +1,4 @@
-/* first.h: the layers of the first surface that a ray from the eye meets. */
+/* first.h: layers (AOVs) of the primary hit of a camera ray. */
 #ifndef FIRN_REFERENCE_FIRST_H
 #define FIRN_REFERENCE_FIRST_H
 
@@ -6,19 +6,20 @@
 #include "src/reference/bvh.h"
 #include "src/reference/reference_layers.h"
 
-struct first {
+struct primary_hit_layers {
     const struct bvh *bvh;
     const struct radiance *radiance;
-    const struct first_surface_earlier *earlier; /* may be NULL: nothing moves */
+    const struct first_surface_earlier *earlier; /* previous frame; NULL if nothing moves */
 };
 
-/* Fills the layers of the first surface, as gbuffer.c and first_surface.c draw them: behind `met`
- * where that is a blended surface with an alpha below one half. `forward` is the view's axis. */
-void first_look(const struct first *first, const struct bvh_ray *ray, vec3s forward,
+/* Fills the layers of the primary hit, with the same rules as gbuffer.c and first_surface.c:
+ * blended surfaces with an alpha below one half are skipped. `met` is the closest hit of the ray;
+ * `forward` is the viewing direction. */
+void first_look(const struct primary_hit_layers *first, const struct bvh_ray *ray, vec3s forward,
                 const struct bvh_hit *met, struct reference_seen *seen);
 
-/* Returns the number, as in the layer `object`, of the object of what a ray has met: BVH_OBJECT or
- * BVH_SURROUNDINGS. */
-float first_number(const struct first *first, const struct bvh_hit *hit);
+/* Returns the object number of a hit on BVH_OBJECT or BVH_SURROUNDINGS, as in the layer `object`.
+ */
+float first_number(const struct primary_hit_layers *first, const struct bvh_hit *hit);
 
 #endif

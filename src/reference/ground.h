@@ -1,13 +1,15 @@
 /*
- * ground.h: light on what is around the objects, as far as it and they let it through, refract or
- * mirror it (ground.light=traced).
+ * ground.h: ray-traced lighting of the surroundings: occlusion, refraction and reflection of
+ * environment light by everything around a point (ground.light=traced).
  *
- * A lit surface shows what it makes of a sky that nothing hides. To that, each sample adds what a
- * ray from the matt base finds, and one of the reflection, less what the sky is in their direction:
- * nothing where the way is free, so that only what is in the way makes noise (a control variate).
- * At the end of such a ray, surroundings show themselves as if nothing were in the way of their
- * light, and the sun's disc is not seen: the sun is a light of its own, which surroundings hide;
- * what objects make of it is photons' (photons.h).
+ * A surface is shaded analytically with an unoccluded sky. Each sample then adds the radiance found
+ * by rays of the diffuse lobe and a ray of the specular lobe, minus the sky radiance in those
+ * directions. The analytic sky thus is a control variate: an unoccluded direction contributes
+ * exactly 0, and only occluders cause noise.
+ *
+ * Where such a ray ends, surroundings are shaded with an unoccluded sky, and the sun's disc is
+ * excluded: the sun is sampled separately by shadow rays (ground_sun()), and its caustics come from
+ * the photon map (photons.h).
  */
 #ifndef FIRN_REFERENCE_GROUND_H
 #define FIRN_REFERENCE_GROUND_H
@@ -16,25 +18,25 @@
 #include "src/reference/branch.h"
 
 enum {
-    GROUND_WAYS = GROUND_MATT_WAYS + 1 /* of the matt base, and of the reflection */
+    GROUND_WAYS = GROUND_MATT_WAYS + 1 /* rays of the diffuse lobe and one of the specular lobe */
 };
 
-/* Branches that bring light to a point, and the light of the sky in their directions, which has
- * been counted and is to be taken away. */
-struct ground_ways {
-    struct branch ways[GROUND_WAYS];
+/* Rays that gather light at a point, and the analytic sky radiance in their directions, which has
+ * been added already and must be subtracted. */
+struct light_gather {
+    struct ray_branch rays[GROUND_WAYS];
     uint32_t count;
-    vec3s counted;
+    vec3s analytic_sky;
 };
 
-/* Returns what a branch needs that has met `point` of the surroundings; `passing` is the share of
- * its light that goes through it. No ways if none are needed. */
-struct ground_ways ground_gather(const struct tracing *tracing, const struct branch *b,
-                                 const struct bvh_hit *hit, const struct radiance_point *point,
-                                 float passing);
+/* Returns the gather rays for a ray that has hit `point` of the surroundings; `passing` is the
+ * transmittance of that surface. The result is empty if no rays are needed. */
+struct light_gather ground_gather(const struct tracer *tracing, const struct ray_branch *b,
+                                  const struct bvh_hit *hit, const struct radiance_point *point,
+                                  float passing);
 
-/* Returns the share of the sun's light that surroundings leave at a point: 0 or 1, at one point of
- * its disc, or what passes blended surfaces. */
-float ground_sun(const struct tracing *tracing, vec3s point, uint32_t seed);
+/* Returns the visibility of the sun at a point, with only surroundings as occluders: 0 or 1 for one
+ * sampled point of the sun's disc, or in between behind blended surfaces. */
+float ground_sun(const struct tracer *tracing, vec3s point, uint32_t seed);
 
 #endif

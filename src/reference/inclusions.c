@@ -1,4 +1,4 @@
-/* inclusions.c: normals of cracks and of the uneven surface, opacities of planes of air. */
+/* inclusions.c: normals of cracks and of bumpy, frosted surfaces; opacities of planes of air. */
 #include "src/reference/inclusions.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -12,9 +12,9 @@
 #include "src/tech/cracks.h"
 #include "src/tech/frost.h"
 
-/* The radiance of a white medium in which multiple scattering makes light isotropic, as of
- * shaders/lib/air_light.glsl. */
-static vec3s light_of_air(const struct radiance *radiance)
+/* Returns the radiance of a white medium whose multiple scattering makes light isotropic, with the
+ * formula of shaders/lib/air_light.glsl. */
+static vec3s air_radiance(const struct radiance *radiance)
 {
     const struct globals *g = radiance->globals;
     if (radiance->scene->background == SCENE_COLOR)
@@ -50,17 +50,15 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
         .air = air_is_medium(settings)
                    ? (struct air_push){ 0 }
                    : (struct air_push){ air_params->strength, air_params->haze },
-        .air_light = radiance->scene->air.index_count ? light_of_air(radiance) : glms_vec3_zero(),
+        .air_light = radiance->scene->air.index_count ? air_radiance(radiance) : glms_vec3_zero(),
     };
 }
 
-/* Turns a direction of the world into the object's space. */
+/* Rotates a world-space direction into object space. */
 static vec3s to_object(const struct inclusions *inclusions, vec3s dir)
 {
     return glms_mat3_mulv(glms_mat3_transpose(inclusions->world_from_object), dir);
 }
-
-/* ---- cracks ---- */
 
 vec3s inclusions_crack_normal(const struct inclusions *inclusions,
                               const struct mesh_vertex *surface)
@@ -75,9 +73,7 @@ vec3s inclusions_crack_normal(const struct inclusions *inclusions,
     return glms_mat3_mulv(inclusions->world_from_object, bent);
 }
 
-/* ---- air ---- */
-
-/* Returns the opacities of bubbles and haze. */
+/* Returns the opacities of bubbles (x) and haze (y) at a texel. */
 static vec2s fetch_air(const struct air_layers *layers, uint32_t layer, uint32_t x, uint32_t y)
 {
     const size_t row = (size_t)layer * layers->size + y;
@@ -92,21 +88,19 @@ float inclusions_air_cover(const struct inclusions *inclusions, const struct mes
     const uint32_t layer = (surface->material & MESH_TEXTURE_MASK) - 1;
     if (layer >= layers->count)
         return 0.0f;
-    const struct texel_pair x = texel_pair_at(surface->uv.x, layers->size, false);
-    const struct texel_pair y = texel_pair_at(surface->uv.y, layers->size, false);
+    const struct linear_filter x = texel_pair_at(surface->uv.x, layers->size, false);
+    const struct linear_filter y = texel_pair_at(surface->uv.y, layers->size, false);
     const vec2s above = glms_vec2_lerp(fetch_air(layers, layer, x.first, y.first),
-                                       fetch_air(layers, layer, x.second, y.first), x.share);
+                                       fetch_air(layers, layer, x.second, y.first), x.weight);
     const vec2s below = glms_vec2_lerp(fetch_air(layers, layer, x.first, y.second),
-                                       fetch_air(layers, layer, x.second, y.second), x.share);
-    const vec2s texel = glms_vec2_lerp(above, below, y.share);
+                                       fetch_air(layers, layer, x.second, y.second), x.weight);
+    const vec2s texel = glms_vec2_lerp(above, below, y.weight);
     const float cosine = fabsf(glms_vec3_dot(dir, surface->normal));
-    const float facing = glm_smoothstep(0.0f, AIR_EDGE, cosine);
-    const float bubbles_share = inclusions->air.strength * facing * texel.x;
-    const float haze_share = inclusions->air.haze * facing * texel.y;
-    return 1.0f - (1.0f - bubbles_share) * (1.0f - haze_share);
+    const float edge_fade = glm_smoothstep(0.0f, AIR_EDGE, cosine);
+    const float bubbles_opacity = inclusions->air.strength * edge_fade * texel.x;
+    const float haze_opacity = inclusions->air.haze * edge_fade * texel.y;
+    return 1.0f - (1.0f - bubbles_opacity) * (1.0f - haze_opacity);
 }
-
-/* ---- the surface ---- */
 
 static vec4s fetch_bump(const struct bump_maps *maps, uint32_t x, uint32_t y)
 {
@@ -115,60 +109,62 @@ static vec4s fetch_bump(const struct bump_maps *maps, uint32_t x, uint32_t y)
                       half_to_float(texel[3]) } };
 }
 
-/* Returns slopes, smoothness and crystals of the map. */
-static vec4s read_bump(const struct inclusions *inclusions, vec2s at)
+/* Samples the bump map: x and y are the slopes, z the smoothness, w the frost crystals. */
+static vec4s sample_bump(const struct inclusions *inclusions, vec2s at)
 {
     const struct bump_maps *maps = &inclusions->radiance->scene->bump;
-    const struct texel_pair x = texel_pair_at(at.x, maps->size, true);
-    const struct texel_pair y = texel_pair_at(at.y, maps->size, true);
+    const struct linear_filter x = texel_pair_at(at.x, maps->size, true);
+    const struct linear_filter y = texel_pair_at(at.y, maps->size, true);
     const vec4s above = glms_vec4_lerp(fetch_bump(maps, x.first, y.first),
-                                       fetch_bump(maps, x.second, y.first), x.share);
+                                       fetch_bump(maps, x.second, y.first), x.weight);
     const vec4s below = glms_vec4_lerp(fetch_bump(maps, x.first, y.second),
-                                       fetch_bump(maps, x.second, y.second), x.share);
-    return glms_vec4_lerp(above, below, y.share);
+                                       fetch_bump(maps, x.second, y.second), x.weight);
+    return glms_vec4_lerp(above, below, y.weight);
 }
 
-/* What the map has at a point: the gradient of its height in the world, smoothness and crystals. */
-struct dent {
+/* A sample of the bump map: world-space height gradient, smoothness, density of frost crystals. */
+struct bump_sample {
     vec3s gradient;
     float smoothness, crystals;
 };
 
-static struct dent dent_on_planes(const struct inclusions *inclusions, vec3s point, vec3s normal)
+static struct bump_sample bump_triplanar(const struct inclusions *inclusions, vec3s point,
+                                         vec3s normal)
 {
     const struct globals *g = inclusions->radiance->globals;
     const vec3s p =
         glms_vec3_scale(to_object(inclusions, glms_vec3_sub(point, g->center)), g->bump_scale);
-    const vec3s shares = bump_shares(to_object(inclusions, normal));
-    const vec4s x = glms_vec4_scale(read_bump(inclusions, (vec2s){ { p.y, p.z } }), shares.x);
+    const vec3s weights = bump_shares(to_object(inclusions, normal));
+    const vec4s x = glms_vec4_scale(sample_bump(inclusions, (vec2s){ { p.y, p.z } }), weights.x);
     const vec2s at_y = glms_vec2_add((vec2s){ { p.z, p.x } }, BUMP_OFFSET_Y);
-    const vec4s y = glms_vec4_scale(read_bump(inclusions, at_y), shares.y);
+    const vec4s y = glms_vec4_scale(sample_bump(inclusions, at_y), weights.y);
     const vec2s at_z = glms_vec2_add((vec2s){ { p.x, p.y } }, BUMP_OFFSET_Z);
-    const vec4s z = glms_vec4_scale(read_bump(inclusions, at_z), shares.z);
+    const vec4s z = glms_vec4_scale(sample_bump(inclusions, at_z), weights.z);
     const vec3s gradient = { { y.y + z.x, z.y + x.x, x.y + y.x } };
-    return (struct dent){
+    return (struct bump_sample){
         glms_mat3_mulv(inclusions->world_from_object, gradient),
         x.z + y.z + z.z,
         x.w + y.w + z.w,
     };
 }
 
-/* Returns a * s + b * t of unit length, or 0. */
-static vec3s along(vec3s a, float s, vec3s b, float t)
+/* Returns a * s + b * t, normalised; zero stays zero. */
+static vec3s weighted_direction(vec3s a, float s, vec3s b, float t)
 {
     const vec3s sum = glms_vec3_add(glms_vec3_scale(a, s), glms_vec3_scale(b, t));
     return glms_vec3_scale(sum, 1.0f / sqrtf(fmaxf(glms_vec3_norm2(sum), 1e-30f)));
 }
 
-/* The directions in which u and v rise are those of the triangle; there are none without uv. */
-static struct dent dent_by_uv(const struct inclusions *inclusions, const struct bvh *bvh,
-                              const struct bvh_hit *hit, vec3s normal)
+/* Samples the bump map by the mesh's uv, with the triangle's tangents; without uv the slope is 0.
+ */
+static struct bump_sample bump_by_uv(const struct inclusions *inclusions, const struct bvh *bvh,
+                                     const struct bvh_hit *hit, vec3s normal)
 {
     const struct bvh_part *part = &bvh->parts[BVH_OBJECT];
     const uint32_t *corners = &part->mesh->indices[(size_t)hit->triangle * 3];
     const vec2s scaled =
         glms_vec2_scale(hit->surface.uv, inclusions->radiance->globals->bump_scale);
-    const vec4s texel = read_bump(inclusions, scaled);
+    const vec4s texel = sample_bump(inclusions, scaled);
     vec3s edges[2];
     vec2s steps[2];
     for (int k = 0; k < 2; k++) {
@@ -179,24 +175,25 @@ static struct dent dent_by_uv(const struct inclusions *inclusions, const struct 
     const vec3s across = glms_vec3_cross(edges[1], normal);
     const vec3s down = glms_vec3_cross(normal, edges[0]);
     const float side = glms_vec3_dot(edges[0], across) < 0.0f ? -1.0f : 1.0f;
-    const vec3s u = along(across, steps[0].x, down, steps[1].x);
-    const vec3s v = along(across, steps[0].y, down, steps[1].y);
+    const vec3s u = weighted_direction(across, steps[0].x, down, steps[1].x);
+    const vec3s v = weighted_direction(across, steps[0].y, down, steps[1].y);
     const vec3s gradient =
         glms_vec3_add(glms_vec3_scale(u, side * texel.x), glms_vec3_scale(v, side * texel.y));
-    return (struct dent){ gradient, texel.z, texel.w };
+    return (struct bump_sample){ gradient, texel.z, texel.w };
 }
 
 struct inclusions_surface inclusions_surface_at(const struct inclusions *inclusions,
                                                 const struct bvh *bvh, const struct bvh_hit *hit,
                                                 vec3s normal)
 {
-    const struct dent dent = inclusions->is_mapped_by_uv
-                                 ? dent_by_uv(inclusions, bvh, hit, normal)
-                                 : dent_on_planes(inclusions, hit->surface.position, normal);
-    const float rest = 1.0f - dent.smoothness;
-    const float slope = inclusions->radiance->globals->bump_strength * rest;
-    struct inclusions_surface surface = { normal, inclusions->frost * rest * dent.crystals };
+    const struct bump_sample bump_sample =
+        inclusions->is_mapped_by_uv ? bump_by_uv(inclusions, bvh, hit, normal)
+                                    : bump_triplanar(inclusions, hit->surface.position, normal);
+    const float roughness = 1.0f - bump_sample.smoothness;
+    const float slope = inclusions->radiance->globals->bump_strength * roughness;
+    struct inclusions_surface surface = { normal,
+                                          inclusions->frost * roughness * bump_sample.crystals };
     if (inclusions->has_bumps)
-        surface.normal = bump_bent(normal, glms_vec3_scale(dent.gradient, slope));
+        surface.normal = bump_bent(normal, glms_vec3_scale(bump_sample.gradient, slope));
     return surface;
 }

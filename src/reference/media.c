@@ -1,11 +1,12 @@
-/* media.c: sets of nested objects. */
+/* media.c: resolves nested dielectrics by medium priority. */
 #include "src/reference/media.h"
 #include <stdlib.h>
 
-bool media_init(struct media *media, const struct scene *scene, const struct settings *settings)
+bool media_init(struct nested_media *media, const struct scene *scene,
+                const struct settings *settings)
 {
     const uint32_t count = frame_media_count(scene);
-    *media = (struct media){ .outside = count - 1, .bubble = count };
+    *media = (struct nested_media){ .outside = count - 1, .bubble = count };
     media->all = count < UINT16_MAX ? calloc((size_t)count + 1, sizeof(*media->all)) : NULL;
     if (!media->all)
         return false;
@@ -20,13 +21,13 @@ bool media_init(struct media *media, const struct scene *scene, const struct set
     return true;
 }
 
-void media_finish(struct media *media)
+void media_finish(struct nested_media *media)
 {
     free(media->all);
-    *media = (struct media){ 0 };
+    *media = (struct nested_media){ 0 };
 }
 
-uint32_t media_top(const struct media *media, const struct media_set *set, uint32_t except)
+uint32_t media_top(const struct nested_media *media, const struct media_set *set, uint32_t except)
 {
     uint32_t top = media->outside;
     for (uint32_t i = 0; i < set->count; i++) {
@@ -37,14 +38,14 @@ uint32_t media_top(const struct media *media, const struct media_set *set, uint3
     return top;
 }
 
-bool media_are_alike(const struct media *media, uint32_t a, uint32_t b)
+bool media_are_alike(const struct nested_media *media, uint32_t a, uint32_t b)
 {
     const bool are_air =
         (a == media->outside && b == media->bubble) || (a == media->bubble && b == media->outside);
     return a == b || (are_air && media->all[a].ior[0] == media->all[b].ior[0]);
 }
 
-/* Returns the object's place in the set, or the number of its objects. */
+/* Returns the object's index in the set, or the set's size if it is not a member. */
 static uint32_t find(const struct media_set *set, uint32_t object)
 {
     uint32_t i = 0;
@@ -67,7 +68,7 @@ void media_set_put(struct media_set *set, uint32_t object, bool is_inside)
         set->objects[i] = set->objects[--set->count];
 }
 
-struct media_crossing media_cross(const struct media *media, const struct media_set *set,
+struct media_crossing media_cross(const struct nested_media *media, const struct media_set *set,
                                   uint32_t object, bool is_entering)
 {
     const uint32_t without = media_top(media, set, object);

@@ -1,59 +1,63 @@
 /*
- * media.h: which of a scene's objects a ray is inside, and so the medium that it goes through.
+ * media.h: nested dielectrics: which objects contain a ray, and which medium it is in.
  *
- * A ray is inside an object or not; where several overlap, the one of the greatest rank is there
- * (Schmidt and Budge 2002, Simple Nested Dielectrics in Ray Traced Images).
+ * Touching objects must overlap a little, because coincident surfaces cannot be intersected
+ * robustly. Where they overlap, the medium of highest priority (`rank`) fills the space, and
+ * surfaces inside it are skipped (Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced
+ * Images).
  */
 #ifndef FIRN_REFERENCE_MEDIA_H
 #define FIRN_REFERENCE_MEDIA_H
 
 #include "src/tech/frame_media.h"
 
-#define MEDIA_NOTHING UINT32_MAX /* no object */
+#define MEDIA_NOTHING UINT32_MAX /* index of no object */
 
 enum {
-    MEDIA_NESTED_MAX = 15, /* objects that a ray is inside at the same time; more are ignored */
+    MEDIA_NESTED_MAX = 15, /* objects that may contain a ray at once; further ones are ignored */
 };
 
-/* All media of a scene. */
-struct media {
-    struct frame_medium *all; /* one for each object, then the outside, then the bubbles */
-    uint32_t outside;         /* index of the outside */
-    uint32_t bubble;          /* index of the bubbles: air as outside, which outranks all objects */
-    bool is_dispersive;       /* the indices of some medium differ by colour */
+/* The media of a scene. */
+struct nested_media {
+    struct frame_medium *all; /* one per object, then the outside, then the bubbles */
+    uint32_t outside;         /* index of the medium around all objects */
+    uint32_t bubble;          /* index of the air in bubbles, with a priority above all objects */
+    bool is_dispersive; /* the refractive index of some medium depends on the colour channel */
 };
 
-/* The objects that a ray is inside. */
+/* The set of objects that contain a ray's origin. */
 struct media_set {
     uint16_t count;
     uint16_t objects[MEDIA_NESTED_MAX];
 };
 
-/* Returns false when out of memory, or for more than 65533 objects. */
-bool media_init(struct media *media, const struct scene *scene, const struct settings *settings);
-void media_finish(struct media *media);
+/* Collects the media of a scene. Returns false when out of memory or for more than 65533 objects.
+ */
+bool media_init(struct nested_media *media, const struct scene *scene,
+                const struct settings *settings);
+void media_finish(struct nested_media *media);
 
-/* Returns the object whose medium a ray inside `set` is in, without object `except`; or the
- * outside. */
-uint32_t media_top(const struct media *media, const struct media_set *set, uint32_t except);
+/* Returns the object of highest priority in `set` apart from `except`, or the outside. */
+uint32_t media_top(const struct nested_media *media, const struct media_set *set, uint32_t except);
 
-/* Returns whether two media refract alike: a bubble is filled with what is outside. */
-bool media_are_alike(const struct media *media, uint32_t a, uint32_t b);
+/* Returns true if a boundary between two media does not refract: equal media, or both outside air.
+ */
+bool media_are_alike(const struct nested_media *media, uint32_t a, uint32_t b);
 
 bool media_set_has(const struct media_set *set, uint32_t object);
 
-/* Adds or removes an object. */
+/* Adds an object to the set or removes it. */
 void media_set_put(struct media_set *set, uint32_t object, bool is_inside);
 
-/* Both sides of an object's surface, for a ray that crosses it. */
+/* The media on both sides of an object's surface, along a ray that crosses it. */
 struct media_crossing {
-    uint32_t before, after; /* indices of media */
+    uint32_t before, after; /* indices of the media before and behind the surface */
     bool is_entering;
 };
 
-/* `is_entering`: the ray meets the surface's front. Whether the ray was inside the object before
- * does not matter: so open and overlapping meshes are crossed as path tracers do. */
-struct media_crossing media_cross(const struct media *media, const struct media_set *set,
+/* Returns the media before and behind an object's surface; `is_entering`: the front face is hit.
+ * Ignores whether `set` contains the object, so that open and overlapping meshes work. */
+struct media_crossing media_cross(const struct nested_media *media, const struct media_set *set,
                                   uint32_t object, bool is_entering);
 
 #endif

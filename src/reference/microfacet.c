@@ -1,11 +1,9 @@
-/* microfacet.c: visible normals of GGX, and evenly distributed points. */
+/* microfacet.c: GGX visible-normal (VNDF) sampling, and Owen-scrambled Sobol points. */
 #include "src/reference/microfacet.h"
 #include <cglm/struct.h>
 #include <math.h>
 
-/* ---- points ---- */
-
-/* The finaliser of MurmurHash3 (Appleby 2016). */
+/* Mixes the bits of x with the finaliser of MurmurHash3 (Appleby 2016). */
 static uint32_t mixed(uint32_t x)
 {
     x = (x ^ x >> 16) * 0x85ebca6bu;
@@ -27,8 +25,8 @@ static uint32_t reversed(uint32_t x)
     return (x & 0xaaaaaaaau) >> 1 | (x & 0x55555555u) << 1;
 }
 
-/* Each bit is flipped by a hash of the seed and the bits above it (Burley 2020, section 3, with the
- * constants of Vegdahl 2021). */
+/* Owen-scrambles the bits of x: each bit is flipped by a hash of the seed and of all higher bits
+ * (Burley 2020, section 3, with the constants of Vegdahl 2021). */
 static uint32_t scrambled(uint32_t x, uint32_t seed)
 {
     x = reversed(x);
@@ -40,7 +38,7 @@ static uint32_t scrambled(uint32_t x, uint32_t seed)
     return reversed(x);
 }
 
-/* The second dimension of Sobol's sequence; the first is the reversed index. */
+/* Returns the second dimension of the Sobol sequence; the first is the bit-reversed index. */
 static uint32_t sobol_second(uint32_t index)
 {
     uint32_t point = 0;
@@ -63,8 +61,6 @@ vec2s microfacet_point(uint32_t index, uint32_t seed)
     } };
 }
 
-/* ---- GGX ---- */
-
 void microfacet_tangents(vec3s n, vec3s *first, vec3s *second)
 {
     const float sign = copysignf(1.0f, n.z);
@@ -79,17 +75,18 @@ vec3s microfacet_sample(vec3s n, vec3s dir, float roughness, vec2s at)
     const float alpha = roughness * roughness;
     vec3s x, y;
     microfacet_tangents(n, &x, &y);
-    /* The view, stretched so that the distribution becomes a hemisphere. */
+    /* View direction in the stretched space, in which the distribution of normals is a hemisphere.
+     */
     const vec3s view = glms_vec3_normalize((vec3s){ {
         -alpha * glms_vec3_dot(dir, x),
         -alpha * glms_vec3_dot(dir, y),
         -glms_vec3_dot(dir, n),
     } });
-    /* A point of the half disc that the view sees of the hemisphere. */
+    /* Uniform point on the half disc that is the projection of the hemisphere. */
     const float radius = sqrtf(at.x);
     const float angle = 6.28318531f * at.y;
     const float a = radius * cosf(angle);
-    /* The horizon is foreshortened along `up`. */
+    /* The visible half is foreshortened along `up`. */
     const float length = hypotf(view.x, view.y);
     const vec3s right = length > 1e-6f ? (vec3s){ { -view.y / length, view.x / length, 0.0f } }
                                        : (vec3s){ { 1.0f, 0.0f, 0.0f } };

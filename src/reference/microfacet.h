@@ -1,13 +1,13 @@
 /*
- * microfacet.h: rough surfaces of dielectrics, by one microfacet for each sample of a pixel.
+ * microfacet.h: rough dielectric surfaces: one GGX microfacet is sampled per pixel sample.
  *
- * Distribution: GGX with a width of roughness squared, of which visible normals are sampled (Heitz
- * 2018, Sampling the GGX Distribution of Visible Normals). Light is reflected and refracted at the
- * microfacet (Walter and others 2007), once, in the shares that Fresnel's equations give for the
- * whole surface: what is shadowed or masked is lost, and so is the refracted share of a microfacet
- * that reflects totally. So rough surfaces are darker than they should be, as a path tracer's are
- * that scatters once: a ball of index 1.5 in light of 1 shows .99, .92 and .64 at roughness .15, .3
- * and .6.
+ * Distribution: GGX with alpha = roughness squared, sampled by visible normals (Heitz 2018,
+ * Sampling the GGX Distribution of Visible Normals), which wastes no samples on back-facing
+ * microfacets. Light is reflected or refracted at the microfacet (Walter et al. 2007) with a single
+ * bounce, weighted by the Fresnel reflectance of the macroscopic surface. Energy is lost where
+ * light is shadowed or masked, and where a microfacet reflects totally. So rough surfaces are too
+ * dark, as with every single-scattering microfacet model: a ball of index 1.5 in a white furnace
+ * shows .99, .92 and .64 at roughness .15, .3 and .6.
  */
 #ifndef FIRN_REFERENCE_MICROFACET_H
 #define FIRN_REFERENCE_MICROFACET_H
@@ -15,21 +15,21 @@
 #include <cglm/types-struct.h>
 #include <stdint.h>
 
-/* Two unit vectors perpendicular to n and to each other (Duff and others 2017). */
+/* Computes two unit vectors that form an orthonormal basis with `n` (Duff et al. 2017). */
 void microfacet_tangents(vec3s n, vec3s *first, vec3s *second);
 
-/* Returns the microfacet's normal for light from the direction -dir, where dot(dir, n) < 0. */
+/* Samples the normal of a visible microfacet for an incident ray of direction `dir`, where dot(dir,
+ * n) < 0. `at` is a random point of the unit square. */
 vec3s microfacet_sample(vec3s n, vec3s dir, float roughness, vec2s at);
 
-/* Returns the share of light along `out` that no other part of the surface is in the way of; n is
- * the surface's normal on either side. */
+/* Returns the Smith masking factor G1 of GGX, 0 to 1, for light leaving along `out`. */
 float microfacet_masking(vec3s n, vec3s out, float roughness);
 
-/* Returns point `index` of a sequence in the unit square that fills it evenly, scrambled by `seed`
- * (Burley 2020, Practical Hash-based Owen Scrambling). Sequences of two seeds are independent. */
+/* Returns point `index` of a two-dimensional Sobol sequence with hash-based Owen scrambling (Burley
+ * 2020). Sequences with different seeds are independent. */
 vec2s microfacet_point(uint32_t index, uint32_t seed);
 
-/* Returns a number that both numbers scramble well. */
+/* Returns a hash of two numbers, for seeds. */
 uint32_t microfacet_hash(uint32_t a, uint32_t b);
 
 #endif

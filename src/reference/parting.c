@@ -1,8 +1,8 @@
 /*
- * parting.c: cracks, smooth and rough surfaces, bumps and frost.
+ * parting.c: reflection and refraction at cracks and at smooth, rough, bumpy and frosted surfaces.
  *
- * Fresnel's equations for unpolarised light (Born and Wolf, Principles of Optics, 1.5.2) and
- * Snell's law. Differences of nearly equal numbers are computed in double.
+ * Fresnel equations for unpolarised light (Born and Wolf, Principles of Optics, 1.5.2) and Snell's
+ * law. Differences of nearly equal numbers, as at grazing angles, are computed in double precision.
  */
 #include "src/reference/parting.h"
 #include <cglm/struct.h>
@@ -13,16 +13,14 @@
 #include "src/reference/microfacet.h"
 
 enum {
-    FROST_SEED = 3, /* what a seed is hashed with for a random number of its own */
+    FROST_SEED = 3, /* hashed with a seed for the random number that selects frost */
 };
 
-/* Rougher surfaces are not smooth. */
+/* Surfaces below this roughness are treated as perfectly smooth. */
 #define ROUGHNESS_MIN 1e-3f
 
-/* ---- at the surface ---- */
-
-/* Returns a d + b n, normalised. */
-static vec3s combined(double a, vec3s d, double b, vec3s n)
+/* Returns a * d + b * n, normalised, in double precision. */
+static vec3s weighted_sum(double a, vec3s d, double b, vec3s n)
 {
     double v[3];
     double length2 = 0.0;
@@ -34,40 +32,40 @@ static vec3s combined(double a, vec3s d, double b, vec3s n)
     return (vec3s){ { (float)(v[0] * scale), (float)(v[1] * scale), (float)(v[2] * scale) } };
 }
 
-/* Computes both directions and the reflectance. `n` faces the incident side; `eta` is the index of
- * the incident side over that of the other. */
-static struct parting part_at(vec3s d, vec3s n, double eta)
+/* Computes the directions of reflection and refraction and the Fresnel reflectance. `n` faces the
+ * incident side; `eta` is the index of the incident side over that of the other side. */
+static struct dielectric_split split_smooth(vec3s d, vec3s n, double eta)
 {
     const double ci = fmin(-parting_dot(d, n), 1.0);
     const double sin2 = eta * eta * (1.0 - ci * ci);
-    struct parting parting = {
+    struct dielectric_split split = {
         .fresnel = 1.0f,
-        .reflected = combined(1.0, d, 2.0 * ci, n),
+        .reflected = weighted_sum(1.0, d, 2.0 * ci, n),
         .reflected_share = 1.0f,
         .refracted_share = 1.0f,
     };
     if (sin2 >= 1.0)
-        return parting;
+        return split;
     const double ct = sqrt(1.0 - sin2);
     const double rs = (eta * ci - ct) / (eta * ci + ct);
     const double rp = (ci - eta * ct) / (ci + eta * ct);
-    parting.fresnel = (float)(0.5 * (rs * rs + rp * rp));
-    parting.refracted = combined(eta, d, eta * ci - ct, n);
-    return parting;
+    split.fresnel = (float)(0.5 * (rs * rs + rp * rp));
+    split.refracted = weighted_sum(eta, d, eta * ci - ct, n);
+    return split;
 }
 
-/* A wall so thin that light leaves it where it has entered, after reflections inside of it. */
-static struct parting part_thin(vec3s d, vec3s n, double eta)
+/* Computes reflection and transmission at a thin wall, including reflections inside the wall. */
+static struct dielectric_split split_thin(vec3s d, vec3s n, double eta)
 {
-    struct parting parting = part_at(d, n, eta);
-    parting.fresnel = 2.0f * parting.fresnel / (1.0f + parting.fresnel);
-    parting.refracted = d;
-    return parting;
+    struct dielectric_split split = split_smooth(d, n, eta);
+    split.fresnel = 2.0f * split.fresnel / (1.0f + split.fresnel);
+    split.refracted = d;
+    return split;
 }
 
-/* Parts light at a crack: a gap too thin to displace it. */
-static struct parting part_gap(const struct tracing *tracing, vec3s dir,
-                               const struct meeting *meeting)
+/* Computes reflection and transmission at a crack: an air gap too thin to displace the ray. */
+static struct dielectric_split split_crack(const struct tracer *tracing, vec3s dir,
+                                           const struct meeting *meeting)
 {
     const struct bvh_hit *hit = &meeting->hit;
     const double eta =
@@ -78,27 +76,28 @@ static struct parting part_gap(const struct tracing *tracing, vec3s dir,
     vec3s n = glms_vec3_scale(inclusions_crack_normal(tracing->inclusions, &hit->surface), side);
     if (!(parting_dot(dir, n) < 0.0))
         n = facet;
-    struct parting parting = part_thin(dir, n, eta);
-    if (parting_dot(parting.reflected, facet) <= 0.0)
-        parting.reflected = part_at(dir, facet, eta).reflected;
+    struct dielectric_split split = split_thin(dir, n, eta);
+    if (parting_dot(split.reflected, facet) <= 0.0)
+        split.reflected = split_smooth(dir, facet, eta).reflected;
     const float open = fmaxf(CRACKS_OPEN_OF(hit->surface.color), 0.0f);
-    parting.colors = cracks_reflectance((float)fmin(-parting_dot(dir, n), 1.0), (float)eta,
-                                        tracing->inclusions->crack_gap * sqrtf(open));
-    parting.fresnel = (parting.colors.x + parting.colors.y + parting.colors.z) / 3.0f;
-    return parting;
+    split.colors = cracks_reflectance((float)fmin(-parting_dot(dir, n), 1.0), (float)eta,
+                                      tracing->inclusions->crack_gap * sqrtf(open));
+    split.fresnel = (split.colors.x + split.colors.y + split.colors.z) / 3.0f;
+    return split;
 }
 
-/* A point of an object's surface. */
+/* The shading data of a hit on an object's surface. */
 struct face {
-    vec3s n, facet; /* shading normal and the triangle's, on the incident side */
-    double eta;     /* index of the incident side over that of the other */
+    vec3s n, facet; /* shading normal and geometric normal, both on the incident side */
+    double eta;     /* relative index: incident side over the other side */
     float roughness;
     bool is_bumpy, is_thin;
 };
 
-/* Adds bumps and frost. Frost is in one sample of a pixel and not in another, by its share. */
-static void weather(const struct tracing *tracing, vec3s dir, const struct meeting *meeting,
-                    struct face *face)
+/* Applies bumps and frost to a hit. Frost is stochastic: its coverage is the probability that a
+ * sample gets the frost's roughness. */
+static void apply_bumps_and_frost(const struct tracer *tracing, vec3s dir,
+                                  const struct meeting *meeting, struct face *face)
 {
     const struct inclusions *inclusions = tracing->inclusions;
     const float side = meeting->crossing.is_entering ? 1.0f : -1.0f;
@@ -114,8 +113,8 @@ static void weather(const struct tracing *tracing, vec3s dir, const struct meeti
         face->roughness = inclusions->frost_roughness;
 }
 
-/* Takes the normal of a texture, on the incident side. */
-static void bend(vec3s dir, vec3s normal, struct face *face)
+/* Replaces the shading normal by that of a normal map, given on the incident side. */
+static void apply_normal_map(vec3s dir, vec3s normal, struct face *face)
 {
     face->n = bump_facing(normal, face->n, dir);
     if (!(parting_dot(dir, face->n) < 0.0))
@@ -123,7 +122,7 @@ static void bend(vec3s dir, vec3s normal, struct face *face)
     face->is_bumpy = true;
 }
 
-static struct face face_at(const struct tracing *tracing, vec3s dir, const struct meeting *meeting)
+static struct face face_at(const struct tracer *tracing, vec3s dir, const struct meeting *meeting)
 {
     const struct bvh_hit *hit = &meeting->hit;
     const struct frame_medium *surface = tracing_medium(tracing, hit->object);
@@ -141,70 +140,72 @@ static struct face face_at(const struct tracing *tracing, vec3s dir, const struc
     if (tracing->params.normals == REFERENCE_NORMALS_FLAT || !(parting_dot(dir, face.n) < 0.0))
         face.n = face.facet;
     if (meeting->is_bent && tracing->params.normals != REFERENCE_NORMALS_FLAT)
-        bend(dir, glms_vec3_scale(meeting->normal, side), &face);
+        apply_normal_map(dir, glms_vec3_scale(meeting->normal, side), &face);
     if (hit->part == BVH_OBJECT && tracing->inclusions->is_uneven)
-        weather(tracing, dir, meeting, &face);
+        apply_bumps_and_frost(tracing, dir, meeting, &face);
     return face;
 }
 
-/* Takes away from what a microfacet reflects and refracts the light that others are in the way of,
- * and that which a wrong side gets. The whole surface decides how much is reflected. */
-static void mask(struct parting *parting, vec3s dir, const struct face *face)
+/* Applies masking and shadowing to the sampled microfacet, and rejects directions on the wrong
+ * side. The reflectance becomes that of the macroscopic surface. */
+static void apply_masking(struct dielectric_split *split, vec3s dir, const struct face *face)
 {
-    const bool is_refracted =
-        parting->fresnel < 1.0f && parting_dot(parting->refracted, face->n) < 0.0;
-    const bool is_reflected = parting_dot(parting->reflected, face->n) > 0.0;
-    parting->fresnel = (face->is_thin ? part_thin : part_at)(dir, face->n, face->eta).fresnel;
-    parting->reflected_share =
-        is_reflected ? microfacet_masking(face->n, parting->reflected, face->roughness) : 0.0f;
-    parting->refracted_share =
-        is_refracted ? microfacet_masking(face->n, parting->refracted, face->roughness) : 0.0f;
+    const bool is_refracted = split->fresnel < 1.0f && parting_dot(split->refracted, face->n) < 0.0;
+    const bool is_reflected = parting_dot(split->reflected, face->n) > 0.0;
+    split->fresnel = (face->is_thin ? split_thin : split_smooth)(dir, face->n, face->eta).fresnel;
+    split->reflected_share =
+        is_reflected ? microfacet_masking(face->n, split->reflected, face->roughness) : 0.0f;
+    split->refracted_share =
+        is_refracted ? microfacet_masking(face->n, split->refracted, face->roughness) : 0.0f;
 }
 
-/* On bumpy surfaces the triangle decides on which side light is. What a microfacet sends to the
- * wrong side is lost; a smooth surface sends it as the triangle would. */
-static void keep_sides(struct parting *parting, vec3s dir, const struct face *face, bool is_rough)
+/* Ensures that directions at a bumpy surface lie on the correct side of the triangle. A rough
+ * surface loses light that leaves to the wrong side; a smooth one uses the direction at the
+ * geometric normal instead. */
+static void fix_sides(struct dielectric_split *split, vec3s dir, const struct face *face,
+                      bool is_rough)
 {
-    const struct parting even = part_at(dir, face->facet, face->eta);
-    const bool is_lost =
-        parting->fresnel < 1.0f && parting_dot(parting->refracted, face->facet) >= 0.0;
+    const struct dielectric_split smooth = split_smooth(dir, face->facet, face->eta);
+    const bool is_lost = split->fresnel < 1.0f && parting_dot(split->refracted, face->facet) >= 0.0;
     if (is_lost && is_rough)
-        parting->refracted_share = 0.0f;
-    else if (is_lost && even.fresnel < 1.0f)
-        parting->refracted = even.refracted;
+        split->refracted_share = 0.0f;
+    else if (is_lost && smooth.fresnel < 1.0f)
+        split->refracted = smooth.refracted;
     else if (is_lost)
-        *parting = even;
-    if (parting_dot(parting->reflected, face->facet) > 0.0)
+        *split = smooth;
+    if (parting_dot(split->reflected, face->facet) > 0.0)
         return;
     if (is_rough)
-        parting->reflected_share = 0.0f;
-    parting->reflected = even.reflected;
+        split->reflected_share = 0.0f;
+    split->reflected = smooth.reflected;
 }
 
-/* Parts light at the surface of an object. */
-static struct parting part_face(const struct tracing *tracing, vec3s dir,
-                                const struct meeting *meeting)
+/* Computes reflection and refraction at an object's surface, at a sampled microfacet if rough. */
+static struct dielectric_split split_surface(const struct tracer *tracing, vec3s dir,
+                                             const struct meeting *meeting)
 {
     const struct face face = face_at(tracing, dir, meeting);
     const bool is_rough = face.roughness > ROUGHNESS_MIN;
     const vec3s m = is_rough ? microfacet_sample(face.n, dir, face.roughness,
                                                  microfacet_point(tracing->sample, meeting->seed))
                              : face.n;
-    struct parting parting = face.is_thin ? part_thin(dir, m, face.eta) : part_at(dir, m, face.eta);
+    struct dielectric_split split =
+        face.is_thin ? split_thin(dir, m, face.eta) : split_smooth(dir, m, face.eta);
     if (is_rough)
-        mask(&parting, dir, &face);
-    else if (!meeting->crossing.is_entering && parting_dot(parting.reflected, face.facet) <= 0.0)
-        parting.reflected = part_at(dir, face.facet, face.eta).reflected;
+        apply_masking(&split, dir, &face);
+    else if (!meeting->crossing.is_entering && parting_dot(split.reflected, face.facet) <= 0.0)
+        split.reflected = split_smooth(dir, face.facet, face.eta).reflected;
     if (face.is_bumpy)
-        keep_sides(&parting, dir, &face, is_rough);
-    return parting;
+        fix_sides(&split, dir, &face, is_rough);
+    return split;
 }
 
-struct parting parting_at(const struct tracing *tracing, vec3s dir, const struct meeting *meeting)
+struct dielectric_split parting_at(const struct tracer *tracing, vec3s dir,
+                                   const struct meeting *meeting)
 {
     if (meeting->hit.part == BVH_CRACKS)
-        return part_gap(tracing, dir, meeting);
-    struct parting parting = part_face(tracing, dir, meeting);
-    parting.colors = (vec3s){ { parting.fresnel, parting.fresnel, parting.fresnel } };
-    return parting;
+        return split_crack(tracing, dir, meeting);
+    struct dielectric_split split = split_surface(tracing, dir, meeting);
+    split.colors = (vec3s){ { split.fresnel, split.fresnel, split.fresnel } };
+    return split;
 }

@@ -1,34 +1,33 @@
-/* parting.h: how light that meets a surface parts: reflection and refraction. */
+/* parting.h: splits light at a dielectric surface into reflection and refraction. */
 #ifndef FIRN_REFERENCE_PARTING_H
 #define FIRN_REFERENCE_PARTING_H
 
 #include "src/reference/tracing.h"
 
-/* Reflection and refraction at an object's surface. */
-struct parting {
-    float fresnel; /* reflectance; 1: total reflection */
-    vec3s colors;  /* the same for red, green and blue light, whose mean it is */
+/* Reflected and refracted direction at a surface, with their weights. */
+struct dielectric_split {
+    float fresnel; /* reflectance, 0 to 1; 1 for total internal reflection */
+    vec3s colors;  /* reflectance of red, green and blue light; `fresnel` is their mean */
     vec3s reflected, refracted;
-    float reflected_share, refracted_share; /* of the light in these directions: what a rough
-                                               surface does not mask */
+    float reflected_share, refracted_share; /* masking-shadowing factors, 0 to 1 */
 };
 
-/* A ray's meeting with an object. */
+/* A ray's hit on an object, with media and material. */
 struct meeting {
     struct bvh_hit hit;
     struct media_crossing crossing;
-    uint32_t channel; /* colour of the light, for dispersion */
+    uint32_t channel; /* colour channel that is traced, for dispersion */
     uint32_t seed;
-    struct dress dress; /* with textures */
-    vec3s normal;       /* outward, interpolated; as the normal texture bends it */
+    struct dress dress; /* surface material, textures included */
+    vec3s normal;       /* outward interpolated normal, perturbed by the normal map */
     bool is_bent;
 };
 
-/* Parts the light of a ray at a crack, at a smooth surface or, at one of its microfacets, a rough
- * one. */
-struct parting parting_at(const struct tracing *tracing, vec3s dir, const struct meeting *meeting);
+/* Computes reflection and refraction of a ray at a hit, at a sampled microfacet if it is rough. */
+struct dielectric_split parting_at(const struct tracer *tracing, vec3s dir,
+                                   const struct meeting *meeting);
 
-/* In double. */
+/* Returns the dot product in double precision. */
 static inline double parting_dot(vec3s a, vec3s b)
 {
     return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;

@@ -1,4 +1,4 @@
-/* photons.c: traces photons, sorts them into cells, counts them around points. */
+/* photons.c: traces the sun's photons, sorts them into a hash grid, and estimates their density. */
 #include "src/reference/photons.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -11,51 +11,49 @@
 #include "src/reference/microfacet.h"
 
 enum {
-    CHUNK = 4096, /* photons that a thread traces at a time */
+    CHUNK = 4096, /* photons per task of a thread */
     THREAD_COUNT_MAX = 256,
-    CROSSINGS_MAX = 4096, /* of a ray to the sun */
-    PLACE_SEED = 11,      /* of random numbers of their own */
+    CROSSINGS_MAX = 4096, /* surfaces that a shadow ray may cross */
+    POSITION_SEED = 11,   /* hashed with a seed for independent random numbers */
     SUN_SEED,
-    WAY_SEED,
+    PATH_SEED,
 };
 
-#define RADIUS 1.0f  /* of the estimate for one photon, in radii of the objects' sphere */
-#define FLAT   0.25f /* how far from a point's plane its photons are, in radii of the estimate */
+#define RADIUS         1.0f  /* search radius for one photon, in radii of the objects' sphere */
+#define PLANE_DISTANCE 0.25f /* limit of the distance to the tangent plane, in search radii */
 
-/* The photons of a chunk that have landed. */
-struct landed {
+/* The photons of a chunk that have hit the surroundings. */
+struct stored_hits {
     struct photon *photons;
     uint32_t count, capacity;
-    bool is_full; /* out of memory */
+    bool is_full; /* an allocation has failed */
 };
 
 struct job {
-    const struct tracing *tracing;
+    const struct tracer *tracing;
     const struct photons_params *params;
     float sun;
-    struct landed *chunks;
+    struct stored_hits *chunks;
     uint32_t chunk_count;
     atomic_uint next_chunk;
 };
 
-/* ---- ways of photons ---- */
-
-/* Returns a direction to the sun's disc. */
+/* Samples a direction to the sun's disc; `tangent` is that of its angular radius. */
 static vec3s to_sun(vec3s sun_dir, float tangent, vec2s at)
 {
-    const float away = tangent * sqrtf(at.x);
+    const float offset = tangent * sqrtf(at.x);
     const float angle = 6.28318531f * at.y;
     vec3s x, y;
     microfacet_tangents(sun_dir, &x, &y);
     return glms_vec3_normalize(glms_vec3_muladds(
-        x, away * cosf(angle), glms_vec3_muladds(y, away * sinf(angle), sun_dir)));
+        x, offset * cosf(angle), glms_vec3_muladds(y, offset * sinf(angle), sun_dir)));
 }
 
-/* Returns photon `index` where it enters the objects' sphere. */
-static struct branch leave_sun(const struct job *job, uint32_t index, vec3s channels)
+/* Emits photon `index` from the sun, through the disc that covers the objects' bounding sphere. */
+static struct ray_branch emit(const struct job *job, uint32_t index, vec3s channels)
 {
     const struct globals *g = job->tracing->radiance->globals;
-    const vec2s at = microfacet_point(index, PLACE_SEED);
+    const vec2s at = microfacet_point(index, POSITION_SEED);
     const vec3s up = to_sun(g->sun_dir, job->sun, microfacet_point(index, SUN_SEED));
     const float out = g->radius * sqrtf(at.x);
     const float angle = 6.28318531f * at.y;
@@ -64,50 +62,52 @@ static struct branch leave_sun(const struct job *job, uint32_t index, vec3s chan
     microfacet_tangents(up, &x, &y);
     const vec3s side =
         glms_vec3_add(glms_vec3_scale(x, out * cosf(angle)), glms_vec3_scale(y, out * sinf(angle)));
-    return (struct branch){
+    return (struct ray_branch){
         .ray = {
             .origin = glms_vec3_muladds(up, 1.01f * g->radius, glms_vec3_add(g->center, side)),
             .dir = glms_vec3_negate(up),
             .from = BVH_NOWHERE,
         },
-        .weight = glms_vec3_scale(channels, area),
-        .seed = WAY_SEED,
+        .throughput = glms_vec3_scale(channels, area),
+        .seed = PATH_SEED,
     };
 }
 
-static void land(struct landed *landed, const struct branch *b, vec3s position, float share)
+static void store_hit(struct stored_hits *stored_hits, const struct ray_branch *b, vec3s position,
+                      float fraction)
 {
-    if (landed->count == landed->capacity) {
-        const uint32_t capacity = landed->capacity ? 2 * landed->capacity : CHUNK / 4;
-        struct photon *grown = realloc(landed->photons, capacity * sizeof(*grown));
-        landed->is_full = landed->is_full || !grown;
+    if (stored_hits->count == stored_hits->capacity) {
+        const uint32_t capacity = stored_hits->capacity ? 2 * stored_hits->capacity : CHUNK / 4;
+        struct photon *grown = realloc(stored_hits->photons, capacity * sizeof(*grown));
+        stored_hits->is_full = stored_hits->is_full || !grown;
         if (!grown)
             return;
-        landed->photons = grown;
-        landed->capacity = capacity;
+        stored_hits->photons = grown;
+        stored_hits->capacity = capacity;
     }
-    landed->photons[landed->count++] =
-        (struct photon){ position, b->ray.dir, glms_vec3_scale(b->weight, share) };
+    stored_hits->photons[stored_hits->count++] =
+        (struct photon){ position, b->ray.dir, glms_vec3_scale(b->throughput, fraction) };
 }
 
-/* Traces a photon; it lands on what it meets after an object. */
-static void follow(const struct tracing *tracing, struct branch b, uint32_t channel,
-                   struct landed *landed)
+/* Traces a photon. It is stored wherever it hits surroundings after at least one hit on an object;
+ * direct sunlight is sampled by shadow rays instead. */
+static void trace_photon(const struct tracer *tracing, struct ray_branch b, uint32_t channel,
+                         struct stored_hits *stored_hits)
 {
-    const float least = tracing->params.cutoff * glms_vec3_max(b.weight);
+    const float cutoff = tracing->params.cutoff * glms_vec3_max(b.throughput);
     struct meeting meeting = { .channel = channel };
-    bool is_parted = false;
-    while (glms_vec3_max(b.weight) > least && branch_advance(tracing, &b, &meeting)) {
+    bool has_hit_object = false;
+    while (glms_vec3_max(b.throughput) > cutoff && branch_advance(tracing, &b, &meeting)) {
         const struct bvh_hit *hit = &meeting.hit;
         if (hit->part != BVH_SURROUNDINGS) {
             const struct fork fork = branch_fork(tracing, &b, &meeting);
             b = branch_choose(tracing, &b, &fork);
-            is_parted = true;
+            has_hit_object = true;
             continue;
         }
         const float passing = radiance_passing(tracing->radiance, &hit->surface);
-        if (is_parted)
-            land(landed, &b, hit->surface.position, 1.0f - passing);
+        if (has_hit_object)
+            store_hit(stored_hits, &b, hit->surface.position, 1.0f - passing);
         branch_pass(tracing, &b, hit, passing);
     }
 }
@@ -118,16 +118,16 @@ static void trace_chunk(const struct job *job, uint32_t chunk)
         job->params->count - chunk * CHUNK < CHUNK ? job->params->count : (chunk + 1) * CHUNK;
     const uint32_t channels = tracing_channel_count(job->tracing);
     for (uint32_t i = chunk * CHUNK; i < end; i++) {
-        struct tracing tracing = *job->tracing;
+        struct tracer tracing = *job->tracing;
         tracing.sample = i;
         for (uint32_t c = 0; c < channels; c++) {
             const vec3s of_channel = tracing_channels(job->tracing, c);
-            follow(&tracing, leave_sun(job, i, of_channel), c, &job->chunks[chunk]);
+            trace_photon(&tracing, emit(job, i, of_channel), c, &job->chunks[chunk]);
         }
     }
 }
 
-/* Returns false when none is left. */
+/* Traces the next chunk of photons. Returns false if there is none left. */
 static bool trace_next_chunk(struct job *job)
 {
     const uint32_t chunk = atomic_fetch_add(&job->next_chunk, 1);
@@ -144,7 +144,7 @@ static void *work(void *user)
     return NULL;
 }
 
-/* Returns false if it was told to stop. */
+/* Traces all chunks with several threads. Returns false if `go_on` has cancelled the work. */
 static bool run(struct job *job)
 {
     bool goes_on = true;
@@ -162,13 +162,12 @@ static bool run(struct job *job)
     return goes_on;
 }
 
-/* ---- cells ---- */
-
 struct cell {
     int32_t at[3];
 };
 
-/* Cells are twice as wide as the radius: around a point are at most two along each axis. */
+/* Returns the grid cell of a point. Cells are as wide as the search diameter, so a search overlaps
+ * at most two cells along each axis. */
 static struct cell cell_of(const struct photons *photons, vec3s point)
 {
     struct cell cell;
@@ -185,7 +184,8 @@ static uint32_t bucket_of(const struct photons *photons, struct cell cell)
     return microfacet_hash(across, (uint32_t)cell.at[1]) & (photons->bucket_count - 1);
 }
 
-/* Sorts the photons of all chunks by buckets, in the order of their numbers. */
+/* Counting-sorts the photons of all chunks into the buckets of the hash grid, in the order of their
+ * numbers, independent of threads. Returns false when out of memory. */
 static bool sort(struct photons *photons, const struct job *job)
 {
     bool done = true;
@@ -200,7 +200,7 @@ static bool sort(struct photons *photons, const struct job *job)
     photons->first = calloc((size_t)photons->bucket_count + 2, sizeof(*photons->first));
     if (!done || !photons->all || !photons->first)
         return false;
-    uint32_t *next = photons->first + 1; /* first[b + 1] is where bucket b goes on */
+    uint32_t *next = photons->first + 1; /* first[b + 1] is the write position of bucket b */
     for (uint32_t i = 0; i < job->chunk_count; i++) {
         for (uint32_t k = 0; k < job->chunks[i].count; k++)
             next[bucket_of(photons, cell_of(photons, job->chunks[i].photons[k].position)) + 1]++;
@@ -216,7 +216,7 @@ static bool sort(struct photons *photons, const struct job *job)
     return true;
 }
 
-enum status photons_init(struct photons *photons, const struct tracing *tracing,
+enum status photons_init(struct photons *photons, const struct tracer *tracing,
                          const struct photons_params *params)
 {
     const struct globals *g = tracing->radiance->globals;
@@ -252,52 +252,51 @@ void photons_finish(struct photons *photons)
     *photons = (struct photons){ 0 };
 }
 
-/* ---- light of points ---- */
-
-/* Where photons are counted, and what they bring. */
+/* A density estimate in progress: the search disc and the sums over its photons. */
 struct disc {
-    vec3s middle, normal;
-    vec3s light, along; /* sums of flux, and of directions by flux */
+    vec3s center, normal;
+    vec3s light, direction_sum; /* sum of flux; sum of directions weighted by flux */
 };
 
-/* A photon counts less far from the middle (Epanechnikov's kernel). */
-static void count_cell(const struct photons *photons, struct cell cell, struct disc *disc)
+/* Adds the photons of one cell, weighted by an Epanechnikov kernel, which falls to 0 at the radius.
+ */
+static void gather_cell(const struct photons *photons, struct cell cell, struct disc *disc)
 {
     const float radius2 = photons->radius * photons->radius;
     const uint32_t bucket = bucket_of(photons, cell);
     for (uint32_t i = photons->first[bucket]; i < photons->first[bucket + 1]; i++) {
         const struct photon *photon = &photons->all[i];
-        const vec3s away = glms_vec3_sub(photon->position, disc->middle);
-        const float distance2 = glms_vec3_norm2(away);
-        const struct cell own = cell_of(photons, photon->position);
-        if (!(distance2 < radius2) || memcmp(&own, &cell, sizeof(cell)) != 0 ||
-            fabsf(glms_vec3_dot(away, disc->normal)) > FLAT * photons->radius ||
+        const vec3s offset = glms_vec3_sub(photon->position, disc->center);
+        const float distance2 = glms_vec3_norm2(offset);
+        const struct cell photon_cell = cell_of(photons, photon->position);
+        if (!(distance2 < radius2) || memcmp(&photon_cell, &cell, sizeof(cell)) != 0 ||
+            fabsf(glms_vec3_dot(offset, disc->normal)) > PLANE_DISTANCE * photons->radius ||
             glms_vec3_dot(photon->dir, disc->normal) >= 0.0f)
             continue;
         const float weight = 2.0f * (1.0f - distance2 / radius2);
         disc->light = glms_vec3_muladds(photon->flux, weight, disc->light);
-        disc->along =
-            glms_vec3_muladds(photon->dir, -weight * glms_vec3_max(photon->flux), disc->along);
+        disc->direction_sum = glms_vec3_muladds(photon->dir, -weight * glms_vec3_max(photon->flux),
+                                                disc->direction_sum);
     }
 }
 
-/* Returns the irradiance by photons, 1 where the sun shines at a right angle. */
-static struct disc count_around(const struct photons *photons, vec3s point, vec3s normal)
+/* Estimates the irradiance of photons at a point, relative to that of perpendicular sunlight. */
+static struct disc estimate(const struct photons *photons, vec3s point, vec3s normal)
 {
     const float radius = photons->radius;
     const struct cell first = cell_of(photons, glms_vec3_subs(point, radius));
-    struct disc disc = { .middle = point, .normal = normal };
+    struct disc disc = { .center = point, .normal = normal };
     for (int i = 0; i < 8 && photons->count; i++) {
         const struct cell cell = { { first.at[0] + (i & 1), first.at[1] + (i >> 1 & 1),
                                      first.at[2] + (i >> 2) } };
-        count_cell(photons, cell, &disc);
+        gather_cell(photons, cell, &disc);
     }
     disc.light = glms_vec3_scale(disc.light, 1.0f / (3.14159265f * radius * radius));
     return disc;
 }
 
-/* Returns whether an object is between a point and infinity. */
-static bool is_hidden(const struct tracing *tracing, vec3s point, vec3s dir)
+/* Returns true if an object occludes the ray from a point to infinity. */
+static bool is_occluded(const struct tracer *tracing, vec3s point, vec3s dir)
 {
     struct bvh_hit hit;
     struct bvh_ray ray = {
@@ -311,19 +310,19 @@ static bool is_hidden(const struct tracing *tracing, vec3s point, vec3s dir)
     return false;
 }
 
-struct radiance_sun photons_sun_at(const struct tracing *tracing, vec3s point, vec3s normal,
+struct radiance_sun photons_sun_at(const struct tracer *tracing, vec3s point, vec3s normal,
                                    uint32_t seed)
 {
     const struct photons *photons = tracing->photons;
     const vec3s sun_dir = tracing->radiance->globals->sun_dir;
     const vec2s at = microfacet_point(tracing->sample, microfacet_hash(seed, SUN_SEED));
-    const struct disc disc = count_around(photons, point, normal);
+    const struct disc disc = estimate(photons, point, normal);
     struct radiance_sun sun = {
         .sky = glms_vec3_one(), .own = 1.0f, .through = disc.light, .through_dir = sun_dir
     };
-    if (photons->has_shadow && is_hidden(tracing, point, to_sun(sun_dir, photons->sun, at)))
+    if (photons->has_shadow && is_occluded(tracing, point, to_sun(sun_dir, photons->sun, at)))
         sun.own = 0.0f;
-    if (glms_vec3_norm2(disc.along) > 0.0f)
-        sun.through_dir = glms_vec3_normalize(disc.along);
+    if (glms_vec3_norm2(disc.direction_sum) > 0.0f)
+        sun.through_dir = glms_vec3_normalize(disc.direction_sum);
     return sun;
 }

@@ -1,15 +1,16 @@
 /*
- * photons.h: the sun's light that objects refract and reflect, on the surfaces around them.
+ * photons.h: photon map of the sun's caustics, which objects cast onto the surroundings.
  *
- * Photons leave the sun's disc evenly over the objects' bounding sphere, go through the objects as
- * light from the eye does, one way at each surface, and land on surfaces of the surroundings. The
- * light of a point is the density of the photons within a radius (Jensen 1996, Global Illumination
- * using Photon Maps), which shrinks with the third root of their number, so that noise and blur
- * both vanish. What the sun sends straight is no photon's: objects take it away from all points
- * that they hide from the sun's disc, and photons bring back what passes.
+ * Tracing from the camera cannot find caustics, because a ray from a diffuse surface practically
+ * never hits the small sun through ice. So photons are emitted from the sun's disc, uniformly over
+ * the objects' bounding sphere, traced like camera rays with one of reflection and refraction
+ * sampled at each surface, and stored on the surroundings. Irradiance is the photon density within
+ * a radius (Jensen 1996, Global Illumination using Photon Maps), which shrinks with the cube root
+ * of their number, so that noise and blur both vanish in the limit. Direct sunlight is not part of
+ * the map: shadow rays find where objects block it.
  *
- * Limits: surroundings cast no shadows, as in the rasteriser; light that they reflect is lost;
- * density is too small within the radius of a surface's edge.
+ * Limits: surroundings cast no shadows in the map, as in the rasteriser; light that surroundings
+ * reflect is lost; the density is too low within the radius of a surface's edge.
  */
 #ifndef FIRN_REFERENCE_PHOTONS_H
 #define FIRN_REFERENCE_PHOTONS_H
@@ -19,39 +20,40 @@
 
 struct photon {
     vec3s position, dir;
-    vec3s flux; /* square metres of the sun's light, each channel */
+    vec3s flux; /* per channel, as the area of perpendicular sunlight in square metres */
 };
 
 struct photons {
-    struct photon *all; /* by cell */
+    struct photon *all; /* sorted by cell */
     uint32_t count;
-    float radius;    /* of the estimate, metres */
-    uint32_t *first; /* photon of each bucket of cells, and at the end `count` */
+    float radius;    /* radius of the density estimate, metres */
+    uint32_t *first; /* index of the first photon of each hash bucket, and `count` at the end */
     uint32_t bucket_count;
     float sun; /* tangent of the sun's angular radius */
     bool has_shadow;
 };
 
-/* Returns whether to go on. */
+/* Returns false to cancel the tracing of photons. */
 typedef bool photons_go_on_fn(void *user);
 
 struct photons_params {
-    uint32_t count;          /* of photons that leave the sun */
-    float sun_deg;           /* diameter of the sun */
-    bool has_shadow;         /* objects take away the sun's direct light */
-    uint32_t threads;        /* at most */
-    photons_go_on_fn *go_on; /* asked from time to time by the calling thread; may be NULL */
+    uint32_t count;          /* photons to emit */
+    float sun_deg;           /* angular diameter of the sun, degrees */
+    bool has_shadow;         /* objects cast shadows in direct sunlight */
+    uint32_t threads;        /* upper limit of threads */
+    photons_go_on_fn *go_on; /* called now and then by the calling thread; may be NULL */
     void *user;
 };
 
-/* Traces photons; equal ones for any number of threads. Logs and returns STATUS_TRY_AGAIN, or,
- * when it was told to stop, returns STATUS_FAILED without a message. */
-MUST_USE enum status photons_init(struct photons *photons, const struct tracing *tracing,
+/* Builds the photon map, which is bit-identical for any number of threads. When out of memory logs
+ * and returns STATUS_TRY_AGAIN; returns STATUS_FAILED silently if `go_on` cancels it. */
+MUST_USE enum status photons_init(struct photons *photons, const struct tracer *tracing,
                                   const struct photons_params *params);
-void photons_finish(struct photons *photons); /* {0} is fine */
+void photons_finish(struct photons *photons); /* accepts {0} */
 
-/* Returns the sun's light at a point that is seen from the side of `normal`, unit. */
-struct radiance_sun photons_sun_at(const struct tracing *tracing, vec3s point, vec3s normal,
+/* Returns direct and refracted sunlight at a point; `normal` is a unit normal on the viewer's side.
+ */
+struct radiance_sun photons_sun_at(const struct tracer *tracing, vec3s point, vec3s normal,
                                    uint32_t seed);
 
 #endif

@@ -1,4 +1,4 @@
-/* radiance.c: radiance of sky, environment image, surfaces and their textures. */
+/* radiance.c: radiance of sky and environment map; shading of the surroundings with textures. */
 #include "src/reference/radiance.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -11,8 +11,8 @@
 #include "src/reference/texel_pair.h"
 #include "src/scene/material_rows.h"
 
-#define TILES_WIDTH  ABI_VEC2(1e-4f, 1e-4f) /* over which tiles are averaged */
-#define LEAST_COSINE 0.05f                  /* by which irradiance is divided */
+#define TILES_WIDTH  ABI_VEC2(1e-4f, 1e-4f) /* filter width of the procedural tiles, in uv */
+#define LEAST_COSINE 0.05f                  /* smallest cosine by which irradiance is divided */
 
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals)
 {
@@ -22,18 +22,16 @@ struct radiance radiance_of(const struct scene *scene, const struct globals *glo
     return radiance;
 }
 
-/* ---- textures ---- */
-
 typedef vec4s fetch_fn(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y);
 
-static vec4s blend(const struct radiance *radiance, fetch_fn *fetch, uint32_t layer,
-                   struct texel_pair x, struct texel_pair y)
+static vec4s bilinear(const struct radiance *radiance, fetch_fn *fetch, uint32_t layer,
+                      struct linear_filter x, struct linear_filter y)
 {
     const vec4s above = glms_vec4_lerp(fetch(radiance, layer, x.first, y.first),
-                                       fetch(radiance, layer, x.second, y.first), x.share);
+                                       fetch(radiance, layer, x.second, y.first), x.weight);
     const vec4s below = glms_vec4_lerp(fetch(radiance, layer, x.first, y.second),
-                                       fetch(radiance, layer, x.second, y.second), x.share);
-    return glms_vec4_lerp(above, below, y.share);
+                                       fetch(radiance, layer, x.second, y.second), x.weight);
+    return glms_vec4_lerp(above, below, y.weight);
 }
 
 static vec4s fetch_texture(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y)
@@ -87,25 +85,23 @@ vec4s radiance_texel(const struct radiance *radiance, uint32_t material, vec2s u
     const uint32_t size = radiance->scene->model.textures.size;
     if (!layer || !size)
         return glms_vec4_one();
-    return blend(radiance, fetch_texture, layer - 1, texel_pair_at(uv.x, size, true),
-                 texel_pair_at(uv.y, size, true));
+    return bilinear(radiance, fetch_texture, layer - 1, texel_pair_at(uv.x, size, true),
+                    texel_pair_at(uv.y, size, true));
 }
-
-/* ---- radiance ---- */
 
 static vec3s scaled(const struct globals *globals, vec3s light)
 {
     return glms_vec3_scale(light, globals->sky_strength);
 }
 
-/* Returns the radiance of the environment picture. */
-static vec3s pictured(const struct radiance *radiance, vec3s dir)
+/* Returns the radiance of the environment map in a direction. */
+static vec3s environment_radiance(const struct radiance *radiance, vec3s dir)
 {
     const struct environment *environment = &radiance->scene->environment;
     const vec2s uv = background_uv(dir, environment->turn);
-    return glms_vec3(blend(radiance, fetch_environment, 0,
-                           texel_pair_at(uv.x, environment->width, true),
-                           texel_pair_at(uv.y, environment->height, false)));
+    return glms_vec3(bilinear(radiance, fetch_environment, 0,
+                              texel_pair_at(uv.x, environment->width, true),
+                              texel_pair_at(uv.y, environment->height, false)));
 }
 
 vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
@@ -115,7 +111,7 @@ vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
         return g->background_color;
     if (radiance->scene->background == SCENE_SKY)
         return scaled(g, sky_seen(dir, g->sun_dir, g->sun_strength));
-    const vec3s light = pictured(radiance, dir);
+    const vec3s light = environment_radiance(radiance, dir);
     if (!(g->sun_radius > 0.0f))
         return light;
     return glms_vec3_muladds(g->sun_light, sky_disc(dir, g->sun_dir, g->sun_radius, 0.0f), light);
@@ -139,9 +135,7 @@ vec3s radiance_mean(const struct radiance *radiance)
                       (float)(sum[2] / weights) } };
 }
 
-/* ---- materials ---- */
-
-/* Returns the material of a vertex, or NULL: it has none, or is left to the settings. */
+/* Returns the material of a vertex, or NULL if it has none or is shaded by the settings alone. */
 static const struct material *material_of(const struct radiance *radiance, uint32_t material)
 {
     const uint32_t index = material >> MESH_SURFACE_SHIFT;
@@ -149,19 +143,19 @@ static const struct material *material_of(const struct radiance *radiance, uint3
     return found && !(found->flags & MATERIAL_IS_BARE) ? found : NULL;
 }
 
-/* Returns a coordinate within 0 to 1 whose texels do not reach beyond the picture's edge. */
-static float wrap(float x, uint32_t how, float size)
+/* Applies a wrap mode to a texture coordinate; clamped footprints stay inside the texture. */
+static float wrap_coordinate(float x, uint32_t mode, float size)
 {
-    if (how == MATERIAL_REPEAT)
+    if (mode == MATERIAL_REPEAT)
         return x;
-    if (how == MATERIAL_MIRROR)
+    if (mode == MATERIAL_MIRROR)
         x = 1.0f - fabsf(1.0f - 2.0f * (0.5f * x - floorf(0.5f * x)));
     return fminf(fmaxf(x, 0.5f / size), 1.0f - 0.5f / size);
 }
 
-/* The coordinates of a point. */
+/* The texture coordinates of a point. */
 struct coordinates {
-    vec2s uv, other_uv; /* of mesh_vertex and mesh_extra */
+    vec2s uv, other_uv; /* uv of mesh_vertex and of mesh_extra */
 };
 
 static struct coordinates coordinates_of(const struct radiance_point *point)
@@ -172,7 +166,7 @@ static struct coordinates coordinates_of(const struct radiance_point *point)
     };
 }
 
-/* Returns a texel of one of a material's textures, or white if it has none. */
+/* Samples one of a material's textures; white if it has none. */
 static vec4s texel_of(const struct radiance *radiance, const struct material *material,
                       enum material_texture_use use, struct coordinates coordinates)
 {
@@ -184,10 +178,12 @@ static vec4s texel_of(const struct radiance *radiance, const struct material *ma
     const vec3s at = { { uv.x, uv.y, 1.0f } };
     if (!texture->layer)
         return glms_vec4_one();
-    const float u = wrap(glms_vec3_dot(texture->u_row, at), texture->wrap_u, (float)size);
-    const float v = wrap(glms_vec3_dot(texture->v_row, at), texture->wrap_v, (float)size);
-    return blend(radiance, is_color ? fetch_texture : fetch_number, texture->layer - 1,
-                 texel_pair_at(u, size, true), texel_pair_at(v, size, true));
+    const float u =
+        wrap_coordinate(glms_vec3_dot(texture->u_row, at), texture->wrap_u, (float)size);
+    const float v =
+        wrap_coordinate(glms_vec3_dot(texture->v_row, at), texture->wrap_v, (float)size);
+    return bilinear(radiance, is_color ? fetch_texture : fetch_number, texture->layer - 1,
+                    texel_pair_at(u, size, true), texel_pair_at(v, size, true));
 }
 
 static vec4s base_texel(const struct radiance *radiance, const struct mesh_vertex *vertex)
@@ -214,9 +210,9 @@ float radiance_passing(const struct radiance *radiance, const struct mesh_vertex
     return 1.0f - alpha;
 }
 
-/* Turns a normal as the material's texture says. */
-static vec3s bent(const struct radiance *radiance, const struct material *m,
-                  const struct radiance_point *point, vec3s n)
+/* Perturbs a normal by the material's normal map. */
+static vec3s normal_mapped(const struct radiance *radiance, const struct material *m,
+                           const struct radiance_point *point, vec3s n)
 {
     if (!m->textures[MATERIAL_NORMAL].layer)
         return n;
@@ -231,10 +227,10 @@ static vec3s bent(const struct radiance *radiance, const struct material *m,
     const vec3s t = glms_vec3_normalize(tangent);
     vec3s b = glms_vec3_cross(n, t);
     const bool is_back = glms_vec3_dot(n, point->vertex->normal) < 0.0f;
-    /* v grows downwards in the texture */
-    const bool is_turned =
+    /* v points down in the texture */
+    const bool is_flipped =
         is_given ? (side < 0.0f) != is_back : glms_vec3_dot(b, point->along_v[set]) > 0.0f;
-    if (is_turned)
+    if (is_flipped)
         b = glms_vec3_negate(b);
     const vec3s slope = { { (2.0f * texel.x - 1.0f) * m->normal_scale,
                             (2.0f * texel.y - 1.0f) * m->normal_scale, 2.0f * texel.z - 1.0f } };
@@ -246,22 +242,20 @@ struct dress radiance_dress(const struct radiance *radiance, const struct materi
                             const struct radiance_point *point, struct dress own, vec3s *normal)
 {
     const struct coordinates uv = coordinates_of(point);
-    *normal = bent(radiance, material, point, point->vertex->normal);
+    *normal = normal_mapped(radiance, material, point, point->vertex->normal);
     return dress_of(own, glms_vec3(texel_of(radiance, material, MATERIAL_BASE_COLOR, uv)),
                     texel_of(radiance, material, MATERIAL_METALLIC_ROUGHNESS, uv).y,
                     texel_of(radiance, material, MATERIAL_TRANSMISSION, uv).x);
 }
 
-/* ---- light on surfaces ---- */
-
 static vec3s environment_light(const struct radiance *radiance, uint32_t layer, vec3s dir)
 {
     const vec2s uv = background_uv(dir, radiance->scene->environment.turn);
-    return glms_vec3(blend(radiance, fetch_light, layer, texel_pair_at(uv.x, LIT_WIDTH, true),
-                           texel_pair_at(uv.y, LIT_HEIGHT, false)));
+    return glms_vec3(bilinear(radiance, fetch_light, layer, texel_pair_at(uv.x, LIT_WIDTH, true),
+                              texel_pair_at(uv.y, LIT_HEIGHT, false)));
 }
 
-static vec3s matt_light(const struct radiance *radiance, vec3s n)
+static vec3s diffuse_irradiance(const struct radiance *radiance, vec3s n)
 {
     if (radiance->scene->background == SCENE_COLOR)
         return radiance->globals->background_color;
@@ -270,7 +264,7 @@ static vec3s matt_light(const struct radiance *radiance, vec3s n)
     return scaled(radiance->globals, sky_diffuse(n));
 }
 
-static vec3s glossy_light(const struct radiance *radiance, vec3s dir, float roughness)
+static vec3s prefiltered_radiance(const struct radiance *radiance, vec3s dir, float roughness)
 {
     const struct globals *g = radiance->globals;
     if (radiance->scene->background == SCENE_COLOR)
@@ -279,8 +273,8 @@ static vec3s glossy_light(const struct radiance *radiance, vec3s dir, float roug
         return scaled(g, sky_glossy(dir, roughness, g->sun_dir, g->sun_strength));
     const float layer = roughness * LIT_ROUGH_LAYERS;
     const uint32_t first = (uint32_t)fminf(layer, LIT_ROUGH_LAYERS - 1);
-    const vec3s sharper =
-        first > 0 ? environment_light(radiance, first - 1, dir) : pictured(radiance, dir);
+    const vec3s sharper = first > 0 ? environment_light(radiance, first - 1, dir)
+                                    : environment_radiance(radiance, dir);
     return glms_vec3_lerp(sharper, environment_light(radiance, first, dir), layer - (float)first);
 }
 
@@ -288,8 +282,9 @@ static vec2s split_of(const struct radiance *radiance, float roughness, float n_
 {
     const vec2s at =
         glms_vec2_divs(glms_vec2_adds(lit_split_at(roughness, n_dot_v), 0.5f), LIT_SPLIT_SIDE);
-    const vec4s split = blend(radiance, fetch_split, 0, texel_pair_at(at.x, LIT_SPLIT_SIDE, false),
-                              texel_pair_at(at.y, LIT_SPLIT_SIDE, false));
+    const vec4s split =
+        bilinear(radiance, fetch_split, 0, texel_pair_at(at.x, LIT_SPLIT_SIDE, false),
+                 texel_pair_at(at.y, LIT_SPLIT_SIDE, false));
     return (vec2s){ { split.x, split.y } };
 }
 
@@ -301,12 +296,12 @@ static struct lit_surface surface_of(const struct radiance *radiance, const stru
     const vec4s tint = texel_of(radiance, m, MATERIAL_SPECULAR_COLOR, uv);
     const vec3s f0 = glms_vec3_mul(material_f0(m), glms_vec3(tint));
     float specular = m->specular * texel_of(radiance, m, MATERIAL_SPECULAR, uv).w;
-    if (m->flags & MATERIAL_IS_FILM) /* water below ice mirrors next to nothing */
+    if (m->flags & MATERIAL_IS_FILM) /* a wetted interface below ice reflects almost nothing */
         specular *= lit_share_in(glms_vec3_max(f0), point->ior);
     return lit_surface_of(albedo, m->metallic * rough.z, m->roughness * rough.y, f0, specular);
 }
 
-/* The normals of a surface: of the one that mirrors, and of its matt base. */
+/* Shading normals of the specular layer (top) and of the diffuse base. */
 struct normals {
     vec3s top, base;
 };
@@ -314,13 +309,13 @@ struct normals {
 static struct normals normals_of(const struct radiance *radiance, const struct material *m,
                                  const struct radiance_point *point, vec3s n)
 {
-    const vec3s base = bent(radiance, m, point, n);
+    const vec3s base = normal_mapped(radiance, m, point, n);
     return (struct normals){ m->flags & MATERIAL_IS_FILM ? n : base, base };
 }
 
-/* Returns what a surface at `point` reflects of the lights of files, which have no shadows. */
-static vec3s lights_on(const struct radiance *radiance, const struct lit_surface *surface,
-                       vec3s point, struct normals n, vec3s to_eye)
+/* Returns the reflected radiance of the model file's lights, which cast no shadows. */
+static vec3s shade_lights(const struct radiance *radiance, const struct lit_surface *surface,
+                          vec3s point, struct normals n, vec3s to_camera)
 {
     const struct scene *scene = radiance->scene;
     vec3s sum = glms_vec3_zero();
@@ -328,97 +323,98 @@ static vec3s lights_on(const struct radiance *radiance, const struct lit_surface
         const vec4s *row = &scene->light_rows[(size_t)i * LIT_LIGHT_WIDTH];
         const vec3s axis = glms_vec3(row[LIT_LIGHT_DIRECTION]);
         const vec4s cone = row[LIT_LIGHT_CONE];
-        const vec3s way = row[LIT_LIGHT_POSITION].w > 0.0f
-                              ? glms_vec3_sub(glms_vec3(row[LIT_LIGHT_POSITION]), point)
-                              : glms_vec3_negate(axis);
-        const float far = glms_vec3_norm(way);
-        const vec3s l = glms_vec3_divs(way, fmaxf(far, 1e-6f));
-        const float arriving = lit_arriving(far, row[LIT_LIGHT_DIRECTION].w,
-                                            -glms_vec3_dot(l, axis), (vec2s){ { cone.x, cone.y } });
+        const vec3s to_light = row[LIT_LIGHT_POSITION].w > 0.0f
+                                   ? glms_vec3_sub(glms_vec3(row[LIT_LIGHT_POSITION]), point)
+                                   : glms_vec3_negate(axis);
+        const float distance = glms_vec3_norm(to_light);
+        const vec3s l = glms_vec3_divs(to_light, fmaxf(distance, 1e-6f));
+        const float attenuation =
+            lit_arriving(distance, row[LIT_LIGHT_DIRECTION].w, -glms_vec3_dot(l, axis),
+                         (vec2s){ { cone.x, cone.y } });
         const vec3s light =
-            glms_vec3_scale(glms_vec3(row[LIT_LIGHT_COLOR]), arriving / 3.14159265f);
+            glms_vec3_scale(glms_vec3(row[LIT_LIGHT_COLOR]), attenuation / 3.14159265f);
         sum = glms_vec3_muladd(
-            light, lit_by_light_on(*surface, n.top, n.base, to_eye, l, LIT_LIGHT_SPREAD), sum);
+            light, lit_by_light_on(*surface, n.top, n.base, to_camera, l, LIT_LIGHT_SPREAD), sum);
     }
     return sum;
 }
 
-static const struct radiance_sun open_sun = { .sky = { { 1.0f, 1.0f, 1.0f } }, .own = 1.0f };
+static const struct radiance_sun unoccluded_sun = { .sky = { { 1.0f, 1.0f, 1.0f } }, .own = 1.0f };
 
-static const struct radiance_sun *sun_at(const struct radiance_point *point)
+static const struct radiance_sun *sun_of(const struct radiance_point *point)
 {
-    return point->sun ? point->sun : &open_sun;
+    return point->sun ? point->sun : &unoccluded_sun;
 }
 
-/* Returns what a white matt surface reflects. */
-static vec3s light_of_matt(const struct radiance *radiance, const struct radiance_point *point,
-                           vec3s n)
+/* Returns the radiance that a white Lambertian surface reflects. */
+static vec3s shade_white_diffuse(const struct radiance *radiance,
+                                 const struct radiance_point *point, vec3s n)
 {
-    const struct radiance_sun *sun = sun_at(point);
+    const struct radiance_sun *sun = sun_of(point);
     const float cosine = fmaxf(0.0f, glms_vec3_dot(n, radiance->globals->sun_dir));
     const vec3s direct = glms_vec3_scale(glms_vec3_one(), sun->own * cosine);
     return glms_vec3_muladd(radiance->globals->sun_light, glms_vec3_add(direct, sun->through),
-                            glms_vec3_mul(sun->sky, matt_light(radiance, n)));
+                            glms_vec3_mul(sun->sky, diffuse_irradiance(radiance, n)));
 }
 
-/* Returns what a surface with a material reflects of the sun. Refracted light is taken as if it all
- * came from its mean direction. */
-static vec3s reflected_sun(const struct radiance *radiance, const struct lit_surface *surface,
-                           const struct radiance_point *point, struct normals n)
+/* Returns the sunlight that a surface reflects, with refracted sunlight from its mean direction. */
+static vec3s shade_sun(const struct radiance *radiance, const struct lit_surface *surface,
+                       const struct radiance_point *point, struct normals n)
 {
-    const struct radiance_sun *sun = sun_at(point);
-    const vec3s to_eye = glms_vec3_negate(point->dir);
-    const vec3s direct = lit_by_light_on(*surface, n.top, n.base, to_eye,
+    const struct radiance_sun *sun = sun_of(point);
+    const vec3s to_camera = glms_vec3_negate(point->dir);
+    const vec3s direct = lit_by_light_on(*surface, n.top, n.base, to_camera,
                                          radiance->globals->sun_dir, radiance->globals->sun_spread);
     const float cosine = glms_vec3_dot(n.base, sun->through_dir);
     vec3s reflected = glms_vec3_scale(direct, sun->own);
     if (cosine > 0.0f) {
-        const vec3s by_one = lit_by_light_on(*surface, n.top, n.base, to_eye, sun->through_dir,
-                                             radiance->globals->sun_spread);
-        const vec3s share = glms_vec3_scale(by_one, 1.0f / fmaxf(cosine, LEAST_COSINE));
-        reflected = glms_vec3_muladd(share, sun->through, reflected);
+        const vec3s brdf = lit_by_light_on(*surface, n.top, n.base, to_camera, sun->through_dir,
+                                           radiance->globals->sun_spread);
+        const vec3s weight = glms_vec3_scale(brdf, 1.0f / fmaxf(cosine, LEAST_COSINE));
+        reflected = glms_vec3_muladd(weight, sun->through, reflected);
     }
     return glms_vec3_mul(radiance->globals->sun_light, reflected);
 }
 
-/* Returns the radiance of a surface that is matt. */
-static vec3s light_of_base(const struct radiance *radiance, const struct radiance_point *point,
+/* Returns the reflected radiance of a Lambertian surface of the given albedo. */
+static vec3s shade_diffuse(const struct radiance *radiance, const struct radiance_point *point,
                            vec3s n, vec3s albedo)
 {
     const struct lit_surface surface = lit_surface_of(albedo, 0.0f, 1.0f, glms_vec3_zero(), 0.0f);
-    const vec3s lamps = lights_on(radiance, &surface, point->vertex->position,
-                                  (struct normals){ n, n }, glms_vec3_negate(point->dir));
-    return glms_vec3_muladd(albedo, light_of_matt(radiance, point, n), lamps);
+    const vec3s lights = shade_lights(radiance, &surface, point->vertex->position,
+                                      (struct normals){ n, n }, glms_vec3_negate(point->dir));
+    return glms_vec3_muladd(albedo, shade_white_diffuse(radiance, point, n), lights);
 }
 
-/* Returns the share of the light around that reaches a surface, by its texture of occlusion. */
-static float open_of(const struct radiance *radiance, const struct material *m,
-                     struct coordinates uv)
+/* Returns the occlusion map's ambient occlusion factor; 1 if rays find the occluders. */
+static float occlusion_of(const struct radiance *radiance, const struct material *m,
+                          struct coordinates uv)
 {
     if (radiance->is_traced)
         return 1.0f;
     return 1.0f + m->occlusion_strength * (texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x - 1.0f);
 }
 
-/* Returns the radiance of a surface with a material. */
-static vec3s light_of(const struct radiance *radiance, const struct material *m,
-                      const struct radiance_point *point, struct normals n, vec3s albedo)
+/* Returns the radiance of a surface with a glTF material: environment, sun, lights and emission. */
+static vec3s shade_material(const struct radiance *radiance, const struct material *m,
+                            const struct radiance_point *point, struct normals n, vec3s albedo)
 {
     const struct coordinates uv = coordinates_of(point);
-    const vec3s to_eye = glms_vec3_negate(point->dir);
+    const vec3s to_camera = glms_vec3_negate(point->dir);
     const struct lit_surface surface = surface_of(radiance, m, point, albedo);
-    const float n_dot_v = glm_clamp(glms_vec3_dot(n.top, to_eye), 0.0f, 1.0f);
-    const vec3s mirrored =
+    const float n_dot_v = glm_clamp(glms_vec3_dot(n.top, to_camera), 0.0f, 1.0f);
+    const vec3s reflected_dir =
         glms_vec3_muladds(n.top, -2.0f * glms_vec3_dot(n.top, point->dir), point->dir);
-    const vec3s around = lit_by_environment(surface, split_of(radiance, surface.roughness, n_dot_v),
-                                            glossy_light(radiance, mirrored, surface.roughness),
-                                            matt_light(radiance, n.base));
-    const vec3s sun = reflected_sun(radiance, &surface, point, n);
+    const vec3s environment =
+        lit_by_environment(surface, split_of(radiance, surface.roughness, n_dot_v),
+                           prefiltered_radiance(radiance, reflected_dir, surface.roughness),
+                           diffuse_irradiance(radiance, n.base));
+    const vec3s sun = shade_sun(radiance, &surface, point, n);
     const vec4s glow = texel_of(radiance, m, MATERIAL_EMISSION, uv);
-    const vec3s shaded = glms_vec3_scale(around, open_of(radiance, m, uv));
-    const vec3s lamps = lights_on(radiance, &surface, point->vertex->position, n, to_eye);
+    const vec3s shaded = glms_vec3_scale(environment, occlusion_of(radiance, m, uv));
+    const vec3s lights = shade_lights(radiance, &surface, point->vertex->position, n, to_camera);
     return glms_vec3_muladd(m->emission, glms_vec3(glow),
-                            glms_vec3_add(shaded, glms_vec3_add(sun, lamps)));
+                            glms_vec3_add(shaded, glms_vec3_add(sun, lights)));
 }
 
 vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex *vertex)
@@ -433,46 +429,46 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
     const vec3s albedo = radiance_albedo(radiance, vertex);
     if (vertex->material & MESH_UNLIT)
         return glms_vec3_muladd(glms_vec3_mul(albedo, radiance->globals->sun_light),
-                                sun_at(point)->through, albedo);
+                                sun_of(point)->through, albedo);
     const bool is_back = glms_vec3_dot(vertex->normal, point->dir) > 0.0f;
     const vec3s n = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal;
     if (!m || point->is_base)
-        return light_of_base(radiance, point, n, albedo);
-    return light_of(radiance, m, point, normals_of(radiance, m, point, n), albedo);
+        return shade_diffuse(radiance, point, n, albedo);
+    return shade_material(radiance, m, point, normals_of(radiance, m, point, n), albedo);
 }
 
 vec3s radiance_open(const struct radiance *radiance, vec3s dir)
 {
     if (radiance->scene->background == SCENE_ENVIRONMENT)
-        return pictured(radiance, dir);
-    return glossy_light(radiance, dir, 0.0f);
+        return environment_radiance(radiance, dir);
+    return prefiltered_radiance(radiance, dir, 0.0f);
 }
 
 bool radiance_shares_at(const struct radiance *radiance, const struct radiance_point *point,
-                        struct radiance_shares *shares)
+                        struct radiance_reflectance *reflectance)
 {
     const struct mesh_vertex *vertex = point->vertex;
     const struct material *m = material_of(radiance, vertex->material);
     const vec3s albedo = radiance_albedo(radiance, vertex);
     const bool is_back = glms_vec3_dot(vertex->normal, point->dir) > 0.0f;
-    *shares = (struct radiance_shares){
-        .matt = albedo,
+    *reflectance = (struct radiance_reflectance){
+        .diffuse = albedo,
         .normal = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal,
         .roughness = 1.0f,
     };
-    shares->top = shares->normal;
+    reflectance->top = reflectance->normal;
     if (vertex->material & MESH_UNLIT || !m)
         return !(vertex->material & MESH_UNLIT);
     const struct coordinates uv = coordinates_of(point);
     const struct lit_surface surface = surface_of(radiance, m, point, albedo);
-    const struct normals n = normals_of(radiance, m, point, shares->normal);
-    shares->normal = n.base;
-    shares->top = n.top;
-    shares->roughness = surface.roughness;
-    const float n_dot_v = glm_clamp(-glms_vec3_dot(shares->top, point->dir), 0.0f, 1.0f);
+    const struct normals n = normals_of(radiance, m, point, reflectance->normal);
+    reflectance->normal = n.base;
+    reflectance->top = n.top;
+    reflectance->roughness = surface.roughness;
+    const float n_dot_v = glm_clamp(-glms_vec3_dot(reflectance->top, point->dir), 0.0f, 1.0f);
     const vec2s split = split_of(radiance, surface.roughness, n_dot_v);
-    const vec3s all = glms_vec3_fill(open_of(radiance, m, uv));
-    shares->matt = lit_by_environment(surface, split, glms_vec3_zero(), all);
-    shares->glossy = lit_by_environment(surface, split, all, glms_vec3_zero());
+    const vec3s all = glms_vec3_fill(occlusion_of(radiance, m, uv));
+    reflectance->diffuse = lit_by_environment(surface, split, glms_vec3_zero(), all);
+    reflectance->glossy = lit_by_environment(surface, split, all, glms_vec3_zero());
     return true;
 }

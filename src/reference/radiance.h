@@ -1,9 +1,10 @@
 /*
- * radiance.h: radiance of the object's surroundings along a ray, as background.c draws them.
+ * radiance.h: radiance of the surroundings and the sky along a ray, as background.c renders them.
  *
- * Formulas and constants are those of shaders/sky.h, shaders/background.h and shaders/lit.h, and
- * the environment's light is that of the rungs' table. Textures are filtered bilinearly; only the
- * samples of a pixel antialias them.
+ * Formulas and constants are shared with the shaders (shaders/sky.h, shaders/background.h,
+ * shaders/lit.h), and environment lighting uses the same prefiltered tables as the refraction
+ * models, so that a comparison shows errors of refraction alone. Textures are filtered bilinearly,
+ * without mip levels; only the samples of a pixel antialias them.
  */
 #ifndef FIRN_REFERENCE_RADIANCE_H
 #define FIRN_REFERENCE_RADIANCE_H
@@ -15,71 +16,68 @@
 struct radiance {
     const struct scene *scene;     /* borrowed */
     const struct globals *globals; /* borrowed */
-    float linear[256];             /* linear values of the textures' bytes */
-    bool is_traced; /* ground.h finds what hides the light around, so textures of occlusion do not
-                       count; set by the caller */
-    bool hides_sun; /* surroundings keep the sun from each other; set by the caller */
+    float linear[256];             /* linear value of each sRGB byte, for textures */
+    bool is_traced; /* rays find occluders, occlusion maps are ignored; set by the caller */
+    bool hides_sun; /* surroundings cast shadows on each other; set by the caller */
 };
 
-/* What objects make of the light at a point. */
+/* How objects and water change the light that arrives at a point. */
 struct radiance_sun {
-    vec3s sky;         /* share of the light of what is around */
-    float own;         /* share of the sun's direct light */
-    vec3s through;     /* irradiance by the sun's other light; 1: the sun's, square to it */
-    vec3s through_dir; /* unit, where that comes from, on the whole */
+    vec3s sky;         /* transmittance for light of the surroundings and the sky */
+    float own;         /* visibility of the sun's disc, 0 to 1 */
+    vec3s through;     /* irradiance of refracted sunlight; 1: perpendicular direct sunlight */
+    vec3s through_dir; /* unit vector towards the mean source of `through` */
 };
 
-/* A point of a surface, as a ray along `dir` meets it. */
+/* A surface point hit by a ray of direction `dir`. */
 struct radiance_point {
-    const struct mesh_vertex *vertex; /* interpolated; a unit normal of either side in the world */
-    const struct mesh_extra *extra;   /* interpolated; NULL: none */
-    const vec3s *along_u, *along_v; /* derivatives of the world position by the two uv; may be NULL
-                                         where is_base */
-    vec3s dir;                      /* unit */
-    const struct radiance_sun *sun; /* NULL: no objects are in the way of light */
-    float ior;    /* of the medium that is on it, relative to that around the objects */
-    bool is_base; /* only the light of the matt base is asked for: reflections are traced */
+    const struct mesh_vertex *vertex; /* interpolated, in world space, unit normal of either side */
+    const struct mesh_extra *extra;   /* interpolated; NULL if the mesh has none */
+    const vec3s *along_u, *along_v;   /* position derivatives per uv set; may be NULL if is_base */
+    vec3s dir;                        /* unit length */
+    const struct radiance_sun *sun;   /* NULL if no object affects the light */
+    float ior;    /* index of the medium on the surface, relative to that around the objects */
+    bool is_base; /* evaluate the diffuse base only, because reflections are traced */
 };
 
-/* What a surface makes of the light around it. */
-struct radiance_shares {
-    vec3s matt, glossy; /* shares of the light on a matt white surface, and of what is mirrored */
-    vec3s normal, top;  /* with bumps, on the ray's side: of the matt base, of what mirrors */
+/* Reflectance of a surface for environment light, split by lobe. */
+struct radiance_reflectance {
+    vec3s diffuse, glossy; /* albedo of the diffuse lobe; weight of mirror reflection */
+    vec3s normal, top;     /* shading normals of the diffuse base and the specular lobe */
     float roughness;
 };
 
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals);
 
-/* Returns the linear texel of a material's texture, or white if it has none. */
+/* Samples a vertex material's texture; the result is linear, and white if there is no texture. */
 vec4s radiance_texel(const struct radiance *radiance, uint32_t material, vec2s uv);
 
-/* Returns the radiance of the sky, environment or background colour; `dir` is unit. */
+/* Returns the radiance of sky, environment map or background colour in the unit direction `dir`. */
 vec3s radiance_sky(const struct radiance *radiance, vec3s dir);
 
-/* Returns the mean of the environment picture over all directions. */
+/* Returns the mean radiance of the environment map over all directions. */
 vec3s radiance_mean(const struct radiance *radiance);
 
-/* Returns the base colour of a surface. */
+/* Returns the base colour of a surface, texture included. */
 vec3s radiance_albedo(const struct radiance *radiance, const struct mesh_vertex *vertex);
 
-/* Returns the radiance of a surface of the surroundings. */
+/* Returns the radiance that a surface of the surroundings emits and reflects towards the ray. */
 vec3s radiance_surface(const struct radiance *radiance, const struct radiance_point *point);
 
-/* Returns whether light falls on a surface of the surroundings, and in *shares what it makes of
- * it. */
+/* Computes the reflectance of a surface of the surroundings. Returns false if the surface is unlit.
+ */
 bool radiance_shares_at(const struct radiance *radiance, const struct radiance_point *point,
-                        struct radiance_shares *shares);
+                        struct radiance_reflectance *shares);
 
-/* Returns the radiance of what is infinitely far away, without the sun's disc. */
+/* Returns the radiance at infinity without the sun's disc, which is sampled separately. */
 vec3s radiance_open(const struct radiance *radiance, vec3s dir);
 
-/* Returns what textures make of a point of an object's surface, whose own values are `own`; the
- * normal of *point, of the outer side, is bent into *normal. */
+/* Evaluates the textures of an object's material at a point; `own` has its values without textures.
+ * *normal becomes the outward normal, perturbed by the normal map. */
 struct dress radiance_dress(const struct radiance *radiance, const struct material *material,
                             const struct radiance_point *point, struct dress own, vec3s *normal);
 
-/* Returns the share of light that passes a surface of the surroundings: 1 in a hole, and what the
- * alpha of a blended surface leaves. */
+/* Returns the transmittance of a surface: 1 in a cutout's hole, 1 - alpha where blended, else 0. */
 float radiance_passing(const struct radiance *radiance, const struct mesh_vertex *vertex);
 
 #endif

@@ -1,4 +1,5 @@
-/* reference.c: traces the tiles of a picture with many threads. */
+/* reference.c: renders reference images on several threads, in rounds up to a noise or time limit.
+ */
 #include "src/reference/reference.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -29,10 +30,10 @@
 #include "src/tech/tonemap.h"
 
 enum {
-    TILE = 16, /* pixels a side */
+    TILE = 16, /* tile side in pixels */
     THREAD_COUNT_MAX = 256,
     PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1),
-    ROUND_MAX = 16, /* samples */
+    ROUND_MAX = 16, /* samples per pixel and round */
 };
 
 struct reference {
@@ -41,39 +42,39 @@ struct reference {
     char device_name[32];
 };
 
-/* A plane of the image, and the value that it receives. */
+/* An image plane and the sample value that is written to it. */
 struct plane {
     float *texels;
     size_t seen_index;
-    uint32_t sum_index; /* of a mean */
-    bool mean;          /* the mean of all samples, else sample 0, the pixel's centre */
+    uint32_t sum_index; /* index of the sum that a mean is computed from */
+    bool mean;          /* mean over all samples, else sample 0 at the pixel's centre */
 };
 
-/* Of the pixels of a tile. */
+/* Statistics of the pixels of a tile. */
 struct tally {
-    double error; /* sum of the standard errors */
+    double error; /* sum of the pixels' standard errors */
     double remaining;
     uint64_t pixels_beyond;
 };
 
-/* A picture in progress, shared by the threads. */
+/* An image in progress, shared by the threads. */
 struct job {
     const struct reference *reference;
     struct radiance radiance;
     struct globals globals;
-    struct eye eye;
+    struct camera_rays eye;
     struct first_surface_earlier earlier;
     struct bvh bvh;
-    struct media media;
+    struct nested_media media;
     struct inclusions inclusions;
-    struct tracing tracing;
+    struct tracer tracing;
     struct photons photons;
-    struct basin basin;
+    struct pool_scene basin;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
     struct reference_session *session;
     struct reference_sums sums;
-    uint32_t begin, end; /* samples of the round */
+    uint32_t begin, end; /* sample range of the current round */
     struct tally *tallies;
     uint32_t tile_columns, tile_count;
     atomic_uint next_tile, done_count;
@@ -98,9 +99,11 @@ enum status reference_create(struct reference **reference, const struct referenc
     r->device = rtcNewDevice(NULL);
     if (!r->device) {
         const bool is_old = rtcGetDeviceError(NULL) == RTC_ERROR_UNSUPPORTED_CPU;
-        log_error("--refraction reference: %s",
-                  is_old ? "expected a CPU with SSE4.2, which Embree needs; use another rung"
-                         : "out of memory");
+        log_error(
+            "--refraction reference: %s",
+            is_old
+                ? "expected a CPU with SSE4.2, which Embree needs; choose another refraction model"
+                : "out of memory");
         free(r);
         return is_old ? STATUS_NO_DEVICE : STATUS_TRY_AGAIN;
     }
@@ -161,9 +164,9 @@ static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct ta
     double *sums = job->sums.sums ? &job->sums.sums[pixel * job->sums.count] : own;
     for (uint32_t s = job->begin; s < job->end; s++) {
         const struct bvh_ray ray = eye_ray(&job->eye, x, y, s);
-        struct tracing tracing = job->tracing;
+        struct tracer tracing = job->tracing;
         tracing.sample = s;
-        if (job->eye.is_flat)
+        if (job->eye.is_orthographic)
             whitted_immerse(&tracing, ray.origin, &tracing.eye_inside);
         const struct reference_seen seen =
             whitted_trace(&tracing, &ray, job->globals.forward, microfacet_hash(x, y));
@@ -176,12 +179,12 @@ static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct ta
 
 /* ---- tiles ---- */
 
-static uint32_t least(uint32_t a, uint32_t b)
+static uint32_t min_u32(uint32_t a, uint32_t b)
 {
     return a < b ? a : b;
 }
 
-/* Traces the next tile. Returns false if there is none left, or the picture is stopped. */
+/* Renders the next tile. Returns false if none is left or rendering was cancelled. */
 static bool trace_tile(struct job *job)
 {
     const struct reference_request *request = &job->reference->request;
@@ -191,8 +194,8 @@ static bool trace_tile(struct job *job)
     struct tally tally = { 0 };
     const uint32_t left = tile % job->tile_columns * TILE;
     const uint32_t top = tile / job->tile_columns * TILE;
-    for (uint32_t y = top; y < least(top + TILE, request->height); y++) {
-        for (uint32_t x = left; x < least(left + TILE, request->width); x++)
+    for (uint32_t y = top; y < min_u32(top + TILE, request->height); y++) {
+        for (uint32_t x = left; x < min_u32(left + TILE, request->width); x++)
             trace_pixel(job, x, y, &tally);
         if (atomic_load(&job->is_stopped))
             return false;
@@ -213,10 +216,10 @@ static uint32_t thread_count(const struct reference_request *request)
 {
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
     const uint32_t wanted = request->threads ? request->threads : (uint32_t)(cores > 0 ? cores : 1);
-    return least(wanted, THREAD_COUNT_MAX);
+    return min_u32(wanted, THREAD_COUNT_MAX);
 }
 
-/* Returns how many tiles of a picture of all samples are as much work as what is done. */
+/* Returns the progress of the whole image as a number of tiles, over the samples of all rounds. */
 static uint32_t tiles_done(const struct job *job)
 {
     const uint64_t all = job->reference->request.samples;
@@ -225,8 +228,8 @@ static uint32_t tiles_done(const struct job *job)
     return (uint32_t)((before + now) / all);
 }
 
-/* Traces a round of all tiles. The calling thread traces, too, and reports the progress of all
- * threads; if threads cannot be created, there are fewer. */
+/* Renders one round of all tiles, also on the calling thread, which reports the progress of all
+ * threads. If threads cannot be created, fewer are used. */
 static enum status run(struct job *job, renderer_progress_fn *progress, void *user)
 {
     pthread_t threads[THREAD_COUNT_MAX];
@@ -254,7 +257,7 @@ static bool has_rounds(const struct job *job)
     return request->noise > 0.0 || request->seconds > 0.0 || session->load || session->keep;
 }
 
-/* Returns with how many samples the round after so many ends. */
+/* Returns the total number of samples after the round that starts at `samples`. */
 static uint32_t round_end(const struct job *job, uint32_t samples)
 {
     const uint32_t most = job->reference->request.samples;
@@ -262,8 +265,8 @@ static uint32_t round_end(const struct job *job, uint32_t samples)
     if (!has_rounds(job))
         return most;
     while (end <= samples)
-        end += least(end, ROUND_MAX);
-    return least(end, most);
+        end += min_u32(end, ROUND_MAX);
+    return min_u32(end, most);
 }
 
 static bool is_enough(const struct job *job, double began)
@@ -277,7 +280,8 @@ static bool is_enough(const struct job *job, double began)
            (request->seconds > 0.0 && samples && clock_seconds() - began >= request->seconds);
 }
 
-/* In the order of the tiles, so that the noise has the same bits for any number of threads. */
+/* Sums up the tiles in a fixed order, so that the noise is bit-identical for any number of threads.
+ */
 static struct reference_outcome outcome_of(const struct job *job)
 {
     const double pixels = (double)job->sums.width * job->sums.height;
@@ -291,8 +295,8 @@ static struct reference_outcome outcome_of(const struct job *job)
     return outcome;
 }
 
-/* Traces until the picture has so many samples; of those that it has, only what follows from the
- * sums. */
+/* Renders until each pixel has `samples` samples; with none to add, recomputes the image from sums.
+ */
 static enum status run_until(struct job *job, uint32_t samples, renderer_progress_fn *progress,
                              void *user)
 {
@@ -323,7 +327,7 @@ static enum status run_rounds(struct job *job, renderer_progress_fn *progress, v
 
 /* ---- a picture ---- */
 
-/* Adds the planes of a layer. Returns false when out of memory. */
+/* Adds the planes of a layer to the image. Returns false when out of memory. */
 static bool add_layer(struct job *job, struct image *image, const struct frame_layer *layer)
 {
     if (!accumulate_add_planes(image, layer))
@@ -344,7 +348,7 @@ static bool add_layer(struct job *job, struct image *image, const struct frame_l
     return true;
 }
 
-/* What a picture needs memory for. Returns false when out of it. */
+/* Allocates image planes, sums and tile statistics. Returns false when out of memory. */
 static bool add_layers(struct job *job, struct image *image)
 {
     const struct reference_request *request = &job->reference->request;
@@ -363,7 +367,7 @@ static bool add_layers(struct job *job, struct image *image)
     return done && job->tallies && (!has_rounds(job) || reference_sums_keep(&job->sums));
 }
 
-static uint64_t memory_of(const struct reference_request *request)
+static uint64_t memory_limit(const struct reference_request *request)
 {
     const long pages = sysconf(_SC_PHYS_PAGES);
     const long page = sysconf(_SC_PAGESIZE);
@@ -376,11 +380,11 @@ static uint64_t memory_of(const struct reference_request *request)
     return memory;
 }
 
-static struct tracing tracing_of(const struct job *job)
+static struct tracer tracing_of(const struct job *job)
 {
     const struct reference_params *params =
         settings_of(job->reference->request.settings, &reference_settings);
-    struct tracing tracing = {
+    struct tracer tracing = {
         .bvh = &job->bvh,
         .radiance = &job->radiance,
         .media = &job->media,
@@ -400,21 +404,22 @@ static struct tracing tracing_of(const struct job *job)
     return tracing;
 }
 
-/* Who is asked whether to go on, before there are tiles. */
-struct watcher {
+/* Progress callback of the photon map, whose work precedes the first tile. */
+struct photon_progress {
     renderer_progress_fn *progress; /* may be NULL */
     void *user;
     uint32_t tile_count;
 };
 
-static bool goes_on(void *user)
+static bool report_progress(void *user)
 {
-    const struct watcher *watcher = user;
-    return !watcher->progress || watcher->progress(watcher->user, 0, watcher->tile_count);
+    const struct photon_progress *photon_progress = user;
+    return !photon_progress->progress ||
+           photon_progress->progress(photon_progress->user, 0, photon_progress->tile_count);
 }
 
-/* Traces the sun's photons where the rasteriser draws its light through ice or water. */
-static enum status trace_photons(struct job *job, struct watcher watcher)
+/* Builds the photon map if the rasteriser would render caustics with these settings. */
+static enum status trace_photons(struct job *job, struct photon_progress photon_progress)
 {
     const struct settings *settings = job->reference->request.settings;
     const struct ice_caustics_params *light = settings_of(settings, &ice_caustics_settings);
@@ -425,8 +430,8 @@ static enum status trace_photons(struct job *job, struct watcher watcher)
         .sun_deg = pool->sun,
         .has_shadow = light->shadow || has_pool,
         .threads = thread_count(&job->reference->request),
-        .go_on = goes_on,
-        .user = &watcher,
+        .go_on = report_progress,
+        .user = &photon_progress,
     };
     if (!(has_pool ? caustics_are_lit(settings) : ice_caustics.is_on(settings)) || !params.count ||
         !(glms_vec3_max(job->globals.sun_light) > 0.0f))
@@ -436,8 +441,8 @@ static enum status trace_photons(struct job *job, struct watcher watcher)
     return status;
 }
 
-/* Replaces the scene of a pool by one of meshes. Returns false when out of memory. */
-static bool fill_pool(struct job *job, struct frame_view *view)
+/* If the scene has a pool, replaces it by triangle meshes. Returns false when out of memory. */
+static bool build_pool(struct job *job, struct frame_view *view)
 {
     if (!view->scene->has_pool)
         return true;
@@ -445,11 +450,12 @@ static bool fill_pool(struct job *job, struct frame_view *view)
         return false;
     view->scene = &job->basin.scene;
     job->globals = frame_view_globals(view, &job->eye.push);
-    job->globals.world_from_object = glms_mat4_identity(); /* the ice has been turned */
+    job->globals.world_from_object = glms_mat4_identity(); /* the ice is in world space */
     return true;
 }
 
-/* Makes what rays need, but for the hierarchy. Returns false when out of memory. */
+/* Initialises all but the Embree scene: camera, media, lighting. Returns false when out of memory.
+ */
 static bool prepare(struct job *job, const struct renderer_shot *shot)
 {
     const struct reference_request *request = &job->reference->request;
@@ -465,7 +471,7 @@ static bool prepare(struct job *job, const struct renderer_shot *shot)
     job->globals = frame_view_globals(&view, &job->eye.push);
     view.clip_from_world_earlier = frame_view_earlier(&view, &shot->earlier);
     first_surface_write(&job->earlier, &view, &job->globals);
-    if (!fill_pool(job, &view) || !media_init(&job->media, view.scene, request->settings))
+    if (!build_pool(job, &view) || !media_init(&job->media, view.scene, request->settings))
         return false;
     if (request->scene->has_pool)
         basin_set_media(&job->basin, request->scene, request->settings, &job->media);
@@ -486,9 +492,9 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     if (!prepare(job, shot))
         return log_out_of_memory("objects");
     enum status status = bvh_init(&job->bvh, job->reference->device, &job->radiance,
-                                  memory_of(&job->reference->request));
+                                  memory_limit(&job->reference->request));
     if (status == STATUS_OK)
-        status = trace_photons(job, (struct watcher){ progress, user, job->tile_count });
+        status = trace_photons(job, (struct photon_progress){ progress, user, job->tile_count });
     if (status == STATUS_OK) {
         whitted_immerse(&job->tracing, job->eye.push.eye, &job->tracing.eye_inside);
         status = run_rounds(job, progress, user);
@@ -499,7 +505,7 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     return status;
 }
 
-/* Returns the tonemapped picture, or NULL when out of memory. */
+/* Returns the tone-mapped image as RGBA, or NULL when out of memory. */
 static uint8_t *make_display(const struct job *job, const struct image *image)
 {
     const struct tonemap_params *params =

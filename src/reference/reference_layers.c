@@ -1,4 +1,5 @@
-/* reference_layers.c: the layers of the reference, also in builds without Embree. */
+/* reference_layers.c: maps image planes to the values of a traced ray; also built without Embree.
+ */
 #include "src/reference/reference_layers.h"
 #include <stdio.h>
 #include <string.h>

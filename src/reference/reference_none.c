@@ -1,4 +1,4 @@
-/* reference_none.c: replaces reference.c in builds without Embree. */
+/* reference_none.c: stub of reference.c for builds without Embree; every call fails. */
 #include "src/base/log.h"
 #include "src/reference/reference.h"
 

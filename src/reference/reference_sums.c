@@ -1,11 +1,11 @@
-/* reference_sums.c: the sums over a pixel's samples. */
+/* reference_sums.c: per-pixel sums over samples, from which means and standard errors follow. */
 #include "src/reference/reference_sums.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The first sums of a pixel. */
+/* Indices of the sums that every pixel has. */
 enum {
     BRIGHTNESS,
     SQUARE,
@@ -81,11 +81,9 @@ double reference_sums_remaining(const double *pixel, uint32_t samples)
     return most;
 }
 
-/* ---- in files ---- */
-
 enum {
-    PARTS = 3,      /* of a double */
-    PART_BITS = 21, /* the first has one more: all are exact as floats */
+    PARTS = 3,      /* planes that store one double */
+    PART_BITS = 21, /* bits per plane; the first has one more; all are exact as floats */
 };
 
 uint32_t reference_sums_plane_count(const struct reference_sums *sums)

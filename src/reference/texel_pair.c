@@ -1,4 +1,4 @@
-/* texel_pair.c: texels around a coordinate. */
+/* texel_pair.c: the two texels and the weight of a linear texture lookup. */
 #include "src/reference/texel_pair.h"
 #include <math.h>
 
@@ -7,15 +7,15 @@ static uint32_t wrapped(double index, uint32_t count)
     return (uint32_t)(index - floor(index / count) * count);
 }
 
-struct texel_pair texel_pair_at(float coordinate, uint32_t count, bool repeat)
+struct linear_filter texel_pair_at(float coordinate, uint32_t count, bool repeat)
 {
     const double x = (double)coordinate * count - 0.5;
     const double first = floor(x);
     const double last = count - 1.0;
     if (repeat)
-        return (struct texel_pair){ wrapped(first, count), wrapped(first + 1, count),
-                                    (float)(x - first) };
-    return (struct texel_pair){
+        return (struct linear_filter){ wrapped(first, count), wrapped(first + 1, count),
+                                       (float)(x - first) };
+    return (struct linear_filter){
         (uint32_t)fmin(fmax(first, 0), last),
         (uint32_t)fmin(fmax(first + 1, 0), last),
         (float)(x - first),

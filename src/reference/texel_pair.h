@@ -1,17 +1,18 @@
-/* texel_pair.h: which texels of a row a bilinear filter reads. */
+/* texel_pair.h: texel indices and weights of a linear texture lookup along one axis. */
 #ifndef FIRN_REFERENCE_TEXEL_PAIR_H
 #define FIRN_REFERENCE_TEXEL_PAIR_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The two texels around a coordinate, and the weight of the second one. */
-struct texel_pair {
+/* The two texels around a texture coordinate, and the weight of the second one. */
+struct linear_filter {
     uint32_t first, second;
-    float share;
+    float weight;
 };
 
-/* `coordinate` is from 0 to 1 across `count` texels, which repeat beyond, or end. */
-struct texel_pair texel_pair_at(float coordinate, uint32_t count, bool repeat);
+/* Returns the texels of a lookup at `coordinate`, 0 to 1 over `count` texels. Beyond that range the
+ * texture repeats or is clamped to its edge. */
+struct linear_filter texel_pair_at(float coordinate, uint32_t count, bool repeat);
 
 #endif

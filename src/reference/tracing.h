@@ -1,4 +1,5 @@
-/* tracing.h: what all rays of a picture share. */
+/* tracing.h: state that all rays of an image share: scene, media, inclusions, photon map, settings.
+ */
 #ifndef FIRN_REFERENCE_TRACING_H
 #define FIRN_REFERENCE_TRACING_H
 
@@ -11,40 +12,40 @@ enum {
     TRACING_CHANNEL_COUNT = 3 /* red, green, blue */
 };
 
-struct basin;
+struct pool_scene;
 struct photons;
 
-struct tracing {
+struct tracer {
     const struct bvh *bvh;
     const struct radiance *radiance;
-    const struct media *media;
+    const struct nested_media *media;
     const struct inclusions *inclusions;
-    struct cloud clouds[CLOUDS_MAX]; /* those that scatter anything */
+    struct cloud clouds[CLOUDS_MAX]; /* scattering media with an extinction above 0 */
     uint32_t cloud_count;
-    const struct basin *basin;     /* NULL: the scene is no pool */
-    const struct photons *photons; /* NULL: the sun shines everywhere, and is not refracted */
-    const struct first_surface_earlier *earlier; /* for layers; NULL: nothing moves */
-    vec4s guide;                                 /* surface_light_guide() */
-    struct media_set eye_inside;                 /* whitted_immerse() of the eye */
-    bool has_layers; /* else of what a ray sees only colour, alpha and remaining are of use */
-    uint32_t sample; /* of a pixel; its random numbers are those of this index */
+    const struct pool_scene *basin;              /* the pool; NULL if the scene has none */
+    const struct photons *photons;               /* NULL if objects do not affect sunlight */
+    const struct first_surface_earlier *earlier; /* previous frame, for `motion`; may be NULL */
+    vec4s guide;                                 /* sampling guide of surface_light_guide() */
+    struct media_set eye_inside; /* objects that contain the camera, from whitted_immerse() */
+    bool has_layers;             /* compute all layers, else only colour, alpha and `remaining` */
+    uint32_t sample;             /* sample index within a pixel, which selects its random numbers */
     struct reference_params params;
 };
 
-static inline const struct frame_medium *tracing_medium(const struct tracing *tracing,
+static inline const struct frame_medium *tracing_medium(const struct tracer *tracing,
                                                         uint32_t index)
 {
     return &tracing->media->all[index];
 }
 
-/* Returns the number of paths of a ray, one for each channel or one of all. */
-static inline uint32_t tracing_channel_count(const struct tracing *tracing)
+/* Returns the number of paths per camera ray: with dispersion one per colour channel, else one. */
+static inline uint32_t tracing_channel_count(const struct tracer *tracing)
 {
     return tracing->media->is_dispersive ? TRACING_CHANNEL_COUNT : 1;
 }
 
-/* Returns the channels of a path, as factors. */
-static inline vec3s tracing_channels(const struct tracing *tracing, uint32_t path)
+/* Returns the colour channels of a path as a mask of 0 and 1. */
+static inline vec3s tracing_channels(const struct tracer *tracing, uint32_t path)
 {
     const bool all = !tracing->media->is_dispersive;
     return (vec3s){ { all || path == 0 ? 1.0f : 0.0f, all || path == 1 ? 1.0f : 0.0f,

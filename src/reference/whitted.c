@@ -1,4 +1,4 @@
-/* whitted.c: traces the branches of a ray. */
+/* whitted.c: traces the ray tree of a camera ray, and fills its colour and layers. */
 #include "src/reference/whitted.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -10,32 +10,31 @@
 #include "src/tech/gbuffer.h"
 
 enum {
-    CROSSINGS_MAX = 4096, /* of a ray that looks for the objects around the eye */
+    CROSSINGS_MAX = 4096, /* surfaces that the ray from the camera to infinity may cross */
 };
 
-/* The light of all branches, and the weight of those that were terminated. */
+/* Radiance summed over all rays of a tree, and the throughput of terminated rays. */
 struct sum {
     vec3s light, remaining;
 };
 
-/* ---- the tree ---- */
-
-/* Pushes a branch, or adds its weight to `remaining` if it is terminated. */
-static void grow(const struct tracing *tracing, struct branch *stack, uint32_t *count,
-                 struct branch branch, struct sum *sum)
+/* Pushes a ray onto the stack. A ray that is terminated instead adds its throughput to `remaining`.
+ */
+static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_t *count,
+                 struct ray_branch branch, struct sum *sum)
 {
     const bool is_roulette = tracing->params.roulette;
-    const bool is_weak = glms_vec3_max(branch.weight) < tracing->params.cutoff;
+    const bool is_weak = glms_vec3_max(branch.throughput) < tracing->params.cutoff;
     if (branch_is_spent(tracing, &branch) || (is_weak && !is_roulette))
-        sum->remaining = glms_vec3_add(sum->remaining, branch.weight);
+        sum->remaining = glms_vec3_add(sum->remaining, branch.throughput);
     else if (!is_roulette || branch_goes_on(tracing, &branch))
         stack[(*count)++] = branch;
 }
 
-/* Finds what objects make of the light where a branch has met something around them. Returns false
- * if none is in the way. */
-static bool find_sun(const struct tracing *tracing, const struct bvh_hit *hit,
-                     const struct branch *b, struct radiance_sun *sun)
+/* Computes sunlight and sky light at a surface of the surroundings, as changed by objects and
+ * water. Returns false if nothing affects it. */
+static bool find_sunlight(const struct tracer *tracing, const struct bvh_hit *hit,
+                          const struct ray_branch *b, struct radiance_sun *sun)
 {
     const bool is_tile =
         tracing->basin && (hit->surface.material & MESH_TEXTURE_MASK) == MESH_TILES;
@@ -51,40 +50,39 @@ static bool find_sun(const struct tracing *tracing, const struct bvh_hit *hit,
     return tracing->photons || is_tile;
 }
 
-/* Lets surroundings hide the sun. Returns whether they may. */
-static bool hide_sun(const struct tracing *tracing, const struct bvh_hit *hit,
-                     const struct branch *b, bool is_found, struct radiance_sun *sun)
+/* Applies shadows of surroundings to direct sunlight. Returns false if they cast none. */
+static bool apply_sun_shadow(const struct tracer *tracing, const struct bvh_hit *hit,
+                             const struct ray_branch *b, bool is_affected, struct radiance_sun *sun)
 {
     const vec3s light = tracing->radiance->globals->sun_light;
     if (!tracing->radiance->hides_sun || !(glms_vec3_max(light) > 0.0f))
         return false;
-    if (!is_found)
+    if (!is_affected)
         *sun = (struct radiance_sun){ .sky = glms_vec3_one(), .own = 1.0f };
     sun->own *= ground_sun(tracing, hit->surface.position, b->seed);
     return true;
 }
 
-/* Returns the index, for green, of the medium that a branch is in, relative to that around the
- * objects. */
-static float ior_at(const struct tracing *tracing, const struct branch *b)
+/* Returns the index of refraction (green) of the medium around a ray's origin over the outside's.
+ */
+static float ior_at(const struct tracer *tracing, const struct ray_branch *b)
 {
     const uint32_t top = media_top(tracing->media, &b->inside, MEDIA_NOTHING);
     return tracing_medium(tracing, top)->ior[1] /
            tracing_medium(tracing, tracing->media->outside)->ior[1];
 }
 
-/* Adds the light of what a branch has met around the objects, or of the sky. Through a blended
- * surface the branch goes on, with the weight that is left; returns whether any is. *ways become
- * branches that bring more light to it. */
-static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hit *hit,
-                              struct branch *b, struct sum *sum, struct ground_ways *ways)
+/* Shades a hit on the surroundings, or the sky if `hit` is NULL; *gather receives rays that add
+ * indirect light. Returns true if the ray continues behind a blended surface. */
+static bool shade_surroundings(const struct tracer *tracing, const struct bvh_hit *hit,
+                               struct ray_branch *b, struct sum *sum, struct light_gather *gather)
 {
-    *ways = (struct ground_ways){ .count = 0 };
+    *gather = (struct light_gather){ .count = 0 };
     if (!hit) {
-        const bool is_open = b->is_gathered || b->scatterings > 0;
+        const bool is_open = b->is_gather_ray || b->scatterings > 0;
         const vec3s sky = is_open ? radiance_open(tracing->radiance, b->ray.dir)
                                   : radiance_sky(tracing->radiance, b->ray.dir);
-        sum->light = glms_vec3_muladd(b->weight, sky, sum->light);
+        sum->light = glms_vec3_muladd(b->throughput, sky, sum->light);
         return false;
     }
     struct radiance_point point = {
@@ -96,21 +94,21 @@ static bool meet_surroundings(const struct tracing *tracing, const struct bvh_hi
         .ior = ior_at(tracing, b),
     };
     struct radiance_sun sun;
-    const bool is_found = find_sun(tracing, hit, b, &sun);
-    if (hide_sun(tracing, hit, b, is_found, &sun) || is_found)
+    const bool is_affected = find_sunlight(tracing, hit, b, &sun);
+    if (apply_sun_shadow(tracing, hit, b, is_affected, &sun) || is_affected)
         point.sun = &sun;
     const vec3s light = radiance_surface(tracing->radiance, &point);
     const float passing = radiance_passing(tracing->radiance, &hit->surface);
-    *ways = ground_gather(tracing, b, hit, &point, passing);
-    sum->light = glms_vec3_sub(sum->light, ways->counted);
-    sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light), 1.0f - passing, sum->light);
+    *gather = ground_gather(tracing, b, hit, &point, passing);
+    sum->light = glms_vec3_sub(sum->light, gather->analytic_sky);
+    sum->light = glms_vec3_muladds(glms_vec3_mul(b->throughput, light), 1.0f - passing, sum->light);
     branch_pass(tracing, b, hit, passing);
     return passing > 0.0f;
 }
 
-/* Adds what an object's surface itself shows where it is not wholly transmissive. */
-static void add_shine(const struct tracing *tracing, const struct branch *b,
-                      const struct meeting *meeting, float fresnel, struct sum *sum)
+/* Adds the light of an object's opaque base, if its material is not fully transmissive. */
+static void add_opaque_base(const struct tracer *tracing, const struct ray_branch *b,
+                            const struct meeting *meeting, float fresnel, struct sum *sum)
 {
     struct mesh_vertex vertex = meeting->hit.surface;
     if (!(meeting->dress.shine > 0.0f))
@@ -118,53 +116,52 @@ static void add_shine(const struct tracing *tracing, const struct branch *b,
     vertex.normal = meeting->normal;
     const struct radiance_point point = { .vertex = &vertex, .dir = b->ray.dir, .is_base = true };
     const vec3s light = radiance_surface(tracing->radiance, &point);
-    sum->light = glms_vec3_muladds(glms_vec3_mul(b->weight, light),
+    sum->light = glms_vec3_muladds(glms_vec3_mul(b->throughput, light),
                                    meeting->dress.shine * (1.0f - fresnel), sum->light);
 }
 
-/* Traces a branch and its descendants, depth first: one of each two waits on the stack. */
-static void follow(const struct tracing *tracing, struct branch first, uint32_t channel,
-                   struct sum *sum)
+/* Traces a ray and its descendants depth-first, with an explicit stack of pending rays. */
+static void trace_tree(const struct tracer *tracing, struct ray_branch first, uint32_t channel,
+                       struct sum *sum)
 {
-    struct branch stack[REFERENCE_BOUNCES_MAX + 1 + GROUND_WAYS];
+    struct ray_branch stack[REFERENCE_BOUNCES_MAX + 1 + GROUND_WAYS];
     uint32_t count = 0;
-    grow(tracing, stack, &count, first, sum);
+    push(tracing, stack, &count, first, sum);
     while (count) {
-        struct branch b = stack[--count];
+        struct ray_branch b = stack[--count];
         struct meeting meeting = { .channel = channel };
-        const bool is_met = branch_advance(tracing, &b, &meeting);
+        const bool is_hit = branch_advance(tracing, &b, &meeting);
         sum->light = glms_vec3_add(sum->light, b.air);
-        if (!is_met && branch_is_spent(tracing, &b)) {
-            sum->remaining = glms_vec3_add(sum->remaining, b.weight);
+        if (!is_hit && branch_is_spent(tracing, &b)) {
+            sum->remaining = glms_vec3_add(sum->remaining, b.throughput);
             continue;
         }
-        if (!is_met || meeting.hit.part == BVH_SURROUNDINGS) {
-            struct ground_ways ways;
-            if (meet_surroundings(tracing, is_met ? &meeting.hit : NULL, &b, sum, &ways))
-                grow(tracing, stack, &count, b, sum);
-            for (uint32_t i = 0; i < ways.count; i++)
-                grow(tracing, stack, &count, ways.ways[i], sum);
+        if (!is_hit || meeting.hit.part == BVH_SURROUNDINGS) {
+            struct light_gather gather;
+            if (shade_surroundings(tracing, is_hit ? &meeting.hit : NULL, &b, sum, &gather))
+                push(tracing, stack, &count, b, sum);
+            for (uint32_t i = 0; i < gather.count; i++)
+                push(tracing, stack, &count, gather.rays[i], sum);
             continue;
         }
         const struct fork fork = branch_fork(tracing, &b, &meeting);
-        add_shine(tracing, &b, &meeting, fork.parting.fresnel, sum);
-        if (b.is_path) {
-            grow(tracing, stack, &count, branch_choose(tracing, &b, &fork), sum);
+        add_opaque_base(tracing, &b, &meeting, fork.split.fresnel, sum);
+        if (b.is_single_path) {
+            push(tracing, stack, &count, branch_choose(tracing, &b, &fork), sum);
             continue;
         }
-        grow(tracing, stack, &count, fork.refracted, sum);
-        grow(tracing, stack, &count, fork.reflected, sum);
+        push(tracing, stack, &count, fork.refracted, sum);
+        push(tracing, stack, &count, fork.reflected, sum);
     }
 }
 
-/* ---- layers ---- */
-
-/* Traces the path that is refracted wherever that is possible, from its entry to its first exit. */
-static void follow_straight(const struct tracing *tracing, struct branch b,
-                            struct reference_seen *seen)
+/* Follows the path that refracts wherever possible, from its entry to its first exit from all
+ * objects, and fills the layers of that path. */
+static void fill_refracted_layers(const struct tracer *tracing, struct ray_branch b,
+                                  struct reference_seen *seen)
 {
     float length = 0.0f;
-    b.is_straight = true;
+    b.ignores_scattering = true;
     uint32_t bounces = 0;
     struct meeting meeting = { .channel = 1 };
     while (media_top(tracing->media, &b.inside, MEDIA_NOTHING) != tracing->media->outside &&
@@ -176,7 +173,7 @@ static void follow_straight(const struct tracing *tracing, struct branch b,
         if (meeting.hit.part == BVH_SURROUNDINGS)
             break;
         const struct fork fork = branch_fork(tracing, &b, &meeting);
-        const bool is_total = fork.parting.fresnel >= 1.0f;
+        const bool is_total = fork.split.fresnel >= 1.0f;
         bounces += is_total;
         b = is_total ? fork.reflected : fork.refracted;
     }
@@ -185,62 +182,64 @@ static void follow_straight(const struct tracing *tracing, struct branch b,
     seen->bounces = (float)bounces;
     seen->met = (float)b.met;
     seen->tir =
-        bounces ? 1.0f : 0.0f; /* without total reflection it leaves at the first inner surface */
+        /* without total reflection the path exits at the first inner surface */
+        bounces ? 1.0f : 0.0f;
 }
 
-/* Returns the number of the last object that the path meets which is refracted wherever that is
- * possible, from the first surface on; `last` if it meets none. */
-static float find_last(const struct tracing *tracing, const struct first *look,
-                       const struct fork *fork, float last)
+/* Returns the object number of the last surface of the path that refracts wherever possible, after
+ * the first surface; `last` if it hits nothing else. */
+static float find_last_object(const struct tracer *tracing,
+                              const struct primary_hit_layers *primary, const struct fork *fork,
+                              float last)
 {
-    struct branch b = fork->parting.fresnel >= 1.0f ? fork->reflected : fork->refracted;
+    struct ray_branch b = fork->split.fresnel >= 1.0f ? fork->reflected : fork->refracted;
     struct meeting meeting = { .channel = 1 };
-    b.is_straight = true;
+    b.ignores_scattering = true;
     while (b.bounces < tracing->params.bounces && branch_advance(tracing, &b, &meeting)) {
         const struct bvh_hit *hit = &meeting.hit;
         if (hit->part == BVH_SURROUNDINGS) {
             const float passing = radiance_passing(tracing->radiance, &hit->surface);
             if (!(passing > 0.5f))
-                return first_number(look, hit);
+                return first_number(primary, hit);
             branch_pass(tracing, &b, hit, passing);
             continue;
         }
         if (hit->part == BVH_OBJECT)
-            last = first_number(look, hit);
+            last = first_number(primary, hit);
         const struct fork next = branch_fork(tracing, &b, &meeting);
-        b = next.parting.fresnel >= 1.0f ? next.reflected : next.refracted;
+        b = next.split.fresnel >= 1.0f ? next.reflected : next.refracted;
     }
     return last;
 }
 
-/* Traces one channel, or all of them if `channels` is 1, 1, 1, from the first surface on. */
-static void look_at_object(const struct tracing *tracing, const struct branch *eye,
-                           const struct meeting *met, uint32_t channel, vec3s channels,
-                           struct reference_seen *seen)
+/* Traces one colour channel, or all if `channels` is 1, 1, 1, from an object's surface on. */
+static void trace_channel(const struct tracer *tracing, const struct ray_branch *camera,
+                          const struct meeting *met, uint32_t channel, vec3s channels,
+                          struct reference_seen *seen)
 {
     struct meeting meeting = *met;
     meeting.channel = channel;
-    const struct fork fork = branch_fork(tracing, eye, &meeting);
-    const struct branch *const branches[2] = { &fork.reflected, &fork.refracted };
-    const float shares[2] = { fork.parting.fresnel, 1.0f - fork.parting.fresnel };
+    const struct fork fork = branch_fork(tracing, camera, &meeting);
+    const struct ray_branch *const branches[2] = { &fork.reflected, &fork.refracted };
+    const float fractions[2] = { fork.split.fresnel, 1.0f - fork.split.fresnel };
     vec3s *const seen_light[2] = { &seen->reflection, &seen->refraction };
     struct sum shine = { 0 };
-    add_shine(tracing, eye, &meeting, fork.parting.fresnel, &shine);
+    add_opaque_base(tracing, camera, &meeting, fork.split.fresnel, &shine);
     seen->color = glms_vec3_muladd(shine.light, channels, seen->color);
     for (int i = 0; i < 2; i++) {
         struct sum sum = { 0 };
-        struct branch branch = *branches[i];
-        if (!(shares[i] > 0.0f))
+        struct ray_branch branch = *branches[i];
+        if (!(fractions[i] > 0.0f))
             continue;
-        branch.weight = glms_vec3_mul(branch.weight, channels);
-        follow(tracing, branch, channel, &sum);
+        branch.throughput = glms_vec3_mul(branch.throughput, channels);
+        trace_tree(tracing, branch, channel, &sum);
         seen->color = glms_vec3_add(seen->color, sum.light);
         seen->remaining = glms_vec3_add(seen->remaining, sum.remaining);
-        *seen_light[i] = glms_vec3_muladds(sum.light, 1.0f / shares[i], *seen_light[i]);
+        *seen_light[i] = glms_vec3_muladds(sum.light, 1.0f / fractions[i], *seen_light[i]);
     }
 }
 
-void whitted_immerse(const struct tracing *tracing, vec3s point, struct media_set *inside)
+void whitted_immerse(const struct tracer *tracing, vec3s point, struct media_set *inside)
 {
     struct media_set entered = { 0 };
     struct bvh_hit hit;
@@ -262,67 +261,67 @@ void whitted_immerse(const struct tracing *tracing, vec3s point, struct media_se
     }
 }
 
-/* Adds all that a branch sees, from the eye in a cloud, or from behind a blended surface. */
-static void look_through(const struct tracing *tracing, const struct branch *from,
-                         struct reference_seen *seen)
+/* Adds all light along a ray; for cameras in a scattering medium, and behind blended surfaces. */
+static void trace_all_channels(const struct tracer *tracing, const struct ray_branch *from,
+                               struct reference_seen *seen)
 {
     for (uint32_t c = 0; c < tracing_channel_count(tracing); c++) {
-        struct branch b = *from;
+        struct ray_branch b = *from;
         struct sum sum = { 0 };
-        b.weight = glms_vec3_mul(b.weight, tracing_channels(tracing, c));
-        follow(tracing, b, c, &sum);
+        b.throughput = glms_vec3_mul(b.throughput, tracing_channels(tracing, c));
+        trace_tree(tracing, b, c, &sum);
         seen->color = glms_vec3_add(seen->color, sum.light);
         seen->remaining = glms_vec3_add(seen->remaining, sum.remaining);
     }
 }
 
-struct reference_seen whitted_trace(const struct tracing *tracing, const struct bvh_ray *ray,
+struct reference_seen whitted_trace(const struct tracer *tracing, const struct bvh_ray *ray,
                                     vec3s forward, uint32_t seed)
 {
     struct reference_seen seen = { .alpha = 1.0f, .z = GBUFFER_NOTHING };
-    struct branch eye = {
+    struct ray_branch camera = {
         .ray = *ray,
         .inside = tracing->eye_inside,
-        .weight = glms_vec3_one(),
+        .throughput = glms_vec3_one(),
         .seed = seed,
     };
-    const bool is_in_cloud = branch_is_in_cloud(tracing, &eye);
-    const struct branch first = eye;
+    const bool is_in_cloud = branch_is_in_cloud(tracing, &camera);
+    const struct ray_branch first = camera;
     struct meeting meeting = { .channel = 1 };
-    eye.is_straight = true;
-    const bool is_met = branch_advance(tracing, &eye, &meeting);
-    eye.is_straight = false;
+    camera.ignores_scattering = true;
+    const bool is_hit = branch_advance(tracing, &camera, &meeting);
+    camera.ignores_scattering = false;
     const struct bvh_hit *hit = &meeting.hit;
-    const struct first look = { tracing->bvh, tracing->radiance, tracing->earlier };
-    if (is_met && tracing->has_layers) {
-        first_look(&look, ray, forward, hit, &seen);
+    const struct primary_hit_layers primary = { tracing->bvh, tracing->radiance, tracing->earlier };
+    if (is_hit && tracing->has_layers) {
+        first_look(&primary, ray, forward, hit, &seen);
     }
-    if (!is_met && tracing->radiance->scene->is_hidden) {
+    if (!is_hit && tracing->radiance->scene->is_hidden) {
         seen.alpha = 0.0f;
         return seen;
     }
     if (is_in_cloud) {
-        look_through(tracing, &first, &seen);
+        trace_all_channels(tracing, &first, &seen);
         return seen;
     }
-    seen.color = eye.air;
-    if (!is_met || hit->part == BVH_SURROUNDINGS) {
+    seen.color = camera.air;
+    if (!is_hit || hit->part == BVH_SURROUNDINGS) {
         struct sum sum = { 0 };
-        struct ground_ways ways;
-        if (meet_surroundings(tracing, is_met ? hit : NULL, &eye, &sum, &ways))
-            look_through(tracing, &eye, &seen);
-        for (uint32_t i = 0; i < ways.count; i++)
-            look_through(tracing, &ways.ways[i], &seen);
+        struct light_gather gather;
+        if (shade_surroundings(tracing, is_hit ? hit : NULL, &camera, &sum, &gather))
+            trace_all_channels(tracing, &camera, &seen);
+        for (uint32_t i = 0; i < gather.count; i++)
+            trace_all_channels(tracing, &gather.rays[i], &seen);
         seen.color = glms_vec3_add(seen.color, sum.light);
         return seen;
     }
     if (tracing->has_layers) {
-        const struct fork straight = branch_fork(tracing, &eye, &meeting);
-        seen.fresnel = straight.parting.fresnel;
-        follow_straight(tracing, straight.refracted, &seen);
-        seen.last = find_last(tracing, &look, &straight, seen.last);
+        const struct fork straight = branch_fork(tracing, &camera, &meeting);
+        seen.fresnel = straight.split.fresnel;
+        fill_refracted_layers(tracing, straight.refracted, &seen);
+        seen.last = find_last_object(tracing, &primary, &straight, seen.last);
     }
     for (uint32_t c = 0; c < tracing_channel_count(tracing); c++)
-        look_at_object(tracing, &eye, &meeting, c, tracing_channels(tracing, c), &seen);
+        trace_channel(tracing, &camera, &meeting, c, tracing_channels(tracing, c), &seen);
     return seen;
 }

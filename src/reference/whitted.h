@@ -1,27 +1,28 @@
 /*
- * whitted.h: recursive ray tracing through a scene's objects (Whitted).
+ * whitted.h: recursive (Whitted-style) ray tracing through the scene's objects.
  *
- * At a smooth surface light is reflected and refracted by Fresnel's equations and Snell's law, with
- * the indices of the media on both sides (media.h); at a rough one, a sample of a pixel meets one
- * microfacet (microfacet.h). Both branches are traced until their weight is below reference.cutoff
- * or they have met reference.bounces surfaces. Pictures of smooth objects use no random numbers.
+ * At a smooth surface light splits into reflection and refraction by the Fresnel equations and
+ * Snell's law, with the indices of the media on both sides (media.h). At a rough surface each pixel
+ * sample hits one microfacet (microfacet.h). Both branches are traced until their throughput is
+ * below reference.cutoff or they have hit reference.bounces surfaces. Splitting instead of sampling
+ * makes images of smooth objects free of noise, since they use no random numbers.
  *
- * With reference.roulette those go on instead, one way of the two at each surface by chance; the
- * weak ones among them only by chance, with the weight of the others (Russian roulette).
+ * Truncation loses energy. With reference.roulette such rays continue as single paths that sample
+ * reflection or refraction at each surface, and weak ones undergo Russian roulette: they survive
+ * with a probability proportional to their throughput and are reweighted, so that the estimate is
+ * unbiased and the cost bounded.
  *
- * A crack in an object is a thin gap of what is outside: it reflects 2 R / (1 + R), and what passes
- * it keeps its direction. A plane of air covers what is behind it by its opacity. Outside of
- * objects both are nothing.
+ * A crack in an object is a thin gap of outside air: it reflects 2 R / (1 + R) and does not deflect
+ * transmitted light. A plane of air is composited by its opacity. Both exist only inside objects.
  *
- * Bumps bend the normals of objects, and frost is in a random share of a pixel's samples.
+ * Bump maps perturb the normals of objects; frost covers a random fraction of a pixel's samples.
  *
- * Where air is a medium (cloud.h), light is scattered at random. From then on a branch is one path,
- * which a surface reflects or refracts by chance, so that no tree grows.
+ * Where air is a scattering medium (cloud.h), a scattered ray becomes a single path as well, so
+ * that the ray tree does not grow exponentially.
  *
- * Limits: with interpolated normals a direction may be on the wrong side of a triangle: light then
- * continues in that direction, as from the smooth surface, and does not meet the object from the
- * side on which it is not; only light that is reflected inside is reflected by the triangle's own
- * normal instead.
+ * Limits: interpolated normals may produce a direction on the wrong side of a triangle. Such a ray
+ * continues as from the smooth surface and ignores faces of the wrong orientation; only internal
+ * reflection uses the geometric normal instead.
  */
 #ifndef FIRN_REFERENCE_WHITTED_H
 #define FIRN_REFERENCE_WHITTED_H
@@ -29,11 +30,12 @@
 #include "src/reference/reference_layers.h"
 #include "src/reference/tracing.h"
 
-/* Finds the objects that a point is inside, by the surfaces between it and infinity. */
-void whitted_immerse(const struct tracing *tracing, vec3s point, struct media_set *inside);
+/* Finds the objects that contain a point, by counting the surfaces along a ray to infinity. */
+void whitted_immerse(const struct tracer *tracing, vec3s point, struct media_set *inside);
 
-/* Traces a ray from the eye. `forward` is the view's axis, unit; `seed` is the pixel's. */
-struct reference_seen whitted_trace(const struct tracing *tracing, const struct bvh_ray *ray,
+/* Traces a camera ray. `forward` is the unit viewing direction; `seed` is the pixel's random seed.
+ */
+struct reference_seen whitted_trace(const struct tracer *tracing, const struct bvh_ray *ray,
                                     vec3s forward, uint32_t seed);
 
 #endif

@@ -370,7 +370,7 @@ class Trace(Case):
         def lines(rung):
             words = ('profile', 'sphere', *FLAT, '--plain', '-s', '16x12', '-n', 1, '-r', rung)
             return self.succeed(*words).stdout.decode()
-        self.assertRegex(lines('trace'), r'\ntree: \d{3,} triangles, \d+\.\d+ ms, 0\.\d MiB\n')
+        self.assertRegex(lines('trace'), r'\nBVH: \d{3,} triangles, \d+\.\d+ ms, 0\.\d MiB\n')
         self.assertNotIn('tree:', lines('bounce'))
         self.write('two.gltf', (glass(), [0, 0, 0], 1), (glass(), [3, 0, 0], 1))
         tree = json.loads(self.succeed('info', 'two.gltf', '--json', env=NO_DRIVER).stdout)['tree']

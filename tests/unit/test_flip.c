@@ -95,7 +95,7 @@ static double weight_of(const struct flip_sensitivity *s, uint32_t x, uint32_t y
     double weight = 0.0;
     for (uint32_t i = 0; i < s->count; i++) {
         const float *middle = s->kernels[i].weights + s->kernels[i].radius;
-        weight += (double)(s->shares[i] * middle[x] * middle[y]);
+        weight += (double)(s->fractions[i] * middle[x] * middle[y]);
     }
     return weight;
 }
@@ -164,7 +164,7 @@ static void test_every_ppd_fits(void **state)
         struct flip_features f;
         flip_sensitivity_init(&s, FLIP_BLUE_YELLOW, ppd);
         flip_features_init(&f, ppd);
-        CHECK_NEAR(s.shares[0] + s.shares[1], 1, 1e-6);
+        CHECK_NEAR(s.fractions[0] + s.fractions[1], 1, 1e-6);
         CHECK_NEAR(sum_of(&s.kernels[1]), 1, 1e-6);
         CHECK_NEAR(sum_of(&f.edge), 0, 1e-6);
         CHECK_NEAR(sum_of(&f.point), 0, 1e-6);

@@ -67,7 +67,7 @@ static void test_table(void **state)
     assert_non_null(strstr(printed.text, "run 7: refract_paper.color 24.131 ms, 3.0x its median"));
     assert_non_null(strstr(printed.text, "measurement overhead: +2.0 %"));
     (void)printed_line(&printed, "clock: timestamps: agree with");
-    (void)printed_line(&printed, "tree: 14400 triangles, 31.000 ms, 3.0 MiB");
+    (void)printed_line(&printed, "BVH: 14400 triangles, 31.000 ms, 3.0 MiB");
     (void)printed_line(&printed, "acceleration structures: 4.2500 ms, 2.0 MiB");
     free(printed.text);
     profile_finish(&p);

@@ -1,4 +1,4 @@
-/* figures.js: charts of frame rates, as a paper prints them, and what it says of pairs of cases. */
+/* figures.js: charts of frame rates as in the paper, and a table that tests its claims. */
 
 const FIGURE = { height: 220, left: 48, right: 12, top: 14, bottom: 40 };
 
@@ -15,10 +15,10 @@ function drawFigureAxes(svg, figure, width, at, y) {
         class: 'middle soft', x: at(column), y: foot + 15,
     }, name));
     add(svg, 'text', { class: 'middle soft', x: (left + width - right) / 2, y: height - 6 },
-        `${figure.axis}; up: frames/s`);
+        `${figure.axis}; vertical: frames/s`);
 }
 
-/* One value of a series, with its rate on it. */
+/* Draws one value of a series as bar or dot, labelled with its frame rate. */
 function drawRate(svg, figure, series, column, place) {
     const { x, y, wide, foot } = place, rate = frameRate(series.points[column]);
     const name = `${series.name}, ${figure.columns[column]}`;
@@ -66,7 +66,7 @@ function drawFigure(box, figure) {
 function drawContrasts(table) {
     const head = add(add(table, 'thead'), 'tr'), body = add(table, 'tbody');
     const signed = rate => percent(rate - 1);
-    for (const word of ['paper', 'frame rate with', 'firn', '99 % interval', 'p', 'the paper says'])
+    for (const word of ['in the paper', 'frame rate with', 'firn', '99 % interval', 'p', 'claim'])
         add(head, 'th', { scope: 'col' }, word);
     for (const { where, what, said, rate, low, high, p } of sweep.contrasts) {
         const line = add(body, 'tr');

@@ -1,11 +1,11 @@
-/* frames.js: how long the frames took: how often, and run by run. */
+/* frames.js: histogram of the frame times, and a plot of the frame time of each run. */
 
 const HISTOGRAM = { height: 88, top: 18, axis: 20, side: 4 };
 const STRIP = { height: 150, top: 12, bottom: 22, left: 48, right: 12 };
 
 /*
- * Bins of both series: { from, to, measured, plain }. Slow frames that are outliers share a last
- * one: a single of them would leave no room for all others.
+ * Returns the histogram bins of both series: { from, to, measured, plain }. Slow outliers share
+ * one last bin, since a single one would stretch the axis and compress all other bins.
  */
 function makeBins(width) {
     const both = [...profile.frame.ms, ...profile.plain.ms], low = Math.min(...both);
@@ -62,7 +62,7 @@ function drawHistogramAxis(svg, bins, x, end) {
         add(svg, 'text', { x: end, y, class: 'end soft' }, 'slower');
 }
 
-/* Measured frames upwards from the axis, plain ones downwards. */
+/* Draws bars of measured frames upwards and of frames without measurement downwards. */
 function drawHistogram() {
     const box = $('histogram'), width = widthOf(box), { height, top, axis, side } = HISTOGRAM;
     const { bins, step } = makeBins(width), hasRest = bins.at(-1).isRest, gap = hasRest ? 24 : 0;
@@ -71,7 +71,7 @@ function drawHistogram() {
     const most = Math.max(...bins.flatMap(bin => [bin.measured, bin.plain]));
     box.replaceChildren();
     const svg = addSvg(box, width, 2 * (top + height) + axis, {
-        role: 'group', 'aria-label': 'How often frames took how long',
+        role: 'group', 'aria-label': 'Histogram of frame times',
     });
     ['frame', 'plain'].forEach((series, i) => {
         const { median } = profile[series].summary, words = i ? 'plain' : 'measured';
@@ -98,7 +98,7 @@ function runTip(run) {
     const measured = profile.frame.ms[run], usual = profile.frame.summary.median;
     return [
         ['measured', ms(measured)],
-        ['to the median', times(measured / usual)],
+        ['relative to median', times(measured / usual)],
         ['plain', ms(profile.plain.ms[run])],
         ['outlier', profile.frame.summary.outliers.includes(run) ? 'yes' : 'no'],
     ];
@@ -123,7 +123,7 @@ function drawStrip() {
     const slot = (width - left - right) / count, x = run => left + (run + .5) * slot;
     box.replaceChildren();
     const svg = addSvg(box, width, height, {
-        role: 'group', 'aria-label': 'Runs; Enter shows one below',
+        role: 'group', 'aria-label': 'Frame time of each run; Enter shows the run in the timeline',
     });
     drawStripAxis(svg, width, low, high + margin, y);
     const items = profile.frame.ms.map((_, run) => {
@@ -151,7 +151,7 @@ function drawStrip() {
     rove(svg, items, view.run);
 }
 
-/* Of every measured outlier: how slow, and the row that is most above its own median. */
+/* Describes each outlier: its frame time, and the row that exceeds its own median the most. */
 function outlierWords() {
     const lines = [];
     for (const run of profile.frame.summary.outliers) {
@@ -177,6 +177,6 @@ function startFrames() {
     if (words.length > shown.length)
         shown.push(`and ${plural(words.length - shown.length, 'more run')}`);
     $('outliers').textContent = 'Outliers, more than 1.5 interquartile ranges outside the ' +
-        `quartiles, are ringed. Measured ones: ${shown.join('; ') || 'none'}.`;
+        `quartiles, are circled. Among measured frames: ${shown.join('; ') || 'none'}.`;
     $('overhead').textContent = `Measurement overhead: ${percent(profile.overhead)}.`;
 }

@@ -1,13 +1,13 @@
-/* memory.js: who lies where in transient memory, from which pass to which. */
+/* memory.js: plot of transient memory: address ranges of resources over the passes. */
 
 const MEMORY = { axis: 84, least: 14, most: 96, height: 96, highest: 480, names: 190 };
 
-/* A resident has the colour of the technique its name begins with. */
+/* Returns the colour class of a resource: that of the technique with which its name begins. */
 function residentColor(resident) {
     return techniqueColors.get(resident.name.split('.')[0]) ?? 't8';
 }
 
-/* Two drawings of one height: words that stay when the other is scrolled, and columns. */
+/* Adds two SVGs of equal height: fixed labels, and columns that scroll horizontally. */
 function addMemoryRow(box, height, columns) {
     const row = add(box, 'div', { class: 'row' });
     return {
@@ -53,9 +53,9 @@ function drawResident(plot, resident, columns, y) {
         addLabel(item, x, top, width, name);
     setTip(item, name, [
         ['size', bytes(size)],
-        ['at', bytes(offset)],
-        ['from', passes[0]],
-        ['to', passes[1]],
+        ['offset', bytes(offset)],
+        ['first pass', passes[0]],
+        ['last pass', passes[1]],
     ]);
     return item;
 }
@@ -65,7 +65,7 @@ function drawMemoryBlock(box, block, columns) {
     const size = Math.max(...residents.map(resident => resident.offset + resident.size));
     const height = Math.min(MEMORY.height + 40 * residents.length, MEMORY.highest);
     const y = scale(0, size, 0, height - 1);
-    add(box, 'h3', {}, `Block ${block}: ${bytes(size)}, ${plural(residents.length, 'resident')}`);
+    add(box, 'h3', {}, `Block ${block}: ${bytes(size)}, ${plural(residents.length, 'resource')}`);
     const { names, plot } = addMemoryRow(box, height, columns);
     plot.setAttribute('aria-label', `Block ${block}`);
     drawMemoryAxis(names, size, height);
@@ -93,7 +93,7 @@ function startMemory() {
     const p = profile, saved = 1 - p.memory_used / p.memory_without_aliasing;
     const words = `Transient memory: ${bytes(p.memory_used)} used, ` +
         `${bytes(p.memory_without_aliasing)} without aliasing` +
-        (saved > 0 ? ` (${percent(saved)} saved)` : '') + `, bound ${bytes(p.memory_bound)}.`;
+        (saved > 0 ? ` (${percent(saved)} saved)` : '') + `, lower bound ${bytes(p.memory_bound)}.`;
     $('memory-summary').textContent = words +
         (p.memory_persistent ? ` Persistent memory: ${bytes(p.memory_persistent)}.` : '');
 }

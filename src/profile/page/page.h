@@ -1,15 +1,15 @@
-/* page.h: the text of the page of a profile, made of the files beside this one by embed.py. */
+/* page.h: the HTML page of a profile as C arrays, which embed.py generates from this folder. */
 #ifndef FIRN_PROFILE_PAGE_H
 #define FIRN_PROFILE_PAGE_H
 
 #include <stddef.h>
 
 enum {
-    PAGE_PART_COUNT = 3 /* data goes between: of the profile, then of the sweep */
+    PAGE_PART_COUNT = 3 /* the JSON of the profile, then that of the sweep, go between the parts */
 };
 
 struct page_part {
-    const char *text; /* no 0 at its end */
+    const char *text; /* not terminated by 0 */
     size_t size;
 };
 

@@ -1,4 +1,4 @@
-/* page.js: the head of the page, and the start of everything. */
+/* page.js: fills the header of the page and starts all sections. */
 
 function addFact(word, text) {
     const fact = add($('facts'), 'div');
@@ -13,7 +13,7 @@ function startFacts() {
     add(summary, 'b', {}, ms(median));
     summary.append(` a frame (median of ${plural(p.run_count, 'run')}, \u03c3 ${ms(sigma)}); ` +
         `${ms(p.plain.summary.median)} without measurement`);
-    addFact('picture', `${p.width}\u00d7${p.height}, ${p.rung}, ${p.material}`);
+    addFact('image', `${p.width}\u00d7${p.height}, ${p.rung}, ${p.material}`);
     addFact('device', p.device);
     addFact('driver', p.driver);
     addFact('host', p.host);
@@ -22,10 +22,10 @@ function startFacts() {
         addFact('submit', `${ms(p.submit_cost)} when empty, included in every pass`);
     addFact('runs', `${p.run_count}, after ${plural(p.warmup, 'warm-up run')}`);
     addFact('scene time', `${p.time} s, step ${p.time_step} s per run`);
-    addFact('setup', `upload ${ms(p.upload)}, plan ${ms(p.compile)}, objects ${ms(p.realise)}, ` +
+    addFact('setup', `upload ${ms(p.upload)}, graph ${ms(p.compile)}, objects ${ms(p.realise)}, ` +
         `first frame ${ms(p.first_frame)}`);
     if (p.tree_triangles)
-        addFact('tree', `${p.tree_triangles} triangles, ${ms(p.tree)}, ` +
+        addFact('BVH', `${p.tree_triangles} triangles, ${ms(p.tree)}, ` +
             `${(p.tree_size / 2 ** 20).toFixed(1)} MiB`);
     if (p.rays_size)
         addFact('acceleration structures', `${ms(p.rays)}, ` +
@@ -47,14 +47,14 @@ async function copyCommand() {
     let words = 'Copied';
     try {
         await navigator.clipboard.writeText(profile.command);
-    } catch { /* not allowed: the reader's own keys are */
+    } catch { /* the browser denies access to the clipboard */
         getSelection().selectAllChildren($('command'));
         words = 'Selected: copy it with Ctrl+C';
     }
     $('copied').textContent = words;
 }
 
-/* The system's choice, until the reader makes another one. */
+/* Follows the system's colour scheme until the user clicks the button. */
 function startDark() {
     const system = matchMedia('(prefers-color-scheme: dark)'), button = $('dark');
     let chosen = null;
@@ -71,7 +71,7 @@ function startDark() {
     show();
 }
 
-/* Everything whose size depends on the window's. */
+/* Draws everything whose size depends on the window width. */
 function drawAll() {
     drawFrames();
     drawTimeline(focusedBlock());

@@ -1,14 +1,14 @@
-/* parts.js: what the drawings share: elements, words for numbers, statistics, tooltips, keys. */
+/* parts.js: shared helpers: elements, number formatting, statistics, axes, tooltips, keyboard. */
 'use strict';
 
 const $ = id => document.getElementById(id);
 const HTML_SPACE = document.documentElement.namespaceURI;
 const SVG_SPACE = $('marks').namespaceURI;
 
-/* What the reader has chosen. */
+/* View state that the user controls. */
 const view = { order: 'plan', each: false, run: 0, zoom: 1, printing: false };
 
-/* ---- elements: names may hold anything, so text is only ever set as text ---- */
+/* ---- elements: text is only set as textContent, since names may contain markup ---- */
 
 function add(parent, name, attributes = {}, text = '') {
     const isSvg = name === 'svg' || parent instanceof SVGElement;
@@ -24,7 +24,7 @@ function addSvg(parent, width, height, attributes = {}) {
     return add(parent, 'svg', { width, height, viewBox: `0 0 ${width} ${height}`, ...attributes });
 }
 
-/* Words in a box, cut off where it ends. */
+/* Adds text that is clipped to a box. */
 function addLabel(parent, x, y, width, text, style = 'on-color') {
     if (width < 24)
         return;
@@ -32,7 +32,7 @@ function addLabel(parent, x, y, width, text, style = 'on-color') {
     add(box, 'text', { x: 4, y: 12, class: style }, text);
 }
 
-/* Radio buttons: `options` are [value, words]. */
+/* Adds a group of radio buttons; `options` are pairs [value, label]. */
 function addChoice(parent, words, name, options, chosen, change) {
     const set = add(parent, 'fieldset');
     add(set, 'legend', {}, words);
@@ -45,10 +45,10 @@ function addChoice(parent, words, name, options, chosen, change) {
     }
 }
 
-/* Paper is narrower than it seems to the script. */
+/* In print a fixed width is used, since clientWidth is still that of the screen. */
 const widthOf = box => view.printing ? 940 : Math.max(box.clientWidth, 200);
 
-/* ---- words for numbers ---- */
+/* ---- number formatting ---- */
 
 function grouped(value) {
     return String(value).replace(/\B(?=(\d{3})+$)/g, '\u202f');
@@ -79,7 +79,7 @@ function plural(count, word) {
     return `${grouped(count)} ${word}${count === 1 ? '' : 's'}`;
 }
 
-/* ---- statistics: docs/profile.md defines them ---- */
+/* ---- statistics, as defined in docs/profile.md ---- */
 
 const sum = values => values.reduce((total, value) => total + value, 0);
 
@@ -112,13 +112,13 @@ function summarize(samples) {
 
 /* ---- axes ---- */
 
-/* The least of 1, 2 and 5 times a power of ten that is not below `least`. */
+/* Rounds `least` up to 1, 2 or 5 times a power of ten. */
 function niceStep(least) {
     const power = 10 ** Math.floor(Math.log10(least));
     return [1, 2, 5, 10].map(factor => factor * power).find(step => step >= least * .999999);
 }
 
-/* Multiples of a step between two numbers, about `count` of them. */
+/* Returns about `count` ticks between two numbers, at multiples of a round step. */
 function ticks(low, high, count) {
     const step = niceStep((high - low) / count), found = [];
     for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9; i++)
@@ -126,7 +126,7 @@ function ticks(low, high, count) {
     return { step, at: found };
 }
 
-/* Short and the same number of places for all of an axis. */
+/* Formats a tick with as many decimals as the step needs, equal for the whole axis. */
 function tickText(value, step) {
     const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
     return places > 6 ? value.toExponential(1) : value.toFixed(places).replace('-', '\u2212');
@@ -136,12 +136,12 @@ function scale(low, high, from, to) {
     return value => from + (value - low) / (high - low || 1) * (to - from);
 }
 
-/* ---- tooltips: for the pointer and for the focus; Escape hides them ---- */
+/* ---- tooltips: shown on hover and on keyboard focus; Escape hides them ---- */
 
 const tips = new WeakMap();
 let tipOwner = null, tipX = null;
 
-/* `rows` are [word, number]. */
+/* Sets the tooltip of an element; `rows` are pairs [label, value]. */
 function setTip(element, title, rows) {
     element.dataset.tip = '';
     tips.set(element, { title, rows });
@@ -206,7 +206,7 @@ function listenForTips() {
     document.addEventListener('scroll', placeTip, true);
 }
 
-/* ---- keys: a drawing is one stop of Tab, arrows go around in it ---- */
+/* ---- roving tabindex: a plot is one tab stop, arrow keys move within it ---- */
 
 function rove(box, items, first = 0) {
     const steps = {

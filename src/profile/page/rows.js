@@ -1,4 +1,4 @@
-/* rows.js: the rows of the profile as the reader wants them: merged or each, in which order. */
+/* rows.js: bars and table of the rows, merged by name or not, in the selected order. */
 
 const profile = JSON.parse($('profile').textContent);
 
@@ -19,7 +19,7 @@ function makeColors() {
 
 const techniqueColors = makeColors();
 
-/* The class that gives a row its colour. */
+/* Returns the CSS class for the colour of a row. */
 function colorOf(row) {
     return IS_PASS[row.kind] ? techniqueColors.get(row.technique) : row.kind;
 }
@@ -28,12 +28,12 @@ function rowName(row) {
     return row.repetition_count > 1 ? `${row.name}[${row.repetition}]` : row.name;
 }
 
-/* Samples run by run: the sum over some rows. */
+/* Adds up samples of several rows, run by run. */
 function addSamples(rows, key) {
     return rows[0][key].map((_, run) => sum(rows.map(row => row[key][run])));
 }
 
-/* One line of the bars and of the table: a row, or all repetitions of one. */
+/* Aggregates a row, or all repetitions of a row, into one line of bars and table. */
 function makeEntry(rows) {
     const [first] = rows;
     const total = key => sum(rows.map(row => row[key]));
@@ -73,13 +73,13 @@ function runNames(runs) {
     return runs.map(run => `run ${run}`).join(', ');
 }
 
-/* What the tooltip of an entry says. */
+/* Returns the lines of an entry's tooltip. */
 function entryTip(entry) {
     const { summary: s } = entry, lines = [
         ['median', ms(s.median)],
         ['mean \u00b1 \u03c3', `${digits(s.mean)} \u00b1 ${ms(s.sigma)}`],
         ['min, p95, max', `${digits(s.min)}, ${digits(s.p95)}, ${ms(s.max)}`],
-        ['share of the frame', percent(entry.share)],
+        ['of the frame', percent(entry.share)],
         ['outliers', runNames(s.outliers) || 'none'],
     ];
     if (IS_PASS[entry.kind]) {
@@ -94,9 +94,9 @@ function entryTip(entry) {
     return lines;
 }
 
-/* What the device has counted, and found. */
+/* Returns the pipeline statistics that are above 0 in at least one row. */
 function counts() {
-    const fragments = profile.fragments_are_exact ? 'fragments' : 'fragments (in blocks)';
+    const fragments = profile.fragments_are_exact ? 'fragments' : 'fragments (whole blocks)';
     return profile.has_statistics ? [
         { name: 'vertices', key: 'vertices' },
         { name: 'triangles', key: 'triangles' },
@@ -134,7 +134,7 @@ function drawBars(found) {
     const high = Math.max(...found.map(entry => entry.summary.p95), 1e-6) * 1.02;
     const least = Math.min(...found.map(entry => entry.summary.min), 0);
     const { step } = ticks(0, high, 6);
-    /* A little below 0 is left out: the number says so. */
+    /* Slightly negative times are clipped at 0; the number beside the bar shows them. */
     const low = least < -.02 * high ? Math.floor(least / step) * step : 0;
     const x = value => Math.max(0, scale(low, high, 0, 100)(value));
     for (const at of ticks(low, high, (high - low) / step).at) {
@@ -153,7 +153,7 @@ function drawLegend() {
     add(legend, 'span', { class: 'rest' }, 'unattributed');
 }
 
-/* ---- the table of all numbers ---- */
+/* ---- table of all numbers ---- */
 
 function tableColumns() {
     const number = value => digits(value, 4);
@@ -177,7 +177,7 @@ function tableColumns() {
     return columns;
 }
 
-/* The frame itself, plain, and the host's wait in it. */
+/* Returns table lines for the frame, the frame without measurement, and the wait. */
 function frameEntries() {
     return [
         ['frame', 'frame: sum of the rows'],
@@ -213,14 +213,14 @@ function drawRows() {
 
 function startRows() {
     const controls = $('rows-controls');
-    addChoice(controls, 'Order', 'order', [['plan', 'of the plan'], ['time', 'by time']],
+    addChoice(controls, 'Order', 'order', [['plan', 'execution'], ['time', 'by time']],
               view.order, value => { view.order = value; drawRows(); });
     if (profile.rows.some(row => row.repetition_count > 1)) {
-        addChoice(controls, 'Repetitions', 'each', [[false, 'added up'], [true, 'each']],
+        addChoice(controls, 'Repetitions', 'each', [[false, 'added up'], [true, 'separate']],
                   view.each, value => { view.each = value; drawRows(); });
     }
-    const counted = profile.has_statistics ? 'Counts: one frame, measured by the device.' :
-                                             'This device does not count vertices or pixels.';
+    const counted = profile.has_statistics ? 'Counts are pipeline statistics of one frame.' :
+                                             'This device has no pipeline statistics.';
     $('numbers-note').textContent = `Times in ms; rows in the order chosen above. ${counted}`;
     drawLegend();
 }

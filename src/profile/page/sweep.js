@@ -1,11 +1,11 @@
-/* sweep.js: time against the parameter of a sweep, both axes logarithmic. */
+/* sweep.js: log-log plot of time over the parameter of a sweep. */
 
 const SWEEP = { height: 360, left: 56, right: 12, top: 12, bottom: 40, zero: 64, names: 170 };
-const sweep = JSON.parse($('sweep-data').textContent); /* null: there was none */
+const sweep = JSON.parse($('sweep-data').textContent); /* null without a sweep */
 
 const sweepView = { parameter: 0, shown: new Set(['frame']) };
 
-/* Medians of a point: of its frame, or of a pass with all its repetitions. */
+/* Returns the median time of a point: of the frame, or of a pass with all repetitions. */
 function pointTime(point, name) {
     if (name === 'frame')
         return point.profile.frame.summary.median;
@@ -13,7 +13,7 @@ function pointTime(point, name) {
         .map(row => row.summary.median));
 }
 
-/* "frame", then the passes, the dearest first. */
+/* Returns "frame" and the names of all passes, the most expensive first. */
 function seriesNames() {
     const names = new Set(sweep.points.flatMap(point => point.profile.rows
         .filter(row => IS_PASS[row.kind]).map(row => row.name)));
@@ -27,7 +27,7 @@ function seriesColor(name) {
         techniqueColors.get(rows.find(row => row.name === name).technique) ?? 't8';
 }
 
-/* Where the curves end: the names of the series follow, if there is room. */
+/* Returns the right end of the curves, which leaves room for series names if possible. */
 function sweepRight(width) {
     return width - (width > 600 ? SWEEP.names : SWEEP.right + 12);
 }
@@ -36,7 +36,7 @@ function fitOf(name) {
     return sweep.fits.find(fit => fit.name === name);
 }
 
-/* Points that differ in the parameter of the axis alone, in its order. */
+/* Groups points into curves: points of a curve differ only in the parameter of the axis. */
 function curves() {
     const found = new Map();
     for (const point of sweep.points) {
@@ -47,7 +47,7 @@ function curves() {
     return [...found.values()];
 }
 
-/* Where a point stands: by its number; in a place of its own if that is 0 or less or no number. */
+/* Returns the logarithmic x axis, with separate positions for values that it cannot show. */
 function sweepX(width) {
     const values = sweep.points.map(point => point.numbers[sweepView.parameter]);
     const positive = values.filter(value => value > 0), right = sweepRight(width);
@@ -75,7 +75,7 @@ function sweepX(width) {
     };
 }
 
-/* Names of what is shown, where its curve ends or below, so that none covers another. */
+/* Draws the series names at the ends of their curves, moved down where they would overlap. */
 function drawSweepNames(svg, shown, width, x, y) {
     const at = sweepRight(width);
     if (at > width - SWEEP.names)
@@ -90,7 +90,7 @@ function drawSweepNames(svg, shown, width, x, y) {
     }
 }
 
-/* 1, 2 and 5 times powers of ten; other numbers where too few of these are there. */
+/* Returns ticks at 1, 2 and 5 times powers of ten; linear ticks if there are too few. */
 function timeMarks(low, high) {
     const found = [];
     for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power++)
@@ -99,7 +99,7 @@ function timeMarks(low, high) {
     return inside.length > 1 ? inside : ticks(low, high, 4).at;
 }
 
-/* What takes no time is not drawn. */
+/* Returns the logarithmic y axis, which omits times of 0. */
 function sweepY(names) {
     const all = sweep.points.flatMap(point => names.map(name => pointTime(point, name)))
         .filter(value => value > 0);

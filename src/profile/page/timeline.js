@@ -1,9 +1,9 @@
-/* timeline.js: one frame as it went by, on the device and on the host. */
+/* timeline.js: timeline of one run: GPU passes, and recording, submit and wait on the CPU. */
 
 const LANE = { height: 34, gap: 8, axis: 24, right: 8 };
 const MAX_ZOOM = 64;
 
-/* Blocks of a run in its three lanes: { name, from, ms, style }. */
+/* Returns the three lanes of a run; their blocks are { name, from, ms, style }. */
 function makeLanes(run) {
     const passes = profile.rows.slice(0, profile.pass_count);
     const hostRow = name => profile.rows.slice(profile.pass_count).find(row => row.name === name);
@@ -43,9 +43,9 @@ function drawBlock(svg, block, x, y) {
     add(item, 'rect', { class: block.style + thin, x: from, y, width, height: LANE.height });
     addLabel(item, from, y + 9, width, block.label ?? block.name, block.text ?? 'on-color');
     setTip(item, block.name, [
-        ['takes', ms(block.ms)],
-        ['from', ms(block.from)],
-        ['to', ms(block.from + block.ms)],
+        ['duration', ms(block.ms)],
+        ['start', ms(block.from)],
+        ['end', ms(block.from + block.ms)],
         ['of the frame', percent(block.ms / profile.frame.ms[view.run])],
     ]);
     return item;
@@ -60,7 +60,7 @@ function drawTimelineAxis(svg, width, end, x, y) {
     }
 }
 
-/* `focused`: the block that is to have the focus again. */
+/* Draws the timeline; `focused` is the index of the block that gets the focus back. */
 function drawTimeline(focused = -1) {
     const box = $('lanes'), lanes = makeLanes(view.run);
     const width = Math.round(widthOf(box) * view.zoom), frame = profile.frame.ms[view.run];
@@ -105,7 +105,7 @@ function chooseRun(run) {
     drawTimeline(focused);
 }
 
-/* The middle of what is seen stays where it is. */
+/* Changes the zoom and keeps the centre of the visible range fixed. */
 function zoomTo(zoom) {
     const box = $('lanes'), focused = focusedBlock();
     const middle = (box.scrollLeft + box.clientWidth / 2) / box.scrollWidth;
@@ -142,7 +142,7 @@ function startTimeline() {
     if (profile.clock === 'submits') {
         $('timeline-note').textContent =
             'Each pass was submitted alone and finished before the next one: the lanes are drawn ' +
-            'as if the host had recorded and submitted all passes first.';
+            'as if the CPU had recorded and submitted all passes first.';
     }
     describeRun();
 }
