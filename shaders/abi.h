@@ -1,7 +1,7 @@
 /*
- * abi.h: lets one header be read by the C compiler and by glslang.
+ * abi.h: compatibility macros for headers that C and GLSL share.
  *
- * Shared structs have cglm's value types (vec3s, mat4s), which are macros for GLSL's types here.
+ * Shared structs use cglm's value types (vec3s, mat4s), which are macros for GLSL's types here.
  * GLSL uses scalar block layout; tests/unit/test_shaders.c compares every member's offset with the
  * SPIR-V. vec4s and mat4s are aligned to 16 bytes in C: put them first.
  */
@@ -15,7 +15,7 @@
 #define vec4s            vec4
 #define mat4s            mat4
 #define uint32_t         uint
-#define ABI_STRUCT(name) name /* a member that is a struct */
+#define ABI_STRUCT(name) name /* type of a member that is a struct */
 #else
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 /*
- * abi_math.h: lets one function be read by the C compiler and by glslang.
+ * abi_math.h: compatibility macros for functions that C and GLSL share.
  *
- * Such functions are written in C, with names of <math.h> and cglm's value types, and begin with
+ * Shared functions are written in C, with names of <math.h> and cglm's value types, and begin with
  * ABI_FUNCTION; this header defines these names for GLSL.
  */
 #ifndef SHADERS_ABI_MATH_H

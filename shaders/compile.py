@@ -1,8 +1,8 @@
-"""compile.py: GLSL files to SPIR-V files, by one process of glslc.
+"""compile.py: compiles many GLSL files to SPIR-V with a single glslc process.
 
-What each process has to do first takes ten times as long as a shader.
+Starting a process takes ten times as long as compiling a shader.
 
-Usage: compile.py DEPFILE GLSLC WORD... -- SOURCE... -- MODULE...   WORD: for glslc
+Usage: compile.py DEPFILE GLSLC WORD... -- SOURCE... -- MODULE...   WORD: argument of glslc
 """
 import pathlib
 import subprocess
@@ -21,7 +21,7 @@ with tempfile.TemporaryDirectory(dir=modules[0].parent) as folder:
     for source, module in zip(sources, modules):
         compiled = pathlib.Path(folder) / f'{source.name}.spv'
         rule = compiled.with_suffix('.spv.d').read_text(encoding='utf-8')
-        included.update('/' + path for path in rule.rstrip().split(' /')[1:])  # none is relative
+        included.update('/' + path for path in rule.rstrip().split(' /')[1:])  # all absolute
         compiled.replace(module)
 names = ' '.join(path.replace(' ', '\\ ') for path in sorted(included))
 pathlib.Path(depfile).write_text(f'{sys.argv[second + 1]}: {names}\n', encoding='utf-8')

@@ -1,22 +1,20 @@
 /*
- * dress.h: what the textures of a transmissive material make of its surface: what the rungs draw,
- * and what the reference finds.
+ * dress.h: textured surface parameters of transmissive materials, for shaders and CPU.
  *
- * As in glTF 2.0 and KHR_materials_transmission: the light that passes the surface is multiplied by
- * the base colour; what is neither reflected nor transmitted is the matt base's.
+ * As in glTF 2.0 and KHR_materials_transmission, transmitted light is multiplied by the base
+ * colour; light that is neither reflected nor transmitted reaches the diffuse base.
  */
 #ifndef SHADERS_DRESS_H
 #define SHADERS_DRESS_H
 #include "abi_math.h"
 
 struct dress {
-    vec3s tint;      /* of light that passes the surface */
-    float roughness; /* 0 to 1 */
-    float shine;     /* share of light that the surface neither reflects nor lets pass */
+    vec3s tint;      /* colour factor on transmitted light */
+    float roughness; /* perceptual roughness, 0 to 1 */
+    float shine;     /* opacity: fraction of unreflected light that reaches the diffuse base */
 };
 
-/* Returns a surface's own values times its texels: the base colour's rgb, the roughness, the
- * transmission. */
+/* Multiplies a material's parameters by its texels: base colour, roughness and transmission. */
 ABI_FUNCTION ABI_STRUCT(dress)
     dress_of(ABI_STRUCT(dress) own, vec3s base, float rough, float through)
 {

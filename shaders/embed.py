@@ -1,12 +1,12 @@
-"""embed.py: SPIR-V files to one C file of `const struct rg_shader` and its header.
+"""embed.py: embeds SPIR-V files in a C file of `const struct rg_shader` and writes its header.
 
-The assembler includes the modules: for a compiler, they would be half a million numbers to parse.
+The assembler includes the binary modules: a C array would be half a million numbers to parse.
 
 Usage: embed.py C_FILE HEADER MODULE... [-- ORIGIN...]
 
-Each is named as its file, with '_' for '.'; all of them are in <stem>_all, which ends at NULL.
-<stem>_origins, in the same order, tells what each was compiled from: ORIGIN is a GLSL file and
-flags of the compiler, with spaces between.
+A shader is named like its file, with '_' for '.'; <stem>_all lists all shaders and ends at NULL.
+<stem>_origins, in the same order, lists sources: ORIGIN is a GLSL file and compiler flags,
+separated by spaces.
 """
 import hashlib
 import pathlib
@@ -14,7 +14,7 @@ import sys
 
 
 def write(path, text):
-    """Leaves an unchanged file alone, so that what includes it is not rebuilt."""
+    """Writes a file unless it is unchanged, so that its dependents are not rebuilt."""
     file = pathlib.Path(path)
     if not file.exists() or file.read_text(encoding='utf-8') != text:
         file.write_text(text, encoding='utf-8')
@@ -32,7 +32,7 @@ header = f'#ifndef {stem.upper()}_H\n#define {stem.upper()}_H\n#include "graph/r
 for name, module in zip(names, modules):
     path = pathlib.Path(module).resolve()
     data = path.read_bytes()
-    sum_ = hashlib.sha1(data).hexdigest()  # has C compiled again when the module changes
+    sum_ = hashlib.sha1(data).hexdigest()  # makes the C file change with the module
     source += f'''
 __asm__(".pushsection .rodata\\n.globl {name}_words\\n.hidden {name}_words\\n"
         ".balign 4\\n{name}_words: .incbin \\"{path}\\" /* {sum_} */\\n.popsection\\n");
@@ -44,7 +44,7 @@ source += f'\nconst struct rg_shader *const {stem}_all[] = {{\n    '
 source += ',\n    '.join([*(f'&{name}' for name in names), 'NULL']) + ',\n};\n'
 header += f'extern const struct rg_shader *const {stem}_all[];\n'
 if origins:
-    most = max(len(origin.split()) for origin in origins)  # flags and NULL are as many
+    most = max(len(origin.split()) for origin in origins)  # file + flags = flags + NULL
     header += f'struct {stem}_origin {{\n'
     header += f'    const char *file, *flags[{most}]; /* ends at NULL */\n}};\n'
     header += f'extern const struct {stem}_origin {stem}_origins[{len(origins)}];\n'

@@ -22,7 +22,7 @@ layout(location = 5) flat in uint number;
 
 layout(location = 0) out vec4 out_albedo;
 layout(location = 1) out float out_object;
-layout(location = 2) out vec4 out_motion; /* pixels */
+layout(location = 2) out vec4 out_motion; /* screen-space motion in pixels */
 
 void main()
 {

@@ -38,7 +38,8 @@ vec3 position_earlier()
     return texelFetch(positions, texel, 0).xyz;
 }
 
-/* As model_opaque_find() of src/scene/import/model.h. */
+/* Returns the vertex's object by binary search, as model_opaque_find() of src/scene/import/model.h.
+ */
 uint find_number()
 {
     uint low = 0u, high = push.count;

@@ -7,9 +7,9 @@
 layout(set = 0, binding = ICE_DEPTH_FRONT) uniform sampler2D front;
 layout(set = 0, binding = ICE_DEPTH_BACK) uniform sampler2D back;
 
-layout(location = 0) out vec4 layers; /* metres: front, back, thickness */
+layout(location = 0) out vec4 layers; /* metres: depth of front and back, thickness */
 
-/* Returns the length of this pixel's ray per length along the view's axis. */
+/* Returns the ratio of distance along this pixel's ray to view-space depth. */
 float slant()
 {
     return view_slant(view_ray(gl_FragCoord.xy / vec2(textureSize(front, 0)) * 2.0 - 1.0));

@@ -1,4 +1,4 @@
-/* ice_depth.h: bindings of shaders that read ice_depth's images; some read refract.h's, too. */
+/* ice_depth.h: bindings of the ice's front and back depth, distinct from those of refract.h. */
 #ifndef SHADERS_ICE_DEPTH_H
 #define SHADERS_ICE_DEPTH_H
 

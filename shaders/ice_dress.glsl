@@ -1,4 +1,5 @@
-/* ice_dress.glsl: an object's surface with its textures, whose coordinates are the first ones. */
+/* ice_dress.glsl: surface parameters of textured ice in the G-buffer pass; uses the first uv set.
+ */
 #ifndef ICE_DRESS_GLSL
 #define ICE_DRESS_GLSL
 #include "bump_normal.h"
@@ -13,11 +14,11 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = ICE_DRESS_EYE_TO_POINT) in vec3 eye_to_point;
 layout(location = ICE_DRESS_NORMAL) in vec3 normal;
-layout(location = ICE_DRESS_FRESNEL) in float fresnel_paper; /* eq. 4, from the vertices */
+layout(location = ICE_DRESS_FRESNEL) in float fresnel_paper; /* eq. 4, per vertex */
 layout(location = ICE_DRESS_COLOR) in vec3 color;
 layout(location = ICE_DRESS_UV) in vec2 uv;
 
-/* Returns the surface's values; `bent` is its outward normal. */
+/* Returns the textured surface parameters; `bent` becomes the normal-mapped outward normal. */
 dress ice_dress_at(out vec3 bent)
 {
     vec3 base = lit_texel(textures, push.row, MATERIAL_USE_BASE_COLOR, uv, 1.0).rgb;

@@ -18,7 +18,7 @@ layout(location = ICE_DRESS_UV) out vec2 out_uv;
 
 void main()
 {
-    /* `precise`, because rows that draw the faces again test with the depth of this one. */
+    /* `precise`: later passes redraw these faces with an equal depth test */
     precise vec3 point = pose_object(position);
     precise vec4 clip = frame.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

@@ -3,7 +3,7 @@
 #include "ice_dress.glsl"
 
 layout(location = 0) out vec4 back;       /* xyz: outward unit normal, world; w: 1 */
-layout(location = 1) out vec4 dress_back; /* rgb: share of light that passes; a: roughness */
+layout(location = 1) out vec4 dress_back; /* rgb: transmittance of the surface; a: roughness */
 
 void main()
 {

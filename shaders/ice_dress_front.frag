@@ -4,11 +4,11 @@
 
 layout(location = 0) out vec4 front; /* xyz: outward unit normal, world; w: 1 */
 layout(location = 1) out float depth;
-layout(location = 2) out vec4 shading;     /* xyz: outward unit normal, world; w: eq. 4 */
-layout(location = 3) out vec4 dress_front; /* rgb: share of light that passes; a: roughness */
-layout(location = 4) out vec4 dress_shine; /* radiance of what neither is reflected nor passes */
+layout(location = 2) out vec4 shading;     /* xyz: shading normal, world; w: Fresnel reflectance */
+layout(location = 3) out vec4 dress_front; /* rgb: transmittance of the surface; a: roughness */
+layout(location = 4) out vec4 dress_shine; /* radiance of the opaque diffuse base */
 
-/* Returns the radiance of the matt base. */
+/* Returns the radiance of the opaque diffuse base. */
 vec3 ice_dress_matt(vec3 n, vec3 to_eye)
 {
     vec3 albedo = color * lit_base(push.row, push.layer, uv, 1.0).rgb;

@@ -1,10 +1,10 @@
-/* ice_front.glsl: main() of the front faces; with REFRACT_BUMP, with bumps in the shading
- * normal. */
+/* ice_front.glsl: G-buffer of the ice's front faces; bump-mapped shading normals with REFRACT_BUMP.
+ */
 #include "refract_front.glsl"
 
 layout(location = 0) out vec4 front; /* xyz: outward unit normal, world; w: 1 */
 layout(location = 1) out float depth;
-layout(location = 2) out vec4 shading; /* xyz: outward unit normal, world; w: eq. 4 */
+layout(location = 2) out vec4 shading; /* xyz: shading normal, world; w: Fresnel reflectance */
 
 void main()
 {

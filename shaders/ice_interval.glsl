@@ -1,15 +1,15 @@
 /*
- * ice_interval.glsl: the faces of the ice along a pixel's ray, in their order.
+ * ice_interval.glsl: reads the depth-peeled faces of the ice along a pixel's ray, front to back.
  *
- * A layer is a fitted depth whose lowest bit is 0 where the ray enters through the face and 1 where
- * it leaves. So two faces at one depth remain distinct, the entering one first. A point is inside
- * if more faces were entered than left before it, which also holds where parts of the ice overlap.
+ * A peeled layer is a fitted depth whose lowest bit is 0 for an entry face and 1 for an exit face,
+ * so that two faces of equal depth remain distinct, the entry first. A point is inside if more
+ * entries than exits are in front of it, which also holds where parts of the ice overlap.
  */
 #ifndef ICE_INTERVAL_GLSL
 #define ICE_INTERVAL_GLSL
 #include "ice_interval.h"
 
-#define ICE_INTERVAL_END 1.0 /* no more faces */
+#define ICE_INTERVAL_END 1.0 /* marks a layer without a face */
 
 float ice_interval_layer(float depth, bool entering)
 {
@@ -31,17 +31,17 @@ float ice_interval_face(sampler2DArray near, sampler2DArray far, int i)
                           : texelFetch(far, ivec3(pixel, i - near_count), 0).r;
 }
 
-/* Returns whether a depth is inside; the depths of the faces themselves are inside. */
+/* Returns true if a depth is inside the ice or on a face. */
 bool ice_interval_contains(sampler2DArray near, sampler2DArray far, float depth)
 {
     int count = 2 * textureSize(near, 0).z;
     int within = 0;
     for (int i = 0; i < count; i++) {
         float layer = ice_interval_face(near, far, i);
-        int way = ice_interval_step(layer);
-        if (layer == ICE_INTERVAL_END || layer > depth || (layer == depth && way < 0))
+        int step = ice_interval_step(layer);
+        if (layer == ICE_INTERVAL_END || layer > depth || (layer == depth && step < 0))
             break;
-        within += way;
+        within += step;
     }
     return within > 0;
 }
@@ -55,9 +55,9 @@ int ice_interval_count(sampler2DArray near, sampler2DArray far)
         float layer = ice_interval_face(near, far, i);
         if (layer == ICE_INTERVAL_END)
             break;
-        int way = ice_interval_step(layer);
-        intervals += way > 0 && within == 0 ? 1 : 0;
-        within += way;
+        int step = ice_interval_step(layer);
+        intervals += step > 0 && within == 0 ? 1 : 0;
+        within += step;
     }
     return intervals;
 }

@@ -4,7 +4,7 @@
 
 layout(set = 0, binding = ICE_INTERVAL_BEFORE) uniform sampler2DArray before;
 
-/* Discards faces that are not behind the layer before; the depth test keeps the nearest one. */
+/* Discards faces not behind the previous layer; the depth test keeps the nearest of the others. */
 void main()
 {
     float layer = ice_interval_layer(gl_FragCoord.z, gl_FrontFacing);

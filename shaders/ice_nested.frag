@@ -13,12 +13,12 @@ layout(push_constant, scalar) uniform Push
 
 layout(location = 0) in vec3 normal;
 
-/* xyz: the normal on the outer side of the level; w: 1 + the medium within it, there */
+/* xyz: normal that points out of the level; w: 1 + medium inside the level at this face */
 layout(location = 0) out vec4 face;
 layout(location = 1) out float depth;
 
-/* The depth test keeps the nearest or the farthest face; of inner levels, of those that are
- * between the faces of the level around. */
+/* The depth test keeps the nearest or farthest face; inner levels are limited to faces between
+ * those of the surrounding level. */
 void main()
 {
     depth = gl_FragCoord.z;
@@ -29,7 +29,7 @@ void main()
     if (depth >= near || depth <= far)
         discard;
 #endif
-    bool is_entered = gl_FrontFacing != (push.is_far == 1u); /* the object, by going inwards */
+    bool is_entered = gl_FrontFacing != (push.is_far == 1u); /* enters the object */
     face.xyz = is_entered ? normalize(normal) : -normalize(normal);
     face.w = 1.0 + float(is_entered ? push.own : push.around);
 }

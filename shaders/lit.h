@@ -1,46 +1,45 @@
 /*
- * lit.h: how an opaque surface reflects light: what the rungs draw, and what the reference finds.
+ * lit.h: BRDF of opaque surfaces, shared by shaders and the CPU reference.
  *
- * A layer of microfacets (Trowbridge and Reitz 1975, "GGX") on a matt base, as in glTF 2.0,
- * appendix B. Light is given as the radiance that a matt white surface would show. Around a surface
- * is an environment, whose light is averaged over the surface's reflections (Karis 2013, "split
- * sum"); what the microfacets reflect more than once is added (Fdez-Aguera 2019).
+ * GGX microfacets (Trowbridge and Reitz 1975) on a diffuse base, as in glTF 2.0, appendix B. Light
+ * is given as the radiance of a white diffuse surface. Environment light is prefiltered (Karis
+ * 2013, "split sum"), with compensation for multiple scattering (Fdez-Aguera 2019).
  */
 #ifndef SHADERS_LIT_H
 #define SHADERS_LIT_H
 #include "abi_math.h"
 
-/* The table of an environment's light, an array of equirectangular pictures: the first ones are for
- * roughness 1/7 to 1, the last one is for matt surfaces. */
+/* The prefiltered environment, an array of equirectangular images: the first layers are specular,
+ * for roughness 1/7 to 1; the last one is diffuse irradiance. */
 #define LIT_WIDTH        128
 #define LIT_HEIGHT       64
 #define LIT_ROUGH_LAYERS 7
 #define LIT_MATT_LAYER   7
 #define LIT_LAYERS       8
 
-/* The table of what a surface reflects of an even environment, once: pairs of factors, of f0 and of
- * f90; in rows of equal roughness, 0 to 1, for cosines whose roots are 0 to 1. */
+/* Directional albedo table of the split-sum approximation: factors of f0 and f90. Rows have equal
+ * roughness, 0 to 1; columns are square roots of cosines, 0 to 1. */
 #define LIT_SPLIT_SIDE 16
 
-#define LIT_LIGHT_SPREAD 0.001f /* of lights without a size: keeps the radiance of mirrors finite */
-#define LIT_SUN_SPREAD   0.065f /* width of the distribution that reflects the built-in sky's sun */
+#define LIT_LIGHT_SPREAD 0.001f /* lobe width for punctual lights: mirrors stay finite */
+#define LIT_SUN_SPREAD   0.065f /* specular lobe width for the built-in sky's sun */
 
-/* The texture that holds the lights of files, a row each, of four floats a texel. Written by
- * src/scene/light.c. */
-#define LIT_LIGHT_POSITION  0 /* world, metres; 1, or of one infinitely far away 0 */
-#define LIT_LIGHT_DIRECTION 1 /* unit; range, metres, 0: no limit */
-#define LIT_LIGHT_COLOR     2 /* lux or candela */
-#define LIT_LIGHT_CONE      3 /* cosines of the inner and the outer cone */
+/* Texture of the punctual lights in scene files, one row per light, four floats per texel; written
+ * by src/scene/light.c. */
+#define LIT_LIGHT_POSITION  0 /* world, metres; w: 1, or 0 for directional lights */
+#define LIT_LIGHT_DIRECTION 1 /* unit; w: range in metres, 0 if unlimited */
+#define LIT_LIGHT_COLOR     2 /* illuminance in lux or intensity in candela */
+#define LIT_LIGHT_CONE      3 /* cosines of the inner and outer cone angles */
 #define LIT_LIGHT_WIDTH     4
 
 struct lit_surface {
-    vec3s diffuse;   /* albedo of the matt base */
+    vec3s diffuse;   /* albedo of the diffuse base */
     vec3s f0;        /* reflectance at normal incidence */
-    float f90;       /* at grazing incidence */
-    float roughness; /* its square is the width of the distribution */
+    float f90;       /* reflectance at grazing incidence */
+    float roughness; /* perceptual roughness; its square is GGX's alpha */
 };
 
-/* Returns the surface of KHR_materials_specular: a dielectric with `dielectric_f0`, or a metal. */
+/* Returns the BRDF of KHR_materials_specular: a dielectric with `dielectric_f0`, or a metal. */
 ABI_FUNCTION ABI_STRUCT(lit_surface) lit_surface_of(vec3s albedo, float metallic, float roughness,
                                                     vec3s dielectric_f0, float specular)
 {
@@ -54,8 +53,8 @@ ABI_FUNCTION ABI_STRUCT(lit_surface) lit_surface_of(vec3s albedo, float metallic
     return s;
 }
 
-/* Returns where in the table of LIT_SPLIT_SIDE times as many pairs a surface's pair is, texels from
- * the first one's middle; `n_dot_v` is the cosine between its normal and the eye's direction. */
+/* Returns texel coordinates in the table of LIT_SPLIT_SIDE by LIT_SPLIT_SIDE entries, relative to
+ * the first texel's centre. `n_dot_v` is the cosine between normal and view direction. */
 ABI_FUNCTION vec2s lit_split_at(float roughness, float n_dot_v)
 {
     float last = LIT_SPLIT_SIDE - 1.0f;
@@ -63,13 +62,13 @@ ABI_FUNCTION vec2s lit_split_at(float roughness, float n_dot_v)
                     glm_clamp(roughness, 0.0f, 1.0f) * last);
 }
 
-/* What a surface reflects of an even environment: light from the mirror's direction, blurred by the
- * roughness, and light that would fall on a matt white surface. */
+/* Factors of a surface on environment light: `glossy` on the prefiltered specular radiance, `matt`
+ * on the radiance of a white diffuse surface. */
 struct lit_shares {
     vec3s glossy, matt;
 };
 
-/* Returns the shares of a surface; `split` is its pair of the table. */
+/* Returns the environment factors of a surface; `split` is its entry in the table. */
 ABI_FUNCTION ABI_STRUCT(lit_shares) lit_shares_of(ABI_STRUCT(lit_surface) s, vec2s split)
 {
     vec3s one = ABI_VEC3(1.0f, 1.0f, 1.0f);
@@ -86,8 +85,8 @@ ABI_FUNCTION ABI_STRUCT(lit_shares) lit_shares_of(ABI_STRUCT(lit_surface) s, vec
     return shares;
 }
 
-/* Returns the radiance of a surface in an environment: `split` is its pair of the table, `glossy`
- * and `matt` are the light of struct lit_shares. */
+/* Returns a surface's radiance in an environment. `split` is its table entry, `glossy` and `matt`
+ * the prefiltered specular and diffuse light. */
 ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, vec3s glossy,
                                       vec3s matt)
 {
@@ -95,8 +94,8 @@ ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, ve
     return glms_vec3_add(glms_vec3_mul(shares.glossy, glossy), glms_vec3_mul(shares.matt, matt));
 }
 
-/* Returns the share of what a surface mirrors in air that it mirrors in a medium. `f0`: in air, of
- * light that meets it straight; `ior`: of the medium, relative to air. */
+/* Returns the ratio of a surface's Fresnel reflectance in a medium to that in air. `f0`:
+ * reflectance at normal incidence in air; `ior`: of the medium, relative to air. */
 ABI_FUNCTION float lit_share_in(float f0, float ior)
 {
     float root = sqrtf(glm_clamp(f0, 1e-6f, 0.99f));
@@ -105,10 +104,10 @@ ABI_FUNCTION float lit_share_in(float f0, float ior)
     return fminf(in_medium * in_medium / (root * root), 1.0f);
 }
 
-/* Returns the radiance of a surface for light from direction `l` that gives a matt white surface
- * which faces it radiance 1. `n`, `v` (towards the eye) and `l` are unit; `base` is the normal of
- * the matt base, which is another below a film (MATERIAL_IS_FILM). The distribution is at least as
- * wide as `spread`, which is half the light's angular radius. */
+/* Returns a surface's radiance by light from direction `l`, whose strength is the radiance of a
+ * white diffuse surface that faces it. `n`, `v` (towards the viewer) and `l` are unit; `base` is
+ * the normal of the diffuse base, which differs from `n` below a water layer (MATERIAL_IS_FILM).
+ * GGX's alpha is at least `spread`, half the light's angular radius. */
 ABI_FUNCTION vec3s lit_by_light_on(ABI_STRUCT(lit_surface) s, vec3s n, vec3s base, vec3s v, vec3s l,
                                    float spread)
 {
@@ -122,7 +121,7 @@ ABI_FUNCTION vec3s lit_by_light_on(ABI_STRUCT(lit_surface) s, vec3s n, vec3s bas
     float width = fmaxf(s.roughness * s.roughness, spread);
     float square = width * width;
     float d = n_dot_h * n_dot_h * (square - 1.0f) + 1.0f;
-    float distribution = square / (d * d); /* times pi */
+    float distribution = square / (d * d); /* GGX normal distribution, times pi */
     float visibility = 0.5f / (n_dot_l * sqrtf(n_dot_v * n_dot_v * (1.0f - square) + square) +
                                n_dot_v * sqrtf(n_dot_l * n_dot_l * (1.0f - square) + square));
     vec3s f90 = ABI_VEC3(s.f90, s.f90, s.f90);
@@ -132,14 +131,14 @@ ABI_FUNCTION vec3s lit_by_light_on(ABI_STRUCT(lit_surface) s, vec3s n, vec3s bas
     return glms_vec3_add(glms_vec3_scale(matt, fmaxf(glms_vec3_dot(base, l), 0.0f)), glossy);
 }
 
-/* The same of a surface without a film. */
+/* Returns a surface's radiance by light from `l`, without a water layer. */
 ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec3s l, float spread)
 {
     return lit_by_light_on(s, n, n, v, l, spread);
 }
 
-/* Returns the share of a light's intensity that arrives after a distance in metres, as
- * KHR_lights_punctual has it. `c` is the cosine between the light's axis and its way. */
+/* Returns the attenuation of a punctual light at a distance in metres, by KHR_lights_punctual:
+ * inverse square, range and cone. `c` is the cosine between the light's axis and the ray. */
 ABI_FUNCTION float lit_arriving(float distance, float range, float c, vec2s cone)
 {
     float near = range > 0.0f ? distance / range : 0.0f;

@@ -1,9 +1,9 @@
 /*
- * refract.glsl: shared by the rungs' fragment shaders; with REFRACT_LAYERS they write layers, else
- * the picture (SN eq. 6).
+ * refract.glsl: shared main() of the raster refraction models: writes layers with REFRACT_LAYERS,
+ * otherwise the image (Seipel and Nivfors 2006, eq. 6).
  *
- * A rung defines refract_follow(), the path of light through the ice. Everything else is here:
- * lookups of the environment, absorption, dispersion, reflection.
+ * Each model defines refract_follow(), the path of light through the ice. This file adds what all
+ * share: environment lookup, absorption, dispersion and reflection.
  */
 #ifndef REFRACT_GLSL
 #define REFRACT_GLSL
@@ -19,10 +19,10 @@
 #include "surface.glsl"
 
 struct refract_result {
-    refract_way way;
-    vec3 refraction; /* radiance by refraction, and what the surface itself shows */
+    refract_way path;
+    vec3 refraction; /* refracted radiance, including the opaque base's */
     vec3 reflection; /* radiance along the reflected direction */
-    float fresnel;   /* share of light that is reflected */
+    float fresnel;   /* fraction of light that is reflected */
 };
 
 #ifdef REFRACT_PER_VERTEX
@@ -38,16 +38,16 @@ vec3 refract_mirrored(vec3 e, vec3 n_f)
 #endif
 }
 
-/* Returns the edge of a cube with the object's diagonal, metres: the size of models of the object,
- * such as a sphere. */
+/* Returns the edge, in metres, of a cube with the object's diagonal; the size of spheres that
+ * replace it. */
 float refract_width()
 {
     return 2.0 * refract_frame.radius * inversesqrt(3.0);
 }
 
-vec3 refract_transmitted(refract_way way)
+vec3 refract_transmitted(refract_way path)
 {
-    return refract_environment(way.point, way.dir) * exp(-refract_frame.absorb * way.path);
+    return refract_environment(path.point, path.dir) * exp(-refract_frame.absorb * path.path);
 }
 
 float refract_share(vec3 e, vec3 n_f)
@@ -60,17 +60,17 @@ float refract_share(vec3 e, vec3 n_f)
 }
 
 #ifndef REFRACT_EXITS
-/* Returns the light that is refracted, and its path. */
-vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
+/* Returns the refracted radiance of one colour channel; `path` becomes its path. */
+vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way path)
 {
-    way = refract_follow(e, n_f, channel);
-    vec3 light = refract_transmitted(way);
+    path = refract_follow(e, n_f, channel);
+    vec3 light = refract_transmitted(path);
 #ifdef REFRACT_DRESS
     light *= refract_dress_back();
 #endif
 #ifdef REFRACT_CLOUD
     float straight = 1.0;
-    vec3 scattered = refract_cloud(frame.cloud, way.point, normalize(way.dir), 1e30, straight);
+    vec3 scattered = refract_cloud(frame.cloud, path.point, normalize(path.dir), 1e30, straight);
     light = straight * light + scattered;
 #endif
     return light;
@@ -81,11 +81,11 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
 #include "refract_exits.glsl"
 #endif
 
-/* Shades a point. The layers have the path of green. */
+/* Shades a visible point of the ice. The returned path is that of green. */
 refract_result refract_shade(vec3 e, vec3 n_f)
 {
     refract_result r;
-    r.refraction = refract_gather(e, n_f, 1, r.way);
+    r.refraction = refract_gather(e, n_f, 1, r.path);
     if (constant_refract_colors > 1u) {
         refract_way other;
         for (int channel = 0; channel < 3; channel += 2)
@@ -99,7 +99,7 @@ refract_result refract_shade(vec3 e, vec3 n_f)
     return r;
 }
 
-#ifdef REFRACT_MIRRORED /* main() is that of what mirrors */
+#ifdef REFRACT_MIRRORED /* the file that includes this one defines main() */
 #elif defined(REFRACT_LAYERS)
 layout(location = REFRACT_OUT_EXIT) out vec4 out_exit;
 layout(location = REFRACT_OUT_REFRACTION) out vec4 out_refraction;
@@ -111,11 +111,11 @@ void main()
 {
     refract_front_find();
     refract_result r = refract_shade(view_dir(eye_to_point), refract_front_normal());
-    out_exit = vec4(normalize(r.way.dir), 0.0);
+    out_exit = vec4(normalize(r.path.dir), 0.0);
     out_refraction = vec4(r.refraction, 0.0);
     out_reflection = vec4(r.reflection, 0.0);
     out_fresnel = r.fresnel;
-    out_way = vec4(r.way.path, r.way.bounces, r.way.tir, 0.0);
+    out_way = vec4(r.path.path, r.path.bounces, r.path.tir, 0.0);
 }
 #else
 layout(location = REFRACT_OUT_COLOR) out vec4 color;

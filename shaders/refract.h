@@ -1,68 +1,67 @@
-/* refract.h: shared by the refraction rungs (refract_*.c, refract*.{glsl,vert,frag}). */
+/* refract.h: bindings, varyings and render targets of the refraction models (refract_*.c). */
 #ifndef SHADERS_REFRACT_H
 #define SHADERS_REFRACT_H
 #include "abi.h"
 
-#define REFRACT_ENV_CUBE 1 /* radiance around the object */
-/* Bindings of rungs that read outward normals, and depth by globals.clip_from_world, 0 without a
- * face. */
+#define REFRACT_ENV_CUBE 1 /* cube map of the radiance around the object */
+/* G-buffers of the ice: outward normals; depth by globals.clip_from_world, 0 without face. */
 #define REFRACT_NORMAL_BACK  2
 #define REFRACT_DEPTH_BACK   3
 #define REFRACT_NORMAL_FRONT 4
 #define REFRACT_DEPTH_FRONT  5
-#define REFRACT_SHADING      7 /* of refract_seen.glsl */
-#define REFRACT_DEPTH_SCENE  8 /* of refract_seen.glsl */
-/* Of rungs that march among front faces with REFRACT_SEEN. */
+#define REFRACT_SHADING      7 /* shading normal of the visible front face (refract_seen.glsl) */
+#define REFRACT_DEPTH_SCENE  8 /* depth of the surroundings (refract_seen.glsl) */
+/* Front depth as ray-marched by models with REFRACT_SEEN; may be wider than the image. */
 #define REFRACT_DEPTH_FRONT_MAP 12
 
-/* Bindings of rungs with REFRACT_DRESS, of ice_normal.c's images. */
+/* Material images written by ice_normal.c, with REFRACT_DRESS. */
 #define REFRACT_DRESS_FRONT 9
 #define REFRACT_DRESS_BACK  10
 #define REFRACT_DRESS_SHINE 11
-/* Of rungs that meet cracks: cracks_met.glsl writes it. */
+/* Image of cracks for models that intersect refracted rays with them (cracks_met.glsl). */
 #define REFRACT_CRACKS 6
-#define REFRACT_OVER   1 /* of refract_over.frag: the image that is blended over a picture */
+#define REFRACT_OVER   1 /* image that refract_over.frag composites */
 
-/* Outputs of the front faces' vertex shaders. */
+/* Varyings written by the vertex shaders of the front faces. */
 #define REFRACT_EYE_TO_POINT 0
 #define REFRACT_NORMAL       1
 #define REFRACT_FRESNEL      2
-#define REFRACT_BUMP_AT      3 /* of refract_bump.vert, for bump_map.glsl */
-#define REFRACT_BUMP_TURN    4 /* of refract_bump.vert: 4 to 6 */
-#define REFRACT_BUMP_SLOPE   7 /* of refract_bump.vert */
-#define REFRACT_REFLECTED    3 /* of refract_per_vertex.vert */
-#define REFRACT_REFRACTED    4 /* of refract_per_vertex.vert: 4 to 6 */
+#define REFRACT_BUMP_AT      3 /* position for bump_map.glsl, from refract_bump.vert */
+#define REFRACT_BUMP_TURN    4 /* matrix, locations 4 to 6, from refract_bump.vert */
+#define REFRACT_BUMP_SLOPE   7 /* bump strength, from refract_bump.vert */
+#define REFRACT_REFLECTED    3 /* reflected direction, from refract_per_vertex.vert */
+#define REFRACT_REFRACTED    4 /* refracted directions, from refract_per_vertex.vert: 4 to 6 */
 
-/* Outputs of refract_seen.vert. */
+/* Varyings written by refract_seen.vert. */
 #define REFRACT_VIEW_RAY   0
-#define REFRACT_SEEN_FRAME 1 /* refract_frame.glsl: 1 to 8 */
-#define REFRACT_SEEN_MEAN  9 /* of refract_seen_mean.vert: radiance, 1 / nearest distance */
+#define REFRACT_SEEN_FRAME 1 /* locations 1 to 8 (refract_frame.glsl) */
+#define REFRACT_SEEN_MEAN  9 /* mean radiance, 1 / nearest distance (refract_seen_mean.vert) */
 
-/* Outputs of all these vertex shaders, for surface.glsl. */
-#define REFRACT_LIGHTS    11 /* 11 to 14 */
+/* Varyings of all these vertex shaders for surface.glsl. */
+#define REFRACT_LIGHTS    11 /* locations 11 to 14 */
 #define REFRACT_SHININESS 15
 
-/* Colour targets of the pass that draws a rung's picture. */
+/* Colour targets of the pass that draws a refraction model's image. */
 #define REFRACT_OUT_COLOR     0
 #define REFRACT_OUT_HIGHLIGHT 1
 
-/* Colour targets of the pass that writes a rung's layers. */
+/* Colour targets of the pass that writes a refraction model's layers. */
 #define REFRACT_OUT_EXIT       0
 #define REFRACT_OUT_REFRACTION 1
 #define REFRACT_OUT_REFLECTION 2
 #define REFRACT_OUT_FRESNEL    3
 #define REFRACT_OUT_WAY        4
 
-/* CONSTANT_REFRACT_FRESNEL */
-#define REFRACT_FRESNEL_PAPER     0 /* eq. 4, at the vertices */
-#define REFRACT_FRESNEL_EXACT     1 /* Fresnel's equations, in each pixel */
-#define REFRACT_FRESNEL_CROSSFADE 2 /* one share for all pixels */
-#define REFRACT_FRESNEL_AUTO      3 /* the rung's own; of the setting alone */
+/* values of the specialisation constant CONSTANT_REFRACT_FRESNEL */
+#define REFRACT_FRESNEL_PAPER     0 /* the paper's approximation, eq. 4, per vertex */
+#define REFRACT_FRESNEL_EXACT     1 /* exact Fresnel equations per pixel */
+#define REFRACT_FRESNEL_CROSSFADE 2 /* one constant reflectance for all pixels */
+#define REFRACT_FRESNEL_AUTO      3 /* the refraction model's default; only as a setting */
 
-/* CONSTANT_REFRACT_LOOKUP */
-#define REFRACT_LOOKUP_INFINITE 0 /* as if the surroundings were infinitely far away */
-#define REFRACT_LOOKUP_DISTANCE 1 /* a ray is traced to the distances of the environment cube */
-#define REFRACT_LOOKUP_BOX      2 /* a ray ends on the sides of the box of local_settings */
-#define REFRACT_LOOKUP_AUTO     3 /* the rung's own; of the setting alone */
+/* values of the specialisation constant CONSTANT_REFRACT_LOOKUP */
+#define REFRACT_LOOKUP_INFINITE 0 /* environment infinitely far away */
+#define REFRACT_LOOKUP_DISTANCE 1 /* rays march the distances in the environment cube */
+#define REFRACT_LOOKUP_BOX      2 /* box projection: rays end on the box of local_settings */
+#define REFRACT_LOOKUP_AUTO     3 /* the refraction model's default; only as a setting */
 
 #endif

@@ -10,8 +10,7 @@ layout(push_constant, scalar) uniform Push
     refract_blend_params params;
 };
 
-/* Pixels in which the mean normal faces away from the eye, or without a back face, are
- * one-sided. */
+/* Without back face, or if the blended normal faces away, only the front face refracts. */
 refract_way refract_follow(vec3 e, vec3 n_f, int channel)
 {
     vec4 n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0);

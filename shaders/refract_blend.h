@@ -1,10 +1,10 @@
-/* refract_blend.h: what refract_blend.c and refract_blend.frag agree on. */
+/* refract_blend.h: push constants of the blended-normals refraction model (refract_blend.c). */
 #ifndef SHADERS_REFRACT_BLEND_H
 #define SHADERS_REFRACT_BLEND_H
 #include "refract.h"
 
 struct refract_blend_params {
-    float a; /* share of the back face's normal */
+    float a; /* weight of the back face's normal */
 };
 
 #endif

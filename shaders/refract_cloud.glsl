@@ -1,5 +1,5 @@
 /*
- * refract_cloud.glsl: cloudy ice, for rungs that follow no triangles: with REFRACT_CLOUD.
+ * refract_cloud.glsl: scattering media in the raster refraction models, with REFRACT_CLOUD.
  */
 #ifndef REFRACT_CLOUD_GLSL
 #define REFRACT_CLOUD_GLSL
@@ -7,8 +7,8 @@
 #include "cloud_light.glsl"
 #include "lib/pose.glsl"
 
-/* Follows a part of a way from a point of the world, no farther than `t`. Adds the light that comes
- * from the cloud, times `straight`, which becomes the share of light that goes straight on. */
+/* Ray-marches a scattering medium from a world-space point along `dir` up to length `t`. Returns
+ * the in-scattered radiance times `straight`, and multiplies the transmittance `straight`. */
 vec3 refract_cloud(cloud_place cloud, vec3 point, vec3 dir, float t, inout float straight)
 {
     vec3 from = pose_to_object(point);

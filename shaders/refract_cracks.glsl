@@ -1,10 +1,10 @@
 /*
- * refract_cracks.glsl: the crack that a part of a ray's way inside meets, in cracks.met.
+ * refract_cracks.glsl: intersects path segments inside the ice with the image cracks.met.
  *
- * Error: the map shows cracks as the eye does. Of those behind each other it has one, as
- * cracks_met.glsl tells, and a ray that faces have reflected, which may come from behind, meets
- * that one, too. Along the picture its steps are long after a reflection: they miss narrow cracks,
- * and such as the ray crosses while it hardly grows deeper.
+ * Errors: the image holds a single crack per pixel as visible from the camera (cracks_met.glsl), so
+ * hidden ones are missed and rays reflected towards the camera hit the visible one from behind.
+ * After a reflection, steps across the image are long: they miss narrow cracks, and cracks crossed
+ * while the ray hardly changes depth.
  */
 #ifndef REFRACT_CRACKS_GLSL
 #define REFRACT_CRACKS_GLSL
@@ -14,14 +14,13 @@
 
 layout(set = 0, binding = REFRACT_CRACKS) uniform sampler2D cracks_met;
 
-/* Cosine to the view's axis below which a ray goes across the view. Others are mostly those of the
- * eye that the surface has bent once: what they meet changes least from frame to frame if all
- * cracks are taken for level. */
+/* Cosine to the view axis below which a ray counts as crossing the view. Other rays are mostly
+ * refracted once; treating cracks as level for them keeps animations stable. */
 const float cracks_across = 0.7;
 
 struct cracks_hit {
-    float t; /* length of the ray; within_none: it meets none */
-    vec3 n;  /* unit, against the ray */
+    float t; /* distance along the ray; within_none if nothing is hit */
+    vec3 n;  /* unit normal on the side of the incoming ray */
     float width;
 };
 

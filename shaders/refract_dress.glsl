@@ -1,5 +1,4 @@
-/* refract_dress.glsl: what passes an object's surface, and what the surface itself shows, in
- * ice_normal.c's images. */
+/* refract_dress.glsl: surface transmittance and opaque base colour, from images of ice_normal.c. */
 #ifndef REFRACT_DRESS_GLSL
 #define REFRACT_DRESS_GLSL
 #include "refract.h"
@@ -9,18 +8,19 @@ layout(set = 0, binding = REFRACT_DRESS_BACK) uniform sampler2D dress_back;
 layout(set = 0, binding = REFRACT_DRESS_SHINE) uniform sampler2D dress_shine;
 
 #ifdef REFRACT_MIRRORED
-ivec2 refract_pixel; /* of the picture, in which the face is that a ray meets; set by main() */
+ivec2 refract_pixel; /* image pixel of the face that the ray hits; set by main() */
 #else
 #define refract_pixel ivec2(gl_FragCoord.xy)
 #endif
 
-/* Returns the share of light that passes the front face of a pixel. */
+/* Returns the transmittance of the pixel's front face. */
 vec3 refract_dress_front()
 {
     return texelFetch(dress_front, refract_pixel, 0).rgb;
 }
 
-/* Returns that of the back face behind it: where a rung does not know where light leaves. */
+/* Returns the transmittance of the pixel's back face, for models that do not know the exit point.
+ */
 vec3 refract_dress_back()
 {
     return texelFetch(dress_back, refract_pixel, 0).rgb;

@@ -1,19 +1,20 @@
-/* refract_ends.glsl: two points of a ray, one inside and one outside, between which it leaves. */
+/* refract_ends.glsl: bracket around the exit point of a ray, for the root search of ray marching.
+ */
 #ifndef REFRACT_ENDS_GLSL
 #define REFRACT_ENDS_GLSL
 
-const float march_beside = -1e30; /* room of a point beside the silhouette */
+const float march_beside = -1e30; /* signed distance assigned to points outside the silhouette */
 
-/* Two points of a ray, between which it leaves. */
+/* Bracket of a ray's exit: the last distance inside and the first one outside. */
 struct march_ends {
     float within, beyond;
-    float room_within; /* 0: not known */
+    float room_within; /* signed distance to the face at `within`; 0 if not known */
     float room_beyond;
-    bool near_front; /* at `within` */
+    bool near_front; /* the front face is the nearer one at `within` */
 };
 
-/* Returns the point a little before that at which linearly interpolated room is 0, or the middle if
- * the room is not known. */
+/* Returns the root of the linearly interpolated signed distance, moved back by a quarter of
+ * `exact`; the middle of the bracket if the distances are not known. */
 float march_divide(march_ends ends, float exact)
 {
     bool known =

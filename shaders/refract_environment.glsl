@@ -1,13 +1,11 @@
 /*
- * refract_environment.glsl: looks up the environment from a point near the ice in a direction.
+ * refract_environment.glsl: environment lookup for rays that leave the ice.
  *
- * The cube was drawn from the objects' centre. With REFRACT_LOOKUP_INFINITE only the direction is
- * used, as if everything were infinitely far away. With REFRACT_LOOKUP_DISTANCE a ray is marched
- * through the distances that the cube stores, to the first place behind what the cube shows (after
- * Szirmay-Kalos and others 2005, Approximate Ray-Tracing on the GPU with Distance Impostors). This
- * is wrong where a surface is hidden only from the centre. With REFRACT_LOOKUP_BOX a ray ends on
- * the box's sides
- * (lib/local_cube.glsl).
+ * The cube map was rendered from the objects' centre. REFRACT_LOOKUP_INFINITE uses the direction
+ * alone, as if everything were infinitely far away. REFRACT_LOOKUP_DISTANCE marches the ray through
+ * the cube's distances to the first hit (after Szirmay-Kalos et al. 2005, Approximate Ray-Tracing
+ * on the GPU with Distance Impostors); it fails for surfaces hidden from the centre.
+ * REFRACT_LOOKUP_BOX projects onto a box (lib/local_cube.glsl).
  */
 #ifndef REFRACT_ENVIRONMENT_GLSL
 #define REFRACT_ENVIRONMENT_GLSL
@@ -17,7 +15,7 @@
 
 layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
 #ifdef REFRACT_ENV_CUBE_POINTS
-/* The same without a filter, where lavapipe reads a distance in half the time. */
+/* the cube map with nearest filtering, which lavapipe reads in half the time */
 layout(set = 0, binding = REFRACT_ENV_CUBE_POINTS) uniform samplerCube env_cube_points;
 #else
 #define env_cube_points env_cube
@@ -29,34 +27,33 @@ layout(location = REFRACT_SEEN_MEAN, component = 3) flat in float cube_nearest; 
 const float cube_nearest = 0.0;
 #endif
 
-const int cube_divisions = 3; /* of the step that went behind a surface */
+const int cube_divisions = 3; /* root search iterations in the step that passed a surface */
 
-/* A ray that is farther behind a surface, in its own distance, after these divisions has passed
- * the surface's edge behind it. What it sees there is hidden from the centre. */
+/* Distance behind a surface, relative to the ray's own, beyond which the ray has passed behind the
+ * surface's edge; what it hits is then hidden from the centre. */
 const float cube_passed = 0.15;
 
-/* Returns how far a place, homogeneous and relative to the centre, is behind what the cube shows:
- * below 0, before it. Along a line this is linear where the surface is flat. The sky hides
- * nothing. */
+/* Returns how far a point is behind the surface in the cube map, negative if in front. `place` is
+ * homogeneous, relative to the cube's centre. Linear along a line for flat surfaces. */
 float cube_behind(vec4 place)
 {
     return length(place.xyz) * textureLod(env_cube_points, place.xyz, 0.0).a - place.w;
 }
 
-/* Two places of a ray, 0 to 1, between which it meets a surface. */
+/* Bracket of a ray's hit: two parameters in 0 to 1 on either side of the surface. */
 struct cube_ends {
     float before, behind;
-    float at_before, at_behind; /* cube_behind() */
+    float at_before, at_behind; /* cube_behind() at both ends */
 };
 
-/* Returns the place between the ends at which linearly interpolated depth is 0. */
+/* Returns the root of the linearly interpolated distance behind the surface. */
 float cube_divide(cube_ends ends)
 {
     float share = ends.at_before / min(ends.at_before - ends.at_behind, -1e-9);
     return mix(ends.before, ends.behind, share);
 }
 
-/* Returns the ends of the first step that goes behind a surface, or both at 1 if none does. */
+/* Returns the bracket of the first step that passes a surface; both ends are 1 if there is none. */
 cube_ends cube_find(vec4 from, vec4 to)
 {
     cube_ends ends = cube_ends(0.0, 1.0, -1.0, 0.0);
@@ -74,8 +71,8 @@ cube_ends cube_find(vec4 from, vec4 to)
     return ends;
 }
 
-/* Returns the first place of a ray that is as far from the centre as the nearest surface. Steps
- * before it would find nothing, and be missed behind narrow surfaces. */
+/* Returns the first point of a ray that is as far from the centre as the nearest surface; steps
+ * before it cannot hit anything and would coarsen the others. */
 vec3 cube_begin(vec3 from_center, vec3 dir)
 {
     if (cube_nearest <= 0.0)
@@ -86,11 +83,11 @@ vec3 cube_begin(vec3 from_center, vec3 dir)
 }
 
 /*
- * Returns the direction in which a ray looks the cube up. A ray that passes behind a surface looks
- * beside its edge.
+ * Returns the direction in which a ray hits the cube map. A ray that passes behind a surface uses
+ * the direction beside the surface's edge.
  *
- * Steps are even on the line from the ray's beginning to its end at infinity, as homogeneous
- * points, so that the directions that are tried are about evenly spaced, too.
+ * Steps are even between the ray's origin and its end at infinity in homogeneous coordinates, so
+ * that the sampled directions are about evenly spaced.
  */
 vec3 refract_cube_dir(vec3 point, vec3 dir)
 {
@@ -99,7 +96,7 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
     vec4 from = vec4(begin, 1.0);
     vec4 to = vec4(scale * dir, 0.0);
     cube_ends ends = cube_find(from, to);
-    if (ends.at_behind <= 0.0) /* the sky */
+    if (ends.at_behind <= 0.0) /* no hit: the ray reaches the sky */
         return to.xyz;
     for (int i = 0; i < cube_divisions; i++) {
         float u = i % 2 == 0 ? cube_divide(ends) : 0.5 * (ends.before + ends.behind);
@@ -116,8 +113,8 @@ vec3 refract_cube_dir(vec3 point, vec3 dir)
     return mix(from, to, is_past ? ends.before : cube_divide(ends)).xyz;
 }
 
-/* Returns whether a point is behind what the cube shows: where ice stands in wet ground, no air is
- * below its face, which mirrors nothing there. */
+/* Returns true if a point is behind the surfaces in the cube map, that is in the ground. Where ice
+ * stands in wet ground, no air is below its base and total internal reflection does not occur. */
 bool refract_is_in_ground(vec3 point)
 {
     vec3 from_center = point - frame.cube_center;

@@ -1,9 +1,8 @@
 /*
- * refract_frame.glsl: the members of `frame` that rungs read, as `refract_frame`.
+ * refract_frame.glsl: uniforms that the refraction models read, as `refract_frame`.
  *
- * With REFRACT_SEEN they are passed from the vertex shader, with equal values at all three corners
- * of the picture's triangle, because lavapipe's fragment shaders fetch each float of a uniform
- * separately for each pixel (Mesa 22.3).
+ * With REFRACT_SEEN these are flat varyings written by the vertex shader, because lavapipe's
+ * fragment shaders fetch each float of a uniform separately for each pixel (Mesa 22.3).
  */
 #ifndef REFRACT_FRAME_GLSL
 #define REFRACT_FRAME_GLSL

@@ -1,7 +1,7 @@
 /*
- * refract_front.glsl: the inputs of front faces from refract*.vert, and their normal; with
- * REFRACT_BUMP, with bumps. With REFRACT_SEEN all of this is read from ice_normal.front; with
- * REFRACT_PHOTONS, main() finds it, if rays enter at all.
+ * refract_front.glsl: position and normal of the visible front face: from varyings of
+ * refract*.vert, bump mapped with REFRACT_BUMP; from the G-buffer ice_normal.front with
+ * REFRACT_SEEN; set by main() with REFRACT_PHOTONS.
  */
 #ifndef REFRACT_FRONT_GLSL
 #define REFRACT_FRONT_GLSL
@@ -12,7 +12,7 @@
 #include "refract_seen.glsl"
 #elif defined(REFRACT_PHOTONS)
 vec3 eye_to_point;
-vec3 normal; /* unit */
+vec3 normal; /* unit length; set by main() */
 
 vec3 refract_front_normal()
 {
@@ -21,7 +21,7 @@ vec3 refract_front_normal()
 #else
 layout(location = REFRACT_EYE_TO_POINT) in vec3 eye_to_point;
 layout(location = REFRACT_NORMAL) in vec3 normal;
-layout(location = REFRACT_FRESNEL) in float fresnel_paper; /* eq. 4, from the vertices */
+layout(location = REFRACT_FRESNEL) in float fresnel_paper; /* eq. 4, per vertex */
 
 #ifdef REFRACT_BUMP
 #include "bump.glsl"

@@ -1,7 +1,7 @@
 /*
- * refract_inside.glsl: marches a ray inside the ice, in the maps, to the point where it leaves.
+ * refract_inside.glsl: image-space ray marching inside the ice to the exit point, in depth maps.
  *
- * With REFRACT_BOUNCE a ray can leave through front faces, too; without it, points before the front
+ * With REFRACT_BOUNCE a ray can also leave through front faces; without it, points before these
  * faces count as inside.
  */
 #ifndef REFRACT_INSIDE_GLSL
@@ -30,11 +30,11 @@ layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
 #endif
 #endif
 
-/* Uniforms of a march, read once, because lavapipe reads uniforms in a loop for each ray. */
+/* Constants of a march, loaded once: lavapipe reads uniforms in a loop for each ray. */
 struct march_space {
-    mat4 map_from_world; /* to clip coordinates; x / w and y / w are those of refract_depth_at() */
+    mat4 map_from_world; /* to clip space; x / w and y / w are texels (refract_depth_at()) */
     vec2 texel;
-    vec3 center; /* of the bounding sphere */
+    vec3 center; /* of the object's bounding sphere */
     float radius;
     refract_march march;
 };
@@ -46,7 +46,8 @@ march_space march_space_of_frame()
 #ifdef MARCH_PICTURE
     vec2 picture = MARCH_PICTURE;
 #elif defined(REFRACT_SEEN)
-    vec2 picture = vec2(textureSize(shading, 0)); /* in the middle of the maps */
+    vec2 picture =
+        vec2(textureSize(shading, 0)); /* the maps are wider: the image is their centre */
 #else
     vec2 picture = size;
 #endif
@@ -55,14 +56,11 @@ march_space march_space_of_frame()
     return march_space(m, 1.0 / size, refract_frame.center, refract_frame.radius, REFRACT_MARCH);
 }
 
-/* A ray begins this far from its surface, in bounding radii, because texels are coarse. */
+/* Offset of a ray's origin from its surface, in bounding radii, because texels are coarse. */
 const float march_start = 0.02;
 
-/*
- * Returns the room of a point: its distance before the back faces, x, and behind the front faces,
- * y, below 0 outside. The unit is stored depth times w, which is linear along a ray where the face
- * is flat.
- */
+/* Returns signed distances of a point: x in front of the back faces, y behind the front faces,
+ * negative outside. The unit is stored depth times w, linear along a ray for flat faces. */
 vec2 march_rooms(march_space space, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -89,7 +87,7 @@ bool march_is_inside(march_space space, vec4 at)
     return march_less(march_rooms(space, at)) >= 0.0;
 }
 
-/* Returns the length of a ray to the object's bounding sphere. */
+/* Returns the distance along a ray to the object's bounding sphere. */
 float march_room(march_space space, vec3 point, vec3 dir)
 {
     vec3 from_center = point - space.center;
@@ -99,12 +97,12 @@ float march_room(march_space space, vec3 point, vec3 dir)
 }
 
 /*
- * Finds the step that goes outside. A ray that is hidden begins behind a face that it has not
- * crossed: its points count as inside until one is between the faces again, or beside them. Two
- * steps are taken at a time, because they do not depend on
- * each other: the latency of the address computation dominates here, not the fetch.
+ * Marches to the first step that leaves the object. A ray marked as hidden begins behind a face
+ * that it has not crossed: its points count as inside until one is between the faces again or
+ * outside the silhouette. Two independent steps are taken at a time, because the latency of the
+ * address computation dominates, not the fetches.
  */
-march_ends march_step_outside(march_space space, vec4 from, vec4 way, float first,
+march_ends march_step_outside(march_space space, vec4 from, vec4 map_dir, float first,
                               float step_length, bool hidden)
 {
     march_ends ends;
@@ -114,8 +112,8 @@ march_ends march_step_outside(march_space space, vec4 from, vec4 way, float firs
     for (uint i = 1u;; i += 2u) {
         float near = first + float(i) * step_length;
         float far = first + float(min(i + 1u, space.march.steps)) * step_length;
-        vec2 rooms_near = march_rooms(space, fma(vec4(near), way, from));
-        vec2 rooms_far = march_rooms(space, fma(vec4(far), way, from));
+        vec2 rooms_near = march_rooms(space, fma(vec4(near), map_dir, from));
+        vec2 rooms_far = march_rooms(space, fma(vec4(far), map_dir, from));
         float room_near = march_less(rooms_near);
         float room_far = march_less(rooms_far);
         bool near_hidden = hidden && room_near < 0.0 && room_near > march_beside;
@@ -137,30 +135,29 @@ march_ends march_step_outside(march_space space, vec4 from, vec4 way, float firs
 }
 
 /*
- * Returns the length of a ray inside, and whether its end is nearer to the front faces. The step
- * that goes outside is divided until it is as exact as `halvings` would make it: once for a flat
- * face. Whenever the new point is outside, the room inside is halved (the Illinois method), so that
- * both ends converge. `jumps` tells that the ray ends where the map goes from one face to another,
- * and so at none of them.
+ * Returns the distance along a ray to its exit, and whether front faces are nearer there. The last
+ * step is refined to the precision of `halvings` bisections by the Illinois method: when the new
+ * point is outside, the signed distance inside is halved, so that both ends converge; one iteration
+ * is enough for a flat face. `jumps` is set if the depth is discontinuous there: no hit.
  *
- * The loops test their condition at the end, because a vector unit executes whole iterations until
- * its last ray has finished.
+ * Loops test their condition at the end, because a SIMD unit executes whole iterations until its
+ * last ray has finished.
  */
 float march_seek(march_space space, vec3 point, vec3 dir, bool hidden, out bool near_front,
                  out bool jumps)
 {
     vec4 from = space.map_from_world * vec4(point, 1.0);
-    vec4 way = space.map_from_world * vec4(dir, 0.0);
+    vec4 map_dir = space.map_from_world * vec4(dir, 0.0);
     float first = march_start * space.radius;
     float step_length =
         (max(march_room(space, point, dir), first) - first) / float(space.march.steps);
     float exact = ldexp(step_length, -int(space.march.halvings));
-    march_ends ends = march_step_outside(space, from, way, first, step_length, hidden);
+    march_ends ends = march_step_outside(space, from, map_dir, first, step_length, hidden);
     float difference = ends.room_within - ends.room_beyond;
     float t = march_divide(ends, exact);
     bool done = t - ends.within < 0.5 * exact || space.march.halvings == 0u;
     for (uint i = 1u;; i++) {
-        vec2 rooms = march_rooms(space, fma(vec4(t), way, from));
+        vec2 rooms = march_rooms(space, fma(vec4(t), map_dir, from));
         float room = march_less(rooms);
         if (!done && room < 0.0) {
             ends.beyond = t;
@@ -177,21 +174,22 @@ float march_seek(march_space space, vec3 point, vec3 dir, bool hidden, out bool 
             break;
     }
     near_front = ends.near_front;
-    /* Where the room is continuous, four times the exactness changes it by far less. */
-    float probe = march_less(march_rooms(space, fma(vec4(ends.within + 4.0 * exact), way, from)));
+    /* On a continuous face, 4 * exact changes the signed distance much less than this. */
+    float probe =
+        march_less(march_rooms(space, fma(vec4(ends.within + 4.0 * exact), map_dir, from)));
     jumps = probe < -0.25 * difference && probe > march_beside;
     return ends.within;
 }
 
-/* The same for a ray that ends where it first seems to. */
+/* Returns the distance along a ray to its first apparent exit. */
 float march_length(march_space space, vec3 point, vec3 dir, out bool near_front)
 {
     bool jumps;
     return march_seek(space, point, dir, false, near_front, jumps);
 }
 
-/* Returns the outward normal at the end of a ray: of the nearer face, or of the other one if the
- * ray cannot leave through the nearer face. */
+/* Returns the outward normal at the end of a ray: that of the nearer face, or of the other one if
+ * the ray cannot leave through the nearer. */
 vec3 march_normal(march_space space, vec3 point, vec3 dir, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -219,7 +217,7 @@ vec3 march_nearer_normal(march_space space, vec3 point, bool near_front)
 }
 
 #ifdef REFRACT_DRESS
-/* Returns the share of light that passes the nearer face at the end of a ray. */
+/* Returns the transmittance of the nearer face at the end of a ray. */
 vec3 march_dress(march_space space, vec3 point, bool near_front)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);

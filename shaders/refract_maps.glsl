@@ -1,9 +1,9 @@
 /*
- * refract_maps.glsl: lookups in the screen-space maps of the ice's faces, depth and normals.
+ * refract_maps.glsl: lookups in the ice's screen-space depth and normal maps.
  *
- * Depths are compared as stored: near plane over distance along the view's axis, 0 without a face.
- * On a plane they are linear in the picture, which distances are not. Along a ray, clip coordinates
- * are linear in its length.
+ * Depths are compared as stored (reversed): near plane over view-space distance, 0 if there is no
+ * face. Such depths are linear in screen space on a plane, which distances are not. Clip
+ * coordinates are linear in a ray's length.
  */
 #ifndef REFRACT_MAPS_GLSL
 #define REFRACT_MAPS_GLSL
@@ -23,15 +23,14 @@ vec2 refract_uv(vec4 clip)
     return clip.xy / clip.w * 0.5 + 0.5;
 }
 
-/* Returns the texel of a point, clamped to the picture. */
+/* Returns the texel at a projected point, clamped to the image. */
 ivec2 refract_texel(vec4 clip)
 {
     ivec2 size = textureSize(depth_back, 0);
     return clamp(ivec2(refract_uv(clip) * vec2(size)), ivec2(0), size - 1);
 }
 
-/* Returns the depth at a point: `at` is in texels from the middle of the first one; `texel` is 1 /
- * the map's size. */
+/* Returns the interpolated depth; `at` is in texels from the first centre, `texel` is 1 / size. */
 float refract_depth_at(sampler2D depths, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);
@@ -45,7 +44,7 @@ float refract_depth_at_uv(sampler2D depths, vec2 uv)
     return refract_depth_at(depths, uv * size - 0.5, 1.0 / size);
 }
 
-/* Returns the mean of the nearest texels that show a face, normalised, or 0 if none does. */
+/* Returns the mean normal of the nearest texels that have a face, or 0 if there are none. */
 vec3 refract_normal_at(sampler2D normals, vec2 uv)
 {
     vec3 n = texture(normals, uv).xyz;

@@ -1,10 +1,12 @@
 /*
- * refract_nested.glsl: follows light through bodies that are in bodies (ice_nested.h).
+ * refract_nested.glsl: follows light through nested objects by marching depth layers
+ * (ice_nested.h).
  *
- * A ray is in a level, until it leaves it or enters the next one. At each face it goes on to the
- * other side, and what is reflected there waits, if its share is worth it; else it sees the mean of
- * the surroundings. What leaves the outermost level sees the surroundings; it is looked up when
- * all rays of the pixel have ended, because lavapipe executes both sides of branches (Mesa 22.3).
+ * A ray is in one level of nesting until it leaves it or enters the next. At each face the
+ * refracted ray is followed, and the reflected one is pushed onto a stack of pending rays if its
+ * throughput is high enough; otherwise it is given the mean radiance of the surroundings. Rays that
+ * leave the outermost level look up the environment after all rays of the pixel have ended, because
+ * lavapipe executes both sides of branches (Mesa 22.3).
  */
 #ifndef REFRACT_NESTED_GLSL
 #define REFRACT_NESTED_GLSL
@@ -26,48 +28,49 @@ layout(set = 0, binding = ICE_NESTED_MEDIA, scalar) uniform Media
     ice_nested_media media;
 };
 
-layout(location = REFRACT_SEEN_MEAN) flat in vec3 mean; /* radiance of the surroundings */
+layout(location = REFRACT_SEEN_MEAN) flat in vec3 mean; /* mean radiance of the surroundings */
 
-const float nested_start = 0.01; /* a ray begins this far from its face, in bounding radii */
-const float nested_least = 0.01; /* share of a pixel's light that is followed back, at least */
+const float nested_start = 0.01; /* offset of a ray's origin from its face, in bounding radii */
+const float nested_least = 0.01; /* minimum throughput of reflected rays */
 const int nested_waits_max = 3;
 const int nested_stops_max = 6;
-const int nested_parts_max = 40; /* straight parts of all rays of a pixel */
-const uint nested_steps = 2u;    /* as many as of a march among two maps, times this */
+const int nested_parts_max = 40; /* maximum number of segments of all rays of a pixel */
+const uint nested_steps = 2u;    /* factor on the number of ray marching steps */
 
-/* Where a ray is in the maps. */
+/* Transformation of world space to texels of the depth layers. */
 struct nested_space {
-    mat4 map_from_world; /* x / w and y / w: texels from the middle of the first one */
-    vec2 texel;          /* 1 / the map's size */
+    mat4 map_from_world; /* x / w and y / w: texels from the centre of the first one */
+    vec2 texel;          /* 1 / size of the depth layers */
 };
 
 struct nested_ray {
-    vec3 point, dir, weight;
+    vec3 point, dir, throughput;
     int level;
-    ivec3 within; /* medium of each level that it is in */
+    ivec3 within; /* medium of each level that contains the ray */
 };
 
-/* Where light leaves. */
+/* Ray that has left all objects. */
 struct nested_stop {
-    vec3 point, dir, weight;
+    vec3 point, dir, throughput;
 };
 
-nested_ray later[nested_waits_max]; /* those that wait, the last one first */
-int waits;
-nested_stop stops[nested_stops_max];
-int stop_count;
+nested_ray pending[nested_waits_max]; /* stack of pending rays, the latest one first */
+int pending_count;
+nested_stop ends[nested_stops_max];
+int end_count;
 
 nested_space nested_space_of_frame()
 {
     mat4 m = refract_frame.clip_from_world;
     vec2 size = vec2(textureSize(depths, 0).xy);
-    vec2 picture = vec2(textureSize(shading, 0)); /* in the middle of the maps */
+    vec2 picture =
+        vec2(textureSize(shading, 0)); /* the maps are wider: the image is their centre */
     for (int i = 0; i < 4; i++)
         m[i].xy = 0.5 * picture * m[i].xy + (0.5 * size - 0.5) * m[i].w;
     return nested_space(m, 1.0 / size);
 }
 
-/* As refract_depth_at(). */
+/* Returns the interpolated depth of a layer, as refract_depth_at() does. */
 float nested_depth_at(int layer, vec2 at, vec2 texel)
 {
     vec2 corner = floor(at);
@@ -76,8 +79,8 @@ float nested_depth_at(int layer, vec2 at, vec2 texel)
     return depth_between(textureGather(depths, place), share);
 }
 
-/* Returns the distance of a point before the far faces of a level, x, and behind the near ones, y,
- * as march_rooms(). */
+/* Returns signed distances of a point: x in front of a level's far faces, y behind its near faces.
+ * Negative outside, as in march_rooms(). */
 vec2 nested_rooms(nested_space space, int level, vec4 at)
 {
     vec2 texels = at.xy / at.w;
@@ -92,7 +95,8 @@ float nested_less(vec2 rooms)
     return min(rooms.x, rooms.y);
 }
 
-/* Returns the room of a point in its level and before the next one; below 0 elsewhere. */
+/* Returns the signed distance of a point to the faces of its level and of the next one; negative
+ * outside of its level or inside the next. */
 float nested_room(nested_space space, int level, vec4 at, out bool is_in_next)
 {
     float own = nested_less(nested_rooms(space, level, at));
@@ -103,7 +107,7 @@ float nested_room(nested_space space, int level, vec4 at, out bool is_in_next)
     return min(own, -next);
 }
 
-/* Returns the length of a ray to the outermost object's bounding sphere. */
+/* Returns the distance along a ray to the outermost object's bounding sphere. */
 float nested_length(vec3 point, vec3 dir)
 {
     vec3 from_center = point - refract_frame.center;
@@ -113,14 +117,14 @@ float nested_length(vec3 point, vec3 dir)
 }
 
 /*
- * Returns two lengths of a ray: the first in its level, the second beyond it, in the next level or
- * the one around its own; `enters` tells which. The step that goes beyond is divided by the
- * Illinois method: where the same end moves twice, the room at the other one is halved.
+ * Returns two distances along a ray: the last one in its level, and the first one beyond; `enters`
+ * tells if that is in the next level or in the surrounding one. The step is refined by the Illinois
+ * method: if the same end moves twice, the signed distance at the other one is halved.
  */
 vec2 nested_seek(nested_space space, nested_ray ray, out bool enters)
 {
     vec4 from = space.map_from_world * vec4(ray.point, 1.0);
-    vec4 way = space.map_from_world * vec4(ray.dir, 0.0);
+    vec4 map_dir = space.map_from_world * vec4(ray.dir, 0.0);
     float first = nested_start * refract_frame.radius;
     uint steps = nested_steps * params.march.steps;
     float step_length = (max(nested_length(ray.point, ray.dir), first) - first) / float(steps);
@@ -129,18 +133,19 @@ vec2 nested_seek(nested_space space, nested_ray ray, out bool enters)
     enters = false;
     for (uint i = 1u;; i++) {
         ends.beyond = first + float(i) * step_length;
-        ends.room_beyond = nested_room(space, ray.level, fma(vec4(ends.beyond), way, from), enters);
+        ends.room_beyond =
+            nested_room(space, ray.level, fma(vec4(ends.beyond), map_dir, from), enters);
         if (ends.room_beyond < 0.0 || i >= steps)
             break;
         ends.within = ends.beyond;
         ends.room_within = ends.room_beyond;
     }
     bool done = params.march.halvings == 0u;
-    float moved = 0.0; /* 1: the end within; -1: that beyond */
+    float moved = 0.0; /* 1: the end inside has moved; -1: the one beyond */
     for (uint i = 1u;; i++) {
         bool is_in_next;
         float t = march_divide(ends, 0.0);
-        float room = nested_room(space, ray.level, fma(vec4(t), way, from), is_in_next);
+        float room = nested_room(space, ray.level, fma(vec4(t), map_dir, from), is_in_next);
         if (!done && room < 0.0) {
             ends.beyond = t;
             ends.room_beyond = room;
@@ -160,8 +165,8 @@ vec2 nested_seek(nested_space space, nested_ray ray, out bool enters)
     return vec2(ends.within, ends.beyond);
 }
 
-/* Returns the normal of the nearer face of a level around a point in it, away from the level, and
- * the medium that is behind the face in the level; 0 if there is no face. */
+/* Returns the outward normal of a level's face nearest to a point in it; 0 if there is no face.
+ * `medium` becomes the medium inside the level behind the face. */
 vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
 {
     vec4 at = space.map_from_world * vec4(point, 1.0);
@@ -177,56 +182,56 @@ vec3 nested_normal(nested_space space, int level, vec3 point, out int medium)
     return length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0);
 }
 
-/* By selection: an index that is not constant sends an array to memory. */
-void nested_stop_at(vec3 point, vec3 dir, vec3 weight)
+/* Compares all indices instead of indexing: a variable index moves the array to memory. */
+void nested_stop_at(vec3 point, vec3 dir, vec3 throughput)
 {
     for (int k = 0; k < nested_stops_max; k++)
-        if (k == stop_count)
-            stops[k] = nested_stop(point, dir, weight);
-    stop_count++;
+        if (k == end_count)
+            ends[k] = nested_stop(point, dir, throughput);
+    end_count++;
 }
 
 void nested_wait(nested_ray ray)
 {
     for (int i = nested_waits_max - 1; i > 0; i--)
-        later[i] = later[i - 1];
-    later[0] = ray;
-    waits++;
+        pending[i] = pending[i - 1];
+    pending[0] = ray;
+    pending_count++;
 }
 
 nested_ray nested_next()
 {
-    nested_ray ray = later[0];
+    nested_ray ray = pending[0];
     for (int i = 0; i + 1 < nested_waits_max; i++)
-        later[i] = later[i + 1];
-    waits--;
+        pending[i] = pending[i + 1];
+    pending_count--;
     return ray;
 }
 
-/* Returns whether a place of a ray is in the level around its own. */
+/* Returns true if the point at distance `t` along a ray is in the surrounding level. */
 bool nested_is_in(nested_space space, nested_ray ray, float t)
 {
     vec4 at = space.map_from_world * vec4(fma(vec3(t), ray.dir, ray.point), 1.0);
     return nested_less(nested_rooms(space, ray.level - 1, at)) >= 0.0;
 }
 
-/* A face at the end of a ray. */
+/* Face at the end of a ray segment. */
 struct nested_face {
-    int next;    /* level behind it; -1: outside */
-    int other;   /* medium behind it */
-    float share; /* of light that it reflects */
+    int next;    /* level behind the face; -1: outside */
+    int other;   /* medium behind the face */
+    float share; /* Fresnel reflectance */
     vec3 reflected, refracted;
-    float path; /* length of the ray to it */
+    float segment_length; /* length of the segment */
 #ifdef REFRACT_CLOUD
-    vec3 scattered; /* light of clouds on the way to it */
+    vec3 scattered; /* radiance scattered into the segment */
 #endif
 };
 
 /*
- * Moves a ray to its next face. Where the maps show none that it can meet, it goes straight on.
+ * Moves a ray to its next face. It continues straight where the maps show no face.
  *
- * A room between two parts of an object is a level only where both are seen. Where it opens to the
- * outside, a ray leaves it and the level around it at once, and meets no face.
+ * A cavity between two parts of an object is a level only where both parts are visible. Where it is
+ * open to the outside, a ray leaves it and the surrounding level at once, without hitting a face.
  */
 nested_face nested_meet(nested_space space, int channel, inout nested_ray ray)
 {
@@ -244,21 +249,21 @@ nested_face nested_meet(nested_space space, int channel, inout nested_ray ray)
     n = opens ? vec3(0.0) : n;
     face.next = enters ? ray.level + 1 : ray.level - (opens ? 2 : 1);
     face.other = enters ? entered : opens ? beyond : around;
-    face.path = ends.x;
+    face.segment_length = ends.x;
 #ifdef REFRACT_CLOUD
     float straight = 1.0;
     face.scattered =
-        ray.weight * refract_cloud(media.clouds[medium], ray.point, ray.dir, ends.x, straight);
-    ray.weight *= straight;
+        ray.throughput * refract_cloud(media.clouds[medium], ray.point, ray.dir, ends.x, straight);
+    ray.throughput *= straight;
 #endif
     ray.point += ends.x * ray.dir;
-    ray.weight *= exp(-media.absorb[medium].rgb * ends.x);
+    ray.throughput *= exp(-media.absorb[medium].rgb * ends.x);
     bool is_found = dot(n, ray.dir) > 0.0;
     float eta = media.ior[medium][channel] / media.ior[face.other][channel];
     face.share = is_found ? optics_fresnel(ray.dir, n, eta) : 0.0;
     face.reflected = is_found ? reflect(ray.dir, n) : ray.dir;
     face.refracted = is_found ? optics_refract(ray.dir, -n, eta) : ray.dir;
-    if (refract_is_in_ground(ray.point)) { /* it sees what it stands in, straight */
+    if (refract_is_in_ground(ray.point)) { /* no reflection by ice in the ground */
         face.next = -1;
         face.share = 0.0;
         face.refracted = normalize(ray.point - frame.cube_center);
@@ -266,77 +271,78 @@ nested_face nested_meet(nested_space space, int channel, inout nested_ray ray)
     return face;
 }
 
-/* Makes a ray go on from a face. Returns the light that nobody follows: it sees the mean of the
- * surroundings. A ray that has ended has no weight. */
+/* Continues a ray from a face. Returns the throughput that is not followed and is given the mean
+ * radiance of the surroundings. A ray that has ended has zero weight. */
 vec3 nested_cross(nested_face face, inout nested_ray ray)
 {
     bool leaves = face.next < 0;
     bool is_total = face.share >= 1.0;
-    vec3 through = is_total ? vec3(0.0) : (1.0 - face.share) * ray.weight;
+    vec3 through = is_total ? vec3(0.0) : (1.0 - face.share) * ray.throughput;
     nested_ray back = ray;
     back.dir = face.reflected;
-    back.weight *= face.share;
-    bool goes_back = max(back.weight.r, max(back.weight.g, back.weight.b)) > nested_least;
+    back.throughput *= face.share;
+    bool goes_back =
+        max(back.throughput.r, max(back.throughput.g, back.throughput.b)) > nested_least;
     bool goes_through = !is_total && !leaves;
-    bool waits_for = goes_back && goes_through && waits < nested_waits_max;
+    bool waits_for = goes_back && goes_through && pending_count < nested_waits_max;
     vec3 rest = vec3(0.0);
-    if (leaves && !is_total && stop_count < nested_stops_max)
+    if (leaves && !is_total && end_count < nested_stops_max)
         nested_stop_at(ray.point, face.refracted, through);
     else if (leaves)
         rest += through;
     if (waits_for)
         nested_wait(back);
     if (goes_through) {
-        rest += waits_for ? vec3(0.0) : back.weight;
+        rest += waits_for ? vec3(0.0) : back.throughput;
         ray.dir = face.refracted;
-        ray.weight = through;
+        ray.throughput = through;
         if (face.next > ray.level)
             ray.within[face.next] = face.other;
         ray.level = face.next;
     } else {
-        rest += goes_back ? vec3(0.0) : back.weight;
+        rest += goes_back ? vec3(0.0) : back.throughput;
         ray = back;
-        ray.weight *= goes_back ? 1.0 : 0.0;
+        ray.throughput *= goes_back ? 1.0 : 0.0;
     }
     return rest;
 }
 
-/* Notes a face of the ray that is refracted wherever it can be. */
-void nested_note(nested_face face, nested_ray ray, bool is_first, inout refract_way way)
+/* Records a face of the main path, which is refracted wherever possible. */
+void nested_note(nested_face face, nested_ray ray, bool is_first, inout refract_way path)
 {
     bool is_total = face.share >= 1.0;
-    way.path += ray.within[ray.level] != 0 ? face.path : 0.0;
-    way.bounces += is_total ? 1.0 : 0.0;
-    way.tir = is_total && is_first ? 1.0 : way.tir;
-    way.point = ray.point;
-    way.dir = face.refracted;
+    path.path += ray.within[ray.level] != 0 ? face.segment_length : 0.0;
+    path.bounces += is_total ? 1.0 : 0.0;
+    path.tir = is_total && is_first ? 1.0 : path.tir;
+    path.point = ray.point;
+    path.dir = face.refracted;
 }
 
-nested_ray nested_begin(refract_way way)
+nested_ray nested_begin(refract_way path)
 {
     ivec2 edge = (textureSize(normals, 0).xy - textureSize(shading, 0)) / 2;
     ivec2 texel = ivec2(gl_FragCoord.xy) + edge;
     int medium = int(texelFetch(normals, ivec3(texel, 0), 0).w + 0.5) - 1;
     nested_ray ray;
-    ray.point = way.point;
-    ray.dir = way.dir;
-    ray.weight = vec3(1.0);
+    ray.point = path.point;
+    ray.dir = path.dir;
+    ray.throughput = vec3(1.0);
     ray.level = 0;
     ray.within = ivec3(max(medium, 0), 0, 0);
     for (int i = 0; i < nested_waits_max; i++)
-        later[i] = ray;
+        pending[i] = ray;
     for (int i = 0; i < nested_stops_max; i++)
-        stops[i] = nested_stop(ray.point, ray.dir, vec3(0.0));
-    waits = 0;
-    stop_count = 0;
+        ends[i] = nested_stop(ray.point, ray.dir, vec3(0.0));
+    pending_count = 0;
+    end_count = 0;
     return ray;
 }
 
-vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
+vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way path)
 {
     nested_space space = nested_space_of_frame();
-    way = refract_leave_at_front(optics_refract(e, n_f, refract_frame.etas[channel]));
-    nested_ray ray = nested_begin(way);
+    path = refract_leave_at_front(optics_refract(e, n_f, refract_frame.etas[channel]));
+    nested_ray ray = nested_begin(path);
     vec3 light = vec3(0.0);
     vec3 rest = vec3(0.0);
     bool is_main = true;
@@ -346,24 +352,24 @@ vec3 refract_gather(vec3 e, vec3 n_f, int channel, out refract_way way)
         light += face.scattered;
 #endif
         if (is_main)
-            nested_note(face, ray, part == 0, way);
+            nested_note(face, ray, part == 0, path);
         bool leaves = face.next < 0 && face.share < 1.0;
         rest += nested_cross(face, ray);
         is_main = is_main && !leaves;
-        if (ray.weight == vec3(0.0)) {
+        if (ray.throughput == vec3(0.0)) {
             is_main = false;
-            if (waits == 0)
+            if (pending_count == 0)
                 break;
             ray = nested_next();
         }
     }
-    rest += ray.weight;
+    rest += ray.throughput;
     for (int i = 0; i < nested_waits_max; i++)
-        rest += i < waits ? later[i].weight : vec3(0.0);
+        rest += i < pending_count ? pending[i].throughput : vec3(0.0);
     light += rest * mean;
     for (int i = 0; i < nested_stops_max; i++)
-        if (i < stop_count)
-            light += stops[i].weight * refract_environment(stops[i].point, stops[i].dir);
+        if (i < end_count)
+            light += ends[i].throughput * refract_environment(ends[i].point, ends[i].dir);
     return light;
 }
 

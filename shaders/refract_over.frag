@@ -4,7 +4,7 @@
 
 layout(set = 0, binding = REFRACT_OVER) uniform sampler2D over;
 
-layout(location = 0) out vec4 color; /* premultiplied */
+layout(location = 0) out vec4 color; /* premultiplied alpha */
 
 void main()
 {

@@ -1,10 +1,10 @@
-/* refract_paper.h: what refract_paper.c and refract_paper*.{glsl,frag} agree on. */
+/* refract_paper.h: push constants of the paper's refraction model (refract_paper.c). */
 #ifndef SHADERS_REFRACT_PAPER_H
 #define SHADERS_REFRACT_PAPER_H
 #include "refract.h"
 
 struct refract_paper_params {
-    float a; /* eq. 1: share of the back face's normal */
+    float a; /* weight of the back face's normal, eq. 1 */
 };
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * refract_seen.glsl: reads the ice's front faces from ice_normal.front, for a triangle that covers
- * the picture. A rasteriser that shades whole blocks of pixels then shades each block once, instead
- * of once for each of the ice's triangles in it.
+ * refract_seen.glsl: reads the visible front face from the G-buffer ice_normal.front, for deferred
+ * shading with a full-screen triangle. Rasterisers that shade blocks of pixels then shade each
+ * block once, not once for each of its triangles.
  */
 #ifndef REFRACT_SEEN_GLSL
 #define REFRACT_SEEN_GLSL
@@ -18,7 +18,7 @@ layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
 layout(location = REFRACT_VIEW_RAY) in vec3 ray;
 
 vec3 eye_to_point;
-vec3 normal; /* unit; with bumps */
+vec3 normal; /* unit length, bump mapped */
 float fresnel_paper;
 
 vec3 refract_front_normal()
@@ -26,9 +26,9 @@ vec3 refract_front_normal()
     return normal;
 }
 
-/* Reads the face of this pixel. For the picture, the depth test rejects pixels without ice, and
- * this function those in which only other objects are; for layers it discards both, and pixels in
- * which surroundings hide the ice. */
+/* Reads the front face of this pixel. For the image, the depth test rejects pixels without ice, and
+ * this function those that show only other objects; for layers it discards both, and pixels where
+ * surroundings hide the ice. */
 void refract_front_find()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

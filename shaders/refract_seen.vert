@@ -14,11 +14,11 @@ layout(location = REFRACT_SEEN_MEAN) flat out vec3 out_mean;
 layout(location = REFRACT_SEEN_MEAN, component = 3) flat out float out_nearest; /* 1 / metres */
 
 const uint mean_count = 256u;
-const float mean_golden = 2.39996323; /* radians */
+const float mean_golden = 2.39996323; /* golden angle, radians */
 const float mean_brightest = 16.0;    /* clamps the sun, which most directions miss */
 
-/* Finds the mean radiance of the surroundings and the nearest distance, over directions on a spiral
- * around the sphere. */
+/* Computes the mean radiance of the environment cube and its nearest distance over a spherical
+ * spiral. */
 void mean_find()
 {
     vec3 sum = vec3(0.0);
@@ -36,8 +36,7 @@ void mean_find()
 }
 #endif
 
-/* A triangle that covers the picture at depth 0, behind all faces, for a depth test against
- * them. */
+/* Draws a full-screen triangle at depth 0, behind all faces, for a depth test against them. */
 void main()
 {
     vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

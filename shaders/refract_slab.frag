@@ -3,11 +3,11 @@
 #include "refract.glsl"
 #include "refract_thickness.glsl"
 
-/* Two parallel faces whose distance is that along the straight ray: light leaves in its original
- * direction, displaced. */
+/* Refracts as a slab of two parallel faces: light leaves in its original direction, displaced. The
+ * slab is as thick as the ice along the unrefracted ray. */
 refract_way refract_follow(vec3 e, vec3 n_f, int channel)
 {
     vec3 inside = optics_refract(e, n_f, frame.etas[channel]);
-    float path = refract_thickness() * abs(dot(n_f, e)) / max(-dot(n_f, inside), 1e-3);
-    return refract_way(e, refract_front_point() + path * inside, path, 0.0, 0.0);
+    float path_length = refract_thickness() * abs(dot(n_f, e)) / max(-dot(n_f, inside), 1e-3);
+    return refract_way(e, refract_front_point() + path_length * inside, path_length, 0.0, 0.0);
 }

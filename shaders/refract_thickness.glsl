@@ -1,11 +1,12 @@
-/* refract_thickness.glsl: the thickness of the ice behind this pixel's front face. */
+/* refract_thickness.glsl: thickness of the ice behind the pixel's front face. */
 #ifndef REFRACT_THICKNESS_GLSL
 #define REFRACT_THICKNESS_GLSL
 #include "refract_front.glsl"
 #include "refract_maps.glsl"
 
-/* Returns metres along the straight ray, or 0 without a back face. Distances along the view's axis
- * are proportional to 1 / depth, or orthographic ones linear in it. */
+/* Returns the thickness along the unrefracted ray in metres, or 0 if there is no back face.
+ * View-space distance is proportional to 1 / depth in perspective and linear in depth in
+ * orthographic views. */
 float refract_thickness()
 {
     float back = texelFetch(depth_back, ivec2(gl_FragCoord.xy), 0).r;

@@ -1,12 +1,13 @@
 /*
- * refract_trace.glsl: main() of refract_trace.c: follows the light of a pixel through the objects.
+ * refract_trace.glsl: GPU ray tracer for nested dielectrics, main loop (refract_trace.c).
  *
- * All ways of a pixel go through one loop of straight parts. One way is followed; others, which
- * begin where light was reflected, wait. With TRACE_RAYS, ways meet the triangles around the
- * objects; else they look up the environment cube.
+ * At surfaces a pixel's path splits by Fresnel reflectance: the refracted path is followed,
+ * reflected paths with enough throughput are pushed onto a stack of pending paths. One loop over
+ * path segments serves all paths. With TRACE_RAYS, rays also hit the triangles of the surroundings;
+ * otherwise paths that leave the objects end with a lookup in the environment cube.
  *
- * What only some ways need is in loops that run at most once, because lavapipe (Mesa 22.3) skips
- * loops that no pixel of a group enters, but executes both sides of branches.
+ * Code for rare cases is in loops that run at most once: lavapipe (Mesa 22.3) skips a loop that no
+ * pixel of a group enters, but executes both sides of a branch.
  */
 #define REFRACT_SEEN
 #include "bump_normal.h"
@@ -37,106 +38,109 @@ layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
 #endif
 
 #ifdef TRACE_RAYS
-const int trace_waits_max = 6; /* ways that wait */
+const int trace_waits_max = 6; /* maximum number of pending paths */
 #else
 const int trace_waits_max = 2;
-const int trace_stops_max = 3; /* ways of a pixel */
+const int trace_stops_max = 3; /* maximum number of paths per pixel */
 #endif
-const int trace_length_max = 40; /* straight parts of a way */
-/* Straight parts of a pixel after which no way is parted: llvmpipe ends loops after 65 535 rounds
- * of a group of pixels, and what they have not followed yet would be lost. */
+const int trace_length_max = 40; /* maximum number of segments of a path */
+/* Number of segments of a pixel after which paths are no longer split. llvmpipe terminates loops
+ * after 65 535 iterations, which would lose the light of pending paths. */
 const int trace_parted_max = 256;
-const float trace_left = -2.0; /* side of a way that meets no object any more */
+const float trace_left = -2.0; /* trace_path.side of a path that cannot hit objects again */
 const float trace_rough_min = 1e-3;
 const float trace_branch_min = 1e-3;
-const float trace_gathered_branch = 0.1; /* of light that brings light to surroundings */
+const float trace_gathered_branch = 0.1; /* minimum throughput of lighting rays */
 
-/* A way of light, against its direction. */
+/* State of a path, traced from the camera towards the light. */
 struct trace_way {
-    vec3 origin, dir, weight;
-    uvec4 inside;      /* objects that it is in */
-    int from;          /* the triangle on which it begins; below 0: none */
-    float side, reach; /* as of trace_ray; side may be trace_left */
+    vec3 origin, dir, throughput;
+    uvec4 medium_stack; /* medium stack: the objects that contain the path's origin */
+    int from;           /* triangle on which the segment starts; below 0 if there is none */
+    float side, reach;  /* as in trace_ray; side may also be trace_left */
     uint seed;
-    float kind; /* 1: it is reflected by the first surface; 2: of trace_smooth.glsl; else 0 */
-    int left;   /* straight parts that it may still have */
+    float kind; /* 1: reflected by the first surface; 2: diffuse light, to denoise; else 0 */
+    int left;   /* number of segments that the path may still have */
     bool is_in_bubble;
-    bool is_gathered; /* it brings light to surroundings (trace_ground.glsl) */
-    float open;       /* by how much its end counts if nothing was in its way; 0: an object bent it;
-                         below 0: it came out of one in which it began */
-    vec3 shift, turn; /* of origin and direction, from pixel to pixel (trace_footprint.glsl) */
+    bool is_gathered; /* samples the lighting of surroundings (trace_ground.glsl) */
+    /* factor for sky radiance if the ray reaches the sky without a hit; 0 after refraction by an
+     * object; below 0 if the ray started inside an object */
+    float open;
+    vec3 shift, turn; /* ray differentials of origin and direction (trace_footprint.glsl) */
 };
 
 struct trace_seen {
-    vec3 refraction, reflection; /* radiance, times its share */
-    vec3 normal;                 /* of the first surface, on the eye's side */
+    vec3 refraction, reflection; /* radiance, times the throughput */
+    vec3 normal;                 /* of the first surface, on the camera's side */
     float distance, fresnel;
     bool is_object;
-    bool is_ground; /* surroundings, seen straight */
+    bool is_ground; /* the primary ray hits surroundings */
     vec3 exit;
-    float path, bounces, parts; /* of the way that is refracted wherever that is possible */
-    uint last; /* number of the last object that this way meets after the first surface; 0: none */
+    float path_length, bounces, segments; /* of the main path, refracted where possible */
+    /* number of the last object that the main path hits after the first surface; 0 if there is none
+     */
+    uint last;
 };
 
-/* ---- a pixel: variables, because lavapipe's compiler takes long over arrays in arguments ---- */
+/* Per-pixel state in global variables: lavapipe compiles arrays in function arguments slowly. */
 
-trace_way way;                    /* that is followed */
-trace_way later[trace_waits_max]; /* those that wait, the last one first */
-int waits;
-int lengths; /* straight parts of all ways so far */
+trace_way path;                     /* the path that is being followed */
+trace_way pending[trace_waits_max]; /* stack of pending paths, the latest one first */
+int pending_count;
+int segment_count; /* number of segments of all paths of the pixel so far */
 trace_seen seen;
-vec3 start;       /* of the pixel's ray */
-bool is_first;    /* it has met no surface */
-bool is_main;     /* it is the one of seen.path */
-bool is_straight; /* it is that of seen.last */
+vec3 start;       /* origin of the primary ray */
+bool is_first;    /* the path has not hit a surface yet */
+bool is_main;     /* the main path is followed (seen.path_length) */
+bool is_straight; /* the followed path may set seen.last */
 
 #ifndef TRACE_RAYS
-/* Where a way ends. What is seen there is looked up when all ways of the pixel have ended: then the
- * pixels of a group do so at the same time. */
+/* End of a path that leaves the objects. The environment is looked up after all paths of the pixel
+ * have ended, so that all pixels of a group perform the lookups together. */
 struct trace_stop {
-    vec3 origin, dir, weight;
+    vec3 origin, dir, throughput;
     float kind;
 };
 
-trace_stop stops[trace_stops_max];
-int stop_count, parts_left;
-trace_way straight_end; /* of the way of seen.last; without weight: it has none */
+trace_stop ends[trace_stops_max];
+int end_count, ends_left;
+trace_way escaped_end; /* end of the path of seen.last; zero throughput if it has not left */
 #endif
 
-/* Returns a medium's surface without textures. */
+/* Returns the untextured surface parameters of a medium. */
 dress trace_own(uint rank)
 {
     return dress(trace_medium(rank, TRACE_TINT).rgb, trace_medium(rank, TRACE_IOR).w,
                  trace_medium(rank, TRACE_ABSORB).w);
 }
 
-/* Returns whether a way is in an object. A ray of one closed object knows by its side, so that its
- * set of objects takes no time. */
-bool trace_is_in(trace_way way)
+/* Returns true if a path is inside an object. For a single closed object the ray's side is enough,
+ * which saves updating the medium stack. */
+bool trace_is_in(trace_way path)
 {
     bool has_side = trace_has(TRACE_HAS_CULLING) && !trace_has(TRACE_HAS_HOLES | TRACE_HAS_GROUND);
-    return has_side ? way.side > 0.0 : trace_is_inside(way.inside);
+    return has_side ? path.side > 0.0 : trace_is_inside(path.medium_stack);
 }
 
-/* A crossing of an object's surface. */
+/* Intersection of a path with an object's surface. */
 struct trace_cross {
-    vec3 n, facet; /* normals on the side that light comes from, interpolated and the triangle's */
+    vec3 n, facet; /* shading normal and geometric normal, both on the side of the incoming ray */
     uint rank;
-    bool is_met; /* it is one */
+    bool is_met; /* the ray hits a surface */
     bool is_entering, is_thin, is_real;
     bool is_inclusion;
     float eta;
-    float horizon;    /* sine beyond which rays that leave the outer side meet no object */
-    bool is_bumpy;    /* a normal texture bends `n` */
-    dress own;        /* of the surface, if TRACE_HAS_DRESS */
-    vec3 shift, bend; /* of the point that is met and of `n`, from pixel to pixel */
+    float horizon;    /* sine of the elevation above which outgoing rays hit no object */
+    bool is_bumpy;    /* `n` comes from a normal map */
+    dress own;        /* textured surface parameters, with TRACE_HAS_DRESS */
+    vec3 shift, bend; /* differentials of the hit point and of `n` (trace_footprint.glsl) */
 };
 
 #include "trace_footprint.glsl"
 #include "trace_inclusions.glsl"
 #include "trace_next.glsl"
 
-trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
+trace_cross trace_cross_at(trace_way path, trace_hit hit, int channel)
 {
     trace_cross c;
     int triangle = max(hit.triangle, 0);
@@ -149,18 +153,18 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
     c.n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
     c.n = normalize(trace_posed(c.n, hit.part));
     c.rank = hit.triangle >= 0 ? floatBitsToUint(n0.w) % TREE_NUMBER : 0u;
-    c.is_entering = dot(c.facet, way.dir) < 0.0;
+    c.is_entering = dot(c.facet, path.dir) < 0.0;
     c.facet *= c.is_entering ? 1.0 : -1.0;
     c.n *= c.is_entering ? 1.0 : -1.0;
-    c.n = dot(c.n, way.dir) < 0.0 ? c.n : c.facet;
-    footprint_meet(way, hit, c);
+    c.n = dot(c.n, path.dir) < 0.0 ? c.n : c.facet;
+    footprint_meet(path, hit, c);
     c.is_met = c.rank != 0u;
     c.is_thin = false;
     c.is_real = true;
     c.is_inclusion = false;
     c.horizon = float(floatBitsToUint(n2.w) >> TREE_HORIZON_SHIFT) / float(TREE_HORIZON_STEPS);
     if (trace_has(TRACE_HAS_MEDIA)) {
-        uint below = trace_top_without(way.inside, c.rank);
+        uint below = trace_top_without(path.medium_stack, c.rank);
         uint above = max(below, c.rank);
         c.is_thin = trace_medium(c.rank, TRACE_TINT).w > 0.0;
         c.is_real = c.is_thin || below != above;
@@ -175,53 +179,53 @@ trace_cross trace_cross_at(trace_way way, trace_hit hit, int channel)
 #ifdef TRACE_RAYS
     if (trace_has(TRACE_HAS_DRESS)) {
         c.own = trace_own(c.rank);
-        vec3 bent = trace_dress(hit, way.origin, way.dir, c.rank != 0u, c.own, c.is_bumpy);
-        bent = bump_facing(c.is_entering ? bent : -bent, c.n, way.dir);
-        c.n = !c.is_bumpy ? c.n : dot(bent, way.dir) < 0.0 ? bent : c.facet;
+        vec3 bent = trace_dress(hit, path.origin, path.dir, c.rank != 0u, c.own, c.is_bumpy);
+        bent = bump_facing(c.is_entering ? bent : -bent, c.n, path.dir);
+        c.n = !c.is_bumpy ? c.n : dot(bent, path.dir) < 0.0 ? bent : c.facet;
     }
 #endif
     if (trace_has(TRACE_HAS_INCLUSIONS)) {
-        c.is_real = c.is_real && !way.is_in_bubble;
+        c.is_real = c.is_real && !path.is_in_bubble;
         if (hit.triangle >= 0 && hit.part == TREE_INCLUSIONS) {
             vec3 n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
             float eta = 1.0 / refract_frame.etas[channel];
             if (trace_has(TRACE_HAS_MEDIA))
                 eta = trace_medium(trace.ice, TRACE_IOR)[channel] /
                       trace_medium(0u, TRACE_IOR)[channel];
-            c = trace_inclusion_at(way, hit, n, frame.outside_in_air * eta);
+            c = trace_inclusion_at(path, hit, n, frame.outside_in_air * eta);
         }
     }
     return c;
 }
 
-/* Makes a way go on from a surface. */
-trace_way trace_leave(trace_way way, trace_hit hit, trace_cross c, vec3 dir, bool is_through)
+/* Returns the state of a path that continues from a surface in direction `dir`. */
+trace_way trace_leave(trace_way path, trace_hit hit, trace_cross c, vec3 dir, bool is_through)
 {
-    trace_way next = way;
+    trace_way next = path;
     bool is_inside = is_through == c.is_entering;
     float outward = dot(dir, c.facet) * (c.is_entering ? 1.0 : -1.0);
     bool is_astray = is_inside ? outward >= 0.0 : outward <= 0.0;
-    next.origin = way.origin + hit.t * way.dir;
+    next.origin = path.origin + hit.t * path.dir;
     next.dir = dir;
-    footprint_leave(way, c, dir, is_through, next);
+    footprint_leave(path, c, dir, is_through, next);
     next.from = hit.triangle;
     next.side = is_inside ? 1.0 : outward > c.horizon ? trace_left : -1.0;
     next.reach = is_astray || trace_has(TRACE_HAS_CULLING) ? 1e30 : trace.hair;
     if (trace_has(TRACE_HAS_INCLUSIONS) && c.is_inclusion) {
-        next.side = trace_has(TRACE_HAS_CULLING) ? way.side : 0.0;
+        next.side = trace_has(TRACE_HAS_CULLING) ? path.side : 0.0;
         next.is_in_bubble = !c.is_thin && is_inside;
     }
     if (!c.is_thin && !c.is_inclusion)
-        next.inside =
-            is_inside ? trace_with(way.inside, c.rank) : trace_without(way.inside, c.rank);
+        next.medium_stack = is_inside ? trace_with(path.medium_stack, c.rank)
+                                      : trace_without(path.medium_stack, c.rank);
     if (trace_has(TRACE_HAS_ROUGH | TRACE_HAS_GROUND))
-        next.seed = microfacet_hash(way.seed, is_through ? 1u : 0u);
+        next.seed = microfacet_hash(path.seed, is_through ? 1u : 0u);
     return next;
 }
 
-/* Takes the first crossing from rasterised front faces, where rays only meet faces that they can
- * see; so the eye's ray needs not be traced. Returns whether it does: grazing rays are traced,
- * because rasterised points are not exactly on their triangles. */
+/* Reads the primary hit from the rasterised front faces instead of tracing it. Returns false if the
+ * primary ray must be traced: at grazing angles, as rasterised points are not exactly on triangles.
+ */
 bool trace_given(vec3 e, float scale, inout trace_hit hit, inout trace_cross c)
 {
 #ifdef TRACE_RAYS
@@ -247,12 +251,12 @@ void trace_begin(vec3 eye, vec3 e)
     float side = trace_has(TRACE_HAS_CULLING) ? (trace_eye_is_inside() ? 1.0 : -1.0) : 0.0;
     uint seed = microfacet_hash(uint(gl_FragCoord.x), uint(gl_FragCoord.y));
     bool is_in_bubble = trace_has(TRACE_HAS_INCLUSIONS) && trace.is_in_bubble != 0u;
-    way = trace_way(eye, e, vec3(1.0), trace_eye_inside(), -1, side, 1e30, seed, 0.0,
-                    trace_length_max, is_in_bubble, false, 1.0, footprint_shift, footprint_turn);
+    path = trace_way(eye, e, vec3(1.0), trace_eye_inside(), -1, side, 1e30, seed, 0.0,
+                     trace_length_max, is_in_bubble, false, 1.0, footprint_shift, footprint_turn);
     for (int i = 0; i < trace_waits_max; i++)
-        later[i] = way;
-    waits = 0;
-    lengths = 0;
+        pending[i] = path;
+    pending_count = 0;
+    segment_count = 0;
     start = eye;
     seen = trace_seen(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0, 0u);
     is_first = true;
@@ -263,11 +267,11 @@ void trace_begin(vec3 eye, vec3 e)
 #endif
 #ifndef TRACE_RAYS
     for (int i = 0; i < trace_stops_max; i++)
-        stops[i] = trace_stop(eye, e, vec3(0.0), 0.0);
-    stop_count = 0;
-    straight_end = way;
-    straight_end.weight = vec3(0.0);
-    parts_left = trace_stops_max - 1;
+        ends[i] = trace_stop(eye, e, vec3(0.0), 0.0);
+    end_count = 0;
+    escaped_end = path;
+    escaped_end.throughput = vec3(0.0);
+    ends_left = trace_stops_max - 1;
 #endif
 }
 
@@ -282,42 +286,42 @@ void trace_add(vec3 light, float kind)
 }
 
 #ifndef TRACE_RAYS
-/* By selection: an index that is not constant sends an array to memory. */
+/* Compares all indices instead of indexing: a variable index moves the array to memory. */
 void trace_put_stop(trace_way at)
 {
     for (int k = 0; k < trace_stops_max; k++)
-        if (k == stop_count)
-            stops[k] = trace_stop(at.origin, at.dir, at.weight, at.kind);
-    stop_count++;
+        if (k == end_count)
+            ends[k] = trace_stop(at.origin, at.dir, at.throughput, at.kind);
+    end_count++;
 }
 #endif
 
-/* Lets a way wait; one that has left the objects has ended. */
+/* Pushes a pending path; a path that has left the objects is stored as ended. */
 void trace_put(trace_way other)
 {
 #ifndef TRACE_RAYS
-    parts_left--;
+    ends_left--;
     if (trace_has_left(other)) {
         trace_put_stop(other);
         return;
     }
 #endif
     for (int i = trace_waits_max - 1; i > 0; i--)
-        later[i] = later[i - 1];
-    later[0] = other;
-    waits++;
+        pending[i] = pending[i - 1];
+    pending[0] = other;
+    pending_count++;
 }
 
-/* Whether a reflection of that weight is followed apart. */
-bool trace_is_parted(vec3 weight)
+/* Returns true if a reflection with throughput `throughput` becomes a path of its own. */
+bool trace_is_parted(vec3 throughput)
 {
-    float most = max(weight.r, max(weight.g, weight.b));
-    bool has_room = waits < trace_waits_max && lengths < trace_parted_max;
+    float most = max(throughput.r, max(throughput.g, throughput.b));
+    bool has_room = pending_count < trace_waits_max && segment_count < trace_parted_max;
 #ifndef TRACE_RAYS
-    has_room = has_room && parts_left > 0;
+    has_room = has_room && ends_left > 0;
 #endif
     float least = max(trace.branch, trace_branch_min);
-    if (trace_has(TRACE_HAS_GROUND) && way.is_gathered)
+    if (trace_has(TRACE_HAS_GROUND) && path.is_gathered)
         least = max(least, trace_gathered_branch);
     return has_room && most > 0.0 && (is_first || most > least);
 }
@@ -327,7 +331,7 @@ bool trace_is_parted(vec3 weight)
 #include "trace_ground.glsl"
 #endif
 
-/* Returns the surface's own values, with textures. */
+/* Returns the surface parameters at a hit, textured if there are textures. */
 dress trace_dress_of(trace_cross c)
 {
 #ifdef TRACE_RAYS
@@ -337,7 +341,8 @@ dress trace_dress_of(trace_cross c)
     return trace_own(c.rank);
 }
 
-/* Parts light at a smooth surface or, at one of its microfacets, a rough one. */
+/* Computes Fresnel reflection and refraction at a hit; a rough surface reflects and refracts at a
+ * microfacet sampled from its distribution of visible normals. */
 trace_parting trace_part_at(trace_cross c)
 {
     trace_parting p;
@@ -347,30 +352,30 @@ trace_parting trace_part_at(trace_cross c)
     p.reflected_share = 1.0;
     p.refracted_share = 1.0;
     if (trace_has(TRACE_HAS_ROUGH) && is_rough) {
-        vec2 at = microfacet_point(trace.sample_index, way.seed);
-        m = microfacet_sample(c.n, way.dir, roughness, at);
+        vec2 at = microfacet_point(trace.sample_index, path.seed);
+        m = microfacet_sample(c.n, path.dir, roughness, at);
     }
-    p.fresnel = trace_part(way.dir, m, c.eta, c.is_thin, p.reflected, p.refracted);
+    p.fresnel = trace_part(path.dir, m, c.eta, c.is_thin, p.reflected, p.refracted);
     if (trace_has(TRACE_HAS_ROUGH) && is_rough) {
         vec3 mirrored, bent;
         bool is_refracted = p.fresnel < 1.0 && dot(p.refracted, c.n) < 0.0;
         bool is_reflected = dot(p.reflected, c.n) > 0.0;
-        p.fresnel = trace_part(way.dir, c.n, c.eta, c.is_thin, mirrored, bent);
+        p.fresnel = trace_part(path.dir, c.n, c.eta, c.is_thin, mirrored, bent);
         p.reflected_share = is_reflected ? microfacet_masking(c.n, p.reflected, roughness) : 0.0;
         p.refracted_share = is_refracted ? microfacet_masking(c.n, p.refracted, roughness) : 0.0;
     } else if ((!c.is_entering || c.is_inclusion) && dot(p.reflected, c.facet) <= 0.0) {
-        p.reflected = reflect(way.dir, c.facet);
+        p.reflected = reflect(path.dir, c.facet);
     }
     if (trace_has(TRACE_HAS_DRESS) && c.is_bumpy)
-        trace_keep_sides(p, way.dir, c.facet, c.eta, is_rough);
+        trace_keep_sides(p, path.dir, c.facet, c.eta, is_rough);
     return p;
 }
 
-/* Returns what of a way's light goes through a surface, without its reflectance, and adds what the
- * surface itself shows where it is not wholly transmissive. */
+/* Returns the path throughput that a surface transmits, apart from Fresnel reflectance. Adds the
+ * radiance of the opaque base of surfaces that are not fully transmissive. */
 vec3 trace_through(trace_hit hit, trace_cross c, trace_parting p)
 {
-    vec3 through = way.weight * p.refracted_share;
+    vec3 through = path.throughput * p.refracted_share;
     if (trace_has(TRACE_HAS_MEDIA | TRACE_HAS_TINT | TRACE_HAS_DRESS))
         through *= trace_dress_of(c).tint;
 #ifdef TRACE_RAYS
@@ -380,10 +385,10 @@ vec3 trace_through(trace_hit hit, trace_cross c, trace_parting p)
         while (turns > 0) {
             float passing;
             turns -= int(trace.one);
-            trace_point point = trace_point_of(hit, way.origin, way.dir);
+            trace_point point = trace_point_of(hit, path.origin, path.dir);
             point.normal = c.is_bumpy ? c.n : point.normal;
-            vec3 light = trace_surface(point, way.dir, true, passing);
-            trace_add(way.weight * light * shine * (1.0 - p.fresnel), way.kind);
+            vec3 light = trace_surface(point, path.dir, true, passing);
+            trace_add(path.throughput * light * shine * (1.0 - p.fresnel), path.kind);
         }
         through *= 1.0 - shine;
     }
@@ -398,52 +403,53 @@ void trace_note(trace_hit hit, trace_cross c, float fresnel, bool is_total)
     if (is_first) {
         seen.is_object = true;
         seen.normal = c.n;
-        seen.distance = distance(start, way.origin) + hit.t;
+        seen.distance = distance(start, path.origin) + hit.t;
         seen.fresnel = fresnel;
-    } else if (is_main && trace_is_in(way)) {
+    } else if (is_main && trace_is_in(path)) {
         seen.bounces += is_total ? 1.0 : 0.0;
-        seen.parts += 1.0;
+        seen.segments += 1.0;
     }
 }
 
-/* Makes the way go on from a surface. Returns whether it has any light left. */
+/* Continues the path at a surface by refraction or reflection, and pushes the other direction if
+ * its throughput is high enough. Returns false if no throughput is left. */
 bool trace_cross_surface(trace_hit hit, trace_cross c)
 {
     trace_parting p = trace_part_at(c);
-    vec3 shares = trace_shares_of(hit, c, way.dir, p.fresnel);
+    vec3 shares = trace_shares_of(hit, c, path.dir, p.fresnel);
     vec3 through = trace_through(hit, c, p);
-    vec3 back = way.weight * shares * p.reflected_share;
+    vec3 back = path.throughput * shares * p.reflected_share;
     bool is_total = p.fresnel >= 1.0 || through == vec3(0.0);
     if (trace_has(TRACE_HAS_GROUND))
-        way.open = way.open > 0.0 && trace_is_in(way) ? -1.0 : min(way.open, 0.0);
+        path.open = path.open > 0.0 && trace_is_in(path) ? -1.0 : min(path.open, 0.0);
     trace_note(hit, c, p.fresnel, is_total);
     if (!is_total && trace_is_parted(back)) {
-        trace_way other = trace_leave(way, hit, c, p.reflected, false);
-        other.weight = back;
-        other.kind = is_first ? 1.0 : way.kind;
+        trace_way other = trace_leave(path, hit, c, p.reflected, false);
+        other.throughput = back;
+        other.kind = is_first ? 1.0 : path.kind;
         trace_put(other);
         through *= 1.0 - shares;
-    } else if (trace_is_crack(c) && p.fresnel > 0.5) { /* the greater part gets the other's light */
+    } else if (trace_is_crack(c) && p.fresnel > 0.5) { /* the stronger path gets all */
         is_total = true;
-        back = way.weight;
+        back = path.throughput;
     }
     bool is_mirror = is_first && is_total;
-    way = trace_leave(way, hit, c, is_total ? p.reflected : p.refracted, !is_total);
-    way.weight = is_total ? back : through;
-    way.kind = is_mirror ? 1.0 : way.kind;
-    seen.exit = is_main ? way.dir : seen.exit;
-    is_main = is_main && trace_is_in(way) && !is_mirror;
+    path = trace_leave(path, hit, c, is_total ? p.reflected : p.refracted, !is_total);
+    path.throughput = is_total ? back : through;
+    path.kind = is_mirror ? 1.0 : path.kind;
+    seen.exit = is_main ? path.dir : seen.exit;
+    is_main = is_main && trace_is_in(path) && !is_mirror;
     is_first = false;
-    return max(way.weight.r, max(way.weight.g, way.weight.b)) > 1e-5;
+    return max(path.throughput.r, max(path.throughput.g, path.throughput.b)) > 1e-5;
 }
 
-/* Ends a way that has met no object. Returns whether it goes on, through a blended surface. */
+/* Ends a path that hits no object. Returns true if it continues through a blended surface. */
 bool trace_arrive(trace_hit hit)
 {
     bool goes_on = false;
 #ifdef TRACE_RAYS
     int turns = is_first && !trace_eye_is_inside() ? 0 : int(trace.one);
-    bool is_holed = trace_has(TRACE_HAS_HOLES) && hit.triangle >= 0 && way.left > 0;
+    bool is_holed = trace_has(TRACE_HAS_HOLES) && hit.triangle >= 0 && path.left > 0;
     bool is_shaded = trace_has(TRACE_HAS_GROUND) && hit.triangle >= 0;
 #ifdef REFRACT_LAYERS
     is_shaded = is_shaded && !is_first;
@@ -453,73 +459,73 @@ bool trace_arrive(trace_hit hit)
     while (turns > 0) {
         float passing;
         turns -= int(trace.one);
-        vec3 light = trace_end(way, hit, passing) * (1.0 - passing);
+        vec3 light = trace_end(path, hit, passing) * (1.0 - passing);
         bool is_around = hit.part == TREE_SURROUNDINGS || hit.part == TREE_MOVERS;
-        if (is_straight && is_around && passing <= 0.5) /* a long way may end at a bubble */
+        if (is_straight && is_around && passing <= 0.5) /* long paths may end in bubbles */
             seen.last = trace_number(hit.triangle);
         if (is_shaded && is_first && !trace_eye_is_inside() && shares.is_lit && passing == 0.0) {
             ground_begin(hit);
             trace_add(light, 0.0);
         } else if (is_first && !trace_eye_is_inside()) {
-            /* the background is drawn over the picture, so a pane before objects hides nothing */
+            /* the background is composited later, so a pane in front of objects hides nothing */
             passing = passing > 0.0 ? 1.0 : 0.0;
         } else {
             float open = 1.0;
-            if (trace_has(TRACE_HAS_GROUND) && hit.triangle < 0 && way.open > 0.0)
-                open = way.open;
-            trace_add(open * way.weight * light, way.kind);
+            if (trace_has(TRACE_HAS_GROUND) && hit.triangle < 0 && path.open > 0.0)
+                open = path.open;
+            trace_add(open * path.throughput * light, path.kind);
             seen.is_object = true;
         }
         if (is_shaded && !is_first)
-            ground_gather(hit, way.weight * (1.0 - passing));
+            ground_gather(hit, path.throughput * (1.0 - passing));
         goes_on = is_holed && passing > 0.0;
         if (goes_on) {
-            way.weight *= passing;
-            way.origin += hit.t * way.dir;
-            way.from = hit.triangle;
-            way.side = 0.0;
+            path.throughput *= passing;
+            path.origin += hit.t * path.dir;
+            path.from = hit.triangle;
+            path.side = 0.0;
         }
     }
 #else
-    if ((!is_first || trace_eye_is_inside()) && stop_count < trace_stops_max) {
-        trace_put_stop(way);
+    if ((!is_first || trace_eye_is_inside()) && end_count < trace_stops_max) {
+        trace_put_stop(path);
         seen.is_object = true;
-        straight_end = is_straight ? way : straight_end;
+        escaped_end = is_straight ? path : escaped_end;
     }
 #endif
     return goes_on;
 }
 
-/* Follows the next of the ways that wait. Returns whether there is one. */
+/* Pops the next pending path. Returns false if there is none. */
 bool trace_next()
 {
-    way = later[0];
+    path = pending[0];
     for (int i = 0; i + 1 < trace_waits_max; i++)
-        later[i] = later[i + 1];
+        pending[i] = pending[i + 1];
     is_main = false;
     is_straight = false;
-    waits--;
-    return waits >= 0;
+    pending_count--;
+    return pending_count >= 0;
 }
 
-/* Goes on to the next surface. Returns whether the way has ended. */
+/* Applies one segment and its hit to the path. Returns true if the path has ended. */
 bool trace_step(trace_hit hit, trace_cross c)
 {
     if (hit.t < 1e30) {
-        way.weight = trace_absorbed(way, hit.t);
-        way.weight *= trace_cloud_passed(hit.t);
-        seen.path += is_main && trace_is_in(way) && !is_first ? hit.t : 0.0;
+        path.throughput = trace_absorbed(path, hit.t);
+        path.throughput *= trace_cloud_passed(hit.t);
+        seen.path_length += is_main && trace_is_in(path) && !is_first ? hit.t : 0.0;
     }
-    way.left--;
-    lengths++;
-    bool crosses = c.is_met && way.left >= 0;
+    path.left--;
+    segment_count++;
+    bool crosses = c.is_met && path.left >= 0;
     bool is_over = false;
     if (crosses && !c.is_real) {
-        way = trace_leave(way, hit, c, way.dir, true);
+        path = trace_leave(path, hit, c, path.dir, true);
     } else if (crosses) {
         is_over = !trace_cross_surface(hit, c);
 #ifndef TRACE_RAYS
-        if (trace_has_left(way) && !is_over) {
+        if (trace_has_left(path) && !is_over) {
             is_over = true;
             crosses = false;
         }
@@ -536,11 +542,11 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
     trace_cross given_cross;
     trace_begin(eye, e);
     bool is_given = trace_given(e, view_slant(ray), given, given_cross);
-    /* groups of pixels beside rasterised objects trace nothing */
+    /* pixel groups without rasterised objects skip tracing */
     bool is_going = !is_given || given_cross.is_met;
     while (is_going) {
-        trace_hit hit = trace_meet(trace_start_of(way), !(is_first && is_given));
-        trace_cross c = trace_cross_at(way, hit, channel);
+        trace_hit hit = trace_meet(trace_start_of(path), !(is_first && is_given));
+        trace_cross c = trace_cross_at(path, hit, channel);
         if (is_given && is_first) {
             hit = given;
             c.n = given_cross.n;
@@ -555,18 +561,18 @@ void trace_pixel(vec3 eye, vec3 e, int channel)
             is_going = trace_next();
     }
 #ifndef TRACE_RAYS
-    for (int i = 0; i < stop_count; i++) {
-        trace_stop stop = stops[0];
+    for (int i = 0; i < end_count; i++) {
+        trace_stop end = ends[0];
         for (int k = 1; k < trace_stops_max; k++)
-            stop = k == i ? stops[k] : stop;
-        trace_add(stop.weight * refract_environment(stop.origin, stop.dir), stop.kind);
+            end = k == i ? ends[k] : end;
+        trace_add(end.throughput * refract_environment(end.origin, end.dir), end.kind);
     }
 #endif
 }
 
 #include "trace_colors.glsl"
 
-/* Returns the picture's depth of a point. */
+/* Returns the depth-buffer value of a world-space point. */
 float trace_depth(vec3 point)
 {
     vec4 clip = refract_frame.clip_from_world * vec4(point, 1.0);

@@ -1,4 +1,5 @@
-/* refract_trace.h: shared by refract_trace.c and refract_trace*.{glsl,frag}. */
+/* refract_trace.h: bindings, flags and uniform data of the ray tracer, shared by refract_trace.c
+ * and its shaders. */
 #ifndef SHADERS_REFRACT_TRACE_H
 #define SHADERS_REFRACT_TRACE_H
 #include "abi.h"
@@ -6,77 +7,78 @@
 #include "refract.h"
 #include "tree.h"
 
-/* Bindings, besides those of background.h and REFRACT_ENV_CUBE, which are not used together. */
+/* Descriptor bindings of the ray tracer. It uses either those of background.h or REFRACT_ENV_CUBE.
+ */
 #define TRACE_FRAME        12 /* struct trace_frame */
-#define TRACE_NODES        13 /* the words of tree.h */
+#define TRACE_NODES        13 /* texel buffer of the BVH nodes (tree.h) */
 #define TRACE_TRIANGLES    14
 #define TRACE_CORNERS      15
-#define TRACE_FIRST_OBJECT 21 /* the layer `object`; of the layers' pass */
-#define TRACE_CUBE_POINTS  22 /* the environment cube without a filter */
-/* The words, too, if TRACE_IS_STORED. */
+#define TRACE_FIRST_OBJECT 21 /* the layer `object`; only in the pass that writes layers */
+#define TRACE_CUBE_POINTS  22 /* the environment cube with nearest filtering */
+/* The BVH as storage buffers, with TRACE_IS_STORED. */
 #define TRACE_STORED_NODES     18
 #define TRACE_STORED_TRIANGLES 19
 #define TRACE_STORED_CORNERS   20
 #define TRACE_STRUCTURE        23 /* acceleration structure, with TRACE_QUERY */
 
-/* Of the layers' pass, besides those of refract.h. */
+/* Colour targets of the pass that writes layers, in addition to those of refract.h. */
 #define TRACE_OUT_MEDIA 5
 #define TRACE_OUT_LAST  6
 
-/* Of the picture's pass with TRACE_SMOOTH, besides those of refract.h: trace_smooth.glsl. */
+/* Colour targets of the image pass with TRACE_SMOOTH, in addition to those of refract.h. */
 #define TRACE_OUT_GATHERED 2
 #define TRACE_OUT_SHARE    3
 #define TRACE_OUT_PLACE    4
 
-/* CONSTANT_TRACE, bits */
-#define TRACE_IS_CONVEX      1   /* one convex object: what leaves it does not enter again */
-#define TRACE_HAS_CULLING    2   /* one closed object: a ray meets only faces that it can see */
-#define TRACE_HAS_MEDIA      4   /* several objects, or thin walls */
-#define TRACE_HAS_ROUGH      8   /* some object is rough */
-#define TRACE_HAS_SHINE      16  /* some object is not wholly transmissive */
-#define TRACE_HAS_MATERIALS  32  /* surroundings have rows in the texture of materials */
-#define TRACE_HAS_HOLES      64  /* surroundings have holes, or blended surfaces */
-#define TRACE_HAS_MOTION     128 /* objects, or what is around them, may turn */
-#define TRACE_HAS_TINT       256 /* some object tints the light that passes its surface */
-#define TRACE_HAS_DRESS      512 /* some object has textures (dress.h); needs TRACE_HAS_MATERIALS */
-#define TRACE_HAS_EXTRAS     1024   /* some vertices have struct mesh_extra */
-#define TRACE_HAS_SUN        2048   /* the sun's light goes by the map of ice_caustics.h */
-#define TRACE_HAS_MANY       4096   /* more than TREE_SHELLS_FEW objects */
-#define TRACE_HAS_INCLUSIONS 8192   /* bubbles or cracks in the first object */
-#define TRACE_HAS_SHAPES     16384  /* some bubble is no sphere */
-#define TRACE_HAS_GROUND     32768  /* light on surroundings is traced; with TRACE_RAYS */
-#define TRACE_HAS_CLOUD      65536  /* some ice is cloudy; with TRACE_RAYS */
-#define TRACE_IS_STORED      131072 /* the words of trees are in storage buffers */
-#define TRACE_HAS_FOOTPRINT  262144 /* trace_footprint.glsl; with TRACE_RAYS */
+/* bits of the specialisation constant CONSTANT_TRACE */
+#define TRACE_IS_CONVEX      1     /* a single convex object: rays do not enter again */
+#define TRACE_HAS_CULLING    2     /* single closed object: faces are culled by side */
+#define TRACE_HAS_MEDIA      4     /* several objects, or thin walls: a medium stack is needed */
+#define TRACE_HAS_ROUGH      8     /* some object has a rough surface */
+#define TRACE_HAS_SHINE      16    /* some object is not fully transmissive */
+#define TRACE_HAS_MATERIALS  32    /* surroundings have rows in the material texture */
+#define TRACE_HAS_HOLES      64    /* surroundings have alpha-tested or blended surfaces */
+#define TRACE_HAS_MOTION     128   /* objects or surroundings may rotate */
+#define TRACE_HAS_TINT       256   /* some object tints transmitted light */
+#define TRACE_HAS_DRESS      512   /* some object is textured (dress.h); with TRACE_HAS_MATERIALS */
+#define TRACE_HAS_EXTRAS     1024  /* some vertices have a struct mesh_extra */
+#define TRACE_HAS_SUN        2048  /* sunlight is looked up in the caustic map of ice_caustics.h */
+#define TRACE_HAS_MANY       4096  /* more than TREE_SHELLS_FEW objects */
+#define TRACE_HAS_INCLUSIONS 8192  /* the first object contains bubbles or cracks */
+#define TRACE_HAS_SHAPES     16384 /* some bubble is not a sphere */
+#define TRACE_HAS_GROUND     32768 /* ray-traced lighting of surroundings; with TRACE_RAYS */
+#define TRACE_HAS_CLOUD      65536 /* some ice is a scattering medium; requires TRACE_RAYS */
+#define TRACE_IS_STORED      131072 /* the BVH is in storage buffers, not texel buffers */
+#define TRACE_HAS_FOOTPRINT  262144 /* ray differentials (trace_footprint.glsl); with TRACE_RAYS */
 
-/* The texels of a medium in trace_frame.media. */
-#define TRACE_IOR    0 /* of red, green and blue light; roughness */
-#define TRACE_ABSORB 1 /* 1 / metre; shine */
-#define TRACE_TINT   2 /* of light that passes the surface; 1: thin, below 0: -1 - its cloud */
+/* Vectors of a medium in trace_frame.media. */
+#define TRACE_IOR    0 /* refractive indices for red, green and blue; roughness */
+#define TRACE_ABSORB 1 /* absorption coefficients, 1 / metre; opacity of the surface */
+#define TRACE_TINT   2 /* tint; 1: thin wall, below 0: -1 - index of the scattering medium */
 #define TRACE_MEDIUM 3
 
 #define TRACE_CLOUDS_MAX 8
 
-/* What a frame needs, besides struct globals; written once a frame. */
+/* Uniform data of the ray tracer in addition to struct globals; written once per frame. */
 struct trace_frame {
-    vec4s media[(TREE_MEDIA_MAX + 1) * TRACE_MEDIUM]; /* by medium; the first one is outside */
+    vec4s media[(TREE_MEDIA_MAX + 1) * TRACE_MEDIUM]; /* first the outside */
     ABI_STRUCT(cloud_place) clouds[TRACE_CLOUDS_MAX];
-    vec4s guide;                     /* as of ground.h */
-    vec4s objects_turn, movers_turn; /* trace_pose() of trace_tree.glsl */
-    vec4s grid_low, grid_scale;      /* struct tree; w: 0 */
+    vec4s guide;                     /* guide distribution for diffuse rays (ground.h) */
+    vec4s objects_turn, movers_turn; /* vertical-axis rotations, see trace_pose() */
+    vec4s grid_low, grid_scale;      /* the grid of horizons (struct tree); w is 0 */
     uint32_t roots[TREE_PART_COUNT];
-    uint32_t parts;                       /* that have triangles, a bit each */
-    uint32_t inside[TREE_NESTED_MAX / 2]; /* struct tree_shells of the eye */
-    uint32_t media_at, grid_at;           /* struct tree */
-    uint32_t sample_index;                /* of the picture, from 0 */
-    uint32_t ice;                         /* rank of the object that has the inclusions */
-    uint32_t is_in_bubble;                /* 1: the eye is */
-    float crack_slope;                    /* of the roughness of cracks; 0: they are smooth */
-    float crack_gap;                      /* in their middle, micrometres */
-    float branch;                         /* share of a path's light that is followed apart */
-    float hair;        /* metres: how near a ray's origin may be to a face by rounding alone */
-    uint32_t one;      /* 1: compilers must not know */
-    uint32_t is_apart; /* 1: nothing that is around the objects is in a box around them */
+    uint32_t parts;                       /* bit mask of the BVHs that have triangles */
+    uint32_t inside[TREE_NESTED_MAX / 2]; /* medium stack at the camera (struct tree_shells) */
+    uint32_t media_at, grid_at;           /* word offsets in the corners buffer (struct tree) */
+    uint32_t sample_index;                /* index of the sample in the pixel, from 0 */
+    uint32_t ice;          /* medium priority of the object that contains the inclusions */
+    uint32_t is_in_bubble; /* 1 if the camera is inside a bubble */
+    float crack_slope;     /* RMS slope of crack roughness; 0 if cracks are smooth */
+    float crack_gap;       /* gap width in the middle of a crack, micrometres */
+    float branch;          /* minimum throughput of a path split at a surface */
+    float hair;   /* epsilon in metres: rounding error of a ray's origin relative to its face */
+    uint32_t one; /* always 1, unknown to compilers, for loops that run at most once */
+    uint32_t is_apart; /* 1 if no surroundings intersect the objects' bounding box */
 };
 
 #endif

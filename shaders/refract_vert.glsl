@@ -1,4 +1,4 @@
-/* refract_vert.glsl: main() of the ice's front faces, with eq. 4 at the vertices. */
+/* refract_vert.glsl: vertex shader of the ice's front faces, with Fresnel reflectance by eq. 4. */
 #define SURFACE_VERTEX
 #include "lib/constants.glsl"
 #include "lib/optics.glsl"
@@ -27,7 +27,7 @@ layout(location = REFRACT_REFRACTED) out vec3 out_refracted[3];
 
 void main()
 {
-    /* `precise`, because the layers' depth test compares with the depth of the picture's pass. */
+    /* `precise`: the layers' pass tests against the depth of the image's pass for equality */
     precise vec3 point = pose_object(position);
     precise vec4 clip = frame.clip_from_world * vec4(point, 1.0);
     gl_Position = clip;

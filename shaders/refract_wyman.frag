@@ -3,8 +3,8 @@
 #include "refract.glsl"
 #include "refract_thickness.glsl"
 
-/* Returns the thickness along the front normal: the distance to the back face in the pixel in which
- * a sphere of the object's size would end, or in a nearer pixel if that one shows no ice. */
+/* Returns the thickness along the front normal: the distance to the back face where a sphere of the
+ * object's size would end, or nearer if there is no ice in that pixel. */
 float thickness_along(vec3 point, vec3 n_f)
 {
     float guess = refract_width();
@@ -25,7 +25,8 @@ float thickness_along(vec3 point, vec3 n_f)
     return guess;
 }
 
-/* Wyman's eq. 2: the ratio of the angles interpolates between both thicknesses. */
+/* Refracts as in Wyman 2005, eq. 2: the ratio of the angles interpolates between both thicknesses.
+ */
 refract_way refract_follow(vec3 e, vec3 n_f, int channel)
 {
     float eta = frame.etas[channel];
@@ -33,16 +34,16 @@ refract_way refract_follow(vec3 e, vec3 n_f, int channel)
     vec3 inside = optics_refract(e, n_f, eta);
     float ci = clamp(-dot(n_f, e), 0.0, 1.0);
     float si = sqrt(1.0 - ci * ci);
-    /* eta exceeds 1 if the index of refraction is below that of air */
+    /* eta exceeds 1 if the ice's index is below that of its outside */
     float ratio = si > 1e-3 ? asin(min(eta * si, 1.0)) / asin(si) : eta;
     float straight = refract_thickness();
-    float path = mix(thickness_along(point, n_f), straight, ratio);
-    point += path * inside;
+    float path_length = mix(thickness_along(point, n_f), straight, ratio);
+    point += path_length * inside;
     vec3 n_b = refract_normal_at(normal_back, refract_uv(refract_clip(point)));
-    if (n_b == vec3(0.0)) /* the path ends beside the ice: light goes straight on */
+    if (n_b == vec3(0.0)) /* the path ends outside the silhouette */
         n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0).xyz;
     if (dot(n_b, inside) <= 0.0)
-        return refract_way(inside, point, path, 0.0, 0.0);
+        return refract_way(inside, point, path_length, 0.0, 0.0);
     float tir = optics_refract_k(inside, n_b, 1.0 / eta) < 0.0 ? 1.0 : 0.0;
-    return refract_way(optics_refract(inside, -n_b, 1.0 / eta), point, path, 0.0, tir);
+    return refract_way(optics_refract(inside, -n_b, 1.0 / eta), point, path_length, 0.0, tir);
 }

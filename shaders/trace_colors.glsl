@@ -1,9 +1,9 @@
-/* trace_colors.glsl: the colours of a pixel. */
+/* trace_colors.glsl: dispersion: traces red, green and blue separately if their indices differ. */
 #ifndef TRACE_COLORS_GLSL
 #define TRACE_COLORS_GLSL
 
-/* Traces a pixel: with TRACE_COLORS its colours apart, as their indices differ; the first, green,
- * has what is no colour. Drivers copy functions to where they are called, so there is one call. */
+/* Traces a pixel. With TRACE_COLORS one path per colour channel; everything except radiance is
+ * taken from green, the first. The loop contains a single call, because drivers inline each one. */
 void trace_colors(vec3 eye, vec3 e)
 {
 #ifdef TRACE_COLORS

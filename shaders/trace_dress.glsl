@@ -1,12 +1,11 @@
-/* trace_dress.glsl: the textures of an object's surface, where rays meet it;
- * src/reference/radiance.c does the same. */
+/* trace_dress.glsl: textured surface parameters at ray hits (in C: src/reference/radiance.c). */
 #ifndef TRACE_DRESS_GLSL
 #define TRACE_DRESS_GLSL
 #include "dress.h"
 #include "trace_surface.glsl"
 
-/* Adds what textures make of a surface's own values. Returns the outward normal of a normal
- * texture, if there is one. */
+/* Multiplies surface parameters by their textures. Returns the outward normal from the normal map;
+ * only valid if `is_bumpy` is set. */
 vec3 trace_dress(trace_hit hit, vec3 origin, vec3 dir, bool is_object, inout dress own,
                  out bool is_bumpy)
 {

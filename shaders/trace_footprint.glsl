@@ -1,23 +1,23 @@
 /*
- * trace_footprint.glsl: how far the way of a neighbouring pixel is from a way that is followed, by
- * ray differentials (Igehy 1999, Tracing Ray Differentials), so that what is infinitely far away
- * is seen as blurred as the pixel sees it: drops and silhouettes spread its light widely, and a
- * few samples of a small window would show as salt.
+ * trace_footprint.glsl: ray differentials (Igehy 1999, Tracing Ray Differentials) that select the
+ * mip level of environment lookups. Drops and silhouettes spread a pixel over a wide solid angle;
+ * with few samples, unfiltered lookups of a small bright window would show as fireflies.
  *
- * The neighbour is in one direction of the picture, which changes from sample to sample. It is
- * .4 (i + 1)^-.75 pixels away in sample i, so that pictures of many samples become as sharp as
- * without it. Bubbles and cracks of the ice, and normal textures, count as even.
+ * One differential is tracked per path, in a direction of the image plane that varies from sample
+ * to sample. Its offset in sample i is 0.4 (i + 1)^-0.75 pixels, so that the filter width tends to
+ * zero and the converged image is as sharp as without filtering. Bubbles, cracks and bumps count as
+ * flat.
  */
 #ifndef TRACE_FOOTPRINT_GLSL
 #define TRACE_FOOTPRINT_GLSL
 
 const uint footprint_seed = 60u;
-const float footprint_flat = 0.02; /* least cosine that a distance is divided by */
-const float footprint_most = 2.0;  /* length of a difference */
+const float footprint_flat = 0.02; /* minimum cosine in divisions by the cosine of incidence */
+const float footprint_most = 2.0;  /* maximum length of a differential vector */
 
-vec3 footprint_shift, footprint_turn; /* of the pixel's ray */
+vec3 footprint_shift, footprint_turn; /* differentials of the primary ray's origin and direction */
 
-/* Sets the differences of the pixel's ray, which begins at `from` in the direction `e`. */
+/* Computes the differentials of the primary ray from `from` in direction `e`. */
 void footprint_of_pixel(vec3 from, vec3 e)
 {
     footprint_shift = vec3(0.0);
@@ -38,8 +38,8 @@ vec3 footprint_bounded(vec3 v)
     return v * min(1.0, footprint_most * inversesqrt(max(dot(v, v), 1e-20)));
 }
 
-/* Sets the differences of the point that a way meets and of its normal `c.n`. */
-void footprint_meet(trace_way way, trace_hit hit, inout trace_cross c)
+/* Transfers the differentials to the hit point and its shading normal `c.n`. */
+void footprint_meet(trace_way path, trace_hit hit, inout trace_cross c)
 {
     c.shift = vec3(0.0);
     c.bend = vec3(0.0);
@@ -53,9 +53,9 @@ void footprint_meet(trace_way way, trace_hit hit, inout trace_cross c)
     at = TREE_TRIANGLE_WORDS * triangle;
     vec3 row_u = trace_posed(uintBitsToFloat(trace_row(at)).xyz, hit.part);
     vec3 row_v = trace_posed(uintBitsToFloat(trace_row(at + 1)).xyz, hit.part);
-    float towards = min(dot(way.dir, normalize(c.facet)), -footprint_flat);
-    vec3 shift = way.shift + min(hit.t, 1e6) * way.turn;
-    shift -= dot(shift, normalize(c.facet)) / towards * way.dir;
+    float towards = min(dot(path.dir, normalize(c.facet)), -footprint_flat);
+    vec3 shift = path.shift + min(hit.t, 1e6) * path.turn;
+    shift -= dot(shift, normalize(c.facet)) / towards * path.dir;
     c.shift = footprint_bounded(shift);
     vec3 n = n0 + hit.u * side_1 + hit.v * side_2;
     vec3 bend = dot(row_u, c.shift) * side_1 + dot(row_v, c.shift) * side_2;
@@ -64,34 +64,34 @@ void footprint_meet(trace_way way, trace_hit hit, inout trace_cross c)
     c.bend = footprint_bounded(c.is_entering ? bend : -bend);
 }
 
-/* Sets the differences of a way that goes on from a surface. */
-void footprint_leave(trace_way way, trace_cross c, vec3 dir, bool is_through, inout trace_way next)
+/* Computes the differentials of the reflected or refracted ray. */
+void footprint_leave(trace_way path, trace_cross c, vec3 dir, bool is_through, inout trace_way next)
 {
     if (!trace_has(TRACE_HAS_FOOTPRINT))
         return;
-    float towards = -dot(way.dir, c.n);
-    float change = -dot(way.turn, c.n) - dot(way.dir, c.bend);
-    vec3 turn = way.turn + 2.0 * (change * c.n + towards * c.bend);
+    float towards = -dot(path.dir, c.n);
+    float change = -dot(path.turn, c.n) - dot(path.dir, c.bend);
+    vec3 turn = path.turn + 2.0 * (change * c.n + towards * c.bend);
     if (is_through) {
         float on =
             max(sqrt(max(1.0 - c.eta * c.eta * (1.0 - towards * towards), 0.0)), footprint_flat);
         float along = c.eta * towards - on;
-        turn = c.eta * way.turn + along * c.bend +
+        turn = c.eta * path.turn + along * c.bend +
                (c.eta - c.eta * c.eta * towards / on) * change * c.n;
     }
-    bool is_straight_on = dir == way.dir;
+    bool is_straight_on = dir == path.dir;
     next.shift = c.shift;
-    next.turn = is_straight_on ? way.turn : footprint_bounded(turn);
+    next.turn = is_straight_on ? path.turn : footprint_bounded(turn);
 }
 
 #ifdef TRACE_RAYS
-/* Returns the mip level of the environment picture as a way sees it. */
-float footprint_lod(trace_way way)
+/* Returns the mip level at which a path looks up the environment map. */
+float footprint_lod(trace_way path)
 {
     if (!trace_has(TRACE_HAS_FOOTPRINT) || is_first)
         return 0.0;
     float width = float(textureSize(environment, 0).x);
-    return max(0.0, log2(max(length(way.turn) * width / 6.2831853, 1e-6)));
+    return max(0.0, log2(max(length(path.turn) * width / 6.2831853, 1e-6)));
 }
 #endif
 

@@ -1,17 +1,18 @@
 /*
- * trace_ground.glsl: light on surroundings, as far as they and the objects let it through, refract
- * or mirror it.
+ * trace_ground.glsl: ray-traced lighting of surroundings: soft shadows, light refracted and
+ * reflected by the objects, and one bounce of indirect light.
  *
- * What a lit surface makes of a sky that nothing hides is shared out, in each sample, to rays from
- * its matt base, as the sky is bright in their directions, and one of its reflection. A ray that
- * reaches the sky straight brings its part, exactly; so only what is in the way makes noise. What
- * other rays find counts as much as it does in the mean of all rays. A part is a ratio, no mean:
- * where a small lamp is hidden and the rest is not, it is too bright. The reference has the mean.
- * A ray that comes out of water on the ground sees the sky blurred: no open way brings it the light
- * around the sun, which few rays would find, as sparkles.
- * At the end of such a ray, surroundings show themselves as if nothing were in the way of their
- * light, and the sun's disc is not seen: the sun is a light of its own, which surroundings hide.
- * Its mirror image in them is blurred: few rays find a sharp one, and those show as sparkles.
+ * The unoccluded lighting of a surface by the sky is known from prefiltered lookups. It serves as a
+ * control variate: each sample casts rays from the diffuse base, importance-sampled by a guide for
+ * the sky's brightness, and one along the specular reflection. A ray that reaches the sky without a
+ * hit returns its exact fraction of the unoccluded lighting, so only occlusion causes noise.
+ * Fractions are ratios, not means: where a small lamp is occluded and the rest of the sky is not,
+ * the result is too bright (ratio estimator). The CPU reference computes the mean.
+ *
+ * Further limits: rays that leave water on the ground look up a blurred sky, since few rays would
+ * find the glow around the sun, and those would be fireflies. Surfaces hit by lighting rays are
+ * shaded with unoccluded lighting. The sun's disc is excluded from sky lookups, because the sun is
+ * sampled as a separate light; its specular reflection at secondary hits is widened.
  */
 #ifndef TRACE_GROUND_GLSL
 #define TRACE_GROUND_GLSL
@@ -19,12 +20,12 @@
 #include "lib/microfacet.glsl"
 #include "trace_surface.glsl"
 
-const int ground_holes_max = 8; /* in the way of the sun */
-const float ground_blur = 0.25; /* the least width of a distribution that mirrors the sun */
-const float ground_bent = 0.5;  /* roughness of the sky as ways see it that an object has bent */
-const float ground_sure = 0.01; /* share of a pixel's light that is followed in any case */
+const int ground_holes_max = 8; /* maximum number of surfaces with holes along a shadow ray */
+const float ground_blur = 0.25; /* minimum width of the sun's specular lobe at secondary hits */
+const float ground_bent = 0.5;  /* roughness of sky lookups after refraction by an object */
+const float ground_sure = 0.01; /* throughput below which Russian roulette is used */
 const int GROUND_WAYS = GROUND_MATT_WAYS + 1;
-const float ground_least = 1e-6; /* light by which one is divided */
+const float ground_least = 1e-6; /* minimum radiance in divisions */
 
 /* Returns the radiance of the sky without the sun's disc. */
 vec3 ground_sky(vec3 dir)
@@ -32,8 +33,8 @@ vec3 ground_sky(vec3 dir)
     return lit_glossy(dir, 0.0, 0.0);
 }
 
-/* Returns the share of the sun's light at a point that surroundings leave: 0 or 1, at one point of
- * its disc. */
+/* Returns the visibility of the sun from a point, for next-event estimation: casts a shadow ray to
+ * a random point of its disc. Blended surfaces attenuate it. */
 float ground_sun(trace_hit from, vec3 point, uint seed)
 {
     vec2 at = microfacet_point(trace.sample_index, microfacet_hash(seed, GROUND_SUN_SEED));
@@ -56,41 +57,41 @@ float ground_sun(trace_hit from, vec3 point, uint seed)
     return passing;
 }
 
-/* Returns by how much the sky in some directions counts, so that it makes what all of it makes.
- * What of that is a matter of hue goes into the weight, unless it is much. */
-float ground_open(vec3 some, vec3 all, inout vec3 weight)
+/* Returns the factor that scales the sampled sky radiance `some` to the unoccluded lighting `all`.
+ * The remaining colour ratio, limited to 0.5 to 2, goes into `throughput`. */
+float ground_open(vec3 some, vec3 all, inout vec3 throughput)
 {
     some = max(some, ground_least);
     float open = dot(all, vec3(1.0)) / dot(some, vec3(1.0));
-    weight *= clamp(all / (some * max(open, ground_least)), 0.5, 2.0);
+    throughput *= clamp(all / (some * max(open, ground_least)), 0.5, 2.0);
     return open;
 }
 
-/* Lets a way go from a surface, with a weight for what it finds, and by how much more it counts if
- * that is the sky, straight. It is in the same media as the way that is followed. Of ways that
- * bring little, some are followed, whose difference to that sky counts for the others, too. */
-void ground_put(trace_hit hit, vec3 dir, vec3 weight, float open, uint own)
+/* Pushes a lighting ray from a surface in the current path's medium. `open` scales the sky radiance
+ * if the ray is unoccluded. Weak rays face Russian roulette against the unoccluded sky radiance. */
+void ground_put(trace_hit hit, vec3 dir, vec3 throughput, float open, uint own)
 {
     vec3 facet = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
     facet = trace_posed(facet, hit.part);
-    bool is_below = dot(dir, facet) * dot(way.dir, facet) >= 0.0;
-    float most = max(weight.r, max(weight.g, weight.b));
+    bool is_below = dot(dir, facet) * dot(path.dir, facet) >= 0.0;
+    float most = max(throughput.r, max(throughput.g, throughput.b));
     float chance = clamp(most / ground_sure, 1e-3, 1.0);
-    vec2 at = microfacet_point(trace.sample_index, microfacet_hash(way.seed, own));
-    vec3 straight = open * weight * ground_sky(dir);
-    if (most <= trace_branch_min || waits >= trace_waits_max || is_below || at.x >= chance) {
-        trace_add(straight, way.kind);
+    vec2 at = microfacet_point(trace.sample_index, microfacet_hash(path.seed, own));
+    vec3 straight = open * throughput * ground_sky(dir);
+    if (most <= trace_branch_min || pending_count >= trace_waits_max || is_below ||
+        at.x >= chance) {
+        trace_add(straight, path.kind);
         return;
     }
-    trace_add((1.0 - 1.0 / chance) * straight, way.kind);
-    trace_way other = way;
-    other.origin = way.origin + hit.t * way.dir;
+    trace_add((1.0 - 1.0 / chance) * straight, path.kind);
+    trace_way other = path;
+    other.origin = path.origin + hit.t * path.dir;
     other.dir = dir;
-    other.weight = weight / chance;
+    other.throughput = throughput / chance;
     other.from = hit.triangle;
     other.side = 0.0;
     other.reach = 1e30;
-    other.seed = microfacet_hash(way.seed, GROUND_WAY_SEED);
+    other.seed = microfacet_hash(path.seed, GROUND_WAY_SEED);
     other.is_gathered = true;
     other.open = open;
     trace_put(other);
@@ -98,21 +99,22 @@ void ground_put(trace_hit hit, vec3 dir, vec3 weight, float open, uint own)
 
 vec2 ground_point(uint own)
 {
-    return microfacet_point(trace.sample_index, microfacet_hash(way.seed, own));
+    return microfacet_point(trace.sample_index, microfacet_hash(path.seed, own));
 }
 
-/* Light of a surface's ways, the last of them of its reflection. */
+/* Lighting rays of a surface; the last one is the specular reflection. */
 struct ground_ways {
     vec3 dirs[GROUND_WAYS], weights[GROUND_WAYS];
-    vec3 skies[GROUND_WAYS]; /* what each brings where it is free, which has been added already */
+    vec3 skies[GROUND_WAYS]; /* unoccluded radiance of each ray, already added */
     float open[GROUND_WAYS];
 };
 
-ground_ways ground_ways_of(vec3 weight)
+ground_ways ground_ways_of(vec3 throughput)
 {
     ground_ways ways;
     vec3 sum = vec3(0.0);
-    vec3 matt = weight * shares.matt / float(GROUND_MATT_WAYS), glossy = weight * shares.glossy;
+    vec3 matt = throughput * shares.matt / float(GROUND_MATT_WAYS),
+         glossy = throughput * shares.glossy;
     for (uint i = 0u; i < uint(GROUND_MATT_WAYS); i++) {
         ways.dirs[i] =
             ground_dir(shares.normal, trace.guide, i, ground_point(GROUND_MATT_SEED + i));
@@ -128,8 +130,8 @@ ground_ways ground_ways_of(vec3 weight)
         ways.open[i] = open;
     }
     vec3 h =
-        microfacet_sample(shares.top, way.dir, shares.roughness, ground_point(GROUND_GLOSSY_SEED));
-    vec3 dir = reflect(way.dir, h), sky = ground_sky(dir);
+        microfacet_sample(shares.top, path.dir, shares.roughness, ground_point(GROUND_GLOSSY_SEED));
+    vec3 dir = reflect(path.dir, h), sky = ground_sky(dir);
     float open_glossy = ground_open(sky, shares.mirrored, glossy);
     ways.dirs[GROUND_MATT_WAYS] = dir;
     ways.weights[GROUND_MATT_WAYS] = glossy;
@@ -141,22 +143,23 @@ ground_ways ground_ways_of(vec3 weight)
 void ground_follow(trace_hit hit, ground_ways ways, uint i, float chance)
 {
     ground_put(hit, ways.dirs[i], ways.weights[i] / chance, ways.open[i], GROUND_CHANCE_SEED + i);
-    trace_add(-ways.skies[i] / chance, way.kind);
+    trace_add(-ways.skies[i] / chance, path.kind);
 }
 
-/* Traces the light of the surface that has been asked for last, instead of adding it. `weight`: of
- * the light that it sends. */
-void ground_gather(trace_hit hit, vec3 weight)
+/* Replaces the unoccluded lighting of the surface shaded last by traced lighting; `throughput` is
+ * the path throughput there. */
+void ground_gather(trace_hit hit, vec3 throughput)
 {
-    if (way.is_gathered || !shares.is_lit)
+    if (path.is_gathered || !shares.is_lit)
         return;
 #ifdef TRACE_SMOOTH
-    float kind = way.kind;
+    float kind = path.kind;
     int turns = smooth_is_due() ? int(trace.one) : 0;
-    smooth_note(way.origin + hit.t * way.dir, shares.top, weight * (shares.matt + shares.glossy));
-    way.kind = smooth_kind;
+    smooth_note(path.origin + hit.t * path.dir, shares.top,
+                throughput * (shares.matt + shares.glossy));
+    path.kind = smooth_kind;
     while (turns > 0) {
-        ground_ways ways = ground_ways_of(weight);
+        ground_ways ways = ground_ways_of(throughput);
         float much = dot(ways.skies[0], vec3(1.0)), more = dot(ways.skies[1], vec3(1.0));
         float second = clamp(more / max(much + more, ground_least), 0.1, 0.9);
         bool is_second = ground_point(SMOOTH_PICK_SEED).x < second;
@@ -164,49 +167,50 @@ void ground_gather(trace_hit hit, vec3 weight)
         ground_follow(hit, ways, is_second ? 1u : 0u, is_second ? second : 1.0 - second);
         ground_follow(hit, ways, uint(GROUND_MATT_WAYS), 1.0);
     }
-    way.kind = kind;
+    path.kind = kind;
 #else
-    ground_ways ways = ground_ways_of(weight);
+    ground_ways ways = ground_ways_of(throughput);
     for (uint i = 0u; i < uint(GROUND_WAYS); i++)
         ground_follow(hit, ways, i, 1.0);
 #endif
 }
 
-/* Makes surroundings that are seen straight what the pixel shows. */
+/* Records surroundings that the primary ray hits as the pixel's visible surface. */
 void ground_begin(trace_hit hit)
 {
     seen.is_object = true;
     seen.is_ground = true;
-    seen.distance = distance(start, way.origin) + hit.t;
+    seen.distance = distance(start, path.origin) + hit.t;
     is_first = false;
     is_main = false;
 }
 
-/* Returns the roughness by which a way sees the sky blurred. */
-float ground_blur_of(trace_way way)
+/* Returns the roughness of a lighting ray's sky lookup. */
+float ground_blur_of(trace_way path)
 {
-    return way.open > 0.0 ? 0.0 : way.open < 0.0 ? 1.0 : ground_bent;
+    return path.open > 0.0 ? 0.0 : path.open < 0.0 ? 1.0 : ground_bent;
 }
 
-/* Returns the light at the end of a way; `passing`: the share of it that goes on. */
-vec3 trace_end(trace_way way, trace_hit hit, out float passing)
+/* Returns the radiance at the end of a path. `passing` becomes the fraction that a blended or
+ * alpha-tested surface transmits. */
+vec3 trace_end(trace_way path, trace_hit hit, out float passing)
 {
-    vec3 light = trace_has(TRACE_HAS_GROUND) && way.is_gathered
-                     ? lit_glossy(way.dir, ground_blur_of(way), 0.0)
-                     : environment_radiance(environment, way.dir, footprint_lod(way));
+    vec3 light = trace_has(TRACE_HAS_GROUND) && path.is_gathered
+                     ? lit_glossy(path.dir, ground_blur_of(path), 0.0)
+                     : environment_radiance(environment, path.dir, footprint_lod(path));
     bool is_around = hit.part == TREE_SURROUNDINGS || hit.part == TREE_MOVERS;
     int turns = is_around ? int(trace.one) : 0;
     passing = 0.0;
-    shares.is_lit = false; /* also where a way that is too long ends in an object */
+    shares.is_lit = false; /* also applies to paths that reach the segment limit inside an object */
     while (turns > 0) {
         turns -= int(trace.one);
         if (trace_has(TRACE_HAS_GROUND)) {
-            sun_share = ground_sun(hit, way.origin + hit.t * way.dir, way.seed);
-            sun_spread = way.is_gathered ? ground_blur : 0.0;
+            sun_share = ground_sun(hit, path.origin + hit.t * path.dir, path.seed);
+            sun_spread = path.is_gathered ? ground_blur : 0.0;
         }
-        trace_point point = trace_point_of(hit, way.origin, way.dir);
-        point.ior = trace_is_in(way) ? trace_ior(way.inside) : 1.0;
-        light = trace_surface(point, way.dir, false, passing);
+        trace_point point = trace_point_of(hit, path.origin, path.dir);
+        point.ior = trace_is_in(path) ? trace_ior(path.medium_stack) : 1.0;
+        light = trace_surface(point, path.dir, false, passing);
     }
     return light;
 }

@@ -1,5 +1,5 @@
-/* trace_inclusions.glsl: how rays cross cracks and bubbles: gaps too thin to displace light, and
- * holes, of what is outside. */
+/* trace_inclusions.glsl: intersection of paths with inclusions in the ice: cracks, air gaps too
+ * thin to displace light, and bubbles, filled with the outside medium. */
 #ifndef TRACE_INCLUSIONS_GLSL
 #define TRACE_INCLUSIONS_GLSL
 #include "cracks.h"
@@ -7,7 +7,7 @@
 #include "cracks_noise.h"
 #include "trace_shells.glsl"
 
-/* Returns the normal of a crack in the object's space, with its roughness. */
+/* Returns the shading normal of a rough crack in object space. */
 vec3 trace_crack_normal(vec3 n, vec3 point)
 {
     vec3 bent = n;
@@ -19,7 +19,7 @@ vec3 trace_crack_normal(vec3 n, vec3 point)
     return bent;
 }
 
-/* Returns the outward normal of a bubble at a point of its surface, in the object's space. */
+/* Returns the outward normal of a bubble at a surface point, both in object space. */
 vec3 trace_bubble_normal(int triangle, vec3 point)
 {
     vec4 first = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * triangle));
@@ -31,7 +31,7 @@ vec3 trace_bubble_normal(int triangle, vec3 point)
     return bubble_normal(from, second.xyz, first.w, last.w, second.w > 0.0);
 }
 
-/* Returns a crack's reflectance for red, green and blue light. */
+/* Returns a crack's thin-film reflectance for red, green and blue. */
 vec3 trace_crack_shares(trace_hit hit, vec3 dir, vec3 n, float eta)
 {
     vec3 shares = vec3(0.0);
@@ -53,8 +53,7 @@ bool trace_is_crack(trace_cross c)
     return trace_has(TRACE_HAS_INCLUSIONS) && c.is_inclusion && c.is_thin;
 }
 
-/* Returns the reflectance of a surface for red, green and blue light, whose mean `fresnel` becomes.
- */
+/* Returns the reflectance of a surface for red, green and blue, and sets `fresnel` to its mean. */
 vec3 trace_shares_of(trace_hit hit, trace_cross c, vec3 dir, inout float fresnel)
 {
     vec3 shares = vec3(fresnel);
@@ -65,12 +64,13 @@ vec3 trace_shares_of(trace_hit hit, trace_cross c, vec3 dir, inout float fresnel
     return shares;
 }
 
-/* Returns a crossing of an inclusion by a way in the ice, or in a bubble; `n` is the interpolated
- * normal of a crack in the object's space, `eta` the index of ice over that of the outside. */
-trace_cross trace_inclusion_at(trace_way way, trace_hit hit, vec3 n, float eta)
+/* Returns the crossing of an inclusion by a path in ice or in a bubble. `n` is the interpolated
+ * crack normal in object space, `eta` the refractive index of ice divided by that of the outside.
+ */
+trace_cross trace_inclusion_at(trace_way path, trace_hit hit, vec3 n, float eta)
 {
     trace_cross c;
-    vec3 point = trace_unposed_point(way.origin + hit.t * way.dir, hit.part);
+    vec3 point = trace_unposed_point(path.origin + hit.t * path.dir, hit.part);
     vec3 facet = uintBitsToFloat(trace_row(TREE_TRIANGLE_WORDS * hit.triangle + 2)).xyz;
     c.is_thin = facet != vec3(0.0);
     if (c.is_thin) {
@@ -81,12 +81,12 @@ trace_cross trace_inclusion_at(trace_way way, trace_hit hit, vec3 n, float eta)
     }
     c.facet = trace_posed(facet, hit.part);
     c.n = trace_posed(n, hit.part);
-    float side = dot(c.facet, way.dir) < 0.0 ? 1.0 : -1.0;
+    float side = dot(c.facet, path.dir) < 0.0 ? 1.0 : -1.0;
     if (!c.is_thin)
-        side = way.is_in_bubble ? -1.0 : 1.0;
+        side = path.is_in_bubble ? -1.0 : 1.0;
     c.facet *= side;
     c.n *= side;
-    c.n = dot(c.n, way.dir) < 0.0 ? c.n : c.facet;
+    c.n = dot(c.n, path.dir) < 0.0 ? c.n : c.facet;
     c.rank = 0u;
     c.is_met = true;
     c.is_real = true;
@@ -95,8 +95,8 @@ trace_cross trace_inclusion_at(trace_way way, trace_hit hit, vec3 n, float eta)
     c.horizon = 2.0;
     c.is_bumpy = false;
     c.own = trace_own(0u);
-    c.eta = way.is_in_bubble ? 1.0 / eta : eta;
-    c.shift = way.shift + hit.t * way.turn;
+    c.eta = path.is_in_bubble ? 1.0 / eta : eta;
+    c.shift = path.shift + hit.t * path.turn;
     c.bend = vec3(0.0);
     return c;
 }

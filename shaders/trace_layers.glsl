@@ -1,4 +1,4 @@
-/* trace_layers.glsl: main() of refract_trace.c's layers. */
+/* trace_layers.glsl: main() of the pass that writes the ray tracer's layers (AOVs). */
 #ifndef TRACE_LAYERS_GLSL
 #define TRACE_LAYERS_GLSL
 
@@ -7,7 +7,7 @@ layout(set = 0, binding = TRACE_FIRST_OBJECT) uniform sampler2D first_object;
 layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
 #endif
 
-/* Returns whether surroundings are before a point, which rays meet by themselves. */
+/* Returns true if surroundings hide a point; with TRACE_RAYS the rays resolve this themselves. */
 bool trace_is_hidden(vec3 point)
 {
 #ifdef TRACE_RAYS
@@ -18,13 +18,13 @@ bool trace_is_hidden(vec3 point)
 #endif
 }
 
-/* Returns the number of the last object of the refracted way; 0: it is the first one. */
+/* Returns the number of the last object on the refracted path; 0 if it is the first object. */
 uint trace_last()
 {
 #ifndef TRACE_RAYS
     trace_start from =
-        trace_start(straight_end.origin, straight_end.dir, 0.0, 1e30, -1, false, trace_around);
-    trace_hit hit = trace_meet(from, straight_end.weight != vec3(0.0));
+        trace_start(escaped_end.origin, escaped_end.dir, 0.0, 1e30, -1, false, trace_around);
+    trace_hit hit = trace_meet(from, escaped_end.throughput != vec3(0.0));
     if (hit.triangle >= 0)
         return trace_number(hit.triangle);
 #endif
@@ -59,8 +59,8 @@ void main()
     out_refraction = vec4(through > 0.0 ? seen.refraction / through : vec3(0.0), 0.0);
     out_reflection = vec4(seen.fresnel > 0.0 ? seen.reflection / seen.fresnel : vec3(0.0), 0.0);
     out_fresnel = seen.fresnel;
-    out_way = vec4(seen.path, seen.bounces, seen.bounces > 0.0 ? 1.0 : 0.0, 0.0);
-    out_media = seen.parts;
+    out_way = vec4(seen.path_length, seen.bounces, seen.bounces > 0.0 ? 1.0 : 0.0, 0.0);
+    out_media = seen.segments;
     uint last = trace_last();
     out_last = last != 0u ? float(last) : out_last;
 }

@@ -1,45 +1,44 @@
-/* trace_next.glsl: what a way may meet next. Frames of the ice cube are a tenth faster since rays
- * skip what they cannot meet. */
+/* trace_next.glsl: selects the BVHs that a path segment may hit, to skip other traversals. */
 #ifndef TRACE_NEXT_GLSL
 #define TRACE_NEXT_GLSL
 
-/* Returns whether a way that has met a surface meets no object any more. */
-bool trace_has_left(trace_way way)
+/* Returns true if a path that has left a surface cannot hit an object again. */
+bool trace_has_left(trace_way path)
 {
-    return trace_has(TRACE_IS_CONVEX) ? !trace_is_in(way) : way.side == trace_left;
+    return trace_has(TRACE_IS_CONVEX) ? !trace_is_in(path) : path.side == trace_left;
 }
 
-/* Returns the parts that a way may meet next, a bit each. */
-uint trace_parts_of(trace_way way)
+/* Returns a bit mask of the BVHs that the next segment may hit. */
+uint trace_parts_of(trace_way path)
 {
-    bool is_in_ice = trace_is_in(way) && trace_top(way.inside) == trace.ice;
-    bool meets_inclusions = trace_has(TRACE_HAS_INCLUSIONS) && (is_in_ice || way.is_in_bubble);
+    bool is_in_ice = trace_is_in(path) && trace_top(path.medium_stack) == trace.ice;
+    bool meets_inclusions = trace_has(TRACE_HAS_INCLUSIONS) && (is_in_ice || path.is_in_bubble);
 #ifdef TRACE_RAYS
     uint around = trace_around;
 #else
     uint around = 0u;
 #endif
 #ifndef REFRACT_LAYERS
-    /* what is before the objects is drawn over the picture */
+    /* surroundings in front of the objects are composited by rasterisation */
     if (!trace_has(TRACE_HAS_HOLES | TRACE_HAS_GROUND) && is_first && !trace_eye_is_inside())
         around = 0u;
 #endif
     bool has_left =
-        trace_has(TRACE_IS_CONVEX) ? way.side < 0.0 && !is_first : way.side == trace_left;
+        trace_has(TRACE_IS_CONVEX) ? path.side < 0.0 && !is_first : path.side == trace_left;
     uint objects = has_left ? 0u : 1u << TREE_OBJECTS;
     return objects | around | (meets_inclusions ? 1u << TREE_INCLUSIONS : 0u);
 }
 
-trace_start trace_start_of(trace_way way)
+trace_start trace_start_of(trace_way path)
 {
-    float reach = trace_has(TRACE_HAS_CULLING) ? 1e30 : way.reach;
-    return trace_start(way.origin, way.dir, way.side, reach, way.from, way.is_in_bubble,
-                       trace_parts_of(way));
+    float reach = trace_has(TRACE_HAS_CULLING) ? 1e30 : path.reach;
+    return trace_start(path.origin, path.dir, path.side, reach, path.from, path.is_in_bubble,
+                       trace_parts_of(path));
 }
 
 #ifndef TRACE_RAYS
-/* Returns the sine beyond which rays that leave a point of an object's outer side meet none, to
- * tell it of rasterised points, whose triangles are not known. */
+/* Returns the horizon, a sine, at a rasterised point of an object's outer side, whose triangle is
+ * not known. Rays above that elevation hit no object. */
 float trace_grid_horizon(vec3 point)
 {
     vec3 own = trace_unposed_point(point, TREE_OBJECTS);

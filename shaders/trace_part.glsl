@@ -1,15 +1,17 @@
-/* trace_part.glsl: how light that meets a surface parts; src/reference/parting.c does the same. */
+/* trace_part.glsl: Fresnel reflection and refraction at a surface (in C: src/reference/parting.c).
+ */
 #ifndef TRACE_PART_GLSL
 #define TRACE_PART_GLSL
 
-/* What becomes of light at a surface. */
+/* Directions, reflectance and sampling weights of the two paths at a surface. */
 struct trace_parting {
     vec3 reflected, refracted;
     float fresnel, reflected_share, refracted_share;
 };
 
-/* Parts light at a surface: `n` is on the side that it comes from, `eta` the index there over that
- * of the other side. */
+/* Computes the reflected and refracted directions and returns the Fresnel reflectance. `n` is on
+ * the incident side; `eta` is the incident index over the transmitted one. Thin walls include
+ * interreflections: 2F / (1 + F). */
 float trace_part(vec3 d, vec3 n, float eta, bool is_thin, out vec3 reflected, out vec3 refracted)
 {
     float ci = min(-dot(d, n), 1.0);
@@ -23,8 +25,8 @@ float trace_part(vec3 d, vec3 n, float eta, bool is_thin, out vec3 reflected, ou
     return is_thin ? 2.0 * fresnel / (1.0 + fresnel) : fresnel;
 }
 
-/* On bumpy surfaces the triangle decides on which side light is: what a microfacet sends to the
- * wrong side is lost; a smooth surface sends it as the triangle would. */
+/* Corrects directions that a normal map sends to the wrong side of the triangle. Rough surfaces
+ * drop such samples; smooth ones use the direction given by the geometric normal. */
 void trace_keep_sides(inout trace_parting p, vec3 d, vec3 facet, float eta, bool is_rough)
 {
     vec3 mirrored, straight;

@@ -1,4 +1,4 @@
-/* trace_picture.glsl: main() of refract_trace.c's picture. */
+/* trace_picture.glsl: main() of the pass that writes the ray-traced image. */
 #ifndef TRACE_PICTURE_GLSL
 #define TRACE_PICTURE_GLSL
 
@@ -28,7 +28,7 @@ void main()
     color = vec4(seen.refraction + seen.reflection, 1.0);
     highlight = seen.is_ground ? -1.0 : surface_highlight(e, eye_to_point, seen.normal);
     gl_FragDepth = seen.distance > 0.0 ? trace_depth(start + seen.distance * e) : 1.0;
-    if (seen.is_ground) /* the background is not drawn over it */
+    if (seen.is_ground) /* keeps the rasterised background from drawing over it */
         gl_FragDepth = min(gl_FragDepth * 1.0001, 1.0);
 }
 

@@ -1,18 +1,18 @@
 /*
- * trace_query.glsl: meets the acceleration structures of a tree's triangles by ray queries.
+ * trace_query.glsl: BVH traversal by hardware ray queries, bit-identical to the shader traversal.
  *
- * The structures tell which triangles a ray may meet; whether it does, and where, the words of the
- * tree say, as without them. For that the structures have triangles that are larger than those of
- * the tree by more than rounding (src/render/ray_groups.h), and queries begin before the ray does.
- * The first query finds a triangle that is the nearest one but for the device's rounding, the
- * second one those that are as near: so what is met does not depend on how structures were built.
+ * The acceleration structures only return candidate triangles; trace_tree.glsl decides about hits.
+ * To miss no candidate, the structures contain triangles enlarged by more than the rounding error
+ * (src/render/ray_groups.h), and queries start behind the ray's origin. A first query finds the
+ * nearest triangle up to the device's rounding, a second one all candidates at about that distance,
+ * so that the hit does not depend on how the structures were built.
  */
 #ifndef TRACE_QUERY_GLSL
 #define TRACE_QUERY_GLSL
 
 layout(set = 0, binding = TRACE_STRUCTURE) uniform accelerationStructureEXT structure;
 
-/* Meets a triangle; of some that are equally far, the one of the least number. */
+/* Intersects a candidate triangle; of equally distant ones the lowest index wins. */
 bool trace_meet_candidate(trace_ray ray, int i, int part, inout trace_hit hit)
 {
     trace_hit own = trace_hit(1e30, 0.0, 0.0, -1, part);
@@ -26,7 +26,7 @@ bool trace_meet_candidate(trace_ray ray, int i, int part, inout trace_hit hit)
 void trace_query_part(trace_ray ray, int part, inout trace_hit hit)
 {
     rayQueryEXT query;
-    /* What is no number must not reach a query. */
+    /* ray queries must not get NaN or infinity */
     bool is_sound = dot(ray.origin, ray.origin) < 1e30 && dot(ray.dir, ray.dir) < 1e30;
     vec3 dir = is_sound ? ray.dir : vec3(0.0, 1.0, 0.0);
     vec3 origin = is_sound ? ray.origin - trace.hair * dir : vec3(0.0);

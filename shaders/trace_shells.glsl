@@ -1,4 +1,5 @@
-/* trace_shells.glsl: sets of objects, as of struct tree_shells, and their media. */
+/* trace_shells.glsl: medium stack of a path: the set of objects that contain it, ordered by medium
+ * priority, as a bit mask or, with TRACE_HAS_MANY, as a sorted list (struct tree_shells). */
 #ifndef TRACE_SHELLS_GLSL
 #define TRACE_SHELLS_GLSL
 #include "trace_tree.glsl"
@@ -14,7 +15,7 @@ uvec4 trace_eye_inside()
     return uvec4(trace.inside[0], trace_has(TRACE_HAS_MANY) ? more : uvec3(0u));
 }
 
-/* Adds a rank to ranks in falling order. Each displaces the next one; the last one is lost. */
+/* Inserts a medium priority into a list sorted in descending order. A full list drops its last. */
 uvec4 trace_list_put(uvec4 list, uint rank)
 {
     for (int i = 0; i < TREE_NESTED_MAX / 2; i++) {
@@ -42,25 +43,25 @@ uvec4 trace_list_remove(uvec4 list, uint rank)
     return list;
 }
 
-uvec4 trace_with(uvec4 inside, uint rank)
+uvec4 trace_with(uvec4 medium_stack, uint rank)
 {
     if (trace_has(TRACE_HAS_MANY))
-        return trace_list_put(inside, rank);
-    inside.x |= trace_bit(rank);
-    return inside;
+        return trace_list_put(medium_stack, rank);
+    medium_stack.x |= trace_bit(rank);
+    return medium_stack;
 }
 
-uvec4 trace_without(uvec4 inside, uint rank)
+uvec4 trace_without(uvec4 medium_stack, uint rank)
 {
     if (trace_has(TRACE_HAS_MANY))
-        return trace_list_remove(inside, rank);
-    inside.x &= ~trace_bit(rank);
-    return inside;
+        return trace_list_remove(medium_stack, rank);
+    medium_stack.x &= ~trace_bit(rank);
+    return medium_stack;
 }
 
-bool trace_is_inside(uvec4 inside)
+bool trace_is_inside(uvec4 medium_stack)
 {
-    return inside.x != 0u;
+    return medium_stack.x != 0u;
 }
 
 bool trace_eye_is_inside()
@@ -68,18 +69,18 @@ bool trace_eye_is_inside()
     return trace.inside[0] != 0u;
 }
 
-/* Returns the rank of the medium in a set of objects: the greatest one. */
-uint trace_top(uvec4 inside)
+/* Returns the medium that a path is in: the one of highest priority on the stack. */
+uint trace_top(uvec4 medium_stack)
 {
-    return trace_has(TRACE_HAS_MANY) ? inside.x & 0xffffu : uint(findMSB(inside.x) + 1);
+    return trace_has(TRACE_HAS_MANY) ? medium_stack.x & 0xffffu : uint(findMSB(medium_stack.x) + 1);
 }
 
-/* The same without an object. */
-uint trace_top_without(uvec4 inside, uint rank)
+/* Returns the medium of highest priority on the stack, not counting `rank`. */
+uint trace_top_without(uvec4 medium_stack, uint rank)
 {
     if (trace_has(TRACE_HAS_MANY))
-        return (inside.x & 0xffffu) == rank ? inside.x >> 16 : inside.x & 0xffffu;
-    return uint(findMSB(inside.x & ~trace_bit(rank)) + 1);
+        return (medium_stack.x & 0xffffu) == rank ? medium_stack.x >> 16 : medium_stack.x & 0xffffu;
+    return uint(findMSB(medium_stack.x & ~trace_bit(rank)) + 1);
 }
 
 vec4 trace_medium(uint rank, int texel)
@@ -90,12 +91,12 @@ vec4 trace_medium(uint rank, int texel)
     return trace.media[int(medium) * TRACE_MEDIUM + texel];
 }
 
-/* Returns the index, for green, of what a ray in objects is in, relative to what is around them. */
-float trace_ior(uvec4 inside)
+/* Returns the green refractive index of the path's medium relative to the outside. */
+float trace_ior(uvec4 medium_stack)
 {
     if (!trace_has(TRACE_HAS_MEDIA))
         return 1.0 / refract_frame.eta;
-    return trace_medium(trace_top(inside), TRACE_IOR).g / trace_medium(0u, TRACE_IOR).g;
+    return trace_medium(trace_top(medium_stack), TRACE_IOR).g / trace_medium(0u, TRACE_IOR).g;
 }
 
 #endif

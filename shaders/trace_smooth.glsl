@@ -1,25 +1,25 @@
 /*
- * trace_smooth.glsl: what hides light from matt surroundings, apart from the picture, so that
- * src/render/smooth.c can take its mean over pixels of the same surface.
+ * trace_smooth.glsl: outputs of ray-traced diffuse lighting for the denoise pass, an edge-avoiding
+ * filter (src/render/smooth.c) that averages them over pixels of the same surface.
  *
- * Written are the light that ways have brought more than what is seen without them, the share of it
- * that the surface sends to the eye, and where the surface is. Until sample SMOOTH_SPARSE a block
- * of 4 x 4 pixels, which lavapipe follows at the same time, gathers in every fourth sample. Of the
- * ways of a surface one is followed, more often the one that is to bring more light.
+ * Written are traced minus unoccluded lighting, the surface's share of the pixel's throughput, and
+ * its position and normal. Before sample SMOOTH_SPARSE a block of 4 x 4 pixels, which lavapipe
+ * executes together, traces lighting rays in every fourth sample only. One diffuse ray per surface
+ * is followed, chosen in proportion to its unoccluded radiance.
  */
 #ifndef TRACE_SMOOTH_GLSL
 #define TRACE_SMOOTH_GLSL
 
-const float smooth_kind = 2.0; /* of ways: their light is not in the picture */
+const float smooth_kind = 2.0; /* trace_path.kind of lighting rays, kept out of the image */
 const uint SMOOTH_SPARSE = 8u;
 const uint SMOOTH_PICK_SEED = 61u;
 
-/* Of a pixel. */
+/* Denoiser inputs of a pixel. */
 struct trace_smooth {
-    vec3 gathered; /* light that ways have brought more */
-    vec3 share;    /* of a surface's light that the eye gets */
-    vec4 place;    /* metres, of the surface of the greatest share; and smooth_normal() */
-    float most;    /* that share */
+    vec3 gathered; /* traced minus unoccluded lighting */
+    vec3 share;    /* throughput from the surface to the camera */
+    vec4 place;    /* metres, of the surface with the highest throughput; w: smooth_normal() */
+    float most;    /* throughput of that surface */
 };
 
 trace_smooth matt;
@@ -29,7 +29,7 @@ void smooth_begin()
     matt = trace_smooth(vec3(0.0), vec3(0.0), vec4(0.0), 0.0);
 }
 
-/* Returns whether ways of the pixel's block are followed in this sample. */
+/* Returns true if the pixel's block traces lighting rays in this sample. */
 bool smooth_is_due()
 {
     uvec2 block = uvec2(gl_FragCoord.xy) / 4u;
@@ -37,7 +37,7 @@ bool smooth_is_due()
     return trace.sample_index >= SMOOTH_SPARSE || turn % 4u == 0u;
 }
 
-/* Returns a normal as an octahedron's point: 1 + x + 4096 y, of 12 bits each. */
+/* Returns a unit normal in octahedral encoding, 12 bits per axis: 1 + x + 4096 y. */
 float smooth_normal(vec3 n)
 {
     vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
@@ -47,7 +47,7 @@ float smooth_normal(vec3 n)
     return 1.0 + steps.x + 4096.0 * steps.y;
 }
 
-/* Notes a matt surface, and the share of its light that the eye gets. */
+/* Records a diffuse surface and its throughput to the camera. */
 void smooth_note(vec3 point, vec3 normal, vec3 share)
 {
     float much = dot(share, vec3(1.0));

@@ -1,11 +1,11 @@
 /*
- * trace_stack.glsl: the nodes and leaves of a tree that a ray has still to go through.
+ * trace_stack.glsl: traversal stack of BVH nodes and leaves.
  *
- * With TRACE_RAYS they are an array. Its index is not constant, so it is in memory, which lavapipe
- * writes for each lane apart. Else they move, so that each has a register; the older ones move
- * once for all nodes between two leaves. Then a ray that has no room leaves these nodes, so loops
- * take more rounds. llvmpipe ends a pixel's loops after 65 535 rounds: rays that meet surroundings
- * have many parts, and light of a few pixels would be lost.
+ * With TRACE_RAYS it is an array. Its variable index places it in memory, which lavapipe writes
+ * lane by lane. Otherwise entries are shifted between variables, which stay in registers; only the
+ * newest ones are shifted for each node, the older ones once per leaf. A ray whose newest part is
+ * full has to leave the node loop early, which costs iterations. That is too risky with TRACE_RAYS:
+ * llvmpipe terminates loops after 65 535 iterations, and such paths have many segments.
  */
 #ifndef TRACE_STACK_GLSL
 #define TRACE_STACK_GLSL
@@ -22,7 +22,7 @@ void stack_begin()
     stack[0] = trace_nothing;
 }
 
-/* Returns whether a ray may go on from node to node. */
+/* Returns true if the stack has room for another node. */
 bool stack_has_room()
 {
     return true;
@@ -35,7 +35,7 @@ int stack_pop()
     return popped;
 }
 
-/* Returns where a ray goes from a node of which it meets both children, one or none. */
+/* Returns the next node; pushes `far` if both children were hit, pops if none was. */
 int stack_next(bool both, bool none, int near, int far)
 {
     int popped = stack[stack_top];
@@ -44,7 +44,7 @@ int stack_next(bool both, bool none, int near, int far)
     return none ? popped : near;
 }
 
-/* Makes room, and returns what follows if nothing does so far. */
+/* Makes room on the stack. Returns `node`, or the next entry if there is none. */
 int stack_settle(int node)
 {
     return node;
@@ -53,7 +53,7 @@ int stack_settle(int node)
 #else
 
 const int stack_newer_max = 5;
-int stack_newer[stack_newer_max], stack_older[TREE_DEPTH_MAX]; /* the last one first */
+int stack_newer[stack_newer_max], stack_older[TREE_DEPTH_MAX]; /* both with the top entry first */
 
 void stack_begin()
 {

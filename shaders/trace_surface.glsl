@@ -1,41 +1,41 @@
-/* trace_surface.glsl: the light that rays find around the objects, from triangles and the sky. */
+/* trace_surface.glsl: shading of surroundings at ray hits: material, sun, environment, lights. */
 #ifndef TRACE_SURFACE_GLSL
 #define TRACE_SURFACE_GLSL
 #define LIT_TRACED
-#ifndef TRACE_PHOTONS /* which make the map of ice_shine.glsl */
+#ifndef TRACE_PHOTONS /* photon tracing itself generates the map that ice_shine.glsl reads */
 #include "lib/ice_shine.glsl"
 #endif
 #include "lib/lit.glsl"
 #include "mesh.h"
 #include "trace_tree.glsl"
 
-/* A point of a triangle that has colours. */
+/* Interpolated vertex attributes at a hit on surroundings. */
 struct trace_point {
-    vec3 position, normal; /* world; the normal is unit, and faces the ray */
-    vec3 outward;          /* it, as the vertices have it */
+    vec3 position, normal; /* world space; the normal is unit length and faces the ray */
+    vec3 outward;          /* the interpolated vertex normal, not flipped */
     vec3 color;
     vec2 uv, other_uv;
-    vec4 tangent;            /* unit, and its side; 0: there is none */
-    vec3 along_u, against_v; /* how the position grows with the coordinates; 0: they are the same */
+    vec4 tangent;            /* unit tangent, with handedness in w; 0 if there is none */
+    vec3 along_u, against_v; /* position derivatives by u and -v; 0 if uv is constant */
     uint material;
-    float ior; /* of the medium that is on it, relative to that around the objects */
+    float ior; /* refractive index of the medium in front of the surface, relative to the outside */
 };
 
-/* What a surface makes of the light around it. */
+/* Diffuse and specular parts of a shaded surface, for traced lighting. */
 struct trace_shares {
-    vec3 matt, glossy; /* shares of the light on a matt white surface, and of what is mirrored */
-    vec3 on_matt, mirrored; /* that light, where nothing is in its way */
-    vec3 normal, top;       /* with bumps, of the matt base and of the surface that mirrors */
+    vec3 matt, glossy;      /* diffuse albedo and specular reflectance */
+    vec3 on_matt, mirrored; /* unoccluded diffuse and specular lighting */
+    vec3 normal, top; /* normal-mapped normals of the diffuse base and of the specular layer */
     float roughness;
     bool is_lit;
 };
 
-trace_shares shares;    /* of the surface that trace_surface() was last asked for */
-float sun_share = 1.0;  /* of the sun's light that it receives (trace_ground.glsl) */
-float sun_spread = 0.0; /* least width of the distribution that mirrors the sun there */
+trace_shares shares;    /* parts of the surface that trace_surface() shaded last */
+float sun_share = 1.0;  /* visibility of the sun at the surface (trace_ground.glsl) */
+float sun_spread = 0.0; /* minimum width of the sun's specular lobe at the surface */
 
-/* Reads what few vertices have; `side_1` and `side_2` become those of the coordinates of the normal
- * texture. */
+/* Reads optional vertex attributes of a hit. `side_1` and `side_2` become the edges in the texture
+ * coordinates of the normal map. */
 void trace_extra(inout trace_point p, trace_hit hit, int surface, bool has_extra, inout vec2 side_1,
                  inout vec2 side_2)
 {
@@ -86,7 +86,7 @@ trace_point trace_point_of(trace_hit hit, vec3 origin, vec3 dir)
     p.uv = uv_0 + hit.u * side_1 + hit.v * side_2;
     p.material = floatBitsToUint(n1.w);
     p.ior = 1.0;
-    /* The rows of the triangle's map are orthogonal to all of its sides but one. */
+    /* Rows of the map are orthogonal to all edges but one: cross products recover the edges. */
     at = TREE_TRIANGLE_WORDS * hit.triangle;
     vec3 row_0 = uintBitsToFloat(trace_row(at)).xyz;
     vec3 row_1 = uintBitsToFloat(trace_row(at + 1)).xyz;
@@ -101,7 +101,7 @@ trace_point trace_point_of(trace_hit hit, vec3 origin, vec3 dir)
     return p;
 }
 
-/* Turns a normal of a point, on either side, as the normal texture says. */
+/* Returns normal `n`, on either side of the surface, perturbed by the normal map. */
 vec3 trace_bent(trace_point p, vec3 n, vec3 texel, vec2 scales)
 {
     vec3 along_u = p.along_u, against_v = p.against_v;
@@ -113,8 +113,8 @@ vec3 trace_bent(trace_point p, vec3 n, vec3 texel, vec2 scales)
     return lit_bend_along(n, texel, scales, along_u, against_v);
 }
 
-/* Returns the light of the sun at a point on a matt white surface that faces it; `through`: what of
- * it has come through the objects, on whose own surface (`is_base`) all of it falls. */
+/* Returns the sun's irradiance on a surface that faces it. `through` becomes the part that the
+ * objects have refracted; the base of an object itself (`is_base`) is always fully lit. */
 vec3 trace_sun(trace_point p, bool is_base, out vec3 through)
 {
     through = vec3(0.0);
@@ -130,7 +130,7 @@ vec3 trace_sun(trace_point p, bool is_base, out vec3 through)
     return sky_sun() * own;
 }
 
-/* Returns the radiance of a surface without a material, or of the base of one. */
+/* Returns the radiance of a diffuse surface without material, or of an object's opaque base. */
 vec3 trace_matt(trace_point p, vec3 to_eye, vec3 albedo, bool is_base)
 {
     vec3 through;
@@ -146,7 +146,7 @@ vec3 trace_matt(trace_point p, vec3 to_eye, vec3 albedo, bool is_base)
     return albedo * (lit_matt(p.normal) + sun) + lit_by_lights(s, p.position, p.normal, to_eye);
 }
 
-/* Returns the share of light that goes through a surface with an alpha. */
+/* Returns the fraction of light that passes an alpha-blended or alpha-tested surface. */
 float trace_passing_of(uint row, float alpha)
 {
     vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
@@ -158,7 +158,7 @@ float trace_passing_of(uint row, float alpha)
     return kind == float(MATERIAL_KIND_CUTOUT) && alpha < cutoff ? 1.0 : 0.0;
 }
 
-/* Returns the share of light that goes through a surface. */
+/* Returns the fraction of light that passes a surface at a hit. */
 float trace_passing(trace_point p)
 {
     uint row = p.material >> MESH_SURFACE_SHIFT;
@@ -172,7 +172,7 @@ float trace_passing(trace_point p)
     return trace_passing_of(row, lit_base(row, layer, p.uv, 1.0).a);
 }
 
-/* Returns the radiance of a surface; `passing`: the share of light that goes through it. */
+/* Returns the radiance of a surface. `passing` becomes the fraction of transmitted light. */
 vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
 {
     uint row = p.material >> MESH_SURFACE_SHIFT;
@@ -211,14 +211,14 @@ vec3 trace_surface(trace_point p, vec3 dir, bool is_base, out float passing)
         n = trace_bent(p, n, bent.rgb, scales.xy);
     bool is_film = scales.w > 0.0;
     vec3 top = is_film ? p.normal : n;
-    if (is_film) /* water below ice mirrors next to nothing */
+    if (is_film) /* a water layer below ice has almost no Fresnel reflection */
         specular *= lit_share_in(max(f0.r, max(f0.g, f0.b)), p.ior);
     lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
     float n_dot_v = clamp(dot(top, -dir), 0.0, 1.0);
     vec2 split = lit_split(s.roughness, n_dot_v);
     vec3 mirrored = lit_glossy(reflect(dir, top), s.roughness, 0.0), on_matt = lit_matt(n);
     vec3 around = lit_by_environment(s, split, mirrored, on_matt);
-    /* where light is traced, rays find what hides it */
+    /* traced rays replace the ambient occlusion map */
     vec3 unhidden = vec3(trace_has(TRACE_HAS_GROUND) ? 1.0 : mix(1.0, open, scales.y));
     shares = trace_shares(lit_by_environment(s, split, vec3(0.0), unhidden),
                           lit_by_environment(s, split, unhidden, vec3(0.0)), on_matt, mirrored, n,

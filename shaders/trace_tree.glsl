@@ -1,9 +1,9 @@
 /*
- * trace_tree.glsl: meets the trees of tree.h with rays.
+ * trace_tree.glsl: BVH traversal; intersection of triangles, cracks and bubbles (see tree.h).
  *
- * The nearer child first, a stack of the others; nodes until triangles are to be met, then all of
- * these (after Aila and Laine 2009, "while-while"). Lanes that have finished must not go on: in
- * Mesa 22.3 it loses hits in loops in which they do.
+ * Stack-based and front to back: descend until a leaf is found, then intersect its triangles (Aila
+ * and Laine 2009, "while-while"). Finished lanes must leave the loops: otherwise Mesa 22.3 loses
+ * hits.
  */
 #ifndef TRACE_TREE_GLSL
 #define TRACE_TREE_GLSL
@@ -16,8 +16,8 @@ layout(set = 0, binding = TRACE_FRAME, scalar) uniform Trace
     trace_frame trace;
 };
 
-/* The words of trees are texels, which lavapipe reads in a third of the time. Where a device has no
- * buffers of so many texels, they are in storage buffers. */
+/* The BVH is in texel buffers, which lavapipe reads in a third of the time of storage buffers.
+ * These are used only if a device limits texel buffers to fewer texels. */
 layout(set = 0, binding = TRACE_NODES) uniform usamplerBuffer nodes;
 layout(set = 0, binding = TRACE_TRIANGLES) uniform usamplerBuffer triangles;
 layout(set = 0, binding = TRACE_CORNERS) uniform usamplerBuffer corners;
@@ -65,35 +65,35 @@ uvec4 trace_corner(int word)
 
 struct trace_ray {
     vec3 origin, dir;
-    float side;  /* 1: inside the object that it begins on, -1: outside of it, 0: on none */
-    float reach; /* within which faces are not met that it could only see from the other side */
+    float side;  /* where a ray starts on a surface: 1 inside, -1 outside; else 0 */
+    float reach; /* distance within which back faces, seen from `side`, are ignored */
     bool is_in_bubble;
-    int from; /* a triangle that is not met */
+    int from; /* index of the triangle at the origin, which is not hit again */
 };
 
-/* A ray in the world. */
+/* A ray in world space. */
 struct trace_start {
     vec3 origin, dir;
     float side, reach;
-    int from; /* as of trace_ray */
+    int from; /* triangle at the origin, as in trace_ray */
     bool is_in_bubble;
-    uint parts; /* that it meets, a bit each */
+    uint parts; /* bit mask of the BVHs to traverse */
 };
 
 struct trace_hit {
-    float t, u, v; /* t is 1e30 if nothing is met */
-    int triangle;  /* below 0: none */
+    float t, u, v; /* t is 1e30 if nothing is hit */
+    int triangle;  /* index of the triangle; below 0 if nothing is hit */
     int part;
 };
 
 const float trace_edge = 1e-6;
-const uint trace_around = 1u << TREE_SURROUNDINGS | 1u << TREE_MOVERS; /* parts, a bit each */
+const uint trace_around = 1u << TREE_SURROUNDINGS | 1u << TREE_MOVERS; /* surroundings */
 
-/* What of a ray its boxes need, in a part's grid. */
+/* A ray prepared for slab tests, in the grid coordinates of a BVH. */
 struct trace_slabs {
-    vec3 inverse, minus_origin; /* 1 / dir, -origin / dir */
-    vec3 cull;                  /* 2 * side * dir of a ray; 0 if the cones of nodes do not count */
-    int mask, shift;            /* of a low plane, and to a high one */
+    vec3 inverse, minus_origin; /* 1 / dir and -origin / dir */
+    vec3 cull;                  /* 2 * side * dir of the ray; 0 if normal cones are not tested */
+    int mask, shift;            /* bit mask of the lower plane, and shift to the upper one */
 };
 
 trace_slabs trace_slabs_of(trace_ray ray, int root)
@@ -109,10 +109,10 @@ trace_slabs trace_slabs_of(trace_ray ray, int root)
     return trace_slabs(inverse, -origin * inverse, cull, (1 << shift) - 1, shift);
 }
 
-/* Returns whether a ray meets the box of a child before `far`, and where it enters. Numbers from 0
- * on are in the order of their bits, and a box with a bound below 0 is not met, whichever that is:
- * so bits are compared, because lavapipe takes four instructions for the lesser of two floats,
- * which may be no numbers. */
+/* Returns true if the ray hits the bounding box of a child before `far`, and sets its entry
+ * distance. The bit patterns of non-negative floats sort like the numbers, and negative bounds mean
+ * no hit in any order, so integers are compared: lavapipe needs four instructions for a NaN-safe
+ * minimum of floats. */
 bool trace_meets_box(trace_slabs slabs, uvec4 child, float far, out float enter)
 {
     ivec3 low = ivec3(child.xyz) & slabs.mask;
@@ -127,7 +127,7 @@ bool trace_meets_box(trace_slabs slabs, uvec4 child, float far, out float enter)
     return first <= last;
 }
 
-/* Returns whether some triangle in the cone of a child may face a ray. */
+/* Returns true if the child's normal cone contains a normal that faces the ray. */
 bool trace_faces(trace_slabs slabs, uvec4 child)
 {
     if (!trace_has(TRACE_HAS_CULLING))
@@ -137,7 +137,7 @@ bool trace_faces(trace_slabs slabs, uvec4 child)
     return dot(axis, slabs.cull) + float(sine) >= 0.0;
 }
 
-/* Where a ray enters and leaves a bubble, by its rows; x > y: it misses. */
+/* Returns the distances at which a ray enters and leaves a bubble; x > y if it misses. */
 vec2 trace_cross_bubble(trace_ray ray, vec4 first, vec4 second, float radius)
 {
     vec3 from = ray.origin - first.xyz;
@@ -146,8 +146,8 @@ vec2 trace_cross_bubble(trace_ray ray, vec4 first, vec4 second, float radius)
     return bubble_cross(from, ray.dir, second.xyz, first.w, radius, second.w > 0.0);
 }
 
-/* Meets a crack or a bubble. A ray in a bubble meets nothing but bubbles, where it leaves them; one
- * that begins on a sheet is not met by what is nearer than rounding. */
+/* Intersects a crack or a bubble. A ray inside a bubble can hit only bubbles, where it leaves them.
+ * Cracks nearer than the epsilon are ignored, because the ray may start on one. */
 bool trace_sees_inclusion(trace_ray ray, int i, vec4 first, vec4 second, vec4 last, inout float t,
                           inout float u, inout float v)
 {
@@ -221,8 +221,8 @@ void trace_meet_part(trace_ray ray, int root, int part, inout trace_hit hit)
     } while (node != trace_nothing);
 }
 
-/* Returns the turn of a part about the vertical axis: cosine, sine, and what x and z are shifted
- * by. Matrices would take a sixth of the time of rays that meet the surroundings. */
+/* Returns the rotation of a BVH's contents about the vertical axis: cosine, sine, x and z of the
+ * translation. Rays would take a sixth longer with matrices. */
 vec4 trace_pose(int part)
 {
     vec4 around = part == TREE_MOVERS ? trace.movers_turn : vec4(1.0, 0.0, 0.0, 0.0);
@@ -258,10 +258,9 @@ void trace_meet_posed(trace_start start, int part, inout trace_hit hit)
     trace_meet_part(ray, int(trace.roots[part]), part, hit);
 }
 
-/* Meets the parts that a ray is to meet; one that is not active meets nothing. In an object whose
- * surface it meets it can meet no surroundings before, if these are apart. Each ray meets the first
- * of its own parts, then the next: so those of a group that have left the objects meet the
- * surroundings while the others meet the objects. */
+/* Returns the nearest hit of a ray among its BVHs; inactive rays hit nothing. BVHs are traversed in
+ * the ray's own order, so that lanes in surroundings and lanes in objects run at the same time. A
+ * ray inside an object skips surroundings if these are outside its bounding box. */
 trace_hit trace_meet(trace_start start, bool is_active)
 {
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
@@ -284,7 +283,7 @@ uint trace_number(int triangle)
     return number != 0u ? number : trace_corner(int(surface) + 3).w / 2u;
 }
 
-/* Returns a point of the world in the space of a part. */
+/* Transforms a world-space point to the space of a BVH. */
 vec3 trace_unposed_point(vec3 point, int part)
 {
     vec4 pose = trace_pose(part);
@@ -292,7 +291,7 @@ vec3 trace_unposed_point(vec3 point, int part)
     return trace_has(TRACE_HAS_MOTION) ? own : point;
 }
 
-/* Returns a vector of a part in the world. */
+/* Transforms a vector from the space of a BVH to world space. */
 vec3 trace_posed(vec3 v, int part)
 {
     vec4 pose = trace_pose(part);

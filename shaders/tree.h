@@ -1,38 +1,40 @@
 /*
- * tree.h: the layout of trees of triangles (src/scene/tree.h), in words of four 32-bit numbers.
+ * tree.h: memory layout of the BVH that shaders traverse, built by src/scene/tree.c. Every buffer
+ * is an array of words of four 32-bit numbers.
  *
- * A node has two children, each of one word. Its first three numbers have the planes of the child's
- * box across each axis, the low one and, so many bits higher, the high one, in steps of the part's
- * grid. Where planes have less than TREE_PLANE_BITS, the cone of the triangles' normals follows
- * from TREE_CONE_SHIFT on: TREE_CONE_AXIS times a mean normal, signed. The fourth number is the
- * child: a node, or, with TREE_LEAF, the first triangle << 3 | number of triangles; from
- * TREE_SINE_SHIFT on it has 2 * TREE_CONE_AXIS times the sine of the widest angle to that normal,
- * or TREE_CONE_OPEN: all directions.
+ * A node has two children, one word each. The first three numbers hold the child's bounding box:
+ * for each axis the lower plane and, shifted left by the number of bits of a plane, the upper one,
+ * quantised to the grid of the BVH. If planes have fewer than TREE_PLANE_BITS bits, the bits from
+ * TREE_CONE_SHIFT on hold a cone that bounds the triangles' normals: its axis, signed, times
+ * TREE_CONE_AXIS. The fourth number is the child's index: that of a node or, with TREE_LEAF, first
+ * triangle << 3 | number of triangles. Its bits from TREE_SINE_SHIFT on hold the sine of the cone's
+ * half angle times 2 * TREE_CONE_AXIS, or TREE_CONE_OPEN if the cone has all directions.
  *
- * Before the root of a part is its grid: the corner where planes are 0, and the bits of a plane;
- * steps a metre along each axis.
+ * Two words before the root describe the grid: its origin and the number of bits of a plane, then
+ * grid steps per metre along each axis.
  *
- * A triangle has three words, the rows of an affine map to (u, v, w): u and v are the weights of
- * the second and third corner, w is the distance before its plane (Woop 2004, DynRT). Its corners
- * have three more: a normal each, and in the fourth numbers the rank of the object or 0, and
- * TREE_NUMBER times its number in the layer `object`, the material as in mesh.h, of objects the
- * object's own, and the place of TREE_SURFACE_WORDS more words, or 0: three colours and, in what is
- * left, the u and v of the three corners. The last number is that of the surroundings' object times
- * 2, and odd if TREE_EXTRA_WORDS more follow: three tangents with their sides, and the second u and
- * v. From TREE_HORIZON_SHIFT on the place has bits of its own: TREE_HORIZON_STEPS times the sine of
- * the elevation above the triangle's outer side beyond which no triangle of the objects is seen
- * from it, or TREE_HORIZON_UNKNOWN (src/scene/tree_horizon.h).
+ * A triangle has three words, the rows of an affine map to (u, v, w): u and v are the barycentric
+ * weights of the second and third corner, w is the distance in front of the plane (Woop 2004,
+ * DynRT). Three more words in the buffer of corners hold the corners' normals. Their fourth numbers
+ * are: (1) the object's medium priority, or 0, plus TREE_NUMBER times its number in the layer
+ * `object`; (2) the material as in mesh.h; (3) the index of TREE_SURFACE_WORDS additional words, or
+ * 0. These hold three vertex colours, the texture coordinates u and v of the corners, and the
+ * number of the surroundings' object times 2, which is odd if TREE_EXTRA_WORDS more words follow:
+ * three tangents with handedness, and the second set of texture coordinates. The bits of (3) from
+ * TREE_HORIZON_SHIFT on are the triangle's horizon, an occlusion cone: TREE_HORIZON_STEPS times the
+ * sine of the elevation above its outer side beyond which rays hit no object, or
+ * TREE_HORIZON_UNKNOWN (src/scene/tree_horizon.h).
  *
- * Corners of a crack have in the upper half of the fourth number how open it is there (cracks.h), a
- * half float, and 0 in the lower one. A bubble is a triangle whose rows are its centre and
- * `stretch` (src/scene/bubble.h), its axis and 1 for a capsule, and (0, 0, 0, radius).
+ * Corners of a crack store the opening there (cracks.h) as a half float in the upper half of the
+ * fourth number; the lower half is 0. A bubble is stored as a triangle whose rows are: centre and
+ * `stretch` (src/scene/bubble.h); axis and 1 for a capsule; (0, 0, 0, radius).
  *
- * Of a single object with horizons, TREE_GRID_WORDS are behind the corners: its box in TREE_GRID
- * cells each way, x first, 8 in a number. A cell has the greatest horizon of the triangles in it,
- * above the plane of any normal between those of their corners.
+ * For a single object with horizons, TREE_GRID_WORDS words after the corners divide its bounding
+ * box into TREE_GRID cells per axis, x first, 8 cells in a number. A cell holds the greatest
+ * horizon of its triangles, valid for every interpolated normal.
  *
- * Where a scene has more than TREE_SHELLS_FEW objects, a word for each rank is behind the corners,
- * the one of rank 0 for the outside: its first number is the object's medium, from 1 on.
+ * If a scene has more than TREE_SHELLS_FEW objects, one word per medium priority follows the
+ * corners, starting with priority 0, the outside. Its first number is the object's medium, from 1.
  */
 #ifndef SHADERS_TREE_H
 #define SHADERS_TREE_H
@@ -59,16 +61,16 @@
 #define TREE_GRID_WORDS      (TREE_GRID * TREE_GRID * TREE_GRID / 32)
 #define TREE_DEPTH_MAX       30
 #define TREE_TRIANGLES_MAX   (1u << 24)
-#define TREE_SHELLS_FEW      32    /* objects that bits of a word tell apart */
-#define TREE_SHELLS_MAX      65535 /* objects; 16 bits each */
-#define TREE_NESTED_MAX      8     /* of more than a few objects, those that a point is inside */
-#define TREE_MEDIA_MAX       255   /* materials of more than a few objects */
+#define TREE_SHELLS_FEW      32    /* maximum for sets as 32-bit masks */
+#define TREE_SHELLS_MAX      65535 /* maximum number of objects; priorities have 16 bits */
+#define TREE_NESTED_MAX      8     /* overlapping objects at a point, with many objects */
+#define TREE_MEDIA_MAX       255   /* maximum number of materials in scenes of many objects */
 
-/* parts of a scene */
+/* the BVHs of a scene */
 #define TREE_OBJECTS      0
 #define TREE_SURROUNDINGS 1
-#define TREE_MOVERS       2 /* surroundings that move around the object */
-#define TREE_INCLUSIONS   3 /* cracks and bubbles of the first object, in its space */
+#define TREE_MOVERS       2 /* surroundings that orbit the object */
+#define TREE_INCLUSIONS   3 /* cracks and bubbles of the first object, in object space */
 #define TREE_PART_COUNT   4
 
 #endif

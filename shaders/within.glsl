@@ -1,25 +1,24 @@
 /*
- * within.glsl: where a ray inside an object meets what an image shows of the straight rays' view of
- * it, such as cracks or bubbles: the surface has bent the ray, so it meets what the picture shows
- * beside its own pixel.
+ * within.glsl: screen-space intersection of refracted rays with cracks or bubbles.
  *
- * Red of such an image is a depth, 0 where there is nothing: 1 to 2 through the object's bounding
- * sphere along the view's axis.
+ * An image holds the inclusions as seen along unrefracted rays. A refracted ray hits what the image
+ * shows beside the ray's own pixel, so the ray is marched through it. Red is a depth from 1 to 2
+ * through the object's bounding sphere along the view axis; 0 if there is no inclusion.
  */
 #ifndef WITHIN_GLSL
 #define WITHIN_GLSL
 
-const uint within_steps = 8u;    /* of a ray through the object's bounding sphere */
-const uint within_nearings = 2u; /* of the place in the step that met something */
+const uint within_steps = 8u;    /* ray marching steps through the object's bounding sphere */
+const uint within_nearings = 2u; /* iterations that refine the hit within its step */
 const float within_none = 1e30;
 
 struct within_ray {
-    vec4 from, way;    /* in texels of the image: x / w and y / w, from the middle of the first */
-    float depth, pace; /* at the start, and its growth with length, which is not 0 */
-    bool is_across;    /* it goes across the view: what it meets may be steeper than it is */
+    vec4 from, way;    /* in image texels: x / w and y / w, relative to the centre of the first */
+    float depth, pace; /* depth at the origin, and its change with length, never 0 */
+    bool is_across;    /* crosses the view at a large angle: steep inclusions can be hit */
 };
 
-/* Returns the depth of a point that is `from_center` of a sphere away. */
+/* Returns the depth of a point; `from_center` is its offset from the bounding sphere's centre. */
 float within_depth(vec3 from_center, vec3 forward, float radius)
 {
     return clamp(1.5 + 0.5 * dot(from_center, forward) / radius, 1.0, 2.0);
@@ -31,23 +30,23 @@ ivec2 within_texel(within_ray ray, float t)
     return ivec2(at.xy / at.w + 0.5);
 }
 
-/* Returns how much farther than a place of a ray what the image shows there is, in depths; below
- * -2 where it shows nothing. */
+/* Returns how much deeper the image's inclusion is than the ray at distance `t`; below -2 if none.
+ */
 float within_room(sampler2D image, within_ray ray, float t)
 {
     float depth = texelFetch(image, within_texel(ray, t), 0).r;
     return (depth > 0.0 ? depth : -9.0) - (ray.depth + t * ray.pace);
 }
 
-/* Returns the length of a ray to what it meets, or within_none. `most` is its length through the
- * sphere. */
+/* Returns the distance along a ray to the inclusion that it hits, or within_none. `most` is the
+ * distance to the bounding sphere. */
 float within_find(sampler2D image, within_ray ray, float most)
 {
     float step_length = most / float(within_steps);
     float sense = ray.pace < 0.0 ? -1.0 : 1.0;
     float half_step = 0.5 * step_length * abs(ray.pace);
     float found = within_none;
-    float closing = ray.pace; /* by which the room shrinks with length */
+    float closing = ray.pace; /* change of the depth difference with length */
     float before = -9.0;
     for (uint i = 0u; i < within_steps; i++) {
         float t = (float(i) + 0.5) * step_length;

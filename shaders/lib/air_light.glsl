@@ -1,4 +1,4 @@
-/* air_light.glsl: the light of the planes of air. */
+/* air_light.glsl: radiance of the milky air impostors in the ice (air.c). */
 #ifndef LIB_AIR_LIGHT_GLSL
 #define LIB_AIR_LIGHT_GLSL
 #include "lib/constants.glsl"

@@ -1,13 +1,10 @@
-/*
- * bubble_shape.glsl: where rays meet bubbles that are no spheres, as src/scene/bubble.c:
- * ellipsoids that are round about an axis, and capsules. Places are from a bubble's centre on; an
- * axis is unit.
- */
+/* bubble_shape.glsl: ray intersection with elongated bubbles: ellipsoids of revolution and capsules
+ * (C version: src/scene/bubble.c). Points are relative to the bubble's centre; axes are unit. */
 #ifndef LIB_BUBBLE_SHAPE_GLSL
 #define LIB_BUBBLE_SHAPE_GLSL
 
-/* Where a ray enters and leaves a sphere, or, if `dir` is across an axis, a cylinder; x > y: it
- * misses. `square`: that of the length of `dir`. */
+/* Returns the distances at which a ray enters and leaves a sphere or, if `dir` is perpendicular to
+ * an axis, a cylinder; x > y if it misses. `square` is the squared length of `dir`. */
 vec2 bubble_cross_sphere(vec3 from, vec3 dir, float square, float radius)
 {
     float along = dot(from, dir) / square;
@@ -17,13 +14,13 @@ vec2 bubble_cross_sphere(vec3 from, vec3 dir, float square, float radius)
     return root2 > 0.0 ? vec2(-along - root, -along + root) : vec2(1e30, -1e30);
 }
 
-/* The same of a ball or cylinder and a ray of any length. */
+/* Returns entry and exit distances for a sphere or cylinder and any length of `dir`. */
 vec2 bubble_cross_ball(vec3 from, vec3 dir, float radius)
 {
     return bubble_cross_sphere(from, dir, max(dot(dir, dir), 1e-20), radius);
 }
 
-/* The same of a capsule: two spheres, and between them a cylinder. */
+/* Returns entry and exit distances for a capsule: two spheres connected by a cylinder. */
 vec2 bubble_cross_capsule(vec3 from, vec3 dir, vec3 axis, float half_length, float radius)
 {
     float at = dot(from, axis), pace = dot(dir, axis);
@@ -37,13 +34,13 @@ vec2 bubble_cross_capsule(vec3 from, vec3 dir, vec3 axis, float half_length, flo
     return vec2(min(cut.x, min(low.x, high.x)), max(cut.y, max(low.y, high.y)));
 }
 
-/* Makes a sphere of an ellipsoid around the origin. */
+/* Scales an ellipsoid around the origin to a sphere. */
 vec3 bubble_to_sphere(vec3 v, vec3 axis, float stretch, float radius)
 {
     return v + (radius / (radius + stretch) - 1.0) * dot(v, axis) * axis;
 }
 
-/* Where a ray enters and leaves a bubble; x > y: it misses. */
+/* Returns the distances at which a ray enters and leaves a bubble; x > y if it misses. */
 vec2 bubble_cross(vec3 from, vec3 dir, vec3 axis, float stretch, float radius, bool is_capsule)
 {
     if (is_capsule)
@@ -52,7 +49,7 @@ vec2 bubble_cross(vec3 from, vec3 dir, vec3 axis, float stretch, float radius, b
                              bubble_to_sphere(dir, axis, stretch, radius), radius);
 }
 
-/* Returns the outward normal at a point of the surface. */
+/* Returns the outward normal at a surface point of a bubble. */
 vec3 bubble_normal(vec3 from, vec3 axis, float stretch, float radius, bool is_capsule)
 {
     if (is_capsule)

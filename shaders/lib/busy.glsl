@@ -1,5 +1,5 @@
-/* busy.glsl: arithmetic that compilers cannot remove, because each iteration depends on the one
- * before. */
+/* busy.glsl: dependent arithmetic of adjustable length that compilers cannot remove, to load a GPU.
+ */
 
 float busy(float x, uint rounds)
 {

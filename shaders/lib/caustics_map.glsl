@@ -1,17 +1,17 @@
 /*
- * caustics_map.glsl: the light map, on the floor's plane, in pool coordinates.
+ * caustics_map.glsl: coordinates of the pool's caustic map, on the plane of the floor.
  *
- * Light on a wall is behind it, where the sun's light through water at rest would go on to the
- * floor. A margin around the map is for light that waves deflect.
+ * A wall is mapped to where the sun's light through calm water would continue behind it to the
+ * floor. A margin around the map receives light that waves deflect.
  */
 #ifndef LIB_CAUSTICS_MAP_GLSL
 #define LIB_CAUSTICS_MAP_GLSL
 #include "water.h"
 
-const float caustics_map_margin = 0.15; /* share of the pool's depth */
+const float caustics_map_margin = 0.15; /* fraction of the pool's depth */
 
-/* Returns the region: in xy its corner with the lowest coordinates, in zw the lengths of its sides,
- * metres. `inside` is the direction of the sun's light below water at rest. */
+/* Returns the map's region in pool coordinates, metres: lower corner in xy, side lengths in zw.
+ * `inside` is the refracted direction of sunlight below calm water. */
 vec4 caustics_map_region(pool_params pool, vec3 inside)
 {
     vec2 shift = -inside.xy / inside.z * pool.depth;
@@ -21,8 +21,8 @@ vec4 caustics_map_region(pool_params pool, vec3 inside)
     return vec4(lower, upper - lower);
 }
 
-/* Returns how high above the floor the light of a place of the map meets a wall: 0 on the floor.
- * `facing` is the wall's normal. */
+/* Returns the height above the floor at which light to a point of the map hits a wall; 0 on the
+ * floor. `facing` becomes the wall's normal. */
 float caustics_map_height(pool_params pool, vec3 inside, vec2 at, out vec2 facing)
 {
     vec2 slope = inside.xy / -inside.z;

@@ -1,4 +1,4 @@
-/* constants.glsl: the specialization constants of constants.h, with defaults for most frames. */
+/* constants.glsl: declarations of the specialisation constants, with defaults for most frames. */
 #ifndef LIB_CONSTANTS_GLSL
 #define LIB_CONSTANTS_GLSL
 #include "constants.h"

@@ -1,4 +1,4 @@
-/* contact.glsl: what objects hide of the light on a surface, and bring to it, by the map of
+/* contact.glsl: ambient occlusion and bounced light of objects on surroundings, from
  * contact_map.frag. */
 #ifndef LIB_CONTACT_GLSL
 #define LIB_CONTACT_GLSL
@@ -12,8 +12,8 @@ layout(set = 0, binding = CONTACT_BINDING, scalar) uniform Contact
 
 layout(set = 0, binding = CONTACT_MAP) uniform sampler2D contact_map;
 
-/* Changes a surface's light by what objects hide and bring; `around`: the light on its matt base.
- * Where it is so smooth that mirror.c shows the objects in it, its glossy light is left to that. */
+/* Applies occlusion and bounced light of the objects to diffuse and specular light; `around` is the
+ * irradiance. Specular light of smooth surfaces is left to screen-space reflections (mirror.c). */
 void contact_shade(lit_surface s, lit_shares shares, vec3 point, vec3 n, vec3 around,
                    inout vec3 matt, inout vec3 glossy)
 {

@@ -1,15 +1,14 @@
 /*
- * depth_between.glsl: lookups in maps of depths, 0 where there is no face.
+ * depth_between.glsl: interpolation of depth maps in which 0 means no face.
  *
- * The latency of this function limits marches. Therefore it has no min(), which tests for NaN on
- * CPUs, and as few dependent additions as possible.
+ * Its latency limits ray marching, so it avoids min(), which tests for NaN on CPUs, and has as few
+ * dependent additions as possible.
  */
 #ifndef DEPTH_BETWEEN_GLSL
 #define DEPTH_BETWEEN_GLSL
 
-/* Returns the depth among four texels, in the order of textureGather(), of which a point is `share`
- * to the right of and below the first: bilinear if all of them show a face, else that of the
- * nearest one. */
+/* Returns the depth interpolated between four texels in textureGather() order, at `share` right of
+ * and below the first: bilinear if all have a face, otherwise nearest. */
 float depth_between(vec4 d, vec2 share)
 {
     float low = fma(share.x, d.z - d.w, d.w);

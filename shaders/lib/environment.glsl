@@ -1,11 +1,11 @@
-/* environment.glsl: radiance from infinitely far away. */
+/* environment.glsl: radiance of the environment: one colour, environment map or procedural sky. */
 #ifndef LIB_ENVIRONMENT_GLSL
 #define LIB_ENVIRONMENT_GLSL
 #include "background.h"
 #include "lib/constants.glsl"
 #include "lib/sky.glsl"
 
-/* Returns the radiance of the sun that is added to a panorama. */
+/* Returns the radiance of the sun's disc that is added to an environment map. */
 vec3 environment_sun(sampler2D environment, vec3 dir, float lod)
 {
     if (frame.sun_radius == 0.0)
@@ -15,7 +15,7 @@ vec3 environment_sun(sampler2D environment, vec3 dir, float lod)
     return min(frame.sun_light * sky_disc(dir, frame.sun_dir, frame.sun_radius, blur), 65000.0);
 }
 
-/* Returns the radiance along a unit direction; `lod` is the mip level of the environment image. */
+/* Returns the radiance along a unit direction; `lod` is the mip level of the environment map. */
 vec3 environment_radiance(sampler2D environment, vec3 dir, float lod)
 {
     if (constant_background == GLOBALS_COLOR)

@@ -1,4 +1,4 @@
-/* extra.glsl: what some vertices of surroundings have more than others (struct mesh_extra). */
+/* extra.glsl: optional vertex attributes of surroundings, tangent and second uv (mesh_extra). */
 #ifndef LIB_EXTRA_GLSL
 #define LIB_EXTRA_GLSL
 #include "background.h"
@@ -6,7 +6,7 @@
 
 layout(set = 0, binding = BACKGROUND_EXTRAS) uniform sampler2D extras;
 
-/* Returns a texel of this vertex. */
+/* Returns texel `index` of the current vertex. */
 vec4 extra_texel(int index)
 {
     int at = gl_VertexIndex * MESH_EXTRA_TEXELS + index;

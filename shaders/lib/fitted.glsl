@@ -4,7 +4,7 @@
 #include "lib/constants.glsl"
 #include "lib/globals.glsl"
 
-/* Returns the distance along the view's axis, metres. */
+/* Returns view-space depth in metres. */
 float fitted_distance(float depth)
 {
     float near = frame.fitted.x;

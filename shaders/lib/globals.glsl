@@ -1,4 +1,4 @@
-/* globals.glsl: the uniform buffer of globals.h, as `frame`. */
+/* globals.glsl: declares the uniform buffer of globals.h as `frame`. */
 #ifndef LIB_GLOBALS_GLSL
 #define LIB_GLOBALS_GLSL
 #include "globals.h"

@@ -1,7 +1,5 @@
-/*
- * ice_light.glsl: the sun's view of ground and ice (ice_caustics_light), as `light`. Its depth is
- * near plane over distance along the view's axis, 0 without a surface, as in the picture.
- */
+/* ice_light.glsl: light space of the sun for shadow and caustic maps (ice_caustics_light), as
+ * `light`. Depth is reversed: near plane over distance, 0 if there is no surface. */
 #ifndef LIB_ICE_LIGHT_GLSL
 #define LIB_ICE_LIGHT_GLSL
 #include "ice_caustics.h"
@@ -22,21 +20,20 @@ vec2 ice_light_uv(vec4 clip)
     return clip.xy / clip.w * 0.5 + 0.5;
 }
 
-/* Returns a point a little nearer to the sun than the surface it is on, either of whose normals is
- * `n`, so that the surface's own depth in the sun's view of all surroundings does not hide it. */
+/* Returns a point offset along `n` towards the sun by the shadow bias, against self-shadowing; `n`
+ * is either normal of the surface. */
 vec3 ice_light_lifted(vec3 point, vec3 n)
 {
     return point + (dot(n, frame.sun_dir) < 0.0 ? -light.lift : light.lift) * n;
 }
 
-/* Returns a position of the map in the sun's view of all surroundings. */
+/* Converts a position of the caustic map to the shadow map of all surroundings. */
 vec4 ice_light_shade_clip(vec4 clip)
 {
     return vec4(clip.xy * (light.reach / ICE_CAUSTICS_SHADE_REACH), clip.zw);
 }
 
-/* Looks up an image of the sun's view of the ice at a position of the map; 0 outside of the
- * image. */
+/* Samples a light-space image of the ice at a position of the caustic map; 0 outside the image. */
 vec4 ice_light_ice(sampler2D picture, vec2 uv)
 {
     vec2 at = (uv - 0.5) * light.reach + 0.5;
@@ -44,15 +41,15 @@ vec4 ice_light_ice(sampler2D picture, vec2 uv)
     return beside ? vec4(0.0) : textureLod(picture, at, 0.0);
 }
 
-/* Returns whether a position is before the ice's front faces. */
+/* Returns true if a light-space position is in front of the ice's front faces. */
 bool ice_light_is_before(sampler2D front, vec4 clip)
 {
     float depth = ice_light_ice(front, ice_light_uv(clip)).r;
     return depth > 0.0 && clip.z / clip.w > depth;
 }
 
-/* Returns whether a point is hidden from the sun: behind the farthest of the nearest texels of the
- * ground's depth, with a tolerance. */
+/* Returns true if a point is in shadow: behind the farthest of the four nearest texels of the
+ * ground's light-space depth, plus a tolerance. */
 bool ice_light_is_hidden(sampler2D ground, vec4 clip)
 {
     const float slack = 0.02 / ICE_CAUSTICS_DISTANCE;
@@ -61,15 +58,14 @@ bool ice_light_is_hidden(sampler2D ground, vec4 clip)
     return clip.z / clip.w < farthest * (1.0 - slack);
 }
 
-/* Returns the share of four texels beside each other, weighted by their distances to a place, that
- * are not nearer to the sun than the place. */
+/* Returns the lit fraction by percentage-closer filtering of four texels, bilinearly weighted. */
 float ice_light_open(sampler2D shade, vec2 uv, float depth)
 {
     vec2 at = uv * float(ICE_CAUSTICS_SHADE_SIZE) - 0.5;
     vec2 part = at - floor(at);
     uv = (floor(at) + 1.0) / float(ICE_CAUSTICS_SHADE_SIZE);
     vec4 open = vec4(lessThanEqual(textureGather(shade, uv), vec4(depth)));
-    vec2 across = mix(open.wx, open.zy, part.x); /* of the rows at lower and higher v */
+    vec2 across = mix(open.wx, open.zy, part.x); /* interpolated in u, at lower and higher v */
     return mix(across.x, across.y, part.y);
 }
 

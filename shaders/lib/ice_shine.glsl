@@ -1,4 +1,5 @@
-/* ice_shine.glsl: the sun's light on the surroundings of the ice, by the map of ice_caustics.c. */
+/* ice_shine.glsl: sunlight on surroundings of the ice: shadow map and caustic map of
+ * ice_caustics.c. */
 #ifndef LIB_ICE_SHINE_GLSL
 #define LIB_ICE_SHINE_GLSL
 #include "lib/constants.glsl"
@@ -11,12 +12,12 @@ layout(set = 0, binding = ICE_CAUSTICS_FRONT) uniform sampler2D shine_front;
 layout(set = 0, binding = ICE_CAUSTICS_SHADE) uniform sampler2D shine_shade;
 
 struct ice_shine {
-    vec3 through; /* light through the ice, relative to the sun's direct light */
-    float own;    /* share of the sun's direct light that the ice does not cover */
-    float open;   /* share of it that surroundings do not hide */
+    vec3 through; /* light through the ice, relative to direct sunlight */
+    float own;    /* fraction of direct sunlight that the ice does not block */
+    float open;   /* fraction of sunlight that surroundings do not block */
 };
 
-/* Returns `ice_shine.open` of a lifted point of the sun's view. Shadows fade towards its edge. */
+/* Returns the shadow map's visibility of a biased point; shadows fade towards the map's edge. */
 float ice_shine_open(vec4 clip)
 {
     vec2 uv = ice_light_uv(ice_light_shade_clip(clip));
@@ -27,8 +28,8 @@ float ice_shine_open(vec4 clip)
     return mix(ice_light_open(shine_shade, uv, clip.z / clip.w), 1.0, faded);
 }
 
-/* Returns the light at a point in the sun's view, ice_light_clip(). Points that are hidden from the
- * sun get none through the ice; `lifted` is the point for ice_shine_open(). */
+/* Returns the sunlight at a light-space position. Points in shadow get no light through the ice;
+ * `lifted` is the biased point for ice_shine_open(). */
 ice_shine ice_shine_seen(vec4 clip, vec4 lifted)
 {
     float open = ice_shine_open(lifted);
@@ -42,7 +43,7 @@ ice_shine ice_shine_seen(vec4 clip, vec4 lifted)
     return ice_shine(found.rgb, covered ? 1.0 - found.a : 1.0, open);
 }
 
-/* Returns the light at a point of a surface with a normal, as its vertices have it. */
+/* Returns the sunlight at a surface point with vertex normal `n`. */
 ice_shine ice_shine_at(vec3 point, vec3 n)
 {
     return ice_shine_seen(ice_light_clip(point), ice_light_clip(ice_light_lifted(point, n)));

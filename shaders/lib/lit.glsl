@@ -1,4 +1,5 @@
-/* lit.glsl: the materials of surfaces, their textures, and the light around them, for lit.h. */
+/* lit.glsl: shading of surface materials: normal map, environment, punctual lights (BRDF: lit.h).
+ */
 #ifndef LIB_LIT_GLSL
 #define LIB_LIT_GLSL
 #include "background.h"
@@ -13,8 +14,8 @@ layout(set = 0, binding = BACKGROUND_NUMBERS) uniform sampler2DArray numbers;
 layout(set = 0, binding = BACKGROUND_SPLIT) uniform sampler2D splits;
 layout(set = 0, binding = BACKGROUND_LIGHTS) uniform sampler2D lights;
 
-/* Turns a normal as a normal texture says, where the position grows along `along_u` with u, and
- * along `against_v` while v falls. */
+/* Returns `n` perturbed by a normal map with tangent `along_u`; `against_v` is the direction of -v.
+ */
 vec3 lit_bend_along(vec3 n, vec3 texel, vec2 scales, vec3 along_u, vec3 against_v)
 {
     vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
@@ -28,7 +29,7 @@ vec3 lit_bend_along(vec3 n, vec3 texel, vec2 scales, vec3 along_u, vec3 against_
 }
 
 #if !defined LIT_TRACED && !defined LIT_COARSE
-/* Turns a normal, of a point that lies at `point`. */
+/* Returns normal `n` perturbed by a normal map, with a tangent from screen-space derivatives. */
 vec3 lit_bend(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2 uv)
 {
     vec3 point_x = dFdx(point), point_y = dFdy(point);
@@ -39,7 +40,7 @@ vec3 lit_bend(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2 uv)
     return lit_bend_along(n, texel, scales, along_u, against_v);
 }
 
-/* Turns a normal as the normal texture of a row says; `outward` is that of the vertices. */
+/* Perturbs a normal by the normal map of a material row; `outward` is the vertex normal. */
 #ifdef BACKGROUND_EXTRA
 #define LIT_BEND(row, n, outward, texel, scales, point, uv) \
     lit_bend_extra(row, n, outward, texel, scales, point, uv)
@@ -64,8 +65,8 @@ vec3 lit_bend_extra(uint row, vec3 n, vec3 outward, vec3 texel, vec2 scales, vec
 
 /* ---- light ---- */
 
-/* Returns the light from around a direction, as far as a rough surface reflects it; `lod` is the
- * mip level of the environment picture for a mirror. */
+/* Returns the prefiltered specular environment light from a direction; `lod` is the mip level of
+ * the environment map for roughness 0. */
 vec3 lit_glossy(vec3 dir, float roughness, float lod)
 {
     if (constant_background == GLOBALS_COLOR)
@@ -82,8 +83,8 @@ vec3 lit_glossy(vec3 dir, float roughness, float lod)
     return mix(sharper, blurred, layer - first);
 }
 
-/* Returns what a surface at `point` reflects of the lights of files, which have no shadows; `base`
- * is as of lit_by_light_on(). */
+/* Returns a surface's radiance by the punctual lights of scene files, without shadows; `base` as in
+ * lit_by_light_on(). */
 vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
 {
     vec3 sum = vec3(0.0);
@@ -101,13 +102,13 @@ vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
     return sum;
 }
 
-/* The same of a surface without a film. */
+/* Returns a surface's radiance by punctual lights, without a water layer. */
 vec3 lit_by_lights(lit_surface s, vec3 point, vec3 n, vec3 to_eye)
 {
     return lit_by_lights_on(s, point, n, n, to_eye);
 }
 
-/* Returns what a surface reflects of an even environment. */
+/* Returns the split-sum factors of f0 and f90. */
 vec2 lit_split(float roughness, float n_dot_v)
 {
     vec2 at = lit_split_at(roughness, n_dot_v) + 0.5;
@@ -115,8 +116,7 @@ vec2 lit_split(float roughness, float n_dot_v)
 }
 
 #if !defined LIT_TRACED && !defined LIT_COARSE
-/* Returns the mip level of the environment picture in which a pixel's mirrored rays are a texel
- * apart, but not below `least`. */
+/* Returns the environment map's mip level for a pixel's reflected cone, at least `least`. */
 float lit_mirror_lod(vec3 dir, float least)
 {
     float width = float(textureSize(environment, 0).x);

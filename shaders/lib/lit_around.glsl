@@ -1,5 +1,4 @@
-/* lit_around.glsl: the light around surfaces that are no mirrors (lit.h), from a texture whose
- * binding is LIT_AROUND. */
+/* lit_around.glsl: diffuse environment light (lit.h), from the texture at binding LIT_AROUND. */
 #ifndef LIB_LIT_AROUND_GLSL
 #define LIB_LIT_AROUND_GLSL
 #include "background.h"
@@ -9,7 +8,7 @@
 
 layout(set = 0, binding = LIT_AROUND) uniform sampler2DArray environment_light;
 
-/* Returns the light on a matt white surface, without the sun of the built-in sky. */
+/* Returns the environment's light on a white diffuse surface, without the built-in sky's sun. */
 vec3 lit_matt(vec3 n)
 {
     if (constant_background == GLOBALS_COLOR)

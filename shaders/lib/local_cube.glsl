@@ -1,15 +1,14 @@
 /*
- * local_cube.glsl: the lookup of a cube that was captured in a box, for a ray that begins elsewhere
- * in the box.
+ * local_cube.glsl: box-projected cube map lookup, for rays that start off the capture point.
  *
- * ARM 2014, Guide to Unity (ARM 100140), 6.4: the cube is looked up along the vector from the point
- * of capture to the intersection of ray and box. Exact for surroundings on the box's sides.
+ * ARM 2014, Guide to Unity (ARM 100140), 6.4: the lookup direction goes from the capture point to
+ * the ray's intersection with the box. Exact for surroundings on the box's sides.
  */
 #ifndef LIB_LOCAL_CUBE_GLSL
 #define LIB_LOCAL_CUBE_GLSL
 
-/* Returns the direction of the lookup. `dir` may have any length. If the point is outside the box,
- * the box is inside out or the length is 0, returns `dir`, as for infinitely far surroundings. */
+/* Returns the lookup direction. `dir` may have any length. Returns `dir`, as for an infinitely far
+ * environment, if the point is outside, the box is inverted or the length is 0. */
 vec3 local_cube_dir(vec3 point, vec3 dir, vec3 low, vec3 high, vec3 captured)
 {
     bool inside = all(greaterThanEqual(point, low)) && all(lessThanEqual(point, high));

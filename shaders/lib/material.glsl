@@ -1,4 +1,4 @@
-/* material.glsl: the materials of surfaces and their textures. */
+/* material.glsl: access to the material texture and to textures of materials. */
 #ifndef LIB_MATERIAL_GLSL
 #define LIB_MATERIAL_GLSL
 #include "background.h"
@@ -17,12 +17,13 @@ vec4 material_texel(uint row, int column)
 /* ---- textures ---- */
 
 #if defined(BACKGROUND_EXTRA) || defined(LIT_TRACED)
-/* Of struct mesh_extra of the vertices; main() sets them, or who traces. */
+/* Optional attributes (struct mesh_extra) at the shaded point; set by main() or the ray tracer. */
 vec2 lit_other_uv;
 vec4 lit_tangent;
 #endif
 
-/* Returns a coordinate where the sampler does not reach beyond the picture's edge. */
+/* Returns a texture coordinate wrapped in the shader, for modes that the sampler does not provide.
+ */
 float lit_wrap(float x, float wrap, float size)
 {
     if (wrap == float(MATERIAL_WRAPS_REPEAT))
@@ -32,7 +33,7 @@ float lit_wrap(float x, float wrap, float size)
     return clamp(x, 0.5 / size, 1.0 - 0.5 / size);
 }
 
-/* Returns coordinates in a texture; `wraps`: as a material's row says it. */
+/* Returns wrapped texture coordinates; `wraps` is encoded as in the material row. */
 vec2 lit_wrapped(sampler2DArray of, vec2 at, float wraps)
 {
     vec2 size = vec2(textureSize(of, 0).xy);
@@ -41,9 +42,8 @@ vec2 lit_wrapped(sampler2DArray of, vec2 at, float wraps)
                 lit_wrap(at.y, wrap_v, size.y));
 }
 
-/* Rays have no derivatives along the picture: they read the first mip level (LIT_TRACED). Nor have
- * vertices: they read one with as few texels as there may be vertices beside each other
- * (LIT_COARSE). */
+/* Rays have no screen-space derivatives and read mip level 0 (LIT_TRACED). Vertices read a level of
+ * about 64 texels, the density of vertices (LIT_COARSE). */
 vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 {
 #ifdef LIT_TRACED
@@ -55,8 +55,8 @@ vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
 #endif
 }
 
-/* Returns a texel of one of a material's textures; white if it has none. `blur` is a factor on a
- * pixel's size. */
+/* Returns a texel of a material's texture; white if it has none. `blur` scales the pixel footprint.
+ */
 vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
 {
     vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
@@ -75,8 +75,8 @@ vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
     return lit_fetch(of, vec3(lit_wrapped(of, at, v.w), u.w - 1.0), at, blur);
 }
 
-/* Returns a texel of the base colour, of a vertex whose texture has this layer + 1: vertices
- * without a material may have one, too. */
+/* Returns the base colour of a material row or, without a material's texture, of texture layer
+ * `layer` - 1. */
 vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
 {
     bool is_of_row = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;
@@ -86,8 +86,8 @@ vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
 }
 
 #ifndef LIT_COARSE
-/* Returns the base colour and alpha of a surface for layers, without the vertices' colour; scenes
- * may have no rows. */
+/* Returns the base colour and alpha of a surface for layers, without vertex colour; also works in
+ * scenes without a material texture. */
 vec4 material_base(uint material, vec2 uv)
 {
     uint layer = material & MESH_TEXTURE_MASK;
@@ -102,8 +102,8 @@ vec4 material_base(uint material, vec2 uv)
 }
 #endif
 
-/* Returns whether layers look through a point: a hole, or where a blended surface is less than half
- * there. */
+/* Returns true if layers ignore a point: alpha-tested holes, and blended surfaces below half alpha.
+ */
 bool material_is_hole(uint material, float alpha)
 {
     uint row = material >> MESH_SURFACE_SHIFT;

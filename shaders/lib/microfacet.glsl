@@ -1,7 +1,5 @@
-/*
- * microfacet.glsl: rough surfaces by one microfacet for each sample of a pixel, as
- * src/reference/microfacet.h has them, with the same numbers.
- */
+/* microfacet.glsl: GGX visible-normal (VNDF) sampling and scrambled Sobol points, with the same
+ * numbers as src/reference/microfacet.c. */
 #ifndef LIB_MICROFACET_GLSL
 #define LIB_MICROFACET_GLSL
 
@@ -28,7 +26,7 @@ uint microfacet_scrambled(uint x, uint seed)
     return bitfieldReverse(x);
 }
 
-/* The second dimension of Sobol's sequence: Pascal's triangle, modulo 2, of the reversed index. */
+/* Returns the second Sobol dimension: Pascal's triangle modulo 2 applied to the reversed index. */
 uint microfacet_sobol_second(uint index)
 {
     uint x = bitfieldReverse(index);

@@ -1,5 +1,5 @@
-/* octahedron.glsl: unit vectors as two numbers in -1 to 1 (Meyer and others 2010, "On
- * floating-point normal vectors"). */
+/* octahedron.glsl: octahedral encoding of unit vectors (Meyer et al. 2010, "On floating-point
+ * normal vectors"). */
 #ifndef LIB_OCTAHEDRON_GLSL
 #define LIB_OCTAHEDRON_GLSL
 

@@ -1,30 +1,30 @@
 /*
- * optics.glsl: reflection and refraction at a smooth surface between two media.
+ * optics.glsl: reflection and refraction at a smooth interface between two media.
  *
  * "SN" equations are those of Seipel and Nivfors 2006, Efficient Rendering of Multiple Refractions
- * and Reflections in Natural Objects, with their letters:
- *   e    unit vector from the eye to the surface point
- *   n_f  unit outward normal of the front face, n_f.e < 0
- *   n_b  unit outward normal of the back face behind it, n_b.e > 0; never flipped to the viewer
- *   eta  refractive index of the incident medium over that of the other one
+ * and Reflections in Natural Objects, with the paper's letters. e: unit vector from camera to
+ * surface point. n_f: unit outward normal of the front face, n_f.e < 0. n_b: unit outward normal of
+ * the back face behind it, n_b.e > 0, never flipped towards the viewer. eta: refractive index of
+ * the incident medium over that of the other one.
  */
 #ifndef LIB_OPTICS_GLSL
 #define LIB_OPTICS_GLSL
 
-/* SN eq. 1. Not normalised, as in the paper: its length falls to 1 - 2a at the silhouette. */
+/* Blends front and back normals, SN eq. 1. Not normalised, as printed: the length is 1 - 2a at the
+ * silhouette. */
 vec3 optics_blend_normals(vec3 n_f, vec3 n_b, float a)
 {
     return n_f * (1.0 - a) - n_b * a;
 }
 
-/* The radicand of SN eq. 2; if it is below 0, light is totally reflected. */
+/* Returns the radicand of SN eq. 2; below 0, reflection is total. */
 float optics_refract_k(vec3 e, vec3 n, float eta)
 {
     float c = dot(n, e);
     return 1.0 - eta * eta * (1.0 - c * c);
 }
 
-/* SN eq. 2, which is GLSL's refract(). Returns the reflected direction on total reflection. */
+/* Refracts e, SN eq. 2, GLSL's refract(); returns the reflected direction on total reflection. */
 vec3 optics_refract(vec3 e, vec3 n_r, float eta)
 {
     float k = optics_refract_k(e, n_r, eta);
@@ -33,27 +33,26 @@ vec3 optics_refract(vec3 e, vec3 n_r, float eta)
     return eta * e - (eta * dot(n_r, e) + sqrt(k)) * n_r;
 }
 
-/* SN eq. 3, which is GLSL's reflect(). */
+/* Reflects e at the front face, SN eq. 3, GLSL's reflect(). */
 vec3 optics_reflect(vec3 e, vec3 n_f)
 {
     return e - 2.0 * dot(n_f, e) * n_f;
 }
 
-/* SN eq. 4, an approximation of Fresnel's equations: 0 at perpendicular incidence, where ice has
- * 0.0179. */
+/* Approximates Fresnel reflectance by SN eq. 4: 0 at normal incidence, where ice has 0.0179. */
 float optics_fresnel_paper(vec3 e, vec3 n)
 {
     float f = 1.0 - abs(dot(e, n));
     return f * f * f;
 }
 
-/* SN eq. 6. (Eq. 5 is missing from the paper.) */
+/* Mixes reflected and refracted radiance, SN eq. 6. (Eq. 5 is missing from the paper.) */
 vec3 optics_compose(vec3 reflected, vec3 refracted, float f)
 {
     return f * reflected + (1.0 - f) * refracted;
 }
 
-/* Fresnel's equations for unpolarised light; 1 on total reflection. `n` may face either side. */
+/* Returns the unpolarised Fresnel reflectance; 1 on total reflection. `n` may face either side. */
 float optics_fresnel(vec3 e, vec3 n, float eta)
 {
     float ci = abs(dot(e, n));
@@ -67,9 +66,9 @@ float optics_fresnel(vec3 e, vec3 n, float eta)
 }
 
 /*
- * Returns the reflectance of a thin gap with parallel sides, including all reflections between
- * them: the gap transmits (1 - R) / (1 + R). `eta` is that of the first side. Transmitted light
- * keeps its direction. Interference is left out: the gap is wider than a wavelength.
+ * Returns the reflectance of a thin gap with parallel sides, including multiple reflections in the
+ * gap: it transmits (1 - R) / (1 + R). `eta` is that of the first side. Transmitted light keeps its
+ * direction. No interference: the gap is wider than a wavelength.
  */
 float optics_gap(vec3 e, vec3 n, float eta)
 {

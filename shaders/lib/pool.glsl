@@ -1,7 +1,7 @@
 /*
- * pool.glsl: a box of water, and the sun's light in it.
+ * pool.glsl: geometry of the pool, a box of water, and sunlight in it.
  *
- * Pool coordinates: z up, the water at rest at 0; x is the world's, y is its -z.
+ * Pool coordinates have z up and calm water at 0; x is the world's x, y is the world's -z.
  */
 #ifndef LIB_POOL_GLSL
 #define LIB_POOL_GLSL
@@ -18,20 +18,20 @@ vec3 pool_to_world(vec3 v)
     return vec3(v.x, v.z, -v.y);
 }
 
-/* Returns the direction towards the sun; if it has set, along the horizon. */
+/* Returns the direction to the sun; at the horizon if it has set. */
 vec3 pool_sun_dir()
 {
     vec3 dir = pool_from_world(frame.sun_dir);
     return normalize(vec3(dir.xy, max(dir.z, 0.02)));
 }
 
-/* Returns the direction of the sun's light below water at rest. */
+/* Returns the refracted direction of sunlight below calm water. */
 vec3 pool_sun_inside(float ior)
 {
     return refract(-pool_sun_dir(), vec3(0.0, 0.0, 1.0), 1.0 / ior);
 }
 
-/* Returns the length of a ray from inside a box to its side; dir may be 0 along an axis. */
+/* Returns the distance from a point inside a box to its side; dir may be 0 along an axis. */
 float pool_exit(vec3 from, vec3 dir, vec3 lower, vec3 upper)
 {
     vec3 far = mix(upper, lower, lessThan(dir, vec3(0.0)));
@@ -39,20 +39,20 @@ float pool_exit(vec3 from, vec3 dir, vec3 lower, vec3 upper)
     return max(min(t.x, min(t.y, t.z)), 0.0);
 }
 
-/* Returns whether a point is on the water's surface. */
+/* Returns true if a point is on the water's surface. */
 bool pool_is_open(vec2 p, float size)
 {
     return max(abs(p.x), abs(p.y)) <= 0.5 * size;
 }
 
-/* Returns whether the rim leaves the way free from a point of the water's surface to the sun. */
+/* Returns true if the pool's rim does not block the sun at a point of the water's surface. */
 bool pool_is_lit(vec3 at, vec3 sun, float size)
 {
     float rise = max(POOL_RIM - at.z, 0.0) / sun.z;
     return pool_is_open(at.xy, size) && pool_is_open(at.xy + rise * sun.xy, size);
 }
 
-/* Returns the share of water at rest that is not in the rim's shadow. */
+/* Returns the fraction of calm water that is not in the rim's shadow. */
 float pool_lit_share(vec3 sun, float size)
 {
     vec2 lit = clamp(1.0 - abs(sun.xy) * POOL_RIM / (sun.z * size), 0.0, 1.0);

@@ -1,5 +1,5 @@
-/* pose.glsl: transforms vertices of the scene's meshes to their pose at this time. Poses are
- * rotations, so normals are transformed alike. */
+/* pose.glsl: animation transforms of the scene's meshes; rotations, so they also apply to normals.
+ */
 #ifndef LIB_POSE_GLSL
 #define LIB_POSE_GLSL
 #include "lib/globals.glsl"

@@ -1,12 +1,12 @@
-/* see_through.glsl: the holes of surfaces with materials, and what is seen through them. */
+/* see_through.glsl: alpha test and stochastic transparency of surfaces with materials. */
 #ifndef LIB_SEE_THROUGH_GLSL
 #define LIB_SEE_THROUGH_GLSL
 #include "lib/constants.glsl"
 #include "lib/globals.glsl"
 #include "material.h"
 
-/* Returns whether a pixel of a blended surface lets the background through: of the samples of a
- * pixel, as many as the alpha says (Enderton et al. 2010, "Stochastic transparency"). */
+/* Returns true if a blended surface is skipped in this sample; a fraction alpha of a pixel's
+ * samples keep it (Enderton et al. 2010, "Stochastic transparency"). */
 bool is_seen_through(float alpha, uint row)
 {
     float of_pixel = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));

@@ -1,4 +1,4 @@
-/* sky.glsl: the functions of sky.h with the values of globals. */
+/* sky.glsl: the sky functions of sky.h with the parameters of globals. */
 #ifndef LIB_SKY_GLSL
 #define LIB_SKY_GLSL
 #include "lib/globals.glsl"
@@ -9,13 +9,13 @@ vec3 sky_radiance(vec3 dir)
     return frame.sky_strength * sky_seen(dir, frame.sun_dir, frame.sun_strength);
 }
 
-/* Returns the light of the sky on a matt white surface. */
+/* Returns the sky's light on a white diffuse surface. */
 vec3 sky_ambient(vec3 normal)
 {
     return frame.sky_strength * sky_diffuse(normal);
 }
 
-/* Returns the light of the sun on a matt white surface that faces it. */
+/* Returns the sun's light on a white diffuse surface that faces it. */
 vec3 sky_sun()
 {
     return frame.sun_light;

@@ -1,9 +1,9 @@
-/* strip.glsl: a square grid as one triangle strip. */
+/* strip.glsl: vertex indexing of a square grid drawn as one triangle strip. */
 #ifndef LIB_STRIP_GLSL
 #define LIB_STRIP_GLSL
 
-/* Returns the corner for a vertex of the strip, for `cells` squares along each side. Rows of cells
- * are joined by degenerate triangles: cells * (2 * cells + 4) vertices. */
+/* Returns the grid corner of a strip vertex, for `cells` squares per side. Rows are joined by
+ * degenerate triangles: cells * (2 * cells + 4) vertices. */
 uvec2 strip_corner(uint index, uint cells)
 {
     uint row_length = 2u * cells + 4u;

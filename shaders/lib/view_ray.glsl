@@ -1,11 +1,11 @@
-/* view_ray.glsl: the picture's rays, which begin at the eye, or in an orthographic picture in the
- * plane through the eye across the view's axis. */
+/* view_ray.glsl: primary rays, and depth along them. They start at the camera or, in orthographic
+ * views, on the plane through it that is perpendicular to the view axis. */
 #ifndef LIB_VIEW_RAY_GLSL
 #define LIB_VIEW_RAY_GLSL
 #include "lib/constants.glsl"
 #include "lib/globals.glsl"
 
-/* Returns the unit direction of the ray that sees a point; `eye_to_point` is from frame.eye. */
+/* Returns the unit direction of the primary ray through the point frame.eye + eye_to_point. */
 vec3 view_dir(vec3 eye_to_point)
 {
     if (constant_orthographic != 0u)
@@ -13,11 +13,11 @@ vec3 view_dir(vec3 eye_to_point)
     return normalize(eye_to_point);
 }
 
-/* Returns what view_at() takes; it is linear over the picture. */
+/* Returns a pixel's ray parameter for view_at(); linear in screen space. */
 vec3 view_ray(vec2 ndc)
 {
     mat4 m = frame.clip_from_world;
-    /* The rows of a projection are the picture's axes, divided by its half sizes. */
+    /* Rows of a projection matrix are the image axes divided by its half sizes. */
     vec3 x = vec3(m[0][0], m[1][0], m[2][0]);
     vec3 y = vec3(m[0][1], m[1][1], m[2][1]);
     vec3 w = vec3(m[0][3], m[1][3], m[2][3]);
@@ -28,7 +28,7 @@ vec3 view_ray(vec2 ndc)
     return inverse(transpose(mat3(x, y, w))) * vec3(ndc, 1.0);
 }
 
-/* Returns the point of a ray at a distance along the view's axis, metres, from the eye. */
+/* Returns the point, relative to the camera, of a primary ray at a view-space depth in metres. */
 vec3 view_at(vec3 ray, float distance)
 {
     if (constant_orthographic != 0u)
@@ -36,13 +36,13 @@ vec3 view_at(vec3 ray, float distance)
     return distance * ray;
 }
 
-/* Returns the length of a ray per length along the view's axis. */
+/* Returns the ratio of a primary ray's length to its view-space depth. */
 float view_slant(vec3 ray)
 {
     return constant_orthographic != 0u ? 1.0 : length(ray);
 }
 
-/* Converts a depth by `clip_from_world` to metres along the view's axis. */
+/* Converts depth by `clip_from_world` to view-space depth in metres. */
 float view_distance(mat4 clip_from_world, float depth)
 {
     if (constant_orthographic != 0u) {

@@ -1,4 +1,4 @@
-/* absorb.c: absorption of light in the object, by the law of Beer and Lambert. */
+/* absorb.c: Beer-Lambert absorption of light in the object: settings and uniforms. */
 #include "src/tech/absorb.h"
 #include "src/tech/frame.h"
 

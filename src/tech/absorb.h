@@ -1,9 +1,9 @@
-/* absorb.h: absorption of light in the object. */
+/* absorb.h: settings of Beer-Lambert absorption in the object. */
 #ifndef TECH_ABSORB_H
 #define TECH_ABSORB_H
 #include "src/tech/technique.h"
 
-/* Absorption coefficients: the share exp(-coefficient * length) of the light passes the object. */
+/* Absorption coefficients; the transmittance of a path is exp(-coefficient * length). */
 struct absorb_params {
     float red, green, blue; /* 1 / metre */
 };

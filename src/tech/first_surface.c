@@ -1,8 +1,8 @@
 /*
- * first_surface.c: what the nearest surface is: the layers albedo, object and motion.
+ * first_surface.c: albedo, object and motion layers (AOVs) of the first visible surface.
  *
- * Holes of materials show what is behind them, and so does a blended surface where its alpha is
- * below one half. Motion is that of the surface itself, not of what is seen in it or through it.
+ * Alpha-tested holes show what is behind them, and so do blended surfaces where alpha is below one
+ * half. Motion vectors are those of the surface itself, not of what it reflects or refracts.
  */
 #include "src/tech/first_surface.h"
 #include "shaders/embedded.h"
@@ -32,7 +32,7 @@ static const struct rg_image first_surface_depth = {
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
-/* Imported: positions of vertices in the frame before, of an animated model. */
+/* Imported vertex positions of an animated model in the previous frame. */
 static const struct rg_image first_surface_positions = {
     .name = "first_surface.positions",
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
@@ -43,7 +43,7 @@ static const struct rg_image first_surface_positions = {
 /* Imported: model.opaque_starts. */
 static const struct rg_image first_surface_starts = {
     .name = "first_surface.starts",
-    .format = VK_FORMAT_R8G8B8A8_UNORM, /* bytes of a number: devices need not filter numbers */
+    .format = VK_FORMAT_R8G8B8A8_UNORM, /* bytes of a 32-bit number, filterable */
     .width = 1,
     .height = 1,
 };
@@ -165,11 +165,11 @@ static struct technique_texels find_starts(const struct scene *scene)
     };
 }
 
-static const float nowhere[4] = { 0 };
+static const float no_position[4] = { 0 };
 static const uint32_t no_start;
 
 static const struct technique_import imports[] = {
-    { &first_surface_positions, find_positions, nowhere },
+    { &first_surface_positions, find_positions, no_position },
     { &first_surface_starts, find_starts, &no_start },
     { 0 },
 };
@@ -179,28 +179,30 @@ static const struct frame_layer layers[] = {
         .name = "albedo",
         .image = &first_surface_albedo,
         .planes = { "albedo.R", "albedo.G", "albedo.B" },
-        .help = "base colour of the first surface, linear",
+        .help = "linear base colour of the first visible surface",
     },
     {
         .name = "object",
         .image = &first_surface_object,
         .planes = { "object.Z" },
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "number of the first surface's object, as firn/objects names it; 0: no surface",
+        .help = "number of the first visible surface's object (names: firn/objects), 0 if there is "
+                "none",
     },
     {
         .name = "motion",
         .image = &first_surface_motion,
         .planes = { "motion.X", "motion.Y" },
         .shown = FRAME_SHOWN_POSITION,
-        .help = "pixels by which the first surface moved since the frame before, right and down",
+        .help =
+            "motion of the first visible surface since the previous frame, pixels right and down",
     },
     { 0 },
 };
 
 const struct technique first_surface = {
     .name = "first_surface",
-    .help = "base colour, object and motion of the nearest surface",
+    .help = "base colour, object and motion of the first visible surface",
     .layers = layers,
     .uploads = uploads,
     .imports = imports,

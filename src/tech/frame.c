@@ -1,4 +1,4 @@
-/* frame.c: images, samplers and record functions that techniques share. */
+/* frame.c: images, samplers and record functions shared by all techniques. */
 #include "src/tech/frame.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -61,14 +61,14 @@ const struct rg_image frame_display = {
     .format = VK_FORMAT_R8G8B8A8_UNORM,
 };
 
-/* The sizes of these are those of the setting's default; frame_plan_init() sets others. */
+/* Sizes are those of the setting's default; frame_plan_init() replaces them. */
 const struct rg_image frame_env_cube = {
     .name = "env_cube.color",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
     .width = 512,
     .height = 512,
     .cube = true,
-    .persistent = true, /* faces that are not due keep their content */
+    .persistent = true, /* cube faces that are not redrawn keep their content */
 };
 
 const struct rg_image frame_env_cube_depth = {
@@ -91,7 +91,7 @@ const struct rg_buffer frame_samples = {
     .memory = RG_MEMORY_UPLOAD,
 };
 
-/* Imported images; these sizes are those of the fallbacks. */
+/* Imported images; the sizes are those of fallbacks, for scenes without the image. */
 const struct rg_image frame_environment = {
     .name = "frame.environment",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
@@ -167,7 +167,7 @@ const struct rg_sampler frame_texture_sampler = {
     .anisotropy = FRAME_ANISOTROPY,
 };
 
-/* Returns the object that the row draws; NULL if it is not one of several. */
+/* Returns the object that a pass draws; NULL if the pass draws all objects. */
 static const struct frame_object *owner(const struct rg_pass *row, const struct rg_frame *frame)
 {
     for (size_t i = 0; i < frame->object_count; i++) {

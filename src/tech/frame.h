@@ -1,5 +1,5 @@
 /*
- * frame.h: what techniques share: the data of a frame that their functions read, images, samplers.
+ * frame.h: state of a frame that all techniques read, and the images and samplers they share.
  */
 #ifndef FIRN_TECH_FRAME_H
 #define FIRN_TECH_FRAME_H
@@ -15,86 +15,84 @@
 struct technique;
 struct window_frame;
 
-/* What a frame shows, and how; for functions that compute uniform data. */
+/* Scene, settings and camera of a frame, from which techniques compute uniform data. */
 struct frame_view {
     const struct scene *scene;
     const struct settings *settings;
     struct camera camera;
-    float time;             /* seconds */
-    uint32_t width, height; /* pixels */
-    vec2s jitter;           /* of the sample, pixels */
-    vec2s light_jitter;     /* of the sample's photons, each in [-0.5, 0.5) */
-    uint32_t face_size;     /* of the cube around the object, texels */
-    vec2s tile;             /* of an interleaved tile: offset of its pixels, in pixels of the
-                               picture, from the middle of each block of all tiles' pixels */
-    uint32_t sample;        /* of the picture, from 0 */
-    float lod_bias;         /* of an interleaved tile: -log2 of the distance of its pixels in the
-                               picture; else 0 */
-    mat4s clip_from_world_earlier; /* of the frame before */
+    float time;             /* animation time, seconds */
+    uint32_t width, height; /* image size in pixels */
+    vec2s jitter;           /* subpixel offset of the sample, pixels */
+    vec2s light_jitter;     /* offset of the sample's photons, each in [-0.5, 0.5) */
+    uint32_t face_size;     /* size of the environment cube's faces, texels */
+    /* of an interleaved tile: offset of its pixels from the block's middle, image pixels */
+    vec2s tile;
+    uint32_t sample; /* index of the sample in the image, from 0 */
+    float lod_bias;  /* mip level bias of a tile, -log2 of its pixel spacing; otherwise 0 */
+    mat4s clip_from_world_earlier; /* of the previous frame */
 };
 
-/* Returns the time of the frame before, seconds, at least 0. */
+/* Returns the time of the previous frame in seconds, at least 0. */
 float frame_time_before(const struct settings *settings, float time);
 
-/* Computes the poses of the objects, which turn about `center`, and of what moves around them. */
+/* Computes the rotations of the objects about `center` and of what orbits them. */
 void frame_turn(const struct frame_view *view, vec3s center, float time, mat4s *world_from_object,
                 mat4s *world_from_movers);
 
-/* The rows that draw one of several refractive objects, and which one in this frame. */
+/* One of several refractive objects and the passes that draw it in this frame. */
 struct frame_object {
     const struct rg_pass *rows;
     size_t row_count;
-    uint32_t first_index, index_count; /* its triangles in the mesh of all objects */
-    VkRect2D area, lookup_area;        /* as those of struct rg_frame */
-    VkRect2D reach;                    /* pixels of the view that its rays may look up */
-    uint32_t layer;                    /* objects of a layer cannot look each other up */
-    const struct frame_object *next;   /* of its layer: drawn by the same passes; NULL: none */
-    VkRect2D drawn; /* by its rows: the reach of its layer; nothing if another's rows draw it */
+    uint32_t first_index, index_count; /* the object's triangles in the mesh of all objects */
+    VkRect2D area, lookup_area;        /* as in struct rg_frame */
+    VkRect2D reach;                    /* pixels of the view that the object's rays may look up */
+    uint32_t layer;                    /* layer: objects that do not look up each other's images */
+    const struct frame_object *next;   /* next of the layer, with the same passes; NULL if last */
+    /* drawn area: reach of its layer; empty if another's passes draw it */
+    VkRect2D drawn;
 };
 
-/* What a frame draws of what is kept from frame to frame: src/frame/cube.h. */
+/* Cached results that a frame has to redraw (src/frame/cube.h). */
 struct frame_due {
-    uint32_t faces; /* a bit for each of the cube's */
-    bool light;     /* that comes through objects, if any does */
+    uint32_t faces; /* bit mask of the environment cube's faces */
+    bool light;     /* the maps of light that objects transmit */
 };
 
 /*
- * What a record function may read: the struct that graph/rg.h leaves to the program. The renderer
- * fills it once a frame.
+ * State that record functions may read; graph/rg.h declares the struct, programs define it. The
+ * renderer fills it once per frame.
  */
 struct rg_frame {
     const struct settings *settings;
     const struct scene *scene;
-    struct rg_mesh object;              /* all refractive objects */
-    const struct frame_object *objects; /* empty if there is one object, or none */
+    struct rg_mesh object;              /* mesh of all refractive objects */
+    const struct frame_object *objects; /* empty if there are fewer than two objects */
     size_t object_count;
-    struct rg_mesh surroundings;  /* may be empty */
-    const struct rg_mesh *meshes; /* of the techniques, for frame_draw_mesh() */
+    struct rg_mesh surroundings;  /* mesh of the surroundings; may be empty */
+    const struct rg_mesh *meshes; /* meshes by technique, for frame_draw_mesh() */
     VkRect2D object_area;         /* pixels of the view that contain the whole object */
-    VkRect2D lookup_area;         /* pixels of the view in which shaders look up its faces */
-    VkRect2D foot_area;           /* pixels in which ground at its foot may mirror it */
+    VkRect2D lookup_area; /* pixels of the view in which shaders look up the object's faces */
+    VkRect2D foot_area;   /* pixels of the view in which the ground may reflect the object */
     struct background_push view;
-    float time;                      /* seconds */
+    float time;                      /* animation time, seconds */
     vec2s light_jitter;              /* as in struct frame_view */
-    struct background_push faces[6]; /* of the cube around the object, Vulkan's order */
+    struct background_push faces[6]; /* views of the environment cube's faces, in Vulkan's order */
     struct frame_due due;
-    bool stays;                        /* on the device: it is shown, and not read back */
-    const struct window_frame *window; /* src/view/present.h; NULL: there is no window */
+    bool stays; /* the frame is presented from device memory and not read back */
+    const struct window_frame *window; /* src/view/present.h; NULL if there is no window */
 };
 
-/* The layout of struct mesh_vertex (shaders/mesh.h). */
+/* Vertex layout of struct mesh_vertex (shaders/mesh.h). */
 extern const struct rg_vertex_layout frame_mesh_layout;
 
-/* The uniform buffer of struct globals (shaders/globals.h), and the use with which most rows
- * begin. */
+/* Uniform buffer of struct globals (shaders/globals.h), and the use that most passes start with. */
 extern const struct rg_buffer frame_globals;
 #define FRAME_USE_GLOBALS \
     { \
         .buffer = &frame_globals, .access = RG_UNIFORM, .binding = GLOBALS_BINDING \
     }
 
-/* FRAME_READ is a use of an image whose texels shaders fetch; FRAME_SAMPLE takes further fields of
- * struct rg_use, such as the sampler. */
+/* Uses of an image: FRAME_READ for texel fetches; FRAME_SAMPLE takes more fields, as a sampler. */
 #define FRAME_READ(read_image, at) \
     { \
         .image = &(read_image), .access = RG_SAMPLED, .binding = (at) \
@@ -104,54 +102,55 @@ extern const struct rg_buffer frame_globals;
         .image = &(sampled_image), .access = RG_SAMPLED, .binding = (at), __VA_ARGS__ \
     }
 
-/* The results of a frame. */
+/* The images that a frame produces. */
 extern const struct rg_image frame_color;   /* linear radiance, alpha 1 */
-extern const struct rg_image frame_depth;   /* reversed: 1 near, 0 infinitely far */
-extern const struct rg_image frame_display; /* for the eye: 8 bits, sRGB-encoded */
+extern const struct rg_image frame_depth;   /* reversed depth: 1 near, 0 infinitely far */
+extern const struct rg_image frame_display; /* display image: 8 bits, sRGB-encoded */
 
-/* The environment cube: linear radiance; alpha: 1 / distance, 1 / metre; and the depths of its
- * faces, whose size is a setting. frame_env_cube_baked is the one for files; its faces have the
- * view's size. */
+/* Environment cube: rgb: linear radiance; a: 1 / distance in metres. Its depth buffers have the
+ * size given by a setting. frame_env_cube_baked is written to files, with faces of the view's size.
+ */
 extern const struct rg_image frame_env_cube, frame_env_cube_depth, frame_env_cube_baked;
 
-/* The mean of many samples, which the renderer writes: texels of frame_color, rows tight. */
+/* Mean of many samples, written by the renderer: tightly packed rows of frame_color's texels. */
 extern const struct rg_buffer frame_samples;
 
-/* Imported images of the scene. */
-extern const struct rg_image frame_environment; /* equirectangular; 1x1 if the scene has none */
-extern const struct rg_image frame_textures;    /* surroundings' textures; 1x1 if it has none */
-extern const struct rg_image frame_numbers;     /* those of what is no colour, likewise */
-extern const struct rg_image frame_materials;   /* shaders/material.h; 1x1 if nothing has any */
-/* The lights of files (shaders/lit.h); 1x1 if there are none. */
+/* Images imported from the scene. */
+extern const struct rg_image frame_environment; /* equirectangular; 1x1 if there is none */
+extern const struct rg_image frame_textures;    /* colour textures; 1x1 if there are none */
+extern const struct rg_image frame_numbers;     /* non-colour textures; 1x1 if there are none */
+extern const struct rg_image frame_materials;   /* shaders/material.h; 1x1 without materials */
+/* Punctual lights of scene files (shaders/lit.h); 1x1 if there are none. */
 extern const struct rg_image frame_lights;
-/* Of the surroundings' vertices (shaders/mesh.h); 1x1 if they have none. */
+/* Optional vertex attributes of the surroundings (shaders/mesh.h); 1x1 if there are none. */
 extern const struct rg_image frame_extras;
-/* Tables of light on surfaces (shaders/lit.h); 1x1 if nothing needs them. */
+/* Prefiltered environment light and split-sum table (shaders/lit.h); 1x1 if unused. */
 extern const struct rg_image frame_surface_light, frame_surface_split;
 
-/* Samplers. The settings and the device limit the anisotropy. */
+/* Samplers; settings and device limit the anisotropy. */
 #define FRAME_ANISOTROPY 16.0f
-extern const struct rg_sampler frame_linear;              /* clamped, one mip */
-extern const struct rg_sampler frame_environment_sampler; /* wraps around, all mips */
-extern const struct rg_sampler frame_texture_sampler;     /* repeats, all mips, anisotropic */
+extern const struct rg_sampler frame_linear;              /* bilinear, clamped, one mip level */
+extern const struct rg_sampler frame_environment_sampler; /* wraps around horizontally, trilinear */
+extern const struct rg_sampler frame_texture_sampler;     /* repeats, trilinear, anisotropic */
 
-/* The pixels of the view that contain the row's object. */
+/* Returns the area of the view, in pixels, that contains the pass's object. */
 VkRect2D frame_object_area(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* The refractive object of the scene that a row draws; the scene must have listed its objects. */
+/* Returns the refractive object that a pass draws; the scene must have listed its objects. */
 const struct object *frame_object_of(const struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* The area of a row that draws one of several objects, and the row of the next one of its layer. */
+/* Return the area in which a pass draws one of several objects, and the pass of the next object of
+ * its layer. */
 VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *frame);
 const struct rg_pass *frame_object_more(const struct rg_pass *row, const struct rg_frame *frame);
 
-/* Record functions of rows without push constants: they draw the row's object, a triangle that
- * covers the picture (screen.vert), and that triangle within lookup_area. */
+/* Record functions of passes without push constants: draw the pass's object; a full-screen triangle
+ * (screen.vert); that triangle within lookup_area. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame);
 
-/* Draws the mesh that the technique's `mesh` function returned. */
+/* Draws the mesh that the technique's `mesh` function has returned. */
 void frame_draw_mesh(struct rg_cmd *cmd, const struct rg_frame *frame,
                      const struct technique *technique);
 
@@ -159,8 +158,8 @@ enum {
     FRAME_SMOOTH_COUNT = 3
 };
 
-/* What shaders/trace_smooth.glsl writes if a choice smooths: light, and the share of samples that
- * gather it; the share of all; the place. None of them is a layer of --aov. */
+/* Outputs of shaders/trace_smooth.glsl for the denoise pass: light and the fraction of samples that
+ * gathered it, throughput, position. They are not offered as layers of --aov. */
 extern const struct frame_layer frame_smooth_layers[FRAME_SMOOTH_COUNT];
 
 #endif

@@ -1,4 +1,4 @@
-/* frame_media.c: indices and absorption of a scene's objects. */
+/* frame_media.c: media of a scene's objects: refractive index, absorption, surface parameters. */
 #include "src/tech/frame_media.h"
 #include "src/tech/absorb.h"
 #include "src/tech/refract.h"
@@ -6,9 +6,9 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-/* KHR_materials_dispersion: the index of red is n - h and of blue n + h, where h = (n - 1) 0.025
+/* KHR_materials_dispersion: the indices of red and blue are n - h and n + h with h = (n - 1) 0.025
  * dispersion. */
-static void spread(float ior[static 3], float middle, float dispersion)
+static void disperse(float ior[static 3], float middle, float dispersion)
 {
     const float half = (middle - 1.0f) * 0.025f * dispersion;
     ior[0] = middle - half;
@@ -16,10 +16,11 @@ static void spread(float ior[static 3], float middle, float dispersion)
     ior[2] = middle + half;
 }
 
-static struct frame_medium bare(const struct refract_params *refract, vec3s absorption)
+static struct frame_medium medium_of_settings(const struct refract_params *refract,
+                                              vec3s absorption)
 {
     struct frame_medium medium = { .absorption = absorption, .tint = glms_vec3_one(), .rank = 1 };
-    spread(medium.ior, refract->ior, refract->dispersion);
+    disperse(medium.ior, refract->ior, refract->dispersion);
     return medium;
 }
 
@@ -36,18 +37,18 @@ static struct frame_medium medium_of(const struct material *material, bool has_o
     };
     if (absorption.x > 0.0f || absorption.y > 0.0f || absorption.z > 0.0f)
         medium.absorption = absorption;
-    spread(medium.ior, has_own_ior ? material->ior : refract->ior,
-           refract->dispersion > 0.0f ? refract->dispersion : material->dispersion);
+    disperse(medium.ior, has_own_ior ? material->ior : refract->ior,
+             refract->dispersion > 0.0f ? refract->dispersion : material->dispersion);
     return medium;
 }
 
 float frame_media_air(const struct scene *scene)
 {
-    /* glTF's outside is empty; the paper's is air. */
+    /* glTF assumes vacuum outside, the paper air. */
     return frame_media_are_bare(scene) ? REFRACT_IOR_AIR : 1.0f;
 }
 
-/* Returns the index of what is around the objects. */
+/* Returns the refractive index of the outside. */
 static float outside_of(const struct scene *scene, const struct settings *settings)
 {
     const float outside = refract_outside(scene, settings);
@@ -90,9 +91,9 @@ struct frame_medium frame_medium_at(const struct scene *scene, const struct sett
     const bool is_bare = frame_media_are_bare(scene);
     struct frame_medium medium = { .tint = glms_vec3_one() };
     if (index + 1 == frame_media_count(scene)) {
-        spread(medium.ior, outside_of(scene, settings), 0.0f);
+        disperse(medium.ior, outside_of(scene, settings), 0.0f);
     } else if (is_bare) {
-        medium = bare(refract, absorption);
+        medium = medium_of_settings(refract, absorption);
     } else {
         medium = medium_of(&model->materials[model->objects[index].material],
                            refract->ior == scene->settled_ior, refract, absorption);

@@ -1,12 +1,12 @@
 /*
- * ice_depth.c: depth of the ice's front and back faces.
+ * ice_depth.c: depth maps of the ice's front and back faces, and the layers made of them.
  *
- * Seipel and Nivfors 2006, section 3.3: the near plane at the front, the far plane at the back of
- * the object's bounding sphere, so that the depth buffer spends all its precision on the object.
- * The paper's textures are 512 x 512; these are of the view's size, as the layers are.
+ * Seipel and Nivfors 2006, section 3.3: near and far plane enclose the object's bounding sphere, so
+ * that the depth buffer spends all its precision on the object. The paper's textures have 512 x 512
+ * texels; these have the view's size, as the layers have.
  *
- * Convex objects only: in a concave one, not every point between the nearest front face and the
- * farthest back face is inside.
+ * Exact for convex objects only: in a concave one, not every point between the nearest front face
+ * and the farthest back face is inside.
  */
 #include "src/tech/ice_depth.h"
 #include "shaders/embedded.h"
@@ -73,7 +73,7 @@ static const struct frame_layer layers[] = {
         .image = &ice_depth_layers,
         .planes = { "front.Z" },
         .shown = FRAME_SHOWN_DISTANCE,
-        .help = "distance of the ice's front along the view axis, metres; 0: no ice",
+        .help = "view-space depth of the ice's nearest front face, metres; 0 without ice",
     },
     {
         .name = "back.Z",
@@ -81,7 +81,7 @@ static const struct frame_layer layers[] = {
         .planes = { "back.Z" },
         .first_channel = 1,
         .shown = FRAME_SHOWN_DISTANCE,
-        .help = "distance of the ice's back along the view axis, metres; 0: no ice",
+        .help = "view-space depth of the ice's farthest back face, metres; 0 without ice",
     },
     {
         .name = "thickness",
@@ -89,14 +89,14 @@ static const struct frame_layer layers[] = {
         .planes = { "thickness.Z" },
         .first_channel = 2,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "distance from the ice's front to its back along the ray, metres",
+        .help = "distance between front and back of the ice along the primary ray, metres",
     },
     { 0 },
 };
 
 const struct technique ice_depth = {
     .name = "ice_depth",
-    .help = "depth of the ice's front and back faces, in a range fitted to the ice",
+    .help = "depth maps of the ice's front and back faces, with depth range fitted to the ice",
     .layers = layers,
     .parts = { { PHASE_DEPTHS, .graph = RG_TECHNIQUE("ice_depth", passes) } },
 };

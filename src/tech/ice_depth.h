@@ -1,18 +1,17 @@
-/* ice_depth.h: depth of the ice's front and back faces in each pixel. */
+/* ice_depth.h: depth maps of the ice's front and back faces. */
 #ifndef TECH_ICE_DEPTH_H
 #define TECH_ICE_DEPTH_H
 #include "src/tech/technique.h"
 
-/* Depth by globals.fitted_clip_from_world, 0 near, 1 far, of the nearest front face (1: none) and
- * of the farthest back face (0: none). shaders/lib/fitted.glsl converts it to metres. */
+/* Depth by globals.fitted_clip_from_world, 0 near, 1 far: nearest front face (1 if there is none)
+ * and farthest back face (0 if there is none). shaders/lib/fitted.glsl converts to metres. */
 extern const struct rg_image ice_depth_front, ice_depth_back;
 
-/* The layers: depth of front and back along the view's axis and thickness along the ray, metres; 0
- * without ice. */
+/* View-space depth of front and back, and thickness along the ray, in metres; 0 without ice. */
 extern const struct rg_image ice_depth_layers;
 
-/* Fields of a row that draws by globals.fitted_clip_from_world: its depth test rejects fragments
- * behind the farthest back face. */
+/* Fields of a pass that draws by globals.fitted_clip_from_world: rejects fragments behind the
+ * farthest back face. */
 #define ICE_DEPTH_BEFORE_BACK \
     .depth = { &ice_depth_back, RG_LOAD_KEEP }, .depth_read_only = true, \
     .depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL

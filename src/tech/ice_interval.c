@@ -1,10 +1,10 @@
 /*
- * ice_interval.c: the intervals of each pixel's ray that are inside the ice.
+ * ice_interval.c: intervals of primary rays inside concave ice, by depth peeling.
  *
- * Seipel and Nivfors 2006 take the nearest front and the farthest back face for the two ends of one
+ * Seipel and Nivfors 2006 use the nearest front and the farthest back face as the ends of a single
  * interval, which is right for convex objects only. Depth peeling (Everitt 2001) finds all faces in
- * their order: each layer draws the object once more and keeps the nearest faces behind the layer
- * before. Depth is fitted to the object, as in ice_depth.
+ * order: each pass draws the object again and keeps the nearest faces behind the previous layer.
+ * Depth is fitted to the object, as in ice_depth.
  *
  * The object must be closed. Points behind the last layer count as outside.
  */
@@ -37,7 +37,8 @@ const struct rg_image ice_interval_far[ICE_INTERVAL_MAX] = {
 
 /* ---- rows ---- */
 
-/* Draws front and back faces; each layer from depth.layer on keeps the nearest that is left. */
+/* Draws all faces; with RG_PER_LAYER once per layer, each keeping the nearest faces not yet peeled.
+ */
 static const struct rg_pass peel = {
     .depth = { .load = RG_LOAD_CLEAR, .clear = { .depthStencil = { 1.0f, 0 } } },
     .depth_compare = VK_COMPARE_OP_LESS,
@@ -56,7 +57,7 @@ static const struct rg_pass count = {
 
 static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
 
-/* Returns the uses of a row that reads the globals and a range of layers. */
+/* Returns the uses of a pass that reads the globals and a range of layers. */
 static const struct rg_use *use_before(struct row_builder *builder, const struct rg_image *layers,
                                        struct rg_range range)
 {
@@ -71,7 +72,7 @@ static const struct rg_use *use_before(struct row_builder *builder, const struct
     return row_builder_uses(builder, (const struct rg_use *const[]){ globals_use, before }, 2);
 }
 
-/* Fills rows for the first layer and, if there are several, for each further one behind it. */
+/* Writes passes for the first layer and, if there are several, for the layers behind it. */
 static struct rg_pass *peel_all(struct rg_pass *row, struct row_builder *builder,
                                 const struct rg_image *layers, const char *first, const char *next)
 {
@@ -111,7 +112,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
         peel_all(middle, builder, far, "ice_interval.middle", "ice_interval.last");
     rows->uses = globals_use;
     rows->frag = &ice_interval_first_frag;
-    /* This row peels behind the last layer of the nearer image. */
+    /* peels behind the last layer of the nearer image */
     middle->uses = use_before(builder, near, (struct rg_range){ .layer = near->layers - 1 });
     middle->frag = &ice_interval_next_frag;
     *last = count;
@@ -130,8 +131,8 @@ static const struct setting rows[] = {
         .min = 1,
         .max = ICE_INTERVAL_MAX,
         .affects = SETTING_AFFECTS_PLAN,
-        .help =
-            "maximum number of entries of a ray into a concave object, for cracks.clip=interval",
+        .help = "maximum number of intervals of a ray inside a concave object, for "
+                "cracks.clip=interval",
     },
 };
 
@@ -150,14 +151,14 @@ static const struct frame_layer layers[] = {
         .image = &ice_interval_count,
         .planes = { "intervals.Z" },
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "number of intervals of the ray inside the ice",
+        .help = "number of intervals of the primary ray inside the ice",
     },
     { 0 },
 };
 
 const struct technique ice_interval = {
     .name = "ice_interval",
-    .help = "intervals of each ray inside the ice",
+    .help = "intervals of primary rays inside the ice, by depth peeling",
     .parts = { { PHASE_DEPTHS, .rows = make_rows } },
     .layers = layers,
 };

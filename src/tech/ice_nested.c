@@ -1,12 +1,12 @@
 /*
- * ice_nested.c: faces of bodies that are in other bodies.
+ * ice_nested.c: depth layers of nested objects and cavities.
  *
  * Depth peeling from both sides (Everitt 2001; Bavoil and Myers 2008, Order Independent
- * Transparency with Dual Depth Peeling): each level keeps the nearest and the farthest face of
- * those that are between the faces of the level around it. For convex bodies in each other these
- * are their front and back faces.
+ * Transparency with Dual Depth Peeling): each level keeps the nearest and the farthest of the faces
+ * that lie between those of the surrounding level. With convex objects these are front and back
+ * faces.
  *
- * Error: of bodies that are beside each other in a level, one hides parts of the other.
+ * Error: objects side by side in a level hide parts of each other.
  */
 #include "src/tech/ice_nested.h"
 #include <cglm/struct.h>
@@ -100,7 +100,7 @@ static const struct rg_pass passes[] = {
     FACES("ice_nested.far_innermost", 5, FAR, BEHIND(2)),
 };
 
-/* Returns the medium of the object of that rank; 0 is the one around all. */
+/* Returns the medium of the object with priority `rank`; 0, the outside, if there is none. */
 static uint32_t medium_of(const struct model *model, uint32_t rank)
 {
     for (uint32_t i = 0; i < model->object_count; i++) {
@@ -110,7 +110,7 @@ static uint32_t medium_of(const struct model *model, uint32_t rank)
     return 0;
 }
 
-/* Draws the object of the row, and those that are in it. */
+/* Draws the object of the pass and all objects nested in it. */
 static void record(struct rg_cmd *cmd, const struct rg_frame *frame, bool is_far)
 {
     const struct model *model = &frame->scene->model;
@@ -135,7 +135,7 @@ static void record_far(struct rg_cmd *cmd, const struct rg_frame *frame)
     record(cmd, frame, true);
 }
 
-/* Makes a row draw the wide maps instead. */
+/* Redirects a pass to the wide maps. */
 static void widen(struct row_builder *builder, struct rg_pass *row)
 {
     struct rg_target *color = row_builder_targets(builder, row->color, row->color_count);
@@ -210,7 +210,7 @@ static const struct technique_upload uploads[] = {
 
 const struct technique ice_nested = {
     .name = "ice_nested",
-    .help = "faces of objects in objects, and of cavities",
+    .help = "depth layers of nested objects and cavities",
     .parts = { { PHASE_NORMALS, .rows = make_rows } },
     .uploads = uploads,
 };

@@ -1,31 +1,31 @@
 /*
- * ice_nested.h: faces of bodies that are in other bodies: objects in objects, and cavities.
+ * ice_nested.h: depth layers of nested objects and cavities.
  *
- * Level 0 is between the nearest and the farthest face that a pixel sees; the next level is
- * between the nearest and the farthest face of those that are between the two, and so on.
+ * Level 0 lies between a pixel's nearest and farthest face; each further level lies between the
+ * nearest and the farthest of the faces strictly inside the previous one.
  */
 #ifndef TECH_ICE_NESTED_H
 #define TECH_ICE_NESTED_H
 #include "shaders/ice_nested.h"
 #include "src/tech/technique.h"
 
-/* Layers: near and far face of level 0, of level 1, and so on. Depth by globals.clip_from_world, as
- * that of ice_normal.h. Of normals, xyz: unit, world, away from the level; w: 1 + the medium in the
- * level at this face, or 0 without a face. */
+/* Image layers: near and far face of level 0, then of level 1, and so on. Depth is by
+ * globals.clip_from_world, as in ice_normal.h. Normals: xyz: unit, world, pointing out of the
+ * level; w: 1 + medium in the level at this face, or 0 if there is no face. */
 extern const struct rg_image ice_nested_depths, ice_nested_normals;
 
-/* The same of the wider area of ice_normal.h, if technique_choice.is_wide. */
+/* Depth layers of the wider area of ice_normal.h, if technique_choice.is_wide. */
 extern const struct rg_image ice_nested_wide_depths, ice_nested_wide_normals;
 
 extern const struct rg_buffer ice_nested_media; /* struct ice_nested_media */
 
-/* Whether there are objects in others. */
+/* Returns true if objects are nested in others. */
 bool ice_nested_is_in(const struct scene *scene);
 
-/* Whether there are no more media than the maps can tell apart. */
+/* Returns true if the number of media is within the limit of the maps. */
 bool ice_nested_fits(const struct scene *scene);
 
-/* Returns the number of objects that are within no other one. */
+/* Returns the number of objects that are not nested in another one. */
 uint32_t ice_nested_outermost_count(const struct scene *scene);
 
 #endif

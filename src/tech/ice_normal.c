@@ -1,13 +1,13 @@
 /*
- * ice_normal.c: world normals and depth of the back faces, and of the front faces.
+ * ice_normal.c: G-buffers of the ice: normals, depth and surface parameters of its faces.
  *
- * Seipel and Nivfors 2006, section 3.2: rendered to a floating-point texture of the window's size,
- * interpolated and normalised. Of several back faces behind each other the nearest counts: it is
- * where a ray that enters a convex part leaves it. The front faces are for rungs that trace light
- * back to them. Surroundings in front of the ice do not hide its faces here.
+ * Seipel and Nivfors 2006, section 3.2: normals in a floating-point texture of the window's size,
+ * interpolated and normalised. Of several back faces the nearest counts: there a ray leaves the
+ * convex part that it entered. Front faces are for refraction models that trace light back to them.
+ * Surroundings in front of the ice do not hide its faces here.
  *
- * A draw resets the normals where shaders may look them up, not a clear: llvmpipe clears formats of
- * more than four bytes a texel with a function call for each texel.
+ * Normals are reset by a draw limited to where shaders may look them up, not by a clear: llvmpipe
+ * clears formats of more than four bytes per texel with a function call for each texel.
  */
 #include "src/tech/ice_normal.h"
 #include "shaders/embedded.h"
@@ -17,7 +17,7 @@
 #include "src/tech/pool.h"
 #include "src/tech/row_builder.h"
 
-static rg_record_fn record_dressed;
+static rg_record_fn record_textured;
 
 const struct rg_image ice_normal_back = {
     .name = "ice_normal.back",
@@ -83,13 +83,13 @@ const struct rg_image ice_normal_wide_front_depth = {
     .scale = ICE_NORMAL_WIDE,
 };
 
-/* Replaces frame_depth where that is kept. */
+/* depth buffer used if the content of frame_depth must be kept */
 static const struct rg_image front_test = {
     .name = "ice_normal.front_test",
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
-static const struct rg_use smooth_uses[] = { FRAME_USE_GLOBALS, { 0 } };
+static const struct rg_use plain_uses[] = { FRAME_USE_GLOBALS, { 0 } };
 static const struct rg_use bumped_uses[] = { FRAME_USE_GLOBALS, BUMP_USE_MAP, { 0 } };
 
 enum {
@@ -104,9 +104,9 @@ enum {
         .name = "ice_normal.wide_" #side, \
         .color = RG_TARGETS({ &ice_normal_wide_##side, RG_LOAD_CLEAR }), \
         .depth = { &ice_normal_wide_##side##_depth, RG_LOAD_CLEAR }, \
-        .depth_compare = VK_COMPARE_OP_GREATER, .uses = smooth_uses, \
-        .vert = &ice_normal_wide_vert, .frag = &ice_normal_frag, .vertices = &frame_mesh_layout, \
-        .cull = (culled), .record = frame_draw_object, \
+        .depth_compare = VK_COMPARE_OP_GREATER, .uses = plain_uses, .vert = &ice_normal_wide_vert, \
+        .frag = &ice_normal_frag, .vertices = &frame_mesh_layout, .cull = (culled), \
+        .record = frame_draw_object, \
     }
 
 static const struct rg_pass passes[] = {
@@ -120,9 +120,9 @@ static const struct rg_pass passes[] = {
     {
         .name = "ice_normal.back",
         .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }),
-        .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* to 0: infinity */
+        .depth = { &ice_normal_back_depth, RG_LOAD_CLEAR }, /* cleared to 0: infinity */
         .depth_compare = VK_COMPARE_OP_GREATER,
-        .uses = smooth_uses,
+        .uses = plain_uses,
         .vert = &ice_normal_vert,
         .frag = &ice_normal_frag,
         .vertices = &frame_mesh_layout,
@@ -157,12 +157,12 @@ static const struct rg_pass passes[] = {
         .color.float32 = { 1.0f, 1.0f, 1.0f, 0.0f } \
     }
 
-static const struct rg_target dressed_backs[] = {
+static const struct rg_target textured_backs[] = {
     { &ice_normal_back, RG_LOAD_KEEP },
     { &ice_normal_dress_back, CLEAR_TO_ONE },
 };
 
-static const struct rg_target dressed_fronts[] = {
+static const struct rg_target textured_fronts[] = {
     { &ice_normal_front, RG_LOAD_KEEP },        { &ice_normal_front_depth, RG_LOAD_CLEAR },
     { &ice_normal_shading, RG_LOAD_DISCARD },   { &ice_normal_dress_front, CLEAR_TO_ONE },
     { &ice_normal_dress_shine, RG_LOAD_CLEAR },
@@ -182,19 +182,19 @@ static const struct rg_use front_uses[] = {
     { 0 },
 };
 
-/* Makes a row of faces show the textures of an object's material. */
-static void dress_row(struct rg_pass *row, bool is_front)
+/* Makes a G-buffer pass evaluate the textures of an object's material. */
+static void texture_row(struct rg_pass *row, bool is_front)
 {
-    row->color = is_front ? dressed_fronts : dressed_backs;
+    row->color = is_front ? textured_fronts : textured_backs;
     row->color_count = is_front ? 5 : 2;
     row->vert = &ice_dress_vert;
     row->frag = is_front ? &ice_dress_front_frag : &ice_dress_back_frag;
     row->uses = is_front ? front_uses : back_uses;
     row->push_size = sizeof(struct ice_dress_push);
-    row->record = record_dressed;
+    row->record = record_textured;
 }
 
-static void record_dressed(struct rg_cmd *cmd, const struct rg_frame *frame)
+static void record_textured(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct model *model = &frame->scene->model;
     const struct object *object = frame_object_of(cmd, frame);
@@ -210,16 +210,15 @@ static void record_dressed(struct rg_cmd *cmd, const struct rg_frame *frame)
     frame_draw_object(cmd, frame);
 }
 
-/* Whether frame_depth is not for the front faces: it has a finished picture, or that of other
- * objects, of which rungs that draw faces are the ones to add to it. */
+/* Returns true if front faces must not be drawn to frame_depth, because it holds a finished image
+ * or the depth of other objects, which only the refraction model's own passes may extend. */
 static bool keeps_depth(const struct technique_choice *choice)
 {
     const bool are_many = choice->object_count > 1;
     return choice->has_pool || choice->keeps_depth || (are_many && !choice->rung->rung.by_pixel);
 }
 
-/* Makes a row of faces reset the normals itself: in the small area of limited rows a clear costs
- * less than a pass. */
+/* Makes a pass clear the normals: in a limited area a clear costs less than an extra pass. */
 static void clear_normals(struct row_builder *builder, struct rg_pass *row)
 {
     struct rg_target *color = row_builder_targets(builder, row->color, row->color_count);
@@ -228,7 +227,7 @@ static void clear_normals(struct row_builder *builder, struct rg_pass *row)
     row->color = color;
 }
 
-/* In a pool the rows are drawn after the background, keep its depth, and show no bumps. */
+/* Returns the G-buffer passes. In a pool they run after the background and have no bump mapping. */
 static struct rg_technique make_rows(const struct technique_choice *choice,
                                      struct row_builder *builder)
 {
@@ -239,10 +238,10 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
         return (struct rg_technique){ 0 };
     rows[FRONT_ROW].vert = bumped ? &refract_bump_vert : &refract_vert;
     rows[FRONT_ROW].frag = bumped ? &ice_front_bump_frag : &ice_front_frag;
-    rows[FRONT_ROW].uses = bumped ? bumped_uses : smooth_uses;
+    rows[FRONT_ROW].uses = bumped ? bumped_uses : plain_uses;
     if (choice->is_dressed) {
-        dress_row(&rows[BACK_ROW], false);
-        dress_row(&rows[FRONT_ROW], true);
+        texture_row(&rows[BACK_ROW], false);
+        texture_row(&rows[FRONT_ROW], true);
     }
     if (keeps_depth(choice))
         rows[FRONT_ROW].depth.image = &front_test;
@@ -256,8 +255,8 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
     return (struct rg_technique){ "ice_normal", rows, count };
 }
 
-/* Rungs look up each object's back faces alone, so that the map has those of the last one at the
- * end: the layer has all of them, each object's before those of farther ones. */
+/* Returns a pass that draws the back faces of all objects for the layer: refraction models
+ * overwrite the map per object, so that it ends with those of the last one. */
 static struct rg_technique make_layer(const struct technique_choice *choice,
                                       struct row_builder *builder)
 {
@@ -267,7 +266,7 @@ static struct rg_technique make_layer(const struct technique_choice *choice,
         return (struct rg_technique){ 0 };
     row->name = "ice_normal.all_back";
     if (choice->is_dressed)
-        dress_row(row, false);
+        texture_row(row, false);
     clear_normals(builder, row);
     return (struct rg_technique){ "ice_normal", row, 1 };
 }
@@ -278,14 +277,14 @@ static const struct frame_layer layers[] = {
         .image = &ice_normal_back,
         .planes = { "back.N.X", "back.N.Y", "back.N.Z" },
         .shown = FRAME_SHOWN_DIRECTION,
-        .help = "outward world normal of the ice's back face",
+        .help = "outward world-space normal of the ice's nearest back face",
     },
     { 0 },
 };
 
 const struct technique ice_normal = {
     .name = "ice_normal",
-    .help = "outward normals and depth of the ice's faces",
+    .help = "G-buffers of the ice: outward normals and depth of front and back faces",
     .parts = { { PHASE_NORMALS, SCENE_OF_ANY, .rows = make_rows },
                { PHASE_FACES, SCENE_OF_ANY, .rows = make_layer } },
     .layers = layers,

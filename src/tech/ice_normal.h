@@ -1,30 +1,31 @@
-/* ice_normal.h: normals and depth of the ice's back and front faces as the eye sees them. */
+/* ice_normal.h: G-buffers of the ice's front and back faces. */
 #ifndef TECH_ICE_NORMAL_H
 #define TECH_ICE_NORMAL_H
 #include "src/tech/technique.h"
 
-/* xyz: outward unit normal, world, which points away from the eye; w: 1, or 0 without a face */
+/* xyz: outward unit normal, world, facing away from the camera; w: 1, or 0 if there is no face */
 extern const struct rg_image ice_normal_back;
 
-extern const struct rg_image ice_normal_front; /* as ice_normal_back; points towards the eye */
+extern const struct rg_image ice_normal_front; /* as ice_normal_back; faces the camera */
 
-/* Where there are front faces, xyz: their normal with bumps; w: eq. 4 of the paper, interpolated
- * from the vertices. Undefined elsewhere. */
+/* xyz: bump-mapped normal of the front face; w: Fresnel reflectance by eq. 4 of the paper,
+ * interpolated from the vertices. Undefined where there is no front face. */
 extern const struct rg_image ice_normal_shading;
 
-/* If technique_choice.is_dressed, of front and of back faces, rgb: the share of light that passes,
- * tinted; a: the roughness. Without a face 1, 1, 1. */
+/* rgb: tinted transmittance of the front and back surface; a: roughness. 1, 1, 1 if there is no
+ * face. Only if technique_choice.is_dressed. */
 extern const struct rg_image ice_normal_dress_front, ice_normal_dress_back;
 
-/* Radiance of what a front face neither reflects nor lets pass, likewise. */
+/* Radiance of the opaque base at front faces, if technique_choice.is_dressed. */
 extern const struct rg_image ice_normal_dress_shine;
 
-/* Their depth by globals.clip_from_world: near plane over distance; 0 without a face. */
+/* Depth of the faces by globals.clip_from_world: near plane over distance; 0 if there is no face.
+ */
 extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 
 /*
- * The same of an area that is larger than the picture to all sides, by globals.wide_share, if
- * technique_choice.is_wide: faces beyond the picture's edges, for rays inside the object.
+ * G-buffers of an area larger than the image on all sides, by globals.wide_share, if
+ * technique_choice.is_wide: for rays inside an object that extends beyond the image.
  */
 #define ICE_NORMAL_WIDE 1.5f
 extern const struct rg_image ice_normal_wide_back, ice_normal_wide_front;

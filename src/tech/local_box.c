@@ -1,4 +1,4 @@
-/* local_box.c: the box on whose sides rays end if refract.lookup is `box`. */
+/* local_box.c: box of projected environment lookups (refract.lookup=box). */
 #include "src/tech/local_box.h"
 #include <math.h>
 #include "src/tech/frame.h"
@@ -7,12 +7,13 @@
     { \
         .name = "local." #field, .type = SETTING_FLOAT, \
         .offset = offsetof(struct local_params, field), .min = -1e6, .max = 1e6, .unit = "metres", \
-        .help = "box of refract.lookup=box: " what " (all six 0: bounds of the surroundings)" \
+        .help = \
+            "box of refract.lookup=box: " what " (if all six are 0: bounds of the surroundings)" \
     }
 
 static const struct setting local_rows[] = {
-    LOCAL(left, "least x"),   LOCAL(right, "greatest x"), LOCAL(bottom, "least y"),
-    LOCAL(top, "greatest y"), LOCAL(back, "least z"),     LOCAL(front, "greatest z"),
+    LOCAL(left, "minimum x"), LOCAL(right, "maximum x"), LOCAL(bottom, "minimum y"),
+    LOCAL(top, "maximum y"),  LOCAL(back, "minimum z"),  LOCAL(front, "maximum z"),
 };
 
 const struct setting_group local_settings = SETTING_GROUP("local", local_rows, struct local_params);
@@ -39,7 +40,7 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 
 const struct technique local_box = {
     .name = "local_box",
-    .help = "box onto which the environment is projected",
+    .help = "box projection of the environment",
     .settings = { &local_settings },
     .write_globals = write_globals,
 };

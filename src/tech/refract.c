@@ -1,4 +1,4 @@
-/* refract.c: rows, layers and settings of all refraction rungs. */
+/* refract.c: passes, layers and settings shared by all raster refraction models. */
 #include "src/tech/refract.h"
 #include <assert.h>
 #include "shaders/constants.h"
@@ -40,7 +40,7 @@ const struct rg_image refract_way = {
 
 static const struct rg_target color_targets[] = {
     [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
-    /* A value below 0 marks pixels without ice. */
+    /* negative: marks pixels without ice */
     [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } },
 };
 
@@ -68,12 +68,12 @@ static const struct rg_use scene_uses[] = {
 
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
-/* Rows that draw front faces find the nearest ones by a depth test; rows that shade pixels use the
- * depth of ice_normal.front. */
+/* Passes that draw front faces find the nearest by a depth test; those that shade a full-screen
+ * triangle use the depth of ice_normal.front. */
 static const struct rg_pass color_row = {
     .color = color_targets,
     .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
-    .depth = { &frame_depth, RG_LOAD_CLEAR }, /* to 0: infinity */
+    .depth = { &frame_depth, RG_LOAD_CLEAR }, /* cleared to 0: infinity */
     .depth_compare = VK_COMPARE_OP_GREATER,
 };
 
@@ -111,7 +111,7 @@ const struct rg_use refract_cloud_uses[] = {
     { 0 },
 };
 
-static bool shows_bumps(const struct technique_choice *choice)
+static bool has_bumps(const struct technique_choice *choice)
 {
     return choice->rung->rung.rows->bump_frag && bump.is_on(choice->settings);
 }
@@ -131,7 +131,7 @@ void refract_choose(struct technique_choice *choice, const struct scene *scene)
     choice->is_cloudy = refract_is_cloudy(choice->rung, scene, choice->settings);
 }
 
-/* Makes a row draw front faces, with eq. 4 at the vertices. */
+/* Makes a pass draw the front faces, with Fresnel reflectance by eq. 4 at the vertices. */
 static void draw_faces(struct rg_pass *row, const struct refract_rung *rung, bool bumped)
 {
     row->vert = rung->vert ? rung->vert : bumped ? &refract_bump_vert : &refract_vert;
@@ -139,7 +139,7 @@ static void draw_faces(struct rg_pass *row, const struct refract_rung *rung, boo
     row->cull = VK_CULL_MODE_BACK_BIT;
 }
 
-static const struct rg_shader *clear_frag(const struct technique_choice *choice, bool bumped,
+static const struct rg_shader *plain_frag(const struct technique_choice *choice, bool bumped,
                                           bool is_layers)
 {
     const struct refract_rung *rung = choice->rung->rung.rows;
@@ -152,8 +152,8 @@ static const struct rg_shader *clear_frag(const struct technique_choice *choice,
     return is_layers ? rung->layers_frag : rung->frag;
 }
 
-static const struct rg_shader *cloudy_frag(const struct technique_choice *choice, bool bumped,
-                                           bool is_layers)
+static const struct rg_shader *scattering_frag(const struct technique_choice *choice, bool bumped,
+                                               bool is_layers)
 {
     const struct refract_cloudy *cloudy = choice->rung->rung.rows->cloudy;
     if (choice->is_nested)
@@ -171,7 +171,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
 {
     const struct technique *technique = choice->rung;
     const struct refract_rung *rung = technique->rung.rows;
-    const bool bumped = shows_bumps(choice);
+    const bool bumped = has_bumps(choice);
     assert(technique->rung.choose || !rung->dress_frag);
     const struct rg_use *const uses[] = {
         technique->rung.by_pixel ? pixel_uses : face_uses,
@@ -193,8 +193,8 @@ static struct rg_technique make_row(const struct technique_choice *choice,
         row->vert = rung->vert ? rung->vert : &refract_seen_vert;
     else
         draw_faces(row, rung, bumped);
-    row->frag = choice->is_cloudy ? cloudy_frag(choice, bumped, is_layers)
-                                  : clear_frag(choice, bumped, is_layers);
+    row->frag = choice->is_cloudy ? scattering_frag(choice, bumped, is_layers)
+                                  : plain_frag(choice, bumped, is_layers);
     row->push_size = rung->push_size;
     row->record = rung->record ? rung->record : frame_draw_object;
     return (struct rg_technique){ technique->name, row, 1 };
@@ -240,7 +240,7 @@ static const struct setting rows[] = {
         .initial = 1.3091,
         .min = 1.0,
         .max = 4.0,
-        .help = "refractive index of the object; --material sets it, too",
+        .help = "refractive index of the object; also set by --material",
     },
     {
         .name = "refract.outside",
@@ -259,7 +259,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_params, dispersion),
         .max = 10,
         .switches = SETTING_AFFECTS_PLAN,
-        .help = "dispersion of the object, 20 / Abbe number; 0.376 is ice",
+        .help = "dispersion of the object as 20 / Abbe number; ice has 0.376",
     },
     {
         .name = "refract.fresnel",
@@ -269,8 +269,8 @@ static const struct setting rows[] = {
         .max = REFRACT_FRESNEL_AUTO,
         .choices = fresnels,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "reflectance: the paper's eq. 4, Fresnel's equations, or constant "
-                "refract.crossfade (auto: exact, but for the rung paper)",
+        .help = "reflectance: the paper's eq. 4, the exact Fresnel equations, or the constant "
+                "refract.crossfade (auto: exact, except for refraction model paper)",
     },
     {
         .name = "refract.crossfade",
@@ -278,7 +278,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_params, crossfade),
         .initial = 0.8,
         .max = 1,
-        .help = "refracted share of light with refract.fresnel=crossfade",
+        .help = "transmitted fraction of light with refract.fresnel=crossfade",
     },
     {
         .name = "refract.lookup",
@@ -288,8 +288,8 @@ static const struct setting rows[] = {
         .max = REFRACT_LOOKUP_AUTO,
         .choices = lookups,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "position of the environment: infinitely far away, at its distance, or on a box "
-                "(auto: distance, but infinite for the rung paper)",
+        .help = "environment lookup: infinitely far away, ray marched to stored distances, or box "
+                "projection (auto: distance, except for refraction model paper: infinite)",
     },
     {
         .name = "refract.steps",
@@ -299,7 +299,7 @@ static const struct setting rows[] = {
         .min = 1,
         .max = 64,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "steps of the distance search with refract.lookup=distance",
+        .help = "ray marching steps with refract.lookup=distance",
     },
 };
 
@@ -311,7 +311,7 @@ float refract_outside(const struct scene *scene, const struct settings *settings
     return scene->has_pool ? REFRACT_IOR_AIR : params->outside;
 }
 
-/* KHR_materials_dispersion: the index of red is n - h and of blue n + h, where h = (n - 1) 0.025
+/* KHR_materials_dispersion: the indices of red and blue are n - h and n + h with h = (n - 1) 0.025
  * dispersion. */
 static void write_globals(const struct frame_view *view, struct globals *g)
 {
@@ -356,21 +356,21 @@ static const struct frame_layer layers[] = {
         .image = &refract_exit,
         .planes = { "exit.X", "exit.Y", "exit.Z" },
         .shown = FRAME_SHOWN_DIRECTION,
-        .help = "direction of refracted light that leaves the object, for the environment lookup",
+        .help = "exit direction of the refracted path, used for the environment lookup",
     },
     {
         .name = "refraction",
         .image = &refract_refraction,
         .planes = { "refraction.R", "refraction.G", "refraction.B" },
         .mean = true,
-        .help = "radiance seen by refraction",
+        .help = "refracted radiance",
     },
     {
         .name = "reflection",
         .image = &refract_reflection,
         .planes = { "reflection.R", "reflection.G", "reflection.B" },
         .mean = true,
-        .help = "radiance seen by reflection",
+        .help = "reflected radiance",
     },
     {
         .name = "fresnel",
@@ -378,14 +378,14 @@ static const struct frame_layer layers[] = {
         .planes = { "fresnel.Z" },
         .mean = true,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "share of the light that is reflected",
+        .help = "Fresnel reflectance",
     },
     {
         .name = "path",
         .image = &refract_way,
         .planes = { "path.Z" },
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "length of the refracted path inside the object, metres; 0: no ice",
+        .help = "length of the refracted path inside the object, metres; 0 without ice",
     },
     {
         .name = "bounces",
@@ -393,7 +393,7 @@ static const struct frame_layer layers[] = {
         .planes = { "bounces.Z" },
         .first_channel = 1,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "number of total reflections on the refracted path",
+        .help = "number of total internal reflections on the refracted path",
     },
     {
         .name = "tir",
@@ -401,14 +401,14 @@ static const struct frame_layer layers[] = {
         .planes = { "tir.Z" },
         .first_channel = 2,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "1 where the path is totally reflected at its first inner surface, else 0",
+        .help = "1 if the first inner surface on the refracted path reflects totally, else 0",
     },
     { 0 },
 };
 
 const struct technique refract = {
     .name = "refract",
-    .help = "settings and layers shared by all refraction rungs",
+    .help = "settings and layers shared by all refraction models",
     .settings = { &refract_settings },
     .layers = layers,
     .settle = settle,

@@ -1,12 +1,12 @@
 /*
- * refract_blend.c: front and back normals blended into one that bends more, not less.
+ * refract_blend.c: refraction model with one blended normal that adds up both deflections.
  *
  * Eq. 1 of Seipel and Nivfors 2006 with the back normal negated and the sum normalised. The two
- * faces of a convex object bend light to the same side; so does this normal, more than the front
- * normal alone. Near the middle of a sphere a = 0.25 is right; over the whole sphere 0.3 is best.
+ * faces of a convex object deflect light to the same side; so does this normal, more than the front
+ * normal alone. Near the centre of a sphere a = 0.25 is right; over the whole sphere 0.3 is best.
  *
  * Error: 6 degrees on average on a sphere, 12 on cubes (docs/truth.md): there is still only one
- * bend, and no total reflection. The thickness is unknown, so nothing is absorbed.
+ * refraction, and no total internal reflection. The thickness is unknown: no absorption.
  */
 #include "shaders/refract_blend.h"
 #include "shaders/embedded.h"
@@ -58,7 +58,7 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 const struct technique refract_blend = {
     .name = "refract_blend",
-    .help = "front and back normals blended so that both refractions add up",
+    .help = "single refraction by a blended normal that adds up the deflections of front and back",
     .settings = { &refract_blend_settings },
     .parts = REFRACT_PARTS,
     .rung = { .name = "blend", .rows = &rung, .choose = refract_choose },

@@ -1,15 +1,15 @@
 /*
- * refract_bounce.c: light followed inside the ice through total reflections.
+ * refract_bounce.c: refraction model with total internal reflections, ray marched in image space.
  *
- * The ray is searched as in refract_search.c, but among front and back faces, and continued where
- * it is reflected, totally or in part. What remains after refract_bounce.exits faces through which
- * it leaves, or after the last bounce, sees the mean of the surroundings.
+ * The ray is marched as in refract_search.c, but among front and back faces, and continued where it
+ * is reflected, totally or in part. What remains after refract_bounce.exits faces through which
+ * light leaves, or after the last bounce, is given the mean radiance of the surroundings.
  *
- * Error: as small as that of refract_search.c; on paths with total reflections one or a few degrees
- * on average on convex objects, because small errors grow from bounce to bounce. Of an object that
- * is hardly concave only the nearest faces are known, and of one that leaves the picture none
- * beyond the margin of refract_bounce.margin. Of others the faces of three levels are known
- * (ice_nested.h); those beside each other in one level hide parts of each other.
+ * Error: as small as that of refract_search.c; with total internal reflections one or a few degrees
+ * on average on convex objects, because small errors grow from bounce to bounce. Of a slightly
+ * concave object only the nearest faces are known, and none beyond the margin of
+ * refract_bounce.margin outside the image. Other objects have three levels of faces (ice_nested.h);
+ * objects side by side in a level hide parts of each other.
  */
 #include "src/tech/refract_bounce.h"
 #include <math.h>
@@ -155,7 +155,7 @@ static const struct setting rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_bounce_params, least),
         .max = 1,
-        .help = "minimum share of a ray's light that is followed to a further exit",
+        .help = "minimum fraction of a ray's light at which it is followed to another exit",
     },
     {
         .name = "refract_bounce.branch",
@@ -163,8 +163,9 @@ static const struct setting rows[] = {
         .offset = offsetof(struct refract_bounce_params, branch),
         .initial = 0.1,
         .max = 1,
-        .help = "minimum share of a pixel's light that is followed where a crack parts it, once, "
-                "besides the greater part",
+        .help =
+            "minimum throughput at which the weaker path is followed, too, where a crack splits "
+            "a path (once per pixel)",
     },
     {
         .name = "refract_bounce.margin",
@@ -173,8 +174,8 @@ static const struct setting rows[] = {
         .initial = 1,
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "refraction also at faces beyond the picture's edges, up to a quarter of its "
-                "sides, of a scene with one object",
+        .help = "refraction also at faces up to a quarter of the image size outside the image, in "
+                "scenes with one object",
     },
     {
         .name = "refract_bounce.nested",
@@ -184,8 +185,9 @@ static const struct setting rows[] = {
         .max = REFRACT_BOUNCE_NESTED_ALL,
         .choices = nested_choices,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "refraction also at faces that others hide, of hollow objects, folded ones such as "
-                "a teapot, and objects in objects (all: of every concave object)",
+        .help =
+            "refraction also at hidden faces of hollow objects, folded ones such as a teapot, and "
+            "nested objects (all: of every concave object)",
     },
     {
         .name = "refract_bounce.bent",
@@ -196,18 +198,19 @@ static const struct setting rows[] = {
         .choices = bent_choices,
         .affects = SETTING_AFFECTS_PLAN,
         .help =
-            "inclusions seen along rays that the surface has bent: none, gaps of cracks, which "
-            "mirror the object's inside then, or bubbles, too, and cracks by rays that faces and "
-            "cracks have mirrored",
+            "inclusions intersected along refracted rays: none; gaps of cracks, which then reflect "
+            "the object's inside; or also bubbles, and cracks along rays that faces and cracks "
+            "have "
+            "reflected",
     },
 };
 
 const struct setting_group refract_bounce_settings =
     SETTING_GROUP("refract_bounce", rows, struct refract_bounce_params);
 
-/* An object that is folded more is drawn with all its faces (mesh_fold()). The irregular cube of
- * ice has 0 and, with its nearest faces alone, an error of 0.0075; the teapot has 0.09, and 0.039.
- */
+/* Value of mesh_fold() from which an object is rendered with all its faces, not only the nearest.
+ * The irregular ice cube has 0 and, with nearest faces only, an error of 0.0075; the teapot 0.09,
+ * 0.039. */
 static const float fold_least = 0.05f;
 
 bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene)
@@ -221,7 +224,7 @@ bool refract_bounce_is_nested(const struct settings *settings, const struct scen
            !scene_has_dress(scene) && cracks_of->refract == CRACKS_REFRACT_OFF;
 }
 
-/* The wider maps are of the faces alone, without textures and cracks. */
+/* Completes a choice; the wide maps have no variants with material images or cracks. */
 static void choose(struct technique_choice *choice, const struct scene *scene)
 {
     const struct refract_bounce_params *params =
@@ -255,20 +258,20 @@ static void write_constants(const struct technique_subject *subject, uint32_t *v
     values[CONSTANT_REFRACT_EXITS] = params->exits;
 }
 
-/* As the images are, whose sizes are rounded up. */
-static float share_of(uint32_t view)
+/* Returns the ratio of view size to wide map size; map sizes are rounded up. */
+static float wide_ratio(uint32_t view)
 {
     return (float)view / ceilf((float)view * ICE_NORMAL_WIDE);
 }
 
 static void write_globals(const struct frame_view *view, struct globals *g)
 {
-    g->wide_share = (vec2s){ { share_of(view->width), share_of(view->height) } };
+    g->wide_share = (vec2s){ { wide_ratio(view->width), wide_ratio(view->height) } };
 }
 
 const struct technique refract_bounce = {
     .name = "refract_bounce",
-    .help = "two refractions and the total reflections between them, searched among all faces",
+    .help = "refraction with total internal reflections, ray marched among front and back faces",
     .settings = { &refract_bounce_settings },
     .parts = REFRACT_PARTS,
     .write_constants = write_constants,

@@ -1,4 +1,4 @@
-/* refract_bounce.h: refraction with total reflections inside. */
+/* refract_bounce.h: refraction model with total internal reflections. */
 #ifndef TECH_REFRACT_BOUNCE_H
 #define TECH_REFRACT_BOUNCE_H
 #include "shaders/refract_bounce.h"
@@ -7,8 +7,8 @@
 extern const struct technique refract_bounce;
 extern const struct setting_group refract_bounce_settings;
 
-/* Returns whether objects are drawn with those that are in them, and concave ones by more than
- * their nearest faces: as refract_bounce.nested says, if nothing has textures or tints. */
+/* Returns true if nested objects are rendered together and concave ones with more than their
+ * nearest faces: by refract_bounce.nested, if nothing has textures or tints. */
 bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * refract_one_sided.c: the environment, refracted at the front face as if the ice never ended.
+ * refract_one_sided.c: refraction model with one refraction, at the front face.
  *
- * The plain environment mapping from which Seipel and Nivfors 2006 start (section 3.2): eq. 2 with
- * the front normal alone, eq. 3, 4 and 6 as in their method.
+ * Plain environment mapping, from which Seipel and Nivfors 2006 start (section 3.2): eq. 2 with the
+ * front normal alone, eq. 3, 4 and 6 as in their method.
  *
  * Error: for an ice sphere half of the true deviation; 11 to 15 degrees on average elsewhere
  * (docs/truth.md).
@@ -38,7 +38,7 @@ static const struct refract_rung rung = {
 
 const struct technique refract_one_sided = {
     .name = "refract_one_sided",
-    .help = "refraction at the front face alone",
+    .help = "refraction at the front face only",
     .parts = REFRACT_PARTS,
     .rung = { .name = "one-sided", .rows = &rung, .choose = refract_choose },
 };

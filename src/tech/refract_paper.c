@@ -1,14 +1,13 @@
 /*
- * refract_paper.c: two-sided refraction by blending front and back normals into one.
+ * refract_paper.c: refraction model of Seipel and Nivfors 2006: blended front and back normals.
  *
- * Seipel and Nivfors 2006, section 3.2, faithfully: eq. 1 with outward normals and a = 0.33, not
- * normalised; eq. 2 with the blended normal, eq. 3 with the front normal, eq. 4 in the vertex
- * shader, eq. 6.
+ * Section 3.2, faithfully: eq. 1 with outward normals and a = 0.33, not normalised; eq. 2 with the
+ * blended normal, eq. 3 with the front normal, eq. 4 in the vertex shader, eq. 6.
  *
- * Error: outward normals make eq. 1 average two normals that face the viewer, which bends less
- * than one interface where two true ones bend twice: an ice sphere at impact parameter 0.6 shows
- * 3.3 degrees, one interface 9.6, the truth 19.2. Convex objects only: of a concave one, only one
- * front and one back face are known.
+ * Error: outward normals make eq. 1 average two normals that face the viewer, which deflects less
+ * than one interface, where two real ones deflect twice: an ice sphere at impact parameter 0.6
+ * shows 3.3 degrees, one interface 9.6, the truth 19.2. Convex objects only: of a concave one, only
+ * one front and one back face are known.
  */
 #include "src/tech/refract_paper.h"
 #include "shaders/embedded.h"
@@ -61,7 +60,7 @@ const struct setting_group refract_paper_settings =
 
 const struct technique refract_paper = {
     .name = "refract_paper",
-    .help = "front and back normals blended into one (Seipel and Nivfors 2006)",
+    .help = "refraction by blended front and back normals (Seipel and Nivfors 2006)",
     .settings = { &refract_paper_settings },
     .parts = REFRACT_PARTS,
     .rung = { .name = "paper", .rows = &rung, .choose = refract_choose, .is_as_printed = true },

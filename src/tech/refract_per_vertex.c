@@ -1,12 +1,12 @@
 /*
- * refract_per_vertex.c: reflected and refracted directions computed at the vertices.
+ * refract_per_vertex.c: refraction model with directions computed at the vertices.
  *
- * Environment mapping as it is commonly taught (after The Cg Tutorial, chapter 7): one bend at the
- * front, and both directions interpolated between vertices. The cross-fade of reflection and
- * refraction of such courses is refract.fresnel=crossfade.
+ * Environment mapping as commonly taught (after The Cg Tutorial, chapter 7): one refraction at the
+ * front, with reflected and refracted direction interpolated between vertices. The cross-fade of
+ * reflection and refraction of such courses is refract.fresnel=crossfade.
  *
- * Error: that of refract_one_sided.c and, where triangles are large, of the interpolation. Bumps
- * are finer than vertices, so there are none.
+ * Error: that of refract_one_sided.c and, for large triangles, of the interpolation. Bumps are
+ * finer than vertices and are ignored.
  */
 #include "shaders/embedded.h"
 #include "src/tech/frame.h"
@@ -28,7 +28,7 @@ static const struct refract_rung rung = {
 
 const struct technique refract_per_vertex = {
     .name = "refract_per_vertex",
-    .help = "refraction at the front face alone, with directions computed at the vertices",
+    .help = "refraction at the front face only, with directions computed at the vertices",
     .parts = REFRACT_PARTS,
     .rung = { .name = "per-vertex", .rows = &rung, .choose = refract_choose },
 };

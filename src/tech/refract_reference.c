@@ -1,8 +1,5 @@
-/*
- * refract_reference.c: the truth, traced on the CPU (src/reference), as a rung of --refraction.
- *
- * It has no rows, because nothing of it is drawn by the device.
- */
+/* refract_reference.c: settings of the CPU reference ray tracer (src/reference), a refraction model
+ * without passes, because the device draws nothing. */
 #include "src/tech/refract_reference.h"
 
 static const char *const normals[] = {
@@ -17,9 +14,9 @@ static const struct setting rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct reference_params, cutoff),
         .initial = 1e-3,
-        .min = 1e-6, /* the number of branches grows fast in concave objects */
+        .min = 1e-6, /* the number of branches grows quickly in concave objects */
         .max = 1,
-        .help = "share of a ray's light below which the ray is terminated (see layer remaining)",
+        .help = "path throughput below which a path is terminated (see layer remaining)",
     },
     {
         .name = "reference.bounces",
@@ -28,15 +25,15 @@ static const struct setting rows[] = {
         .initial = 64,
         .min = 1,
         .max = REFERENCE_BOUNCES_MAX,
-        .help = "maximum number of the object's surfaces on a light path",
+        .help = "maximum number of object surfaces on a path",
     },
     {
         .name = "reference.roulette",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct reference_params, roulette),
         .max = 1,
-        .help = "Russian roulette instead of termination at reference.cutoff: no light is missing, "
-                "but there is noise",
+        .help = "Russian roulette instead of termination at reference.cutoff: unbiased, "
+                "but noisy",
     },
     {
         .name = "reference.photons",
@@ -44,7 +41,8 @@ static const struct setting rows[] = {
         .offset = offsetof(struct reference_params, photons),
         .initial = 1000000,
         .max = 100000000,
-        .help = "photons of the sun with ice_caustics.light=sun (0: neither caustics nor shadow)",
+        .help = "number of photons from the sun with ice_caustics.light=sun (0: no caustics, no "
+                "shadow)",
     },
     {
         .name = "reference.normals",
@@ -52,7 +50,7 @@ static const struct setting rows[] = {
         .offset = offsetof(struct reference_params, normals),
         .max = REFERENCE_NORMALS_FLAT,
         .choices = normals,
-        .help = "normals of the object: interpolated from its vertices, as rasterised, or flat",
+        .help = "normals of the object: interpolated from vertices, as in rasterisation, or flat",
     },
 };
 
@@ -64,26 +62,26 @@ static const struct frame_layer layers[] = {
         .name = "remaining",
         .planes = { "remaining.R", "remaining.G", "remaining.B" },
         .mean = true,
-        .help = "share of the light on paths that were terminated",
+        .help = "throughput of terminated paths",
     },
     {
         .name = "met",
         .planes = { "met.Z" },
-        .help = "inclusions on the path of exit, added: 1 bubbles, 2 cracks, 4 air",
+        .help = "inclusions hit by the path of layer exit, as a sum: 1 bubbles, 2 cracks, 4 air",
     },
     {
         .name = "error",
         .planes = { "error.Z" },
         .mean = true,
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "standard error of the mean of red, green and blue, each clipped to 0..1",
+        .help = "standard error of the mean of red, green and blue, each clamped to 0..1",
     },
     { 0 },
 };
 
 const struct technique refract_reference = {
     .name = "refract_reference",
-    .help = "reference for all rungs, ray traced on the CPU",
+    .help = "reference for all refraction models, ray traced on the CPU",
     .settings = { &reference_settings },
     .rung = { .name = "reference" },
     .layers = layers,

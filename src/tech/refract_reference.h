@@ -1,11 +1,11 @@
-/* refract_reference.h: the traced rung and its settings, also in builds without Embree. */
+/* refract_reference.h: settings of the CPU reference ray tracer, also in builds without Embree. */
 #ifndef TECH_REFRACT_REFERENCE_H
 #define TECH_REFRACT_REFERENCE_H
 #include "src/tech/technique.h"
 
 enum reference_normals {
-    REFERENCE_NORMALS_INTERPOLATED, /* of the vertices, as rasterised */
-    REFERENCE_NORMALS_FLAT,         /* of the triangles */
+    REFERENCE_NORMALS_INTERPOLATED, /* interpolated from the vertices, as in rasterisation */
+    REFERENCE_NORMALS_FLAT,         /* geometric normals of the triangles */
 };
 
 enum {
@@ -13,10 +13,10 @@ enum {
 };
 
 struct reference_params {
-    float cutoff;      /* rays of less weight are terminated */
-    uint32_t bounces;  /* surfaces after which rays are terminated; at most REFERENCE_BOUNCES_MAX */
-    uint32_t roulette; /* switch: what would be terminated goes on by chance */
-    uint32_t photons;  /* of the sun, where ice_caustics.light asks for its light; 0: none */
+    float cutoff;      /* throughput below which paths are terminated */
+    uint32_t bounces;  /* maximum number of surfaces on a path, at most REFERENCE_BOUNCES_MAX */
+    uint32_t roulette; /* 1: Russian roulette instead of termination */
+    uint32_t photons;  /* number of photons from the sun for ice_caustics.light; 0 if off */
     uint32_t normals;  /* of the object: enum reference_normals */
 };
 

@@ -1,13 +1,13 @@
 /*
- * refract_search.c: the exit searched along the refracted ray.
+ * refract_search.c: refraction model that ray marches to the exit point in image space.
  *
- * The ray is marched in screen space until it is behind the back faces: steps up to the object's
- * bounding sphere, then refinement of the step that went outside, which is divided where the ray
- * would meet a flat face. There the ray is bent by the back normal.
+ * The refracted ray is marched until it is behind the back faces, up to the object's bounding
+ * sphere; the step that left the object is then refined to where the ray would hit a flat face.
+ * There the ray is refracted by the back normal.
  *
  * Error: some hundredths of a degree on average on convex objects in 512 x 512 pixels, growing with
- * the size of the pixels; but light that is totally reflected leaves in the direction of its first
- * reflection, dozens of degrees off. Of a concave object only the nearest back faces are known.
+ * pixel size; but totally reflected light leaves in the direction of its first reflection, dozens
+ * of degrees off. Of a concave object only the nearest back faces are known.
  */
 #include "shaders/embedded.h"
 #include "shaders/refract_march.h"
@@ -68,7 +68,7 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 const struct technique refract_search = {
     .name = "refract_search",
-    .help = "two refractions, the exit searched among the back faces",
+    .help = "two refractions; the exit point is found by ray marching the depth of back faces",
     .settings = { &refract_search_settings },
     .parts = REFRACT_PARTS,
     .rung = { .name = "search", .rows = &rung, .choose = refract_choose },

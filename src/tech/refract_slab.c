@@ -1,7 +1,7 @@
 /*
- * refract_slab.c: refraction as by a window pane in each pixel.
+ * refract_slab.c: refraction model that treats the ice in each pixel as a window pane.
  *
- * The slab is parallel to the front face and as thick as the ice along the straight ray: light
+ * The slab is parallel to the front face and as thick as the ice along the unrefracted ray: light
  * leaves in its original direction, displaced. Exact for a pane. An environment at infinity
  * therefore appears undistorted (but see refract.lookup).
  *
@@ -30,7 +30,7 @@ static const struct refract_rung rung = {
 
 const struct technique refract_slab = {
     .name = "refract_slab",
-    .help = "pane parallel to the front face, which offsets light without changing its direction",
+    .help = "refraction as by a window pane: light is displaced without changing its direction",
     .parts = REFRACT_PARTS,
     .rung = { .name = "slab", .rows = &rung, .choose = refract_choose },
 };

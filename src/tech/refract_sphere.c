@@ -1,11 +1,11 @@
 /*
- * refract_sphere.c: refraction as by a sphere in each pixel.
+ * refract_sphere.c: refraction model that treats the ice in each pixel as a sphere.
  *
- * A sphere that touches the front face replaces the object, as in most renderers that have only the
+ * A sphere that touches the front face replaces the object, as in most renderers that only know
  * front faces: exact directions for light through a sphere of any radius. The radius, half the edge
- * of a cube with the object's diagonal, decides the length and the end of the path.
+ * of a cube with the object's diagonal, determines length and end of the path.
  *
- * Error: 0.1 degrees on average on a sphere of triangles, 11 on cubes (docs/truth.md). A sphere
+ * Error: 0.1 degrees on average on a triangulated sphere, 11 on cubes (docs/truth.md). A sphere
  * never totally reflects light that has entered it; two fifths of the first inner surfaces of those
  * cubes do.
  */
@@ -30,7 +30,7 @@ static const struct refract_rung rung = {
 
 const struct technique refract_sphere = {
     .name = "refract_sphere",
-    .help = "two refractions, as in a sphere that touches the front face",
+    .help = "two refractions, as by a sphere that touches the front face",
     .parts = REFRACT_PARTS,
     .rung = { .name = "sphere", .rows = &rung, .choose = refract_choose },
 };

@@ -1,15 +1,15 @@
 /*
- * refract_trace.c: light followed through the triangles of the whole scene.
+ * refract_trace.c: refraction model that ray traces nested dielectrics on the GPU.
  *
- * Each pixel's ray meets a tree of the triangles (src/scene/tree.h; Aila and Laine 2009,
- * Understanding the Efficiency of Ray Traversal on GPUs). Where it crosses the surface of an object
- * it is refracted, with the media on both sides (Schmidt and Budge 2002), or totally reflected; a
- * reflection with enough of the light is followed later. Rays that leave the objects see the
- * environment cube, or meet the triangles around them.
+ * Each pixel's path is traced through a BVH of the scene's triangles (src/scene/tree.c; Aila and
+ * Laine 2009, Understanding the Efficiency of Ray Traversal on GPUs). At an object's surface it is
+ * refracted between the media on both sides, which a medium stack with priorities yields (Schmidt
+ * and Budge 2002), or totally reflected; reflections of enough throughput are traced later. Rays
+ * that leave the objects look up the environment cube or hit the triangles of the surroundings.
  *
- * Error: reflections inside that weigh less than trace.branch count as transmitted, and so does
- * light after TRACE_LENGTH surfaces. Without trace.surroundings=rays, that of the lookup of the
- * cube (shaders/refract_environment.glsl). Bumps and planes of air are not met.
+ * Error: internal reflections with less throughput than trace.branch count as transmitted, and so
+ * does light after TRACE_LENGTH surfaces. Without trace.surroundings=rays, that of the cube lookup
+ * (shaders/refract_environment.glsl). Bump maps and air impostors are ignored.
  */
 #include "src/tech/refract_trace.h"
 #include <string.h>
@@ -43,18 +43,18 @@ const struct rg_image trace_last = {
     .format = VK_FORMAT_R32_SFLOAT,
 };
 
-static const struct rg_image smooth_images[FRAME_SMOOTH_COUNT] = {
+static const struct rg_image denoise_images[FRAME_SMOOTH_COUNT] = {
     { .name = "refract_trace.gathered", .format = VK_FORMAT_R16G16B16A16_SFLOAT },
     { .name = "refract_trace.share", .format = VK_FORMAT_R16G16B16A16_SFLOAT },
     { .name = "refract_trace.place", .format = VK_FORMAT_R32G32B32A32_SFLOAT },
 };
 
 const struct frame_layer frame_smooth_layers[FRAME_SMOOTH_COUNT] = {
-    { .image = &smooth_images[0],
+    { .image = &denoise_images[0],
       .planes = { "light.R", "light.G", "light.B", "due" },
       .mean = true },
-    { .image = &smooth_images[1], .planes = { "share.R", "share.G", "share.B" }, .mean = true },
-    { .image = &smooth_images[2], .planes = { "place.X", "place.Y", "place.Z", "normal" } },
+    { .image = &denoise_images[1], .planes = { "share.R", "share.G", "share.B" }, .mean = true },
+    { .image = &denoise_images[2], .planes = { "place.X", "place.Y", "place.Z", "normal" } },
 };
 
 /* ---- what is uploaded ---- */
@@ -73,7 +73,7 @@ static const struct rg_buffer nodes = WORDS("refract_trace.nodes");
 static const struct rg_buffer triangles = WORDS("refract_trace.triangles");
 static const struct rg_buffer corners = WORDS("refract_trace.corners");
 
-/* The same if the tree is too large for these. */
+/* Storage buffers for a BVH that is too large for texel buffers. */
 static const struct rg_buffer stored_nodes = { "refract_trace.stored_nodes", .size = 16 };
 static const struct rg_buffer stored_triangles = { "refract_trace.stored_triangles", .size = 16 };
 static const struct rg_buffer stored_corners = { "refract_trace.stored_corners", .size = 16 };
@@ -82,21 +82,22 @@ static const struct rg_buffer structure = { "refract_trace.structure", .size = 1
 
 static const struct {
     const struct rg_buffer *texels, *stored;
-    size_t at; /* of the words in struct tree */
-} tree_buffers[] = {
+    size_t at; /* offset of the data in struct tree */
+} bvh_buffers[] = {
     { &nodes, &stored_nodes, offsetof(struct tree, nodes) },
     { &triangles, &stored_triangles, offsetof(struct tree, triangles) },
     { &corners, &stored_corners, offsetof(struct tree, corners) },
 };
 
-static struct technique_bytes find_words(const struct scene *scene, const struct rg_buffer *buffer)
+static struct technique_bytes find_bvh_data(const struct scene *scene,
+                                            const struct rg_buffer *buffer)
 {
     struct technique_bytes found = { 0 };
-    for (size_t i = 0; scene->tree && i < sizeof(tree_buffers) / sizeof(tree_buffers[0]); i++) {
+    for (size_t i = 0; scene->tree && i < sizeof(bvh_buffers) / sizeof(bvh_buffers[0]); i++) {
         struct tree_words words;
-        memcpy(&words, (const char *)scene->tree + tree_buffers[i].at, sizeof(words));
+        memcpy(&words, (const char *)scene->tree + bvh_buffers[i].at, sizeof(words));
         const struct rg_buffer *filled =
-            scene->tree->is_stored ? tree_buffers[i].stored : tree_buffers[i].texels;
+            scene->tree->is_stored ? bvh_buffers[i].stored : bvh_buffers[i].texels;
         if (buffer == filled && words.count)
             found = (struct technique_bytes){ words.all, words.count * sizeof(*words.all) };
     }
@@ -104,17 +105,17 @@ static struct technique_bytes find_words(const struct scene *scene, const struct
 }
 
 static const struct technique_import imports[] = {
-    { .buffer = &nodes, .find_bytes = find_words },
-    { .buffer = &triangles, .find_bytes = find_words },
-    { .buffer = &corners, .find_bytes = find_words },
-    { .buffer = &stored_nodes, .find_bytes = find_words },
-    { .buffer = &stored_triangles, .find_bytes = find_words },
-    { .buffer = &stored_corners, .find_bytes = find_words },
+    { .buffer = &nodes, .find_bytes = find_bvh_data },
+    { .buffer = &triangles, .find_bytes = find_bvh_data },
+    { .buffer = &corners, .find_bytes = find_bvh_data },
+    { .buffer = &stored_nodes, .find_bytes = find_bvh_data },
+    { .buffer = &stored_triangles, .find_bytes = find_bvh_data },
+    { .buffer = &stored_corners, .find_bytes = find_bvh_data },
     { .buffer = &structure, .is_structure = true },
     { 0 },
 };
 
-static vec4s with(vec3s xyz, float w)
+static vec4s vec4_of(vec3s xyz, float w)
 {
     return (vec4s){ { xyz.x, xyz.y, xyz.z, w } };
 }
@@ -123,8 +124,8 @@ static void fill_medium(vec4s *texels, const struct frame_medium *medium)
 {
     texels[TRACE_IOR] =
         (vec4s){ { medium->ior[0], medium->ior[1], medium->ior[2], medium->roughness } };
-    texels[TRACE_ABSORB] = with(medium->absorption, medium->shine);
-    texels[TRACE_TINT] = with(medium->tint, medium->is_thin ? 1.0f : 0.0f);
+    texels[TRACE_ABSORB] = vec4_of(medium->absorption, medium->shine);
+    texels[TRACE_TINT] = vec4_of(medium->tint, medium->is_thin ? 1.0f : 0.0f);
 }
 
 static void fill_clouds(struct trace_frame *trace, const struct frame_view *view)
@@ -149,13 +150,13 @@ static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
     return false;
 }
 
-/* Returns what trace_pose() of trace_tree.glsl does, of a turn about a vertical axis. */
-static vec4s turn_of(mat4s pose)
+/* Returns a rotation about a vertical axis as trace_pose() of trace_tree.glsl does. */
+static vec4s rotation_of(mat4s pose)
 {
     return (vec4s){ { pose.raw[0][0], pose.raw[2][0], pose.raw[3][0], pose.raw[3][2] } };
 }
 
-/* The scene has its tree: see scene_need_tree(). */
+/* Writes the ray tracer's uniforms; scene_need_tree() has built the BVH. */
 static void write_frame(void *memory, const struct frame_view *view, const struct globals *globals)
 {
     struct trace_frame *trace = memory;
@@ -173,8 +174,8 @@ static void write_frame(void *memory, const struct frame_view *view, const struc
         .grid_at = tree->grid,
         .grid_low = glms_vec4(tree->grid_low, 0.0f),
         .grid_scale = glms_vec4(tree->grid_scale, 0.0f),
-        .objects_turn = turn_of(globals->world_from_object),
-        .movers_turn = turn_of(globals->world_from_movers),
+        .objects_turn = rotation_of(globals->world_from_object),
+        .movers_turn = rotation_of(globals->world_from_movers),
         .is_apart = trace_has_motion(view->settings) ? tree->is_apart_turning : tree->is_apart,
     };
     if (trace_lights_surroundings(view->scene, view->settings))
@@ -204,16 +205,16 @@ static const struct technique_upload uploads[] = {
 
 static const struct rg_target color_targets[] = {
     [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
-    /* A value below 0 marks pixels without ice. */
+    /* negative: marks pixels without ice */
     [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } },
 };
 
-static const struct rg_target smooth_targets[] = {
+static const struct rg_target denoise_targets[] = {
     [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
     [REFRACT_OUT_HIGHLIGHT] = { &surface_highlight, RG_LOAD_CLEAR, { .color.float32 = { -1.0f } } },
-    [TRACE_OUT_GATHERED] = { &smooth_images[0], RG_LOAD_CLEAR },
-    [TRACE_OUT_SHARE] = { &smooth_images[1], RG_LOAD_CLEAR },
-    [TRACE_OUT_PLACE] = { &smooth_images[2], RG_LOAD_CLEAR },
+    [TRACE_OUT_GATHERED] = { &denoise_images[0], RG_LOAD_CLEAR },
+    [TRACE_OUT_SHARE] = { &denoise_images[1], RG_LOAD_CLEAR },
+    [TRACE_OUT_PLACE] = { &denoise_images[2], RG_LOAD_CLEAR },
 };
 
 static const struct rg_target layer_targets[] = {
@@ -226,7 +227,7 @@ static const struct rg_target layer_targets[] = {
     [TRACE_OUT_LAST] = { &trace_last, RG_LOAD_CLEAR },
 };
 
-static const struct rg_use tree_uses[] = {
+static const struct rg_use bvh_uses[] = {
     FRAME_USE_GLOBALS,
     { .buffer = &frame_buffer, .access = RG_UNIFORM, .binding = TRACE_FRAME },
     { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES },
@@ -280,7 +281,7 @@ static const struct rg_use light_uses[] = {
     { 0 },
 };
 
-/* The sun's light, or without its maps all of it. */
+/* Shadow and caustic maps of the sun; without them nothing blocks its light. */
 static const struct rg_fallback no_map = { { 0 } };
 static const struct rg_use sun_uses[] = {
     { .buffer = &ice_caustics_light, .access = RG_UNIFORM, .binding = ICE_CAUSTICS_LIGHT },
@@ -294,7 +295,7 @@ static const struct rg_use sun_uses[] = {
 static const struct rg_pass color_row = {
     .color = color_targets,
     .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
-    .depth = { &frame_depth, RG_LOAD_CLEAR }, /* to 0: infinity */
+    .depth = { &frame_depth, RG_LOAD_CLEAR }, /* cleared to 0: infinity */
     .depth_compare = VK_COMPARE_OP_ALWAYS,
 };
 
@@ -322,12 +323,12 @@ static struct rg_technique make_row(const struct technique_choice *choice,
             { &refract_trace_rays_query_colors_frag,
               &refract_trace_rays_query_colors_aov_frag } } },
     };
-    static const struct rg_shader *const smooth_frags[2][2] = {
+    static const struct rg_shader *const denoise_frags[2][2] = {
         { &refract_trace_rays_smooth_frag, &refract_trace_rays_smooth_colors_frag },
         { &refract_trace_rays_query_smooth_frag, &refract_trace_rays_query_smooth_colors_frag },
     };
     const struct rg_use *const uses[] = {
-        tree_uses,
+        bvh_uses,
         choice->meets_surroundings ? surface_uses : cube_uses,
         choice->meets_surroundings ? light_uses : NULL,
         choice->meets_surroundings ? sun_uses
@@ -344,9 +345,9 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     row->vert = choice->meets_surroundings ? &refract_seen_vert : &refract_seen_mean_vert;
     row->frag = frags[choice->queries][choice->meets_surroundings][choice->disperses][is_layers];
     if (choice->smooths && !is_layers) {
-        row->color = smooth_targets;
-        row->color_count = sizeof(smooth_targets) / sizeof(smooth_targets[0]);
-        row->frag = smooth_frags[choice->queries][choice->disperses];
+        row->color = denoise_targets;
+        row->color_count = sizeof(denoise_targets) / sizeof(denoise_targets[0]);
+        row->frag = denoise_frags[choice->queries][choice->disperses];
     }
     row->record = choice->lights_surroundings || is_layers ? frame_draw_screen : record_objects;
     return (struct rg_technique){ refract_trace.name, row, 1 };
@@ -355,7 +356,7 @@ static struct rg_technique make_row(const struct technique_choice *choice,
 static void trace_photons(struct rg_pass *row, const struct technique_choice *choice,
                           struct row_builder *builder, const struct rg_use *own)
 {
-    const struct rg_use *const uses[] = { tree_uses, surface_uses, own };
+    const struct rg_use *const uses[] = { bvh_uses, surface_uses, own };
     row->uses = row_builder_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     row->vert = &refract_seen_vert;
     row->frag = choice->disperses ? &refract_trace_rays_photons_colors_frag
@@ -380,7 +381,7 @@ static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-/* ---- the rung ---- */
+/* ---- refraction model ---- */
 
 static void choose(struct technique_choice *choice, const struct scene *scene)
 {
@@ -404,22 +405,22 @@ static const struct frame_layer layers[] = {
         .image = &trace_media,
         .planes = { "media.Z" },
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "number of straight parts of the refracted path inside objects; 0: no object",
+        .help = "number of segments of the refracted path inside objects; 0 without object",
     },
     {
         .name = "object.last",
         .image = &trace_last,
         .planes = { "object.last.Z" },
         .shown = FRAME_SHOWN_AMOUNT,
-        .help = "number of the last surface's object on the refracted path (trace, reference); "
-                "0: no surface",
+        .help = "number of the object that the refracted path hits last (models trace, reference); "
+                "0 if there is none",
     },
     { 0 },
 };
 
 const struct technique refract_trace = {
     .name = "refract_trace",
-    .help = "refraction and reflection by rays that meet the triangles of all objects",
+    .help = "ray-traced refraction and reflection among the triangles of all objects",
     .settings = { &trace_settings },
     .parts = { { PHASE_REFRACTION, .rows = color_rows }, { PHASE_LAYERS, .rows = layer_rows } },
     .rung = { .name = "trace",

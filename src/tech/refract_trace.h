@@ -1,13 +1,13 @@
-/* refract_trace.h: refraction through the triangles of the whole scene. */
+/* refract_trace.h: GPU ray tracer for nested dielectrics, a refraction model. */
 #ifndef TECH_REFRACT_TRACE_H
 #define TECH_REFRACT_TRACE_H
 #include "src/tech/technique.h"
 #include "src/tech/trace_settings.h"
 
-/* Number of straight parts of the refracted path inside objects. */
+/* Number of segments of the refracted path inside objects. */
 extern const struct rg_image trace_media;
 
-/* Number of the last object of the refracted path. */
+/* Number of the object that the refracted path hits last. */
 extern const struct rg_image trace_last;
 
 extern const struct technique refract_trace;

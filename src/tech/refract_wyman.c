@@ -1,14 +1,14 @@
 /*
- * refract_wyman.c: the exit estimated from two thicknesses.
+ * refract_wyman.c: refraction model of Wyman 2005: exit point estimated from two thicknesses.
  *
- * Wyman 2005, An Approximate Image-Space Approach for Interactive Refraction: the length of the
- * path inside is interpolated between the thickness along the straight ray and that along the front
- * normal, by the ratio of the angles of refraction and incidence. Light is bent again by the back
- * normal of the pixel in which the path ends. Wyman precomputes the thickness along the normal for
- * each vertex; here it is the distance to the back face seen where a slab would end.
+ * An Approximate Image-Space Approach for Interactive Refraction: the path length inside is
+ * interpolated between the thickness along the unrefracted ray and that along the front normal, by
+ * the ratio of the angles of refraction and incidence. Light is refracted again by the back normal
+ * of the pixel in which the path ends. Wyman precomputes the thickness along the normal per vertex;
+ * here it is the distance to the back face visible where a slab would end.
  *
- * Error: 7 degrees on average on a sphere, 2 to 3 on cubes, 11 on a teapot (docs/truth.md). Light
- * that is totally reflected leaves in the direction of its first reflection.
+ * Error: 7 degrees on average on a sphere, 2 to 3 on cubes, 11 on a teapot (docs/truth.md). Totally
+ * reflected light leaves in the direction of its first reflection.
  */
 #include "shaders/embedded.h"
 #include "src/tech/frame.h"
@@ -34,8 +34,8 @@ static const struct refract_rung rung = {
 
 const struct technique refract_wyman = {
     .name = "refract_wyman",
-    .help = "two refractions, the exit estimated from two thicknesses (Wyman 2005)",
+    .help = "two refractions; the exit point is estimated from two thicknesses (Wyman 2005)",
     .parts = REFRACT_PARTS,
-    /* lookups go a diameter further */
+    /* the lookup along the normal reaches a diameter further */
     .rung = { .name = "wyman", .rows = &rung, .choose = refract_choose, .reach = 3.0f },
 };

@@ -1,4 +1,4 @@
-/* row_builder.c: memory in blocks that are freed together. */
+/* row_builder.c: arena allocator for pass tables, in blocks that are freed together. */
 #include "src/tech/row_builder.h"
 #include <stdalign.h>
 #include <stdio.h>

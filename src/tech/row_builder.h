@@ -1,9 +1,10 @@
 /*
- * row_builder.h: memory for rows that a technique makes when it is chosen.
+ * row_builder.h: arena allocator for pass tables that a technique builds at run time.
  *
  * Ownership: the builder owns what its functions return, until row_builder_finish().
- * Errors:    the functions return NULL when out of memory; `failed` is then true, so that callers
- *            may return no rows and leave the error to the builder's owner.
+ *
+ * Errors: functions return NULL when out of memory and set `failed`, so that callers may return no
+ * passes and leave the error to the builder's owner.
  */
 #ifndef FIRN_TECH_ROW_BUILDER_H
 #define FIRN_TECH_ROW_BUILDER_H
@@ -11,24 +12,24 @@
 #include "graph/rg.h"
 
 struct row_builder {
-    struct row_block *blocks; /* memory, newest block first */
+    struct row_block *blocks; /* list of memory blocks, newest first */
     bool failed;
 };
 
 /* Returns zeroed memory of `size` bytes, aligned for any object. */
 void *row_builder_alloc(struct row_builder *builder, size_t size);
 
-/* Returns a writable copy of a table of rows. */
+/* Returns a writable copy of a table of passes. */
 struct rg_pass *row_builder_rows(struct row_builder *builder, const struct rg_pass *table,
                                  size_t count);
 
-/* Returns "PREFIX.NAME". */
+/* Returns the string "PREFIX.NAME". */
 const char *row_builder_name(struct row_builder *builder, const char *prefix, const char *name);
 
-/* Returns a table of one target, for rows with one colour target. */
+/* Returns a table of one target, for passes with one colour target. */
 const struct rg_target *row_builder_target(struct row_builder *builder, struct rg_target target);
 
-/* Return writable copies of a row's targets, and of its uses; a row may have none of them. */
+/* Return writable copies of a pass's targets and of its uses; NULL if it has none. */
 struct rg_target *row_builder_targets(struct row_builder *builder, const struct rg_target *targets,
                                       uint32_t count);
 struct rg_use *row_builder_own_uses(struct row_builder *builder, const struct rg_use *uses);

@@ -1,9 +1,9 @@
 /*
- * target_scale.c: draws what is in the ice at a fraction of the view.
+ * target_scale.c: renders inclusions in the ice at a fraction of the view's resolution.
  *
- * Seipel and Nivfors 2006, section 4: depths, cracks and air have targets of 512 x 512 texels for a
+ * Seipel and Nivfors 2006, section 4: depths, cracks and air have targets of 512 x 512 texels in a
  * window of 1024 x 768; section 5: the resolution of these textures is one of two factors of the
- * cost. The normals of the back faces have the window's size there, and always here.
+ * cost. Normals of the back faces have full resolution in the paper, and always here.
  */
 #include "src/tech/target_scale.h"
 #include "shaders/embedded.h"
@@ -11,7 +11,7 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 
-/* An image at a fraction of the view; the builder owns it. */
+/* Image at reduced resolution; the builder owns it. */
 struct small_image {
     const struct rg_image *whole;
     struct rg_image image;
@@ -44,8 +44,8 @@ static const struct rg_image *make(struct small_images *small, const struct rg_i
 
 /* ---- rows ---- */
 
-/* Makes a row read small images where there are any: the texel of its own pixel if it draws small
- * images, too, else between texels. */
+/* Makes a pass read reduced images instead of full ones: its own texel if it is reduced, too,
+ * otherwise bilinearly. */
 static void read_small(struct small_images *small, struct rg_pass *row, bool is_small)
 {
     struct rg_use *uses = row_builder_own_uses(small->builder, row->uses);
@@ -61,7 +61,7 @@ static void read_small(struct small_images *small, struct rg_pass *row, bool is_
     row->uses = uses;
 }
 
-/* Makes a row draw small images. */
+/* Makes a pass draw to reduced images. */
 static void draw_small(struct small_images *small, struct rg_pass *row, float scale)
 {
     struct rg_target *colors = row_builder_targets(small->builder, row->color, row->color_count);
@@ -73,8 +73,8 @@ static void draw_small(struct small_images *small, struct rg_pass *row, float sc
     read_small(small, row, true);
 }
 
-/* A row that makes an image of the view's size from a small one. */
-static struct rg_pass enlarge(struct small_images *small, const struct rg_image *whole)
+/* Returns a pass that upsamples a reduced image to the view's size. */
+static struct rg_pass upsample(struct small_images *small, const struct rg_image *whole)
 {
     const struct rg_use read[] = {
         { .image = find(small, whole),
@@ -97,7 +97,7 @@ static struct rg_pass enlarge(struct small_images *small, const struct rg_image 
 
 /* ---- parts ---- */
 
-/* Returns rows that draw the part's depths again, at a fraction of the view. */
+/* Returns passes that draw the part's depth maps again, at reduced resolution. */
 static struct rg_technique draw_depths_again(struct small_images *small,
                                              const struct rg_technique *part, float scale)
 {
@@ -105,7 +105,7 @@ static struct rg_technique draw_depths_again(struct small_images *small,
     size_t count = 0;
     for (size_t i = 0; rows && i < part->pass_count; i++) {
         if (part->passes[i].color_count)
-            continue; /* a layer */
+            continue; /* draws a layer */
         rows[count] = part->passes[i];
         rows[count].name = row_builder_name(small->builder, rows[count].name, "small");
         draw_small(small, &rows[count++], scale);
@@ -113,7 +113,7 @@ static struct rg_technique draw_depths_again(struct small_images *small,
     return (struct rg_technique){ part->name, rows, count };
 }
 
-/* Inclusions are blended into an empty image; a row that does not blend makes a layer of one. */
+/* Reduces the passes that blend inclusions into an image, and adds upsampling for its readers. */
 static void change_inclusions(struct small_images *small, struct rg_technique *part, float scale)
 {
     struct rg_pass *rows = row_builder_alloc(small->builder, 2 * part->pass_count * sizeof(*rows));
@@ -123,7 +123,7 @@ static void change_inclusions(struct small_images *small, struct rg_technique *p
         if (!part->passes[i].color->blend)
             continue;
         draw_small(small, &rows[count - 1], scale);
-        rows[count++] = enlarge(small, part->passes[i].color->image);
+        rows[count++] = upsample(small, part->passes[i].color->image);
     }
     *part = (struct rg_technique){ part->name, rows, count };
 }

@@ -1,21 +1,20 @@
-/* target_scale.h: draws what is in the ice at a fraction of the view. */
+/* target_scale.h: renders inclusions in the ice at a fraction of the view's resolution. */
 #ifndef FIRN_TECH_TARGET_SCALE_H
 #define FIRN_TECH_TARGET_SCALE_H
 
 #include "src/tech/row_builder.h"
 #include "src/tech/technique.h"
 
-/* The images of a frame that have a fraction of the view's size. */
+/* The images of a frame that have reduced resolution. */
 struct small_images {
-    struct row_builder *builder; /* owns them, and the rows that draw them */
+    struct row_builder *builder; /* owns the images and the passes that draw them */
     struct small_image *first;
 };
 
 /*
- * Changes a part's rows as target.scale wants them. Depths inside the object are drawn once more at
- * that size, by the rows that are returned. Inclusions are drawn at that size, and rows that make
- * images of the view's size from theirs follow, for whatever reads those. Rows that blend
- * inclusions over the picture read the small images.
+ * Changes the passes of a part for target.scale. Depth maps inside the object are drawn once more
+ * at that resolution, by the returned passes. Inclusions are drawn at that resolution and upsampled
+ * for readers. Passes that composite inclusions read the reduced images.
  *
  * With target.scale=1, and in a pool, nothing is changed. When out of memory, `failed` of the
  * builder is set.

@@ -1,4 +1,4 @@
-/* trace_settings.c: settings of the rung trace, and what a scene makes of them. */
+/* trace_settings.c: settings of the ray tracer and the features that a scene needs from it. */
 #include "src/tech/trace_settings.h"
 #include <math.h>
 #include "shaders/refract_trace.h"
@@ -32,8 +32,8 @@ static const struct setting rows[] = {
         .initial = -1,
         .max = 1,
         .has_auto = true,
-        .help = "minimum share of a path's light at which an internal reflection is followed as "
-                "well (0: always; auto: 0.015 if all objects are clear and rays meet the "
+        .help = "minimum path throughput at which an internal reflection is followed, too "
+                "(0: always; auto: 0.015 if all objects are clear and rays hit the "
                 "surroundings, else 0.03)",
     },
     {
@@ -43,8 +43,8 @@ static const struct setting rows[] = {
         .max = TRACE_RAYS,
         .choices = surroundings,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "source of the light of rays that leave the objects: the environment cube, or rays "
-                "to the triangles of the surroundings (auto: by the scene)",
+        .help = "radiance of rays that leave the objects: from the environment cube, or traced to "
+                "the triangles of the surroundings (auto: depends on the scene)",
     },
     {
         .name = "trace.rays",
@@ -53,8 +53,8 @@ static const struct setting rows[] = {
         .max = TRACE_BY_QUERY,
         .choices = rays_by,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "how rays find triangles: by a tree in the shader, or by ray queries of the "
-                "device (auto: queries, if it has them and is no CPU)",
+        .help = "ray traversal: BVH in the shader, or hardware ray queries "
+                "(auto: queries if the device has them and is not a CPU)",
     },
     {
         .name = "trace.footprint",
@@ -62,8 +62,9 @@ static const struct setting rows[] = {
         .offset = offsetof(struct trace_params, footprint),
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
-        .help = "see an environment picture through objects as blurred as their surfaces spread a "
-                "pixel's rays, less with each sample (rung trace)",
+        .help =
+            "filter environment map lookups by ray differentials against fireflies, less with each "
+            "sample (refraction model trace)",
     },
 };
 
@@ -71,7 +72,7 @@ const struct setting_group trace_settings = SETTING_GROUP("trace", rows, struct 
 
 /* ---- what the scene has ---- */
 
-/* Surfaces of less roughness are smooth; src/reference/whitted.c has the same limit. */
+/* Roughness below which a surface counts as smooth; src/reference/whitted.c has the same limit. */
 #define ROUGHNESS_MIN 1e-3f
 
 static uint32_t object_count(const struct scene *scene)
@@ -79,7 +80,7 @@ static uint32_t object_count(const struct scene *scene)
     return frame_media_count(scene) - 1;
 }
 
-/* Returns the bits that tell of the objects' media. */
+/* Returns the feature bits that depend on the objects' media. */
 static uint32_t objects_constant(const struct scene *scene, const struct settings *settings)
 {
     const uint32_t count = object_count(scene);
@@ -134,7 +135,7 @@ uint32_t trace_features(const struct scene *scene, const struct settings *settin
     return bits;
 }
 
-/* Whether a corner of the surroundings is within `reach` of a point. */
+/* Returns true if a vertex of the surroundings is within `reach` of a point. */
 static bool is_near(const struct mesh *mesh, vec3s point, float reach)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
@@ -158,9 +159,9 @@ bool trace_meets_surroundings(const struct scene *scene, const struct settings *
            is_near(&model->surroundings, box_center(scene->box), box_diagonal(scene->box));
 }
 
-/* Limits of trace.branch=auto. The lower one is less than ice reflects of light that meets its
- * surface at a right angle, 0.018: so the first reflection of each way is followed. The upper one
- * is for scenes in which that takes half as long again, or whose environment cube errs by more. */
+/* Values of trace.branch=auto. The lower one is below the reflectance of ice at normal incidence,
+ * 0.018, so that the first reflection of each path is followed. The upper one is for scenes in
+ * which that takes half as long again, or whose environment cube has larger errors. */
 static const float branch_of_clear = 0.015f, branch_of_others = 0.03f;
 
 float trace_branch(const struct scene *scene, const struct settings *settings)
