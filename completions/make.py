@@ -1,4 +1,4 @@
-"""make.py: what a shell offers after `firn`, from the help and the lists of the program.
+"""make.py: generates shell completions for firn from its help and lists.
 
 Usage: make.py FIRN SHELL OUTPUT   SHELL: bash, zsh or fish
 """
@@ -10,8 +10,8 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'man'))
 from help import COMMANDS, LISTS, Command, choices, names  # noqa: E402
 
-# Options whose values are names of `firn list`; of the second kind, with commas between. Those in
-# FILES may be files, too.
+# Options whose values are names of a `firn list` (NAMED) or comma-separated lists of such names
+# (LISTED). Options in FILES also accept file names.
 NAMED = {'refraction': 'rungs', 'split': 'rungs', 'material': 'materials', 'show': 'layers',
          'env': 'environments', 'quality': 'qualities'}
 LISTED = {'rungs': 'rungs', 'aov': 'layers'}
@@ -34,13 +34,13 @@ class Facts:
             self.lists[kind].pop('FILE')
 
     def settings(self):
-        """Every NAME=, and NAME=VALUE where values are words."""
+        """Yields NAME=VALUE for every setting whose values are words, and NAME= for the others."""
         for name, what in self.lists['settings'].items():
             values = choices(what)
             yield from (f'{name}={value}' for value in values or [''])
 
     def values(self, option):
-        """What may follow it; empty: files, or anything."""
+        """Returns the words that complete an option's value; empty if it takes files or numbers."""
         if option.name in NAMED:
             return list(self.lists[NAMED[option.name]])
         if option.name in LISTED:
@@ -52,7 +52,7 @@ class Facts:
         return list(WORDS.get(option.name, ()))
 
     def positionals(self, command):
-        """Words that are no options; None: files alone."""
+        """Returns the words that complete an argument of a command; None if only files do."""
         if command.name == 'list':
             return list(CATEGORIES)
         kinds = ['slurm', 'parallel', 'status'] if command.name == 'farm' else []
@@ -60,7 +60,7 @@ class Facts:
 
 
 def bash_words(facts, option):
-    """What is offered after an option; "-": files."""
+    """Returns the words that complete an option's value, as shell code; "-" means files."""
     values = facts.values(option)
     if option.name == 'set':
         values = sorted({value.split('=')[0] + '=' for value in values})
@@ -80,7 +80,7 @@ _firn()
         COMPREPLY=($(compgen -W "@COMMANDS@ help --help --version" -- "$cur"))
         return
     fi
-    # readline takes NAME=VALUE for three words
+    # readline splits NAME=VALUE into three words
     local name= at=0
     if [[ $cur == "=" ]]; then
         name=$prev at=$((COMP_CWORD - 2)) cur=
@@ -176,7 +176,7 @@ def zsh(facts):
             both = '*:scene:{compadd -- ' + ' '.join(positionals) + '; _files}'
             text += f' \\\n                {quoted(both)}\n'
         else:
-            text += " \\\n                '*:picture:_files'\n"
+            text += " \\\n                '*:image:_files'\n"
         text += '            ;;\n'
     return text + '''        help) _describe command commands ;;
         esac

@@ -1,4 +1,4 @@
-"""help.py: what `firn` says of itself, for the pages and completions that are made of it."""
+"""help.py: parses the output of `firn --help` and `firn list` for man pages and completions."""
 import re
 import subprocess
 
@@ -7,12 +7,12 @@ COMMANDS = ('render', 'view', 'profile', 'graph', 'diff', 'ladder', 'bake', 'she
 LISTS = ('scenes', 'environments', 'rungs', 'materials', 'layers', 'qualities', 'settings')
 
 
-def say(firn, *words):
+def output_of(firn, *words):
     return subprocess.run([firn, *words], check=True, capture_output=True, text=True).stdout
 
 
 class Option:
-    """A line of the help: "  -o, --output FILE   write ..."."""
+    """An option, parsed from a line of the help: "  -o, --output FILE   write ..."."""
     LINE = re.compile(r'^  (?:-(?P<letter>\w), |    )--(?P<name>[\w-]+)(?P<value>(?:\[?=| )\S+)? +'
                       r'(?P<help>\S.*)$')
 
@@ -23,7 +23,7 @@ class Option:
         self.value = value.strip('[]=') or None
 
     def words(self):
-        """As it is written."""
+        """Returns the option and its value as written on a command line."""
         value = f'[={self.value}]' if self.is_optional else f' {self.value}' if self.value else ''
         return (f'-{self.letter}, ' if self.letter else '') + f'--{self.name}{value}'
 
@@ -31,7 +31,7 @@ class Option:
 class Command:
     def __init__(self, firn, name):
         self.name = name
-        usage, *lines = say(firn, name, '--help').splitlines()
+        usage, *lines = output_of(firn, name, '--help').splitlines()
         self.synopsis, self.summary = usage.split(': ', 1)
         self.examples, self.notes, self.groups = [], [], {}
         group = None
@@ -52,13 +52,13 @@ class Command:
 
 
 def names(firn, kind):
-    """{name: what it is} of what `firn list KIND` prints."""
-    lines = say(firn, 'list', kind).splitlines()[1:]
+    """Returns {name: description} of the output of `firn list KIND`."""
+    lines = output_of(firn, 'list', kind).splitlines()[1:]
     return dict(line.split(None, 1) for line in lines if line.strip())
 
 
 def choices(text):
-    """What a setting can be, where that are words."""
+    """Returns the words that a setting accepts, found in its description; [] for numbers."""
     match = re.search(r'one of ([\w, -]+)', text)
     if match:
         return match.group(1).split(', ')

@@ -1,4 +1,4 @@
-"""page.py: a man page of firn, from its help and, for firn.1, from intro.scd, by scdoc.
+"""page.py: generates a man page of firn with scdoc, from its help and, for firn.1, intro.scd.
 
 Usage: page.py FIRN SCDOC NAME OUTPUT   NAME: firn, firn-settings or firn-COMMAND
 """
@@ -14,7 +14,7 @@ SEE = ', '.join(f'*firn-{name}*(1)' for name in (*COMMANDS, 'settings'))
 
 
 def plain(text):
-    """Words that scdoc takes as they are."""
+    """Escapes characters that scdoc would take for formatting."""
     return re.sub(r'([\\*_#~<>\[\]|])', r'\\\1', text)
 
 
@@ -69,7 +69,7 @@ def main():
     else:
         text = command_page(firn, name.removeprefix('firn-'))
     page = subprocess.run([scdoc], input=text, check=True, capture_output=True, text=True).stdout
-    # scdoc writes today's date: the same source gives the same bytes
+    # remove the current date that scdoc writes, so that builds are reproducible
     page = re.sub(r'(?m)^(\.TH "[^"]*" "1") "[^"]*"', r'\1 ""', page)
     pathlib.Path(output).write_text(page)
 

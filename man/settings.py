@@ -1,4 +1,4 @@
-"""settings.py: docs/settings.md, on stdout, from the table that the program prints.
+"""settings.py: generates docs/settings.md on stdout from the output of `firn list settings`.
 
 Usage: settings.py FIRN
 """

@@ -1,4 +1,4 @@
-/* app.h: the program's subcommands and what their options say. */
+/* app.h: the program's commands, and the parsed command-line options. */
 #ifndef FIRN_APP_APP_H
 #define FIRN_APP_APP_H
 
@@ -16,18 +16,18 @@
 #include "src/settings/settings.h"
 
 enum {
-    APP_OUTPUT_COUNT = 16,      /* -o options at most */
-    APP_POSITIONAL_COUNT = 256, /* words that are not options, and NULL */
-    APP_SWEEP_COUNT = 4,        /* --sweep */
-    APP_SBATCH_COUNT = 16,      /* --sbatch */
-    APP_NODE_COUNT = 16,        /* --material NODE=... */
-    APP_LADDER_SCENE_COUNT = 8, /* of firn ladder; all but the first are positionals */
+    APP_OUTPUT_COUNT = 16,      /* maximum number of -o options */
+    APP_POSITIONAL_COUNT = 256, /* arguments that are not options, including the final NULL */
+    APP_SWEEP_COUNT = 4,        /* maximum number of --sweep */
+    APP_SBATCH_COUNT = 16,      /* maximum number of --sbatch */
+    APP_NODE_COUNT = 16,        /* maximum number of --material NODE=... */
+    APP_LADDER_SCENE_COUNT = 8, /* maximum number of scenes of firn ladder */
 };
 
-#define APP_UI_SCALE_MIN 0.5f /* --ui-scale */
+#define APP_UI_SCALE_MIN 0.5f /* range of --ui-scale */
 #define APP_UI_SCALE_MAX 4.0f
 
-/* How a command prints what it prints. */
+/* Output format of commands that print. */
 enum app_format {
     APP_FORMAT_TEXT,
     APP_FORMAT_DOT,
@@ -37,10 +37,10 @@ enum app_format {
     APP_FORMAT_COUNT,
 };
 
-/* Whether panels lie over a window's picture when it opens. */
+/* Initial visibility of the panels in a window. */
 enum app_overlay {
-    APP_OVERLAY_AUTO, /* if hands may use them: without --frames and --screenshot */
-    APP_OVERLAY_ON,   /* and in the PNG files of --screenshot */
+    APP_OVERLAY_AUTO, /* visible if the window is interactive: without --frames and --screenshot */
+    APP_OVERLAY_ON,   /* also in the PNG files of --screenshot */
     APP_OVERLAY_OFF,
 };
 
@@ -50,55 +50,55 @@ struct app_vector {
     vec3s value;
 };
 
-/* What is drawn. */
+/* Options that describe the scene. */
 struct app_scene {
-    const char *name; /* SCENE; NULL: it is missing */
+    const char *name; /* SCENE; NULL if it is missing */
     const char *environment, *surroundings, *material;
-    const char *cracks;                 /* model file of a crack; NULL: cracks are made */
-    const char *bump, *bump_mask, *air; /* pictures; NULL: the same */
+    const char *cracks;                 /* model file of a crack; NULL: generated cracks */
+    const char *bump, *bump_mask, *air; /* image files; NULL: generated */
     struct node_material node_materials[APP_NODE_COUNT];
     uint32_t node_material_count;
-    const char *animation;        /* of the model file, or "none"; NULL: its first one, if any */
-    struct place place;           /* of the model file */
-    bool is_placed;               /* by an option */
-    bool has_own_environment;     /* it is the asset's, and not said by an option */
+    const char *animation;        /* name of an animation, or "none"; NULL: the model's first one */
+    struct place place;           /* transform of the model file */
+    bool is_placed;               /* `place` was set by an option */
+    bool has_own_environment;     /* `environment` is the asset's default, not set by an option */
     float env_rotate;             /* degrees */
     float env_exposure;           /* stops */
-    bool no_background;           /* pictures do not show it */
+    bool no_background;           /* images have alpha 0 instead of a background */
     struct app_vector background; /* linear */
     struct reader_params reader;
     struct settings settings;
-    struct settings stated; /* of a window: what options and hands said, without a scene's own */
-    const char *preset;     /* file; NULL: none */
-    bool is_set[SETTINGS_FIELD_COUNT], is_preset[SETTINGS_FIELD_COUNT]; /* by --set, --preset */
-    bool is_own[SETTINGS_FIELD_COUNT];                                  /* by the asset's row */
-    bool quiet;                                                         /* no notes */
-    bool plain; /* without what only ice has, and without highlights */
+    struct settings stated; /* for the window: settings of options and user, not the scene's */
+    const char *preset;     /* file; NULL if there is none */
+    bool is_set[SETTINGS_FIELD_COUNT], is_preset[SETTINGS_FIELD_COUNT]; /* by --set, by --preset */
+    bool is_own[SETTINGS_FIELD_COUNT];                                  /* set by the asset */
+    bool quiet;                                                         /* print no notes */
+    bool plain; /* without inclusions and bumps of ice, and without highlights */
 };
 
-/* A picture of it, and how that is made. */
+/* Options that describe the rendered image of a scene. */
 struct app_picture {
     struct app_scene scene;
-    const struct technique *rung;  /* until app_choose_rung(), if nobody names one: bounce */
-    bool is_rung_named;            /* by --refraction, or by hand in a window */
-    const struct technique *split; /* on the right of a window; NULL: it is not split */
+    const struct technique *rung;  /* refraction model; bounce until app_choose_rung() chooses */
+    bool is_rung_named;            /* by --refraction, or by the user of a window */
+    const struct technique *split; /* model right of a window's divider; NULL if there is none */
     uint32_t width, height, samples;
-    bool adapts;            /* parts with little noise have fewer samples: adaptive.h */
-    uint32_t level_samples; /* of --quality, which firn render has unless --samples says; 0: none */
-    bool level_is_smooth;   /* the same of its pixel filter */
+    bool adapts;            /* adaptive sampling: adaptive.h */
+    uint32_t level_samples; /* samples of --quality, unless --samples is given; 0: none */
+    bool level_is_smooth;   /* --quality asks for a smooth pixel filter */
     bool is_filter_named;
     enum pixel_filter filter;
-    uint32_t columns, rows;         /* of tiles that it is drawn in; 0: it is not */
-    uint32_t tile;                  /* the one to draw, from 1; 0: all of them */
-    bool interleaved;               /* tiles are so: renderer.h */
-    bool all_layers;                /* that the rung makes; app_parse() puts them into: */
+    uint32_t columns, rows;         /* tiles that the image is drawn in; 0: drawn whole */
+    uint32_t tile;                  /* the only tile to draw, from 1; 0: all */
+    bool interleaved;               /* tiles are interleaved: renderer.h */
+    bool all_layers;                /* app_parse() sets the bits of all drawn layers in `layers` */
     uint32_t layers;                /* bit i: techniques_layer(i) */
-    uint32_t png_bits;              /* of a channel; 0 means 8 */
-    const struct frame_layer *show; /* what PNG files show; NULL: the tonemapped picture */
-    const char *camera;             /* name or number of one of the model's; NULL: none is named */
+    uint32_t png_bits;              /* bits per channel; 0 means 8 */
+    const struct frame_layer *show; /* layer in PNG files; NULL: the tone-mapped image */
+    const char *camera; /* name or number of a camera of the model; NULL if none is named */
     struct app_vector eye, target;
-    struct app_vector orbit; /* azimuth, elevation (degrees), distance */
-    float fov_deg;           /* 0: the model's, or 45 */
+    struct app_vector orbit; /* azimuth, elevation (degrees), distance (metres) */
+    float fov_deg;           /* 0: that of the model's camera, or 45 */
     enum rg_sharing sharing;
 };
 
@@ -107,95 +107,95 @@ struct app_outputs {
     uint32_t count;
 };
 
-/* What it is drawn on, and what is printed and written. */
+/* Device, output files and format of a command. */
 struct app_run {
     struct gpu_params gpu;
     struct app_outputs outputs;
     enum app_format format;
     bool quiet;
-    const char *program; /* as it was called */
-    char *const *words;  /* of the command line, from the command on; ends at NULL */
+    const char *program; /* argv[0] */
+    char *const *words;  /* command line from the command on; ends at NULL */
 };
 
-/* Of firn render and, but for json, of what firn farm starts. */
+/* Options of firn render; firn farm passes all but json on. */
 struct app_render {
-    const char *frames;          /* not parsed; NULL: one picture */
-    uint32_t chunk, chunk_count; /* of frames, from 1; 0: all of them */
+    const char *frames;          /* not parsed yet; NULL: a single image */
+    uint32_t chunk, chunk_count; /* chunk of the frames, from 1; 0: all frames */
     bool resume;
-    bool keep_sums;        /* of the reference, in sums_file.h's file */
-    double noise, seconds; /* the reference ends by; 0: by its samples alone */
-    const char *json;      /* file of a report; NULL: none */
+    bool keep_sums;        /* store the sample sums of the reference: sums_file.h */
+    double noise, seconds; /* limits at which the reference stops; 0: only its sample count */
+    const char *json;      /* report file; NULL if there is none */
 };
 
-/* Of firn view. */
+/* Options of firn view. */
 struct app_view {
-    uint32_t frame_count; /* ends after so many; 0: when the window is closed */
-    uint32_t fps_limit;   /* frames a second; 0: none */
-    double time_step;     /* seconds from frame to frame; 0: as time passes */
-    const char *watch;    /* folder of shaders; NULL: none */
+    uint32_t frame_count; /* number of frames until the window closes; 0 means no limit */
+    uint32_t fps_limit;   /* frames per second; 0: no limit */
+    double time_step;     /* seconds of scene time per frame; 0: real time */
+    const char *watch;    /* folder of shaders to reload; NULL if there is none */
     VkPresentModeKHR present;
     enum app_overlay overlay;
-    float ui_scale;      /* of the panels; 0: the desktop's */
+    float ui_scale;      /* scale of the panels; 0: that of the desktop */
     uint32_t theme;      /* index into app_themes */
-    const char *ui_dump; /* file for the places of controls; NULL: none */
-    const char *session; /* file to begin with; NULL: none */
+    const char *ui_dump; /* file for the positions of controls; NULL if there is none */
+    const char *session; /* session file to open; NULL if there is none */
 };
 
-/* Of firn profile. */
+/* Options of firn profile. */
 struct app_profile {
-    enum rg_clock clock; /* to measure by; RG_CLOCK_NONE: what a test of the device finds */
+    enum rg_clock clock; /* RG_CLOCK_NONE: chosen by testing the device's timestamps */
     uint32_t warmup, run_count;
-    double time_step;                      /* seconds from run to run */
-    const char *json, *csv, *trace, *html; /* files of reports; NULL: not wanted */
-    const char *baseline;                  /* file */
+    double time_step;                      /* seconds of scene time per run */
+    const char *json, *csv, *trace, *html; /* report files; NULL if not wanted */
+    const char *baseline;                  /* profile to compare with; NULL if there is none */
     bool each, capture;
 };
 
-/* Of firn profile and firn sheet. */
+/* Options of firn profile and firn sheet. */
 struct app_sweeps {
     const char *words[APP_SWEEP_COUNT]; /* "name=a,b,c" */
     uint32_t count;
 };
 
-/* Of firn diff and of firn ladder's truth. */
+/* Options of firn diff and of firn ladder --truth. */
 struct app_mask {
     const char *file, *channel; /* NULL: all pixels, "A" */
 };
 
-/* Of firn diff. */
+/* Options of firn diff. */
 struct app_diff {
     bool has_exposure;
     float exposure; /* stops */
-    bool only_heat; /* PNG files have the errors alone */
+    bool only_heat; /* PNG files show only the errors */
     float ppd;      /* pixels per degree; 0: FLIP_PPD */
     enum flip_curve curve;
     bool has_limit[COMPARISON_METRIC_COUNT];
     double limits[COMPARISON_METRIC_COUNT];
 };
 
-/* Of firn ladder. */
+/* Options of firn ladder. */
 struct app_ladder {
     uint32_t rungs;     /* bit i: techniques_rung(i); 0: all */
-    uint32_t run_count; /* frames of each rung against the clock */
+    uint32_t run_count; /* timed frames per refraction model */
     bool furnace;
     bool whole;        /* with the inclusions of ice */
-    const char *truth; /* file; NULL: none */
+    const char *truth; /* image file; NULL if there is none */
 };
 
-/* Of firn farm. */
+/* Options of firn farm. */
 struct app_farm {
-    uint32_t task_count; /* 0: one for each frame, up to FARM_TASKS */
-    const char *hosts;   /* of GNU parallel; NULL: this machine */
+    uint32_t task_count; /* number of jobs; 0: one per frame, up to FARM_TASKS */
+    const char *hosts;   /* ssh hosts for GNU parallel; NULL: this machine */
     const char *sbatch[APP_SBATCH_COUNT];
     uint32_t sbatch_count;
     bool submit;
 };
 
-/* What the command line says; app_parse() sets what is not zero by default. */
+/* All command-line options; app_parse() sets the defaults that are not zero. */
 struct app_options {
     struct app_picture picture;
     struct app_run run;
-    const char *positionals[APP_POSITIONAL_COUNT]; /* words that are not SCENE; end at NULL */
+    const char *positionals[APP_POSITIONAL_COUNT]; /* arguments other than SCENE; end at NULL */
     struct app_render render;
     struct app_view view;
     struct app_profile profile;
@@ -206,7 +206,7 @@ struct app_options {
     struct app_farm farm;
 };
 
-/* Colours of the window; ends at NULL. */
+/* Names of the window's colour themes; ends at NULL. */
 extern const char *const app_themes[];
 
 enum app_command {
@@ -225,19 +225,19 @@ enum app_command {
 };
 
 /*
- * Parses the words after the command. What is wrong is logged in one line: STATUS_USAGE. Asked for
- * help it prints it and sets *done.
+ * Parses the arguments after the command. Logs an error in one line and returns STATUS_USAGE. If
+ * help is requested, prints it and sets *done.
  */
 MUST_USE enum status app_parse(struct app_options *options, enum app_command command, int argc,
                                char **argv, bool *done);
 
 /*
- * Writes those of a command's words that firn render takes, too, quoted, with a space before each.
- * The first `skip` words that are no options are left out.
+ * Prints those arguments of a command that firn render accepts, too, quoted, each after a space.
+ * The first `skip` arguments that are not options are left out.
  */
 void app_print_render_words(char *const *words, enum app_command command, uint32_t skip, FILE *out);
 
-/* The help of a command, on stdout. */
+/* Prints the help of a command on stdout. */
 void app_help(enum app_command command);
 
 enum status app_render(const struct app_options *options);
@@ -245,7 +245,8 @@ enum status app_graph(const struct app_options *options);
 enum status app_info(const struct app_options *options);
 enum status app_list(const struct app_options *options);
 enum status app_profile(const struct app_options *options);
-enum status app_view(const struct app_options *options); /* becomes firn-view if it can */
+/* replaces this process by firn-view if it can */
+enum status app_view(const struct app_options *options);
 enum status app_diff(const struct app_options *options);
 enum status app_ladder(const struct app_options *options);
 enum status app_bake(const struct app_options *options);
@@ -254,75 +255,74 @@ enum status app_farm(const struct app_options *given);
 enum status app_merge(const struct app_options *options);
 
 /*
- * Sets what `name` means, an option that says what is drawn ("size", "material") or a setting
- * ("cracks.count"), as the command line would. Logs: STATUS_USAGE.
+ * Sets an option of the image ("size", "material") or a setting ("cracks.count") by its name, as
+ * the command line would. On failure logs and returns STATUS_USAGE.
  */
 MUST_USE enum status app_set(struct app_picture *picture, const char *name, const char *value);
 
-/* Names the file that a command writes where none is named. */
+/* Sets the default output file of a command if none is named. */
 void app_name_output(struct app_options *o, enum app_command command);
 
-/* Whether it has a name. Logs: STATUS_USAGE. */
+/* Checks that SCENE is given. If not, logs and returns STATUS_USAGE. */
 MUST_USE enum status app_need_scene(const struct app_scene *given);
 
 struct bump_maps_params;
 
-/* What the options say of the scene; the result points to `maps` and into the options. */
+/* Returns the scene parameters for the options; it points to `maps` and into the options. */
 struct scene_params app_describe_scene(const struct app_scene *given,
                                        struct bump_maps_params *maps);
 
-/* Loads the scene that the options name, an animated one as it is at motion.time, and settles what
- * depends on it: settings.refract.ior. */
+/* Loads the scene that the options name, posed at motion.time if it is animated, and sets the
+ * settings that depend on it, such as refract.ior. */
 MUST_USE enum status app_load_scene(struct scene *scene, struct app_scene *given);
 
-/* What a scene of this name is in unless an option says another thing; NULL: the built-in sky. */
+/* Returns the default environment of a scene of this name; NULL: the built-in sky. */
 struct asset;
 const struct asset *app_own_environment(const char *name);
 
-/* Puts into settings, where nobody has said another value, what a scene brings, which is loaded. */
+/* Applies the settings of a loaded scene, except where options set other values. */
 void app_settle_settings(struct app_scene *given, const struct scene *scene);
 
-/* Returns what a scene, which is loaded, has by itself: without options and hands. */
+/* Returns a loaded scene's own settings, without options and changes by the user. */
 struct settings app_own_settings(const struct app_scene *given, const struct scene *scene);
 
 /*
- * The same in two parts: what can be wrong, and what only takes a while and may run beside others
- * that read the first. The second returns NULL, or what there was no memory for, and does not log:
- * app_fill_failed() does, and returns STATUS_TRY_AGAIN.
+ * Load a scene in two steps. The first finds all errors. The second only takes time, and may run in
+ * parallel with code that reads the result of the first. It logs nothing, and returns NULL or what
+ * there was no memory for; app_fill_failed() then logs that and returns STATUS_TRY_AGAIN.
  */
 MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *given);
 MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *given);
 enum status app_fill_failed(const char *lacking);
 
 /*
- * Poses a scene of app_begin_scene(), which is at time 0, for another time, seconds: loads an
- * animated model again, and fills the scene. Of others, and for the time that it is posed for,
- * nothing happens. Nothing may use the scene. On failure it is as before.
+ * Poses an animated model of app_begin_scene(), which is at time 0, for another time, seconds:
+ * reloads the model and fills the scene. Does nothing for other scenes, or if the time is the same.
+ * The scene must not be in use. On failure it is unchanged.
  */
 MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene *given, float time,
                                     bool *is_changed);
 
 /*
- * Chooses the rung of a loaded scene unless one is named: bounce for one closed refractive object
- * that it draws as it is, seen from outside, else trace. Says so if it is trace (unless the options
- * are quiet), and what the rung leaves out that the reference draws. The camera, of the first
- * frame, may be NULL: it is outside.
+ * Chooses the refraction model of a loaded scene unless one is named: bounce for one closed
+ * refractive object that it draws without approximation, seen from outside, else trace. Logs a note
+ * if it is trace (unless quiet), and warnings of what the model leaves out that the reference
+ * draws. `camera` is that of the first frame; NULL if it is outside all objects.
  */
 void app_choose_rung(struct app_picture *picture, const struct scene *scene,
                      const struct camera *camera);
 
-/* Says once that a device has no ray queries where trace.rays asks for them. */
+/* Logs a warning if trace.rays asks for ray queries and the device has none. */
 void app_check_rays(const struct settings *settings, const struct gpu *gpu);
 
-/* The camera of the options, which may name one of the model's, else the model's first, else one
- * that frames the object. */
+/* Finds the camera: the model's of that name, else its first, else one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
                                 const struct app_picture *picture);
 
 struct renderer_params;
 
-/* For renderers of the picture, in tiles if it is; the caller says how many samples and what they
- * bring back. Points into the picture. */
+/* Returns parameters for renderers of the image, in tiles if requested. The caller sets samples and
+ * outputs. Points into the picture. */
 struct renderer_params app_renderer_params(const struct app_picture *picture, struct gpu *gpu,
                                            const struct scene *scene);
 

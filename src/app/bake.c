@@ -1,4 +1,4 @@
-/* bake.c: firn bake: the environment cube of a scene, to a file that --env takes. */
+/* bake.c: command firn bake: writes the environment cube of a scene to a file for --env. */
 #include <cglm/struct.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -74,7 +74,7 @@ static enum status load(struct job *job)
         settings_of(&job->o.picture.scene.settings, &motion_settings);
     enum status status = app_load_scene(&job->scene, &job->o.picture.scene);
     if (status == STATUS_OK && job->scene.cube.texels) {
-        log_error("--env %s: expected an equirectangular picture, got a cube of firn bake",
+        log_error("--env %s: expected an equirectangular image, got a cube of firn bake",
                   job->o.picture.scene.environment);
         status = STATUS_USAGE;
     }
@@ -107,7 +107,7 @@ static enum status run(struct job *job)
     if (status == STATUS_OK)
         status = write_output(job);
     if (status == STATUS_OK && job->gpu.message_count)
-        status = STATUS_FAILED; /* the validation layer has said why */
+        status = STATUS_FAILED; /* the validation layer has logged why */
     return status;
 }
 

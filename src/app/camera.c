@@ -1,4 +1,4 @@
-/* camera.c: the camera that the options name, place, or leave to the model. */
+/* camera.c: chooses the camera from the options --camera, --eye and --orbit, or from the model. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
@@ -28,8 +28,7 @@ static enum status refuse_name(const struct model *model, const struct app_pictu
     return STATUS_USAGE;
 }
 
-/* Finds the camera of --camera, by its name or else its number; those of surroundings are not
- * meant. */
+/* Finds the camera of --camera by name or number; those of --surroundings are not considered. */
 static enum status find_named(const struct model_camera **found, const struct model *model,
                               const struct app_picture *p)
 {
@@ -45,7 +44,7 @@ static enum status find_named(const struct model_camera **found, const struct mo
         return refuse_name(model, p);
     if (named->kind == MODEL_ORTHOGRAPHIC && p->fov_deg > 0.0f) {
         log_error("--fov conflicts with --camera %s: the camera is orthographic, so it has no "
-                  "angle of view; leave out --fov",
+                  "field of view; leave out --fov",
                   p->camera);
         return STATUS_USAGE;
     }
@@ -59,8 +58,8 @@ static void reach(const struct mesh *mesh, vec3s center, float *radius)
         *radius = fmaxf(*radius, glms_vec3_distance(mesh->vertices[i].position, center));
 }
 
-/* Returns a camera of the file; an orthographic one reaches beyond all that turns around the
- * object, also from twice as far. */
+/* Returns a camera of the model file. The depth range of an orthographic camera covers everything
+ * that rotates around the object, even from twice the distance. */
 static struct camera camera_of(const struct model_camera *m, const struct scene *scene)
 {
     struct camera camera = m->camera;
@@ -75,7 +74,7 @@ static struct camera camera_of(const struct model_camera *m, const struct scene 
     return camera;
 }
 
-/* ---- of a picture ---- */
+/* ---- of an image ---- */
 
 static struct camera choose(const struct scene *scene, const struct app_picture *p,
                             const struct camera *own)
@@ -92,13 +91,13 @@ static struct camera choose(const struct scene *scene, const struct app_picture 
         return turned;
     }
     float distance = camera_framing_distance(box_diagonal(scene->framed), fov, p->width, p->height);
-    if (!(distance > 0.0f)) /* a point, or nothing */
+    if (!(distance > 0.0f)) /* the box is a point, or empty */
         distance = 1.0f;
     const vec3s orbit = p->orbit.is_given ? p->orbit.value : (vec3s){ { 28.0f, 9.0f, distance } };
     return camera_orbit(orbit.x, orbit.y, orbit.z, target, fov);
 }
 
-/* At most one option says where the camera is. */
+/* Checks that at most one option sets the camera position. */
 static enum status check_conflicts(const struct app_picture *p)
 {
     const char *first = p->camera ? "camera" : "eye";
@@ -126,7 +125,7 @@ enum status app_camera(struct camera *camera, const struct scene *scene,
     *camera = choose(scene, p, is_named || model->has_camera ? &own : NULL);
     if (!glms_vec3_eqv(camera->eye, camera->target))
         return STATUS_OK;
-    /* maybe only as floats go: there is no millimetre a thousand kilometres away */
+    /* they may differ by less than float resolution: far from the origin, millimetres are lost */
     log_error(
         "the camera and its target have the same position: change --eye, --orbit or --target");
     return STATUS_USAGE;

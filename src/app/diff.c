@@ -1,4 +1,4 @@
-/* diff.c: firn diff: how far two pictures are apart. */
+/* diff.c: command firn diff: measures the differences between two images. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,20 +15,20 @@
 struct job {
     const struct app_options *options;
     struct image reference, test;
-    bool is_display; /* both */
-    bool *counted;   /* NULL: all */
+    bool is_display; /* both images are display-referred (PNG) */
+    bool *counted;   /* pixels selected by the mask; NULL: all */
     struct comparison comparison;
     struct diff_report report;
 };
 
-/* ---- pictures ---- */
+/* ---- images ---- */
 
 static enum status check_size(const struct job *job, const struct image *other, const char *path)
 {
     return input_check_size(&job->reference, job->options->positionals[0], other, path);
 }
 
-static enum status read_pictures(struct job *job)
+static enum status read_images(struct job *job)
 {
     const char *const *paths = job->options->positionals;
     const struct reader_params *params = &job->options->picture.scene.reader;
@@ -52,7 +52,7 @@ static enum status read_mask(struct job *job)
     return status;
 }
 
-/* ---- before and after the comparison ---- */
+/* ---- checks of options and results ---- */
 
 static enum status check_options(struct job *job)
 {
@@ -60,16 +60,16 @@ static enum status check_options(struct job *job)
     const char *const *paths = o->positionals;
     enum status status = STATUS_USAGE;
     if (!paths[1]) {
-        log_error("expected two pictures: firn diff REFERENCE TEST (see --help)");
+        log_error("expected two images: firn diff REFERENCE TEST (see --help)");
         return status;
     }
     job->is_display = path_ends_in(paths[0], ".png");
     if (job->is_display != path_ends_in(paths[1], ".png"))
-        log_error("cannot compare %s with %s: a PNG picture can only be compared with another PNG "
-                  "picture",
+        log_error("cannot compare %s with %s: a PNG image can only be compared with another PNG "
+                  "image",
                   paths[0], paths[1]);
     else if (job->is_display && o->diff.has_exposure)
-        log_error("--exposure: not available for PNG pictures, which are already exposed");
+        log_error("--exposure: not available for PNG images, which are already exposed");
     else if (o->mask.channel && !o->mask.file)
         log_error("--mask-channel %s: --mask is missing", o->mask.channel);
     else
@@ -79,7 +79,7 @@ static enum status check_options(struct job *job)
     return status;
 }
 
-/* What is asked for and cannot be had. */
+/* Checks that the images have the channels that the options need. */
 static enum status check_layers(const struct job *job)
 {
     const struct app_options *o = job->options;
@@ -93,7 +93,7 @@ static enum status check_layers(const struct job *job)
     for (int i = 0; i < COMPARISON_METRIC_COUNT; i++) {
         if (!o->diff.has_limit[i] || comparison_metric(c, (enum comparison_metric)i, &value))
             continue;
-        log_error("--fail-above %s: expected the channels %s in both pictures",
+        log_error("--fail-above %s: expected the channels %s in both images",
                   comparison_metric_names[i],
                   i == COMPARISON_ANGLE ? "exit.X, exit.Y and exit.Z" : "R, G and B");
         return STATUS_DATA;
@@ -101,14 +101,14 @@ static enum status check_layers(const struct job *job)
     for (uint32_t i = 0; i < o->run.outputs.count; i++) {
         if (c->has_beauty || (c->has_exit && path_ends_in(o->run.outputs.paths[i], ".exr")))
             continue;
-        log_error("cannot write %s: expected the channels R, G and B in both pictures",
+        log_error("cannot write %s: expected the channels R, G and B in both images",
                   o->run.outputs.paths[i]);
         return STATUS_DATA;
     }
     return STATUS_OK;
 }
 
-/* A number that is not finite is above any limit. */
+/* Compares the metrics with the limits of --fail-above. Non-finite values exceed any limit. */
 static void check_limits(struct job *job)
 {
     const struct app_diff *o = &job->options->diff;
@@ -128,7 +128,7 @@ static void check_limits(struct job *job)
     }
 }
 
-/* ---- the error picture ---- */
+/* ---- the error image ---- */
 
 static enum status encode_png(const struct job *job, void **data, size_t *size)
 {
@@ -144,7 +144,7 @@ static enum status encode_png(const struct job *job, void **data, size_t *size)
     return (o->only_heat ? diff_sheet_heat : diff_sheet_all)(&sheet, data, size);
 }
 
-/* Planes are borrowed from the comparison. */
+/* Encodes the errors as EXR. The planes are borrowed from the comparison. */
 static enum status encode_exr(const struct job *job, void **data, size_t *size)
 {
     const struct comparison *c = &job->comparison;
@@ -174,7 +174,7 @@ static enum status write_errors(const struct job *job, const char *path)
     return status;
 }
 
-/* ---- all ---- */
+/* ---- the command ---- */
 
 static enum status compare(struct job *job)
 {
@@ -215,7 +215,7 @@ static enum status run(struct job *job)
     const struct app_options *o = job->options;
     enum status status = check_options(job);
     if (status == STATUS_OK)
-        status = read_pictures(job);
+        status = read_images(job);
     if (status == STATUS_OK && o->mask.file)
         status = read_mask(job);
     if (status == STATUS_OK)

@@ -1,4 +1,4 @@
-/* diff_report.c: two pictures' differences as text and JSON. */
+/* diff_report.c: prints the differences between two images as text and JSON. */
 #include "src/app/diff_report.h"
 #include <ctype.h>
 #include <jansson.h>
@@ -12,7 +12,7 @@ enum {
     COLUMNS = 100
 };
 
-/* Of a file, which may have named it anything; returns the columns it takes. */
+/* Prints a channel name of a file without its control characters. Returns its width, columns. */
 static int print_name(const char *name, FILE *out)
 {
     int columns = 0;
@@ -63,7 +63,7 @@ static void print_flip(const struct diff_report *report, FILE *out)
     fprintf(out, ", %.4g pixels per degree\n", report->ppd);
 }
 
-/* As wide as others; "-" where there is none. */
+/* Prints a number in a fixed width; "-" for NaN. */
 static void print_number(double number, FILE *out)
 {
     if (isnan(number))
@@ -102,7 +102,7 @@ static void print_layers(const struct comparison *c, FILE *out)
     }
 }
 
-static double share(uint64_t part, uint64_t all)
+static double fraction(uint64_t part, uint64_t all)
 {
     return all ? (double)part / (double)all : 0.0;
 }
@@ -116,7 +116,7 @@ static void print_exit(const struct angle *angle, FILE *out)
                 angle->median, angle->most_95, angle->largest);
     fprintf(out, "pixels: %llu\n", both);
     fprintf(out, "           only in the reference: %llu; only in the test: %llu; %.4g %% of all\n",
-            r, t, 100.0 * share(r + t, both + r + t));
+            r, t, 100.0 * fraction(r + t, both + r + t));
 }
 
 void diff_report_text(const struct diff_report *report, FILE *out)
@@ -129,7 +129,7 @@ void diff_report_text(const struct diff_report *report, FILE *out)
         print_exit(&c->angle, out);
     if (c->has_tir)
         fprintf(out, "\ntir        differs in %.4g %% of %llu pixels\n",
-                100.0 * share(c->tir_differs, c->tir_count), (unsigned long long)c->tir_count);
+                100.0 * fraction(c->tir_differs, c->tir_count), (unsigned long long)c->tir_count);
     if (c->only_reference_count || c->only_test_count)
         fputs("\n", out);
     if (c->only_reference_count)
@@ -140,13 +140,13 @@ void diff_report_text(const struct diff_report *report, FILE *out)
 
 /* ---- JSON ---- */
 
-/* jansson takes NULL for either, and the value even where it fails. */
+/* Adds a value to an object or, if `key` is NULL, to an array. Always takes ownership of it. */
 static bool put(json_t *json, const char *key, json_t *value)
 {
     return (key ? json_object_set_new(json, key, value) : json_array_append_new(json, value)) == 0;
 }
 
-/* Names of files need not be UTF-8. */
+/* Returns a string; file names that are not UTF-8 are replaced by plain ASCII. */
 static json_t *make_text(const char *text)
 {
     json_t *json = json_string(text);
@@ -161,7 +161,7 @@ static json_t *make_text(const char *text)
     return json;
 }
 
-/* JSON knows no NaN. */
+/* Returns a number, or null if it is not finite, because JSON has no NaN. */
 static json_t *make_number(double number)
 {
     return isfinite(number) ? json_real(number) : json_null();
@@ -232,7 +232,7 @@ static bool put_exit(json_t *json, const struct angle *angle)
            put(exit, "largest", make_number(angle->largest)) &&
            put(exit, "only_reference", make_count(angle->only_reference)) &&
            put(exit, "only_test", make_count(angle->only_test)) &&
-           put(exit, "mismatch", make_number(share(one, one + angle->both)));
+           put(exit, "mismatch", make_number(fraction(one, one + angle->both)));
 }
 
 static bool put_tir(json_t *json, const struct comparison *c)
@@ -240,7 +240,7 @@ static bool put_tir(json_t *json, const struct comparison *c)
     json_t *tir = json_object();
     return put(json, "tir", tir) && put(tir, "pixels", make_count(c->tir_count)) &&
            put(tir, "differs", make_count(c->tir_differs)) &&
-           put(tir, "mismatch", make_number(share(c->tir_differs, c->tir_count)));
+           put(tir, "mismatch", make_number(fraction(c->tir_differs, c->tir_count)));
 }
 
 static bool fill_json(json_t *json, const struct diff_report *report)

@@ -1,4 +1,4 @@
-/* diff_report.h: what firn diff prints. docs/diff.md says what each number and key means. */
+/* diff_report.h: prints the result of firn diff. docs/diff.md explains each number and key. */
 #ifndef FIRN_APP_DIFF_REPORT_H
 #define FIRN_APP_DIFF_REPORT_H
 
@@ -11,13 +11,13 @@ struct diff_report {
     const struct comparison *comparison;
     uint32_t width, height; /* pixels */
     double ppd;
-    bool failed[COMPARISON_METRIC_COUNT]; /* above the limits of the options */
+    bool failed[COMPARISON_METRIC_COUNT]; /* the metric exceeds its --fail-above limit */
 };
 
-/* Lines of at most 100 columns, unless names are long. */
+/* Prints the report as text, in lines of at most 100 columns unless names are long. */
 void diff_report_text(const struct diff_report *report, FILE *out);
 
-/* One object. False: memory is short. */
+/* Prints the report as one JSON object. Returns false when out of memory. */
 bool diff_report_json(const struct diff_report *report, FILE *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* diff_sheet.c: two pictures beside the picture of their errors. */
+/* diff_sheet.c: PNG of two images side by side with the image of their errors. */
 #include "src/app/diff_sheet.h"
 #include <math.h>
 #include <stdio.h>
@@ -13,9 +13,9 @@
 enum {
     CELLS = 3,
     MARGIN = 8,   /* pixels */
-    LABEL = 100,  /* least width of a cell at scale 1, pixels */
-    BAR = 16,     /* width of the scale, pixels */
-    BAR_MIN = 40, /* its least height, pixels */
+    LABEL = 100,  /* minimum width of a cell at scale 1, pixels */
+    BAR = 16,     /* width of the colour scale, pixels */
+    BAR_MIN = 40, /* minimum height of the colour scale, pixels */
     LETTERS = 2,  /* scale of the letters in cells that are wide enough */
     GREY = 34,
 };
@@ -42,7 +42,8 @@ static bool make_picture(const struct diff_sheet *sheet, const struct image *ima
         const float *texels = image_find(image, names[c]);
         for (size_t i = 0; i < (size_t)image->width * image->height; i++) {
             const float value = texels[i] * gain;
-            const float shown = value > 0.0f ? srgb_encode(value) : 0.0f; /* NaN is black, too */
+            /* NaN becomes black, too */
+            const float shown = value > 0.0f ? srgb_encode(value) : 0.0f;
             picture->rgba[4 * i + c] = (uint8_t)lrintf(shown * 255.0f);
         }
     }

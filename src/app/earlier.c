@@ -1,4 +1,4 @@
-/* earlier.c: poses a model for the frame before. */
+/* earlier.c: vertex positions and camera of an animated model in the previous frame. */
 #include "src/app/earlier.h"
 #include <cglm/struct.h>
 #include <stdlib.h>
@@ -14,14 +14,14 @@ bool earlier_is_wanted(const struct app_picture *picture)
     return picture->show == motion || picture->layers & layer_picture_bit(motion);
 }
 
-static enum status copy(struct earlier *earlier, const struct model *model)
+static enum status copy(struct previous_pose *previous, const struct model *model)
 {
     const struct mesh *const meshes[] = { &model->object, &model->surroundings };
     const size_t count = (size_t)model->object.vertex_count + model->surroundings.vertex_count;
     const size_t rows = count / FIRST_SURFACE_WIDTH + 1;
     vec4s *to = calloc(rows * FIRST_SURFACE_WIDTH, sizeof(*to));
-    *earlier = (struct earlier){ to, (uint32_t)rows, model->object.vertex_count,
-                                 model->surroundings.vertex_count };
+    *previous = (struct previous_pose){ to, (uint32_t)rows, model->object.vertex_count,
+                                        model->surroundings.vertex_count };
     if (!to)
         return log_out_of_memory("the layer motion");
     for (size_t m = 0; m < 2; m++) {
@@ -31,30 +31,30 @@ static enum status copy(struct earlier *earlier, const struct model *model)
     return STATUS_OK;
 }
 
-enum status earlier_pose(struct earlier *earlier, struct camera *camera, struct scene *scene,
+enum status earlier_pose(struct previous_pose *previous, struct camera *camera, struct scene *scene,
                          const struct app_picture *picture, float time)
 {
     const float before = frame_time_before(&picture->scene.settings, time);
     bool is_changed;
-    *earlier = (struct earlier){ 0 };
+    *previous = (struct previous_pose){ 0 };
     if (!scene->is_animated || !earlier_is_wanted(picture) || !(before < time))
         return STATUS_OK;
     enum status status = app_pose_scene(scene, &picture->scene, before, &is_changed);
     if (status == STATUS_OK)
         status = app_camera(camera, scene, picture);
-    return status == STATUS_OK ? copy(earlier, &scene->model) : status;
+    return status == STATUS_OK ? copy(previous, &scene->model) : status;
 }
 
-void earlier_give(struct earlier *earlier, struct scene *scene)
+void earlier_give(struct previous_pose *previous, struct scene *scene)
 {
     const struct model *model = &scene->model;
-    if (earlier->positions && earlier->object_count == model->object.vertex_count &&
-        earlier->surroundings_count == model->surroundings.vertex_count) {
+    if (previous->positions && previous->object_count == model->object.vertex_count &&
+        previous->surroundings_count == model->surroundings.vertex_count) {
         free(scene->earlier);
-        scene->earlier = earlier->positions;
-        scene->earlier_rows = earlier->rows;
-        earlier->positions = NULL;
+        scene->earlier = previous->positions;
+        scene->earlier_rows = previous->rows;
+        previous->positions = NULL;
     }
-    free(earlier->positions);
-    *earlier = (struct earlier){ 0 };
+    free(previous->positions);
+    *previous = (struct previous_pose){ 0 };
 }

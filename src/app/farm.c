@@ -1,4 +1,4 @@
-/* farm.c: firn farm: a long sequence on many machines, by programs that are there for that. */
+/* farm.c: command firn farm: distributes a sequence over machines with Slurm or GNU parallel. */
 #include <ctype.h>
 #include <errno.h>
 #include <signal.h>
@@ -18,18 +18,18 @@
 enum {
     NAME_SIZE = 64,
     PATH_SIZE = 4096,
-    FARM_TASKS = 100 /* unless --tasks says otherwise */
+    FARM_TASKS = 100 /* default of --tasks */
 };
 
-/* ---- what is wrong with the words ---- */
+/* ---- checks of the arguments ---- */
 
 static bool is_picture(const char *word)
 {
     return word && (path_ends_in(word, ".exr") || path_ends_in(word, ".png"));
 }
 
-/* "status" may be of files alone. */
-static enum status take_words(struct app_options *o, bool is_status)
+/* Finds SCENE among the arguments; for "status" it may be missing, and an output file given. */
+static enum status parse_arguments(struct app_options *o, bool is_status)
 {
     struct app_outputs *outputs = &o->run.outputs;
     const char *scene = o->positionals[1];
@@ -63,7 +63,7 @@ static enum status check_files(const struct app_options *o)
 
 /* ---- scripts ---- */
 
-/* What the first file's name begins with. */
+/* Makes a job name from the leading letters and digits of the first output file's name. */
 static void name_job(char name[static NAME_SIZE], const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -79,7 +79,7 @@ static void name_job(char name[static NAME_SIZE], const char *path)
         name[length] = '\0';
 }
 
-/* As it was called, if the shell found it; else where it lies. */
+/* Returns the program's path: as called if found through PATH, else the absolute path. */
 static const char *find_program(char path[static PATH_SIZE], const char *called)
 {
     const ssize_t length =
@@ -146,7 +146,7 @@ static enum status make_script(const struct app_options *o, const struct sequenc
     } else if (o->farm.submit) {
         status = run_script(text);
     } else {
-        fputs(text, stdout); /* standard_streams_end() looks whether it could be written */
+        fputs(text, stdout); /* standard_streams_end() checks that it could be written */
     }
     free(text);
     return status;
@@ -193,7 +193,7 @@ enum status app_farm(const struct app_options *given)
                   what ? what : "");
         return STATUS_USAGE;
     }
-    enum status status = take_words(&o, kinds[k].is_status);
+    enum status status = parse_arguments(&o, kinds[k].is_status);
     if (status == STATUS_OK)
         status = check_files(&o);
     if (status == STATUS_OK)

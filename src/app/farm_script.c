@@ -1,9 +1,9 @@
-/* farm_script.c: such scripts as a person would write. */
+/* farm_script.c: generates readable shell scripts for Slurm and GNU parallel. */
 #include "src/app/farm_script.h"
 #include <stdlib.h>
 #include "src/app/shell_words.h"
 
-/* The words of the command line, without "farm" and what comes of it. */
+/* Prints the arguments for firn render, without "farm" and its own arguments. */
 static void print_words(const struct farm_script *script, FILE *out)
 {
     app_print_render_words(script->options->run.words + 1, APP_FARM, 1, out);
@@ -76,7 +76,7 @@ void farm_script_slurm(const struct farm_script *script, FILE *out)
 
 /* ---- GNU parallel ---- */
 
-/* It hands a line to the shell of the host, so what is quoted there is quoted once more here. */
+/* Prints the command of a task, quoted twice: GNU parallel passes it to the shell of a host. */
 static void print_line(const struct farm_script *script, FILE *out)
 {
     char *line = NULL;

@@ -1,4 +1,4 @@
-/* farm_status.c: which frames are done. */
+/* farm_status.c: finds out which frames of a sequence are complete. */
 #include "src/app/farm_status.h"
 #include <jansson.h>
 #include <stdlib.h>
@@ -9,10 +9,10 @@
 #include "src/base/log.h"
 #include "src/reader/picture_reader.h"
 
-/* A frame is as its worst file. */
+/* State of a file or frame, best first; a frame has the state of its worst file. */
 enum state {
     DONE,
-    STALE, /* whole, but of other settings, or by another version of firn */
+    STALE, /* complete, but made with other settings or by another version of firn */
     DAMAGED,
     MISSING,
     STATE_COUNT,
@@ -27,21 +27,20 @@ static const struct {
     [MISSING] = { "missing", "" },
 };
 
-struct look {
-    struct app_picture picture; /* its scene settles some of it; no name: there is none */
+struct job {
+    struct app_picture picture; /* its scene name is NULL if only files are named */
     const struct app_outputs *outputs;
     const struct sequence *sequence;
     struct scene scene;
     struct camera camera;
-    char *newest[APP_OUTPUT_COUNT]; /* without a scene: settings of the newest file; may be NULL */
+    char *newest[APP_OUTPUT_COUNT]; /* without a scene: settings in each output's newest file */
     enum state *frames;
     uint32_t counts[STATE_COUNT];
 };
 
 /* ---- files ---- */
 
-/* The settings that a file was made with, without what differs from frame to frame; NULL if memory
- * is short. */
+/* Returns the settings stored in a file, without the frame's time; NULL when out of memory. */
 static char *copy_settings(const struct picture_head *head)
 {
     static const char time[] = " motion.time=";
@@ -56,56 +55,56 @@ static char *copy_settings(const struct picture_head *head)
     return text;
 }
 
-static enum state judge(const struct look *look, const struct output *output, uint32_t i,
-                        const char *path)
+static enum state check_file(const struct job *job, const struct output *output, uint32_t i,
+                             const char *path)
 {
     struct picture_head head;
     if (access(path, F_OK) != 0)
         return MISSING;
-    if (picture_check(&head, path, &look->picture.scene.reader) != STATUS_OK)
+    if (picture_check(&head, path, &job->picture.scene.reader) != STATUS_OK)
         return DAMAGED;
     bool same = output && output_is_current(output, path, &head);
     if (!output) {
         char *settings = copy_settings(&head);
-        same = settings && look->newest[i] && !strcmp(settings, look->newest[i]);
+        same = settings && job->newest[i] && !strcmp(settings, job->newest[i]);
         free(settings);
     }
     picture_head_finish(&head);
     return same ? DONE : STALE;
 }
 
-static enum status look_at_frame(struct look *look, uint32_t index)
+static enum status check_frame(struct job *job, uint32_t index)
 {
-    const int32_t number = look->sequence->range.frames[index];
+    const int32_t number = job->sequence->range.frames[index];
     struct output output = {
-        .picture = &look->picture,
-        .scene = &look->scene,
-        .shot = { .camera = look->camera,
-                  .time = (float)sequence_time(&look->picture.scene.settings, number) },
+        .picture = &job->picture,
+        .scene = &job->scene,
+        .shot = { .camera = job->camera,
+                  .time = (float)sequence_time(&job->picture.scene.settings, number) },
     };
-    const bool has_scene = look->picture.scene.name != NULL;
+    const bool has_scene = job->picture.scene.name != NULL;
     enum status status = has_scene ? output_describe(&output) : STATUS_OK;
     enum state worst = DONE;
-    for (uint32_t i = 0; i < look->outputs->count && status == STATUS_OK; i++) {
-        char *path = frame_name_make(&look->sequence->names[i], number);
-        const enum state state = path ? judge(look, has_scene ? &output : NULL, i, path) : DONE;
+    for (uint32_t i = 0; i < job->outputs->count && status == STATUS_OK; i++) {
+        char *path = frame_name_make(&job->sequence->names[i], number);
+        const enum state state = path ? check_file(job, has_scene ? &output : NULL, i, path) : DONE;
         worst = state > worst ? state : worst;
         if (!path)
             status = log_out_of_memory(NULL);
         free(path);
     }
-    look->frames[index] = worst;
-    look->counts[worst]++;
+    job->frames[index] = worst;
+    job->counts[worst]++;
     output_finish(&output);
     return status;
 }
 
-/* The newest that can be read. */
-static enum status find_newest(struct look *look, uint32_t i)
+/* Finds the newest readable file of an output and copies its settings. */
+static enum status find_newest(struct job *job, uint32_t i)
 {
     struct timespec best = { 0 };
-    for (uint32_t f = 0; f < look->sequence->range.count; f++) {
-        char *path = frame_name_make(&look->sequence->names[i], look->sequence->range.frames[f]);
+    for (uint32_t f = 0; f < job->sequence->range.count; f++) {
+        char *path = frame_name_make(&job->sequence->names[i], job->sequence->range.frames[f]);
         struct stat info;
         if (!path)
             return log_out_of_memory(NULL);
@@ -114,10 +113,10 @@ static enum status find_newest(struct look *look, uint32_t i)
             (info.st_mtim.tv_sec > best.tv_sec ||
              (info.st_mtim.tv_sec == best.tv_sec && info.st_mtim.tv_nsec > best.tv_nsec));
         struct picture_head head;
-        if (newer && picture_check(&head, path, &look->picture.scene.reader) == STATUS_OK) {
+        if (newer && picture_check(&head, path, &job->picture.scene.reader) == STATUS_OK) {
             best = info.st_mtim;
-            free(look->newest[i]);
-            look->newest[i] = copy_settings(&head);
+            free(job->newest[i]);
+            job->newest[i] = copy_settings(&head);
             picture_head_finish(&head);
         }
         free(path);
@@ -125,16 +124,16 @@ static enum status find_newest(struct look *look, uint32_t i)
     return STATUS_OK;
 }
 
-/* ---- words ---- */
+/* ---- report ---- */
 
-/* As --frames takes them, from `begin` on: the index after those that it could say at once. */
-static uint32_t print_run(const struct look *look, uint32_t begin, enum state state)
+/* Prints a run of frames that starts at index `begin`, as for --frames. Returns the next index. */
+static uint32_t print_run(const struct job *job, uint32_t begin, enum state state)
 {
-    const int32_t *frames = look->sequence->range.frames;
-    const uint32_t count = look->sequence->range.count;
+    const int32_t *frames = job->sequence->range.frames;
+    const uint32_t count = job->sequence->range.count;
     const int64_t step = begin + 1 < count ? (int64_t)frames[begin + 1] - frames[begin] : 1;
     uint32_t end = begin + 1;
-    while (end < count && look->frames[end] == state &&
+    while (end < count && job->frames[end] == state &&
            (int64_t)frames[end] - frames[end - 1] == step)
         end++;
     printf("%d", (int)frames[begin]);
@@ -145,38 +144,38 @@ static uint32_t print_run(const struct look *look, uint32_t begin, enum state st
     return end;
 }
 
-static void print_text(const struct look *look)
+static void print_text(const struct job *job)
 {
     for (int state = 0; state < STATE_COUNT; state++) {
         const char *before = "  ";
-        if (!look->counts[state])
+        if (!job->counts[state])
             continue;
-        printf("%-7s %6u", states[state].name, look->counts[state]);
-        for (uint32_t i = 0; i < look->sequence->range.count;) {
-            if (look->frames[i] != (enum state)state) {
+        printf("%-7s %6u", states[state].name, job->counts[state]);
+        for (uint32_t i = 0; i < job->sequence->range.count;) {
+            if (job->frames[i] != (enum state)state) {
                 i++;
                 continue;
             }
             printf("%s", before);
             before = ",";
-            i = print_run(look, i, (enum state)state);
+            i = print_run(job, i, (enum state)state);
         }
         printf("%s%s\n", states[state].words[0] ? "  " : "", states[state].words);
     }
 }
 
-static enum status print_json(const struct look *look)
+static enum status print_json(const struct job *job)
 {
     json_t *frames = json_array();
     bool ok = frames != NULL;
-    for (uint32_t i = 0; i < look->sequence->range.count && ok; i++)
+    for (uint32_t i = 0; i < job->sequence->range.count && ok; i++)
         ok = json_array_append_new(frames, json_pack("{s:i, s:s}", "frame",
-                                                     (int)look->sequence->range.frames[i], "state",
-                                                     states[look->frames[i]].name)) == 0;
+                                                     (int)job->sequence->range.frames[i], "state",
+                                                     states[job->frames[i]].name)) == 0;
     json_t *json =
-        ok ? json_pack("{s:i, s:i, s:i, s:i, s:O}", "done", (int)look->counts[DONE], "stale",
-                       (int)look->counts[STALE], "damaged", (int)look->counts[DAMAGED], "missing",
-                       (int)look->counts[MISSING], "frames", frames)
+        ok ? json_pack("{s:i, s:i, s:i, s:i, s:O}", "done", (int)job->counts[DONE], "stale",
+                       (int)job->counts[STALE], "damaged", (int)job->counts[DAMAGED], "missing",
+                       (int)job->counts[MISSING], "frames", frames)
            : NULL;
     char *text = json ? json_dumps(json, JSON_INDENT(2)) : NULL;
     if (text)
@@ -188,50 +187,50 @@ static enum status print_json(const struct look *look)
     return ok ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* ---- all of it ---- */
+/* ---- all frames ---- */
 
-static enum status look_at_all(struct look *look)
+static enum status check_frames(struct job *job)
 {
-    const uint32_t count = look->sequence->range.count;
-    struct app_picture *picture = &look->picture;
+    const uint32_t count = job->sequence->range.count;
+    struct app_picture *picture = &job->picture;
     enum status status = STATUS_OK;
-    look->frames = calloc(count, sizeof(*look->frames));
-    if (!look->frames)
+    job->frames = calloc(count, sizeof(*job->frames));
+    if (!job->frames)
         return log_out_of_memory(NULL);
     if (picture->scene.name) {
-        status = app_begin_scene(&look->scene, &picture->scene);
+        status = app_begin_scene(&job->scene, &picture->scene);
         if (status == STATUS_OK)
-            status = app_camera(&look->camera, &look->scene, picture);
+            status = app_camera(&job->camera, &job->scene, picture);
         if (status == STATUS_OK)
-            app_choose_rung(picture, &look->scene, &look->camera);
+            app_choose_rung(picture, &job->scene, &job->camera);
         if (status == STATUS_OK)
-            status = output_check_tiles(picture, look->outputs);
+            status = output_check_tiles(picture, job->outputs);
     } else {
-        for (uint32_t i = 0; i < look->outputs->count && status == STATUS_OK; i++)
-            status = find_newest(look, i);
+        for (uint32_t i = 0; i < job->outputs->count && status == STATUS_OK; i++)
+            status = find_newest(job, i);
     }
     for (uint32_t i = 0; i < count && status == STATUS_OK; i++)
-        status = look_at_frame(look, i);
+        status = check_frame(job, i);
     return status;
 }
 
 enum status farm_status(const struct app_options *options, const struct sequence *sequence)
 {
-    struct look look = {
+    struct job job = {
         .picture = options->picture,
         .outputs = &options->run.outputs,
         .sequence = sequence,
     };
-    enum status status = look_at_all(&look);
+    enum status status = check_frames(&job);
     if (status == STATUS_OK && options->run.format == APP_FORMAT_JSON)
-        status = print_json(&look);
+        status = print_json(&job);
     else if (status == STATUS_OK)
-        print_text(&look);
-    if (status == STATUS_OK && look.counts[DONE] < sequence->range.count)
+        print_text(&job);
+    if (status == STATUS_OK && job.counts[DONE] < sequence->range.count)
         status = STATUS_FAILED;
     for (uint32_t i = 0; i < APP_OUTPUT_COUNT; i++)
-        free(look.newest[i]);
-    free(look.frames);
-    scene_finish(&look.scene);
+        free(job.newest[i]);
+    free(job.frames);
+    scene_finish(&job.scene);
     return status;
 }

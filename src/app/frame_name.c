@@ -1,4 +1,4 @@
-/* frame_name.c: the frame's number in a name. */
+/* frame_name.c: replaces the frame-number field of a file name. */
 #include "src/app/frame_name.h"
 #include <ctype.h>
 #include <stdio.h>
@@ -16,7 +16,7 @@ static const char *name_of(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* "%d" or "%0Nd": its length, and N; else 0. */
+/* Returns the length of a "%d" or "%0Nd" at `text`, and N in *width; 0 if there is none. */
 static size_t measure_printf(const char *text, int *width)
 {
     const char *at = text + 1;

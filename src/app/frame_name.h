@@ -1,9 +1,9 @@
 /*
- * frame_name.h: where the number of a frame goes in the name of a file.
+ * frame_name.h: the field for the frame number in the name of an output file.
  *
- * The field is a run of '#', or one of C's printf(), "%d" or "%04d", in the name itself; folders
- * are taken as they are. "####" pads with zeros to as many digits and puts a sign before them
- * (-0012); "%04d" counts the sign, as in C (-012). Longer numbers get longer names.
+ * The field is a run of '#', or one of C's printf(), "%d" or "%04d", in the file name; folders are
+ * not searched. "####" pads with zeros to as many digits and puts a sign before them (-0012);
+ * "%04d" counts the sign, as in C (-012). Numbers with more digits make the name longer.
  */
 #ifndef FIRN_APP_FRAME_NAME_H
 #define FIRN_APP_FRAME_NAME_H
@@ -15,24 +15,18 @@
 
 struct frame_name {
     const char *path;  /* borrowed */
-    size_t at, length; /* of the field; length 0: there is none */
-    int width;         /* of the number; 0: as long as it is */
-    bool hashes;       /* the width is that of the digits, without the sign */
+    size_t at, length; /* position and length of the field; length 0 if there is none */
+    int width;         /* minimum width of the number; 0: no padding */
+    bool hashes;       /* the width counts only the digits, not the sign */
 };
 
-/*
- * Takes a path that may have one field. More of them, or a '%' in the name that begins none, is
- * logged: STATUS_USAGE.
- */
+/* Parses a path that may have one field. STATUS_USAGE (logged) if there are more, or a lone '%'. */
 MUST_USE enum status frame_name_parse(struct frame_name *name, const char *path);
 
-/*
- * Whether somebody who writes this surely means a field: "##" or "%d". A single '#' is as likely
- * part of a name.
- */
+/* Returns true if a path clearly contains a field: "##" or "%d"; a single '#' does not count. */
 bool frame_name_is_pattern(const char *path);
 
-/* The path of a frame, malloc'd; NULL when memory is short. */
+/* Returns the path of a frame, to be freed by the caller; NULL when out of memory. */
 char *frame_name_make(const struct frame_name *name, int32_t frame);
 
 #endif

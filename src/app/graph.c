@@ -1,4 +1,4 @@
-/* graph.c: firn graph: the compiled plan of a frame, without a device. */
+/* graph.c: command firn graph: prints the compiled plan of a frame, without a device. */
 #include <stdio.h>
 #include "src/app/app.h"
 #include "src/frame/plan.h"

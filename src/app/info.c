@@ -1,4 +1,4 @@
-/* info.c: firn info: what a scene holds. */
+/* info.c: command firn info: prints the contents of a scene or model file. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -32,7 +32,7 @@ static const char *const texture_names[MATERIAL_TEXTURE_COUNT] = {
     [MATERIAL_SPECULAR_COLOR] = "specular colour",
 };
 
-/* Returns what a transmissive material is drawn as. */
+/* Returns how a material is drawn. */
 static const char *kind_of(const struct material *material)
 {
     if (material->flags & MATERIAL_IS_BARE)
@@ -56,7 +56,7 @@ static int by_rank(const void *a, const void *b)
 
 /* ---- text ---- */
 
-/* Names are a file's, and may hold commands for a terminal. */
+/* Replaces control characters in names from a file, which could be commands for a terminal. */
 static void clean_names(struct model *model)
 {
     for (uint32_t i = 0; i < model->object_count; i++)
@@ -77,21 +77,21 @@ static void print_objects(const struct model *model)
 {
     if (!model->object_count)
         return;
-    printf("\nobjects; where they overlap, the medium of the later line is there:\n");
+    printf("\nobjects; where they overlap, the medium of the later one applies:\n");
     printf("  %-24s %10s  %-8s %s\n", "name", "triangles", "shell",
-           "material, and the shell it is inside");
+           "material, and the object it is inside");
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
         printf("  %-24s %10u  %-8s %s", object->name, object->index_count / 3,
                object_is_closed(object, &model->object) ? "closed" : "open",
                model->materials[object->material].name);
-        if (object->holder) /* they are in the order of their ranks, from 1 */
+        if (object->holder) /* objects are in the order of their priority ranks, from 1 */
             printf(", inside %s", model->objects[object->holder - 1].name);
         printf("\n");
     }
 }
 
-/* Prints what an opaque surface is like. */
+/* Prints the parameters of an opaque surface. */
 static void print_surface(const struct material *m)
 {
     printf(" %-6g %-10s %-9g colour %.3g,%.3g,%.3g, metallic %g", (double)m->ior, "",
@@ -121,7 +121,7 @@ static void print_medium(const struct material *m)
     else
         printf("clear");
     if (m->transmission < 1.0f)
-        printf(", %g passes", (double)m->transmission);
+        printf(", transmission %g", (double)m->transmission);
     if (!glms_vec3_eqv(m->base_color, glms_vec3_one()))
         printf(", tint %.3g,%.3g,%.3g", (double)m->base_color.x, (double)m->base_color.y,
                (double)m->base_color.z);
@@ -153,7 +153,7 @@ static void print_cameras(const struct model *model)
 {
     if (model->camera_count)
         printf("\ncameras; --camera takes a name or a number:\n  %-3s %-24s %-13s %s\n", "no.",
-               "name", "kind", "what it sees");
+               "name", "kind", "field of view and position");
     for (uint32_t i = 0; i < model->camera_count; i++) {
         const struct model_camera *m = &model->cameras[i];
         const bool is_flat = m->kind == MODEL_ORTHOGRAPHIC;
@@ -168,7 +168,7 @@ static void print_cameras(const struct model *model)
 static void print_lights(const struct model *model)
 {
     if (model->light_count)
-        printf("\nlights:\n  %-24s %-11s %s\n", "name", "kind", "what it is");
+        printf("\nlights:\n  %-24s %-11s %s\n", "name", "kind", "intensity, colour and position");
     for (uint32_t i = 0; i < model->light_count; i++) {
         const struct light *m = &model->lights[i];
         const bool is_far = m->kind == LIGHT_DIRECTIONAL;
@@ -187,7 +187,7 @@ static void print_lights(const struct model *model)
     }
 }
 
-/* One line for each kind of support. */
+/* Prints the model's glTF extensions, one line per level of support. */
 static void print_extensions(const struct model *model)
 {
     if (model->extension_count)
@@ -226,8 +226,8 @@ static void print_tree(const struct tree *tree)
         const char *of;
     } parts[] = { { TREE_OBJECTS, "the objects" }, { TREE_SURROUNDINGS, "the surroundings" } };
 
-    const char *separator = ", in tests of a triangle: ";
-    printf("tree that rays of trace meet: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
+    const char *separator = ", in triangle tests: ";
+    printf("BVH for ray tracing: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
            tree_node_count(tree), tree->triangle_count, (double)tree_size(tree) / (1 << 20),
            tree->read ? "from the cache" : "built", tree->ms);
     printf("cost of a ray");
@@ -237,10 +237,10 @@ static void print_tree(const struct tree *tree)
         printf("%s%.1f through the box of %s", separator, tree->costs[parts[i].part], parts[i].of);
         separator = ", ";
     }
-    printf("\nsome devices have structures of their own instead: firn list devices\n");
+    printf("\ndevices with ray queries use their own acceleration structures: firn list devices\n");
 }
 
-/* Whether the tree of a scene that has no use for it takes too long to be told. */
+/* Returns true if the scene has so many triangles that its BVH is built only if it is needed. */
 static bool has_many_triangles(const struct model *model)
 {
     return ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3 >
@@ -252,24 +252,25 @@ static void print_text(struct scene *scene, const struct technique *rung)
     const struct model *model = &scene->model;
     const struct box box = scene->box;
     clean_names(&scene->model);
-    printf("%u triangles of %u objects, %u around them, %u textures\n",
+    printf("%u triangles of %u objects, %u of surroundings, %u textures\n",
            model->object.index_count / 3, model->object_count, model->surroundings.index_count / 3,
            model->textures.count + model->numbers.count);
     printf("box of the objects: %g,%g,%g to %g,%g,%g metres\n", (double)box.min.x,
            (double)box.min.y, (double)box.min.z, (double)box.max.x, (double)box.max.y,
            (double)box.max.z);
     if (model->has_camera && !model->camera_count)
-        printf("camera: eye %g,%g,%g, target %g,%g,%g, %g degrees high\n",
+        printf("camera: eye %g,%g,%g, target %g,%g,%g, field of view %g degrees\n",
                (double)model->camera.eye.x, (double)model->camera.eye.y,
                (double)model->camera.eye.z, (double)model->camera.target.x,
                (double)model->camera.target.y, (double)model->camera.target.z,
                (double)model->camera.fov_deg);
-    printf("rung unless --refraction names one: %s\n", rung->rung.name);
+    printf("default refraction model: %s\n", rung->rung.name);
     if (tree_node_count(scene->tree))
         print_tree(scene->tree);
     else if (has_many_triangles(model))
-        printf("tree that rays of trace meet: not built of so many triangles for another rung; "
-               "firn profile --refraction trace tells\n");
+        printf("BVH for ray tracing: not built, because this large model is not ray traced by "
+               "default; "
+               "firn profile --refraction trace builds it\n");
     print_cameras(model);
     print_extensions(model);
     print_lights(model);
@@ -277,7 +278,7 @@ static void print_text(struct scene *scene, const struct technique *rung)
     print_objects(model);
     if (model->material_count)
         printf("\nmaterials:\n  %-24s %-10s %-6s %-10s %-9s %s\n", "name", "kind", "index",
-               "dispersion", "roughness", "light that is left, or the surface");
+               "dispersion", "roughness", "attenuation, or surface");
     for (uint32_t i = 0; i < model->material_count; i++)
         print_material(&model->materials[i]);
 }
@@ -289,7 +290,7 @@ static json_t *vector(vec3s v)
     return json_pack("[f, f, f]", json_text_float(v.x), json_text_float(v.y), json_text_float(v.z));
 }
 
-/* Strings of files may hold any bytes. */
+/* Returns a JSON string, "?" if the text from a file is not UTF-8. */
 static json_t *text_of(const char *text)
 {
     json_t *string = json_string(text);
@@ -323,7 +324,7 @@ static json_t *textures_of(const struct material *m)
     return all;
 }
 
-/* Adds members; both are freed on failure, and NULL is returned. */
+/* Merges the members of `more`, which it frees, into `json`. On failure frees both: NULL. */
 static json_t *join(json_t *json, json_t *more)
 {
     const bool is_done = json && more && json_object_update(json, more) == 0;
@@ -408,7 +409,7 @@ static json_t *extensions_of(const struct model *model)
     return all;
 }
 
-/* What is read, but not drawn. */
+/* Returns the features that a model file uses and firn does not draw. */
 static json_t *undrawn_of(const struct model *model)
 {
     json_t *all = json_array();
@@ -508,7 +509,7 @@ enum status app_info(const struct app_options *o)
     struct app_picture picture = o->picture;
     struct app_scene *given = &picture.scene;
     struct scene scene;
-    given->plain = true; /* neither what firn puts into ice nor its landscape is the scene's */
+    given->plain = true; /* describe the scene without inclusions and landscape that firn adds */
     given->background.is_given = true;
     given->quiet = true;
     enum status status = app_load_scene(&scene, given);
@@ -521,7 +522,7 @@ enum status app_info(const struct app_options *o)
         scene_finish(&scene);
         return status;
     }
-    status = STATUS_OK; /* of a scene that is too large to be traced a line has said so */
+    status = STATUS_OK; /* if the scene is too large to be traced, an error has been logged */
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)

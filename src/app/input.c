@@ -1,4 +1,4 @@
-/* input.c: pictures and masks that options name. */
+/* input.c: reads input images and masks that options name. */
 #include "src/app/input.h"
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ enum status input_check_size(const struct image *image, const char *path, const 
 {
     if (other->width == image->width && other->height == image->height)
         return STATUS_OK;
-    log_error("%s has %u x %u pixels, but %s has %u x %u: expected pictures of the same size",
+    log_error("%s has %u x %u pixels, but %s has %u x %u: expected images of the same size",
               other_path, other->width, other->height, path, image->width, image->height);
     return STATUS_DATA;
 }

@@ -1,4 +1,4 @@
-/* input.h: pictures and masks that options name. All log what is wrong. */
+/* input.h: reads input images and masks that options name. All functions log errors. */
 #ifndef FIRN_APP_INPUT_H
 #define FIRN_APP_INPUT_H
 
@@ -6,16 +6,17 @@
 #include "src/image/image.h"
 #include "src/reader/reader.h"
 
-/* An EXR, HDR or PNG file into *image ({0} before), as picture_read() says; else STATUS_USAGE. */
+/* Reads an EXR, HDR or PNG file into *image, which must be {0}, like picture_read(). Returns
+ * STATUS_USAGE for other file names. */
 MUST_USE enum status input_read(const char *path, const struct reader_params *params,
                                 struct image *image);
 
-/* Whether both have the same size, else STATUS_DATA; the paths are for the words. */
+/* Checks that both images have the same size, else logs with the paths: STATUS_DATA. */
 MUST_USE enum status input_check_size(const struct image *image, const char *path,
                                       const struct image *other, const char *other_path);
 
-/* *counted gets, for each pixel, whether the channel is above 0; the caller frees it. STATUS_DATA
- * if it is not there, or above 0 nowhere; STATUS_TRY_AGAIN. */
+/* Sets *counted to an array, to be freed by the caller, that is true for pixels with the channel
+ * above 0. Returns STATUS_DATA if the channel is missing or nowhere above 0; STATUS_TRY_AGAIN. */
 MUST_USE enum status input_make_mask(const struct image *image, const char *path,
                                      const char *channel, bool **counted);
 

@@ -1,11 +1,11 @@
-/* json_text.c: numbers, arrays and output of JSON. */
+/* json_text.c: helpers for JSON output on stdout, using jansson. */
 #include "src/app/json_text.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/base/log.h"
 
 enum {
-    DIGITS = 9 /* of numbers: enough for all bits of a float */
+    DIGITS = 9 /* significant digits of numbers: enough to restore a float exactly */
 };
 
 json_t *json_text_append(json_t *array, json_t *value)

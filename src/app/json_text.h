@@ -1,4 +1,4 @@
-/* json_text.h: JSON that a command prints. NULL stands for lack of memory, and is passed on. */
+/* json_text.h: helpers for JSON output on stdout. NULL means out of memory, and is passed on. */
 #ifndef FIRN_APP_JSON_TEXT_H
 #define FIRN_APP_JSON_TEXT_H
 
@@ -8,7 +8,7 @@
 /* Moves a value to the end of an array; on failure frees both and returns NULL. */
 json_t *json_text_append(json_t *array, json_t *value);
 
-/* Returns a float as the number that was written for it: 1.31, not 1.30999994. */
+/* Returns the shortest decimal number that rounds to the float: 1.31, not 1.30999994. */
 double json_text_float(float value);
 
 /* Prints a value on stdout, and frees it. Logs and returns STATUS_TRY_AGAIN if it is NULL. */

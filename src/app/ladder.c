@@ -1,4 +1,4 @@
-/* ladder.c: firn ladder: every rung beside the truth, or in the white furnace. */
+/* ladder.c: command firn ladder: compares refraction models with the reference or white furnace. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,16 +25,16 @@ struct job {
     struct app_options o;
     struct scene scene;
     struct gpu gpu;
-    struct image truth; /* {0}: none */
+    struct image truth; /* image of another program; {0} if there is none */
     bool *truth_counted;
     struct ladder ladder;
     struct ladder_report report;
     char *command;
-    const char *before; /* its numbers, on stdout */
+    const char *prefix; /* text printed on stdout before the results */
     struct progress progress;
 };
 
-/* ---- what is wrong with the words ---- */
+/* ---- checks of the arguments ---- */
 
 static enum status refuse_furnace(const struct app_options *o)
 {
@@ -74,7 +74,7 @@ static enum status check(struct job *job)
         return STATUS_NO_DEVICE;
     }
     if (status == STATUS_OK && o->mask.file && !o->ladder.truth) {
-        log_error("--mask %s: --truth is missing, which the mask is for", o->mask.file);
+        log_error("--mask %s: --truth is missing; the mask applies to its image", o->mask.file);
         return STATUS_USAGE;
     }
     for (uint32_t i = 0; i < o->run.outputs.count && status == STATUS_OK; i++)
@@ -89,7 +89,7 @@ static enum status check(struct job *job)
     return status;
 }
 
-/* The picture of another program, and which of its pixels count. */
+/* Reads the image of --truth, and the mask of pixels to compare. */
 static enum status read_truth(struct job *job)
 {
     const struct app_options *o = &job->o;
@@ -120,7 +120,7 @@ static enum status read_truth(struct job *job)
     return status;
 }
 
-/* ---- pictures and numbers ---- */
+/* ---- images and numbers ---- */
 
 static bool show_progress(void *user, uint32_t stage, uint32_t done, uint32_t all)
 {
@@ -161,13 +161,12 @@ static enum status measure(struct job *job)
     if (!o->run.quiet && reference_leaves_out(&p->scene.settings, names, sizeof(names)))
         log_warning("firn ladder: the reference draws the scene without %s", names);
     if (!o->run.quiet && o->ladder.furnace && material_rows_has_lit(&job->scene.model.surroundings))
-        log_warning("%s: the opaque surfaces around its objects take light, so that what shows "
-                    "them is below 1",
+        log_warning("%s: opaque surfaces around its objects absorb light, so pixels that show "
+                    "them are below 1",
                     p->scene.name);
     if (!o->run.quiet && air_is_medium(&p->scene.settings))
-        log_warning(
-            "air.model=medium: bounce, one-sided, trace and the reference draw a medium, and "
-            "other rungs planes");
+        log_warning("air.model=medium: bounce, one-sided, trace and the reference draw a medium, "
+                    "other refraction models draw planes");
     progress_begin(&job->progress, ladder_stages(&params), "steps", o->run.quiet);
     status = ladder_run(&job->ladder, &params, show_progress, job);
     progress_clear(&job->progress);
@@ -236,7 +235,7 @@ static enum status report(const struct job *job)
 {
     struct furnace furnace;
     enum status status = STATUS_OK;
-    fputs(job->before, stdout);
+    fputs(job->prefix, stdout);
     if (job->o.ladder.furnace) {
         furnace = furnace_measure(&job->ladder);
         if (job->o.positionals[0])
@@ -269,13 +268,13 @@ static enum status run(struct job *job)
     if (status == STATUS_OK)
         status = report(job);
     if (status == STATUS_OK && job->gpu.message_count)
-        status = STATUS_FAILED; /* the validation layer has said why */
+        status = STATUS_FAILED; /* the validation layer has logged why */
     return status;
 }
 
 /* ---- several scenes ---- */
 
-/* What is left of a scene's ladder once the next one begins. */
+/* FLIP of all scenes, kept until the final table is printed. */
 struct summary {
     const char *scenes[APP_LADDER_SCENE_COUNT];
     double flip[APP_LADDER_SCENE_COUNT][LADDER_RUNG_COUNT];
@@ -283,7 +282,7 @@ struct summary {
     uint32_t scene_count, rung_count;
 };
 
-static void note(struct summary *summary, const struct job *job)
+static void record_scene(struct summary *summary, const struct job *job)
 {
     const struct ladder *ladder = &job->ladder;
     summary->rung_count = ladder->rung_count;
@@ -294,7 +293,7 @@ static void note(struct summary *summary, const struct job *job)
     summary->scenes[summary->scene_count++] = job->o.picture.scene.name;
 }
 
-/* A file by the end of its path, as far as a column has room for it. */
+/* Prints the title of a column: the end of a file's path, truncated to the column width. */
 static void print_title(const char *scene)
 {
     const char *slash = strrchr(scene, '/');
@@ -321,7 +320,7 @@ static void print_summary(const struct summary *summary)
     }
 }
 
-/* Whether what is asked for is of one scene. */
+/* Checks that no option is given that works with a single scene only. */
 static enum status check_several(const struct app_options *o)
 {
     const char *option = o->run.outputs.count ? "--output" : o->ladder.truth ? "--truth" : NULL;
@@ -343,26 +342,25 @@ static void job_finish(struct job *job)
     free(job);
 }
 
-/* `before` is what is printed before the scene's numbers. */
+/* Runs one scene; prints `prefix` before its results. */
 static enum status run_scene(const struct app_options *options, const char *name,
-                             const char *before, struct summary *summary)
+                             const char *prefix, struct summary *summary)
 {
     struct job *job = calloc(1, sizeof(*job));
     if (!job)
         return log_out_of_memory(NULL);
     job->o = *options;
     job->o.picture.scene.name = name;
-    job->before = before;
+    job->prefix = prefix;
     job->command = shell_words_join(options->run.words);
     enum status status = job->command ? run(job) : log_out_of_memory(NULL);
     if (status == STATUS_OK)
-        note(summary, job);
+        record_scene(summary, job);
     job_finish(job);
     return status;
 }
 
-/* All scenes but those after one that cannot be drawn. A furnace that does not hold is such a one
- * only for the exit code. */
+/* Runs all scenes up to the first that fails. A furnace test that fails only sets the exit code. */
 static enum status run_scenes(const struct app_options *o)
 {
     const bool is_json = o->run.format == APP_FORMAT_JSON && !o->ladder.furnace;

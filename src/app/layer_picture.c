@@ -1,4 +1,4 @@
-/* layer_picture.c: planes of floats to pixels of 8 or 16 bits. */
+/* layer_picture.c: converts float layers to 8-bit or 16-bit pixels for PNG files. */
 #include "src/app/layer_picture.h"
 #include <math.h>
 #include <stdlib.h>
@@ -8,11 +8,11 @@
 #include "src/image/srgb.h"
 #include "src/tech/tonemap.h"
 
-/* Planes of a layer, and what they are stretched between. */
+/* Planes of a layer, and the value ranges that are mapped to black and white. */
 struct source {
     const float *planes[3];
-    uint32_t count; /* one is grey; two have no blue */
-    float least[3], greatest[3];
+    uint32_t count; /* one plane is grey; two planes have no blue */
+    float minimum[3], maximum[3];
 };
 
 const struct frame_layer *layer_picture_find(const char *name)
@@ -36,7 +36,7 @@ uint32_t layer_picture_bit(const struct frame_layer *layer)
 
 static uint8_t quantise(float x)
 {
-    return (uint8_t)(fminf(fmaxf(x, 0.0f), 1.0f) * 255.0f + 0.5f); /* NaN: 0 */
+    return (uint8_t)(fminf(fmaxf(x, 0.0f), 1.0f) * 255.0f + 0.5f); /* NaN becomes 0 */
 }
 
 static uint16_t quantise_16(float x)
@@ -59,33 +59,33 @@ static bool has_value(const struct source *source, size_t i)
 static void find_range(struct source *source, size_t pixels)
 {
     for (uint32_t p = 0; p < source->count; p++) {
-        source->least[p] = INFINITY;
-        source->greatest[p] = -INFINITY;
+        source->minimum[p] = INFINITY;
+        source->maximum[p] = -INFINITY;
     }
     for (size_t i = 0; i < pixels; i++) {
         for (uint32_t p = 0; p < source->count && has_value(source, i); p++) {
-            source->least[p] = fminf(source->least[p], source->planes[p][i]);
-            source->greatest[p] = fmaxf(source->greatest[p], source->planes[p][i]);
+            source->minimum[p] = fminf(source->minimum[p], source->planes[p][i]);
+            source->maximum[p] = fmaxf(source->maximum[p], source->planes[p][i]);
         }
     }
 }
 
-/* From 0 to 1; 1 where all are the same. */
+/* Maps a value to 0 to 1 in its plane's range; 1 if the range is empty. */
 static float stretch(const struct source *source, uint32_t p, float x)
 {
-    const float width = source->greatest[p] - source->least[p];
-    return width > 0.0f ? (x - source->least[p]) / width : 1.0f;
+    const float width = source->maximum[p] - source->minimum[p];
+    return width > 0.0f ? (x - source->minimum[p]) / width : 1.0f;
 }
 
 static float shade(const struct source *source, enum frame_shown shown, uint32_t p, size_t i)
 {
-    const float darkest = 0.125f; /* not mistaken for nothing */
+    const float darkest = 0.125f; /* keeps small values distinct from black, which means no value */
     const float x = source->planes[p][i];
     switch (shown) {
     case FRAME_SHOWN_AMOUNT:
         return darkest + (1.0f - darkest) * stretch(source, p, x);
     case FRAME_SHOWN_DISTANCE:
-        if (source->least[p] == source->greatest[p])
+        if (source->minimum[p] == source->maximum[p])
             return 1.0f;
         return 1.0f - (1.0f - darkest) * stretch(source, p, x);
     case FRAME_SHOWN_DIRECTION:
@@ -153,32 +153,33 @@ uint16_t *layer_picture_rgba_16(const struct image *image, const struct frame_la
     return rgba;
 }
 
-/* Straight alpha, and colours that it has not multiplied. */
+/* Tone-maps a pixel of the beauty, with straight (unpremultiplied) alpha. */
 static void show_beauty(const float *const planes[static 4], size_t i,
                         const struct tonemap_params *params, float rgba[static 4])
 {
     const float alpha = planes[3][i];
-    const float part = alpha > 0.0f && alpha < 1.0f ? 1.0f / alpha : 1.0f;
+    const float unpremultiply = alpha > 0.0f && alpha < 1.0f ? 1.0f / alpha : 1.0f;
     const vec3s radiance = { { planes[0][i], planes[1][i], planes[2][i] } };
-    const vec3s shown = tonemap_apply(radiance, part * exp2f(params->exposure), params->curve);
+    const vec3s shown =
+        tonemap_apply(radiance, unpremultiply * exp2f(params->exposure), params->curve);
     for (size_t c = 0; c < 3; c++)
         rgba[c] = srgb_encode(shown.raw[c]);
     rgba[3] = alpha;
 }
 
-/* Returns a number from 0 to 1 that a pixel's number and `own` decide. */
-static float noise(size_t i, uint32_t own)
+/* Returns a pseudo-random number from 0 to 1, hashed from a pixel index and a seed. */
+static float noise(size_t i, uint32_t seed)
 {
-    uint32_t h = ((uint32_t)i * 0x9e3779b9u) ^ (own * 0x85ebca6bu);
+    uint32_t h = ((uint32_t)i * 0x9e3779b9u) ^ (seed * 0x85ebca6bu);
     h = (h ^ h >> 16) * 0x7feb352du;
     h = (h ^ h >> 15) * 0x846ca68bu;
     return (float)((h ^ h >> 16) >> 8) / 16777216.0f;
 }
 
-/* Dithers a value by triangular noise of a step to each side, which hides steps and leaves the mean
- * and the variance of its error the same for all values (Lipshitz, Wannamaker and Vanderkooy 1992).
- * What is black or white stays so. */
-static float dithered(float x, size_t i, uint32_t channel)
+/* Dithers a value with triangular noise of plus or minus one step, which hides banding and makes
+ * mean and variance of the error independent of the value (Lipshitz, Wannamaker and Vanderkooy
+ * 1992). Black and white are not dithered. */
+static float dither_value(float x, size_t i, uint32_t channel)
 {
     if (!(x > 0.0f && x < 1.0f))
         return x;
@@ -208,7 +209,7 @@ bool layer_picture_beauty(const struct image *image, const struct settings *sett
             const bool is_dithered = params->dither && c < 3;
             if (bytes)
                 bytes[i * 4 + c] =
-                    quantise(is_dithered ? dithered(shown[c], i, (uint32_t)c) : shown[c]);
+                    quantise(is_dithered ? dither_value(shown[c], i, (uint32_t)c) : shown[c]);
             if (words)
                 words[i * 4 + c] = quantise_16(shown[c]);
         }

@@ -1,5 +1,4 @@
-/* list.c: firn list: scenes, environments, rungs, materials, layers, qualities, settings, devices,
- * sandbox. */
+/* list.c: command firn list: prints the names of scenes, settings, layers, devices and the like. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -86,7 +85,7 @@ static enum status list_layers(void)
     return STATUS_OK;
 }
 
-/* "0 to 16 metres" or "one of fifo, mailbox", after a separator; nothing of a switch. */
+/* Prints "0 to 16 metres" or "one of fifo, mailbox" after a separator; nothing for a switch. */
 static void print_range(const struct setting *row, const char *separator)
 {
     if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
@@ -96,12 +95,13 @@ static void print_range(const struct setting *row, const char *separator)
         printf("%s%s", c ? ", " : separator, row->choices[c]);
 }
 
-/* A file for --preset that changes nothing. */
+/* Prints all settings as a file for --preset, with every line commented out. */
 static enum status print_preset(void)
 {
     const struct settings defaults = settings_default();
     const struct setting_group *group;
-    printf("# All settings of firn %s, with their defaults. Without its '#' a line changes one.\n",
+    printf("# All settings of firn %s, with their defaults. Remove the '#' of a line to change its "
+           "setting.\n",
            FIRN_VERSION);
     for (size_t g = 0; (group = settings_group(g)); g++) {
         for (size_t r = 0; r < group->row_count; r++) {
@@ -132,14 +132,14 @@ static enum status list_settings(void)
     return STATUS_OK;
 }
 
-/* What rays of the rung `trace` go through on a device that firn can use. */
-static const char *rays_of(const struct gpu_device *device)
+/* Returns how rays of the refraction model `trace` are traversed on a usable device. */
+static const char *ray_traversal(const struct gpu_device *device)
 {
     if (!device->has_rays)
-        return "; rays go through firn's tree";
+        return "; traces rays in firn's BVH";
     return device->type == VK_PHYSICAL_DEVICE_TYPE_CPU
-               ? "; rays go through firn's tree, by trace.rays=query through its own structures"
-               : "; rays go through its acceleration structures";
+               ? "; traces rays in firn's BVH, with trace.rays=query in its acceleration structures"
+               : "; traces rays in its acceleration structures";
 }
 
 static enum status list_devices(void)
@@ -149,7 +149,8 @@ static enum status list_devices(void)
     enum status status = gpu_list(&devices, &count);
     for (uint32_t i = 0; i < count; i++)
         printf("  %u  %s (%s), Vulkan %s%s%s\n", i, devices[i].name, devices[i].kind,
-               devices[i].version, devices[i].refused[0] ? "; not usable: " : rays_of(&devices[i]),
+               devices[i].version,
+               devices[i].refused[0] ? "; not usable: " : ray_traversal(&devices[i]),
                devices[i].refused);
     if (status == STATUS_OK && !count)
         printf("  none: install a Vulkan driver (on Debian: mesa-vulkan-drivers)\n");

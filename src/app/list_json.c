@@ -1,4 +1,4 @@
-/* list_json.c: what firn list prints, as JSON. */
+/* list_json.c: prints the lists of firn list as JSON. */
 #include "src/app/list_json.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@
 #include "src/settings/quality.h"
 #include "src/tech/refract_reference.h"
 
-/* NULL stands for lack of memory; functions of jansson pass it on. */
+/* In the functions below, NULL means out of memory; functions of jansson pass it on. */
 
 /* Appends the assets of a kind. */
 static json_t *append_assets(json_t *all, enum asset_kind kind)
@@ -82,7 +82,7 @@ static json_t *layers(void)
 
 /* ---- settings ---- */
 
-/* A whole number, a number, a bool or a word, by the row's type. */
+/* Returns an integer, a number, a boolean or a string, depending on the type of the setting. */
 static json_t *value_of(const struct setting *row, double value)
 {
     switch (row->type) {
@@ -126,7 +126,7 @@ static json_t *setting_of(const struct setting *row)
                      row->type == SETTING_CHOICE ? choices_of(row) : NULL);
 }
 
-/* With the values of settings that are not the defaults. */
+/* Returns the quality levels, with the values of settings that differ from the defaults. */
 static json_t *qualities_all(void)
 {
     json_t *all = json_array();
@@ -181,11 +181,11 @@ static json_t *sandbox(void)
     return json_pack("{s:i, s:b}", "landlock", parts.landlock, "seccomp", (int)parts.seccomp);
 }
 
-/* ---- all of it ---- */
+/* ---- all lists ---- */
 
 static const struct {
     const char *name;
-    json_t *(*make)(void); /* NULL: the devices */
+    json_t *(*make)(void); /* NULL for the devices */
 } lists[] = {
     { "scenes", scenes },     { "environments", environments },
     { "rungs", rungs },       { "materials", materials },

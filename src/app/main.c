@@ -1,4 +1,4 @@
-/* main.c: firn <command> [options] [SCENE] */
+/* main.c: entry point of firn <command> [options] [SCENE]: parses the command and runs it. */
 #include <stdio.h>
 #include <string.h>
 #include "src/app/app.h"
@@ -14,21 +14,21 @@ static const struct {
     enum status (*run)(const struct app_options *options);
     const char *help;
 } commands[] = {
-    { "render", APP_RENDER, app_render, "draw a picture to EXR and PNG files" },
+    { "render", APP_RENDER, app_render, "render an image to EXR and PNG files" },
     { "view", APP_VIEW, app_view, "show a scene in a window" },
     { "profile", APP_PROFILE, app_profile, "measure the time of each pass of a frame" },
     { "graph", APP_GRAPH, app_graph, "print the compiled plan of a frame; needs no device" },
-    { "diff", APP_DIFF, app_diff, "measure how much two pictures differ" },
+    { "diff", APP_DIFF, app_diff, "measure how much two images differ" },
     { "ladder", APP_LADDER, app_ladder,
-      "compare every refraction rung with the ray traced reference" },
+      "compare every refraction model with the ray traced reference" },
     { "bake", APP_BAKE, app_bake, "draw the environment of a scene's object as a cube for --env" },
     { "sheet", APP_SHEET, app_sheet,
-      "draw one picture per material or value of a setting, side by side" },
+      "draw one image per material or value of a setting, side by side" },
     { "farm", APP_FARM, app_farm, "render a sequence on many machines, by Slurm or GNU parallel" },
-    { "merge", APP_MERGE, app_merge, "join the tiles of a picture" },
-    { "info", APP_INFO, app_info, "print what a scene or a model file holds; needs no device" },
+    { "merge", APP_MERGE, app_merge, "join the tiles of an image" },
+    { "info", APP_INFO, app_info, "print the contents of a scene or model file; needs no device" },
     { "list", APP_LIST, app_list,
-      "print the scenes, rungs, materials, layers, settings, devices and sandbox" },
+      "print the scenes, refraction models, materials, layers, settings, devices and sandbox" },
 };
 
 enum {
@@ -37,7 +37,7 @@ enum {
 
 static void print_help(FILE *out)
 {
-    fprintf(out, "firn: renders ice, glass and water, and measures the error of each picture\n\n"
+    fprintf(out, "firn: renders ice, glass and water, and measures the error of each image\n\n"
                  "Examples:\n"
                  "  firn render ice-cube -o ice.exr -o ice.png\n"
                  "  firn diff reference.exr ice.exr\n"

@@ -1,4 +1,4 @@
-/* merge.c: firn merge: tiles of a picture to the picture, row by row. */
+/* merge.c: command firn merge: joins the tiles of an image, row by row. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,22 +9,23 @@
 #include "src/image/file.h"
 #include "src/reader/picture_reader.h"
 
-/* A file. */
+/* An opened tile file. */
 struct input {
-    const char *path; /* NULL: it is missing */
+    const char *path; /* NULL if the tile is missing */
     struct picture_reader *reader;
-    struct picture_head head; /* size, planes and texts, the file's */
+    struct picture_head head; /* size, planes and texts of the file */
 };
 
 struct job {
-    struct tiling tiling;                     /* of the picture; no columns: unknown yet */
-    bool interleaved;                         /* tiles are every so many-th pixel */
-    struct input tiles[APP_POSITIONAL_COUNT]; /* by their numbers */
-    const struct input *first;                /* that was opened */
-    struct image image;                       /* the picture; its planes are those of `first` */
+    struct tiling tiling; /* tiles of the image; columns are 0 until the first file is read */
+    bool interleaved;     /* tiles are interleaved: each has every n-th pixel of the image */
+    struct input tiles[APP_POSITIONAL_COUNT]; /* by tile number */
+    const struct input *first;                /* the tile that was opened first */
+    struct image image; /* the merged image; its planes are those of `first` */
 };
 
-/* The number of a file, from 0, in "number of columns x rows", and whether that is interleaved. */
+/* Parses the text "number of columns x rows", optionally interleaved. *number becomes the tile's
+ * index, from 0. Returns false if the text is invalid. */
 static bool read_text(const char *text, struct tiling *tiling, uint32_t *number, bool *interleaved)
 {
     unsigned columns, rows, at;
@@ -40,13 +41,13 @@ static bool read_text(const char *text, struct tiling *tiling, uint32_t *number,
     return *interleaved || !text[length];
 }
 
-/* The picture's size; false if the file's pixels are not where the tile's are. */
+/* Finds the size of the whole image. Returns false if the file's position is not its tile's. */
 static bool find_size(const struct input *input, struct tiling *tiling, uint32_t number,
                       bool interleaved)
 {
     const struct image *image = &input->head.image;
     const struct picture_place place = input->head.place;
-    if (interleaved) { /* image.h has the limits of files */
+    if (interleaved) { /* image.h limits the size of files, so this cannot overflow */
         tiling->width = image->width * tiling->columns;
         tiling->height = image->height * tiling->rows;
         return true;
@@ -69,19 +70,18 @@ static enum status read_number(const struct input *input, struct job *job, uint3
     bool interleaved;
     if (!read_text(picture_head_text(&input->head, "firn/tile"), &tiling, number, &interleaved) ||
         !find_size(input, &tiling, *number, interleaved)) {
-        log_error("%s: expected a tile of a picture, written by firn render --tile", input->path);
+        log_error("%s: expected a tile of an image, written by firn render --tile", input->path);
         return STATUS_DATA;
     }
     if (job->first && (tiling.columns != before.columns || tiling.rows != before.rows ||
                        interleaved != job->interleaved)) {
-        log_error(
-            "%s is one of %ux%u %stiles, but %s is one of %ux%u: expected tiles of one picture",
-            input->path, tiling.columns, tiling.rows, interleaved ? "interleaved " : "",
-            job->first->path, before.columns, before.rows);
+        log_error("%s is one of %ux%u %stiles, but %s is one of %ux%u: expected tiles of one image",
+                  input->path, tiling.columns, tiling.rows, interleaved ? "interleaved " : "",
+                  job->first->path, before.columns, before.rows);
         return STATUS_DATA;
     }
     if (job->first && (tiling.width != before.width || tiling.height != before.height)) {
-        log_error("%s belongs to a picture of %ux%u pixels, but %s to one of %ux%u", input->path,
+        log_error("%s belongs to an image of %ux%u pixels, but %s to one of %ux%u", input->path,
                   tiling.width, tiling.height, job->first->path, before.width, before.height);
         return STATUS_DATA;
     }
@@ -97,7 +97,7 @@ static bool is_same_text(const struct input *a, const struct input *b, const cha
     return x && y && !strcmp(x, y);
 }
 
-/* Of the same picture: what --resume compares, and planes. */
+/* Checks that a tile belongs to the same image as the first: same settings, version and planes. */
 static enum status check_same(const struct input *tile, const struct input *first)
 {
     const struct image *a = &tile->head.image, *b = &first->head.image;
@@ -108,7 +108,7 @@ static enum status check_same(const struct input *tile, const struct input *firs
     if (same && is_same_text(tile, first, "firn/version") &&
         is_same_text(tile, first, "firn/settings"))
         return STATUS_OK;
-    log_error("%s: its picture or firn version differs from that of %s", tile->path, first->path);
+    log_error("%s: its image or firn version differs from that of %s", tile->path, first->path);
     return STATUS_DATA;
 }
 
@@ -152,7 +152,7 @@ static enum status open_tiles(struct job *job, const struct app_options *o)
     for (uint32_t i = 0; i < tiling->columns * tiling->rows && status == STATUS_OK; i++) {
         if (job->tiles[i].path)
             continue;
-        log_error("%s: expected all tiles of the picture, but tile %u of %ux%u is missing",
+        log_error("%s: expected all tiles of the image, but tile %u of %ux%u is missing",
                   job->first->path, i + 1, tiling->columns, tiling->rows);
         status = STATUS_NO_INPUT;
     }
@@ -163,12 +163,12 @@ static enum status open_tiles(struct job *job, const struct app_options *o)
     job->image.height = tiling->height;
     if (job->image.width <= IMAGE_MAX_SIDE && job->image.height <= IMAGE_MAX_SIDE)
         return STATUS_OK;
-    log_error("%s: the merged picture would exceed %d pixels on a side", job->first->path,
+    log_error("%s: the merged image would exceed %d pixels on a side", job->first->path,
               IMAGE_MAX_SIDE);
     return STATUS_DATA;
 }
 
-/* The row of tiles in which a row of the picture is. */
+/* Returns the row of tiles that contains row y of the image. */
 static uint32_t find_row(const struct job *job, uint32_t y)
 {
     uint32_t row = 0;
@@ -180,22 +180,22 @@ static uint32_t find_row(const struct job *job, uint32_t y)
     return row;
 }
 
-/* A tile's share of a plane's row. */
-static enum status fill_from(const struct job *job, uint32_t index, uint32_t plane, uint32_t y,
-                             float *row)
+/* Copies a tile's pixels of one row of a plane. */
+static enum status copy_from_tile(const struct job *job, uint32_t index, uint32_t plane, uint32_t y,
+                                  float *row)
 {
     const struct input *input = &job->tiles[index];
     const struct tiling *tiling = &job->tiling;
     const struct tile tile = tile_at(tiling, index);
-    const bool apart = job->interleaved;
+    const bool interleaved = job->interleaved;
     const float *from;
     const enum status status =
-        picture_row(input->reader, plane, apart ? y / tiling->rows : y - tile.y, &from);
+        picture_row(input->reader, plane, interleaved ? y / tiling->rows : y - tile.y, &from);
     if (status != STATUS_OK)
         return status;
-    if (!apart)
+    if (!interleaved)
         memcpy(row + tile.x, from, tile.width * sizeof(*row));
-    for (uint32_t x = 0; x < input->head.image.width && apart; x++)
+    for (uint32_t x = 0; x < input->head.image.width && interleaved; x++)
         row[(size_t)x * tiling->columns + index % tiling->columns] = from[x];
     return STATUS_OK;
 }
@@ -209,14 +209,14 @@ static enum status fill_rows(void *user, uint32_t y, struct image *rows)
         const uint32_t first = find_row(job, y) * columns;
         for (uint32_t t = 0; t < columns * rows->plane_count && status == STATUS_OK; t++) {
             const uint32_t p = t / columns;
-            status = fill_from(job, first + t % columns, p, y,
-                               rows->planes[p].texels + (size_t)row * rows->width);
+            status = copy_from_tile(job, first + t % columns, p, y,
+                                    rows->planes[p].texels + (size_t)row * rows->width);
         }
     }
     return status;
 }
 
-/* The header is that of the tiles, without their numbers. */
+/* Writes the merged image. Its header is that of the tiles, without their tile numbers. */
 static enum status write_picture(struct job *job, const char *path)
 {
     static const char *const names[] = { "firn/version", "firn/settings", "firn/device",
@@ -251,7 +251,7 @@ enum status app_merge(const struct app_options *o)
         return log_out_of_memory(NULL);
     }
     if (!o->positionals[0]) {
-        log_error("expected the files of a picture's tiles (see --help)");
+        log_error("expected the files of an image's tiles (see --help)");
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK)

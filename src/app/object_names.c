@@ -1,9 +1,9 @@
-/* object_names.c: numbers as shaders/first_surface.frag gives them. */
+/* object_names.c: lists the object names for the IDs that shaders/first_surface.frag writes. */
 #include "src/app/object_names.h"
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Names are a file's; each has one line. */
+/* Prints an ID and a name of a file on one line, with control characters replaced. */
 static void print_line(FILE *out, uint32_t number, const char *name, const char *else_name)
 {
     fprintf(out, "%u ", number);

@@ -1,4 +1,4 @@
-/* output.c: EXR and PNG files, and the words in them. */
+/* output.c: encodes images as EXR and PNG files with metadata, and recognises current files. */
 #include "src/app/output.h"
 #include <cglm/struct.h>
 #include <stdio.h>
@@ -20,19 +20,19 @@
 #include "src/tech/refract_reference.h"
 #include "src/version.h"
 
-/* In the order of the files; what does not count in comparisons comes last. */
+/* Texts are stored in this order; texts that are not compared by --resume come last. */
 enum {
     TEXT_COUNT_MAX = 7
 };
 
-/* The words of a file. */
+/* Metadata texts of a file. */
 struct texts {
     struct image_text all[TEXT_COUNT_MAX];
     uint32_t count, compared_count;
     char tile[32], samples[16], noise[32];
 };
 
-/* ---- words ---- */
+/* ---- metadata ---- */
 
 static void print_vector(FILE *out, const char *name, vec3s v)
 {
@@ -51,7 +51,7 @@ static void print_settings(FILE *out, const struct settings *settings)
     }
 }
 
-/* The time at which an environment cube that stays the same is drawn. */
+/* Prints the time at which a static environment cube is drawn. */
 static void print_cube_time(FILE *out, const struct settings *settings, const struct scene *scene)
 {
     const struct motion_params *motion = settings_of(settings, &motion_settings);
@@ -68,7 +68,8 @@ static void print_place(FILE *out, const struct app_scene *scene)
         fprintf(out, " scale=%.9g", (double)place->scale);
     if (glms_vec3_norm2(place->rotate_deg) > 0.0f)
         print_vector(out, "rotate", place->rotate_deg);
-    if (scene->material && !scene_find_builtin(scene->name)) /* decides what is an object */
+    /* the material decides which parts are objects */
+    if (scene->material && !scene_find_builtin(scene->name))
         fprintf(out, " material=%s", scene->material);
     for (uint32_t i = 0; i < scene->node_material_count; i++)
         fprintf(out, " material=%s", scene->node_materials[i].words);
@@ -121,7 +122,7 @@ static bool describe(const struct output *output, bool is_png, char **text)
             fprintf(out, "%u", output->samples ? output->samples : p->samples);
         if (p->filter != PIXEL_FILTER_BOX)
             fprintf(out, " pixel-filter=%s", pixel_filter_names[p->filter]);
-        if (p->interleaved) /* other tiles change nothing */
+        if (p->interleaved) /* tiles that are not interleaved change nothing */
             fprintf(out, " interleaved=%ux%u", p->columns, p->rows);
         if (p->split)
             fprintf(out, " split=%s", p->split->rung.name);
@@ -190,7 +191,7 @@ static void fill_texts(struct texts *texts, const struct output *output, bool is
     add_text(texts, "firn/noise", texts->noise);
 }
 
-/* Which pixels of the picture a file has; of interleaved tiles at (0, 0). */
+/* Returns the pixels of the image that a file contains; at (0, 0) if tiles are interleaved. */
 static struct tile pixels_of(const struct app_picture *p)
 {
     const struct tiling tiling = { p->width, p->height, p->columns, p->rows };
@@ -204,6 +205,7 @@ static struct tile pixels_of(const struct app_picture *p)
     };
 }
 
+/* Returns the position of a file's pixels in the whole image; {0} if it has no single position. */
 static struct picture_place place_of(const struct app_picture *p)
 {
     const struct tile tile = pixels_of(p);
@@ -212,7 +214,7 @@ static struct picture_place place_of(const struct app_picture *p)
     return (struct picture_place){ tile.x, tile.y, p->width, p->height };
 }
 
-/* What is wrong with tiles of the picture's size; NULL: nothing. */
+/* Checks that the image size can be divided into the tiles. Returns an error message, or NULL. */
 static const char *check_sizes(const struct app_picture *p)
 {
     const struct tiling tiling = { p->width, p->height, p->columns, p->rows };
@@ -231,7 +233,7 @@ enum status output_check_tiles(const struct app_picture *p, const struct app_out
     const char *wrong = NULL;
     if (p->adapts && (p->columns || p->rung == &refract_reference)) {
         wrong = p->columns ? "--samples auto: not available with --tiles, since it depends on the "
-                             "whole picture; give a number"
+                             "whole image; give a number"
                            : "--samples auto: not available with --refraction reference; give "
                              "--noise, or a number";
     } else if (!p->columns && (p->tile || p->interleaved)) {
@@ -254,7 +256,7 @@ enum status output_check_tiles(const struct app_picture *p, const struct app_out
     return STATUS_USAGE;
 }
 
-/* ---- files that are there ---- */
+/* ---- existing files ---- */
 
 enum {
     PLANE_COUNT_MAX = 4 * (FRAME_LAYER_MAX + 1)
@@ -290,7 +292,7 @@ static bool exr_is_current(const struct output *output, const struct picture_hea
     return exr_matches(head, &image, &header);
 }
 
-/* Of PNG files. */
+/* Returns true if PNG files have an alpha channel. */
 static bool has_alpha(const struct app_picture *p)
 {
     return p->scene.no_background && !p->show;
@@ -323,7 +325,7 @@ uint32_t output_enough_samples(const struct picture_head *head, uint32_t samples
 
 /* ---- new files ---- */
 
-/* The planes of what is drawn only to be shown are left out. */
+/* Selects the planes to write: leaves out a layer that was drawn only for --show. */
 static void select_planes(struct image *image, const struct image *drawn,
                           const struct app_picture *p)
 {
@@ -345,7 +347,7 @@ static enum status encode_exr(const struct output *output, const struct render_r
     const mat4s view = camera_view_from_world(camera);
     const mat4s ndc = camera_clip_from_world(
         camera, p->width, p->height, scene_near_plane(output->scene), (vec2s){ { 0.0f, 0.0f } });
-    /* column-major matrices for column vectors are row-major ones for row vectors */
+    /* a column-major matrix for column vectors is in memory a row-major one for row vectors */
     const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
     const struct exr_header header = {
         .texts = texts->all,

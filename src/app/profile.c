@@ -1,4 +1,4 @@
-/* profile.c: firn profile: what each pass of a frame costs, on the device at hand. */
+/* profile.c: command firn profile: measures the cost of each pass of a frame on a device. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +13,7 @@
 #include "src/profile/table.h"
 #include "src/profile/trace.h"
 
-/* ---- before the device ---- */
+/* ---- before the device is opened ---- */
 
 static enum status check_reports(const struct app_profile *given)
 {
@@ -96,7 +96,7 @@ static enum status run_frame(struct profile_job *job)
 
 /* ---- a sweep ---- */
 
-/* Reports of one frame, where there will be many. */
+/* Refuses reports that describe one frame if several will be measured. */
 static enum status refuse_reports(const struct app_profile *given, const char *many)
 {
     if (!given->baseline && !given->csv && !given->trace && !given->capture)
@@ -123,9 +123,9 @@ static enum status run_sweep(struct profile_job *job)
     return status == STATUS_OK ? profile_job_write_sweep(job) : status;
 }
 
-/* ---- all ---- */
+/* ---- the command ---- */
 
-/* What can be wrong with the words and files is found before the device is opened. */
+/* Finds all errors in arguments and files before the device is opened. */
 static enum status check(struct profile_job *job, bool is_paper)
 {
     const struct app_options *o = &job->o;
@@ -166,7 +166,7 @@ enum status app_profile(const struct app_options *options)
     job->o = *options;
     enum status status = run(job);
     if (status == STATUS_OK && job->gpu.message_count)
-        status = STATUS_FAILED; /* the validation layer has said why */
+        status = STATUS_FAILED; /* the validation layer has logged why */
     profile_sweep_finish(&job->sweep);
     profile_finish(&job->baseline);
     gpu_destroy(&job->gpu);

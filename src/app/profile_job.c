@@ -1,4 +1,4 @@
-/* profile_job.c: the device behind a profile, and what options measure on it. */
+/* profile_job.c: opens the device of a profile, and measures the images that options describe. */
 #include "src/app/profile_job.h"
 #include <math.h>
 #include <stdio.h>
@@ -69,7 +69,7 @@ static bool describe_settings(struct profile *p, const struct settings *settings
     return true;
 }
 
-/* By its name if the index is the material's. */
+/* Writes the material's name, or the refractive index if it is not that of a named material. */
 static void describe_material(struct profile *p, const struct app_scene *given)
 {
     const double ior = settings_get(&given->settings, settings_find("refract.ior"));
@@ -98,7 +98,7 @@ static enum status describe(struct profile *p, const struct app_picture *picture
     return log_out_of_memory(NULL);
 }
 
-/* A picture, while it is measured. */
+/* An image to be measured, and its scene. */
 struct subject {
     struct app_picture picture;
     struct scene scene;

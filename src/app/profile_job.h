@@ -1,4 +1,4 @@
-/* profile_job.h: what firn profile works on: one device, whose clock is known, for all frames. */
+/* profile_job.h: state of firn profile: one device and clock that all measured frames share. */
 #ifndef FIRN_APP_PROFILE_JOB_H
 #define FIRN_APP_PROFILE_JOB_H
 
@@ -9,31 +9,31 @@
 
 struct profile_job {
     struct app_options o;
-    struct gpu gpu; /* opened by the first frame, as is: */
+    struct gpu gpu; /* opened by the first frame, which also chooses the clock */
     struct profile_clock clock;
     struct progress progress;
     struct profile baseline;
-    struct profile_sweep sweep; /* {0}: none */
+    struct profile_sweep sweep; /* {0} if there is no sweep */
     char capture[MEASURE_PATH_SIZE];
 };
 
-/* Measures pictures in turn: each run of all before the next one. The profiles are {0}; after a
- * failure they may be anything that profile_finish() takes. */
+/* Measures images interleaved: one run of each before the next run. The profiles must be {0}; after
+ * a failure they may be in any state that profile_finish() accepts. */
 MUST_USE enum status profile_job_measure(struct profile_job *job,
                                          const struct app_picture *pictures,
                                          struct profile *profiles, uint32_t count);
 
-/* Writes the reports of job->sweep that the options name, and flushes what tables came before. */
+/* Writes the reports of job->sweep that the options name. */
 MUST_USE enum status profile_job_write_sweep(const struct profile_job *job);
 
-/* Tables go to stdout unless a file does. */
+/* Returns true if tables are printed on stdout: no report is written there. */
 bool profile_job_has_table(const struct app_profile *given);
 
-/* Writes a text, which it frees, if `made` says that there is one. */
+/* Writes and frees a text, unless `made` is an error, which it returns. */
 MUST_USE enum status profile_job_write_text(const char *path, enum status made, char *text,
                                             size_t size);
 
-/* firn profile paper: measures the paper's experiments as points of job->sweep. */
+/* Runs firn profile paper: measures the paper's experiments as points of job->sweep. */
 MUST_USE enum status profile_paper(struct profile_job *job);
 
 #endif

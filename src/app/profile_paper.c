@@ -1,11 +1,12 @@
 /*
- * profile_paper.c: firn profile paper: the measurements of S. Seipel, A. Nivfors, Efficient
- * Rendering of Multiple Refractions and Reflections in Natural Objects, SIGRAD 2006, section 4:
- * figure 6 (objects with and without cracks and air), figure 7 (one-sided and two-sided refraction,
- * dynamic and static environment), and the frame rates of section 5 for the ice's share of the
- * screen and the size of the targets. Same objects, numbers of triangles, cracks and planes of
- * air, and size of the window; the paper's other targets have 512 x 512 texels, firn's the
- * window's times target.scale. All cases are drawn in turn.
+ * profile_paper.c: command firn profile paper: repeats the paper's measurements.
+ *
+ * S. Seipel, A. Nivfors, Efficient Rendering of Multiple Refractions and Reflections in Natural
+ * Objects, SIGRAD 2006, section 4: figure 6 (objects with and without cracks and air), figure 7
+ * (one-sided and two-sided refraction, dynamic and static environment); section 5: frame rates for
+ * the ice's fraction of the screen and the size of render targets. Objects, triangle counts,
+ * cracks, planes of air and window size are the paper's. Its other targets have 512 x 512 texels;
+ * firn's have the window's size times target.scale. All cases are drawn in turn.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,13 +20,13 @@ enum {
     CASE_SETTINGS = 10
 };
 
-/* What is drawn. Names are the points of the sweep. */
+/* A measured case: scene and settings. Names are the points of the sweep. */
 struct paper_case {
     const char *name, *scene;
     const char *set[CASE_SETTINGS + 1]; /* "name=value"; ends at NULL */
 };
 
-/* At these distances the objects cover a fifth of the screen, but for the last case: all. */
+/* Camera distances: objects cover a fifth of the screen, in the last case all of it. */
 #define INSIDE(cracks, air) \
     "cracks.count=" cracks, "cracks.clip=convex", "air.count=" air, "bubbles.count=0"
 #define STILL "env_cube.dynamic=off"
@@ -95,8 +96,8 @@ static const struct paper_case cases[CASE_COUNT] = {
                     { "orbit=28,9,4.34", INSIDE("2", "19"), MOVED, "env_cube.size=1024" } },
 };
 
-/* What the paper says of two cases. */
-static const struct profile_contrast said[] = {
+/* Statements of the paper that compare two cases. */
+static const struct profile_contrast paper_claims[] = {
     { "figure 6", "cracks and air in the sphere", "about -26 %", SPHERE_PLAIN, SPHERE_FULL },
     { "figure 6", "cracks and air in the ice cube", "about -26 %", CUBE_PLAIN, CUBE_FULL },
     { "figure 6", "cracks and air in the teapot", "about -26 %", TEAPOT_PLAIN, TEAPOT_FULL },
@@ -118,7 +119,7 @@ static const struct profile_contrast said[] = {
 };
 
 enum {
-    SAID_COUNT = sizeof(said) / sizeof(said[0]),
+    CLAIM_COUNT = sizeof(paper_claims) / sizeof(paper_claims[0]),
     FIGURE_COUNT = 4
 };
 
@@ -162,22 +163,23 @@ static const struct profile_figure figures[FIGURE_COUNT] = {
 
 /* ---- measuring ---- */
 
-/* What the paper's figures are drawn with, whatever the rung. */
-static const char *const printed[][2] = {
+/* Settings of the paper's figures, applied to every refraction model. */
+static const char *const paper_settings[][2] = {
     { "refract.fresnel", "paper" },
     { "refract.lookup", "infinite" },
     { "env_cube.size", "512" },
 };
 
-static enum status draw_as_printed(struct app_picture *picture)
+static enum status apply_paper_settings(struct app_picture *picture)
 {
     enum status status = STATUS_OK;
     if (!picture->is_rung_named)
         status = app_set(picture, "refraction", "paper");
-    for (size_t i = 0; i < sizeof(printed) / sizeof(printed[0]) && status == STATUS_OK; i++) {
-        const size_t index = settings_index(settings_find(printed[i][0]));
+    for (size_t i = 0;
+         i < sizeof(paper_settings) / sizeof(paper_settings[0]) && status == STATUS_OK; i++) {
+        const size_t index = settings_index(settings_find(paper_settings[i][0]));
         if (!picture->scene.is_set[index] && !picture->scene.is_preset[index])
-            status = app_set(picture, printed[i][0], printed[i][1]);
+            status = app_set(picture, paper_settings[i][0], paper_settings[i][1]);
     }
     return status;
 }
@@ -187,7 +189,7 @@ static enum status case_picture(const struct profile_job *job, const struct pape
 {
     *picture = job->o.picture;
     picture->scene.name = c->scene;
-    enum status status = draw_as_printed(picture);
+    enum status status = apply_paper_settings(picture);
     for (size_t i = 0; c->set[i] && status == STATUS_OK; i++) {
         char name[64];
         size_t length = strcspn(c->set[i], "=");
@@ -214,7 +216,7 @@ static double frame_ms(const struct profile *p)
     return profile_summarize(p->plain, p->run_count).median;
 }
 
-/* The ice's share of the picture. */
+/* Returns the fraction of the image that the ice covers. */
 static double coverage(const struct profile *p)
 {
     double covered = 0;
@@ -267,17 +269,17 @@ static enum status measure_cases(struct profile_job *job, struct app_picture *pi
 
 enum status profile_paper(struct profile_job *job)
 {
-    struct profile_contrast contrasts[SAID_COUNT];
+    struct profile_contrast contrasts[CLAIM_COUNT];
     enum status status = make_points(job);
     if (status != STATUS_OK)
         return status;
-    memcpy(contrasts, said, sizeof(said));
+    memcpy(contrasts, paper_claims, sizeof(paper_claims));
     job->sweep.contrasts = contrasts;
-    job->sweep.contrast_count = SAID_COUNT;
+    job->sweep.contrast_count = CLAIM_COUNT;
     job->sweep.figures = figures;
     job->sweep.figure_count = FIGURE_COUNT;
     if (job->o.profile.time_step <= 0)
-        job->o.profile.time_step = 0.04; /* what moves, moves */
+        job->o.profile.time_step = 0.04; /* objects and lights must move between runs */
     struct app_picture *pictures = calloc(CASE_COUNT, sizeof(*pictures));
     status = measure_cases(job, pictures);
     free(pictures);

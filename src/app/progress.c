@@ -1,4 +1,4 @@
-/* progress.c: how far it is. */
+/* progress.c: progress bar on a terminal, with an estimate of the remaining time. */
 #include "src/app/progress.h"
 #include <stdio.h>
 #include <string.h>
@@ -20,7 +20,7 @@ void progress_begin(struct progress *progress, uint32_t frames, const char *step
     };
 }
 
-/* Adds words if all of them fit. */
+/* Appends words to the line, if all of them fit. */
 static void add(char *line, const char *words)
 {
     const size_t used = strlen(line), length = strlen(words);
@@ -28,7 +28,7 @@ static void add(char *line, const char *words)
         memcpy(line + used, words, length + 1);
 }
 
-/* "0:09" or "1:05:00". */
+/* Appends the remaining time: "0:09 left" or "1:05:00 left". */
 static void add_time(char *line, double seconds)
 {
     const unsigned left = (unsigned)(seconds + 0.5), minutes = left / 60 % 60;
@@ -43,9 +43,9 @@ static void add_time(char *line, double seconds)
 void progress_print(char line[static PROGRESS_COLUMNS + 1], const struct progress *p, uint32_t done,
                     uint32_t all, double seconds)
 {
-    const double least = 2.0, most = 3.6e6; /* seconds: before them a guess is worth little */
-    const double share = (p->frame + (double)done / all) / p->frames;
-    const int filled = (int)(share * BAR);
+    const double least = 2.0, most = 3.6e6; /* elapsed and remaining seconds for an estimate */
+    const double fraction = (p->frame + (double)done / all) / p->frames;
+    const int filled = (int)(fraction * BAR);
     char words[128];
     snprintf(line, PROGRESS_COLUMNS + 1, "[%.*s%*s]", filled, "##############################",
              BAR - filled, "");
@@ -58,8 +58,8 @@ void progress_print(char line[static PROGRESS_COLUMNS + 1], const struct progres
                  p->step_name);
         add(line, words);
     }
-    if (seconds >= least && share > 0.0 && seconds * (1.0 - share) / share < most)
-        add_time(line, seconds * (1.0 - share) / share);
+    if (seconds >= least && fraction > 0.0 && seconds * (1.0 - fraction) / fraction < most)
+        add_time(line, seconds * (1.0 - fraction) / fraction);
 }
 
 void progress_show(const struct progress *p, uint32_t done, uint32_t all)

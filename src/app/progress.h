@@ -1,4 +1,4 @@
-/* progress.h: a bar over the steps of all frames, drawn over itself, on terminals only. */
+/* progress.h: progress bar on stderr over all frames and their steps, on terminals only. */
 #ifndef FIRN_APP_PROGRESS_H
 #define FIRN_APP_PROGRESS_H
 
@@ -6,29 +6,29 @@
 #include <stdint.h>
 
 enum {
-    PROGRESS_COLUMNS = 78 /* of a line, at most */
+    PROGRESS_COLUMNS = 78 /* maximum length of a line */
 };
 
 struct progress {
-    uint32_t frames;        /* there are */
-    uint32_t frame;         /* index of the one at work */
+    uint32_t frames;        /* number of frames */
+    uint32_t frame;         /* index of the frame being drawn */
     const char *frame_name; /* "frame" */
-    const char *step_name;  /* "samples": what a frame is made of */
+    const char *step_name;  /* "samples": the steps of a frame */
     double begin;           /* clock_seconds() */
     bool visible;
 };
 
 void progress_begin(struct progress *progress, uint32_t frames, const char *step_name, bool quiet);
 
-/* Draws it with so many of the frame's steps done. One step of one frame is not worth a bar. */
+/* Draws the bar with `done` of the frame's `all` steps done, unless there is only one step. */
 void progress_show(const struct progress *progress, uint32_t done, uint32_t all);
 
-/* Fills `line` with the line after so many seconds: the bar, the steps and, after 2 seconds, the
- * time that the rest takes at the same speed, where there is room for it. */
+/* Writes the progress line to `line`: the bar, the steps and, after 2 seconds, the estimated
+ * remaining time if it fits. `seconds` is the time since the start. */
 void progress_print(char line[static PROGRESS_COLUMNS + 1], const struct progress *progress,
                     uint32_t done, uint32_t all, double seconds);
 
-/* Makes room for words. */
+/* Erases the bar, so that other output can be printed. */
 void progress_clear(const struct progress *progress);
 
 #endif

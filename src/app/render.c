@@ -1,4 +1,4 @@
-/* render.c: firn render: a picture or a sequence of them, to EXR and PNG. */
+/* render.c: command firn render: renders an image or a sequence to EXR and PNG files. */
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -34,27 +34,27 @@ struct job {
     struct report report;
     struct signals stop;
     struct scene scene;
-    bool is_opened;       /* open_renderer() has said what there is to say */
-    bool is_filled;       /* the scene is whole: app_pose_scene() */
-    const char *lacking;  /* what there was no memory for when the scene was filled; or NULL */
-    struct camera camera; /* at time 0; that of an animated model may move */
+    bool is_opened;       /* open_renderer() has logged its warnings */
+    bool is_filled;       /* scene textures and meshes are filled: app_pose_scene() */
+    const char *missing;  /* what there was no memory for when the scene was filled, or NULL */
+    struct camera camera; /* at time 0; the camera of an animated model may move */
     struct gpu gpu;
-    struct renderer *renderer;      /* it or ... */
-    struct reference *reference;    /* ... it draws; NULL until a frame needs it */
+    struct renderer *renderer;      /* draws on the device; NULL if `reference` is used */
+    struct reference *reference;    /* ray tracer; NULL until a frame needs it */
     bool makes_png;                 /* make_png() makes the pixels of PNG files */
-    uint32_t tile_done, tile_count; /* of the frame at work */
-    uint64_t pixels_beyond;         /* of all frames: reference.h */
+    uint32_t tile_done, tile_count; /* tiles of the current frame */
+    uint64_t pixels_beyond;         /* total of all frames: reference.h */
     double remaining;
     struct progress progress;
 };
 
-/* One frame of the job. */
+/* State of one frame: its files and its rendered image. */
 struct frame {
     struct output output;
     char *paths[APP_OUTPUT_COUNT];
-    bool is_current[APP_OUTPUT_COUNT]; /* has the frame already */
+    bool is_current[APP_OUTPUT_COUNT]; /* the file already contains the frame */
     struct render_result result;
-    struct reference_outcome outcome; /* of the reference */
+    struct reference_outcome outcome; /* result of the reference, if it is used */
 };
 
 /* ---- a frame ---- */
@@ -67,7 +67,7 @@ static void frame_finish(struct frame *frame)
     render_result_finish(&frame->result);
 }
 
-/* Whether a file has the frame, with so many samples. */
+/* Returns true if a file contains the frame, drawn with `samples` samples. */
 static bool has_samples(const struct output *output, const char *path,
                         const struct picture_head *head, uint32_t samples)
 {
@@ -79,7 +79,7 @@ static bool has_samples(const struct output *output, const char *path,
     return same;
 }
 
-/* Whether --resume may keep a file. One that cannot be read is drawn again; a line says why. */
+/* Returns true if --resume may keep a file. Logs why a file is unreadable, which is drawn again. */
 static bool is_current(const struct job *job, const struct output *output, const char *path)
 {
     struct picture_head head;
@@ -94,8 +94,7 @@ static bool is_current(const struct job *job, const struct output *output, const
     return same;
 }
 
-/* Names and describes it, and sees which files have it already. */
-
+/* Describes a frame, names its files and, with --resume, checks which of them are current. */
 static enum status frame_init(struct frame *frame, const struct job *job, int32_t number)
 {
     *frame = (struct frame){
@@ -137,7 +136,7 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return true;
 }
 
-/* An image of the whole picture, with the planes of a tile. */
+/* Allocates the whole image, with the planes of a tile. */
 static bool make_whole(const struct job *job, const struct render_result *tile,
                        struct render_result *whole)
 {
@@ -152,17 +151,18 @@ static bool make_whole(const struct job *job, const struct render_result *tile,
     return !tile->rgba || whole->rgba;
 }
 
-/* Its pixels to where they are in the picture. */
-static void put_tile(const struct job *job, uint32_t index, const struct render_result *tile,
-                     struct render_result *whole)
+/* Copies a tile's pixels to their positions in the whole image. */
+static void copy_tile(const struct job *job, uint32_t index, const struct render_result *tile,
+                      struct render_result *whole)
 {
-    const bool apart = job->o.picture.interleaved;
+    const bool is_interleaved = job->o.picture.interleaved;
     const struct tiling tiling = { job->o.picture.width, job->o.picture.height,
                                    job->o.picture.columns, job->o.picture.rows };
     const struct tile at =
-        apart ? (struct tile){ index % tiling.columns, index / tiling.columns, 0, 0 }
-              : tile_at(&tiling, index);
-    const size_t across = apart ? tiling.columns : 1, down = apart ? tiling.rows : 1;
+        is_interleaved ? (struct tile){ index % tiling.columns, index / tiling.columns, 0, 0 }
+                       : tile_at(&tiling, index);
+    const size_t across = is_interleaved ? tiling.columns : 1,
+                 down = is_interleaved ? tiling.rows : 1;
     for (size_t y = 0; y < tile->image.height; y++) {
         for (size_t x = 0; x < tile->image.width; x++) {
             const size_t from = y * tile->image.width + x;
@@ -189,13 +189,13 @@ static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
         if (status == STATUS_OK && i == 0 && !make_whole(job, &tile, whole))
             status = log_out_of_memory(NULL);
         if (status == STATUS_OK)
-            put_tile(job, i, &tile, whole);
+            copy_tile(job, i, &tile, whole);
         render_result_finish(&tile);
     }
     return status;
 }
 
-/* Returns the frame's output beside which its sums are, or NULL. */
+/* Returns the frame's EXR output beside which its sample sums are stored, or NULL. */
 static const char *sums_picture(const struct job *job, const struct frame *frame)
 {
     for (uint32_t i = 0; i < job->o.run.outputs.count && job->o.render.keep_sums; i++) {
@@ -205,8 +205,8 @@ static const char *sums_picture(const struct job *job, const struct frame *frame
     return NULL;
 }
 
-/* What is stored with the frame is the number of samples that it has. */
-static enum status trace_picture(struct job *job, struct frame *frame)
+/* Renders with the reference, resuming from stored sums, and records the actual sample count. */
+static enum status trace_image(struct job *job, struct frame *frame)
 {
     const char *picture = sums_picture(job, frame);
     char *path = picture ? option_sums_file(picture) : NULL;
@@ -233,7 +233,7 @@ static enum status trace_picture(struct job *job, struct frame *frame)
     return status == STATUS_OK ? output_describe(output) : status;
 }
 
-/* Once for all frames. */
+/* Warns once for all frames of light that is missing because paths were cut off. */
 static void warn_of_remaining(const struct job *job)
 {
     const unsigned long long count = job->pixels_beyond;
@@ -244,18 +244,18 @@ static void warn_of_remaining(const struct job *job)
                     job->remaining, REFERENCE_REMAINING_MAX, count, count > 1 ? "s" : "");
 }
 
-static enum status draw_picture(struct job *job, struct frame *frame)
+static enum status draw_image(struct job *job, struct frame *frame)
 {
     const struct renderer_shot *shot = &frame->output.shot;
     struct render_result *result = &frame->result;
     if (job->reference)
-        return trace_picture(job, frame);
+        return trace_image(job, frame);
     if (job->o.picture.columns && !job->o.picture.tile)
         return draw_tiles(job, shot, result);
     return renderer_render(job->renderer, shot, result, show_progress, job);
 }
 
-/* What the renderer does not make: layers, 16 bits, alpha, dither. */
+/* Makes PNG pixels that the renderer does not: layers, 16 bits, alpha, dither. */
 static bool make_png(const struct app_picture *p, struct render_result *result)
 {
     const bool is_16 = p->png_bits == 16;
@@ -273,7 +273,7 @@ static enum status draw(struct job *job, struct frame *frame)
 {
     struct render_result *result = &frame->result;
     progress_show(&job->progress, 0, job->o.picture.samples);
-    enum status status = draw_picture(job, frame);
+    enum status status = draw_image(job, frame);
     progress_clear(&job->progress);
     job->pixels_beyond += frame->outcome.pixels_beyond;
     job->remaining = fmax(job->remaining, frame->outcome.remaining);
@@ -285,7 +285,7 @@ static enum status draw(struct job *job, struct frame *frame)
 static void *fill_scene(void *user)
 {
     struct job *job = user;
-    job->lacking = app_fill_scene(&job->scene, &job->o.picture.scene);
+    job->missing = app_fill_scene(&job->scene, &job->o.picture.scene);
     return NULL;
 }
 
@@ -308,8 +308,8 @@ static enum status open_reference(struct job *job, const struct renderer_params 
     if (!job->is_filled)
         fill_scene(job);
     job->is_filled = true;
-    if (job->lacking)
-        return app_fill_failed(job->lacking);
+    if (job->missing)
+        return app_fill_failed(job->missing);
     enum status status = reference_create(&job->reference, &request);
     if (status == STATUS_OK && !job->o.run.quiet && !job->is_opened &&
         reference_leaves_out(params->settings, names, sizeof(names)))
@@ -317,7 +317,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
     return status;
 }
 
-/* What llvmpipe saves by compiling less is lost again by a few times as many pixels. */
+/* Returns true if so few pixels are drawn that fast shader compilation in llvmpipe pays off. */
 static bool is_small(const struct job *job)
 {
     const uint64_t pixels =
@@ -325,8 +325,8 @@ static bool is_small(const struct job *job)
     return pixels <= (1u << 17) / job->sequence.range.count;
 }
 
-/* The scene is filled meanwhile, by a thread that does not log: if both fail, the line and the
- * status are the device's. */
+/* Opens the device, and fills the scene in another thread meanwhile. That thread does not log: if
+ * both fail, message and status are the device's. */
 static enum status open_device(struct job *job)
 {
     pthread_t thread;
@@ -343,10 +343,10 @@ static enum status open_device(struct job *job)
     job->is_filled = true;
     if (status == STATUS_OK)
         app_check_rays(&job->o.picture.scene.settings, &job->gpu);
-    return status == STATUS_OK && job->lacking ? app_fill_failed(job->lacking) : status;
+    return status == STATUS_OK && job->missing ? app_fill_failed(job->missing) : status;
 }
 
-/* Opens the device, or what traces, with the first frame that has to be drawn. */
+/* Opens the device or the reference, with the first frame that has to be drawn. */
 static enum status open_renderer(struct job *job)
 {
     const struct app_picture *p = &job->o.picture;
@@ -395,7 +395,8 @@ static void print_written(const struct job *job, const struct frame *frame, cons
 
 static enum status write_output(struct job *job, const struct frame *frame, const char *path)
 {
-    const bool is_straight = file_is_straight(path); /* a pipe may wait for ever */
+    /* a pipe may block forever, so signals are not held */
+    const bool is_straight = file_is_straight(path);
     void *data = NULL;
     size_t size = 0;
     const char *device =
@@ -426,18 +427,18 @@ static enum status write_outputs(struct job *job, const struct frame *frame)
     return status;
 }
 
-static void note(struct job *job, uint32_t index, struct report_frame news)
+static void record_result(struct job *job, uint32_t index, struct report_frame outcome)
 {
     signals_hold(&job->stop);
-    job->report.frames[index] = news;
+    job->report.frames[index] = outcome;
     signals_release(&job->stop);
 }
 
-/* Poses an animated model for a frame, which needs another renderer then. */
+/* Poses an animated model for a frame. A changed pose needs a new renderer. */
 static enum status pose(struct job *job, struct frame *frame)
 {
     struct renderer_shot *shot = &frame->output.shot;
-    struct earlier earlier;
+    struct previous_pose previous;
     bool is_changed = false;
     if (!job->scene.is_animated)
         return STATUS_OK;
@@ -448,10 +449,10 @@ static enum status pose(struct job *job, struct frame *frame)
         job->reference = NULL;
     }
     enum status status =
-        earlier_pose(&earlier, &shot->earlier, &job->scene, &job->o.picture, shot->time);
+        earlier_pose(&previous, &shot->earlier, &job->scene, &job->o.picture, shot->time);
     if (status == STATUS_OK)
         status = app_pose_scene(&job->scene, &job->o.picture.scene, shot->time, &is_changed);
-    earlier_give(&earlier, &job->scene);
+    earlier_give(&previous, &job->scene);
     job->is_filled = job->is_filled || (status == STATUS_OK && is_changed);
     return status == STATUS_OK ? app_camera(&shot->camera, &job->scene, &job->o.picture) : status;
 }
@@ -459,13 +460,13 @@ static enum status pose(struct job *job, struct frame *frame)
 static enum status run_frame(struct job *job, uint32_t index)
 {
     const double begin = clock_seconds();
-    struct report_frame news = { .state = REPORT_CURRENT };
+    struct report_frame outcome = { .state = REPORT_CURRENT };
     struct frame frame;
     enum status status = frame_init(&frame, job, job->sequence.range.frames[index]);
     if (status == STATUS_OK)
-        report_hash(frame.output.settings, news.hash);
+        report_hash(frame.output.settings, outcome.hash);
     if (status == STATUS_OK && !frame_is_current(&frame, job->o.run.outputs.count)) {
-        news.state = REPORT_DRAWN;
+        outcome.state = REPORT_DRAWN;
         status = pose(job, &frame);
         if (status == STATUS_OK && !job->renderer && !job->reference)
             status = open_renderer(job);
@@ -476,16 +477,17 @@ static enum status run_frame(struct job *job, uint32_t index)
     if (status == STATUS_OK)
         status = write_outputs(job, &frame);
     if (status != STATUS_OK)
-        news.state = REPORT_FAILED;
-    news.seconds = clock_seconds() - begin;
-    note(job, index, news);
+        outcome.state = REPORT_FAILED;
+    outcome.seconds = clock_seconds() - begin;
+    record_result(job, index, outcome);
     frame_finish(&frame);
     return status;
 }
 
 /*
- * A frame that fails is the last, since what fails one (a full disk, a lost device) fails the next:
- * unless its file alone cannot be created. With others there the status is then STATUS_FAILED.
+ * Renders all frames. Stops at the first failure, since its cause (a full disk, a lost device)
+ * fails the next frame, too, unless only its file cannot be created. If frames were written and
+ * others failed, returns STATUS_FAILED.
  */
 static enum status run_frames(struct job *job)
 {
@@ -516,13 +518,13 @@ static enum status write_report(const struct job *job, int code)
     return status;
 }
 
-/* A signal ends the program; a pipe could hold it up for ever. */
+/* Writes the report when a signal ends the program, except to a pipe, which could block forever. */
 static void write_last_report(void *user, int code)
 {
     const struct job *job = user;
     if (job->report.count && !file_is_straight(job->o.render.json) &&
         write_report(job, code) != STATUS_OK)
-        return; /* it has said why */
+        return; /* write_report() has logged why */
 }
 
 static enum status begin_report(struct job *job)
@@ -535,7 +537,7 @@ static enum status begin_report(struct job *job)
     return status;
 }
 
-/* Once there are frames to speak of: what was wrong with the words has been said. */
+/* Writes the report at the end, unless no frame was started because of invalid arguments. */
 static enum status end_report(struct job *job, enum status status)
 {
     if (!job->o.render.json || !job->report.frames)
@@ -549,7 +551,7 @@ static enum status end_report(struct job *job, enum status status)
     return status == STATUS_OK ? written : status;
 }
 
-/* Everything that can be wrong with the words and files is found before the device is opened. */
+/* Runs the command. All errors in arguments and files are found before the device is opened. */
 static enum status run(struct job *job)
 {
     enum status status = sequence_parse(&job->sequence, &job->o);
@@ -570,7 +572,7 @@ static enum status run(struct job *job)
     if (status == STATUS_OK)
         status = run_frames(job);
     if (status == STATUS_OK && job->gpu.message_count)
-        status = STATUS_FAILED; /* the validation layer has said why */
+        status = STATUS_FAILED; /* the validation layer has logged why */
     return end_report(job, status);
 }
 

@@ -1,4 +1,4 @@
-/* report.c: what became of each frame. */
+/* report.c: JSON report of what firn render did with each frame. */
 #include "src/app/report.h"
 #include <jansson.h>
 #include <stdio.h>
@@ -32,7 +32,8 @@ void report_finish(struct report *report)
 
 static uint64_t add_text(uint64_t hash, const char *text)
 {
-    for (size_t i = 0; i <= strlen(text); i++) /* its end, too: "a" "bc" is not "ab" "c" */
+    /* includes the terminating 0, so that "a" "bc" differs from "ab" "c" */
+    for (size_t i = 0; i <= strlen(text); i++)
         hash = (hash ^ (unsigned char)text[i]) * UINT64_C(0x100000001b3);
     return hash;
 }
@@ -52,7 +53,7 @@ bool report_is_mixed(const struct report *report)
     return counts[REPORT_FAILED] > 0 && counts[REPORT_DRAWN] + counts[REPORT_CURRENT] > 0;
 }
 
-/* JSON is UTF-8, but a file's name may be any bytes: those that are none become '?'. */
+/* Returns a JSON string. JSON is UTF-8; if a file name is not, its non-ASCII bytes become '?'. */
 static json_t *word(const char *text)
 {
     json_t *json = json_string(text);
@@ -108,6 +109,6 @@ char *report_json(const struct report *report, const struct sequence *sequence,
     json_decref(frames);
     *size = text ? strlen(text) + 1 : 0;
     if (text)
-        text[*size - 1] = '\n'; /* in place of its end */
+        text[*size - 1] = '\n'; /* replaces the terminating 0 */
     return text;
 }

@@ -1,4 +1,4 @@
-/* rung.c: which rung draws a scene that names none, and what it draws otherwise. */
+/* rung.c: chooses the refraction model of a scene, and warns of what it does not draw. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdio.h>
@@ -20,8 +20,8 @@
 #include "src/tech/refract_trace.h"
 #include "src/tech/surface.h"
 
-/* Of half a box: what touches an object from outside is not in it. */
-#define INNER_SHARE 0.9f
+/* Fraction of half a box that counts as inside, so that touching surroundings do not. */
+#define INNER_FRACTION 0.9f
 
 static bool is_rough(const struct material *material)
 {
@@ -33,7 +33,7 @@ static bool is_thin(const struct material *material)
     return !(material->thickness > 0.0f);
 }
 
-/* Returns whether a texture that a rung of faces draws has coordinates that it does not have. */
+/* Returns true if a texture that rasterised models use needs the second set of coordinates. */
 static bool has_second_set(const struct material *material)
 {
     static const enum material_texture_use uses[] = { MATERIAL_BASE_COLOR, MATERIAL_TRANSMISSION,
@@ -47,8 +47,8 @@ static bool has_second_set(const struct material *material)
     return false;
 }
 
-/* Returns the number of objects that are not alone in another one, or in more others than `bounce`
- * follows light into: of these it draws what the eye could see of them without the outer ones. */
+/* Returns the number of nested objects that `bounce` draws wrongly, as seen without the outer ones:
+ * several inside the same object, or nested deeper than it follows light. */
 static uint32_t count_hidden(const struct model *model)
 {
     uint32_t count = 0;
@@ -64,7 +64,7 @@ static uint32_t count_hidden(const struct model *model)
     return count;
 }
 
-/* Returns the number of objects in the box of another one: the rungs draw the outer one alone. */
+/* Returns the number of objects in another object's box; rasterised models do not draw them. */
 static uint32_t count_inside(const struct model *model)
 {
     uint32_t count = 0;
@@ -85,15 +85,15 @@ static void add_count(char *words, size_t size, uint32_t count, const char *name
         snprintf(&words[used], size - used, "%s%u %s", used ? ", " : "", count, name);
 }
 
-/* Writes what only the rung trace and the reference make of a scene's own materials: "1 rough". */
+/* Writes which of a scene's materials only `trace` and the reference draw correctly: "1 rough". */
 static void name_undrawn(const struct scene *scene, bool is_nested, char *words, size_t size)
 {
     static const struct {
         const char *name;
-        bool (*is_there)(const struct material *material);
+        bool (*is_present)(const struct material *material);
     } kinds[] = { { "rough", is_rough },
                   { "thin-walled", is_thin },
-                  { "with textures on a second set of coordinates", has_second_set } };
+                  { "with a second set of texture coordinates", has_second_set } };
     const struct model *model = &scene->model;
     words[0] = '\0';
     if (frame_media_are_bare(scene))
@@ -101,7 +101,7 @@ static void name_undrawn(const struct scene *scene, bool is_nested, char *words,
     for (size_t k = 0; k < sizeof(kinds) / sizeof(kinds[0]); k++) {
         uint32_t count = 0;
         for (uint32_t i = 0; i < model->object_count; i++)
-            count += kinds[k].is_there(&model->materials[model->objects[i].material]);
+            count += kinds[k].is_present(&model->materials[model->objects[i].material]);
         add_count(words, size, count, kinds[k].name);
     }
     if (is_nested)
@@ -119,28 +119,28 @@ static void warn_of_materials(const struct app_picture *picture, const struct sc
                            refract_bounce_is_nested(&picture->scene.settings, scene);
     name_undrawn(scene, is_nested, words, sizeof(words));
     if (words[0])
-        log_warning("%s: drawn as smooth solids, each by itself: of %u objects %s; "
-                    "--refraction trace draws what they are",
+        log_warning("%s: approximated as separate smooth solids: of %u objects %s; "
+                    "--refraction trace draws them exactly",
                     picture->scene.name, scene->model.object_count, words);
 }
 
-/* Returns whether a corner of the surroundings is well inside the box of the first object. */
+/* Returns true if a vertex of the surroundings is well inside the box of the first object. */
 static bool holds_surroundings(const struct model *model)
 {
     const struct box *box = &model->objects[0].box;
-    const vec3s middle = box_center(*box);
-    const vec3s half = glms_vec3_scale(glms_vec3_sub(box->max, box->min), 0.5f * INNER_SHARE);
+    const vec3s center = box_center(*box);
+    const vec3s half = glms_vec3_scale(glms_vec3_sub(box->max, box->min), 0.5f * INNER_FRACTION);
     for (uint32_t i = 0; i < model->surroundings.vertex_count; i++) {
-        const vec3s at = glms_vec3_sub(model->surroundings.vertices[i].position, middle);
+        const vec3s at = glms_vec3_sub(model->surroundings.vertices[i].position, center);
         if (fabsf(at.x) < half.x && fabsf(at.y) < half.y && fabsf(at.z) < half.z)
             return true;
     }
     return false;
 }
 
-/* Returns whether the eye is inside an object, as it is turned at motion.time. */
-static bool is_eye_inside(const struct scene *scene, const struct settings *settings,
-                          const struct camera *camera)
+/* Returns true if the camera is inside an object, rotated as at motion.time. */
+static bool is_camera_inside(const struct scene *scene, const struct settings *settings,
+                             const struct camera *camera)
 {
     const struct motion_params *motion = settings_of(settings, &motion_settings);
     const struct model *model = &scene->model;
@@ -157,7 +157,7 @@ static bool is_eye_inside(const struct scene *scene, const struct settings *sett
     return false;
 }
 
-/* Writes why maps of one object's front and back are not enough; "": they are. */
+/* Writes why front and back faces of one object do not suffice for this scene; "" if they do. */
 static void name_reason(const struct scene *scene, bool is_inside, char *words, size_t size)
 {
     const struct model *model = &scene->model;
@@ -170,13 +170,13 @@ static void name_reason(const struct scene *scene, bool is_inside, char *words, 
     else if (!object_is_closed(&model->objects[0], &model->object))
         snprintf(words, size, "its object is not closed");
     else if (is_inside)
-        snprintf(words, size, "the eye is inside its object");
+        snprintf(words, size, "the camera is inside its object");
     else if (holds_surroundings(model))
         snprintf(words, size, "something is inside its object");
     else
         name_undrawn(scene, false, undrawn, sizeof(undrawn));
     if (undrawn[0])
-        snprintf(words, size, "bounce leaves out what it has: %s", undrawn);
+        snprintf(words, size, "bounce does not draw all of it: %s", undrawn);
 }
 
 static bool can_trace(const struct model *model)
@@ -187,15 +187,15 @@ static bool can_trace(const struct model *model)
     return is_few && model->object_count <= TREE_SHELLS_MAX && indices / 3 <= TREE_TRIANGLES_MAX;
 }
 
-/* Whether a rung shows bumps. Rays on the device meet smooth surfaces; the reference, which has no
- * rows, shows them. */
+/* Returns true if a refraction model draws bumps. Ray tracing on the device uses smooth surfaces;
+ * the reference, which has no passes, draws them. */
 static bool draws_bumps(const struct technique_rung *rung)
 {
     return !rung->rows || (!rung->meets_tree && (rung->by_pixel || rung->rows->bump_frag));
 }
 
-/* Names settings that somebody has given and that the rung does not know: bumps, or, of rays, what
- * cracks are but gaps. */
+/* Warns of explicitly set settings that have no effect on the refraction model: bumps, and for the
+ * ray traced one all properties of cracks other than gaps. */
 static void warn_of_settings(const struct app_picture *picture)
 {
     static const struct {
@@ -219,12 +219,12 @@ static void warn_of_settings(const struct app_picture *picture)
         log_warning("%s: no effect with --refraction %s", words, picture->rung->rung.name);
 }
 
-/* Names files, and a size, of what is not there, or is not drawn so. */
+/* Warns of input files and a target scale that have no effect on this image. */
 static void warn_of_files(const struct app_picture *picture, const struct scene *scene)
 {
     const struct app_scene *given = &picture->scene;
     const bool meets_tree = picture->rung->rung.meets_tree;
-    const bool is_uneven = bump.is_on(&given->settings) && draws_bumps(&picture->rung->rung);
+    const bool has_bumps = bump.is_on(&given->settings) && draws_bumps(&picture->rung->rung);
     const bool has_more = (scene->bubbles.count || scene->cracks.index_count) && !meets_tree;
     const bool is_scaled = given->is_set[settings_index(settings_find("target.scale"))];
 
@@ -236,14 +236,13 @@ static void warn_of_files(const struct app_picture *picture, const struct scene 
         { "--air", given->air, scene->air.index_count > 0 },
         { "target.scale", is_scaled ? given->name : NULL,
           picture->rung->rung.rows && (scene->air.index_count || has_more) },
-        { "--bump", given->bump, is_uneven && !scene->has_pool },
-        { "--bump-mask", given->bump_mask, is_uneven && !scene->has_pool },
+        { "--bump", given->bump, has_bumps && !scene->has_pool },
+        { "--bump-mask", given->bump_mask, has_bumps && !scene->has_pool },
     };
 
     for (size_t i = 0; i < sizeof(files) / sizeof(files[0]) && !given->quiet; i++) {
         if (files[i].file && !files[i].has_effect)
-            log_warning("%s: no effect, since this picture has nothing of the kind",
-                        files[i].option);
+            log_warning("%s: no effect, since this image has nothing of the kind", files[i].option);
     }
 }
 
@@ -254,7 +253,7 @@ static void warn_of_outside(const struct app_scene *given, const struct scene *s
         log_warning("refract.outside: no effect in a pool, where water and air are around the ice");
 }
 
-/* Names the shadows that are asked for, and that a rung leaves out of lit surroundings. */
+/* Notes shadows of ground.light=traced that the refraction model leaves out. */
 static void warn_of_ground(const struct app_picture *picture, const struct scene *scene)
 {
     const struct ground_params *ground = settings_of(&picture->scene.settings, &ground_settings);
@@ -263,15 +262,16 @@ static void warn_of_ground(const struct app_picture *picture, const struct scene
     if (ground->light == GROUND_TRACED && picture->scene.is_set[index] && rung->rows &&
         !rung->meets_tree && scene->material_rows &&
         material_rows_has_lit(&scene->model.surroundings) && !picture->scene.quiet)
-        log_note("ground.light=traced: drawn without, as if nothing were in the way of light; "
+        log_note("ground.light=traced: not drawn by this refraction model, so surroundings are lit "
+                 "without occlusion; "
                  "--refraction trace draws it");
     if (ground->light == GROUND_TRACED && ground->smooth && picture->columns && rung->meets_tree &&
         scene->material_rows && material_rows_has_lit(&scene->model.surroundings) &&
         !picture->scene.quiet)
-        log_note("ground.smooth: off, since tiles do not know each other");
+        log_note("ground.smooth: off with tiles, which cannot be filtered across their edges");
 }
 
-/* Names cloudy ice that the rung draws otherwise. */
+/* Warns of scattering media that the refraction model draws differently. */
 static void warn_of_clouds(const struct app_picture *picture, const struct scene *scene)
 {
     const struct settings *settings = &picture->scene.settings;
@@ -288,17 +288,17 @@ static void warn_of_clouds(const struct app_picture *picture, const struct scene
                     "reference draw a medium");
     else if (rung->rows && !choice.meets_surroundings && !picture->scene.quiet)
         log_note(
-            "%s: its ice is cloudy, and drawn clear; --refraction trace and bounce draw clouds%s",
+            "%s: its cloudy ice is drawn clear; --refraction trace and bounce draw scattering%s",
             picture->scene.name, rung->meets_tree ? ", but not with trace.surroundings=cube" : "");
     if (scene->clouds.left_out)
-        log_warning("%s: more than %d objects are cloudy, and %u of them drawn clear",
+        log_warning("%s: more than %d objects are cloudy; %u of them are drawn clear",
                     picture->scene.name, CLOUDS_MAX, scene->clouds.left_out);
 }
 
 void app_choose_rung(struct app_picture *picture, const struct scene *scene,
                      const struct camera *camera)
 {
-    const bool is_inside = is_eye_inside(scene, &picture->scene.settings, camera);
+    const bool is_inside = is_camera_inside(scene, &picture->scene.settings, camera);
     char reason[200] = "";
     if (!picture->is_rung_named)
         name_reason(scene, is_inside, reason, sizeof(reason));
@@ -308,8 +308,8 @@ void app_choose_rung(struct app_picture *picture, const struct scene *scene,
         log_note("%s: drawn with --refraction trace, because %s", picture->scene.name, reason);
     warn_of_materials(picture, scene);
     if (is_inside && picture->rung->rung.rows && !picture->rung->rung.meets_tree)
-        log_warning("%s: the eye is inside an object, which %s draws as seen from outside, so "
-                    "that it is missing; --refraction trace draws this view",
+        log_warning("%s: the camera is inside an object, which %s draws as seen from outside, so "
+                    "it is missing; --refraction trace draws this view",
                     picture->scene.name, picture->rung->rung.name);
     warn_of_ground(picture, scene);
     warn_of_clouds(picture, scene);
@@ -322,6 +322,6 @@ void app_check_rays(const struct settings *settings, const struct gpu *gpu)
 {
     const struct trace_params *trace = settings_of(settings, &trace_settings);
     if (trace->rays == TRACE_BY_QUERY && !gpu->has_rays)
-        log_warning("trace.rays=query: %s has no ray queries, so rays go through the tree",
+        log_warning("trace.rays=query: %s has no ray queries, so rays are traced in firn's BVH",
                     gpu->properties.deviceName);
 }

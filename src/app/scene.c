@@ -1,4 +1,4 @@
-/* scene.c: what the options say of scene, camera and renderer. */
+/* scene.c: translates options into scene and renderer parameters, and settles scene settings. */
 #include <math.h>
 #include <string.h>
 #include "src/app/app.h"
@@ -22,11 +22,11 @@
 #include "src/tech/surface.h"
 #include "src/tech/techniques.h"
 
-/* From which times the brightness of white on, in powers of two, a file's lights are too much. */
+/* Stops above white at which a file's lights are reported as too bright. */
 #define BRIGHT_STOPS 4.0
 
-/* --set over --material over --preset over the model's own index over the default. Returns whether
- * it is the model's. */
+/* Sets the refractive index. Precedence: --set, --material, --preset, the model's own, the default.
+ * Returns true if it is the model's. */
 static bool settle_ior(struct app_scene *given, const struct scene *scene)
 {
     const struct model *model = &scene->model;
@@ -42,15 +42,15 @@ static bool settle_ior(struct app_scene *given, const struct scene *scene)
     return is_own;
 }
 
-/* Where the sun shines on what a file has around its objects, all of it has shadows, and light
- * gathers in those of clear things. */
+/* Switches on shadows and caustics of the sun if it lights a model file's opaque surroundings,
+ * unless the setting is given. */
 static void settle_sun(struct app_scene *given, const struct scene *scene)
 {
     const struct setting *row =
         settings_row(&ice_caustics_settings, offsetof(struct ice_caustics_params, light));
     const size_t index = settings_index(row);
-    const bool is_said = given->is_set[index] || given->is_preset[index] || given->is_own[index];
-    if (!is_said && !given->plain && !scene_find_builtin(given->name) &&
+    const bool is_given = given->is_set[index] || given->is_preset[index] || given->is_own[index];
+    if (!is_given && !given->plain && !scene_find_builtin(given->name) &&
         material_rows_has_lit(&scene->model.surroundings) &&
         glms_vec3_max(frame_sun_light(scene, &given->settings)) > 0.0f)
         settings_put(&given->settings, row, ICE_CAUSTICS_SUN);
@@ -64,20 +64,20 @@ static void switch_off(struct app_scene *given, const struct technique *techniqu
         settings_put(&given->settings, row, 0);
 }
 
-/* Returns whether the scene's objects are ice unless --material says otherwise. */
+/* Returns true if the scene's objects are ice unless --material overrides that. */
 static bool has_ice(const struct scene *scene)
 {
     return scene->has_pool || (scene->model.object_count > 0 && frame_media_are_bare(scene));
 }
 
-/* Returns whether an asset, drawn as it is, has inclusions of this kind. */
+/* Returns true if an asset with its own material sets inclusions of this kind itself. */
 static bool has_own(const struct app_scene *given, const struct technique *technique)
 {
     return !given->material && given->is_own[settings_index(&technique->settings[0]->rows[0])];
 }
 
-/* Takes off what is not asked for: cracks and the like of whatever is no ice. */
-static void undress(struct app_scene *given, const struct scene *scene)
+/* Switches off inclusions and bumps that only ice has, for other materials and with --plain. */
+static void switch_off_ice_effects(struct app_scene *given, const struct scene *scene)
 {
     const bool is_ice =
         given->material ? !strcmp(given->material, material_presets[0].name) : has_ice(scene);
@@ -89,34 +89,35 @@ static void undress(struct app_scene *given, const struct scene *scene)
         switch_off(given, &surface);
 }
 
-/* What the inclusions are made of belongs to one object. */
-static void check_inclusions(struct app_scene *given, const struct scene *scene, bool says)
+/* Switches off inclusions in scenes with several refractive objects: they belong to one object. */
+static void check_inclusions(struct app_scene *given, const struct scene *scene, bool is_verbose)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
         if (scene->model.object_count < 2 || !(*t)->is_of_ice || !(*t)->is_on(&given->settings))
             continue;
-        if (says)
+        if (is_verbose)
             log_warning("%s: left out, because the scene has %u refractive objects",
                         (*t)->title ? (*t)->title : (*t)->name, scene->model.object_count);
         settings_put(&given->settings, &(*t)->settings[0]->rows[0], 0);
     }
 }
 
-/* Nothing shows the lights of a file but opaque surfaces. */
+/* Warns if the lights of a file have no effect, because only opaque surfaces are lit by them. */
 static void check_lights(const struct app_scene *given, const struct scene *scene)
 {
     if (scene->model.light_count > 0 && !scene->light_rows)
-        log_warning("%s: its lights are not seen: they light opaque surfaces that are not unlit, "
-                    "and the scene has none",
-                    given->name);
+        log_warning(
+            "%s: its lights have no effect: they light only opaque surfaces that are not unlit, "
+            "and the scene has none",
+            given->name);
 }
 
-/* Other programs write lights in real units, beside which the surroundings are dark. */
+/* Notes lights in physical units, as other programs write them, that overexpose the image. */
 static void note_brightness(const struct app_scene *given, const struct scene *scene)
 {
     const struct setting *exposure = settings_find("tonemap.exposure");
     const float radius = 0.5f * box_diagonal(scene->box);
-    float most = 0.0f; /* lux */
+    float most = 0.0f; /* illuminance, lux */
     for (uint32_t i = 0; i < scene->model.light_count && scene->light_rows; i++) {
         const struct light *light = &scene->model.lights[i];
         const float distance = glms_vec3_distance(light->position, box_center(scene->box));
@@ -126,12 +127,12 @@ static void note_brightness(const struct app_scene *given, const struct scene *s
     const double stops = log2((double)most / (double)CGLM_PI);
     if (stops >= BRIGHT_STOPS && !given->quiet && !given->is_preset[settings_index(exposure)] &&
         !given->is_set[settings_index(exposure)])
-        log_note("%s: its lights make white surfaces shine %.0f times as bright as white; "
+        log_note("%s: its lights make white surfaces %.0f times as bright as white; "
                  "--set tonemap.exposure=%.0f shows them",
                  given->name, exp2(stops), fmax(-stops, exposure->min));
 }
 
-/* No box is no error: a window's user may be about to say one. */
+/* Warns if the environment box is empty; no error, since a window's user may be editing it. */
 static void check_box(const struct app_scene *given, const struct scene *scene)
 {
     const struct refract_params *refract = settings_of(&given->settings, &refract_settings);
@@ -150,12 +151,12 @@ enum status app_need_scene(const struct app_scene *given)
     return STATUS_USAGE;
 }
 
-/* Whoever made a file may not have meant it to be ice. */
+/* Notes that an object without materials is drawn as ice, which its author may not have meant. */
 static void note_ice(const struct app_scene *given, const struct scene *scene)
 {
     if (!given->quiet && !given->material && !scene_is_known(given->name) && has_ice(scene))
-        log_note("%s: has no materials, so it is drawn as ice; for another one, such as glass, "
-                 "say --material glass",
+        log_note("%s: has no materials, so it is drawn as ice; to change it, use for example "
+                 "--material glass",
                  given->name);
 }
 
@@ -164,16 +165,16 @@ struct settling {
     struct bump_maps_params *maps;
 };
 
-static void settle(void *user, const struct scene *scene, struct scene_params *params)
+static void settle_callback(void *user, const struct scene *scene, struct scene_params *params)
 {
     const struct settling *settling = user;
     note_ice(settling->given, scene);
-    undress(settling->given, scene);
+    switch_off_ice_effects(settling->given, scene);
     check_inclusions(settling->given, scene, true);
     *params = app_describe_scene(settling->given, settling->maps);
 }
 
-/* --env valley: the built-in landscape, also around a file. */
+/* Returns true for --env valley: the built-in landscape, also around a model file. */
 static bool is_valley(const struct app_scene *given)
 {
     return given->environment && asset_is_valley(given->environment);
@@ -186,8 +187,7 @@ const struct asset *app_own_environment(const char *name)
     return own ? asset_find(own, ASSET_ENVIRONMENT) : NULL;
 }
 
-/* A person's file is in the studio, and an asset in its own environment, unless options say what
- * surrounds it. */
+/* Sets the default environment (`studio` or an asset's own) unless options set one. */
 static void choose_environment(struct app_scene *given)
 {
     const struct asset *environment = app_own_environment(given->name);
@@ -202,8 +202,8 @@ static void choose_environment(struct app_scene *given)
                  environment->file);
 }
 
-/* An asset's own defaults. */
-static enum status take_settings(struct app_scene *given)
+/* Applies the default settings of an asset. */
+static enum status apply_asset_settings(struct app_scene *given)
 {
     const struct asset *scene = asset_find(given->name, ASSET_SCENE);
     memset(given->is_own, 0, sizeof(given->is_own));
@@ -224,9 +224,9 @@ static enum status take_settings(struct app_scene *given)
 
 void app_settle_settings(struct app_scene *given, const struct scene *scene)
 {
-    if (take_settings(given) != STATUS_OK)
-        return; /* as when it was loaded */
-    undress(given, scene);
+    if (apply_asset_settings(given) != STATUS_OK)
+        return; /* loading the asset has logged the error */
+    switch_off_ice_effects(given, scene);
     check_inclusions(given, scene, false);
     (void)settle_ior(given, scene);
     settle_sun(given, scene);
@@ -318,7 +318,7 @@ enum status app_pose_scene(struct scene *scene, const struct app_scene *given, f
         return STATUS_OK;
     struct scene_params params = app_describe_scene(given, &maps);
     struct reader_params reader = given->reader;
-    reader.no_warnings = true; /* the first time has said them */
+    reader.no_warnings = true; /* warnings were logged when the scene was first loaded */
     params.decode = &reader;
     params.before = scene;
     params.pose.time = time;
@@ -348,7 +348,7 @@ enum status app_load_scene(struct scene *scene, struct app_scene *given)
     return status;
 }
 
-/* Only files can be placed, and move. */
+/* Refuses transform, animation and node materials for scenes that are not model files. */
 static enum status check_place(const struct app_scene *given)
 {
     const char *options = given->is_placed             ? "--up, --scale and --rotate"
@@ -362,7 +362,7 @@ static enum status check_place(const struct app_scene *given)
     return STATUS_USAGE;
 }
 
-/* Options of a file that is missing, or is of another kind. */
+/* Refuses --env-rotate and --env-exposure without an environment file, or with a cube. */
 static enum status check_environment(const struct app_scene *given, const struct scene *scene)
 {
     const bool is_turned = fabsf(given->env_rotate) > 0.0f;
@@ -372,7 +372,7 @@ static enum status check_environment(const struct app_scene *given, const struct
         return STATUS_USAGE;
     }
     if (is_turned && scene->cube.texels) {
-        log_error("--env-rotate: not available for a cube: expected an equirectangular picture "
+        log_error("--env-rotate: not available for a cube: expected an equirectangular image "
                   "as --env");
         return STATUS_USAGE;
     }
@@ -386,11 +386,11 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *given)
     *scene = (struct scene){ 0 };
     if (app_need_scene(given) != STATUS_OK || check_place(given) != STATUS_OK)
         return STATUS_USAGE;
-    if (take_settings(given) != STATUS_OK)
+    if (apply_asset_settings(given) != STATUS_OK)
         return STATUS_USAGE;
     choose_environment(given);
     struct scene_params params = app_describe_scene(given, &maps);
-    params.settle = settle;
+    params.settle = settle_callback;
     params.user = &settling;
     enum status status = scene_load(scene, &params);
     if (status == STATUS_OK)

@@ -1,4 +1,4 @@
-/* sequence.c: frames, and the files that they go to. */
+/* sequence.c: frame list, frame times and output file names of a command line. */
 #include "src/app/sequence.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,8 +18,8 @@ static enum status parse_frames(struct sequence *sequence, const struct app_opti
     return sequence->range.frames ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* After the names: those of all frames must differ, whoever draws them. */
-static enum status take_chunk(struct sequence *sequence, const struct app_options *o)
+/* Keeps the frames of --chunk. Names are checked first: those of all chunks must differ. */
+static enum status apply_chunk(struct sequence *sequence, const struct app_options *o)
 {
     if (!o->render.frames) {
         log_error("--chunk %u/%u: --frames is missing", o->render.chunk, o->render.chunk_count);
@@ -50,7 +50,7 @@ static enum status parse_name(struct sequence *sequence, const struct app_option
         return status;
     if (!strcmp(path, "-"))
         log_error("--output: expected a file name for %u frames, got '-': stdout can hold only one "
-                  "picture",
+                  "image",
                   count);
     else
         log_error(
@@ -69,7 +69,7 @@ static enum status parse_names(struct sequence *sequence, struct app_options *o)
     for (uint32_t i = 0; i < outputs->count && status == STATUS_OK; i++) {
         const bool is_stdout = !strcmp(outputs->paths[i], "-");
         if (is_stdout && stdout_taken) {
-            log_error("stdout can hold only one picture or report, but '-' is given twice");
+            log_error("stdout can hold only one image or report, but '-' is given twice");
             return STATUS_USAGE;
         }
         stdout_taken = stdout_taken || is_stdout;
@@ -90,7 +90,7 @@ enum status sequence_parse(struct sequence *sequence, struct app_options *o)
     if (status == STATUS_OK)
         status = parse_names(sequence, o);
     if (status == STATUS_OK && o->render.chunk)
-        status = take_chunk(sequence, o);
+        status = apply_chunk(sequence, o);
     return status;
 }
 

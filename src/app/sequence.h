@@ -1,6 +1,4 @@
-/*
- * sequence.h: which frames a command line names, when they are, and in which files.
- */
+/* sequence.h: frame list, frame times and output file names of a command line. */
 #ifndef FIRN_APP_SEQUENCE_H
 #define FIRN_APP_SEQUENCE_H
 
@@ -14,18 +12,18 @@ struct sequence {
 };
 
 /*
- * Finds what is wrong with the words: --frames, --chunk and places for numbers in names. Without
- * --output adds the file that firn render writes. The options must outlive *sequence. Logs:
+ * Parses --frames, --chunk and the frame-number fields of output names. Without --output adds firn
+ * render's default file. The options must outlive *sequence. On failure logs and returns
  * STATUS_USAGE or STATUS_TRY_AGAIN.
  */
 MUST_USE enum status sequence_parse(struct sequence *sequence, struct app_options *options);
 
-/* Seconds at which a frame is. */
+/* Returns the time of a frame, seconds. */
 double sequence_time(const struct settings *settings, int32_t frame);
 
 /*
- * Whether every file can be created, and every frame has a time that --set motion.time takes. Logs
- * what is wrong: STATUS_USAGE, STATUS_CANT_CREATE or STATUS_TRY_AGAIN.
+ * Checks that every file can be created, and that every frame's time is in the range of
+ * motion.time. On failure logs and returns STATUS_USAGE, STATUS_CANT_CREATE or STATUS_TRY_AGAIN.
  */
 MUST_USE enum status sequence_check(const struct sequence *sequence,
                                     const struct app_options *options);

@@ -1,4 +1,4 @@
-/* sheet.c: firn sheet: one picture for each value of something, side by side. */
+/* sheet.c: command firn sheet: contact sheet with one image for each value of a setting. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +24,7 @@ enum {
 
 struct job {
     struct app_options o;
-    char *materials; /* the sweep where none is asked for */
+    char *materials; /* default sweep over all materials */
     struct profile_sweep sweep;
     struct gpu gpu;
     struct canvas canvas;
@@ -32,9 +32,9 @@ struct job {
     struct progress progress;
 };
 
-/* ---- what there is to draw ---- */
+/* ---- the images to draw ---- */
 
-/* "material=ice,water,..." */
+/* Adds the default sweep: "material=ice,water,...". */
 static enum status sweep_materials(struct job *job)
 {
     size_t size;
@@ -62,14 +62,14 @@ static enum status check(struct job *job)
     if (status == STATUS_OK)
         status = sweep_options_parse(&job->sweep, &o->sweeps, &o->picture);
     if (status == STATUS_OK && job->sweep.point_count > PICTURES_MAX) {
-        log_error("--sweep: expected at most %d pictures on a sheet, got %u", PICTURES_MAX,
+        log_error("--sweep: expected at most %d images on a sheet, got %u", PICTURES_MAX,
                   job->sweep.point_count);
         return STATUS_USAGE;
     }
     for (uint32_t i = 0; i < job->sweep.parameter_count && status == STATUS_OK; i++) {
         if (strcmp(job->sweep.parameters[i].name, "size") != 0)
             continue;
-        log_error("--sweep %s: all pictures of a sheet have the same size; use --size",
+        log_error("--sweep %s: all images of a sheet have the same size; use --size",
                   o->sweeps.words[i]);
         status = STATUS_USAGE;
     }
@@ -78,7 +78,7 @@ static enum status check(struct job *job)
 
 /* ---- the sheet ---- */
 
-/* The values of the last parameter are in a row, if there are others. */
+/* Returns the grid of the sheet. With several parameters, the values of the last one form a row. */
 static struct sheet_grid grid_of(const struct job *job)
 {
     const uint32_t last = job->sweep.parameter_count - 1;
@@ -100,8 +100,8 @@ static enum status open_canvas(struct job *job)
     return canvas_init(&job->canvas, width, height, GREY) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* "cracks.count=2 air.count=0" */
-static void put_picture(struct job *job, uint32_t point, const struct render_result *result)
+/* Draws an image and its label, such as "cracks.count=2 air.count=0", into the sheet. */
+static void place_image(struct job *job, uint32_t point, const struct render_result *result)
 {
     const struct canvas picture = { job->o.picture.width, job->o.picture.height, result->rgba };
     const struct sheet_grid grid = grid_of(job);
@@ -134,7 +134,7 @@ static enum status draw(struct job *job, const struct app_picture *p, const stru
     return status;
 }
 
-static enum status add_picture(struct job *job, uint32_t point)
+static enum status add_image(struct job *job, uint32_t point)
 {
     struct app_picture picture;
     struct scene scene = { 0 };
@@ -154,7 +154,7 @@ static enum status add_picture(struct job *job, uint32_t point)
     if (status == STATUS_OK)
         status = draw(job, &picture, &scene, &camera, &result);
     if (status == STATUS_OK)
-        put_picture(job, point, &result);
+        place_image(job, point, &result);
     render_result_finish(&result);
     scene_finish(&scene);
     return status;
@@ -182,7 +182,7 @@ static enum status write_sheet(const struct job *job)
         status = file_write(path, data, size);
     free(data);
     if (status == STATUS_OK && !job->o.run.quiet)
-        fprintf(stderr, "%s: %u pictures of %ux%u\n", path, job->sweep.point_count,
+        fprintf(stderr, "%s: %u images of %ux%u\n", path, job->sweep.point_count,
                 job->o.picture.width, job->o.picture.height);
     return status;
 }
@@ -192,16 +192,16 @@ static enum status run(struct job *job)
     enum status status = check(job);
     if (status == STATUS_OK)
         status = open_canvas(job);
-    progress_begin(&job->progress, 1, "pictures", job->o.run.quiet);
+    progress_begin(&job->progress, 1, "images", job->o.run.quiet);
     for (uint32_t i = 0; i < job->sweep.point_count && status == STATUS_OK; i++) {
         progress_show(&job->progress, i, job->sweep.point_count);
-        status = add_picture(job, i);
+        status = add_image(job, i);
         progress_clear(&job->progress);
     }
     if (status == STATUS_OK)
         status = write_sheet(job);
     if (status == STATUS_OK && job->gpu.message_count)
-        status = STATUS_FAILED; /* the validation layer has said why */
+        status = STATUS_FAILED; /* the validation layer has logged why */
     return status;
 }
 

@@ -1,4 +1,4 @@
-/* shell_words.c: command lines, quoted. */
+/* shell_words.c: quotes and joins command-line arguments for a shell. */
 #include "src/app/shell_words.h"
 #include <stdbool.h>
 #include <stdlib.h>

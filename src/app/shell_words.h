@@ -1,13 +1,13 @@
-/* shell_words.h: command lines to read and to use again. */
+/* shell_words.h: quotes and joins command-line arguments for a shell. */
 #ifndef FIRN_APP_SHELL_WORDS_H
 #define FIRN_APP_SHELL_WORDS_H
 
 #include <stdio.h>
 
-/* Writes a word as a shell takes it: quoted if it must be. */
+/* Writes an argument, quoted if a shell would change it. */
 void shell_words_quote(const char *word, FILE *out);
 
-/* "firn" and the words, which end at NULL, quoted. The caller frees it; NULL: memory is short. */
+/* Returns "firn" and the quoted arguments (up to NULL), to be freed; NULL when out of memory. */
 char *shell_words_join(char *const *words);
 
 #endif

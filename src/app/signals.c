@@ -1,4 +1,4 @@
-/* signals.c: a thread that waits for signals; no handler, so no global to talk to it. */
+/* signals.c: thread that waits for termination signals; a handler would need global state. */
 #include "src/app/signals.h"
 #include <string.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@ static void *watch(void *user)
     if (sigwait(&stop->signals, &number) != 0)
         return NULL;
     pthread_mutex_lock(&stop->writing);
-    /* what comes next on the terminal begins a line of its own */
+    /* ends a line of the progress bar on the terminal */
     const ssize_t written = isatty(STDERR_FILENO) ? write(STDERR_FILENO, "\n", 1) : 0;
     (void)written;
     const int code = number == SIGUSR1 ? STATUS_TRY_AGAIN : 128 + number;

@@ -1,8 +1,9 @@
 /*
- * signals.h: SIGHUP, SIGINT and SIGTERM end the program at once, whatever the device is doing, but
- * not while a file is being written: exit code 129, 130 or 143. So does SIGUSR1, with 75: whoever
- * sends it wants the same to be started again later, as batch systems do before the time is up. A
- * signal that was ignored when the program began (nohup, a shell's background job) stays ignored.
+ * signals.h: termination signals that do not interrupt the writing of a file.
+ *
+ * SIGHUP, SIGINT and SIGTERM end the program at once, whatever the device is doing, but not while a
+ * file is being written: exit code 129, 130 or 143. SIGUSR1, which batch systems send before the
+ * time limit, ends it with 75: retry later. Signals that were ignored at the start (nohup) stay so.
  */
 #ifndef FIRN_APP_SIGNALS_H
 #define FIRN_APP_SIGNALS_H
@@ -22,15 +23,16 @@ struct signals {
 };
 
 /*
- * Before any other thread exists, for it must inherit what is blocked. *stop is {0} but for `last`
- * and `user`, and must not move afterwards. Logs: STATUS_TRY_AGAIN.
+ * Blocks the signals and starts the waiting thread. Must be called before any other thread exists,
+ * because threads inherit the signal mask. *stop is {0} except for `last` and `user`, and must not
+ * be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN.
  */
 MUST_USE enum status signals_begin(struct signals *stop);
 
-/* From here on the signals are blocked and do nothing. {0} is fine. */
+/* Stops the waiting thread. The signals stay blocked and do nothing. {0} is fine. */
 void signals_end(struct signals *stop);
 
-/* Around the writing of a file, and the changing of what `last` reads. */
+/* Delay signals while a file is written, or data that `last` reads is changed. */
 void signals_hold(struct signals *stop);
 void signals_release(struct signals *stop);
 

@@ -1,4 +1,4 @@
-/* standard_streams.c: stdin, stdout and stderr. */
+/* standard_streams.c: replaces closed standard streams, and reports failed writes to stdout. */
 #include "src/app/standard_streams.h"
 #include <fcntl.h>
 #include <poll.h>
@@ -11,7 +11,7 @@
 void standard_streams_begin(void)
 {
     for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++) {
-        /* the lowest number that is free is the one that is looked at */
+        /* open() returns the lowest free descriptor, which is this one */
         if (fcntl(file, F_GETFD) < 0)
             (void)open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
@@ -19,14 +19,14 @@ void standard_streams_begin(void)
     (void)signal(SIGXFSZ, SIG_IGN);
 }
 
-/* Whether whoever read stdout has gone. */
+/* Returns true if the reader of stdout has closed its end. */
 static bool is_abandoned(void)
 {
     struct pollfd out = { .fd = STDOUT_FILENO, .events = POLLOUT };
     return poll(&out, 1, 0) == 1 && out.revents & POLLERR;
 }
 
-/* As programs end that leave SIGPIPE alone: quietly. */
+/* Ends the program with SIGPIPE and no message, like programs that do not ignore the signal. */
 static void end_by_signal(void)
 {
     sigset_t pipe_signal;

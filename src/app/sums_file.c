@@ -1,4 +1,4 @@
-/* sums_file.c: the sums of a reference in a file beside its picture. */
+/* sums_file.c: stores a reference's sample sums in an EXR file, from which --resume continues. */
 #include "src/app/sums_file.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,14 +13,14 @@
 #include "src/version.h"
 
 enum {
-    COST_SHARE = 10, /* at most one part in so many of the time is for writing */
+    COST_DIVISOR = 10, /* writing may take at most 1/COST_DIVISOR of the time */
     SAMPLES_MAX = 65536,
 };
 
 /* ---- reading ---- */
 
-/* Logs which of the words of firn/settings is not in the file; its own words are not to be printed.
- */
+/* Logs the first setting of firn/settings in which the file differs. The file's own text is not
+ * printed, because it is not trusted. */
 static enum status refuse_settings(const struct sums_file *file, const char *expected,
                                    const char *found)
 {
@@ -30,7 +30,7 @@ static enum status refuse_settings(const struct sums_file *file, const char *exp
         found += length + (found[length] != '\0');
         length = strcspn(expected, " ");
     }
-    log_error("%s: has the sums of another picture, not of one with '%.*s'; remove the file, or "
+    log_error("%s: has the sums of another image, not of one with '%.*s'; remove the file, or "
               "leave out --resume",
               file->path, (int)length, expected);
     return STATUS_DATA;
@@ -69,7 +69,7 @@ static enum status check_texts(const struct sums_file *file, const struct pictur
     return status;
 }
 
-/* Finds the file's plane for each of the sums'. */
+/* Maps each plane of the sums to the index of the file's plane of that name. */
 static enum status find_planes(const struct sums_file *file, const struct picture_head *head,
                                const struct reference_sums *sums, uint32_t *planes)
 {
@@ -105,7 +105,7 @@ static enum status read_rows(const struct sums_file *file, struct picture_reader
             status = picture_row(reader, planes[p], y, &row);
             if (status != STATUS_OK || reference_sums_put_row(sums, p, y, row))
                 continue;
-            log_error("%s: row %u has values that are not parts of sums; remove the file, or leave "
+            log_error("%s: row %u has values that cannot be sample sums; remove the file, or leave "
                       "out --resume",
                       file->path, y);
             status = STATUS_DATA;
@@ -176,7 +176,7 @@ static enum status encode(const struct sums_file *file, const struct reference_s
                                        .text_count = sizeof(texts) / sizeof(texts[0]) };
     for (uint32_t p = 0; p < image.plane_count; p++)
         reference_sums_plane_name(sums, p, planes[p].name);
-    struct reference_sums read = *sums; /* `user` is not const */
+    struct reference_sums read = *sums; /* non-const copy, because `user` is not const */
     if (status == STATUS_OK)
         status = exr_encode_rows(&image, &header, fill_rows, &read, data, size);
     output_finish(&drawn);
@@ -189,7 +189,7 @@ enum status sums_file_keep(void *user, const struct reference_sums *sums, bool i
     const double begin = clock_seconds();
     void *data = NULL;
     size_t size = 0;
-    if (!is_last && begin - file->written < file->cost * (COST_SHARE - 1))
+    if (!is_last && begin - file->written < file->cost * (COST_DIVISOR - 1))
         return STATUS_OK;
     enum status status = encode(file, sums, &data, &size);
     if (status == STATUS_OK) {

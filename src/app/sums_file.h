@@ -1,8 +1,8 @@
 /*
- * sums_file.h: the sums of a reference in a file beside its picture, from which --resume goes on.
+ * sums_file.h: stores a reference's sample sums in a file, from which --resume continues.
  *
- * The file of a.exr is a.sums.exr: planes as reference_sums.h says, and the picture's texts. It is
- * read by a reader process, as all files that others may have made.
+ * The file of a.exr is a.sums.exr: planes as described in reference_sums.h, and the metadata of
+ * a.exr. It is parsed by a sandboxed reader process, like all files from outside.
  */
 #ifndef FIRN_APP_SUMS_FILE_H
 #define FIRN_APP_SUMS_FILE_H
@@ -12,20 +12,20 @@
 #include "src/reference/reference.h"
 
 struct sums_file {
-    const char *path; /* option_sums_file() of the picture */
+    const char *path; /* option_sums_file() of the image */
     const struct output *output;
     const char *device;
     struct signals *stop; /* held while the file is written */
-    double written;       /* clock_seconds() at the end of the last write; 0: none */
-    double cost;          /* seconds of that write */
+    double written;       /* clock_seconds() at the end of the last write; 0 if there was none */
+    double cost;          /* duration of the last write, seconds */
 };
 
-/* A reference_load_fn: `user` is the struct sums_file. The sums of another picture or version, or
- * of more samples, are refused: STATUS_DATA. Without a file there are no samples. Logs. */
+/* Loads the sums; a reference_load_fn with `user` a struct sums_file. Logs and refuses sums of
+ * another image or version, or of more samples: STATUS_DATA. A missing file means no samples. */
 MUST_USE enum status sums_file_load(void *user, struct reference_sums *sums);
 
-/* A reference_keep_fn: writes the file, unless it took a tenth of the time since the last write or
- * more and is not the last. Logs. */
+/* Writes the sums; a reference_keep_fn. Skips the write if it would take more than a tenth of the
+ * time, unless it is the last. Logs errors. */
 MUST_USE enum status sums_file_keep(void *user, const struct reference_sums *sums, bool is_last);
 
 #endif

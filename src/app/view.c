@@ -1,4 +1,4 @@
-/* view.c: firn view: starts firn-view, which alone links a window system. */
+/* view.c: command firn view: starts firn-view, the only program that links a window system. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@ enum {
 
 static const char name[] = "/firn-view";
 
-/* Beside the program that runs; false if nobody knows where that is. */
+/* Writes the path of firn-view beside this program. Returns false if its folder is unknown. */
 static bool find_beside(char path[static PATH_SIZE])
 {
     const ssize_t length = readlink("/proc/self/exe", path, PATH_SIZE - sizeof(name));

@@ -1,4 +1,4 @@
-/* cube.c: finds the faces of the environment cube that are due. */
+/* cube.c: finds the environment-cube faces and object-cast lighting that a frame must redraw. */
 #include "src/frame/cube.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -10,7 +10,7 @@
 #include "src/tech/techniques.h"
 
 enum {
-    MOVER_TRIANGLES = 64, /* consecutive moving triangles of the mesh share one sphere */
+    MOVER_TRIANGLES = 64, /* consecutive moving triangles that share one bounding sphere */
 };
 
 static vec3s corner(const struct mesh *mesh, uint32_t triangle, uint32_t i)
@@ -18,7 +18,7 @@ static vec3s corner(const struct mesh *mesh, uint32_t triangle, uint32_t i)
     return mesh->vertices[mesh->indices[3 * triangle + i]].position;
 }
 
-/* Returns a sphere around the vertices of `count` triangles, at least 1. */
+/* Returns a bounding sphere of the vertices of `count` triangles, at least 1. */
 static struct frame_cube_mover sphere_around(const struct mesh *mesh, const uint32_t *triangles,
                                              uint32_t count)
 {
@@ -67,7 +67,7 @@ void frame_cube_finish(struct frame_cube *cube)
     *cube = (struct frame_cube){ 0 };
 }
 
-static struct frame_cube_state state_of(const struct globals *globals)
+static struct frame_cube_state face_inputs(const struct globals *globals)
 {
     return (struct frame_cube_state){
         .background_color = globals->background_color,
@@ -80,10 +80,10 @@ static struct frame_cube_state state_of(const struct globals *globals)
     };
 }
 
-/* Whether a sphere may be visible in a face, which shows the points whose |right| and |up| are at
- * most `forward`. */
-static bool sees(uint32_t face, const struct frame_cube_state *state,
-                 const struct frame_cube_mover *mover)
+/* Returns true if a sphere may be visible in a face. A point is in the face's frustum if its
+ * |right| and |up| are at most its `forward`. */
+static bool may_be_visible(uint32_t face, const struct frame_cube_state *state,
+                           const struct frame_cube_mover *mover)
 {
     const struct camera_basis basis = camera_cube_basis(face);
     const vec3s at = glms_vec3_sub(glms_mat4_mulv3(state->world_from_movers, mover->center, 1.0f),
@@ -101,7 +101,7 @@ static bool same_light(const struct frame_cube_state *a, const struct frame_cube
            a->sun_strength == b->sun_strength;
 }
 
-static bool same_place(const struct frame_cube_state *a, const struct frame_cube_state *b)
+static bool same_pose(const struct frame_cube_state *a, const struct frame_cube_state *b)
 {
     for (int i = 0; i < 4; i++) {
         if (!glms_vec4_eqv(a->world_from_movers.col[i], b->world_from_movers.col[i]))
@@ -116,16 +116,17 @@ static bool has_changed(const struct frame_cube *cube, uint32_t face,
     const struct frame_cube_state *before = &cube->states[face];
     if (!(cube->drawn & 1u << face) || !same_light(before, now))
         return true;
-    if (same_place(before, now))
+    if (same_pose(before, now))
         return false;
     for (uint32_t i = 0; i < cube->mover_count; i++) {
-        if (sees(face, before, &cube->movers[i]) || sees(face, now, &cube->movers[i]))
+        if (may_be_visible(face, before, &cube->movers[i]) ||
+            may_be_visible(face, now, &cube->movers[i]))
             return true;
     }
     return false;
 }
 
-/* Whether the object may be in the picture: its bounding sphere is not wholly beyond an edge. */
+/* Returns true if the object's bounding sphere is not entirely outside the view frustum's sides. */
 static bool is_in_picture(const struct globals *globals)
 {
     const mat4s rows = glms_mat4_transpose(globals->clip_from_world);
@@ -140,8 +141,8 @@ static bool is_in_picture(const struct globals *globals)
     return true;
 }
 
-/* Whether a technique that is on lights the surroundings through the objects. */
-static bool is_relit(const struct frame_view *view)
+/* Returns true if an enabled technique lights the surroundings through the objects (caustics). */
+static bool lights_surroundings(const struct frame_view *view)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
         if ((*t)->relights && (*t)->is_on(view->settings) && (*t)->relights(view->scene))
@@ -150,8 +151,8 @@ static bool is_relit(const struct frame_view *view)
     return false;
 }
 
-static struct frame_cube_light light_of(const struct frame_view *view,
-                                        const struct globals *globals)
+static struct frame_cube_light light_inputs(const struct frame_view *view,
+                                            const struct globals *globals)
 {
     struct frame_cube_light light = { *view->settings, *globals, view->light_jitter };
     light.globals.clip_from_world = light.globals.fitted_clip_from_world = GLMS_MAT4_ZERO;
@@ -161,36 +162,36 @@ static struct frame_cube_light light_of(const struct frame_view *view,
     return light;
 }
 
-/* Unequal bytes between members would cost a drawing, and no more. */
-static bool same_bytes(const void *a, const void *b, size_t size)
+/* Compares with memcmp(); a difference in padding bytes only causes one redundant redraw. */
+static bool are_equal(const void *a, const void *b, size_t size)
 {
     return memcmp(a, b, size) == 0;
 }
 
-static bool same_through(const struct frame_cube_light *a, const struct frame_cube_light *b)
+static bool same_light_inputs(const struct frame_cube_light *a, const struct frame_cube_light *b)
 {
-    return same_bytes(&a->settings, &b->settings, sizeof(a->settings)) &&
-           same_bytes(&a->globals, &b->globals, sizeof(a->globals));
+    return are_equal(&a->settings, &b->settings, sizeof(a->settings)) &&
+           are_equal(&a->globals, &b->globals, sizeof(a->globals));
 }
 
-static bool same_sun(const struct frame_cube_light *a, const struct frame_cube_light *b)
+static bool same_sun_sample(const struct frame_cube_light *a, const struct frame_cube_light *b)
 {
     return glms_vec2_eqv(a->jitter, b->jitter);
 }
 
-/* Whether the light in the faces is another one now. */
-static bool is_relit_anew(const struct frame_cube *cube, const struct frame_cube_light *now,
+/* Returns true if the light through objects differs from that in the faces as they were drawn. */
+static bool light_differs(const struct frame_cube *cube, const struct frame_cube_light *now,
                           bool is_first)
 {
-    return !cube->has_faces_light || !same_through(&cube->faces_light, now) ||
-           (is_first && !same_sun(&cube->faces_light, now));
+    return !cube->has_faces_light || !same_light_inputs(&cube->faces_light, now) ||
+           (is_first && !same_sun_sample(&cube->faces_light, now));
 }
 
 static uint32_t faces_due(const struct frame_cube *cube, const struct frame_view *view,
                           const struct globals *globals)
 {
     const struct env_cube_params *params = settings_of(view->settings, &env_cube_settings);
-    const struct frame_cube_state now = state_of(globals);
+    const struct frame_cube_state now = face_inputs(globals);
     const bool in_turn = cube->in_turn && cube->drawn == FRAME_CUBE_ALL;
     const uint32_t most = in_turn ? params->faces : FRAME_CUBE_FACES;
     uint32_t due = 0;
@@ -211,14 +212,14 @@ static uint32_t faces_due(const struct frame_cube *cube, const struct frame_view
 struct frame_due frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
                                 const struct globals *globals)
 {
-    if (!is_relit(view))
+    if (!lights_surroundings(view))
         return (struct frame_due){ .faces = faces_due(cube, view, globals) };
-    const struct frame_cube_light now = light_of(view, globals);
+    const struct frame_cube_light now = light_inputs(view, globals);
     return (struct frame_due){
-        .faces = is_relit_anew(cube, &now, view->sample == 0) ? FRAME_CUBE_ALL
+        .faces = light_differs(cube, &now, view->sample == 0) ? FRAME_CUBE_ALL
                                                               : faces_due(cube, view, globals),
-        .light =
-            !cube->has_light || !same_through(&cube->light, &now) || !same_sun(&cube->light, &now),
+        .light = !cube->has_light || !same_light_inputs(&cube->light, &now) ||
+                 !same_sun_sample(&cube->light, &now),
     };
 }
 
@@ -228,18 +229,18 @@ void frame_cube_drawn(struct frame_cube *cube, const struct frame_view *view,
     const uint32_t first = cube->next;
     const uint32_t faces = due.faces;
     if (due.light) {
-        cube->light = light_of(view, globals);
+        cube->light = light_inputs(view, globals);
         cube->has_light = true;
     }
     if (faces == FRAME_CUBE_ALL) {
-        cube->faces_light = light_of(view, globals);
+        cube->faces_light = light_inputs(view, globals);
         cube->has_faces_light = true;
     }
     for (uint32_t i = 0; i < FRAME_CUBE_FACES; i++) {
         const uint32_t face = (first + i) % FRAME_CUBE_FACES;
         if (!(faces & 1u << face))
             continue;
-        cube->states[face] = state_of(globals);
+        cube->states[face] = face_inputs(globals);
         cube->next = (face + 1) % FRAME_CUBE_FACES;
     }
     cube->drawn |= faces;

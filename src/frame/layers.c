@@ -1,4 +1,4 @@
-/* layers.c: the beauty layer. */
+/* layers.c: declaration of the beauty layer. */
 #include "src/frame/layers.h"
 #include "src/tech/frame.h"
 
@@ -8,5 +8,5 @@ const struct frame_layer frame_beauty = {
     .planes = { "R", "G", "B", "A" },
     .half = true,
     .mean = true,
-    .help = "the picture",
+    .help = "the rendered image",
 };

@@ -1,10 +1,10 @@
-/* layers.h: the layers of a picture: the beauty, and those that techniques_layer() returns. */
+/* layers.h: output layers (AOVs) of an image: beauty, and those of techniques_layer(). */
 #ifndef FIRN_FRAME_LAYERS_H
 #define FIRN_FRAME_LAYERS_H
 
 #include "src/tech/techniques.h"
 
-extern const struct frame_layer frame_beauty; /* every picture has it */
+extern const struct frame_layer frame_beauty; /* present in every image */
 
 /* Layers are requested by bits: bit i is techniques_layer(i). */
 enum {

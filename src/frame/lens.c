@@ -1,13 +1,13 @@
-/* lens.c: points of a lens, and the picture as seen from them. */
+/* lens.c: thin-lens camera: samples the aperture and shears the projection (depth of field). */
 #include "src/frame/lens.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/settings/scene_settings.h"
 
-#define HALF_WIDTH 0.018f /* of the camera's picture, metres, by which f-stops are meant */
+#define HALF_WIDTH 0.018f /* half the sensor width to which f-stops refer, metres: 35 mm film */
 
-/* Returns a point of the unit disc; the first one is its middle. Roberts' sequence of four
- * dimensions, the last two, on the disc by Shirley and Chiu's map. */
+/* Returns a lens sample on the unit disc; sample 0 is its centre. Uses the last two dimensions of
+ * Roberts' four-dimensional R sequence, mapped to the disc by Shirley and Chiu's concentric map. */
 static vec2s disc_point(uint32_t sample)
 {
     const float x = 2.0f * (float)fmod(0.5 + sample * 0.6287067210378087, 1.0) - 1.0f;

@@ -1,9 +1,9 @@
 /*
- * lens.h: a camera with a lens: what is not in focus is blurred (settings lens.*).
+ * lens.h: thin-lens camera model for depth of field (settings lens.*).
  *
- * Each sample of a picture looks through another point of the lens, the first one through its
- * middle. The plane in focus is perpendicular to the camera's axis, and stays where it is. So all
- * rungs have it, and as many images of what is out of focus as there are samples.
+ * Each sample of an image is taken from another point of the aperture, the first one from its
+ * centre. The focal plane is perpendicular to the camera axis and stays fixed in the image. This
+ * works with every refraction model, but blur consists of as many copies as there are samples.
  */
 #ifndef FIRN_FRAME_LENS_H
 #define FIRN_FRAME_LENS_H
@@ -11,15 +11,14 @@
 #include "src/tech/frame.h"
 
 struct frame_lens {
-    vec3s aside; /* from the eye to the sample's point of the lens, world, metres */
-    float focus; /* distance of the plane in focus along the camera's axis, metres, above 0 */
+    vec3s aside; /* offset from the camera to the sample's point on the lens, world space, metres */
+    float focus; /* distance of the focal plane along the camera axis, metres, above 0 */
 };
 
-/* Returns the point of the lens of view->sample; {0} aside where there is no lens, as in
- * orthographic pictures. */
+/* Returns the lens point of view->sample; offset {0} without a lens or for orthographic cameras. */
 struct frame_lens frame_lens_of(const struct frame_view *view);
 
-/* Moves a view's camera to its point of the lens, and its pixels back. */
+/* Offsets the camera to its lens sample and shears the projection to keep the focal plane fixed. */
 void frame_lens_apply(struct frame_view *view);
 
 #endif

@@ -1,10 +1,9 @@
 /*
- * list.c: collects the rows of all techniques, phase by phase.
+ * list.c: collects the passes of all techniques, phase by phase.
  *
- * Several refractive objects are drawn one after another, the farthest first, by copies of the rows
- * of a single one: each copy has uniform data of its own, and draws into the same maps, which the
- * object before needs no more. What other rows read, above all the picture and its depth, is kept
- * from object to object.
+ * Several refractive objects are drawn back to front with copies of the passes of a single object.
+ * Each copy has its own uniform buffer and overwrites the G-buffer of the previous object. Targets
+ * that other passes read, above all colour and depth, keep their content from object to object.
  */
 #include "src/frame/list.h"
 #include <stdio.h>
@@ -16,14 +15,14 @@
 #include "src/tech/frame.h"
 #include "src/tech/techniques.h"
 
-/* Of automatic faces of the environment cube, texels. */
+/* Limits of the automatically chosen face size of the environment cube, texels. */
 enum {
     FACE_SIZE_MIN = 128,
     FACE_SIZE_MAX = 2048,
 };
 
-static bool fits(const struct technique *technique, const struct technique_part *part,
-                 const struct technique_choice *choice)
+static bool is_applicable(const struct technique *technique, const struct technique_part *part,
+                          const struct technique_choice *choice)
 {
     const uint32_t purposes = part->purposes ? part->purposes : 1u << TECHNIQUE_PICTURE;
     const enum technique_scene scene = choice->has_pool ? SCENE_OF_POOL : SCENE_OF_OBJECT;
@@ -34,13 +33,14 @@ static bool fits(const struct technique *technique, const struct technique_part 
     return !technique->rung.name || technique == choice->rung;
 }
 
-/* Returns the rows of a part, or no rows if it is off. */
-static struct rg_technique make(const struct technique *technique,
-                                const struct technique_part *part,
-                                const struct technique_choice *choice, struct row_builder *builder)
+/* Returns the passes of a technique's part, or none if it is disabled. */
+static struct rg_technique part_rows(const struct technique *technique,
+                                     const struct technique_part *part,
+                                     const struct technique_choice *choice,
+                                     struct row_builder *builder)
 {
-    const bool is_met = technique->is_met && choice->rung && choice->rung->rung.meets_tree;
-    if (is_met || !fits(technique, part, choice))
+    const bool is_traced = technique->is_traced && choice->rung && choice->rung->rung.meets_tree;
+    if (is_traced || !is_applicable(technique, part, choice))
         return (struct rg_technique){ 0 };
     if (part->rows)
         return part->rows(choice, builder);
@@ -58,7 +58,7 @@ static bool add_phase(struct frame_list *list, const struct technique_choice *ch
             if (part->phase != phase || (!part->rows && !part->graph.passes))
                 continue;
             struct rg_technique *made = &list->parts[list->count];
-            *made = make(*t, part, choice, &list->builder);
+            *made = part_rows(*t, part, choice, &list->builder);
             if (!made->pass_count)
                 continue;
             made[1] = target_scale_apply(&list->small, choice, phase, made);
@@ -70,7 +70,7 @@ static bool add_phase(struct frame_list *list, const struct technique_choice *ch
 
 /* ---- several objects ---- */
 
-/* Returns the uniform buffer of the object at a place. */
+/* Returns the uniform buffer of the object at a position in the depth order. */
 static const struct rg_buffer *globals_at(struct frame_list *list, uint32_t place)
 {
     char number[16];
@@ -87,7 +87,7 @@ static const struct rg_buffer *globals_at(struct frame_list *list, uint32_t plac
     return buffer;
 }
 
-/* Returns the uses of a row with another uniform buffer. */
+/* Returns a copy of a pass's resource uses with another uniform buffer than frame_globals. */
 static const struct rg_use *uses_with(struct row_builder *builder, const struct rg_use *uses,
                                       const struct rg_buffer *globals)
 {
@@ -99,17 +99,17 @@ static const struct rg_use *uses_with(struct row_builder *builder, const struct 
     return own;
 }
 
-/* Gives the parts from `first` on to the object at a place: their rows become copies that have its
- * uniform buffer, and names with a suffix where the table's own are taken. */
-static bool own_parts(struct frame_list *list, size_t first, uint32_t place, bool again)
+/* Assigns the parts from `first` on to the object at a position in the depth order: copies their
+ * passes, with the object's uniform buffer and unique names. */
+static bool assign_to_object(struct frame_list *list, size_t first, uint32_t place, bool for_layers)
 {
     struct frame_list_object object = {
         .globals = globals_at(list, place),
         .place = place,
-        .of_layers = again,
+        .of_layers = for_layers,
     };
     char suffix[24];
-    snprintf(suffix, sizeof(suffix), again ? "%u.layers" : "%u", place);
+    snprintf(suffix, sizeof(suffix), for_layers ? "%u.layers" : "%u", place);
     for (size_t i = first; i < list->count; i++)
         object.row_count += list->parts[i].pass_count;
     object.rows = row_builder_alloc(&list->builder, (object.row_count + 1) * sizeof(*object.rows));
@@ -127,8 +127,9 @@ static bool own_parts(struct frame_list *list, size_t first, uint32_t place, boo
     }
     for (size_t r = 0; r < count; r++) {
         struct rg_pass *row = &object.rows[r];
-        object.names[r] = again ? row_builder_name(&list->builder, row->name, "layers") : row->name;
-        if (place || again)
+        object.names[r] =
+            for_layers ? row_builder_name(&list->builder, row->name, "layers") : row->name;
+        if (place || for_layers)
             row->name = row_builder_name(&list->builder, row->name, suffix);
         row->uses = uses_with(&list->builder, row->uses, object.globals);
     }
@@ -136,26 +137,26 @@ static bool own_parts(struct frame_list *list, size_t first, uint32_t place, boo
     return !list->builder.failed;
 }
 
-/* Adds the rows of each object that end with those of a phase: of its picture or, again, of its
- * layers. */
+/* Adds each object's passes up to phase `last`, for the image or, if that is later, for layers. */
 static bool add_objects(struct frame_list *list, const struct technique_choice *choice,
                         enum technique_phase last)
 {
     struct technique_choice own = *choice;
-    const bool again = last != PHASE_REFRACTION;
+    const bool for_layers = last != PHASE_REFRACTION;
     bool done = true;
-    own.keeps_depth = again;
+    own.keeps_depth = for_layers;
     for (uint32_t place = 0; place < choice->object_count && done; place++) {
         const size_t first = list->count;
-        own.is_limited = place && !again;
+        own.is_limited = place && !for_layers;
         if (last != PHASE_FACES)
             done = add_phase(list, &own, PHASE_DEPTHS) && add_phase(list, &own, PHASE_NORMALS);
-        done = done && add_phase(list, &own, last) && own_parts(list, first, place, again);
+        done =
+            done && add_phase(list, &own, last) && assign_to_object(list, first, place, for_layers);
     }
     return done;
 }
 
-/* Returns the object whose row it is, or NULL. */
+/* Returns the object whose passes contain `row`, or NULL. */
 static const struct frame_list_object *owner(const struct frame_list *list,
                                              const struct rg_pass *row)
 {
@@ -177,7 +178,7 @@ static bool touches(const struct rg_pass *row, const struct rg_image *image)
     return found;
 }
 
-/* Whether rows that belong to no object use an image. */
+/* Returns true if passes that belong to no object use the image. */
 static bool is_used_elsewhere(const struct frame_list *list, const struct rg_image *image)
 {
     for (size_t i = 0; i < list->count; i++) {
@@ -201,10 +202,9 @@ static bool reads(const struct frame_list_object *object, const struct rg_image 
     return false;
 }
 
-/* Whether an image is of all objects, and no map of the one that is being drawn: the picture, its
- * depth, a layer that is drawn, or what other rows have a use for and the object's own do not read.
- */
-static bool is_common(const struct frame_list *list, const struct frame_list_object *object,
+/* Returns true if an image is shared by all objects instead of being the G-buffer of one object:
+ * colour, depth, a layer being drawn, or an image that only other passes read. */
+static bool is_shared(const struct frame_list *list, const struct frame_list_object *object,
                       const struct rg_image *image)
 {
     const struct frame_layer *layer;
@@ -217,7 +217,8 @@ static bool is_common(const struct frame_list *list, const struct frame_list_obj
     return !reads(object, image) && is_used_elsewhere(list, image);
 }
 
-/* Whether a target need not be drawn beside the object: its content stays there, or none looks. */
+/* Returns true if drawing to a target may be limited to the object's pixels: the target has the
+ * view's size, and its content elsewhere is kept or never read. */
 static bool is_local(const struct frame_list *list, const struct rg_target *target)
 {
     const struct rg_image *image = target->image;
@@ -226,18 +227,18 @@ static bool is_local(const struct frame_list *list, const struct rg_target *targ
            (!image || target->load == RG_LOAD_KEEP || !is_used_elsewhere(list, image));
 }
 
-/* Makes a row keep what is common, and draw no more of the object's maps than is looked up, so that
- * many small objects cost no more than a few large ones. */
-static void keep_in_row(struct frame_list *list, const struct frame_list_object *object,
-                        struct rg_pass *row)
+/* Makes a pass keep the content of shared targets, and limits its drawing to the pixels that rays
+ * look up, so that many small objects cost no more than a few large ones. */
+static void keep_shared_in_row(struct frame_list *list, const struct frame_list_object *object,
+                               struct rg_pass *row)
 {
     struct rg_target *color = row_builder_targets(&list->builder, row->color, row->color_count);
     for (uint32_t c = 0; color && c < row->color_count; c++) {
-        if (is_common(list, object, color[c].image))
+        if (is_shared(list, object, color[c].image))
             color[c].load = RG_LOAD_KEEP;
     }
     row->color = color;
-    if (row->depth.image && is_common(list, object, row->depth.image))
+    if (row->depth.image && is_shared(list, object, row->depth.image))
         row->depth.load = RG_LOAD_KEEP;
     bool are_local = is_local(list, &row->depth);
     for (uint32_t c = 0; color && c < row->color_count; c++)
@@ -250,14 +251,14 @@ static void keep_in_row(struct frame_list *list, const struct frame_list_object 
     row->more = frame_object_more;
 }
 
-/* Makes the rows of all objects but the first keep what is common. */
-static bool keep_common(struct frame_list *list)
+/* Makes the passes of all objects except the first keep the content of shared targets. */
+static bool keep_shared(struct frame_list *list)
 {
     list->are_local = true;
     for (size_t i = 0; i < list->object_count; i++) {
         const struct frame_list_object *object = &list->objects[i];
         for (size_t r = 0; object->place && r < object->row_count; r++)
-            keep_in_row(list, object, &object->rows[r]);
+            keep_shared_in_row(list, object, &object->rows[r]);
     }
     return !list->builder.failed;
 }
@@ -276,7 +277,7 @@ static bool add_all(struct frame_list *list, const struct technique_choice *choi
         else if (!are_many || !is_before)
             done = add_phase(list, choice, phase);
     }
-    return done && keep_common(list);
+    return done && keep_shared(list);
 }
 
 enum status frame_list_init(struct frame_list *list, const struct technique_choice *choice)
@@ -284,7 +285,7 @@ enum status frame_list_init(struct frame_list *list, const struct technique_choi
     const size_t object_count =
         choice->object_count > 1 || choice->is_nested ? 3 * (size_t)choice->object_count : 1;
     *list = (struct frame_list){ .small.builder = &list->builder, .is_nested = choice->is_nested };
-    /* target.scale at most doubles them. */
+    /* target.scale at most doubles the number of parts */
     list->parts = calloc(2 * techniques_count * TECHNIQUE_PART_COUNT * object_count + 1,
                          sizeof(*list->parts));
     list->objects = calloc(object_count, sizeof(*list->objects));

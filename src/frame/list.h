@@ -1,4 +1,4 @@
-/* list.h: collects the rows of a frame from the techniques that settings and scene select. */
+/* list.h: collects the passes of a frame from the techniques that settings and scene select. */
 #ifndef FIRN_FRAME_LIST_H
 #define FIRN_FRAME_LIST_H
 
@@ -7,24 +7,24 @@
 #include "src/tech/target_scale.h"
 #include "src/tech/technique.h"
 
-/* Rows that draw one of several objects: in each frame another one, since the farthest is first. */
+/* Passes that draw the object at one position in the depth order, which varies between frames. */
 struct frame_list_object {
-    const struct rg_buffer *globals; /* replaces frame_globals in the rows */
+    const struct rg_buffer *globals; /* uniform buffer that replaces frame_globals in the passes */
     struct rg_pass *rows;
-    const char **names; /* of the rows, the same for each object: without its place */
+    const char **names; /* names of the passes, without the suffix for the object's position */
     size_t row_count;
-    uint32_t place; /* of the object among all, ordered by distance, farthest first */
-    bool of_layers; /* they draw it again, for layers */
+    uint32_t place; /* position of the object in the depth order, farthest first */
+    bool of_layers; /* the passes draw the object once more, for the layers */
 };
 
-/* The parts and objects point to memory of the builder, so they live as long as the list. */
+/* Passes of a frame. Parts and objects point to memory of the builder, which the list owns. */
 struct frame_list {
-    struct rg_technique *parts; /* in the order of drawing; owned by the list */
+    struct rg_technique *parts; /* in drawing order; owned by the list */
     size_t count;
-    struct frame_list_object *objects; /* three for each object; empty for a single one */
+    struct frame_list_object *objects; /* three per object (image, layers, cube); none for one */
     size_t object_count;
-    bool is_nested; /* objects are those that are within no other one */
-    bool are_local; /* the rows of all objects but the first draw only where rays look them up */
+    bool is_nested; /* objects that are inside another object are not in the list */
+    bool are_local; /* passes of all objects but the first only draw the pixels that rays look up */
     struct row_builder builder;
     struct small_images small;
 };
@@ -34,21 +34,20 @@ MUST_USE enum status frame_list_init(struct frame_list *list,
                                      const struct technique_choice *choice);
 void frame_list_finish(struct frame_list *list); /* {0} is fine */
 
-/* Returns a row's name, without the place of the object that it draws. */
+/* Returns a pass's name, without the suffix for the position of the object that it draws. */
 const char *frame_list_name(const struct frame_list *list, const struct rg_pass *row);
 
-/* Returns whether each picture's frames draw the environment cube, because it may change. */
+/* Returns true if every frame draws the environment cube, because its content may change. */
 bool frame_draws_cube(const struct settings *settings, const struct scene *scene);
 
-/* The settings with switches as the scene has them. */
+/* Returns the settings with those replaced that the scene determines. */
 struct settings frame_settings(const struct settings *settings, const struct scene *scene);
 
-/* Returns the width of the environment cube's faces for pictures `height` pixels high, texels: what
- * env_cube.size says, or the power of two from nine tenths of the height on. */
+/* Returns the width of the environment cube's faces for images `height` pixels high, texels: the
+ * setting env_cube.size or, if it is 0, the smallest power of two of at least 0.9 * height. */
 uint32_t frame_face_size(const struct settings *settings, uint32_t height);
 
-/* The settings with a rung's own values in place of `auto`, and those of pictures `height` pixels
- * high. `rung` may be NULL. */
+/* Returns the settings with `auto` resolved for a refraction model (or NULL) and height, pixels. */
 struct settings frame_settle(const struct settings *settings, const struct technique *rung,
                              uint32_t height);
 

@@ -1,4 +1,4 @@
-/* plan.c: makes the tables of a frame at run time: the techniques' rows, imports and readback. */
+/* plan.c: assembles a frame's tables at run time: passes of techniques, imports and readback. */
 #include "src/frame/plan.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 
-/* The first use of a readback row is the image, the second one the buffer. */
+/* Copies the image, the pass's first resource use, to the readback buffer, its second. */
 static void record_readback(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct rg_use *uses = rg_cmd_pass(cmd)->uses;
@@ -15,8 +15,8 @@ static void record_readback(struct rg_cmd *cmd, const struct rg_frame *frame)
         rg_cmd_copy_image_to_buffer(cmd, uses[0].image, uses[1].buffer, 0);
 }
 
-/* Adds a readback of the image, unless there is one. */
-static void want(struct frame_plan *p, const struct rg_image *image)
+/* Adds a readback of the image, unless there is one already. */
+static void add_readback(struct frame_plan *p, const struct rg_image *image)
 {
     for (uint32_t i = 0; i < p->readback_count; i++) {
         if (p->readbacks[i].image == image)
@@ -43,7 +43,7 @@ static void want(struct frame_plan *p, const struct rg_image *image)
         (struct rg_output){ .buffer = &r->buffer, .access = RG_HOST_READ };
 }
 
-/* Whether a pass draws the image; a technique that is off does not draw its layers. */
+/* Returns true if a pass draws the image. A disabled technique does not draw its layers. */
 static bool is_drawn(const struct frame_plan *p, const struct rg_image *image)
 {
     for (size_t t = 0; image && t < p->list.count; t++) {
@@ -58,30 +58,30 @@ static bool is_drawn(const struct frame_plan *p, const struct rg_image *image)
     return false;
 }
 
-static void keep(struct frame_plan *p, const struct rg_image *image)
+static void keep_on_device(struct frame_plan *p, const struct rg_image *image)
 {
     p->outputs[p->output_count++] = (struct rg_output){ .image = image, .access = RG_SAMPLED };
 }
 
-static void want_all(struct frame_plan *p, const struct frame_request *request)
+static void add_outputs(struct frame_plan *p, const struct frame_request *request)
 {
     if (request->beauty)
-        want(p, frame_beauty.image);
+        add_readback(p, frame_beauty.image);
     const struct frame_layer *layer;
     for (size_t i = 0; i < FRAME_LAYER_MAX && (layer = techniques_layer(i)); i++) {
         if (request->layers & 1u << i && is_drawn(p, layer->image))
-            want(p, layer->image);
+            add_readback(p, layer->image);
     }
     for (size_t i = 0; i < FRAME_SMOOTH_COUNT && request->choice.smooths; i++)
-        want(p, frame_smooth_layers[i].image);
+        add_readback(p, frame_smooth_layers[i].image);
     if (request->display)
-        want(p, &frame_display);
+        add_readback(p, &frame_display);
     if (request->cube_back)
-        want(p, &frame_env_cube_baked);
+        add_readback(p, &frame_env_cube_baked);
     if (request->keep_cube)
-        keep(p, &frame_env_cube);
+        keep_on_device(p, &frame_env_cube);
     if (request->keep_display)
-        keep(p, &frame_display);
+        keep_on_device(p, &frame_display);
 }
 
 static uint32_t count_mips(const struct technique_texels *texels)
@@ -149,7 +149,7 @@ static enum status out_of_memory(void)
     return STATUS_TRY_AGAIN;
 }
 
-/* Lists the parts, with room for the readback rows. */
+/* Lists the technique parts, with space for the readback passes. */
 static bool list_techniques(struct frame_plan *p)
 {
     p->techniques = calloc(p->list.count + 1, sizeof(const struct rg_technique *));
@@ -194,7 +194,7 @@ enum status frame_plan_init(struct frame_plan *p, const struct frame_request *re
         return status;
     if (!list_techniques(p))
         return out_of_memory();
-    want_all(p, request);
+    add_outputs(p, request);
     if (!import_all(p, request->scene))
         return out_of_memory();
     p->readback = (struct rg_technique){ "readback", p->readback_passes, p->readback_count };
@@ -203,16 +203,16 @@ enum status frame_plan_init(struct frame_plan *p, const struct frame_request *re
 }
 
 enum status frame_plan_change_view(struct frame_plan *p, const struct frame_request *request,
-                                   struct rg_plan **former)
+                                   struct rg_plan **previous)
 {
     struct rg_plan *before = p->plan;
     const enum status status = compile(p, request);
-    *former = before;
+    *previous = before;
     if (status == STATUS_OK)
         return STATUS_OK;
     rg_plan_destroy(p->plan);
     p->plan = before;
-    *former = NULL;
+    *previous = NULL;
     return status;
 }
 

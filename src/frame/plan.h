@@ -1,8 +1,4 @@
-/*
- * plan.h: compiles a frame's techniques, and the copies that read its results back, to a plan.
- *
- * No device is needed.
- */
+/* plan.h: compiles a frame's techniques and readback to a render-graph plan. Needs no device. */
 #ifndef FIRN_FRAME_PLAN_H
 #define FIRN_FRAME_PLAN_H
 
@@ -14,19 +10,19 @@ enum {
     FRAME_READBACK_COUNT = FRAME_LAYER_MAX + 2
 }; /* greatest number of images that are read back */
 
-/* What a frame imports, draws and reads back. */
+/* Description of a frame: what it imports, draws and reads back. */
 struct frame_request {
     struct technique_choice choice;
-    const struct scene *scene; /* its images are imported; NULL: one texel for each of them */
+    const struct scene *scene; /* its images are imported; NULL: each is one texel */
     VkExtent2D view;           /* pixels */
-    uint32_t face_size;        /* of the environment cube, texels; 0: frame_face_size() of `view` */
-    VkExtent2D max_view;  /* pixels of the largest one: frame_plan_change_view(); 0: the view */
-    VkExtent2D part;      /* pixels of the largest region that is drawn at once; 0: the view */
+    uint32_t face_size;        /* width of a cube face, texels; 0: frame_face_size() of `view` */
+    VkExtent2D max_view;  /* largest view for frame_plan_change_view(), pixels; 0: that of `view` */
+    VkExtent2D part;      /* largest region that is drawn at once, pixels; 0: the whole view */
     uint32_t layers;      /* bit i: read techniques_layer(i) back, if a pass draws it */
-    bool beauty, display; /* read the linear picture back; the 8-bit one */
+    bool beauty, display; /* read back the linear image; the 8-bit image */
     bool cube_back;       /* read frame_env_cube_baked back */
     bool keep_cube;       /* leave frame_env_cube ready to be sampled by other frames */
-    bool keep_display;    /* leave the 8-bit picture ready to be sampled by other frames */
+    bool keep_display;    /* leave the 8-bit image ready to be sampled by other frames */
     enum rg_sharing sharing;
     const struct rg_device *device; /* may be NULL */
 };
@@ -39,7 +35,7 @@ struct frame_readback {
     char name[64]; /* of the pass and the buffer */
 };
 
-/* Has pointers into itself: it must not move. */
+/* Compiled plan and the tables it was made from. Points into itself, so it must not be moved. */
 struct frame_plan {
     struct rg_plan *plan;
     struct frame_list list;
@@ -57,15 +53,15 @@ struct frame_plan {
 
 /*
  * Compiles the request. Logs every fault of the tables and returns STATUS_FAILED, or logs and
- * returns STATUS_TRY_AGAIN when out of memory; in any case call frame_plan_finish() afterwards.
+ * returns STATUS_TRY_AGAIN when out of memory; frame_plan_finish() must be called in any case.
  */
 MUST_USE enum status frame_plan_init(struct frame_plan *plan, const struct frame_request *request);
 
-/* Compiles the same tables for request->view, which is within the max_view of both requests. On
- * success *former, the plan before, is the caller's; on failure all stays. */
+/* Recompiles the tables for request->view, which must be within the max_view of both requests. On
+ * success the caller owns *former, the previous plan; on failure nothing changes. */
 MUST_USE enum status frame_plan_change_view(struct frame_plan *plan,
                                             const struct frame_request *request,
-                                            struct rg_plan **former);
+                                            struct rg_plan **previous);
 
 void frame_plan_finish(struct frame_plan *plan);
 

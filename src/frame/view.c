@@ -11,9 +11,9 @@
 #include "src/tech/frame_media.h"
 #include "src/tech/techniques.h"
 
-/* Margins of frame_view_reach(): rays begin a little outside of the sphere (refract_inside.glsl);
- * lookups are between texels, and jitter moves them. */
-#define REACH_ROOM 1.05f
+/* Margins of frame_view_reach(): rays begin slightly outside the sphere (refract_inside.glsl),
+ * lookups are interpolated between texels, and samples are jittered. */
+#define REACH_SCALE 1.05f
 
 enum {
     REACH_MARGIN = 4 /* pixels */
@@ -38,21 +38,22 @@ struct background_push frame_view_push(const struct frame_view *view)
     const struct camera_basis basis = camera_basis(camera);
     float width = (float)view->width;
     float height = (float)view->height;
-    const bool is_flat = camera->height > 0.0f;
-    float up = is_flat ? camera->height / 2.0f : tanf(radians(camera->fov_deg) / 2.0f);
+    const bool is_orthographic = camera->height > 0.0f;
+    float up = is_orthographic ? camera->height / 2.0f : tanf(radians(camera->fov_deg) / 2.0f);
     float right = up * width / height;
-    /* A pixel to the right is 2 right / width, a pixel down is -2 up / height. */
+    /* A step of a pixel to the right is 2 right / width, a step down is -2 up / height. */
     const vec2s at = glms_vec2_add(view->jitter, view->tile);
     vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * at.x * right / width),
                                 glms_vec3_scale(basis.up, 2.0f * at.y * up / height));
     return (struct background_push){
         .clip_from_world = camera_clip_from_world(camera, view->width, view->height,
                                                   scene_near_plane(view->scene), at),
-        .eye = is_flat ? glms_vec3_add(camera->eye, shift) : camera->eye,
-        .environment_lod = is_flat ? 0.0f : environment_lod(view->scene, 2.0f * up / height),
+        .eye = is_orthographic ? glms_vec3_add(camera->eye, shift) : camera->eye,
+        .environment_lod =
+            is_orthographic ? 0.0f : environment_lod(view->scene, 2.0f * up / height),
         .right = glms_vec3_scale(basis.right, right),
         .up = glms_vec3_scale(basis.up, up),
-        .forward = is_flat ? basis.forward : glms_vec3_add(basis.forward, shift),
+        .forward = is_orthographic ? basis.forward : glms_vec3_add(basis.forward, shift),
     };
 }
 
@@ -92,7 +93,7 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
         *fitted = (vec2s){ { near, far } };
         return clip_from_world;
     }
-    /* z = far / (far - near) (w - near), where w is the distance along the camera's axis. */
+    /* z = far / (far - near) (w - near), where w is the distance along the camera axis. */
     float scale = far / (far - near);
     for (int column = 0; column < 4; column++)
         clip_from_world.raw[column][2] = scale * clip_from_world.raw[column][3];
@@ -102,9 +103,9 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
 }
 
 /*
- * Computes the first and last pixel that a sphere covers along one axis of the picture. The
- * sphere's centre is `ahead` along the camera's axis and `aside` along the picture's axis, metres;
- * `half` is half of the picture's side, pixels, and `edge` the tangent of half its angle of view.
+ * Computes the first and last pixel that a sphere covers along one axis of the image. The sphere's
+ * centre is `ahead` along the camera axis and `aside` along the image axis, metres; `half` is half
+ * of the image's width or height, pixels, and `edge` the tangent of half its field of view.
  */
 static void span(float aside, float ahead, float radius, float half, float edge, int32_t ends[2])
 {
@@ -118,8 +119,8 @@ static void span(float aside, float ahead, float radius, float half, float edge,
     ends[1] = (int32_t)ceilf(half + fminf(fmaxf(high * half, -most), most)) + REACH_MARGIN;
 }
 
-/* Of an orthographic picture, in which a metre has `scale` pixels. */
-static void span_flat(float aside, float radius, float half, float scale, int32_t ends[2])
+/* Computes the pixels of a sphere along an axis; orthographic: `scale` is in pixels per metre. */
+static void span_orthographic(float aside, float radius, float half, float scale, int32_t ends[2])
 {
     const float most = 4.0f * half;
     const float low = (aside - radius) * scale;
@@ -128,7 +129,7 @@ static void span_flat(float aside, float radius, float half, float scale, int32_
     ends[1] = (int32_t)ceilf(half + fmaxf(fminf(high, most), -most)) + REACH_MARGIN;
 }
 
-/* Clips the range `ends` to the picture; at least one pixel is left. */
+/* Clips the pixel range `ends` to the image; at least one pixel is left. */
 static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t *extent)
 {
     const int32_t last = (int32_t)side - 1;
@@ -138,10 +139,10 @@ static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t
     *extent = (uint32_t)(high - low) + 1;
 }
 
-/* Computes the pixels that a sphere around `center` covers, also beyond the picture, with a margin.
- * Returns false if the eye is too near. */
-static bool span_both(const struct frame_view *view, vec3s center, float radius, int32_t x[2],
-                      int32_t y[2])
+/* Computes the pixel ranges that a sphere around `center` covers, with a margin and not clipped to
+ * the image. Returns false if the camera is too near. */
+static bool sphere_extent(const struct frame_view *view, vec3s center, float radius, int32_t x[2],
+                          int32_t y[2])
 {
     const struct camera_basis basis = camera_basis(&view->camera);
     const vec3s to = glms_vec3_sub(center, view->camera.eye);
@@ -150,8 +151,8 @@ static bool span_both(const struct frame_view *view, vec3s center, float radius,
     const float width = (float)view->width, height = (float)view->height;
     if (view->camera.height > 0.0f) {
         const float scale = height / view->camera.height;
-        span_flat(glms_vec3_dot(to, basis.right), radius, width / 2.0f, scale, x);
-        span_flat(-glms_vec3_dot(to, basis.up), radius, height / 2.0f, scale, y);
+        span_orthographic(glms_vec3_dot(to, basis.right), radius, width / 2.0f, scale, x);
+        span_orthographic(-glms_vec3_dot(to, basis.up), radius, height / 2.0f, scale, y);
     } else if (ahead > 1.01f * radius) {
         span(glms_vec3_dot(to, basis.right), ahead, radius, width / 2.0f, up * width / height, x);
         span(-glms_vec3_dot(to, basis.up), ahead, radius, height / 2.0f, up, y);
@@ -165,7 +166,7 @@ bool frame_view_is_beyond(const struct frame_view *view)
 {
     const struct box box = view->scene->box;
     int32_t x[2], y[2];
-    if (!span_both(view, box_center(box), box_diagonal(box) / 2.0f, x, y))
+    if (!sphere_extent(view, box_center(box), box_diagonal(box) / 2.0f, x, y))
         return true;
     return x[0] < -REACH_MARGIN || x[1] > (int32_t)view->width + REACH_MARGIN ||
            y[0] < -REACH_MARGIN || y[1] > (int32_t)view->height + REACH_MARGIN;
@@ -173,10 +174,10 @@ bool frame_view_is_beyond(const struct frame_view *view)
 
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals, float radii)
 {
-    const float radius = REACH_ROOM * globals->radius * (radii > 0.0f ? radii : 1.0f);
+    const float radius = REACH_SCALE * globals->radius * (radii > 0.0f ? radii : 1.0f);
     VkRect2D reach = { .extent = { view->width, view->height } };
     int32_t x[2], y[2];
-    if (!span_both(view, globals->center, radius, x, y))
+    if (!sphere_extent(view, globals->center, radius, x, y))
         return reach;
     clip(x, view->width, &reach.offset.x, &reach.extent.width);
     clip(y, view->height, &reach.offset.y, &reach.extent.height);
@@ -239,8 +240,8 @@ vec3s frame_sun_light(const struct scene *scene, const struct settings *settings
     return glms_vec3_scale(own, env->sun_strength);
 }
 
-/* The panorama's sun, whose disc has that radius. */
-static void place_environment_sun(const struct frame_view *view, float radius, struct globals *g)
+/* Sets the panorama's sun as a light whose disc has the given radius. */
+static void set_environment_sun(const struct frame_view *view, float radius, struct globals *g)
 {
     const struct env_params *params = settings_of(view->settings, &env_settings);
     const struct environment *environment = &view->scene->environment;
@@ -254,20 +255,19 @@ static void place_environment_sun(const struct frame_view *view, float radius, s
                                            (vec3s){ { 0.0f, 1.0f, 0.0f } });
 }
 
-/* The sun as a light: that of the built-in sky, or of the panorama. Techniques have set the radius
- * that its disc has if there is one. */
-static void place_sun(const struct frame_view *view, struct globals *g)
+/* Sets the sun as a light, of the built-in sky or the panorama. Techniques have set its radius. */
+static void set_sun(const struct frame_view *view, struct globals *g)
 {
     const float radius = g->sun_radius;
     g->sun_radius = 0.0f;
     g->sun_spread = LIT_SUN_SPREAD;
     g->sun_light = frame_sun_light(view->scene, view->settings);
     if (view->scene->background == SCENE_ENVIRONMENT && !view->scene->has_pool)
-        place_environment_sun(view, radius, g);
+        set_environment_sun(view, radius, g);
 }
 
 /* Spaces the lights evenly on a circle around the object, which rotates with time. */
-static void place_lights(const struct frame_view *view, struct globals *g)
+static void set_lights(const struct frame_view *view, struct globals *g)
 {
     const struct light_params *light = settings_of(view->settings, &light_settings);
     const struct motion_params *motion = settings_of(view->settings, &motion_settings);
@@ -280,8 +280,8 @@ static void place_lights(const struct frame_view *view, struct globals *g)
     }
 }
 
-/* What a medium decides, if a material says more of it than the settings. */
-static void take_medium(const struct frame_view *view, uint32_t object, struct globals *g)
+/* Sets the data of an object's medium, if materials override that of the settings. */
+static void set_medium(const struct frame_view *view, uint32_t object, struct globals *g)
 {
     const struct scene *scene = view->scene;
     if (frame_media_are_bare(scene))
@@ -296,7 +296,7 @@ static void take_medium(const struct frame_view *view, uint32_t object, struct g
     g->absorb = medium.absorption;
 }
 
-/* The depths that the maps of an object's faces have. */
+/* Fits the depth range of an object's G-buffer to its bounding sphere. */
 static void fit_depth(const struct frame_view *view, struct globals *g)
 {
     g->fitted_clip_from_world = frame_view_fit(&view->camera, g->clip_from_world, g->center,
@@ -311,7 +311,7 @@ struct globals frame_view_object_globals(const struct frame_view *view, const st
     g.center = glms_mat4_mulv3(g.world_from_object, box_center(box), 1.0f);
     g.radius = box_diagonal(box) / 2.0f;
     fit_depth(view, &g);
-    take_medium(view, object, &g);
+    set_medium(view, object, &g);
     g.cloud = frame_cloud_of(view->scene, view->settings, object);
     return g;
 }
@@ -340,18 +340,19 @@ struct globals frame_view_globals(const struct frame_view *view, const struct ba
     };
     frame_turn(view, center, view->time, &g.world_from_object, &g.world_from_movers);
     fit_depth(view, &g);
-    place_lights(view, &g);
+    set_lights(view, &g);
     for (const struct technique *const *technique = techniques; *technique; technique++) {
         if ((*technique)->write_globals)
             (*technique)->write_globals(view, &g);
     }
-    place_sun(view, &g);
-    take_medium(view, 0, &g);
+    set_sun(view, &g);
+    set_medium(view, 0, &g);
     g.cloud = frame_cloud_of(scene, view->settings, 0);
     return g;
 }
 
-/* Drivers of CPUs fetch in all branches, so that a texture that nothing has would cost as much. */
+/* Returns flags for the kinds of textures in use. CPU drivers execute texture fetches in all
+ * branches, so unused kinds must be compiled out. */
 static uint32_t textured(const struct model *model)
 {
     const bool any = model->textures.count + model->numbers.count > 0;

@@ -1,57 +1,56 @@
-/*
- * view.h: computes the uniform data of a frame from camera, time and scene.
- */
+/* view.h: computes the uniform data of a frame from camera, time and scene. */
 #ifndef FIRN_FRAME_VIEW_H
 #define FIRN_FRAME_VIEW_H
 
 #include "shaders/constants.h"
 #include "src/tech/frame.h"
 
-/* Returns the push constants of the picture's camera. */
+/* Returns the push constants of the image's camera. */
 struct background_push frame_view_push(const struct frame_view *view);
 
-/* Returns the clip_from_world of the frame before; fov_deg 0: it had the picture's camera. */
+/* Returns the clip_from_world matrix of the previous frame, whose camera is `earlier`; if its
+ * fov_deg is 0, it had the current camera. */
 mat4s frame_view_earlier(const struct frame_view *view, const struct camera *earlier);
 
 /*
- * Returns the pixels of the picture that may show points within `radii` (0 means 1) bounding radii
- * of the object's centre, with a margin for rays that overshoot; the whole picture if the eye is
- * within that distance or the object is behind it.
+ * Returns the pixels that may show points within `radii` (0 means 1) bounding radii of the object's
+ * centre, with a margin for rays that overshoot; the whole image if the camera is within that
+ * distance or the object is behind it.
  */
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
                           float radii);
 
-/* Returns whether the sphere around the object leaves the picture, or the eye is near to it. */
+/* Returns true if the object's bounding sphere exceeds the image, or the camera is near it. */
 bool frame_view_is_beyond(const struct frame_view *view);
 
-/* Returns the pixels of an image of `size` that may show a box, of one object or of all, which
- * turns with the objects and is enlarged by `room` radii on all sides, with a margin of a pixel;
- * the whole image if a corner of the box is before the near plane. `globals` is that of the object,
- * or frame_view_globals(). */
+/* Returns the pixels of an image of `size` that may show a box around one or all objects, with a
+ * margin of a pixel; the whole image if a corner of the box is in front of the near plane. The box
+ * rotates with the objects and is enlarged by `room` radii on all sides. `globals` is that of the
+ * object, or frame_view_globals(). */
 VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals *globals,
                              struct box box, VkExtent2D size, float room);
 
-/* Returns the pixels of a picture of `size` that show the objects' mirror image in a floor below
- * them, with a margin for floors that are not even. */
+/* Returns the pixels of an image of `size` that show the objects' mirror image in a floor below
+ * them, with a margin for uneven floors. */
 VkRect2D frame_view_foot_area(const struct frame_view *view, const struct globals *globals,
                               VkExtent2D size);
 
-/* Returns the push constants for face 0 to 5 of the environment cube, in Vulkan's order. */
+/* Returns the push constants for face 0 to 5 of the environment cube, in Vulkan's face order. */
 struct background_push frame_view_face(const struct frame_view *view, uint32_t face);
 
-/* Returns the light of the sun on a white surface that faces it, as a radiance; 0 without a sun. */
+/* Returns the sun's light as the radiance of a white surface that faces it; 0 without a sun. */
 vec3s frame_sun_light(const struct scene *scene, const struct settings *settings);
 
 /* Returns the uniform data of a frame. `push` is frame_view_push(). */
 struct globals frame_view_globals(const struct frame_view *view,
                                   const struct background_push *push);
 
-/* Returns the uniform data of the rows that draw one object; `all` is frame_view_globals(). */
+/* Returns the uniform data of the passes that draw one object; `all` is frame_view_globals(). */
 struct globals frame_view_object_globals(const struct frame_view *view, const struct globals *all,
                                          uint32_t object);
 
-/* Specialization constants, which depend on scene, settings (of frame_settle()) and rung (NULL: one
- * that does not meet the scene's tree), but not on camera and time. */
+/* Specialization constants. They depend on scene, settings (of frame_settle()) and refraction model
+ * (NULL: one that does not trace the scene's BVH), but not on camera and time. */
 struct frame_constants {
     uint32_t values[CONSTANT_COUNT];
 };
@@ -59,9 +58,9 @@ struct frame_constants frame_view_constants(const struct scene *scene,
                                             const struct settings *settings,
                                             const struct technique *rung);
 
-/* Returns `clip_from_world` with its depth changed to 0 at the front and 1 at the back of a sphere,
- * along the camera's axis; the near plane stays before the eye where the eye is inside the sphere.
- * *fitted becomes the distances of the near and the far plane, metres. */
+/* Returns `clip_from_world` with its depth remapped to 0 at the front and 1 at the back of a
+ * sphere, along the camera axis. The near plane stays in front of the camera if that is inside the
+ * sphere. *fitted is set to the distances of the near and the far plane, metres. */
 mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s center, float radius,
                      vec2s *fitted);
 

@@ -1,15 +1,15 @@
 /*
- * gpu.h: chooses and opens one Vulkan 1.3 device; buffers and images in its memory.
+ * gpu.h: chooses and opens one Vulkan 1.3 device; creates buffers and images in its memory.
  *
  * Queue families, memory types, coherence, alignment and formats are queried, never assumed. No
  * window system is needed.
  *
- * Ownership:     gpu_destroy() frees everything gpu_create() made; buffers and images made with
- *                gpu_buffer_create() and gpu_image_create() must be destroyed before it.
- * Errors:        logged once, with the failing call and the VkResult's name; the result is
- *                STATUS_NO_DEVICE (no loader, no device, or none that firn can use),
- *                STATUS_TRY_AGAIN (device lost or out of memory) or STATUS_FAILED (anything else).
- * Thread-safety: one thread at a time per gpu.
+ * Ownership: gpu_destroy() frees everything that gpu_create() made; buffers and images made with
+ * gpu_buffer_create() and gpu_image_create() must be destroyed before it.
+ *
+ * Errors: logged once, with the failing call and the VkResult's name. The result is
+ * STATUS_NO_DEVICE (no loader, no device, or none that firn can use), STATUS_TRY_AGAIN (device lost
+ * or out of memory) or STATUS_FAILED (anything else). Thread-safety: one thread at a time per gpu.
  */
 #ifndef FIRN_GPU_GPU_H
 #define FIRN_GPU_GPU_H
@@ -20,7 +20,7 @@
 #include <volk.h>
 #include "src/base/status.h"
 
-/* How a window system presents images of a device. */
+/* Functions and instance extensions by which a window system presents images of a device. */
 struct gpu_window_system {
     const char *const *instance_extensions;
     uint32_t instance_extension_count;
@@ -28,10 +28,9 @@ struct gpu_window_system {
 };
 
 struct gpu_params {
-    /* number as listed, from 0, or part of the name in any case; NULL: the best */
-    const char *device;
-    bool validate; /* validation and synchronization validation, if the layer is there */
-    bool no_cache; /* compiled pipelines are neither read from a file nor saved */
+    const char *device; /* index in gpu_list() or part of the name in any case; NULL: the best */
+    bool validate; /* enable validation and synchronization validation, if the layer is installed */
+    bool no_cache; /* do not read or write the file of compiled pipelines */
     const struct gpu_window_system *windows; /* must outlive the gpu; NULL: no windows */
 };
 
@@ -45,40 +44,39 @@ struct gpu {
     VkPhysicalDeviceProperties properties;
     VkPhysicalDeviceMemoryProperties memory;
     VkPipelineCache pipeline_cache;
-    struct rg_pipelines *pipelines; /* of earlier executors; NULL if memory was short */
+    struct rg_pipelines *pipelines; /* for reuse by later executors; NULL if memory was short */
     bool no_cache;                  /* from the params */
     VkCommandPool pool;             /* for uploads */
-    bool portability_subset;        /* the device has this extension, so it is enabled */
-    float max_anisotropy;           /* of samplers; 0: not supported */
-    bool has_host_memory;           /* with windows, on a CPU: images in memory of the host */
-    bool has_rays;                  /* acceleration structures and ray queries */
-    bool has_statistics;            /* pipeline statistics and exact occlusion queries */
-    bool validated;                 /* the validation layer was found and is enabled */
-    struct gpu_rays *rays; /* of a pose that is drawn no more, for the next one; may be NULL */
+    bool portability_subset;        /* the device has this extension, so it must be enabled */
+    float max_anisotropy;           /* of samplers; 0 if not supported */
+    bool has_host_memory;  /* CPU device with windows: can render to images in host memory */
+    bool has_rays;         /* supports acceleration structures and ray queries */
+    bool has_statistics;   /* supports pipeline statistics and exact occlusion queries */
+    bool validated;        /* the validation layer was found and is enabled */
+    struct gpu_rays *rays; /* those of the previous animation pose, for reuse; may be NULL */
     VkDebugUtilsMessengerEXT messenger;
     uint32_t message_count; /* warnings and errors of the validation layer so far */
 };
 
-/* Opens a device into *gpu, which must not move afterwards. On failure *gpu is {0}. */
+/* Opens a device into *gpu, which must not be moved afterwards. On failure *gpu is {0}. */
 MUST_USE enum status gpu_create(struct gpu *gpu, const struct gpu_params *params);
 
 /*
  * Waits for the device, saves the pipeline cache and frees everything. A {0} or half-built gpu is
- * fine. *gpu is then {0}, except for message_count, which now includes the messages about objects
- * that were not destroyed.
+ * fine. *gpu is then {0} except for message_count, which includes messages about leaked objects.
  */
 void gpu_destroy(struct gpu *gpu);
 
-/* Waits for the device and returns whether it is lost; then only gpu_destroy() may be called. */
+/* Waits for the device and returns true if it is lost; then only gpu_destroy() may be called. */
 bool gpu_is_lost(const struct gpu *gpu);
 
-/* A second logical device on the same physical device, with one queue, for one other thread. */
+/* A second logical device on the same physical device, with one queue, for another thread. */
 struct gpu_twin {
     VkDevice device;
     VkQueue queue; /* from gpu->queue_family */
 };
 
-/* Creates a twin of `gpu`; returns false on failure and logs nothing. */
+/* Creates a second logical device; returns false on failure and logs nothing. */
 MUST_USE bool gpu_twin_create(struct gpu_twin *twin, const struct gpu *gpu);
 void gpu_twin_destroy(struct gpu_twin *twin); /* waits for the device first */
 
@@ -88,11 +86,11 @@ struct gpu_device {
     VkPhysicalDeviceType type;
     const char *kind;  /* the type in words: "discrete GPU", "integrated GPU", "CPU", ... */
     char refused[128]; /* why firn cannot use it; "" if it can */
-    char version[64];  /* of Vulkan and driver: "1.3.230, Mesa 22.3.6 (LLVM 15.0.6)" */
-    bool has_rays;     /* of gpu_list() alone: it has acceleration structures and ray queries */
+    char version[64];  /* versions of Vulkan and driver: "1.3.230, Mesa 22.3.6 (LLVM 15.0.6)" */
+    bool has_rays;     /* supports ray queries; set by gpu_list() only */
 };
 
-/* Describes the open device, as gpu_list() does. */
+/* Fills *device with a description of the open device, as gpu_list() does. */
 void gpu_describe(const struct gpu *gpu, struct gpu_device *device);
 
 /*
@@ -106,8 +104,8 @@ const char *gpu_result_name(VkResult result);
 
 /*
  * Returns the status for a VkResult, as described above; only VK_SUCCESS is STATUS_OK.
- * VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN where the memory of this process is limited, because
- * drivers return it when they reach the limit.
+ * VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN if the memory of this process is limited, because drivers
+ * return it when they reach the limit.
  */
 enum status gpu_status(VkResult result);
 
@@ -132,9 +130,8 @@ struct gpu_image {
 };
 
 /*
- * Makes a device-local buffer of `size` bytes and fills it with `data` through a staging buffer.
- * Waits until the data are visible to every later command of the queue. A size of 0 makes no
- * buffer: *buffer is {0}.
+ * Creates a device-local buffer of `size` bytes and fills it with `data` through a staging buffer.
+ * Waits until the data are visible to later commands of the queue. *buffer is {0} for size 0.
  */
 MUST_USE enum status gpu_buffer_create(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, const void *data,
@@ -144,20 +141,20 @@ struct gpu_image_params {
     const char *name;
     VkFormat format;
     uint32_t width, height;
-    uint32_t layers;         /* 0 means 1 */
+    uint32_t layers;         /* array layers; 0 means 1 */
     bool cube;               /* the image is a cube map; it has six square layers */
-    bool mipmaps;            /* the whole mip chain is made with blits from mip 0 */
-    bool levels;             /* `texels` has the whole mip chain, level after level */
-    const void *texels;      /* of mip 0, or with `levels` of all; layer after layer, rows tight */
+    bool mipmaps;            /* generate the mip chain with blits from mip level 0 */
+    bool levels;             /* `texels` contains the whole mip chain, level after level */
+    const void *texels;      /* texels of level 0 or all levels; layer after layer, rows packed */
     size_t texels_size;      /* bytes; must fit the format and size */
     VkImageUsageFlags usage; /* besides SAMPLED and TRANSFER */
 };
 
 /*
- * Makes a device-local 2D (array) image, fills it and leaves it in SHADER_READ_ONLY_OPTIMAL,
+ * Creates a device-local 2D (array) image, fills it and leaves it in SHADER_READ_ONLY_OPTIMAL,
  * visible to every later command of the queue. Logs and returns STATUS_NO_DEVICE if the device
- * cannot make, sample linearly or (for mipmaps) blit the format, and STATUS_DATA if a side of the
- * image is 0 or over the device's limits, or texels_size is wrong.
+ * cannot create, sample linearly or (for mipmaps) blit the format, and STATUS_DATA if the width or
+ * height is 0 or over the device's limits, or texels_size is wrong.
  */
 MUST_USE enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
                                       const struct gpu_image_params *params);
@@ -165,17 +162,18 @@ MUST_USE enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
 void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
 
 /*
- * Check before any allocation that a picture is not too large: sizes in pixels against the device's
+ * Check before any allocation that an image is not too large: sizes in pixels against the device's
  * limits (STATUS_USAGE), and `device_size` bytes of device memory with `host_size` bytes of
  * host-visible memory against the heaps (STATUS_TRY_AGAIN). Errors are logged.
  */
 MUST_USE enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height);
-MUST_USE enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side); /* side of a face */
-/* The same of a scene's picture, whose `depth` is its number of layers (STATUS_DATA). */
+/* `side`: width of a face, texels */
+MUST_USE enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side);
+/* Checks the size of a scene's texture, with `depth` array layers (STATUS_DATA). */
 MUST_USE enum status gpu_fit_texels(const struct gpu *gpu, const char *name, VkExtent3D size);
 MUST_USE enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view,
                                     VkDeviceSize device_size, VkDeviceSize host_size);
-/* The same of `size` bytes of acceleration structures. */
+/* Checks `size` bytes of acceleration structures against the device's memory heap. */
 MUST_USE enum status gpu_fit_rays(const struct gpu *gpu, VkDeviceSize size);
 void gpu_image_destroy(struct gpu *gpu, struct gpu_image *image);
 

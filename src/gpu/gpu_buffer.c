@@ -1,8 +1,8 @@
-/* gpu_buffer.c: creates buffers and fills them. */
+/* gpu_buffer.c: creates device-local buffers and fills them through a staging buffer. */
 #include <string.h>
 #include "src/gpu/gpu_internal.h"
 
-/* Makes all copies so far visible to all later commands. */
+/* Records a barrier that makes all previous copies visible to all later commands. */
 static void record_visible(VkCommandBuffer commands)
 {
     const VkMemoryBarrier2 barrier = {

@@ -1,4 +1,4 @@
-/* gpu_cache.c: saves the pipeline cache in a file between runs: the driver's data and a hash. */
+/* gpu_cache.c: saves the Vulkan pipeline cache in a file between runs, followed by a hash. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -69,7 +69,7 @@ enum status gpu_cache_load(struct gpu *gpu)
     return gpu_failed("vkCreatePipelineCache", result);
 }
 
-/* Returns the driver's data, with room for their hash; the caller frees them. */
+/* Returns the driver's cache data, with space for its hash; the caller frees it. */
 static char *get_data(const struct gpu *gpu, size_t *size)
 {
     size_t used = 0;

@@ -1,4 +1,4 @@
-/* gpu_canvas.c: makes images in memory of the host, which no driver sees otherwise. */
+/* gpu_canvas.c: creates window images in imported host memory (VK_EXT_external_memory_host). */
 #include "src/gpu/gpu_canvas.h"
 #include "src/gpu/gpu_internal.h"
 
@@ -18,8 +18,8 @@ static VkDeviceSize find_alignment(const struct gpu *gpu)
     return imports.minImportedHostPointerAlignment;
 }
 
-/* Whether the device takes such an image. */
-static bool is_possible(const struct gpu *gpu, const VkImageCreateInfo *image)
+/* Returns true if the device supports such an image in imported host memory. */
+static bool is_supported(const struct gpu *gpu, const VkImageCreateInfo *image)
 {
     const VkPhysicalDeviceExternalImageFormatInfo external = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTERNAL_IMAGE_FORMAT_INFO,
@@ -47,7 +47,7 @@ static bool is_possible(const struct gpu *gpu, const VkImageCreateInfo *image)
            most->width >= image->extent.width && most->height >= image->extent.height;
 }
 
-/* The device's view of memory of the host; false: it cannot be an image's, or there is none. */
+/* Imports host memory as device memory. Returns false if it is NULL or cannot back the image. */
 static bool import(const struct gpu *gpu, const VkMemoryRequirements *needs, VkDeviceSize size,
                    void *memory, VkDeviceMemory *imported)
 {
@@ -74,8 +74,8 @@ static bool import(const struct gpu *gpu, const VkMemoryRequirements *needs, VkD
            vkAllocateMemory(gpu->device, &info, NULL, imported) == VK_SUCCESS;
 }
 
-static bool make(const struct gpu *gpu, const struct gpu_canvas *canvas, VkExtent2D extent,
-                 uint32_t index, struct gpu_canvas_image *made)
+static bool create_image(const struct gpu *gpu, const struct gpu_canvas *canvas, VkExtent2D extent,
+                         uint32_t index, struct gpu_canvas_image *created)
 {
     const VkExternalMemoryImageCreateInfo external = {
         .sType = VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_IMAGE_CREATE_INFO,
@@ -97,18 +97,18 @@ static bool make(const struct gpu *gpu, const struct gpu_canvas *canvas, VkExten
     const VkDeviceSize alignment = find_alignment(gpu);
     VkMemoryRequirements needs;
     VkSubresourceLayout rows;
-    if (!is_possible(gpu, &info) ||
-        vkCreateImage(gpu->device, &info, NULL, &made->image) != VK_SUCCESS)
+    if (!is_supported(gpu, &info) ||
+        vkCreateImage(gpu->device, &info, NULL, &created->image) != VK_SUCCESS)
         return false;
-    gpu_debug_name(gpu, VK_OBJECT_TYPE_IMAGE, (uint64_t)made->image, "window");
-    vkGetImageMemoryRequirements(gpu->device, made->image, &needs);
-    vkGetImageSubresourceLayout(gpu->device, made->image, &all, &rows);
-    made->row_size = (uint32_t)rows.rowPitch;
+    gpu_debug_name(gpu, VK_OBJECT_TYPE_IMAGE, (uint64_t)created->image, "window");
+    vkGetImageMemoryRequirements(gpu->device, created->image, &needs);
+    vkGetImageSubresourceLayout(gpu->device, created->image, &all, &rows);
+    created->row_size = (uint32_t)rows.rowPitch;
     const VkDeviceSize size = (needs.size + alignment - 1) / alignment * alignment;
     void *memory = canvas->map(canvas->user, index, (size_t)size);
     return rows.offset == 0 && (uintptr_t)memory % alignment == 0 &&
-           import(gpu, &needs, size, memory, &made->memory) &&
-           vkBindImageMemory(gpu->device, made->image, made->memory, 0) == VK_SUCCESS;
+           import(gpu, &needs, size, memory, &created->memory) &&
+           vkBindImageMemory(gpu->device, created->image, created->memory, 0) == VK_SUCCESS;
 }
 
 bool gpu_canvas_make(const struct gpu *gpu, const struct gpu_canvas *canvas, VkExtent2D extent,
@@ -116,7 +116,7 @@ bool gpu_canvas_make(const struct gpu *gpu, const struct gpu_canvas *canvas, VkE
 {
     bool is_made = true;
     for (uint32_t i = 0; i < GPU_CANVAS_COUNT && is_made; i++)
-        is_made = make(gpu, canvas, extent, i, &images[i]);
+        is_made = create_image(gpu, canvas, extent, i, &images[i]);
     if (!is_made)
         gpu_canvas_free(gpu, canvas, images);
     return is_made;

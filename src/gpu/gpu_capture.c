@@ -1,4 +1,4 @@
-/* gpu_capture.c: tells RenderDoc, if its library is loaded, to capture. */
+/* gpu_capture.c: triggers frame captures through RenderDoc's API, if its library is loaded. */
 #include "src/gpu/gpu_capture.h"
 
 #include <dlfcn.h>
@@ -19,7 +19,7 @@ static RENDERDOC_API_1_4_0 *find_renderdoc(void)
     if (!get_api || get_api(eRENDERDOC_API_Version_1_4_0, (void **)&api) != 1)
         api = NULL;
     if (library)
-        dlclose(library); /* it stays loaded: its loader has a reference */
+        dlclose(library); /* the library stays loaded, because its loader holds a reference */
     return api;
 }
 
@@ -48,6 +48,6 @@ enum status gpu_capture_end(const struct gpu *gpu, char *path, size_t size)
         api->GetCapture(api->GetNumCaptures() - 1, NULL, &length, NULL) == 1 && length <= size &&
         api->GetCapture(api->GetNumCaptures() - 1, path, &length, NULL) == 1)
         return STATUS_OK;
-    log_error("RenderDoc wrote no capture: see RenderDoc's log in the folder of temporary files");
+    log_error("RenderDoc wrote no capture: see RenderDoc's log in the temporary directory");
     return STATUS_WRITE;
 }

@@ -7,7 +7,8 @@
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
-/* Required limits: the graph writes up to 8 targets, push structs have up to 128 bytes. */
+/* Required device limits: the render graph writes up to 8 colour attachments, and push-constant
+ * structs have up to 128 bytes. */
 enum {
     PUSH_CONSTANTS_SIZE = 128,
     COLOR_ATTACHMENT_COUNT = 8,
@@ -29,7 +30,7 @@ enum {
     KIND_COUNT = sizeof(kinds) / sizeof(kinds[0]),
 };
 
-static uint32_t rank(VkPhysicalDeviceType type)
+static uint32_t type_rank(VkPhysicalDeviceType type)
 {
     uint32_t i = 0;
     while (i < KIND_COUNT - 1 && kinds[i].type != type)
@@ -39,14 +40,14 @@ static uint32_t rank(VkPhysicalDeviceType type)
 
 struct feature {
     const char *name;
-    size_t offset; /* of its VkBool32 in struct gpu_features */
+    size_t offset; /* offset of the feature's VkBool32 in struct gpu_features */
 };
 
 #define CORE(feature) #feature, offsetof(struct gpu_features, core.features.feature)
 #define V12(feature)  #feature, offsetof(struct gpu_features, v12.feature)
 #define V13(feature)  #feature, offsetof(struct gpu_features, v13.feature)
 
-static const struct feature needed[] = {
+static const struct feature required[] = {
     { V13(dynamicRendering) },
     { V13(synchronization2) },
     { V13(maintenance4) },
@@ -55,17 +56,18 @@ static const struct feature needed[] = {
     { CORE(independentBlend) },
 };
 
-static const struct feature welcome[] = {
+static const struct feature optional[] = {
     { CORE(samplerAnisotropy) },
     { CORE(pipelineStatisticsQuery) },
     { CORE(occlusionQueryPrecise) },
     { V12(hostQueryReset) },
     { V12(timelineSemaphore) },
-    { V13(robustImageAccess) }, /* rays of shaders/within.glsl may leave the image */
+    /* rays of shaders/within.glsl may access texels outside the image */
+    { V13(robustImageAccess) },
 };
 
-/* Of a device that has gpu_ray_extensions. */
-static const struct feature for_rays[] = {
+/* Features enabled only on a device that has gpu_ray_extensions. */
+static const struct feature ray_features[] = {
     { V12(bufferDeviceAddress) },
     { "accelerationStructure", offsetof(struct gpu_features, structures.accelerationStructure) },
     { "rayQuery", offsetof(struct gpu_features, queries.rayQuery) },
@@ -93,14 +95,14 @@ static void chain(struct gpu_features *features, bool rays)
     };
 }
 
-/* Enables the feature if the device has it. */
-static bool want(const struct feature *feature, const struct gpu_features *has,
-                 struct gpu_features *wanted)
+/* Enables the feature if the device has it. Returns true if it does. */
+static bool enable(const struct feature *feature, const struct gpu_features *has,
+                   struct gpu_features *wanted)
 {
-    VkBool32 there = VK_FALSE;
-    memcpy(&there, (const char *)has + feature->offset, sizeof(there));
-    memcpy((char *)wanted + feature->offset, &there, sizeof(there));
-    return there;
+    VkBool32 supported = VK_FALSE;
+    memcpy(&supported, (const char *)has + feature->offset, sizeof(supported));
+    memcpy((char *)wanted + feature->offset, &supported, sizeof(supported));
+    return supported;
 }
 
 const char *gpu_features_choose(VkPhysicalDevice physical, bool rays, struct gpu_features *wanted)
@@ -110,14 +112,14 @@ const char *gpu_features_choose(VkPhysicalDevice physical, bool rays, struct gpu
     chain(&has, rays);
     chain(wanted, rays);
     vkGetPhysicalDeviceFeatures2(physical, &has.core);
-    for (size_t i = 0; i < sizeof(needed) / sizeof(needed[0]); i++) {
-        if (!want(&needed[i], &has, wanted) && !missing)
-            missing = needed[i].name;
+    for (size_t i = 0; i < sizeof(required) / sizeof(required[0]); i++) {
+        if (!enable(&required[i], &has, wanted) && !missing)
+            missing = required[i].name;
     }
-    for (size_t i = 0; i < sizeof(welcome) / sizeof(welcome[0]); i++)
-        (void)want(&welcome[i], &has, wanted);
-    for (size_t i = 0; i < sizeof(for_rays) / sizeof(for_rays[0]) && rays; i++)
-        wanted->rays = want(&for_rays[i], &has, wanted) && wanted->rays;
+    for (size_t i = 0; i < sizeof(optional) / sizeof(optional[0]); i++)
+        (void)enable(&optional[i], &has, wanted);
+    for (size_t i = 0; i < sizeof(ray_features) / sizeof(ray_features[0]) && rays; i++)
+        wanted->rays = enable(&ray_features[i], &has, wanted) && wanted->rays;
     if (!wanted->rays) {
         wanted->v12.bufferDeviceAddress = VK_FALSE;
         wanted->v13.pNext = NULL;
@@ -219,7 +221,7 @@ void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
 
     *device = (struct gpu_device){
         .type = properties->deviceType,
-        .kind = kinds[rank(properties->deviceType)].name,
+        .kind = kinds[type_rank(properties->deviceType)].name,
     };
     snprintf(device->name, sizeof(device->name), "%s", properties->deviceName);
     snprintf(device->version, sizeof(device->version), "%u.%u.%u%s%.40s",
@@ -228,7 +230,7 @@ void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
     find_refusal(gpu, physical, properties, device->refused, sizeof(device->refused));
 }
 
-/* Whether `part` is in `name`, ignoring case. */
+/* Returns true if `name` contains `part`, ignoring case. */
 static bool contains(const char *name, const char *part)
 {
     const size_t length = strlen(part);
@@ -248,7 +250,7 @@ static bool matches(const struct gpu_device *device, uint32_t number, const char
     return contains(device->name, wanted);
 }
 
-/* Writes "0: NAME, 1: NAME (no synchronization2)" to `text`, cut off at `size` bytes. */
+/* Writes "0: NAME, 1: NAME (no synchronization2)" to `text`, truncated to `size` bytes. */
 static void list_names(const struct gpu_device *devices, uint32_t count, char *text, size_t size)
 {
     size_t used = 0;
@@ -274,7 +276,7 @@ enum status gpu_choose(const struct gpu_device *devices, uint32_t count, const c
             continue;
         if (devices[i].refused[0])
             refused = refused ? refused : &devices[i];
-        else if (!best || rank(devices[i].type) < rank(best->type))
+        else if (!best || type_rank(devices[i].type) < type_rank(best->type))
             best = &devices[i];
     }
     if (best) {

@@ -1,4 +1,4 @@
-/* gpu_device.c: opens and closes a device; lists devices. */
+/* gpu_device.c: opens and closes a Vulkan device; lists the devices of the machine. */
 #include <stdlib.h>
 
 #include "graph/rg_exec.h"
@@ -6,7 +6,7 @@
 #include "src/gpu/gpu_internal.h"
 #include "src/gpu/gpu_rays.h"
 
-/* More than any machine has; further devices are ignored. */
+/* Maximum number of devices, more than any machine has; further ones are ignored. */
 enum {
     DEVICES_MAX = 32,
 };
@@ -65,7 +65,7 @@ static VkResult create_device(const struct gpu *gpu, const struct gpu_features *
     const float priority = 1.0F;
     const char *extensions[3 + GPU_RAY_EXTENSION_COUNT];
     uint32_t extension_count = 0;
-    if (gpu->portability_subset) /* required where it is offered */
+    if (gpu->portability_subset) /* must be enabled if the device offers it */
         extensions[extension_count++] = "VK_KHR_portability_subset";
     if (gpu->windows)
         extensions[extension_count++] = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
@@ -98,7 +98,8 @@ static enum status open_device(struct gpu *gpu)
     VkResult result = gpu_offer_find(gpu->physical, &offer);
     if (result != VK_SUCCESS)
         return gpu_failed("vkEnumerateDeviceExtensionProperties", result);
-    (void)gpu_features_choose(gpu->physical, offer.rays, &features); /* it lacks none */
+    /* required features were checked when the device was chosen */
+    (void)gpu_features_choose(gpu->physical, offer.rays, &features);
     gpu->portability_subset = offer.portability_subset;
     gpu->has_host_memory = gpu->windows && offer.host_memory &&
                            gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
@@ -146,7 +147,7 @@ enum status gpu_create(struct gpu *gpu, const struct gpu_params *params)
 void gpu_destroy(struct gpu *gpu)
 {
     if (gpu->device) {
-        (void)vkDeviceWaitIdle(gpu->device); /* destroyed even if it is lost */
+        (void)vkDeviceWaitIdle(gpu->device); /* the device is destroyed even if it is lost */
         if (gpu->pipeline_cache && !gpu->no_cache)
             gpu_cache_save(gpu);
         gpu_rays_destroy(gpu, gpu->rays);

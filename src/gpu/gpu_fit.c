@@ -1,4 +1,4 @@
-/* gpu_fit.c: checks before any allocation whether a picture is too large for a device. */
+/* gpu_fit.c: checks before any allocation whether an image is too large for a device. */
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
@@ -22,7 +22,7 @@ enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height)
         smaller(side, smaller(limits->maxFramebufferHeight, limits->maxViewportDimensions[1]));
     if (width <= width_max && height <= height_max)
         return STATUS_OK;
-    log_error("a picture of %u x %u pixels: %s supports at most %u x %u; reduce --size, or use "
+    log_error("an image of %u x %u pixels: %s supports at most %u x %u; reduce --size, or use "
               "interleaved tiles (--tiles, --interleaved)",
               width, height, gpu->properties.deviceName, width_max, height_max);
     return STATUS_USAGE;
@@ -43,17 +43,17 @@ enum status gpu_fit_texels(const struct gpu *gpu, const char *name, VkExtent3D s
     const VkPhysicalDeviceLimits *limits = &gpu->properties.limits;
     const uint32_t side_max = limits->maxImageDimension2D;
     if (size.width > side_max || size.height > side_max)
-        log_error("%s has %u x %u texels: %s supports at most %u x %u; use a smaller picture", name,
+        log_error("%s has %u x %u texels: %s supports at most %u x %u; use a smaller image", name,
                   size.width, size.height, gpu->properties.deviceName, side_max, side_max);
     else if (size.depth > limits->maxImageArrayLayers)
-        log_error("%s has %u layers: %s supports at most %u; use fewer pictures", name, size.depth,
+        log_error("%s has %u layers: %s supports at most %u; use fewer images", name, size.depth,
                   gpu->properties.deviceName, limits->maxImageArrayLayers);
     else
         return STATUS_OK;
     return STATUS_DATA;
 }
 
-/* The largest heap with memory of this kind; UINT32_MAX if there is none. */
+/* Returns the largest heap with memory of this kind; UINT32_MAX if there is none. */
 static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
                           VkMemoryPropertyFlags kind)
 {
@@ -68,8 +68,8 @@ static uint32_t find_heap(const VkPhysicalDeviceMemoryProperties *memory,
     return found;
 }
 
-/* CPU drivers may report a heap that is too small. Theirs is the machine's memory, a quarter of
- * which is left to other programs. */
+/* Returns the usable size of a heap, bytes. CPU drivers may report too little: their heap is the
+ * machine's memory, a quarter of which is left to other programs. */
 static VkDeviceSize heap_size(const struct gpu *gpu, uint32_t heap)
 {
     const VkDeviceSize size = gpu->memory.memoryHeaps[heap].size;
@@ -92,7 +92,7 @@ enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view, VkDeviceSize 
         const unsigned long long given = heap_size(gpu, i) / MIB;
         if (size <= heap_size(gpu, i))
             continue;
-        log_error("a picture of %u x %u pixels needs %llu MiB of memory, %s has %llu MiB; reduce "
+        log_error("an image of %u x %u pixels needs %llu MiB of memory, %s has %llu MiB; reduce "
                   "--size or --aov, or use --tiles or --interleaved",
                   view.width, view.height, needed, gpu->properties.deviceName, given);
         return STATUS_TRY_AGAIN;

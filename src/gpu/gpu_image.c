@@ -1,4 +1,4 @@
-/* gpu_image.c: creates sampled images and fills them and their mip levels. */
+/* gpu_image.c: creates sampled images, uploads their texels and generates mip levels. */
 #include <assert.h>
 #include <string.h>
 
@@ -50,8 +50,9 @@ static uint32_t mip_size(uint32_t size, uint32_t mip)
     return size >> mip ? size >> mip : 1;
 }
 
-/* Number of mip levels that the given texels have. */
-static uint32_t count_given(const struct gpu_image *image, const struct gpu_image_params *params)
+/* Returns the number of mip levels that the given texels have. */
+static uint32_t count_given_levels(const struct gpu_image *image,
+                                   const struct gpu_image_params *params)
 {
     return params->levels ? image->mips : 1;
 }
@@ -66,8 +67,7 @@ static const char *name_of(const struct gpu_image_params *params)
     return params->name ? params->name : "an image";
 }
 
-/* Checks that the device can make, fill and sample the image; returns the limits for such images in
- * *limits. */
+/* Checks that the device can create, fill and sample the image; *limits gets the size limits. */
 static enum status check_format(const struct gpu *gpu, const struct gpu_image_params *params,
                                 VkImageUsageFlags usage, VkImageFormatProperties *limits)
 {
@@ -106,9 +106,9 @@ static enum status check_size(const struct gpu_image_params *params, const struc
                   limits->maxExtent.width, limits->maxExtent.height, limits->maxArrayLayers);
         return STATUS_DATA;
     }
-    /* The size is within the device's limits, so this cannot overflow. */
+    /* width, height and layers are within the device's limits, so this cannot overflow */
     uint64_t size = 0;
-    for (uint32_t mip = 0; mip < count_given(image, params); mip++)
+    for (uint32_t mip = 0; mip < count_given_levels(image, params); mip++)
         size += (uint64_t)mip_size(extent.width, mip) * mip_size(extent.height, mip) *
                 image->layers * texel_size;
     if (size == 0 || size != params->texels_size) {
@@ -150,7 +150,7 @@ static enum status create(struct gpu *gpu, struct gpu_image *image, VkImageUsage
     return result == VK_SUCCESS ? STATUS_OK : gpu_failed_for("vkBindImageMemory", name, result);
 }
 
-/* How an image is used before or after a barrier. */
+/* Layout, stages and access of an image before or after a barrier. */
 struct use {
     VkImageLayout layout;
     VkPipelineStageFlags2 stages;
@@ -202,9 +202,10 @@ static enum status copy_level(struct gpu *gpu, const struct gpu_image *image,
     const uint32_t height = mip_size(image->extent.height, mip);
     const size_t row_size = (size_t)width * find_texel_size(image->format);
     const uint32_t rows_max = (uint32_t)(upload->staging.size / row_size);
-    const uint32_t layers = rows_max / height >= image->layers ? image->layers : 1; /* per copy */
+    /* layers per copy */
+    const uint32_t layers = rows_max / height >= image->layers ? image->layers : 1;
     enum status status = STATUS_OK;
-    assert(rows_max > 0); /* the widest image's row is much less than GPU_STAGING_SIZE */
+    assert(rows_max > 0); /* a row of the widest image is much smaller than GPU_STAGING_SIZE */
     for (uint32_t layer = 0; layer < image->layers; layer += layers) {
         uint32_t rows = 0;
         for (uint32_t y = 0; y < height && status == STATUS_OK; y += rows) {
@@ -230,7 +231,7 @@ static enum status copy_texels(struct gpu *gpu, const struct gpu_image *image,
 {
     const char *texels = params->texels;
     enum status status = STATUS_OK;
-    for (uint32_t mip = 0; mip < count_given(image, params) && status == STATUS_OK; mip++) {
+    for (uint32_t mip = 0; mip < count_given_levels(image, params) && status == STATUS_OK; mip++) {
         status = copy_level(gpu, image, upload, texels, mip);
         texels += (size_t)mip_size(image->extent.width, mip) * mip_size(image->extent.height, mip) *
                   image->layers * find_texel_size(image->format);
@@ -238,7 +239,7 @@ static enum status copy_texels(struct gpu *gpu, const struct gpu_image *image,
     return status;
 }
 
-/* Blits each mip level to the next smaller one; all but the last are then in the use `halved`. */
+/* Blits each mip level to the next smaller one; leaves all but the last in the state `halved`. */
 static void record_mips(VkCommandBuffer commands, const struct gpu_image *image)
 {
     const VkExtent3D size = image->extent;
@@ -267,7 +268,7 @@ static enum status fill(struct gpu *gpu, const struct gpu_image *image,
         status = copy_texels(gpu, image, &upload, params);
     }
     if (status == STATUS_OK) {
-        const uint32_t halves = image->mips - count_given(image, params);
+        const uint32_t halves = image->mips - count_given_levels(image, params);
         if (halves > 0) {
             record_mips(upload.commands, image);
             record_use(upload.commands, image, 0, halves, &halved, &sampled);

@@ -7,7 +7,7 @@
 
 static const char layer[] = "VK_LAYER_KHRONOS_validation";
 
-/* Upper bounds of what firn enables. */
+/* Maximum numbers of extensions that firn and a window system enable. */
 enum {
     OWN_EXTENSION_COUNT = 3,
     WINDOW_EXTENSION_COUNT = 8,
@@ -27,8 +27,7 @@ bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const 
     return false;
 }
 
-/* Lists the extensions of a layer or, if `of` is NULL, of loader and drivers; the caller frees
- * *list. */
+/* Lists the extensions of a layer, or of loader and drivers if `of` is NULL; caller frees *list. */
 static VkResult list_extensions(const char *of, VkExtensionProperties **list, uint32_t *count)
 {
     *list = NULL;
@@ -125,7 +124,7 @@ VkResult gpu_instance_create(struct gpu *gpu, bool validate)
     if (result != VK_SUCCESS)
         return result;
 
-    /* Not volkLoadDevice(): functions found through the instance serve every device. */
+    /* volkLoadDevice() would serve a single device; firn also opens secondary ones */
     volkLoadInstance(gpu->instance);
     gpu->validated = offer.layer && offer.debug_utils;
     if (gpu->validated) {

@@ -1,5 +1,5 @@
 /*
- * gpu_internal.h: declarations that the files of src/gpu and their tests share.
+ * gpu_internal.h: declarations shared by the files of src/gpu and their tests.
  *
  * Functions that return an enum status log their errors.
  */
@@ -8,26 +8,25 @@
 
 #include "src/gpu/gpu.h"
 
-/* Bytes of a staging buffer; larger data goes through it piece by piece. */
+/* Maximum size of a staging buffer, bytes; larger data is copied piece by piece. */
 enum {
     GPU_STAGING_SIZE = 16 << 20,
 };
 
-/* Makes gpu->instance with the extensions of gpu->windows, and with `validate` gpu->messenger. Call
- * volkInitialize() first. Logs nothing but a warning if the validation layer is missing. */
+/* Creates gpu->instance with the extensions of gpu->windows, and with `validate` gpu->messenger,
+ * after volkInitialize(). Logs only a warning if the validation layer is missing. */
 MUST_USE VkResult gpu_instance_create(struct gpu *gpu, bool validate);
 
-/* Returns advice for a machine on which no driver is found: install one, or raise the limit of
- * memory under which none can be loaded. */
+/* Returns advice for a machine without a usable driver: install one or, if a memory limit may keep
+ * drivers from loading, raise it. */
 const char *gpu_missing_driver(void);
 
 bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const char *name);
 
-/* Returns what a messenger is created from. The messenger keeps the pointer to `gpu`. */
+/* Returns the parameters of a debug messenger, which keeps the pointer to `gpu`. */
 VkDebugUtilsMessengerCreateInfoEXT gpu_debug_messenger(struct gpu *gpu);
 
-/* Names an object for captures and messages. Does nothing if `name` is NULL or the debug utils
- * extension is missing. */
+/* Names an object for captures and messages, if `name` is given and debug utils are available. */
 void gpu_debug_name(const struct gpu *gpu, VkObjectType type, uint64_t handle, const char *name);
 
 /* Fills in a device's name, type and versions, and why firn cannot use it. */
@@ -46,14 +45,14 @@ MUST_USE enum status gpu_choose(const struct gpu_device *devices, uint32_t count
  * gpu->windows is set, can also present; UINT32_MAX if there is none. */
 uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physical);
 
-/* Which of the extensions that firn may enable a device has. */
+/* Optional extensions that a device has, of those that firn uses. */
 struct gpu_offer {
     bool portability_subset, swapchain;
-    bool host_memory; /* images in memory of the host */
+    bool host_memory; /* VK_EXT_external_memory_host: images in host memory */
     bool rays;        /* all of gpu_ray_extensions */
 };
 
-/* What building acceleration structures, and ray queries, need. */
+/* Extensions needed for acceleration structures and ray queries. */
 enum {
     GPU_RAY_EXTENSION_COUNT = 3,
 };
@@ -62,50 +61,49 @@ extern const char *const gpu_ray_extensions[GPU_RAY_EXTENSION_COUNT];
 
 MUST_USE VkResult gpu_offer_find(VkPhysicalDevice physical, struct gpu_offer *offer);
 
-/* The features to enable. `core` is the head of the pNext chain, which points into the struct: it
- * must not move after gpu_features_choose(). */
+/* Device features to enable. `core` is the head of a pNext chain that points into the struct, so it
+ * must not be moved after gpu_features_choose(). */
 struct gpu_features {
     VkPhysicalDeviceFeatures2 core;
     VkPhysicalDeviceVulkan12Features v12;
     VkPhysicalDeviceVulkan13Features v13;
     VkPhysicalDeviceAccelerationStructureFeaturesKHR structures; /* chained if `rays` */
     VkPhysicalDeviceRayQueryFeaturesKHR queries;
-    bool rays; /* structures, ray queries and addresses of buffers, which they need, are enabled */
+    bool rays; /* structures, ray queries and buffer device addresses are enabled */
 };
 
-/* Chains *wanted and sets the features that firn needs, and those that it uses where the device has
- * them; those of gpu_ray_extensions only if it offers these, which is `rays`. Returns the name of
- * the first needed feature that the device lacks, or NULL. The device must support Vulkan 1.3. */
+/* Chains *wanted and sets the features that firn requires, and optional ones that the device has.
+ * Ray features are set only if `rays`: the device has gpu_ray_extensions. Returns the name of the
+ * first required feature that is missing, or NULL. The device must support Vulkan 1.3. */
 const char *gpu_features_choose(VkPhysicalDevice physical, bool rays, struct gpu_features *wanted);
 
-/* Makes gpu->pipeline_cache from the file of an earlier run. A damaged file is ignored with a
- * warning. */
+/* Creates gpu->pipeline_cache from an earlier run's file. Warns of a damaged file. */
 MUST_USE enum status gpu_cache_load(struct gpu *gpu);
 
 /* Saves gpu->pipeline_cache for a later run. Failures are not logged: only speed is lost. */
 void gpu_cache_save(const struct gpu *gpu);
 
-/* Returns whether the content of a cache file is undamaged and from this device and driver. */
+/* Returns true if the content of a cache file is undamaged and from this device and driver. */
 bool gpu_cache_sound(const VkPhysicalDeviceProperties *device, const void *data, size_t size);
 
-/* Returns the first memory type among `bits` with all of `required`, if possible with all of
- * `preferred` too; UINT32_MAX if there is none. */
+/* Returns the first memory type among `bits` with all of `required` and, if possible, all of
+ * `preferred` property flags; UINT32_MAX if there is none. */
 uint32_t gpu_memory_type(const VkPhysicalDeviceMemoryProperties *memory, uint32_t bits,
                          VkMemoryPropertyFlags required, VkMemoryPropertyFlags preferred);
 
-/* What memory is for. */
+/* Kinds of device memory to allocate. */
 enum gpu_memory_kind {
     GPU_MEMORY_DEVICE,  /* device-local */
     GPU_MEMORY_HOST,    /* host-visible */
-    GPU_MEMORY_ADDRESS, /* device-local, for a buffer that has an address */
+    GPU_MEMORY_ADDRESS, /* device-local, for a buffer with a device address */
 };
 
-/* Allocates memory for `needs`. More than the device has is STATUS_TRY_AGAIN. */
+/* Allocates memory for `needs`. Returns STATUS_TRY_AGAIN if that is more than the device has. */
 MUST_USE enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *needs,
                                          enum gpu_memory_kind kind, const char *name,
                                          VkDeviceMemory *memory);
 
-/* Makes a buffer with its own memory, of the host if `host`, and undefined content. With
+/* Creates a buffer with its own memory, host-visible if `host`, and undefined content. With
  * SHADER_DEVICE_ADDRESS in its usage it has an address. On failure *buffer is {0}. */
 MUST_USE enum status gpu_memory_buffer(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, VkDeviceSize size, bool host,
@@ -117,19 +115,18 @@ struct gpu_upload {
     void *mapped; /* staging.size bytes */
     VkCommandBuffer commands;
     VkFence fence;
-    const char *name; /* of the buffer or image to fill, for messages; may be NULL */
+    const char *name; /* name of the buffer or image to fill, for messages; may be NULL */
     bool submitted;   /* `commands` are submitted and may still be executing */
 };
 
-/* Makes a staging buffer of `size` bytes, at most GPU_STAGING_SIZE, and begins to record
- * `commands`. */
+/* Creates a staging buffer of at most GPU_STAGING_SIZE bytes, and begins to record `commands`. */
 MUST_USE enum status gpu_upload_begin(struct gpu *gpu, struct gpu_upload *upload, VkDeviceSize size,
                                       const char *name);
 
 /* Submits `commands`, waits until they are done, and begins to record again. */
 MUST_USE enum status gpu_upload_flush(struct gpu *gpu, struct gpu_upload *upload);
 
-/* A {0} or half-built upload is fine. */
+/* Frees an upload's staging buffer and commands; {0} or half-built is fine. */
 void gpu_upload_finish(struct gpu *gpu, struct gpu_upload *upload);
 
 #endif

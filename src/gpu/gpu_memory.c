@@ -1,4 +1,4 @@
-/* gpu_memory.c: device memory, and buffers without content. */
+/* gpu_memory.c: allocates device memory, and creates buffers without content. */
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
@@ -49,7 +49,7 @@ enum status gpu_memory_allocate(struct gpu *gpu, const VkMemoryRequirements *nee
         log_error("%s: the device has no suitable memory type", name ? name : "a buffer");
         return STATUS_NO_DEVICE;
     }
-    /* A driver may accept larger allocations and crash later, so its limits are checked. */
+    /* A driver may accept larger allocations and crash later, so the limits are checked here. */
     vkGetPhysicalDeviceProperties2(gpu->physical, &properties);
     VkDeviceSize limit = gpu->memory.memoryHeaps[gpu->memory.memoryTypes[type].heapIndex].size;
     if (limit > v11.maxMemoryAllocationSize)

@@ -1,4 +1,4 @@
-/* gpu_rays.c: builds acceleration structures, one after the other. */
+/* gpu_rays.c: creates and builds acceleration structures: one BLAS per group, one TLAS. */
 #include "src/gpu/gpu_rays.h"
 #include <stdlib.h>
 #include <string.h>
@@ -6,12 +6,12 @@
 #include "src/gpu/gpu_internal.h"
 
 enum {
-    PLACE_ALIGNMENT = 256, /* of a structure in its buffer */
+    OFFSET_ALIGNMENT = 256, /* required alignment of a structure in its buffer, bytes */
 };
 
 static const char *const name = "acceleration structures";
 
-/* What one build reads. */
+/* Geometry and build info of one acceleration-structure build. */
 struct build {
     VkAccelerationStructureGeometryKHR geometry;
     VkAccelerationStructureBuildGeometryInfoKHR info;
@@ -40,7 +40,7 @@ static void describe(struct build *build, VkAccelerationStructureTypeKHR type, u
     };
 }
 
-static void describe_lower(struct build *build, VkDeviceAddress corners, uint32_t count)
+static void describe_blas(struct build *build, VkDeviceAddress corners, uint32_t count)
 {
     build->geometry = (VkAccelerationStructureGeometryKHR){
         .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR,
@@ -57,7 +57,7 @@ static void describe_lower(struct build *build, VkDeviceAddress corners, uint32_
     describe(build, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, count);
 }
 
-static void describe_upper(struct build *build, VkDeviceAddress instances, uint32_t count)
+static void describe_tlas(struct build *build, VkDeviceAddress instances, uint32_t count)
 {
     build->geometry = (VkAccelerationStructureGeometryKHR){
         .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR,
@@ -70,7 +70,7 @@ static void describe_upper(struct build *build, VkDeviceAddress instances, uint3
     describe(build, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, count);
 }
 
-/* Returns the bytes of a structure, and makes room for its build. */
+/* Returns the size of a structure, bytes, and raises rays->scratch_size to that of its build. */
 static VkDeviceSize size_of(const struct gpu *gpu, struct gpu_rays *rays, const struct build *build)
 {
     VkAccelerationStructureBuildSizesInfoKHR sizes = {
@@ -81,15 +81,16 @@ static VkDeviceSize size_of(const struct gpu *gpu, struct gpu_rays *rays, const 
                                             &build->info, &build->count, &sizes);
     if (rays->scratch_size < sizes.buildScratchSize)
         rays->scratch_size = sizes.buildScratchSize;
-    return (sizes.accelerationStructureSize + PLACE_ALIGNMENT - 1) / PLACE_ALIGNMENT *
-           PLACE_ALIGNMENT;
+    return (sizes.accelerationStructureSize + OFFSET_ALIGNMENT - 1) / OFFSET_ALIGNMENT *
+           OFFSET_ALIGNMENT;
 }
 
-/* ---- room ---- */
+/* ---- creation ---- */
 
-/* Makes the structures in a buffer, one behind the other. */
-static enum status make(struct gpu *gpu, struct gpu_buffer *memory, const struct build *build,
-                        const VkDeviceSize *sizes, VkAccelerationStructureKHR *to)
+/* Creates the structures in one buffer, one after another. */
+static enum status create_structures(struct gpu *gpu, struct gpu_buffer *memory,
+                                     const struct build *build, const VkDeviceSize *sizes,
+                                     VkAccelerationStructureKHR *to)
 {
     VkDeviceSize offset = 0;
     VkResult result = VK_SUCCESS;
@@ -111,7 +112,7 @@ static enum status make(struct gpu *gpu, struct gpu_buffer *memory, const struct
     return gpu_failed_for("vkCreateAccelerationStructureKHR", name, result);
 }
 
-static enum status make_memory(struct gpu *gpu, struct gpu_buffer *memory, VkDeviceSize size)
+static enum status create_storage(struct gpu *gpu, struct gpu_buffer *memory, VkDeviceSize size)
 {
     return gpu_memory_buffer(gpu, memory,
                              VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR |
@@ -119,41 +120,42 @@ static enum status make_memory(struct gpu *gpu, struct gpu_buffer *memory, VkDev
                              size, false, name);
 }
 
-/* Returns the bytes of the structures of all groups, and finds those of each. */
-static VkDeviceSize sizes_of_lowers(const struct gpu *gpu, struct gpu_rays *rays,
-                                    const struct gpu_ray_groups *groups, VkDeviceSize *sizes)
+/* Computes the BLAS size of each group, bytes, and returns their sum. */
+static VkDeviceSize blas_sizes(const struct gpu *gpu, struct gpu_rays *rays,
+                               const struct gpu_ray_groups *groups, VkDeviceSize *sizes)
 {
     VkDeviceSize sum = 0;
     for (uint32_t i = 0; i < groups->count; i++) {
         struct build build;
-        describe_lower(&build, 0, groups->all[i].count);
+        describe_blas(&build, 0, groups->all[i].count);
         sizes[i] = size_of(gpu, rays, &build);
         sum += sizes[i];
     }
     return sum;
 }
 
-/* Makes the structures, without content. */
-static enum status make_all(struct gpu *gpu, struct gpu_rays *rays,
-                            const struct gpu_ray_groups *groups, VkDeviceSize *sizes)
+/* Creates all structures, without content. */
+static enum status create_all(struct gpu *gpu, struct gpu_rays *rays,
+                              const struct gpu_ray_groups *groups, VkDeviceSize *sizes)
 {
     struct build lower, upper;
-    const VkDeviceSize lowers = sizes_of_lowers(gpu, rays, groups, sizes);
-    describe_lower(&lower, 0, 1);
+    const VkDeviceSize lowers = blas_sizes(gpu, rays, groups, sizes);
+    describe_blas(&lower, 0, 1);
     lower.count = groups->count;
-    describe_upper(&upper, 0, groups->count);
+    describe_tlas(&upper, 0, groups->count);
     const VkDeviceSize last = size_of(gpu, rays, &upper);
     upper.count = 1;
     rays->size = lowers + last;
     enum status status = gpu_fit_rays(gpu, rays->size + rays->scratch_size);
     if (status == STATUS_OK && groups->count)
-        status = make_memory(gpu, &rays->lower_memory, lowers);
+        status = create_storage(gpu, &rays->lower_memory, lowers);
     if (status == STATUS_OK && groups->count)
-        status = make(gpu, &rays->lower_memory, &lower, sizes, rays->lowers);
+        status = create_structures(gpu, &rays->lower_memory, &lower, sizes, rays->lowers);
     if (status == STATUS_OK)
-        status = make_memory(gpu, &rays->upper_memory, last);
-    return status == STATUS_OK ? make(gpu, &rays->upper_memory, &upper, &last, &rays->upper)
-                               : status;
+        status = create_storage(gpu, &rays->upper_memory, last);
+    return status == STATUS_OK
+               ? create_structures(gpu, &rays->upper_memory, &upper, &last, &rays->upper)
+               : status;
 }
 
 enum status gpu_rays_create(struct gpu *gpu, struct gpu_rays **rays,
@@ -167,7 +169,7 @@ enum status gpu_rays_create(struct gpu *gpu, struct gpu_rays **rays,
     made->count = groups->count;
     made->lowers = calloc(groups->count + (size_t)1, sizeof(VkAccelerationStructureKHR));
     const enum status status =
-        sizes && made->lowers ? make_all(gpu, made, groups, sizes) : log_out_of_memory(name);
+        sizes && made->lowers ? create_all(gpu, made, groups, sizes) : log_out_of_memory(name);
     free(sizes);
     if (status == STATUS_OK)
         *rays = made;
@@ -202,14 +204,14 @@ void gpu_rays_destroy(struct gpu *gpu, struct gpu_rays *rays)
 
 /* ---- builds ---- */
 
-/* What the builds of a frame read and write, besides the structures. */
-struct supplies {
+/* Buffers that the builds read, and their scratch memory. */
+struct inputs {
     struct gpu_buffer corners, instances, scratch;
-    VkDeviceAddress scratch_at;
+    VkDeviceAddress scratch_address;
 };
 
-static enum status supply(struct gpu *gpu, struct gpu_buffer *buffer, const void *data,
-                          VkDeviceSize size)
+static enum status upload_input(struct gpu *gpu, struct gpu_buffer *buffer, const void *data,
+                                VkDeviceSize size)
 {
     return gpu_buffer_create(gpu, buffer,
                              VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
@@ -217,8 +219,8 @@ static enum status supply(struct gpu *gpu, struct gpu_buffer *buffer, const void
                              data, size, name);
 }
 
-static enum status supply_corners(struct gpu *gpu, struct supplies *supplies,
-                                  const struct gpu_ray_groups *groups)
+static enum status upload_vertices(struct gpu *gpu, struct inputs *inputs,
+                                   const struct gpu_ray_groups *groups)
 {
     size_t count = 0;
     for (uint32_t i = 0; i < groups->count; i++)
@@ -234,12 +236,12 @@ static enum status supply_corners(struct gpu *gpu, struct supplies *supplies,
         memcpy(built[count], groups->corners[group->first], group->count * sizeof(*built));
         count += group->count;
     }
-    const enum status status = supply(gpu, &supplies->corners, built, count * sizeof(*built));
+    const enum status status = upload_input(gpu, &inputs->corners, built, count * sizeof(*built));
     free(built);
     return status;
 }
 
-static enum status supply_instances(struct gpu *gpu, struct supplies *supplies,
+static enum status upload_instances(struct gpu *gpu, struct inputs *inputs,
                                     const struct gpu_rays *rays,
                                     const struct gpu_ray_groups *groups)
 {
@@ -261,15 +263,15 @@ static enum status supply_instances(struct gpu *gpu, struct supplies *supplies,
                 vkGetAccelerationStructureDeviceAddressKHR(gpu->device, &info),
         };
     }
-    /* one more, so that there is a buffer if there are none */
+    /* one more instance than needed, because a buffer must not be empty */
     const enum status status =
-        supply(gpu, &supplies->instances, instances, (rays->count + 1ull) * sizeof(*instances));
+        upload_input(gpu, &inputs->instances, instances, (rays->count + 1ull) * sizeof(*instances));
     free(instances);
     return status;
 }
 
-static enum status supply_scratch(struct gpu *gpu, struct supplies *supplies,
-                                  const struct gpu_rays *rays)
+static enum status allocate_scratch(struct gpu *gpu, struct inputs *inputs,
+                                    const struct gpu_rays *rays)
 {
     VkPhysicalDeviceAccelerationStructurePropertiesKHR limits = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR,
@@ -280,16 +282,16 @@ static enum status supply_scratch(struct gpu *gpu, struct supplies *supplies,
     };
     vkGetPhysicalDeviceProperties2(gpu->physical, &properties);
     const VkDeviceSize alignment = limits.minAccelerationStructureScratchOffsetAlignment;
-    const enum status status = gpu_memory_buffer(gpu, &supplies->scratch,
+    const enum status status = gpu_memory_buffer(gpu, &inputs->scratch,
                                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                                      VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
                                                  rays->scratch_size + alignment, false, name);
-    supplies->scratch_at =
-        (address_of(gpu, &supplies->scratch) + alignment - 1) / alignment * alignment;
+    inputs->scratch_address =
+        (address_of(gpu, &inputs->scratch) + alignment - 1) / alignment * alignment;
     return status;
 }
 
-/* Records a build that may begin when all before it has ended; what comes later sees it. */
+/* Records a build and a barrier: builds run one after another, and later commands see them. */
 static void record(VkCommandBuffer commands, struct build *build, VkAccelerationStructureKHR to,
                    VkDeviceAddress scratch)
 {
@@ -315,22 +317,23 @@ static void record(VkCommandBuffer commands, struct build *build, VkAcceleration
 }
 
 static enum status run(struct gpu *gpu, const struct gpu_rays *rays,
-                       const struct gpu_ray_groups *groups, const struct supplies *supplies)
+                       const struct gpu_ray_groups *groups, const struct inputs *inputs)
 {
     struct build build;
     struct gpu_upload upload = { 0 };
-    VkDeviceAddress corners = address_of(gpu, &supplies->corners);
-    enum status status = gpu_upload_begin(gpu, &upload, 1, name); /* its staging is not used */
+    VkDeviceAddress corners = address_of(gpu, &inputs->corners);
+    /* the staging buffer is not used */
+    enum status status = gpu_upload_begin(gpu, &upload, 1, name);
     for (uint32_t i = 0; i < groups->count && status == STATUS_OK; i++) {
         if (groups->all[i].is_kept)
             continue;
-        describe_lower(&build, corners, groups->all[i].count);
-        record(upload.commands, &build, rays->lowers[i], supplies->scratch_at);
+        describe_blas(&build, corners, groups->all[i].count);
+        record(upload.commands, &build, rays->lowers[i], inputs->scratch_address);
         corners += groups->all[i].count * sizeof(float[3][3]);
     }
     if (status == STATUS_OK) {
-        describe_upper(&build, address_of(gpu, &supplies->instances), groups->count);
-        record(upload.commands, &build, rays->upper, supplies->scratch_at);
+        describe_tlas(&build, address_of(gpu, &inputs->instances), groups->count);
+        record(upload.commands, &build, rays->upper, inputs->scratch_address);
         status = gpu_upload_flush(gpu, &upload);
     }
     gpu_upload_finish(gpu, &upload);
@@ -339,17 +342,17 @@ static enum status run(struct gpu *gpu, const struct gpu_rays *rays,
 
 enum status gpu_rays_build(struct gpu *gpu, struct gpu_rays *rays, struct gpu_ray_groups *groups)
 {
-    struct supplies supplies = { 0 };
-    enum status status = supply_corners(gpu, &supplies, groups);
+    struct inputs inputs = { 0 };
+    enum status status = upload_vertices(gpu, &inputs, groups);
     if (status == STATUS_OK)
-        status = supply_instances(gpu, &supplies, rays, groups);
+        status = upload_instances(gpu, &inputs, rays, groups);
     if (status == STATUS_OK)
-        status = supply_scratch(gpu, &supplies, rays);
+        status = allocate_scratch(gpu, &inputs, rays);
     if (status == STATUS_OK)
-        status = run(gpu, rays, groups, &supplies);
-    gpu_buffer_destroy(gpu, &supplies.corners);
-    gpu_buffer_destroy(gpu, &supplies.instances);
-    gpu_buffer_destroy(gpu, &supplies.scratch);
+        status = run(gpu, rays, groups, &inputs);
+    gpu_buffer_destroy(gpu, &inputs.corners);
+    gpu_buffer_destroy(gpu, &inputs.instances);
+    gpu_buffer_destroy(gpu, &inputs.scratch);
     if (status == STATUS_OK) {
         gpu_ray_groups_finish(&rays->built);
         rays->built = *groups;

@@ -1,64 +1,61 @@
 /*
- * gpu_rays.h: acceleration structures of triangles, which ray queries of shaders meet.
+ * gpu_rays.h: acceleration structures for ray queries of shaders.
  *
- * Groups of triangles have a structure each, and one is above them, in which each group has a place
- * of its own. A group that only moves keeps its structure.
+ * Each group of triangles has a bottom-level structure (BLAS). One top-level structure (TLAS) has
+ * an instance of each, with a transform. A group that only moves keeps its BLAS.
  *
- * Ownership:     structures own their memory; gpu_rays_destroy() frees it before gpu_destroy().
- * Errors:        as gpu.h.
- * Thread-safety: as gpu.h.
+ * Ownership: structures own their memory; gpu_rays_destroy() frees it before gpu_destroy(). Errors
+ * and thread-safety: as in gpu.h.
  */
 #ifndef FIRN_GPU_GPU_RAYS_H
 #define FIRN_GPU_GPU_RAYS_H
 
 #include "src/gpu/gpu.h"
 
-/* What a ray query tells of a triangle: `first` of the group as the instance's record offset (of
- * shader binding tables, which queries have none of), and the triangle's number in the group as the
- * primitive's index. lavapipe (Mesa 25.0) would read a custom index for rays, too, that met
- * nothing, at no valid address. */
+/* A group of triangles, one BLAS. A ray query identifies a triangle by its primitive index and the
+ * instance's record offset, set to `first` (there are no shader binding tables). A custom index is
+ * no alternative: lavapipe (Mesa 25.0) reads it at an invalid address for rays that miss. */
 struct gpu_ray_group {
     uint32_t first, count; /* triangles; the count is not 0 */
-    uint8_t mask;          /* of rays that may meet it */
-    bool is_kept;          /* its corners are those of the last build, and so its structure stays */
+    uint8_t mask;          /* instance mask: rays with none of these bits skip the group */
+    bool is_kept;          /* vertices are those of the last build, so the BLAS is kept */
     VkTransformMatrixKHR place;
 };
 
 struct gpu_ray_groups {
     struct gpu_ray_group *all;
     uint32_t count;
-    float (*corners)[3][3]; /* of the triangles */
-    float room;             /* metres, on each side of a triangle, by which it is larger */
+    float (*corners)[3][3]; /* vertex positions of the triangles */
+    float room;             /* metres by which each triangle is enlarged on every side */
 };
 
-/* Frees what is in groups; {0} is fine. */
+/* Frees the content of groups; {0} is fine. */
 void gpu_ray_groups_finish(struct gpu_ray_groups *groups);
 
 struct gpu_rays {
     struct gpu_buffer lower_memory, upper_memory;
-    VkAccelerationStructureKHR *lowers; /* of the groups, in `lower_memory` */
-    VkAccelerationStructureKHR upper;   /* that shaders trace; in `upper_memory` */
-    VkDeviceSize size;                  /* bytes of all structures */
-    VkDeviceSize scratch_size;          /* that a build takes at most */
-    double ms;                          /* time of the last build; set by its user */
-    uint32_t count;                     /* groups */
-    struct gpu_ray_groups built;        /* as of the last build */
+    VkAccelerationStructureKHR *lowers; /* BLAS of each group, in `lower_memory` */
+    VkAccelerationStructureKHR upper;   /* TLAS that shaders trace; in `upper_memory` */
+    VkDeviceSize size;                  /* size of all structures, bytes */
+    VkDeviceSize scratch_size;          /* maximum scratch size of a build, bytes */
+    double ms;                   /* time of the last build, milliseconds; set by the caller */
+    uint32_t count;              /* number of groups */
+    struct gpu_ray_groups built; /* groups of the last build */
 };
 
-/* Makes room for groups, of which only the counts are read, unless the device has too little
- * memory (gpu_fit_rays()); gpu->has_rays is set. On failure *rays is NULL. */
+/* Creates structures without content for groups, of which only the counts are read. Fails if memory
+ * is too small (gpu_fit_rays()). Needs gpu->has_rays. On failure *rays is NULL. */
 MUST_USE enum status gpu_rays_create(struct gpu *gpu, struct gpu_rays **rays,
                                      const struct gpu_ray_groups *groups);
 
 /*
- * Builds the structures of groups that are not kept, and the one above all, and takes the groups:
- * *groups is then {0}. Waits until shaders can trace the structures; nothing may trace them
- * meanwhile.
+ * Builds the BLAS of groups that are not kept, and the TLAS. Moves the groups into *rays: *groups
+ * is then {0}. Waits until shaders can trace the structures; nothing may trace them meanwhile.
  */
 MUST_USE enum status gpu_rays_build(struct gpu *gpu, struct gpu_rays *rays,
                                     struct gpu_ray_groups *groups);
 
-/* NULL is fine. */
+/* Destroys acceleration structures; NULL is fine. */
 void gpu_rays_destroy(struct gpu *gpu, struct gpu_rays *rays);
 
 #endif

@@ -1,4 +1,4 @@
-/* gpu_result.c: names of Vulkan's results, and their status. */
+/* gpu_result.c: names of VkResult values, advice for the user, and conversion to enum status. */
 #include <stdio.h>
 #include <sys/resource.h>
 
@@ -14,21 +14,21 @@ static const char memory[] =
 static const struct row {
     VkResult result;
     const char *name;
-    const char *mend; /* what to do about it, or NULL */
+    const char *advice; /* advice for the user, or NULL */
 } rows[] = {
     { ROW(VK_SUCCESS) },
     { ROW(VK_NOT_READY) },
-    { ROW(VK_TIMEOUT), .mend = lost },
+    { ROW(VK_TIMEOUT), .advice = lost },
     { ROW(VK_EVENT_SET) },
     { ROW(VK_EVENT_RESET) },
     { ROW(VK_INCOMPLETE) },
     { ROW(VK_SUBOPTIMAL_KHR) },
     { ROW(VK_PIPELINE_COMPILE_REQUIRED) },
-    { ROW(VK_ERROR_OUT_OF_HOST_MEMORY), .mend = memory },
-    { ROW(VK_ERROR_OUT_OF_DEVICE_MEMORY), .mend = memory },
+    { ROW(VK_ERROR_OUT_OF_HOST_MEMORY), .advice = memory },
+    { ROW(VK_ERROR_OUT_OF_DEVICE_MEMORY), .advice = memory },
     { ROW(VK_ERROR_INITIALIZATION_FAILED) },
-    { ROW(VK_ERROR_DEVICE_LOST), .mend = lost },
-    { ROW(VK_ERROR_MEMORY_MAP_FAILED), .mend = memory },
+    { ROW(VK_ERROR_DEVICE_LOST), .advice = lost },
+    { ROW(VK_ERROR_MEMORY_MAP_FAILED), .advice = memory },
     { ROW(VK_ERROR_LAYER_NOT_PRESENT) },
     { ROW(VK_ERROR_EXTENSION_NOT_PRESENT) },
     { ROW(VK_ERROR_FEATURE_NOT_PRESENT) },
@@ -65,7 +65,7 @@ const char *gpu_result_name(VkResult result)
     return row ? row->name : "a VkResult without a name";
 }
 
-/* Returns the limit of this process's memory, MiB; 0: there is no limit. */
+/* Returns the memory limit of this process, MiB; 0 if there is none. */
 static unsigned memory_limit(void)
 {
     struct rlimit limit;
@@ -81,7 +81,7 @@ const char *gpu_missing_driver(void)
                             "one for the CPU)";
 }
 
-/* Whether an unspecific result probably means that this process reached its limit of memory. */
+/* Returns true if an unspecific result probably means that the process hit its memory limit. */
 static bool is_out_of_limit(VkResult result)
 {
     return result == VK_ERROR_UNKNOWN && memory_limit() != 0;
@@ -95,7 +95,7 @@ enum status gpu_status(VkResult result)
     switch ((int)result) {
     case VK_SUCCESS:
         return STATUS_OK;
-    case VK_TIMEOUT: /* of a wait without a time limit */
+    case VK_TIMEOUT: /* returned by a wait without a time limit */
     case VK_ERROR_DEVICE_LOST:
     case VK_ERROR_OUT_OF_HOST_MEMORY:
     case VK_ERROR_OUT_OF_DEVICE_MEMORY:
@@ -122,8 +122,8 @@ enum status gpu_failed(const char *what, VkResult result)
         log_error("%s: %s: probably out of memory: the limit of this process is %u MiB; raise it "
                   "(ulimit -v)",
                   what, row->name, memory_limit());
-    else if (row && row->mend)
-        log_error("%s: %s: %s", what, row->name, row->mend);
+    else if (row && row->advice)
+        log_error("%s: %s: %s", what, row->name, row->advice);
     else
         log_error("%s: %s", what, gpu_result_name(result));
     return gpu_status(result);

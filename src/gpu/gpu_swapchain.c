@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/gpu/gpu_internal.h"
 
-/* Formats, best first. Pictures are sRGB-encoded already, so the format need not encode. */
+/* Surface formats, best first. Images are sRGB-encoded already, so the format need not encode. */
 static const struct {
     VkFormat format;
     bool encodes;
@@ -57,16 +57,16 @@ bool gpu_swapchain_mode_find(const char *name, VkPresentModeKHR *mode)
 
 static enum status choose_format(const struct gpu *gpu, struct gpu_swapchain *s)
 {
-    VkSurfaceFormatKHR offer[OFFER_MAX];
+    VkSurfaceFormatKHR available[OFFER_MAX];
     uint32_t count = OFFER_MAX;
     const VkResult result =
-        vkGetPhysicalDeviceSurfaceFormatsKHR(gpu->physical, s->surface, &count, offer);
+        vkGetPhysicalDeviceSurfaceFormatsKHR(gpu->physical, s->surface, &count, available);
     if (result != VK_SUCCESS && result != VK_INCOMPLETE)
         return gpu_failed("vkGetPhysicalDeviceSurfaceFormatsKHR", result);
     for (size_t f = 0; f < FORMAT_COUNT; f++) {
         for (uint32_t i = 0; i < count; i++) {
-            if (offer[i].format != formats[f].format ||
-                offer[i].colorSpace != VK_COLOR_SPACE_SRGB_NONLINEAR_KHR)
+            if (available[i].format != formats[f].format ||
+                available[i].colorSpace != VK_COLOR_SPACE_SRGB_NONLINEAR_KHR)
                 continue;
             s->format = formats[f].format;
             s->encodes = formats[f].encodes;
@@ -80,17 +80,17 @@ static enum status choose_format(const struct gpu *gpu, struct gpu_swapchain *s)
 static enum status choose_mode(const struct gpu *gpu, struct gpu_swapchain *s,
                                VkPresentModeKHR wanted)
 {
-    VkPresentModeKHR offer[OFFER_MAX];
+    VkPresentModeKHR available[OFFER_MAX];
     uint32_t count = OFFER_MAX;
     const VkResult result =
-        vkGetPhysicalDeviceSurfacePresentModesKHR(gpu->physical, s->surface, &count, offer);
+        vkGetPhysicalDeviceSurfacePresentModesKHR(gpu->physical, s->surface, &count, available);
     if (result != VK_SUCCESS && result != VK_INCOMPLETE)
         return gpu_failed("vkGetPhysicalDeviceSurfacePresentModesKHR", result);
     s->mode = VK_PRESENT_MODE_FIFO_KHR;
     if (wanted == GPU_SWAPCHAIN_ANY)
         return STATUS_OK;
     for (uint32_t i = 0; i < count; i++) {
-        if (offer[i] == wanted)
+        if (available[i] == wanted)
             s->mode = wanted;
     }
     if (s->mode != wanted)
@@ -152,7 +152,7 @@ static void free_images(const struct gpu *gpu, struct gpu_swapchain *s)
     s->image_count = 0;
 }
 
-static enum status make_room(struct gpu_swapchain *s, uint32_t count)
+static enum status allocate_images(struct gpu_swapchain *s, uint32_t count)
 {
     s->images = calloc(count, sizeof(*s->images));
     s->drawn = calloc(count, sizeof(*s->drawn));
@@ -168,7 +168,7 @@ static enum status find_images(struct gpu *gpu, struct gpu_swapchain *s)
     VkResult result = vkGetSwapchainImagesKHR(gpu->device, s->swapchain, &count, NULL);
     if (result != VK_SUCCESS)
         return gpu_failed("vkGetSwapchainImagesKHR", result);
-    const enum status status = make_room(s, count);
+    const enum status status = allocate_images(s, count);
     if (status != STATUS_OK)
         return status;
     for (uint32_t i = 0; i < GPU_SWAPCHAIN_SLOT_COUNT; i++)
@@ -185,12 +185,12 @@ static enum status find_images(struct gpu *gpu, struct gpu_swapchain *s)
     return result == VK_SUCCESS ? STATUS_OK : gpu_failed("vkCreateSemaphore", result);
 }
 
-static uint32_t within(uint32_t value, uint32_t min, uint32_t max)
+static uint32_t clamp(uint32_t value, uint32_t min, uint32_t max)
 {
     return value < min ? min : value > max ? max : value;
 }
 
-/* Returns the surface's size, or the window's (`size`) where the program may choose. */
+/* Returns the surface's size, or the window's (`size`) if the surface lets the program choose. */
 static VkExtent2D choose_extent(const VkSurfaceCapabilitiesKHR *has, VkExtent2D size)
 {
     if (has->currentExtent.width != UINT32_MAX)
@@ -198,12 +198,12 @@ static VkExtent2D choose_extent(const VkSurfaceCapabilitiesKHR *has, VkExtent2D 
     if (size.width == 0 || size.height == 0)
         return (VkExtent2D){ 0, 0 };
     return (VkExtent2D){
-        within(size.width, has->minImageExtent.width, has->maxImageExtent.width),
-        within(size.height, has->minImageExtent.height, has->maxImageExtent.height),
+        clamp(size.width, has->minImageExtent.width, has->maxImageExtent.width),
+        clamp(size.height, has->minImageExtent.height, has->maxImageExtent.height),
     };
 }
 
-/* One more than the minimum, so that an image is free while the screen shows another. */
+/* Returns one image more than the minimum, so that one is free while another is displayed. */
 static uint32_t choose_count(const VkSurfaceCapabilitiesKHR *has)
 {
     const uint32_t count = has->minImageCount + 1;
@@ -248,9 +248,9 @@ static enum status create(struct gpu *gpu, struct gpu_swapchain *s,
     return find_images(gpu, s);
 }
 
-static enum status take_canvas(struct gpu_swapchain *s)
+static enum status use_canvas_images(struct gpu_swapchain *s)
 {
-    const enum status status = make_room(s, GPU_CANVAS_COUNT);
+    const enum status status = allocate_images(s, GPU_CANVAS_COUNT);
     for (uint32_t i = 0; i < s->image_count; i++)
         s->images[i] = s->canvas_images[i].image;
     return status;
@@ -269,7 +269,7 @@ enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchain *s, VkE
     s->extent = choose_extent(&has, size);
     s->stale = s->extent.width == 0 || s->extent.height == 0;
     if (!s->stale && s->canvas && gpu_canvas_make(gpu, s->canvas, s->extent, s->canvas_images))
-        return take_canvas(s);
+        return use_canvas_images(s);
     s->canvas = s->stale ? s->canvas : NULL;
     if (!s->stale)
         return create(gpu, s, &has);
@@ -282,7 +282,7 @@ void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *s)
 {
     if (!gpu->device)
         return;
-    (void)vkDeviceWaitIdle(gpu->device); /* destroyed even if the device is lost */
+    (void)vkDeviceWaitIdle(gpu->device); /* the swapchain is destroyed even if the device is lost */
     free_images(gpu, s);
     if (s->swapchain)
         vkDestroySwapchainKHR(gpu->device, s->swapchain, NULL);
@@ -311,7 +311,7 @@ enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *s, uint
                                               : gpu_failed("vkAcquireNextImageKHR", result);
 }
 
-/* What a CPU has drawn, the host reads at once. */
+/* Presents a canvas image, after waiting for the queue: the server reads the memory directly. */
 static enum status show(struct gpu *gpu, struct gpu_swapchain *s, uint32_t index)
 {
     const VkResult result = vkQueueWaitIdle(gpu->queue);

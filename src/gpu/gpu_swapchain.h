@@ -1,5 +1,5 @@
 /*
- * gpu_swapchain.h: a swapchain, which presents images in a window.
+ * gpu_swapchain.h: swapchain: acquires and presents the images of a window.
  *
  *     while (...) {
  *         if (swapchain.stale)                       resized, moved to another screen, ...
@@ -11,13 +11,13 @@
  *         gpu_swapchain_present(gpu, &swapchain, index);
  *     }
  *
- * A slot is a frame in flight; a caller uses a slot again only when its frame is done.
+ * A slot is a frame in flight; a caller reuses a slot only after its frame has finished.
  *
- * With a canvas the images are its, not the driver's; there are no semaphores then, and presenting
- * waits for the queue.
+ * With a canvas (gpu_canvas.h) the images belong to it instead of the driver. There are no
+ * semaphores then, and presenting waits for the queue.
  *
- * Ownership: surface and canvas are the caller's and outlive the swapchain.
- * Errors:    logged once; as of gpu.h. A surface of zero size (a minimised window) is no error:
+ * Ownership: the caller owns surface and canvas, which must outlive the swapchain.
+ * Errors:    logged once; as in gpu.h. A surface of zero size (a minimised window) is not an error:
  *            then there is no VkSwapchainKHR, and `stale` stays true.
  */
 #ifndef FIRN_GPU_SWAPCHAIN_H
@@ -32,29 +32,29 @@ enum {
 
 #define GPU_SWAPCHAIN_NONE UINT32_MAX /* no image */
 
-/* As a present mode: a canvas if that is possible, else FIFO. */
+/* Pseudo present mode: a canvas if possible, else FIFO. */
 #define GPU_SWAPCHAIN_ANY VK_PRESENT_MODE_MAX_ENUM_KHR
 
 struct gpu_swapchain {
     VkSurfaceKHR surface;
-    VkSwapchainKHR swapchain;        /* VK_NULL_HANDLE while the surface has no size, and with: */
-    const struct gpu_canvas *canvas; /* NULL: the images are the driver's */
+    VkSwapchainKHR swapchain; /* VK_NULL_HANDLE while the surface has no size, and with a canvas */
+    const struct gpu_canvas *canvas; /* NULL: the driver owns the images */
     struct gpu_canvas_image canvas_images[GPU_CANVAS_COUNT];
-    uint32_t shown; /* of these */
+    uint32_t shown; /* index of the canvas image that is displayed */
     VkFormat format;
     bool encodes; /* the format encodes linear colours that are written to it as sRGB */
-    bool copies;  /* images can be copied into its images */
+    bool copies;  /* the images are usable as transfer destinations */
     VkPresentModeKHR mode;
     VkExtent2D extent; /* pixels */
-    VkImage *images;   /* render targets; content undefined when acquired */
+    VkImage *images;   /* render targets; content is undefined when acquired */
     uint32_t image_count;
     VkSemaphore acquired[GPU_SWAPCHAIN_SLOT_COUNT];
     VkSemaphore *drawn; /* one per image */
-    bool stale;         /* no longer fits the surface */
+    bool stale;         /* must be recreated: it does not fit the surface */
 };
 
 /*
- * Chooses a format with eight bits a channel, without sRGB encoding if possible, and a present
+ * Chooses a format with eight bits per channel, without sRGB encoding if possible, and a present
  * mode: `mode` or, with a warning, FIFO, which every surface supports. Creates no images: `stale`
  * is true. The canvas may be NULL.
  */
@@ -62,13 +62,12 @@ MUST_USE enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *s
                                         VkSurfaceKHR surface, VkPresentModeKHR mode,
                                         const struct gpu_canvas *canvas);
 
-/* Waits for the device and recreates the images. `size`, in pixels, is the window's size, which
- * counts for surfaces that let the program choose. */
+/* Waits for the device and recreates the images. `size` is the window's size, pixels; it is used
+ * for surfaces that let the program choose. */
 MUST_USE enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                             VkExtent2D size);
 
-/* Acquires an image, or sets *index to GPU_SWAPCHAIN_NONE if the swapchain has become stale. May
- * wait for the screen. */
+/* Acquires an image; *index is GPU_SWAPCHAIN_NONE if the swapchain has become stale. May block. */
 MUST_USE enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                            uint32_t slot, uint32_t *index);
 
@@ -79,8 +78,8 @@ MUST_USE enum status gpu_swapchain_present(struct gpu *gpu, struct gpu_swapchain
 /* Waits for the device and frees everything. A {0} or half-built swapchain is fine. */
 void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *swapchain);
 
-/* The name of a mode, "auto", "fifo", "mailbox" or "immediate", or NULL; and the mode of a name,
- * which returns false if there is none. */
+/* Convert between present modes and their names "auto", "fifo", "mailbox" and "immediate": return
+ * NULL, or false, if there is none. */
 const char *gpu_swapchain_mode_name(VkPresentModeKHR mode);
 bool gpu_swapchain_mode_find(const char *name, VkPresentModeKHR *mode);
 

@@ -70,8 +70,7 @@ static enum status submit(struct gpu *gpu, struct gpu_upload *upload)
 
 enum status gpu_upload_flush(struct gpu *gpu, struct gpu_upload *upload)
 {
-    /* The whole range needs no rounding to nonCoherentAtomSize; for coherent memory this call does
-     * nothing. */
+    /* VK_WHOLE_SIZE needs no rounding to nonCoherentAtomSize; no-op for coherent memory */
     const VkMappedMemoryRange range = {
         .sType = VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE,
         .memory = upload->staging.memory,

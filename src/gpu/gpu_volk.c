@@ -1,3 +1,3 @@
-/* gpu_volk.c: the one place where volk's functions are defined. */
+/* gpu_volk.c: the only file that defines volk's functions. */
 #define VOLK_IMPLEMENTATION
 #include <volk.h>

@@ -1,4 +1,4 @@
-/* accumulate.c: adds up texels of any layer's format in floats. */
+/* accumulate.c: sums samples of a layer, half or float texels, into float planes. */
 #include "src/render/accumulate.h"
 #include <assert.h>
 #include <math.h>
@@ -48,7 +48,7 @@ static void add_float(float *plane, size_t count, const void *texels, uint32_t c
         plane[i] += source[i * channels + channel];
 }
 
-void accumulate_sample(struct image *image, const struct tile *part,
+void accumulate_sample(struct image *image, const struct tile *tile,
                        const struct frame_layer *layer, const void *texels, uint32_t sample)
 {
     const VkFormat format = layer->image->format;
@@ -58,13 +58,13 @@ void accumulate_sample(struct image *image, const struct tile *part,
         return;
     for (uint32_t p = 0; p < plane_count(layer); p++) {
         float *plane = image_find(image, layer->planes[p]);
-        for (uint32_t y = 0; y < part->height; y++) {
-            float *row = &plane[(size_t)(part->y + y) * image->width + part->x];
-            const char *source = (const char *)texels + size * part->width * y;
+        for (uint32_t y = 0; y < tile->height; y++) {
+            float *row = &plane[(size_t)(tile->y + y) * image->width + tile->x];
+            const char *source = (const char *)texels + size * tile->width * y;
             if (is_half(format))
-                add_half(row, part->width, source, layer->first_channel + p, channel_count(format));
+                add_half(row, tile->width, source, layer->first_channel + p, channel_count(format));
             else
-                add_float(row, part->width, source, layer->first_channel + p,
+                add_float(row, tile->width, source, layer->first_channel + p,
                           channel_count(format));
         }
     }

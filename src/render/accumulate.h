@@ -1,6 +1,4 @@
-/*
- * accumulate.h: adds up the samples that are read back from the device in planes of floats.
- */
+/* accumulate.h: sums the samples that are read back from the device into float image planes. */
 #ifndef FIRN_RENDER_ACCUMULATE_H
 #define FIRN_RENDER_ACCUMULATE_H
 
@@ -9,17 +7,18 @@
 #include "src/frame/layers.h"
 #include "src/image/image.h"
 
-/* Adds the planes of a layer, filled with 0, to an image. Returns false when out of memory. */
+/* Adds a layer's planes, filled with 0, to the image. Returns false when out of memory. */
 bool accumulate_add_planes(struct image *image, const struct frame_layer *layer);
 
 /*
- * Adds one sample of a layer to its planes, in a part of the image. `texels` are those of the
- * layer's image, rows tight. Layers that are not averaged use sample 0, the pixel's centre, alone.
+ * Adds one sample of a layer to a rectangle of the image's planes. `texels` is the layer's image as
+ * read back, rows tightly packed. Layers that are not averaged (IDs, depth) use only sample 0,
+ * which is at the pixel centre.
  */
-void accumulate_sample(struct image *image, const struct tile *part,
+void accumulate_sample(struct image *image, const struct tile *tile,
                        const struct frame_layer *layer, const void *texels, uint32_t sample);
 
-/* Divides an averaged layer's planes by the number of samples. */
+/* Divides the planes of an averaged layer by the number of samples. */
 void accumulate_mean(struct image *image, const struct frame_layer *layer, uint32_t samples);
 
 #endif

@@ -1,4 +1,4 @@
-/* adaptive.c: estimates what a picture's means lack, and covers the cells that lack it. */
+/* adaptive.c: adaptive sampling: error estimates of cells, and rectangles that cover noisy ones. */
 #include "src/render/adaptive.h"
 #include <math.h>
 #include <stdlib.h>
@@ -7,8 +7,8 @@
 
 enum {
     CELL = ADAPTIVE_CELL,
-    FIRST_END = 4,  /* samples; the next ends have four times as many */
-    PART_COST = 64, /* cells: about what passes cost that are drawn whole for each part */
+    FIRST_END = 4, /* samples of the first round; each further round goes to four times as many */
+    RECTANGLE_COST = 64, /* fixed cost of another rectangle, from full-size passes, in cells */
 };
 
 bool adaptive_init(struct adaptive *adaptive, uint32_t width, uint32_t height)
@@ -50,28 +50,28 @@ static float brightness(const uint16_t *rgba)
 {
     float sum = 0.0f;
     for (int c = 0; c < 3; c++)
-        sum += fminf(fmaxf(half_to_float(rgba[c]), 0.0f), 1.0f); /* NaN: 0 */
+        sum += fminf(fmaxf(half_to_float(rgba[c]), 0.0f), 1.0f); /* fmaxf() turns NaN into 0 */
     return sum / 3.0f;
 }
 
-void adaptive_add(struct adaptive *adaptive, const struct tile *part, const uint16_t *texels,
+void adaptive_add(struct adaptive *adaptive, const struct tile *tile, const uint16_t *texels,
                   uint32_t sample)
 {
-    for (uint32_t y = 0; y < part->height; y++) {
-        const size_t row = (size_t)(part->y + y) * adaptive->width + part->x;
-        for (uint32_t x = 0; x < part->width; x++) {
-            const float b = brightness(&texels[4 * ((size_t)y * part->width + x)]);
+    for (uint32_t y = 0; y < tile->height; y++) {
+        const size_t row = (size_t)(tile->y + y) * adaptive->width + tile->x;
+        for (uint32_t x = 0; x < tile->width; x++) {
+            const float b = brightness(&texels[4 * ((size_t)y * tile->width + x)]);
             adaptive->sums[row + x] += b;
             adaptive->halves[row + x] += sample % 2 ? 0.0f : b;
         }
     }
-    for (uint32_t y = part->y / CELL; y * CELL < part->y + part->height; y++) {
-        for (uint32_t x = part->x / CELL; x * CELL < part->x + part->width; x++)
+    for (uint32_t y = tile->y / CELL; y * CELL < tile->y + tile->height; y++) {
+        for (uint32_t x = tile->x / CELL; x * CELL < tile->x + tile->width; x++)
             adaptive->counts[y * adaptive->columns + x]++;
     }
 }
 
-/* Returns the pixels of cells; those at the right and lower edges may be smaller. */
+/* Returns the pixel rectangle of some cells. Cells at the right and lower edges may be smaller. */
 static struct tile pixels_of(const struct adaptive *a, const struct tile *cells)
 {
     struct tile tile = { cells->x * CELL, cells->y * CELL, cells->width * CELL,
@@ -81,8 +81,8 @@ static struct tile pixels_of(const struct adaptive *a, const struct tile *cells)
     return tile;
 }
 
-/* Returns the mean square of the errors of a cell's pixels. */
-static double error2(const struct adaptive *a, uint32_t column, uint32_t row)
+/* Returns the mean of the squared error estimates of a cell's pixels. */
+static double squared_error(const struct adaptive *a, uint32_t column, uint32_t row)
 {
     const struct tile pixels = pixels_of(a, &(struct tile){ column, row, 1, 1 });
     const double n = a->counts[row * a->columns + column];
@@ -97,7 +97,7 @@ static double error2(const struct adaptive *a, uint32_t column, uint32_t row)
     return sum / ((double)pixels.width * pixels.height);
 }
 
-/* Shrinks cells to the smallest rectangle of those that ask. Returns whether any does. */
+/* Shrinks *cells to the bounding rectangle of its noisy cells. Returns false if there are none. */
 static bool shrink(const struct adaptive *a, struct tile *cells)
 {
     uint32_t left = UINT32_MAX, top = UINT32_MAX, right = 0, bottom = 0;
@@ -116,15 +116,16 @@ static bool shrink(const struct adaptive *a, struct tile *cells)
     return left <= right;
 }
 
-/* Covers those of some cells that ask by rectangles. Returns what these cost, in cells. */
+/* Covers the noisy cells of a rectangle with rectangles: splits it in half recursively where that
+ * is cheaper than drawing it whole. Returns the cost of the cover, in cells. */
 static uint32_t cover(struct adaptive *a, struct tile cells)
 {
     const uint32_t before = a->part_count;
     uint32_t split = UINT32_MAX;
     if (!shrink(a, &cells))
         return 0;
-    const uint32_t whole = cells.width * cells.height + PART_COST;
-    if (whole > 2 * PART_COST) {
+    const uint32_t whole = cells.width * cells.height + RECTANGLE_COST;
+    if (whole > 2 * RECTANGLE_COST) {
         struct tile first = cells, second = cells;
         if (cells.width > cells.height) {
             first.width /= 2;
@@ -150,7 +151,7 @@ bool adaptive_go_on(struct adaptive *adaptive)
     for (uint32_t y = 0; y < a->rows; y++) {
         for (uint32_t x = 0; x < a->columns; x++)
             a->asks[y * a->columns + x] = a->counts[y * a->columns + x] == a->end &&
-                                          error2(a, x, y) > ADAPTIVE_NOISE * ADAPTIVE_NOISE;
+                                          squared_error(a, x, y) > ADAPTIVE_NOISE * ADAPTIVE_NOISE;
     }
     a->part_count = 0;
     if (a->end == ADAPTIVE_SAMPLES)

@@ -1,12 +1,13 @@
 /*
- * adaptive.h: which parts of a picture get more samples.
+ * adaptive.h: adaptive sampling: more samples per pixel for the noisy cells of an image.
  *
- * A picture has 4 samples everywhere. Its cells, squares of ADAPTIVE_CELL pixels, go on to 16 and
- * to 64 while their mean is not known well: while the root mean square of their pixels' errors, of
- * brightness clipped to 0..1, is above ADAPTIVE_NOISE. A pixel's error is how far the mean of every
- * other sample is from that of all (Dammertz, Hanika, Keller and Lensch 2010, A hierarchical
- * automatic stopping condition for Monte Carlo global illumination); of random samples that is
- * their standard error, of samples as even as those of pixel filters it is less, as it should be.
+ * Every pixel gets 4 samples. Cells (squares of ADAPTIVE_CELL pixels) then get 16 and finally 64
+ * samples while they are noisy: while the root mean square of their pixels' error estimates, of
+ * brightness clamped to 0..1, is above ADAPTIVE_NOISE. The error estimate of a pixel is the
+ * difference between the mean of every other sample and the mean of all samples (Dammertz, Hanika,
+ * Keller and Lensch 2010, A hierarchical automatic stopping condition for Monte Carlo global
+ * illumination). For independent random samples it equals the standard error; for the
+ * low-discrepancy samples of the pixel filters it is smaller, as the true error is.
  */
 #ifndef FIRN_RENDER_ADAPTIVE_H
 #define FIRN_RENDER_ADAPTIVE_H
@@ -21,40 +22,40 @@
 
 enum {
     ADAPTIVE_CELL = 32,    /* pixels; even: see rg_exec_set_region() */
-    ADAPTIVE_SAMPLES = 64, /* at most */
+    ADAPTIVE_SAMPLES = 64, /* maximum number of samples per pixel */
 };
 
 struct adaptive {
-    uint32_t width, height; /* pixels of the picture */
-    uint32_t columns, rows; /* of cells */
-    float *sums, *halves;   /* of each pixel: brightness of all samples, of every other one */
-    uint32_t *counts;       /* samples of each cell */
-    bool *asks;             /* of each cell: it goes on */
-    struct tile *parts;     /* rectangles of cells that get the samples up to: */
+    uint32_t width, height; /* size of the image, pixels */
+    uint32_t columns, rows; /* number of cells across and down */
+    float *sums, *halves;   /* brightness per pixel: sum over all samples; over every other one */
+    uint32_t *counts;       /* number of samples drawn so far, per cell */
+    bool *asks;             /* per cell: still noisy, needs more samples */
+    struct tile *parts;     /* pixel rectangles to draw until they have `end` samples */
     uint32_t part_count, end;
 };
 
-/* Begins with the first samples of the whole picture. Returns false when out of memory. */
+/* Starts with one rectangle, the whole image. Returns false when out of memory. */
 bool adaptive_init(struct adaptive *adaptive, uint32_t width, uint32_t height);
 void adaptive_finish(struct adaptive *adaptive);
 
-/* Adds a sample of a part: its texels, RGBA of half, rows tight. */
-void adaptive_add(struct adaptive *adaptive, const struct tile *part, const uint16_t *texels,
+/* Adds one sample of a rectangle: its texels, RGBA half floats, rows tightly packed. */
+void adaptive_add(struct adaptive *adaptive, const struct tile *tile, const uint16_t *texels,
                   uint32_t sample);
 
-/* After the samples up to `end` of all parts: finds the next end and its parts. Returns false if
- * no cell goes on. */
+/* Starts the next round, once all rectangles have `end` samples: raises `end` and finds the
+ * rectangles that are still noisy. Returns false if no cell needs more samples. */
 bool adaptive_go_on(struct adaptive *adaptive);
 
-/* Multiplies the sums of an averaged layer's samples, of cells with fewer than ADAPTIVE_SAMPLES, so
- * that all are divided by these. Powers of two, so the means stay those of fewer samples. */
+/* Scales the sample sums of an averaged layer as if every cell had ADAPTIVE_SAMPLES samples, so
+ * that one division yields all means. The factors are powers of two, so this rounds nothing. */
 void adaptive_even(const struct adaptive *adaptive, struct image *image,
                    const struct frame_layer *layer);
 
-/* Returns the samples of a pixel. */
+/* Returns the number of samples drawn for a pixel. */
 uint32_t adaptive_count(const struct adaptive *adaptive, uint32_t x, uint32_t y);
 
-/* Returns the samples of a pixel, on average. */
+/* Returns the number of samples per pixel, averaged over the image. */
 float adaptive_mean(const struct adaptive *adaptive);
 
 #endif

@@ -1,5 +1,5 @@
-/* cpu_driver.c: sets up environment and memory for drivers that draw on the CPU. */
-#define _DEFAULT_SOURCE /* madvise */
+/* cpu_driver.c: tuning for software Vulkan drivers: environment variables and memory page size. */
+#define _DEFAULT_SOURCE /* for madvise */
 #include "src/render/cpu_driver.h"
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -14,7 +14,7 @@ void cpu_driver_prefer_start(void)
     (void)setenv("GALLIVM_PERF", "nopt", 0); /* failure only costs time */
 }
 
-/* All memory of a CPU device is host-visible memory of this process, so it can be advised. */
+/* Uses madvise(): all memory of a CPU device is host-visible memory of this process. */
 void cpu_driver_advise_memory(const struct gpu *gpu, const struct rg_plan *plan,
                               struct rg_exec *exec)
 {

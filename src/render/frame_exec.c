@@ -1,4 +1,4 @@
-/* frame_exec.c: compiles plans for the device and creates their executors. */
+/* frame_exec.c: compiles a frame's plan for the device and creates its executor. */
 #include "src/render/frame_exec.h"
 #include <math.h>
 #include <stdlib.h>
@@ -18,8 +18,8 @@ static void log_exec(void *user, const char *what, VkResult result)
     (void)gpu_failed(what, result);
 }
 
-/* Each frame in flight has its own host-visible buffers. A CPU device commits memory when it is
- * touched, so a picture that is drawn in tiles needs about as much as one tile. */
+/* Checks that the plan's memory fits. Each frame in flight has its own host-visible buffers. A CPU
+ * device commits memory on first use, so an image drawn in tiles needs that of a tile. */
 static enum status check_memory(const struct gpu *gpu, const struct rg_plan *plan, VkExtent2D view)
 {
     const bool is_cpu = cpu_driver_is(gpu);
@@ -89,7 +89,8 @@ void frame_exec_describe(struct frame_exec_params *described, const struct frame
         .import_count = frame_exec->frame->import_count,
         .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
         .frames_in_flight = FRAMES_IN_FLIGHT,
-        .render_passes = gpu->validated, /* rg_exec.h says why */
+        /* because some synchronization validation ignores dynamic rendering */
+        .render_passes = gpu->validated,
         .measured = params->measured,
         .statistics = gpu->has_statistics,
         .constants = &d->info,
@@ -112,7 +113,7 @@ enum status frame_exec_realise(struct frame_exec *frame_exec, const struct rende
     return gpu_status(result);
 }
 
-/* No frame is in flight. */
+/* Frees the frame plan. No frame may be in flight. */
 static void destroy_frame(struct frame_exec *frame_exec)
 {
     if (frame_exec->frame)

@@ -1,5 +1,5 @@
 /*
- * frame_exec.h: a plan and its executor, for the renderer and for the warm-up of shaders.
+ * frame_exec.h: a frame's plan and its executor, for the renderer and for the shader warm-up.
  *
  * Errors: logged once; the statuses are those of renderer.h.
  */
@@ -17,7 +17,7 @@ struct frame_exec {
     struct rg_exec *exec;     /* NULL until frame_exec_realise() */
 };
 
-/* Returns the handles of a device that the graph library needs. */
+/* Returns the Vulkan handles that the render graph library needs. */
 struct rg_vulkan frame_exec_vulkan(const struct gpu *gpu);
 
 /* Compiles the request to a plan, and checks that its memory fits in the device's heaps. */
@@ -30,21 +30,20 @@ MUST_USE enum status frame_exec_realise(struct frame_exec *frame_exec,
                                         const struct renderer_params *params,
                                         const struct rg_exec_import *imports);
 
-/* Puts the plan of *next, which has no executor, in the place of frame_exec's: what both have in
- * common stays (rg_exec_update()). *next becomes {0}. On failure frame_exec may only be destroyed.
- */
+/* Replaces frame_exec's plan by that of *next, which has no executor. Keeps resources that both
+ * need (rg_exec_update()). *next becomes {0}. After a failure frame_exec may only be destroyed. */
 MUST_USE enum status frame_exec_replace(struct frame_exec *frame_exec, struct frame_exec *next,
                                         const struct renderer_params *params,
                                         const struct rg_exec_import *imports);
 
-/* The same executor, for request.view: see frame_plan_change_view(). */
+/* Changes the view to request.view and keeps the executor: see frame_plan_change_view(). */
 MUST_USE enum status frame_exec_change_view(struct frame_exec *frame_exec,
                                             const struct renderer_params *params,
                                             struct frame_request request,
                                             const struct rg_exec_import *imports);
 
-/* The parameters of an executor, except for its imports. `info` and `params` point into the struct,
- * so it must not move. */
+/* Parameters of an executor, except for its imports. `info` and `params` point into this struct, so
+ * it must not be moved or copied. */
 struct frame_exec_params {
     struct frame_constants constants;
     VkSpecializationMapEntry entries[CONSTANT_COUNT];
@@ -52,7 +51,7 @@ struct frame_exec_params {
     struct rg_exec_params params;
 };
 
-/* Fills *described for a compiled frame_exec. */
+/* Fills *described for a frame_exec that has been compiled. */
 void frame_exec_describe(struct frame_exec_params *described, const struct frame_exec *frame_exec,
                          const struct renderer_params *params);
 

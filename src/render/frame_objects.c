@@ -1,4 +1,4 @@
-/* frame_objects.c: sorts the objects of a scene for a frame. */
+/* frame_objects.c: depth-sorts a scene's objects and groups them into layers drawn at once. */
 #include "src/render/frame_objects.h"
 #include <cglm/struct.h>
 #include <stdlib.h>
@@ -6,13 +6,13 @@
 #include "src/base/log.h"
 
 struct frame_object_distance {
-    float distance; /* from the eye, or an orthographic camera's plane, to the middle of the
-                       object's box, metres */
+    float distance; /* metres, box centre to camera or an orthographic camera's plane */
     uint32_t object;
 };
 
-/* Share of an object's radius that lookups may miss it by (shaders/refract_inside.glsl). */
-#define LOOKUP_ROOM 0.05f
+/* Margin around an object for G-buffer lookups that miss it slightly (shaders/refract_inside.glsl),
+ * as a fraction of the object's radius. */
+#define LOOKUP_MARGIN 0.05f
 
 enum status frame_objects_init(struct frame_objects *objects, const struct frame_list *list,
                                const struct scene *scene)
@@ -35,7 +35,7 @@ void frame_objects_finish(struct frame_objects *objects)
     *objects = (struct frame_objects){ 0 };
 }
 
-static int farthest_first(const void *a, const void *b)
+static int compare_back_to_front(const void *a, const void *b)
 {
     const struct frame_object_distance *x = a;
     const struct frame_object_distance *y = b;
@@ -44,8 +44,8 @@ static int farthest_first(const void *a, const void *b)
     return x->object < y->object ? -1 : 1;
 }
 
-/* Sorts the scene's objects or, if `is_nested`, those that are within no other one. Returns how
- * many there are. */
+/* Sorts the scene's objects back to front. If `is_nested`, skips objects that are inside another
+ * one. Returns the number of sorted objects. */
 static uint32_t sort(struct frame_object_distance *order, const struct frame_view *view,
                      const struct globals *globals, bool is_nested)
 {
@@ -54,15 +54,15 @@ static uint32_t sort(struct frame_object_distance *order, const struct frame_vie
     for (uint32_t i = 0; i < model->object_count; i++) {
         if (is_nested && model->objects[i].within)
             continue;
-        const vec3s middle =
+        const vec3s center =
             glms_mat4_mulv3(globals->world_from_object, box_center(model->objects[i].box), 1.0f);
         order[count++] = (struct frame_object_distance){
-            .distance = view->camera.height > 0.0f ? glms_vec3_dot(middle, globals->forward)
-                                                   : glms_vec3_distance(middle, view->camera.eye),
+            .distance = view->camera.height > 0.0f ? glms_vec3_dot(center, globals->forward)
+                                                   : glms_vec3_distance(center, view->camera.eye),
             .object = i,
         };
     }
-    qsort(order, count, sizeof(*order), farthest_first);
+    qsort(order, count, sizeof(*order), compare_back_to_front);
     return count;
 }
 
@@ -74,14 +74,14 @@ static bool overlap(VkRect2D a, VkRect2D b)
            b.offset.y < a.offset.y + (int32_t)a.extent.height;
 }
 
-/* Whether rays through one may look up faces of the other. */
-static bool meet(const struct frame_object *a, const struct frame_object *b)
+/* Returns true if rays through one object may look up faces of the other in screen space. */
+static bool lookups_overlap(const struct frame_object *a, const struct frame_object *b)
 {
     return overlap(a->reach, b->area) || overlap(b->reach, a->area);
 }
 
-/* Returns the rectangle around both. */
-static VkRect2D around(VkRect2D a, VkRect2D b)
+/* Returns the bounding rectangle of both rectangles. */
+static VkRect2D bounding_rectangle(VkRect2D a, VkRect2D b)
 {
     const int32_t x[2] = { a.offset.x + (int32_t)a.extent.width,
                            b.offset.x + (int32_t)b.extent.width };
@@ -95,8 +95,8 @@ static VkRect2D around(VkRect2D a, VkRect2D b)
     return both;
 }
 
-/* Returns the lowest layer for an object that is above all that it covers, and in which it meets
- * none. */
+/* Returns the lowest layer for an object that is above all objects it overlaps, and in which no
+ * other object can look up its faces. */
 static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
 {
     const struct frame_object *object = &objects[index];
@@ -106,7 +106,7 @@ static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
             layer = objects[i].layer + 1;
     }
     for (uint32_t i = 1; i < index; i++) {
-        if (objects[i].layer == layer && meet(&objects[i], object)) {
+        if (objects[i].layer == layer && lookups_overlap(&objects[i], object)) {
             layer++;
             i = 0;
         }
@@ -114,10 +114,10 @@ static uint32_t layer_of(const struct frame_object *objects, uint32_t index)
     return layer;
 }
 
-/* Puts objects of the picture, farthest first, into layers. The passes of the first one of a layer
- * draw all of it, so that there is one wait for each layer instead of each object. The farthest
- * object is alone in its layer, since its rows also reset the maps. */
-static void make_layers(struct frame_object *objects, uint32_t count)
+/* Assigns the objects, sorted back to front, to layers. The passes of a layer's first object draw
+ * the whole layer, so that there is one barrier per layer instead of one per object. The farthest
+ * object is alone in its layer, because its passes also clear the G-buffer. */
+static void assign_layers(struct frame_object *objects, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {
         struct frame_object *first = NULL, *last = NULL;
@@ -130,7 +130,7 @@ static void make_layers(struct frame_object *objects, uint32_t count)
         }
         if (!first)
             continue;
-        first->drawn = around(first->drawn, objects[i].reach);
+        first->drawn = bounding_rectangle(first->drawn, objects[i].reach);
         last->next = &objects[i];
         objects[i].drawn = (VkRect2D){ 0 };
     }
@@ -142,7 +142,7 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
 {
     const struct frame_list *list = &frame_exec->frame->list;
     const VkExtent2D size = frame_exec->frame->plan->view;
-    struct frame_view drawn = *view; /* with the pixels of an interleaved tile */
+    struct frame_view drawn = *view; /* the view at the size of one interleaved tile */
     drawn.width = size.width;
     drawn.height = size.height;
     if (!objects->count)
@@ -166,11 +166,11 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
             .reach = frame_view_reach(&drawn, &own, reach),
         };
         objects->all[i].drawn = objects->all[i].reach;
-        /* The first one resets the maps everywhere, because they may be layers. */
+        /* The farthest object's passes clear the whole G-buffer, which may be an output layer. */
         if (!(reach > 0.0f) && rows->place)
             objects->all[i].lookup_area =
-                frame_view_box_area(view, &own, object->box, size, LOOKUP_ROOM);
+                frame_view_box_area(view, &own, object->box, size, LOOKUP_MARGIN);
     }
     if (list->are_local)
-        make_layers(objects->all, count);
+        assign_layers(objects->all, count);
 }

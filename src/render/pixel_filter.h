@@ -1,4 +1,4 @@
-/* pixel_filter.h: where the samples of a pixel are. */
+/* pixel_filter.h: pixel reconstruction filters, as sample positions within a pixel. */
 #ifndef FIRN_RENDER_PIXEL_FILTER_H
 #define FIRN_RENDER_PIXEL_FILTER_H
 
@@ -6,25 +6,25 @@
 #include <stdint.h>
 
 enum pixel_filter {
-    PIXEL_FILTER_BOX,             /* all over the pixel: the mean is that over its area */
-    PIXEL_FILTER_POINT,           /* all at its centre */
-    PIXEL_FILTER_BLACKMAN_HARRIS, /* dense at its centre, to 1.5 pixels aside */
+    PIXEL_FILTER_BOX,             /* uniform over the pixel area */
+    PIXEL_FILTER_POINT,           /* every sample at the pixel centre */
+    PIXEL_FILTER_BLACKMAN_HARRIS, /* dense at the centre, radius 1.5 pixels */
     PIXEL_FILTER_COUNT,
 };
 
-/* As --pixel-filter names them. */
+/* Names of the filters, as in the values of the option --pixel-filter. */
 extern const char *const pixel_filter_names[PIXEL_FILTER_COUNT];
 
 /*
- * Returns the offset of a sample from its pixel's centre, pixels, to the right and down. Every
- * sample has the same weight: they are as dense as the filter is high (filter importance sampling;
- * Ernst, Stamminger and Greiner 2006). Sample 0 is the centre.
+ * Returns the offset of a sample from the pixel centre, pixels, to the right and down. Every sample
+ * has the same weight, because the sample density follows the filter (filter importance sampling;
+ * Ernst, Stamminger and Greiner 2006). Sample 0 is at the centre.
  */
 vec2s pixel_filter_offset(enum pixel_filter filter, uint32_t sample);
 
 /*
- * Returns the same for the box, in [-0.5, 0.5). The samples but the first follow Roberts' R2
- * sequence, which covers the pixel evenly at any count.
+ * Returns a sample offset of the box filter, pixels, in [-0.5, 0.5). Samples follow Roberts' R2
+ * low-discrepancy sequence, which covers the pixel evenly at any count; sample 0 is at the centre.
  */
 vec2s pixel_filter_jitter(uint32_t sample);
 

@@ -1,4 +1,4 @@
-/* ray_groups.c: the corners of triangles from the words of their tree, by objects. */
+/* ray_groups.c: extracts per-object triangle lists from the BVH for acceleration structures. */
 #include "src/render/ray_groups.h"
 #include <math.h>
 #include <stdlib.h>
@@ -8,41 +8,41 @@
 #include "src/scene/tree_nodes.h"
 
 enum {
-    GROUPS_MAX = 1 << 17,            /* of a part, else it is one group */
-    INCLUSIONS_AT = TREE_INCLUSIONS, /* which structures do not have */
+    GROUPS_MAX = 1 << 17,            /* maximum per part; above it, the part is one group */
+    INCLUSIONS_AT = TREE_INCLUSIONS, /* part of inclusions, without acceleration structures */
 };
 
-static const double edge = 1e-6; /* that the tree's tests leave: trace_tree.glsl */
-static const double part_of_scene = 1e-5;
+static const double barycentric_epsilon = 1e-6; /* tolerance of the test in trace_tree.glsl */
+static const double scene_fraction = 1e-5;
 
-static double number(uint32_t word)
+static double float_from_bits(uint32_t word)
 {
     float x;
     memcpy(&x, &word, sizeof(x));
     return (double)x;
 }
 
-/* ---- corners ---- */
+/* ---- vertices ---- */
 
-/* The rows of a triangle's map. */
-struct map {
-    double rows[3][3], at[3];
+/* Affine map of a triangle from world space to barycentric coordinates and plane distance. */
+struct affine_map {
+    double rows[3][3], translation[3];
 };
 
-static struct map map_of(const struct tree *tree, uint32_t triangle)
+static struct affine_map read_map(const struct tree *tree, uint32_t triangle)
 {
-    struct map map;
+    struct affine_map map;
     for (int i = 0; i < 3; i++) {
         const uint32_t *row =
             tree->triangles.all[(size_t)triangle * TREE_TRIANGLE_WORDS + (size_t)i];
         for (int k = 0; k < 3; k++)
-            map.rows[i][k] = number(row[k]);
-        map.at[i] = number(row[3]);
+            map.rows[i][k] = float_from_bits(row[k]);
+        map.translation[i] = float_from_bits(row[3]);
     }
     return map;
 }
 
-static double length_of(const double *a, const double *b)
+static double sum_length(const double *a, const double *b)
 {
     double sum = 0.0;
     for (int k = 0; k < 3; k++)
@@ -50,52 +50,54 @@ static double length_of(const double *a, const double *b)
     return sqrt(sum);
 }
 
-/* Finds the point of a triangle's plane with the given weights of the second and third corner. */
-static void put_point(const struct map *map, double u, double v, float to[static 3])
+/* Computes the point of a triangle's plane with barycentric weights u, v of vertices 2 and 3. */
+static void compute_point(const struct affine_map *map, double u, double v, float to[static 3])
 {
-    const double shares[3] = { u - map->at[0], v - map->at[1], -map->at[2] };
-    double sides[3][3], volume = 0.0;
+    const double offsets[3] = { u - map->translation[0], v - map->translation[1],
+                                -map->translation[2] };
+    double cofactors[3][3], volume = 0.0;
     for (int i = 0; i < 3; i++) {
         const double *a = map->rows[(i + 1) % 3], *b = map->rows[(i + 2) % 3];
         for (int k = 0; k < 3; k++)
-            sides[i][k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+            cofactors[i][k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
     }
     for (int k = 0; k < 3; k++)
-        volume += map->rows[0][k] * sides[0][k];
+        volume += map->rows[0][k] * cofactors[0][k];
     for (int k = 0; k < 3; k++) {
         double x = 0.0;
         for (int i = 0; i < 3; i++)
-            x += shares[i] * sides[i][k] / volume;
+            x += offsets[i] * cofactors[i][k] / volume;
         to[k] = (float)x;
     }
 }
 
-/* Puts a triangle's corners, with room on each side. Returns false if it has no area. */
-static bool put_corners(const struct map *map, double room, float to[static 3][3])
+/* Computes a triangle's vertices, enlarged by `margin` on each side; false if it has no area. */
+static bool compute_vertices(const struct affine_map *map, double margin, float to[static 3][3])
 {
     static const double none[3] = { 0 };
-    if (!(length_of(map->rows[2], none) > 0.5))
+    if (!(sum_length(map->rows[2], none) > 0.5))
         return false;
-    const double a = edge + room * length_of(map->rows[0], none);
-    const double b = edge + room * length_of(map->rows[1], none);
-    const double c = edge + room * length_of(map->rows[0], map->rows[1]);
-    put_point(map, -a, -b, to[0]);
-    put_point(map, 1.0 + b + c, -b, to[1]);
-    put_point(map, -a, 1.0 + a + c, to[2]);
+    const double a = barycentric_epsilon + margin * sum_length(map->rows[0], none);
+    const double b = barycentric_epsilon + margin * sum_length(map->rows[1], none);
+    const double c = barycentric_epsilon + margin * sum_length(map->rows[0], map->rows[1]);
+    compute_point(map, -a, -b, to[0]);
+    compute_point(map, 1.0 + b + c, -b, to[1]);
+    compute_point(map, -a, 1.0 + a + c, to[2]);
     return true;
 }
 
-/* What has no area, and so is not met, is put where another triangle is. */
-static void put_group(struct gpu_ray_groups *groups, const struct tree *tree,
-                      const struct gpu_ray_group *group, double room)
+/* Writes the vertices of a group. Triangles without area can never be hit, and are replaced by a
+ * point of another triangle. */
+static void write_group(struct gpu_ray_groups *groups, const struct tree *tree,
+                        const struct gpu_ray_group *group, double margin)
 {
     float last[3] = { 0 };
     for (int pass = 0; pass < 2; pass++) {
         for (uint32_t i = group->first; i < group->first + group->count; i++) {
-            const struct map map = map_of(tree, i);
+            const struct affine_map map = read_map(tree, i);
             float(*to)[3] = groups->corners[i];
-            const bool is_real = put_corners(&map, room, to);
-            for (int k = 0; k < 3 && !is_real; k++)
+            const bool has_area = compute_vertices(&map, margin, to);
+            for (int k = 0; k < 3 && !has_area; k++)
                 memcpy(to[k], last, sizeof(last));
             memcpy(last, to[0], sizeof(last));
         }
@@ -104,20 +106,20 @@ static void put_group(struct gpu_ray_groups *groups, const struct tree *tree,
 
 /* ---- groups ---- */
 
-static const uint32_t *corner_word(const struct tree *tree, uint32_t triangle, uint32_t k)
+static const uint32_t *vertex_data(const struct tree *tree, uint32_t triangle, uint32_t k)
 {
     return tree->corners.all[(size_t)triangle * TREE_CORNER_WORDS + k];
 }
 
-/* Returns the number of a triangle's object, as trace_number() of trace_tree.glsl does. */
-static uint32_t number_of(const struct tree *tree, uint32_t triangle)
+/* Returns the object ID of a triangle, like trace_number() of trace_tree.glsl. */
+static uint32_t object_id_of(const struct tree *tree, uint32_t triangle)
 {
-    const uint32_t number = corner_word(tree, triangle, 0)[3] / TREE_NUMBER;
-    const uint32_t surface = corner_word(tree, triangle, 2)[3];
-    return number ? number : tree->corners.all[(size_t)(surface & TREE_SURFACE_MASK) + 3][3] / 2;
+    const uint32_t id = vertex_data(tree, triangle, 0)[3] / TREE_NUMBER;
+    const uint32_t surface = vertex_data(tree, triangle, 2)[3];
+    return id ? id : tree->corners.all[(size_t)(surface & TREE_SURFACE_MASK) + 3][3] / 2;
 }
 
-/* Widens a range of triangles to those of a leaf or, if `child` is a node, lists the node. */
+/* Extends a range of triangles by those of a leaf, or pushes an inner node onto the stack. */
 static void visit(uint32_t child, uint32_t range[static 2], uint32_t *stack, uint32_t *top)
 {
     const uint32_t first = (child & ~TREE_LEAF) >> 3, count = child & 7;
@@ -129,8 +131,8 @@ static void visit(uint32_t child, uint32_t range[static 2], uint32_t *stack, uin
     }
 }
 
-/* Finds the triangles of a part: from the first number to before the second one. */
-static void find_range(const struct tree *tree, uint32_t part, uint32_t range[static 2])
+/* Finds the triangles of a part of the BVH: indices from range[0] to before range[1]. */
+static void find_triangle_range(const struct tree *tree, uint32_t part, uint32_t range[static 2])
 {
     uint32_t stack[TREE_DEPTH_MAX + 2], top = 0;
     range[0] = UINT32_MAX;
@@ -145,7 +147,7 @@ static void find_range(const struct tree *tree, uint32_t part, uint32_t range[st
     }
 }
 
-/* Adds the groups of a part, or counts them if there is no room yet. */
+/* Adds the groups of a part, or only counts them if `groups->all` is not allocated yet. */
 static uint32_t add_part(struct gpu_ray_groups *groups, const struct tree *tree, uint32_t part,
                          bool by_objects)
 {
@@ -155,10 +157,10 @@ static uint32_t add_part(struct gpu_ray_groups *groups, const struct tree *tree,
         { 0, 0, 1, 0 },
     } };
     uint32_t range[2], count = 0;
-    find_range(tree, part, range);
+    find_triangle_range(tree, part, range);
     for (uint32_t i = range[0]; i < range[1]; i++) {
         const bool is_first =
-            i == range[0] || (by_objects && number_of(tree, i) != number_of(tree, i - 1));
+            i == range[0] || (by_objects && object_id_of(tree, i) != object_id_of(tree, i - 1));
         if (is_first && groups->all)
             groups->all[groups->count + count] = (struct gpu_ray_group){
                 .first = i, .mask = (uint8_t)(1u << part), .place = in_world
@@ -172,32 +174,32 @@ static uint32_t add_part(struct gpu_ray_groups *groups, const struct tree *tree,
 
 static bool add_parts(struct gpu_ray_groups *groups, const struct tree *tree, bool by_objects)
 {
-    bool are_many[TREE_PART_COUNT] = { false };
+    bool too_many[TREE_PART_COUNT] = { false };
     uint32_t count = 0;
     for (uint32_t part = 0; part < INCLUSIONS_AT; part++) {
         const uint32_t own = add_part(groups, tree, part, by_objects);
-        are_many[part] = own > GROUPS_MAX;
-        count += are_many[part] ? 1 : own;
+        too_many[part] = own > GROUPS_MAX;
+        count += too_many[part] ? 1 : own;
     }
     groups->all = calloc(count + (size_t)1, sizeof(*groups->all));
     for (uint32_t part = 0; part < INCLUSIONS_AT && groups->all; part++)
-        groups->count += add_part(groups, tree, part, by_objects && !are_many[part]);
+        groups->count += add_part(groups, tree, part, by_objects && !too_many[part]);
     return groups->all;
 }
 
-/* Returns the largest coordinate of the boxes of nodes, rounded up to a power of two. */
+/* Returns the largest absolute coordinate of the BVH's boxes, rounded up to a power of two. */
 static double extent_of(const struct tree *tree)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (uint32_t part = 0; part < INCLUSIONS_AT; part++) {
         if (tree->roots[part] == TREE_NOTHING)
             continue;
         const struct tree_box box = tree_nodes_extent(tree, part);
         for (int k = 0; k < 3; k++)
-            most = fmax(most, fmax(fabs((double)box.low[k]), fabs((double)box.high[k])));
+            largest = fmax(largest, fmax(fabs((double)box.low[k]), fabs((double)box.high[k])));
     }
     int power;
-    (void)frexp(most, &power);
+    (void)frexp(largest, &power);
     return ldexp(1.0, power);
 }
 
@@ -205,49 +207,50 @@ enum status ray_groups_init(struct gpu_ray_groups *groups, const struct tree *tr
 {
     *groups = (struct gpu_ray_groups){
         .corners = calloc(tree->triangle_count + (size_t)1, sizeof(*groups->corners)),
-        .room = (float)(part_of_scene * extent_of(tree)),
+        .room = (float)(scene_fraction * extent_of(tree)),
     };
     if (!groups->corners || !add_parts(groups, tree, by_objects)) {
         gpu_ray_groups_finish(groups);
         return log_out_of_memory("acceleration structures");
     }
     for (uint32_t i = 0; i < groups->count; i++)
-        put_group(groups, tree, &groups->all[i], (double)groups->room);
+        write_group(groups, tree, &groups->all[i], (double)groups->room);
     return STATUS_OK;
 }
 
-/* ---- what has only moved ---- */
+/* ---- rigid motion of a group ---- */
 
-static const float *place_of(const void *of, uint32_t corner)
+static const float *vertex_at(const void *of, uint32_t corner)
 {
     const float *corners = of;
     return &corners[(size_t)corner * 3];
 }
 
-static struct alike_corners corners_of(const struct gpu_ray_groups *groups, uint32_t index)
+static struct alike_corners vertices_of(const struct gpu_ray_groups *groups, uint32_t index)
 {
     const struct gpu_ray_group *group = &groups->all[index];
-    return (struct alike_corners){ groups->corners[group->first][0], place_of, 3 * group->count };
+    return (struct alike_corners){ groups->corners[group->first][0], vertex_at, 3 * group->count };
 }
 
-/* Half of the room is for what is beside the motion. */
+/* Returns true if a group has only moved rigidly or scaled uniformly since `built`. The deviation
+ * may take up half of the margin; the other half remains for rounding. */
 static bool has_moved(const struct gpu_ray_groups *groups, const struct gpu_ray_groups *built,
                       uint32_t index, struct alike_motion *motion)
 {
-    const struct alike_corners before = corners_of(built, index);
-    const struct alike_corners after = corners_of(groups, index);
-    const struct alike_anchor anchor = alike_anchor_find(&before);
-    if (!alike_motion_find(motion, &anchor, &before, &after))
+    const struct alike_corners old = vertices_of(built, index);
+    const struct alike_corners moved = vertices_of(groups, index);
+    const struct alike_anchor anchor = alike_anchor_find(&old);
+    if (!alike_motion_find(motion, &anchor, &old, &moved))
         return false;
-    for (uint32_t i = 0; i < after.count; i++) {
-        const double error = alike_error(motion, place_of(before.of, i), place_of(after.of, i));
+    for (uint32_t i = 0; i < moved.count; i++) {
+        const double error = alike_error(motion, vertex_at(old.of, i), vertex_at(moved.of, i));
         if (!(error <= 0.5 * (double)groups->room))
             return false;
     }
     return true;
 }
 
-static bool are_as_large(const struct gpu_ray_groups *a, const struct gpu_ray_groups *b)
+static bool same_sizes(const struct gpu_ray_groups *a, const struct gpu_ray_groups *b)
 {
     bool same = a->count == b->count;
     for (uint32_t i = 0; same && i < a->count; i++)
@@ -258,7 +261,7 @@ static bool are_as_large(const struct gpu_ray_groups *a, const struct gpu_ray_gr
 
 bool ray_groups_keep(struct gpu_ray_groups *groups, const struct gpu_ray_groups *built)
 {
-    const bool same = are_as_large(groups, built);
+    const bool same = same_sizes(groups, built);
     for (uint32_t i = 0; same && i < groups->count; i++) {
         struct gpu_ray_group *group = &groups->all[i];
         struct alike_motion motion;

@@ -1,4 +1,4 @@
-/* renderer.c: the plans, executors and frames of a picture. */
+/* renderer.c: the renderer's plans and executors, and the draw loop over samples and tiles. */
 #include "src/render/renderer.h"
 #include <assert.h>
 #include <cglm/struct.h>
@@ -112,7 +112,7 @@ static enum status upload(struct renderer *r)
     return status;
 }
 
-/* Returns the offset of an interleaved tile's pixels, in pixels of the picture, from the middle of
+/* Returns the offset of an interleaved tile's pixels, in pixels of the image, from the centre of
  * the block of pixels to which each tile contributes one. */
 static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
 {
@@ -226,7 +226,7 @@ void renderer_destroy(struct renderer *renderer)
 
 /* ---- a frame ---- */
 
-/* Fills the techniques' upload buffers that the plan has. */
+/* Fills those upload buffers of the techniques that the plan contains. */
 static void write_uploads(const struct frame_view *view, const struct globals *globals,
                           struct rg_exec *exec, uint32_t slot)
 {
@@ -243,20 +243,20 @@ static void write_uploads(const struct frame_view *view, const struct globals *g
 }
 
 /* Returns the pixels in which shaders may look up the object's faces. Rays begin up to 0.02 radii
- * inside (shaders/refract_inside.glsl). Layers and the floe in a pool are looked up everywhere. */
+ * inside (shaders/refract_inside.glsl). Layers and floating ice in a pool need the whole image. */
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
-    const struct technique *rung = r->params.rung; /* NULL: only the cube is drawn */
+    const struct technique *rung = r->params.rung; /* NULL if only the cube is drawn */
     const bool is_all =
         !rung || rung->rung.reach > 0.0f || r->params.layers || view->scene->has_pool;
     return is_all ? (VkRect2D){ .extent = size }
                   : frame_view_box_area(view, globals, view->scene->box, size, 0.05f);
 }
 
-/* Limits the next frame to a tile, and to the pixels that the rays of the tile may look up. */
-static void limit(const struct renderer *r, const struct frame_view *view,
-                  const struct globals *globals)
+/* Restricts the next frame to a tile, and to the pixels that rays of the tile may look up. */
+static void restrict_to_tile(const struct renderer *r, const struct frame_view *view,
+                             const struct globals *globals)
 {
     const struct tile *t = &r->tile;
     const struct rg_exec_region region = {
@@ -317,7 +317,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         if (frame_exec == &r->picture) {
             frame_objects_place(&r->objects, frame_exec, *slot, &view, &globals,
                                 r->params.rung ? r->params.rung->rung.reach : 0.0f);
-            limit(r, &view, &globals);
+            restrict_to_tile(r, &view, &globals);
         }
         result = rg_exec_submit(frame_exec->exec, &frame);
     }
@@ -326,7 +326,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
     return gpu_status(result);
 }
 
-/* ---- a picture ---- */
+/* ---- an image ---- */
 
 const void *renderer_read_back(struct frame_exec *frame_exec, const struct rg_image *image,
                                uint32_t slot)
@@ -340,7 +340,7 @@ static bool wants_layer(const struct renderer *r, uint32_t layer)
     return r->params.layers & 1u << layer;
 }
 
-enum status renderer_fetch(struct renderer *r, struct image *image, const struct tile *part,
+enum status renderer_fetch(struct renderer *r, struct image *image, const struct tile *tile,
                            uint32_t sample, uint32_t slot)
 {
     enum status status = gpu_status(rg_exec_wait(r->picture.exec, slot));
@@ -348,17 +348,17 @@ enum status renderer_fetch(struct renderer *r, struct image *image, const struct
         return status;
     const void *beauty = renderer_read_back(&r->picture, frame_beauty.image, slot);
     if (beauty)
-        accumulate_sample(image, part, &frame_beauty, beauty, sample);
+        accumulate_sample(image, tile, &frame_beauty, beauty, sample);
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const void *texels = renderer_read_back(&r->picture, techniques_layer(i)->image, slot);
         if (wants_layer(r, i) && texels)
-            accumulate_sample(image, part, techniques_layer(i), texels, sample);
+            accumulate_sample(image, tile, techniques_layer(i), texels, sample);
     }
-    renderer_smooth_fetch(r, part, sample, slot);
+    renderer_smooth_fetch(r, tile, sample, slot);
     return STATUS_OK;
 }
 
-/* Draws the environment cube once, before the first sample, if it is not dynamic. */
+/* Draws the environment cube once, before the first sample, unless it is dynamic. */
 enum status renderer_capture_cube(struct renderer *r, const struct renderer_shot *shot)
 {
     const struct motion_params *motion = settings_of(r->params.settings, &motion_settings);
@@ -421,9 +421,9 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
 {
     const struct tile pixels = { .width = image->width, .height = image->height };
     enum status status = renderer_capture_cube(r, shot);
-    r->cube.in_turn = false; /* pictures must not depend on earlier ones, so all faces are drawn */
+    r->cube.in_turn = false; /* draw all faces: an image must not depend on earlier ones */
     r->stays = false;
-    /* The device draws a sample while the host adds up the one before. */
+    /* The device draws one sample while the host accumulates the previous one. */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
         uint32_t slot_before = r->last_slot;
         if (i < r->params.samples)
@@ -437,7 +437,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
     return status;
 }
 
-/* Reads the tile of the 8-bit picture back; `width` is that of the frame_exec's picture, pixels. */
+/* Copies the tile from the 8-bit image read back, whose rows are `width` pixels long. */
 static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, uint32_t slot,
                              uint32_t width)
 {
@@ -451,7 +451,7 @@ static uint8_t *copy_display(struct renderer *r, struct frame_exec *frame_exec, 
     return rgba;
 }
 
-/* Tonemaps the mean on the device, to which it is copied in half, the format of frame_color. */
+/* Tone-maps the mean on the device; uploads it as half floats, the format of frame_color. */
 static enum status resolve_display(struct renderer *r, const struct image *image, uint8_t **rgba)
 {
     const uint32_t width = r->resolve.frame->plan->view.width;
@@ -479,7 +479,7 @@ static enum status resolve_display(struct renderer *r, const struct image *image
     return status;
 }
 
-static bool make_planes(struct renderer *r, struct image *image)
+static bool add_planes(struct renderer *r, struct image *image)
 {
     const bool many = r->params.samples > 1 || renderer_smooths(&r->params);
     image_init(image, r->tile.width, r->tile.height);
@@ -494,7 +494,7 @@ static bool make_planes(struct renderer *r, struct image *image)
     return renderer_smooth_begin(r);
 }
 
-static enum status take_means(struct renderer *r, struct image *image)
+static enum status divide_sums(struct renderer *r, struct image *image)
 {
     if (image_find(image, frame_beauty.planes[0]))
         accumulate_mean(image, &frame_beauty, r->params.samples);
@@ -514,7 +514,7 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
         r->tile = tile_at(&r->tiling, shot->tile);
     enum status status = STATUS_OK;
     result->samples = (float)r->params.samples;
-    if (!make_planes(r, &result->image))
+    if (!add_planes(r, &result->image))
         status = log_out_of_memory(NULL);
     else if (r->params.adapts)
         status = renderer_draw_adaptive(r, shot, result, progress, user);
@@ -524,7 +524,7 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
     warm_up_end(r->warm_up);
     r->warm_up = NULL;
     if (status == STATUS_OK)
-        status = take_means(r, &result->image);
+        status = divide_sums(r, &result->image);
     if (status == STATUS_OK && r->resolve.exec) {
         status = resolve_display(r, &result->image, &result->rgba);
     } else if (status == STATUS_OK && r->params.display) {

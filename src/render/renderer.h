@@ -1,16 +1,16 @@
 /*
- * renderer.h: draws a picture of a scene with settings and a camera; used by every front end.
+ * renderer.h: draws an image of a scene with given settings and camera; used by both programs.
  *
- *     renderer_create()   uploads the scene, compiles the plan, creates its resources
- *     renderer_render()   draws all samples and reads the picture back
- *     renderer_draw()     draws one sample and leaves the picture on the device
- *     renderer_bake()     needs no renderer: draws the environment cube and reads it back
+ * renderer_create() uploads the scene, compiles the plan, creates its resources; renderer_render()
+ * draws all samples and reads the image back; renderer_draw() draws one sample and leaves the image
+ * on the device; renderer_bake() needs no renderer: draws the environment cube and reads it back.
  *
  * Thread-safety: one thread at a time per gpu.
+ *
  * Ownership: gpu, scene (and `uploaded`) and settings are borrowed and must outlive the renderer.
- * Errors:    logged once where found; STATUS_NO_DEVICE, STATUS_TRY_AGAIN or STATUS_FAILED, and
- *            STATUS_USAGE for a picture beyond the device's limits, STATUS_DATA for a scene's
- *            panorama or textures beyond them.
+ *
+ * Errors: logged once where found; STATUS_NO_DEVICE, STATUS_TRY_AGAIN or STATUS_FAILED; beyond the
+ * device's limits STATUS_USAGE for an image and STATUS_DATA for a scene's panorama or textures.
  */
 #ifndef FIRN_RENDER_RENDERER_H
 #define FIRN_RENDER_RENDERER_H
@@ -27,13 +27,12 @@ struct renderer;
 
 struct render_result {
     struct image image; /* linear: beauty and layers */
-    uint16_t *rgba_16;  /* as rgba, of 16 bits; NULL: the renderer makes none */
+    uint16_t *rgba_16;  /* like rgba, with 16 bits; NULL unless callers fill it in */
     uint8_t *rgba;      /* sRGB-encoded, width * height * 4 bytes; NULL if not asked for */
-    float samples;      /* per pixel, on average */
+    float samples;      /* samples per pixel, averaged over the image */
 };
 
-/* Called after every sample. If it returns false, rendering stops with STATUS_FAILED and logs
- * nothing. */
+/* Called after every sample. If it returns false, rendering stops silently with STATUS_FAILED. */
 typedef bool renderer_progress_fn(void *user, uint32_t done, uint32_t all);
 
 /* Creates a renderer for shots of one size. On failure *renderer is NULL. */
@@ -41,28 +40,28 @@ MUST_USE enum status renderer_create(struct renderer **renderer,
                                      const struct renderer_params *params);
 
 /*
- * Draws with other params from now on, of the same gpu, scene and `uploaded`, measured as before.
- * Memory, images and pipelines that both need stay, so a change costs what has changed; what was
- * drawn is gone. Waits for all frames. On failure the renderer may only be destroyed; if that is
- * STATUS_TRY_AGAIN, a new one may still fit into memory, since this needs that of both for a while.
+ * Switches to other params with the same gpu, scene and `uploaded`, and the same `measured`.
+ * Memory, images and pipelines that both need are kept; drawn images are lost. Waits for all
+ * frames. On failure the renderer may only be destroyed; after STATUS_TRY_AGAIN a new one may still
+ * fit into memory, since this call needs that of both.
  */
 MUST_USE enum status renderer_change(struct renderer *renderer,
                                      const struct renderer_params *params);
 
 /*
- * What renderer_render() or renderer_draw() draws: a picture, or one of its tiles.
+ * What renderer_render() or renderer_draw() draws: an image, or one of its tiles.
  *
- * A tile is a rectangle of the picture (src/base/tile.h) with the same bits as in a whole picture.
- * Render targets have the size of the whole picture, but only a part of their memory is touched.
- * Interleaved tiles are small pictures: pixel (x, y) of tile i is pixel (columns x + i % columns,
- * rows y + i / columns) of the picture, so each tile shows the whole scene. Columns and rows must
- * then divide the picture's width and height.
+ * A tile is a rectangle of the image (src/base/tile.h), bit-identical to that rectangle of a whole
+ * image. Render targets have the size of the whole image, but only part of their memory is touched.
+ * Interleaved tiles are small images: pixel (x, y) of tile i is pixel (columns x + i % columns,
+ * rows y + i / columns) of the image, so each tile shows the whole scene. Columns and rows must
+ * then divide the image's width and height.
  */
 struct renderer_shot {
     struct camera camera;
-    float time;            /* seconds since objects and lights began to move */
+    float time;            /* seconds since the start of the animation */
     uint32_t tile;         /* below columns * rows */
-    struct camera earlier; /* of the frame before; fov_deg 0: `camera` */
+    struct camera earlier; /* camera of the previous frame; fov_deg 0: use `camera` */
 };
 
 /* Draws all samples of a shot. *result must be {0} or finished; on failure it is {0}. With tiles it
@@ -78,56 +77,57 @@ MUST_USE enum status renderer_render(struct renderer *renderer, const struct ren
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
 
 /*
- * Draws the environment cube at `time`, seconds, as an image in the layout of environment.h: six
- * faces, one below the other, planes R, G, B, A of half. Of params only gpu, scene, uploaded,
- * settings, sharing and width (of a face) are used. *image must be {0}; on failure it is {0}.
+ * Draws the environment cube at `time`, seconds, into an image in the layout of environment.h: six
+ * faces, one below the other, planes R, G, B, A of half floats. Uses only gpu, scene, uploaded,
+ * settings, sharing and width (of a face) of params. *image must be {0}; on failure it stays {0}.
  */
 MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
                                    struct image *image);
 
 /*
- * For renderers with params.refines; the first one also for those with params.scales.
+ * Progressive rendering, for renderers with params.refines (renderer_set_view() also with
+ * `scales`).
  *
- * renderer_set_view() makes the next pictures smaller, at most as large as params say; it makes no
- * memory and no pipelines, but renderer_picture() is another image. renderer_refine() draws a
- * sample in full size, waits, and adds it to those before; sample 0 begins anew.
- * renderer_resolve() tonemaps the mean of the samples with the settings as they are now, into
- * renderer_mean(): the pixels of renderer_render() with as many samples.
+ * renderer_set_view() makes the next images smaller, at most as large as in params; it creates no
+ * memory and no pipelines, but renderer_picture() returns another image. renderer_refine() draws a
+ * full-size sample, waits, and adds it to the sums; sample 0 restarts them. renderer_resolve()
+ * tone-maps the mean of the samples with the current settings into renderer_mean(): the pixels are
+ * those of renderer_render() with that many samples.
  */
 MUST_USE enum status renderer_set_view(struct renderer *renderer, VkExtent2D view);
 MUST_USE enum status renderer_refine(struct renderer *renderer, const struct renderer_shot *shot,
                                      uint32_t sample);
 MUST_USE enum status renderer_resolve(struct renderer *renderer, uint32_t sample_count);
 VkImage renderer_mean(const struct renderer *renderer);
-const struct image *renderer_sums(const struct renderer *renderer); /* added up; {0}: none yet */
-uint32_t renderer_sum_count(const struct renderer *renderer);       /* samples in them */
+/* sample sums; {0} if there are none */
+const struct image *renderer_sums(const struct renderer *renderer);
+uint32_t renderer_sum_count(const struct renderer *renderer); /* number of samples in the sums */
 
 /* Waits for the frame submitted last. */
 MUST_USE enum status renderer_wait(struct renderer *renderer);
 
-/* Returns the kept picture (frame_display); every frame leaves it ready to be sampled. */
+/* Returns the kept image (frame_display); every frame leaves it in a layout ready to be sampled. */
 VkImage renderer_picture(const struct renderer *renderer);
 
-/* Time that renderer_create() took, milliseconds of the host. */
+/* Host time spent by renderer_create(), milliseconds, and sizes of what it built. */
 struct renderer_costs {
-    double tree;             /* build of the tree that rays meet; it stays with the scene */
-    uint32_t tree_triangles; /* 0: the rung has no tree */
+    double tree;             /* build time of the BVH, which stays with the scene */
+    uint32_t tree_triangles; /* 0 if the refraction model has no BVH */
     uint64_t tree_size;      /* bytes */
-    double rays;             /* build of acceleration structures for ray queries */
-    uint64_t rays_size;      /* bytes; 0: there are none */
-    double upload;           /* of the scene */
-    double compile;          /* the frame's tables to a plan */
-    double realise;          /* the plan's memory, images, descriptors and pipelines */
+    double rays;             /* build time of acceleration structures */
+    uint64_t rays_size;      /* bytes; 0 if there are none */
+    double upload;           /* time to upload the scene */
+    double compile;          /* time to compile the frame's tables to a plan */
+    double realise;          /* time to create memory, images, descriptors and pipelines */
 };
 struct renderer_costs renderer_costs(const struct renderer *renderer);
 
-/* Measures the passes of a frame as graph/rg_time.h says. The times are in the order of the passes
- * of renderer_frame(). */
+/* Measures the passes of a frame (graph/rg_time.h), with times in the order of renderer_frame(). */
 void renderer_measure(struct renderer *renderer, const struct rg_measure *measure);
 struct rg_times renderer_times(const struct renderer *renderer);
 const struct rg_plan *renderer_frame(const struct renderer *renderer);
 
-/* Returns the name of a row of that frame, the same for each of several objects. */
+/* Returns the name of a pass of renderer_frame(); copies of a pass for several objects share it. */
 const char *renderer_row_name(const struct renderer *renderer, const struct rg_pass *row);
 
 void renderer_destroy(struct renderer *renderer); /* may be NULL */

@@ -1,11 +1,11 @@
-/* renderer_adaptive.c: a picture whose parts have as many samples as they need. */
+/* renderer_adaptive.c: draws an image with adaptive sampling, rectangle by rectangle. */
 #include "src/base/log.h"
 #include "src/render/adaptive.h"
 #include "src/render/renderer_internal.h"
 #include "src/tech/techniques.h"
 
-/* Draws a sample of all parts. */
-static enum status draw_parts(struct renderer *r, const struct renderer_shot *shot,
+/* Draws one sample of every rectangle of the current round. */
+static enum status draw_tiles(struct renderer *r, const struct renderer_shot *shot,
                               struct image *image, struct adaptive *adaptive, uint32_t sample)
 {
     enum status status = STATUS_OK;
@@ -31,10 +31,10 @@ enum status renderer_draw_adaptive(struct renderer *r, const struct renderer_sho
     if (!adaptive_init(&adaptive, whole.width, whole.height))
         return log_out_of_memory(NULL);
     enum status status = renderer_capture_cube(r, shot);
-    r->cube.in_turn = false; /* as in other pictures to files */
+    r->cube.in_turn = false; /* draw all faces: an image must not depend on earlier ones */
     r->stays = false;
     while (status == STATUS_OK && (sample < adaptive.end || adaptive_go_on(&adaptive))) {
-        status = draw_parts(r, shot, &result->image, &adaptive, sample++);
+        status = draw_tiles(r, shot, &result->image, &adaptive, sample++);
         if (status == STATUS_OK && progress && !progress(user, sample, ADAPTIVE_SAMPLES))
             status = STATUS_FAILED;
     }

@@ -1,11 +1,11 @@
-/* renderer_change.c: other params for a renderer, which keeps what both have in common. */
+/* renderer_change.c: switches a renderer to other params, keeping the resources that both need. */
 #include <stdlib.h>
 #include "src/base/log.h"
 #include "src/render/renderer_internal.h"
 #include "src/render/request.h"
 #include "src/render/warm_up.h"
 
-/* Puts the plan of a request in the place of the one that frame_exec has. */
+/* Replaces the plan of frame_exec by one compiled from the request. */
 static enum status replace(struct renderer *r, struct frame_exec *frame_exec,
                            struct frame_request request)
 {
@@ -21,37 +21,37 @@ static enum status replace(struct renderer *r, struct frame_exec *frame_exec,
     return status;
 }
 
-static enum status fit(struct renderer *r, struct frame_exec *frame_exec,
-                       struct frame_request request)
+static enum status update(struct renderer *r, struct frame_exec *frame_exec,
+                          struct frame_request request)
 {
     return frame_exec->exec ? replace(r, frame_exec, request)
                             : renderer_make(r, frame_exec, request);
 }
 
-/* The picture imports the cube that `capture` draws, so that comes first, and goes last. */
-static enum status fit_all(struct renderer *r)
+/* The image imports the cube of `capture`, which is updated before it and destroyed after it. */
+static enum status update_all(struct renderer *r)
 {
     const bool captures = renderer_wants_capture(&r->params);
     const bool resolves = renderer_wants_resolve(&r->params);
     struct frame_exec unused = r->capture;
     enum status status = STATUS_OK;
     if (captures)
-        status = fit(r, &r->capture, renderer_capture_request(&r->params));
+        status = update(r, &r->capture, renderer_capture_request(&r->params));
     else
         r->capture = (struct frame_exec){ 0 };
     if (status == STATUS_OK)
-        status = fit(r, &r->picture, renderer_picture_request(&r->params));
+        status = update(r, &r->picture, renderer_picture_request(&r->params));
     if (!captures)
         frame_exec_destroy(&unused);
     if (!resolves)
         frame_exec_destroy(&r->resolve);
     else if (status == STATUS_OK)
-        status = fit(r, &r->resolve, renderer_resolve_request(&r->params));
+        status = update(r, &r->resolve, renderer_resolve_request(&r->params));
     return status;
 }
 
-/* As of a renderer that has drawn nothing. */
-static void forget_pictures(struct renderer *r)
+/* Resets the renderer to the state in which it has drawn nothing. */
+static void discard_images(struct renderer *r)
 {
     image_finish(&r->sums);
     r->sum_count = 0;
@@ -62,11 +62,12 @@ static void forget_pictures(struct renderer *r)
 
 enum status renderer_change(struct renderer *r, const struct renderer_params *params)
 {
-    warm_up_end(r->warm_up); /* it reads the plan */
+    warm_up_end(r->warm_up); /* the warm-up reads the plan */
     r->warm_up = NULL;
-    enum status status = renderer_wait(r); /* `capture` is not waited for by the picture's update */
+    /* rg_exec_update() of the image does not wait for `capture` */
+    enum status status = renderer_wait(r);
     renderer_take_params(r, params);
-    forget_pictures(r);
+    discard_images(r);
     if (status == STATUS_OK)
         status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
     if (status == STATUS_OK && renderer_meets_tree(&r->params)) {
@@ -75,7 +76,7 @@ enum status renderer_change(struct renderer *r, const struct renderer_params *pa
             status = renderer_upload_tree(r);
     }
     if (status == STATUS_OK)
-        status = fit_all(r);
+        status = update_all(r);
     frame_objects_finish(&r->objects);
     if (status == STATUS_OK)
         status = frame_objects_init(&r->objects, &r->picture.frame->list, r->params.scene);

@@ -1,4 +1,4 @@
-/* renderer_refine.c: a picture that gets better sample by sample. */
+/* renderer_refine.c: progressive rendering: accumulates full-size samples, tone-maps the mean. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -25,7 +25,7 @@ enum status renderer_set_view(struct renderer *r, VkExtent2D view)
     return status;
 }
 
-/* Of the size that the picture has, all 0. */
+/* Allocates the sums at the image size and fills them with 0. */
 static bool clear_sums(struct renderer *r)
 {
     image_finish(&r->sums);
@@ -42,7 +42,7 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     enum status status = renderer_set_view(r, whole);
     if (status == STATUS_OK)
         status = renderer_capture_cube(r, shot);
-    r->cube.in_turn = false; /* as in pictures to files */
+    r->cube.in_turn = false; /* draw all faces: an image must not depend on earlier ones */
     r->stays = false;
     if (status == STATUS_OK)
         status = renderer_run(r, &r->picture, shot, sample, &r->last_slot);
@@ -56,7 +56,7 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     return status;
 }
 
-/* Divides as accumulate_mean() does, and keeps the sums. */
+/* Writes the mean of the samples as half floats, as in accumulate_mean(), and keeps the sums. */
 static void write_mean(const struct image *sums, uint32_t sample_count, uint16_t *texels)
 {
     const size_t count = (size_t)sums->width * sums->height;

@@ -1,4 +1,4 @@
-/* renderer_smooth.c: light on surroundings that is smoothed before it comes into the picture. */
+/* renderer_smooth.c: accumulates the lighting of surroundings separately and denoises it. */
 #include "src/base/log.h"
 #include "src/render/accumulate.h"
 #include "src/render/adaptive.h"
@@ -23,14 +23,14 @@ bool renderer_smooth_begin(struct renderer *r)
     return samples;
 }
 
-void renderer_smooth_fetch(struct renderer *r, const struct tile *part, uint32_t sample,
+void renderer_smooth_fetch(struct renderer *r, const struct tile *tile, uint32_t sample,
                            uint32_t slot)
 {
     for (size_t i = 0; i < FRAME_SMOOTH_COUNT && r->ground.planes; i++) {
         const struct frame_layer *layer = &frame_smooth_layers[i];
         const void *texels = renderer_read_back(&r->picture, layer->image, slot);
         if (texels)
-            accumulate_sample(&r->ground, part, layer, texels, sample);
+            accumulate_sample(&r->ground, tile, layer, texels, sample);
     }
 }
 

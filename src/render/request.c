@@ -1,4 +1,4 @@
-/* request.c: what the renderer's plans draw and read back. */
+/* request.c: translates renderer params into frame requests: techniques, view, outputs. */
 #include "src/render/request.h"
 #include "src/frame/view.h"
 #include "src/render/smooth.h"
@@ -37,8 +37,8 @@ struct tiling renderer_tiling(const struct renderer_params *params)
     };
 }
 
-/* Returns whether a picture is smoothed: it is read back, is whole, and has few samples. Those of
- * many are as the window refines them. */
+/* Returns true if the image is denoised: it is read back, drawn whole, and has few samples. Images
+ * with many samples are left as the window's progressive rendering shows them. */
 static bool is_smoothed(const struct renderer_params *params)
 {
     const struct ground_params *ground = settings_of(params->settings, &ground_settings);
@@ -120,7 +120,7 @@ struct frame_request renderer_capture_request(const struct renderer_params *para
     };
 }
 
-/* The view has the size of a face. */
+/* Returns the request for a baked cube; the view has the size of a face. */
 struct frame_request renderer_bake_request(const struct renderer_params *params)
 {
     return (struct frame_request){
@@ -133,7 +133,7 @@ struct frame_request renderer_bake_request(const struct renderer_params *params)
     };
 }
 
-/* The view has the size of the largest tile. */
+/* Returns the request for tone-mapping; the view has the size of the largest tile. */
 struct frame_request renderer_resolve_request(const struct renderer_params *params)
 {
     const struct tiling tiling = renderer_tiling(params);

@@ -1,32 +1,33 @@
-/* smooth.c: an edge-avoiding filter of light, in places of the scene. */
+/* smooth.c: denoises the lighting of surroundings: edge-avoiding A-Trous filter in world space. */
 #include "src/render/smooth.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 
 enum {
-    STEPS = 4, /* of the filter; step i reaches 2 << i pixels */
-    REACH = 3, /* pixels by whose mean one is compared */
+    STEPS = 4, /* filter iterations; iteration i reaches 2 << i pixels */
+    WINDOW_RADIUS =
+        3, /* radius in pixels of the window from which mean and variance are estimated */
 };
 
-/* Pixels that have gathered light in more samples do without a step, the widest ones first. */
-static const float enough[STEPS] = { SMOOTH_ENOUGH, 16.0f, 8.0f, 6.0f };
+/* Sample count above which a pixel skips an iteration; the widest iterations are skipped first. */
+static const float enough_samples[STEPS] = { SMOOTH_ENOUGH, 16.0f, 8.0f, 6.0f };
 
-/* A pixel's light: how far it is from that of a sky that nothing hides. */
+/* Lighting of a pixel, without albedo, as the difference from the light of an unoccluded sky. */
 struct light {
     vec3s mean;
-    float count;         /* samples in it; 0: none */
-    float around, noise; /* brightness of the lights around, and the square of its error */
+    float count;                /* number of samples in `mean`; 0 if there are none */
+    float local_mean, variance; /* mean brightness over the window; variance of that mean */
 };
 
 struct surface {
-    vec3s place, normal;
-    float across, down; /* metres to the same surface in the next pixel; 0: it is not there */
-    float count;        /* samples that have gathered light */
-    bool is_matt;
+    vec3s position, normal;
+    float spacing_x, spacing_y; /* metres to the same surface in the next pixel; 0 if it ends */
+    float count;                /* number of samples that gathered light */
+    bool is_diffuse;
 };
 
-struct smooth {
+struct denoiser {
     int width, height;
     struct surface *surfaces;
     struct light *lights, *next;
@@ -37,7 +38,7 @@ static float brightness(vec3s v)
     return (v.x + v.y + v.z) / 3.0f;
 }
 
-/* The inverse of smooth_normal() of trace_smooth.glsl. */
+/* Decodes a normal packed octahedrally by smooth_normal() of trace_smooth.glsl. */
 static vec3s normal_of(float code)
 {
     const float steps = fmaxf(code - 1.0f, 0.0f), y = floorf(steps / 4096.0f);
@@ -52,34 +53,34 @@ static vec3s normal_of(float code)
 
 static float spacing(const struct surface *s, const struct surface *other)
 {
-    return other->is_matt ? glms_vec3_distance(s->place, other->place) : INFINITY;
+    return other->is_diffuse ? glms_vec3_distance(s->position, other->position) : INFINITY;
 }
 
-/* Finds how far it is to the next pixel's point, of two neighbours to the nearer one's. */
-static void find_spacing(struct smooth *s, int x, int y)
+/* Computes a pixel's spacing on its surface in x and y, each from the nearer of two neighbours. */
+static void find_spacing(struct denoiser *s, int x, int y)
 {
     struct surface *own = &s->surfaces[y * s->width + x];
-    float across = INFINITY, down = INFINITY;
+    float spacing_x = INFINITY, spacing_y = INFINITY;
     if (x > 0)
-        across = spacing(own, own - 1);
+        spacing_x = spacing(own, own - 1);
     if (x + 1 < s->width)
-        across = fminf(across, spacing(own, own + 1));
+        spacing_x = fminf(spacing_x, spacing(own, own + 1));
     if (y > 0)
-        down = spacing(own, own - s->width);
+        spacing_y = spacing(own, own - s->width);
     if (y + 1 < s->height)
-        down = fminf(down, spacing(own, own + s->width));
-    own->across = across < INFINITY ? across : 0.0f;
-    own->down = down < INFINITY ? down : 0.0f;
+        spacing_y = fminf(spacing_y, spacing(own, own + s->width));
+    own->spacing_x = spacing_x < INFINITY ? spacing_x : 0.0f;
+    own->spacing_y = spacing_y < INFINITY ? spacing_y : 0.0f;
 }
 
-/* Returns by how much a pixel, some pixels away, shows the same surface: 0 to 1. */
-static float likeness(const struct surface *a, const struct surface *b, int dx, int dy)
+/* Returns the weight, 0 to 1, by which pixel b, at offset dx, dy, shows the surface of a. */
+static float geometric_weight(const struct surface *a, const struct surface *b, int dx, int dy)
 {
-    if (!b->is_matt)
+    if (!b->is_diffuse)
         return 0.0f;
-    const float expected =
-        a->across * (float)abs(dx) + a->down * (float)abs(dy) + 1e-3f * (a->across + a->down);
-    const vec3s between = glms_vec3_sub(b->place, a->place);
+    const float expected = a->spacing_x * (float)abs(dx) + a->spacing_y * (float)abs(dy) +
+                           1e-3f * (a->spacing_x + a->spacing_y);
+    const vec3s between = glms_vec3_sub(b->position, a->position);
     const float away2 = glms_vec3_norm2(between), towards = glms_vec3_dot(a->normal, b->normal);
     if (away2 > 6.0f * expected * expected || towards <= 0.0f)
         return 0.0f;
@@ -88,7 +89,7 @@ static float likeness(const struct surface *a, const struct surface *b, int dx, 
     return t4 * t4 * fmaxf(1.0f - above / (0.5f * expected + 1e-12f), 0.0f);
 }
 
-static bool read_planes(struct smooth *s, const struct image *ground)
+static bool read_planes(struct denoiser *s, const struct image *ground)
 {
     static const char *const names[] = { "light.R", "light.G", "light.B", "due",
                                          "share.R", "share.G", "share.B", "place.X",
@@ -106,117 +107,118 @@ static bool read_planes(struct smooth *s, const struct image *ground)
         return false;
     for (size_t i = 0; i < count; i++) {
         struct surface *surface = &s->surfaces[i];
-        const vec3s share = { { p[4][i], p[5][i], p[6][i] } };
-        const float part = p[3][i] / fmaxf(brightness(share), 1e-9f);
-        surface->is_matt = p[10][i] > 0.0f && brightness(share) > 1e-5f;
-        surface->place = (vec3s){ { p[7][i], p[8][i], p[9][i] } };
+        const vec3s throughput = { { p[4][i], p[5][i], p[6][i] } };
+        const float fraction = p[3][i] / fmaxf(brightness(throughput), 1e-9f);
+        surface->is_diffuse = p[10][i] > 0.0f && brightness(throughput) > 1e-5f;
+        surface->position = (vec3s){ { p[7][i], p[8][i], p[9][i] } };
         surface->normal = normal_of(p[10][i]);
-        if (part <= 0.0f || brightness(share) <= 1e-5f)
+        if (fraction <= 0.0f || brightness(throughput) <= 1e-5f)
             continue;
-        surface->count = part * p[11][i];
+        surface->count = fraction * p[11][i];
         s->lights[i].count = surface->count;
         for (int c = 0; c < 3; c++)
-            s->lights[i].mean.raw[c] = p[c][i] / fmaxf(part * share.raw[c], 1e-5f);
+            s->lights[i].mean.raw[c] = p[c][i] / fmaxf(fraction * throughput.raw[c], 1e-5f);
         if (!isfinite(brightness(s->lights[i].mean)))
             s->lights[i] = (struct light){ 0 };
     }
     return true;
 }
 
-/* Finds the mean of the lights of the surface around a pixel, by which pixels are compared: by
- * their own light, rare rays that are hidden, or find a lamp, would be left out. */
-static struct light compared(const struct smooth *s, int x, int y)
+/* Computes the local mean and variance by which the edge-stopping weights compare pixels. Comparing
+ * the pixels' own values would reject rare rays that are occluded or hit a lamp. */
+static struct light local_statistics(const struct denoiser *s, int x, int y)
 {
     const struct surface *own = &s->surfaces[y * s->width + x];
     struct light light = s->lights[y * s->width + x];
-    double sum = 0.0, squares = 0.0, weights = 0.0;
-    for (int dy = -REACH; dy <= REACH; dy++) {
-        for (int dx = -REACH; dx <= REACH; dx++) {
+    double sum = 0.0, squares = 0.0, sample_weight_sum = 0.0;
+    for (int dy = -WINDOW_RADIUS; dy <= WINDOW_RADIUS; dy++) {
+        for (int dx = -WINDOW_RADIUS; dx <= WINDOW_RADIUS; dx++) {
             if (x + dx < 0 || x + dx >= s->width || y + dy < 0 || y + dy >= s->height)
                 continue;
             const int i = (y + dy) * s->width + x + dx;
             const double w =
-                (double)likeness(own, &s->surfaces[i], dx, dy) * (double)s->lights[i].count;
+                (double)geometric_weight(own, &s->surfaces[i], dx, dy) * (double)s->lights[i].count;
             const double b = (double)brightness(s->lights[i].mean);
             sum += w * b;
             squares += w * b * b;
-            weights += w;
+            sample_weight_sum += w;
         }
     }
-    light.noise = INFINITY;
-    if (weights <= 0.0)
+    light.variance = INFINITY;
+    if (sample_weight_sum <= 0.0)
         return light;
-    const double mean = sum / weights;
-    light.around = (float)mean;
-    light.noise = (float)(fmax(squares / weights - mean * mean, 0.0) / weights);
+    const double mean = sum / sample_weight_sum;
+    light.local_mean = (float)mean;
+    light.variance =
+        (float)(fmax(squares / sample_weight_sum - mean * mean, 0.0) / sample_weight_sum);
     return light;
 }
 
-/* Returns a pixel's light as a step of the filter leaves it. */
-static struct light filtered(const struct smooth *s, int x, int y, int step)
+/* Returns a pixel's light after one iteration of the filter with taps `step` pixels apart. */
+static struct light filtered(const struct denoiser *s, int x, int y, int step)
 {
     static const float kernel[] = { 3.0f / 8.0f, 1.0f / 4.0f, 1.0f / 16.0f };
     const int at = y * s->width + x;
     struct light light = s->lights[at];
     vec3s sum = { 0 };
-    float weights = 0.0f, shares = 0.0f;
+    float sample_weight_sum = 0.0f, weight_sum = 0.0f;
     for (int j = -2; j <= 2; j++) {
         for (int i = -2; i <= 2; i++) {
             const int dx = i * step, dy = j * step;
             if (x + dx < 0 || x + dx >= s->width || y + dy < 0 || y + dy >= s->height)
                 continue;
             const struct light *other = &s->lights[at + dy * s->width + dx];
-            const float width = 2.0f * sqrtf(light.noise + other->noise) + 1e-4f;
-            const float share =
+            const float width = 2.0f * sqrtf(light.variance + other->variance) + 1e-4f;
+            const float weight =
                 kernel[abs(i)] * kernel[abs(j)] *
-                likeness(&s->surfaces[at], &s->surfaces[at + dy * s->width + dx], dx, dy) *
-                expf(-fabsf(other->around - light.around) / width);
-            sum = glms_vec3_add(sum, glms_vec3_scale(other->mean, share * other->count));
-            weights += share * other->count;
-            shares += share;
+                geometric_weight(&s->surfaces[at], &s->surfaces[at + dy * s->width + dx], dx, dy) *
+                expf(-fabsf(other->local_mean - light.local_mean) / width);
+            sum = glms_vec3_add(sum, glms_vec3_scale(other->mean, weight * other->count));
+            sample_weight_sum += weight * other->count;
+            weight_sum += weight;
         }
     }
-    if (weights < 1e-9f)
+    if (sample_weight_sum < 1e-9f)
         return light;
-    light.mean = glms_vec3_scale(sum, 1.0f / weights);
-    light.count = weights / shares;
+    light.mean = glms_vec3_scale(sum, 1.0f / sample_weight_sum);
+    light.count = sample_weight_sum / weight_sum;
     return light;
 }
 
-/* Replaces all lights: by compared(), or by a step of the filter where there is not enough. */
-static void replace(struct smooth *s, int index)
+/* Runs a pass over all pixels: variance estimation if index is -1, else a filter iteration. */
+static void replace(struct denoiser *s, int index)
 {
     for (int y = 0; y < s->height; y++) {
         for (int x = 0; x < s->width; x++) {
             const int i = y * s->width + x;
             struct light light = s->lights[i];
-            if (s->surfaces[i].is_matt && index < 0)
-                light = compared(s, x, y);
-            else if (s->surfaces[i].is_matt && s->surfaces[i].count < enough[index])
+            if (s->surfaces[i].is_diffuse && index < 0)
+                light = local_statistics(s, x, y);
+            else if (s->surfaces[i].is_diffuse && s->surfaces[i].count < enough_samples[index])
                 light = filtered(s, x, y, 1 << index);
             s->next[i] = light;
         }
     }
-    struct light *former = s->lights;
+    struct light *previous = s->lights;
     s->lights = s->next;
-    s->next = former;
+    s->next = previous;
 }
 
-static void add(const struct smooth *s, struct image *picture, const struct image *ground)
+static void add(const struct denoiser *s, struct image *picture, const struct image *ground)
 {
-    static const char *const shares[] = { "share.R", "share.G", "share.B" };
+    static const char *const throughputs[] = { "share.R", "share.G", "share.B" };
     static const char *const colors[] = { "R", "G", "B" };
     for (int c = 0; c < 3; c++) {
         float *plane = image_find(picture, colors[c]);
-        const float *share = image_find(ground, shares[c]);
+        const float *throughput = image_find(ground, throughputs[c]);
         for (size_t i = 0; plane && i < (size_t)s->width * (size_t)s->height; i++)
-            plane[i] = fmaxf(plane[i] + share[i] * s->lights[i].mean.raw[c], 0.0f);
+            plane[i] = fmaxf(plane[i] + throughput[i] * s->lights[i].mean.raw[c], 0.0f);
     }
 }
 
 bool smooth_light(struct image *picture, const struct image *ground)
 {
-    struct smooth s = { 0 };
+    struct denoiser s = { 0 };
     const bool is_read = read_planes(&s, ground);
     if (is_read) {
         for (int y = 0; y < s.height; y++) {

@@ -1,4 +1,4 @@
-/* uploaded_scene.c: uploads what techniques need of a scene. */
+/* uploaded_scene.c: uploads the meshes, images and buffers of a scene that techniques use. */
 #include "src/render/uploaded_scene.h"
 #include <meshoptimizer.h>
 #include <stdlib.h>
@@ -8,7 +8,8 @@
 #include "src/scene/mips.h"
 #include "src/tech/techniques.h"
 
-/* Of coarse meshes, relative to their size. Surroundings may lie on each other: water on stone. */
+/* Simplification error of coarse meshes, relative to their size. It is smaller for surroundings,
+ * which may lie directly on each other: water on stone. */
 static const float object_error = 0.003f;
 static const float surroundings_error = 0.0003f;
 
@@ -40,7 +41,7 @@ static enum status upload_meshes(struct uploaded_scene *on_gpu, struct gpu *gpu,
     return status;
 }
 
-/* Returns the bytes of all texels of the scene's image, without mip levels that are generated. */
+/* Returns the size of a scene image's texels, bytes, without mip levels that are generated. */
 static size_t size_of(const struct technique_texels *texels, size_t texel_size)
 {
     const uint32_t layers = texels->layers ? texels->layers : 1;
@@ -109,7 +110,8 @@ static enum status upload_buffer(struct uploaded_import *to, struct gpu *gpu,
         is_texels ? (size_t)limits->maxTexelBufferElements * rg_format_info(buffer->format)->size
                   : limits->maxStorageBufferRange;
     if (bytes.size > most) {
-        log_error("%s has %zu bytes: %s reads at most %zu; use a simpler model, or another rung",
+        log_error("%s has %zu bytes: %s reads at most %zu; use a simpler model, or "
+                  "another refraction model",
                   buffer->name, bytes.size, gpu->properties.deviceName, most);
         return STATUS_DATA;
     }
@@ -127,7 +129,7 @@ static enum status upload_imports(struct uploaded_scene *on_gpu, struct gpu *gpu
     for (size_t i = 0; status == STATUS_OK && (import = techniques_import(i)); i++) {
         struct uploaded_import *to = &on_gpu->imports[on_gpu->import_count++];
         if (import->is_structure)
-            to->declared_buffer = import->buffer; /* uploaded_scene_need_rays() */
+            to->declared_buffer = import->buffer; /* created later by uploaded_scene_need_rays() */
         else if (import->buffer && are_buffers)
             status = upload_buffer(to, gpu, import, scene);
         else if (import->image && !are_buffers)
@@ -160,7 +162,8 @@ enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct gpu *gpu,
     return status;
 }
 
-/* `error`: of the shape, of its size. What would hardly have fewer triangles keeps them. */
+/* Simplifies a mesh; `error` is relative to its size. A mesh that would keep more than 3/4 of its
+ * triangles is not simplified. */
 static enum status add_coarse(struct gpu *gpu, const struct mesh *mesh, struct uploaded_mesh *to,
                               float error)
 {
@@ -232,8 +235,8 @@ enum status uploaded_scene_need_rays(struct uploaded_scene *on_gpu, struct gpu *
     return status;
 }
 
-/* What was built of a pose is left for the next one. */
-static void leave_rays(struct uploaded_scene *on_gpu, struct gpu *gpu)
+/* Destroys the acceleration structures; those of an animated scene are handed to the next pose. */
+static void release_rays(struct uploaded_scene *on_gpu, struct gpu *gpu)
 {
     struct gpu_rays *unused = on_gpu->rays;
     if (on_gpu->rays && on_gpu->has_poses) {
@@ -252,7 +255,7 @@ static void destroy_mesh(struct gpu *gpu, struct uploaded_mesh *mesh)
 
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu)
 {
-    leave_rays(on_gpu, gpu);
+    release_rays(on_gpu, gpu);
     destroy_mesh(gpu, &on_gpu->object);
     destroy_mesh(gpu, &on_gpu->surroundings);
     for (size_t i = 0; on_gpu->meshes && i < techniques_count; i++)

@@ -1,4 +1,4 @@
-/* warm_up.c: threads, each with a logical device and a warm-up executor. */
+/* warm_up.c: parallel shader compilation: threads, each with a logical device and an executor. */
 #include "src/render/warm_up.h"
 #include <pthread.h>
 #include <sched.h>
@@ -23,13 +23,13 @@ struct warm_up {
     struct frame_exec_params described;
     struct settings settings;
     struct rg_frame frame;
-    struct rg_mesh *meshes; /* of techniques */
-    atomic_int next;        /* pass to compile next; below 0: none */
+    struct rg_mesh *meshes; /* meshes of the techniques */
+    atomic_int next;        /* index of the next pass to compile; below 0 if all are done */
     pthread_t threads[THREAD_COUNT_MAX];
     uint32_t thread_count;
 };
 
-static void prime_passes(struct warm_up *warm_up, const struct gpu_twin *twin)
+static void compile_passes(struct warm_up *warm_up, const struct gpu_twin *twin)
 {
     struct rg_exec_params params = warm_up->described.params;
     VkResult result;
@@ -45,28 +45,28 @@ static void prime_passes(struct warm_up *warm_up, const struct gpu_twin *twin)
 }
 
 /*
- * Gives this thread, and the threads that the driver starts for it, the lowest priority. So they do
- * not delay the picture, nor Mesa's thread that writes the cache, which has a low priority, too.
+ * Gives this thread, and the threads that the driver starts for it, the lowest priority, so that
+ * they delay neither the renderer nor Mesa's low-priority thread that writes the shader cache.
  */
-static void step_back(void)
+static void lower_priority(void)
 {
     (void)pthread_setschedparam(pthread_self(), SCHED_OTHER, &(struct sched_param){ 0 });
     (void)setpriority(PRIO_PROCESS, 0, 19); /* on Linux, 0 is this thread */
 }
 
-static void *work(void *user)
+static void *run_thread(void *user)
 {
     struct warm_up *warm_up = user;
     struct gpu_twin twin;
-    step_back();
+    lower_priority();
     if (!gpu_twin_create(&twin, warm_up->gpu))
         return NULL;
-    prime_passes(warm_up, &twin);
+    compile_passes(warm_up, &twin);
     gpu_twin_destroy(&twin);
     return NULL;
 }
 
-/* Describes a frame whose meshes are one triangle each. */
+/* Describes a frame in which every mesh is one triangle. */
 static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exec,
                      const struct renderer_params *params)
 {
@@ -86,7 +86,7 @@ static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exe
     };
     struct rg_exec_params *exec = &warm_up->described.params;
     exec->pipeline_cache = VK_NULL_HANDLE;
-    exec->pipelines = NULL; /* of another device, and another thread */
+    exec->pipelines = NULL; /* the renderer's pipelines belong to another device and thread */
     exec->frames_in_flight = 1;
     exec->measured = false;
     exec->warm_up_only = true;
@@ -94,7 +94,7 @@ static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exe
     atomic_init(&warm_up->next, (int)frame_exec->frame->plan->pass_count - 1);
 }
 
-static bool is_wanted(void)
+static bool is_enabled(void)
 {
     const char *value = getenv("FIRN_WARM_UP");
     return !value || strcmp(value, "off") != 0;
@@ -105,7 +105,7 @@ struct warm_up *warm_up_begin(const struct frame_exec *frame_exec,
 {
     const struct gpu *gpu = params->gpu;
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    if (!cpu_driver_is(gpu) || gpu->validated || params->replace || !is_wanted())
+    if (!cpu_driver_is(gpu) || gpu->validated || params->replace || !is_enabled())
         return NULL;
     struct warm_up *warm_up = cores > 1 ? calloc(1, sizeof(*warm_up)) : NULL;
     if (!warm_up)
@@ -118,7 +118,7 @@ struct warm_up *warm_up_begin(const struct frame_exec *frame_exec,
     describe(warm_up, frame_exec, params);
     const uint32_t most = cores > THREAD_COUNT_MAX ? THREAD_COUNT_MAX : (uint32_t)cores - 1;
     while (warm_up->thread_count < most &&
-           !pthread_create(&warm_up->threads[warm_up->thread_count], NULL, work, warm_up))
+           !pthread_create(&warm_up->threads[warm_up->thread_count], NULL, run_thread, warm_up))
         warm_up->thread_count++;
     return warm_up;
 }

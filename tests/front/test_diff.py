@@ -246,7 +246,7 @@ class Refused(Diff):
 
     def test_not_two(self):
         self.refuse(USAGE, 'diff', names=['REFERENCE'])
-        self.refuse(USAGE, 'diff', self.a, names=['two pictures'])
+        self.refuse(USAGE, 'diff', self.a, names=['two images'])
         self.refuse(USAGE, 'diff', self.a, self.a, 'c.exr', names=['c.exr', 'at most 2'])
         self.refuse(USAGE, 'render', 'sphere', 'teapot', names=['teapot', 'sphere'])
 

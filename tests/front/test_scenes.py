@@ -202,7 +202,7 @@ class Scenes(Case):
             scene.update(textures=[{'source': 0}], images=[{'uri': 'a.png'}])
             (self.folder / f'{name}.gltf').write_text(json.dumps(scene))
             words = ('render', f'{name}.gltf', *SMALL, '-o', 'a.exr', '-r')
-            what = b'1 with textures on a second set of coordinates'
+            what = b'1 with a second set of texture coordinates'
             said = self.succeed(*words, 'bounce').stderr
             self.assertEqual(b'of 1 objects ' + what + b'; --refraction trace' in said, is_said)
             self.assertEqual(said.count(b'\n'), is_said)
@@ -233,7 +233,7 @@ class Scenes(Case):
         for name, why in (('two.gltf', 'it has 2 refractive objects'),
                           ('core.gltf', 'something is inside its object'),
                           ('open.obj', 'its object is not closed'),
-                          ('rough.gltf', 'bounce leaves out what it has: 1 rough')):
+                          ('rough.gltf', 'bounce does not draw all of it: 1 rough')):
             pixel, said, note = self.chosen(name)
             self.assertEqual((pixel, said), ('refract_trace', 'trace'), name)
             self.assertIn(f'firn: note: {name}: drawn with --refraction trace, because {why}\n',
@@ -241,10 +241,10 @@ class Scenes(Case):
         inside = ('sphere', '--eye', '0,0,0.01', '--target', '0,0,0', '--plain')
         passes, note = self.passes(*inside)
         self.assertIn('refract_trace.color', passes)
-        self.assertIn('because the eye is inside its object\n', note)
+        self.assertIn('because the camera is inside its object\n', note)
         for rung, is_said in (('bounce', True), ('paper', True), ('trace', False)):
             said = self.passes(*inside, '-r', rung)[1]
-            self.assertEqual('the eye is inside an object' in said, is_said)
+            self.assertEqual('the camera is inside an object' in said, is_said)
         for rung in ('bounce', 'trace'):
             passes, said = self.passes('two.gltf', '-r', rung)
             self.assertIn(f'refract_{rung}.color', passes)
@@ -447,7 +447,7 @@ class Scenes(Case):
             extensions={'KHR_lights_punctual': {'lights': lights}}))
         done = self.succeed('info', 'lit.gltf', '--json', env=NO_DRIVER)
         self.assertTrue(done.stderr.startswith(
-            b'firn: warning: lit.gltf: its lights are not seen'), done.stderr)
+            b'firn: warning: lit.gltf: its lights have no effect'), done.stderr)
         sun, spot = json.loads(done.stdout)['lights']
         self.assertEqual((sun['name'], sun['kind'], sun['intensity'], sun['unit']),
                          ('lamp 0', 'directional', 10.5, 'lux'))

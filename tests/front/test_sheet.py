@@ -37,7 +37,7 @@ class Sheet(Case):
     @unsanitized
     def test_every_material(self):
         done = self.succeed('sheet', 'sphere', *SIZE, *CRACKED)
-        self.assertEqual(done.stderr, b'sheet.png: 7 pictures of 64x48\n')
+        self.assertEqual(done.stderr, b'sheet.png: 7 images of 64x48\n')
         sheet = Png((self.folder / 'sheet.png').read_bytes())
         self.assertEqual((sheet.width, sheet.height), self.size_of(4, 2))
         for i, material in enumerate(MATERIALS):

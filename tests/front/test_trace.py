@@ -381,10 +381,10 @@ class Trace(Case):
         self.assertTrue(3 < tree['cost'] < 24, tree['cost'])
         self.assertEqual(tree['surrounding_cost'], 0)
         text = self.succeed('info', 'two.gltf', env=NO_DRIVER).stdout.decode()
-        self.assertRegex(text, r'\ntree that rays of trace meet: \d+ nodes, 24 triangles, 0\.0 MiB')
-        self.assertRegex(text, r'\ncost of a ray, in tests of a triangle: \d+\.\d through ')
+        self.assertRegex(text, r'\nBVH for ray tracing: \d+ nodes, 24 triangles, 0\.0 MiB')
+        self.assertRegex(text, r'\ncost of a ray, in triangle tests: \d+\.\d through ')
         for name in ('sphere', 'two.gltf'):  # that bounce draws, and trace
-            self.assertIn(b'\ntree that rays of trace meet: ',
+            self.assertIn(b'\nBVH for ray tracing: ',
                           self.succeed('info', name, env=NO_DRIVER).stdout)
         self.assertRegex(self.succeed('list', 'devices').stdout, b'(?m); (rays|not usable: ).*$')
 

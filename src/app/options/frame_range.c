@@ -1,4 +1,4 @@
-/* frame_range.c: lists of frames. */
+/* frame_range.c: parser of frame lists such as 1-9x2,20. */
 #include "src/app/options/frame_range.h"
 #include <ctype.h>
 #include <stdbool.h>
@@ -6,46 +6,46 @@
 #include <string.h>
 #include "src/base/log.h"
 
-static const char wrong_form[] =
+static const char bad_form[] =
     "expected A, A-B, A-BxN (every Nth) or several, separated by commas, as in 1-9x2,20";
-static const char wrong_frame[] = "expected frame numbers from -9999999 to 9999999";
-static const char wrong_step[] = "expected a step (the N of A-BxN) from 1 to 9999999";
+static const char bad_frame[] = "expected frame numbers from -9999999 to 9999999";
+static const char bad_step[] = "expected a step (the N of A-BxN) from 1 to 9999999";
 static const char too_many[] = "expected at most 100000 frames";
 static const char has_colon[] = "expected A-BxN for a step, not ':' (a step or a count elsewhere)";
 
 struct list {
     struct frame_range range;
     uint32_t capacity;
-    unsigned char *seen; /* bit frame + FRAME_RANGE_MAX */
-    const char *at;      /* what is to be read yet */
-    const char *wrong;   /* NULL: nothing yet */
+    unsigned char *listed; /* bitset: frame already listed; bit is frame + FRAME_RANGE_MAX */
+    const char *at;        /* next character to parse */
+    const char *error;     /* error message; NULL if there is no error */
     bool out_of_memory;
 };
 
 enum {
-    SEEN_SIZE = (2 * FRAME_RANGE_MAX + 1) / 8 + 1
+    LISTED_SIZE = (2 * FRAME_RANGE_MAX + 1) / 8 + 1
 };
 
-/* True if there was this character to be taken. */
-static bool take(struct list *list, char wanted)
+/* Skips the character if it is next. Returns true if it was. */
+static bool skip(struct list *list, char wanted)
 {
     bool found = *list->at == wanted;
     list->at += found;
     return found;
 }
 
-/* At least one digit. */
-static bool take_digits(struct list *list, const char *too_large, int32_t *number)
+/* Parses a number of one or more digits. */
+static bool parse_digits(struct list *list, const char *too_large, int32_t *number)
 {
     int32_t value = 0;
     if (!isdigit((unsigned char)*list->at)) {
-        list->wrong = wrong_form;
+        list->error = bad_form;
         return false;
     }
     for (; isdigit((unsigned char)*list->at); list->at++) {
         value = value * 10 + (*list->at - '0');
         if (value > FRAME_RANGE_MAX) {
-            list->wrong = too_large;
+            list->error = too_large;
             return false;
         }
     }
@@ -53,28 +53,28 @@ static bool take_digits(struct list *list, const char *too_large, int32_t *numbe
     return true;
 }
 
-static bool take_frame(struct list *list, int32_t *frame)
+static bool parse_frame(struct list *list, int32_t *frame)
 {
-    bool negative = take(list, '-');
-    if (!take_digits(list, wrong_frame, frame))
+    bool negative = skip(list, '-');
+    if (!parse_digits(list, bad_frame, frame))
         return false;
     if (negative)
         *frame = -*frame;
     return true;
 }
 
-static bool take_step(struct list *list, int32_t *step)
+static bool parse_step(struct list *list, int32_t *step)
 {
-    if (!take(list, 'x'))
+    if (!skip(list, 'x'))
         return true;
     if (*list->at == '-') {
-        list->wrong = wrong_step;
+        list->error = bad_step;
         return false;
     }
-    if (!take_digits(list, wrong_step, step))
+    if (!parse_digits(list, bad_step, step))
         return false;
     if (*step == 0)
-        list->wrong = wrong_step;
+        list->error = bad_step;
     return *step > 0;
 }
 
@@ -95,26 +95,26 @@ static bool add(struct list *list, int32_t frame)
 {
     uint32_t bit = (uint32_t)(frame + FRAME_RANGE_MAX);
     unsigned char mask = (unsigned char)(1u << bit % 8);
-    if (list->seen[bit / 8] & mask)
+    if (list->listed[bit / 8] & mask)
         return true;
     if (list->range.count == FRAME_RANGE_COUNT_MAX) {
-        list->wrong = too_many;
+        list->error = too_many;
         return false;
     }
     if (list->range.count == list->capacity && !grow(list))
         return false;
-    list->seen[bit / 8] |= mask;
+    list->listed[bit / 8] |= mask;
     list->range.frames[list->range.count++] = frame;
     return true;
 }
 
-static bool take_item(struct list *list)
+static bool parse_item(struct list *list)
 {
     int32_t first, last, step = 1;
-    if (!take_frame(list, &first))
+    if (!parse_frame(list, &first))
         return false;
     last = first;
-    if (take(list, '-') && (!take_frame(list, &last) || !take_step(list, &step)))
+    if (skip(list, '-') && (!parse_frame(list, &last) || !parse_step(list, &step)))
         return false;
     /* both are within FRAME_RANGE_MAX, as is the step: no sum overflows */
     bool ok = true;
@@ -125,17 +125,17 @@ static bool take_item(struct list *list)
     return ok;
 }
 
-static bool take_list(struct list *list)
+static bool parse_list(struct list *list)
 {
     if (strchr(list->at, ':')) {
-        list->wrong = has_colon;
+        list->error = has_colon;
         return false;
     }
-    bool ok = take_item(list);
-    while (ok && take(list, ','))
-        ok = take_item(list);
+    bool ok = parse_item(list);
+    while (ok && skip(list, ','))
+        ok = parse_item(list);
     if (ok && *list->at) {
-        list->wrong = wrong_form;
+        list->error = bad_form;
         ok = false;
     }
     return ok;
@@ -143,18 +143,18 @@ static bool take_list(struct list *list)
 
 enum status frame_range_parse(struct frame_range *range, const char *text)
 {
-    struct list list = { .seen = calloc(1, SEEN_SIZE), .at = text };
+    struct list list = { .listed = calloc(1, LISTED_SIZE), .at = text };
     enum status status = STATUS_OK;
-    list.out_of_memory = !list.seen;
-    if (list.out_of_memory || !take_list(&list)) {
+    list.out_of_memory = !list.listed;
+    if (list.out_of_memory || !parse_list(&list)) {
         frame_range_finish(&list.range);
         if (list.out_of_memory)
             log_error("out of memory");
         else
-            log_error("--frames: %s, got '%s'", list.wrong, text);
+            log_error("--frames: %s, got '%s'", list.error, text);
         status = list.out_of_memory ? STATUS_TRY_AGAIN : STATUS_USAGE;
     }
-    free(list.seen);
+    free(list.listed);
     *range = list.range;
     return status;
 }

@@ -1,4 +1,4 @@
-/* option.h: a row of the table of options, and what sets it. */
+/* option.h: a row of the table of command-line options, and its setter function. */
 #ifndef FIRN_APP_OPTIONS_OPTION_H
 #define FIRN_APP_OPTIONS_OPTION_H
 
@@ -6,20 +6,21 @@
 
 struct option;
 
-/* `at` is what the row's offset leads to; `value` is NULL if there is none. Logs: STATUS_USAGE. */
+/* Sets an option. `at` points to the row's field; `value` is NULL if the option has none. Logs an
+ * invalid value and returns STATUS_USAGE. */
 typedef enum status option_fn(const struct option *option, void *at, const char *value);
 
 struct option {
     const char *group; /* heading in the help */
     const char *name;  /* without dashes */
-    char letter;       /* 0: none */
-    const char *value; /* NULL: takes none; "[=VALUE]": may be left out, and is then NULL */
-    unsigned commands; /* enum app_command */
-    size_t offset;     /* of what it sets, in struct app_options */
+    char letter;       /* short name; 0 if there is none */
+    const char *value; /* NULL: takes none; "[=VALUE]": optional, and NULL if missing */
+    unsigned commands; /* bits of enum app_command that accept the option */
+    size_t offset;     /* offset in struct app_options of the field that it sets */
     option_fn *set;
     const char *help;
-    uint32_t min, max; /* of option_count, as is: */
-    const char *unit;  /* " of seconds"; NULL: none */
+    uint32_t min, max; /* range of option_count */
+    const char *unit;  /* for option_count, as in " of seconds"; NULL if there is none */
 };
 
 #endif

@@ -1,4 +1,4 @@
-/* option_diff.c: what the options of firn diff set. */
+/* option_diff.c: setters of the options of firn diff. */
 #include "src/app/options/option_diff.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* option_diff.h: what the options of firn diff set. */
+/* option_diff.h: setters of the options of firn diff. */
 #ifndef FIRN_APP_OPTIONS_OPTION_DIFF_H
 #define FIRN_APP_OPTIONS_OPTION_DIFF_H
 

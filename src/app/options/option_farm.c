@@ -1,9 +1,9 @@
-/* option_farm.c: what the options of firn farm set. */
+/* option_farm.c: setters of the options of firn farm. */
 #include "src/app/options/option_farm.h"
 #include <string.h>
 #include "src/app/options/option_values.h"
 
-/* It becomes a line of a script. */
+/* Adds an option of sbatch, which becomes a line of the generated script. */
 enum status option_farm_sbatch(const struct option *option, void *at, const char *value)
 {
     struct app_farm *farm = at;

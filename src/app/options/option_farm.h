@@ -1,4 +1,4 @@
-/* option_farm.h: what the options of firn farm set. */
+/* option_farm.h: setters of the options of firn farm. */
 #ifndef FIRN_APP_OPTIONS_OPTION_FARM_H
 #define FIRN_APP_OPTIONS_OPTION_FARM_H
 

@@ -17,7 +17,7 @@ enum status option_report(const struct option *option, void *at, const char *val
     return option_text(option, at, value);
 }
 
-/* Finds the folder of a file; "." for a name without one. Returns false if there is none. */
+/* Stats the folder of a file ("." for a bare name). Returns false if it does not exist. */
 static bool stat_folder(const char *path, struct stat *info)
 {
     char folder[4096] = ".";
@@ -39,8 +39,8 @@ static const char *name_of(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* Returns whether two paths lead to one regular file, be it there or not. */
-static bool are_one_file(const char *a, const char *b)
+/* Returns true if both paths lead to the same regular file, whether it exists yet or not. */
+static bool are_same_file(const char *a, const char *b)
 {
     struct stat infos[2];
     if (!strcmp(a, "-") || !strcmp(b, "-"))
@@ -71,7 +71,7 @@ enum status option_check_files(const struct option_file *files, size_t count)
     for (size_t i = 0; i < count; i++) {
         for (size_t j = 0; files[i].is_written && j < count; j++) {
             const bool is_pair = files[j].is_written ? j > i : true;
-            if (is_pair && are_one_file(files[i].path, files[j].path))
+            if (is_pair && are_same_file(files[i].path, files[j].path))
                 return refuse(&files[i], &files[j]);
         }
     }

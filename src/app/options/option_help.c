@@ -1,4 +1,4 @@
-/* option_help.c: what --help prints. */
+/* option_help.c: the text that --help prints for a command. */
 #include "src/app/options/option_help.h"
 #include <stdio.h>
 #include <string.h>
@@ -56,24 +56,23 @@ static const char *const examples[] = {
 };
 
 static const char *const usages[] = {
-    [APP_RENDER] = "firn render [options] SCENE: draw a picture to EXR and PNG files",
+    [APP_RENDER] = "firn render [options] SCENE: render an image to EXR and PNG files",
     [APP_GRAPH] = "firn graph [options] SCENE: print the compiled plan of a frame; needs no device",
     [APP_VIEW] = "firn view [options] SCENE: show a scene in a window; F1 lists the keys",
     [APP_PROFILE] = "firn profile [options] SCENE: measure the time of each pass of a frame",
-    [APP_DIFF] = "firn diff [options] REFERENCE TEST: measure how much two pictures differ",
-    [APP_LADDER] = ("firn ladder [options] [SCENE...]: compare every refraction rung with the ray "
+    [APP_DIFF] = "firn diff [options] REFERENCE TEST: measure how much two images differ",
+    [APP_LADDER] = ("firn ladder [options] [SCENE...]: compare every refraction model with the ray "
                     "traced reference"),
     [APP_BAKE] =
         "firn bake [options] SCENE: draw the environment of a scene's object as a cube for --env",
-    [APP_SHEET] =
-        "firn sheet [options] SCENE: draw one picture per value of a setting, side by side",
+    [APP_SHEET] = "firn sheet [options] SCENE: draw one image per value of a setting, side by side",
     [APP_FARM] =
         "firn farm slurm|parallel|status [options] SCENE: render a sequence on many machines",
-    [APP_MERGE] = "firn merge [options] TILE...: join the tiles of a picture",
-    [APP_INFO] = "firn info [options] SCENE: print what a scene or a model file holds",
+    [APP_MERGE] = "firn merge [options] TILE...: join the tiles of an image",
+    [APP_INFO] = "firn info [options] SCENE: print the contents of a scene or model file",
     [APP_LIST] = ("firn list [options] "
                   "[scenes|environments|rungs|materials|layers|settings|devices|sandbox]: print "
-                  "what there is"),
+                  "available names, settings and devices"),
 };
 
 void option_help(enum app_command command, const struct option *options, size_t count)
@@ -96,7 +95,7 @@ void option_help(enum app_command command, const struct option *options, size_t 
     if (command == APP_LADDER)
         printf("\nThe default SCENE is ice-cube. firn ladder draws the smooth object alone, "
                "with\nrefract.fresnel=exact and refract.lookup=distance; --set changes these "
-               "settings.\n--whole draws ice with all that is in it, and cracks as gaps.\n");
+               "settings.\n--whole draws ice with all its inclusions, and cracks as air gaps.\n");
     if (command == APP_DIFF)
         printf(
             "\nREFERENCE and TEST are both .exr or .hdr, or both .png, and have the same size.\n");

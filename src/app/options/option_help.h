@@ -1,4 +1,4 @@
-/* option_help.h: what --help prints. */
+/* option_help.h: the text that --help prints for a command. */
 #ifndef FIRN_APP_OPTIONS_OPTION_HELP_H
 #define FIRN_APP_OPTIONS_OPTION_HELP_H
 

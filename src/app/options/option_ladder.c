@@ -1,4 +1,4 @@
-/* option_ladder.c: what the options of firn ladder set. */
+/* option_ladder.c: setters and default settings of firn ladder. */
 #include "src/app/options/option_ladder.h"
 #include <string.h>
 #include "src/app/options/option_values.h"
@@ -58,7 +58,7 @@ void option_ladder_settings(struct settings *s)
                  REFRACT_LOOKUP_DISTANCE);
 }
 
-static void put(struct app_scene *scene, const struct setting *row, double value)
+static void set_unless_given(struct app_scene *scene, const struct setting *row, double value)
 {
     const size_t index = settings_index(row);
     if (!scene->is_set[index] && !scene->is_preset[index])
@@ -70,8 +70,8 @@ void option_ladder_whole(struct app_scene *scene)
     for (const struct technique *const *t = techniques; *t; t++) {
         const struct setting *row = (*t)->settings[0] ? &(*t)->settings[0]->rows[0] : NULL;
         if ((*t)->is_of_ice && (*t)->is_traced && row)
-            put(scene, row, row->initial);
+            set_unless_given(scene, row, row->initial);
     }
-    put(scene, settings_row(&cracks_settings, offsetof(struct cracks_params, refract)),
-        CRACKS_REFRACT_GAP);
+    set_unless_given(scene, settings_row(&cracks_settings, offsetof(struct cracks_params, refract)),
+                     CRACKS_REFRACT_GAP);
 }

@@ -1,4 +1,4 @@
-/* option_ladder.h: what the options of firn ladder set. */
+/* option_ladder.h: setters and default settings of firn ladder. */
 #ifndef FIRN_APP_OPTIONS_OPTION_LADDER_H
 #define FIRN_APP_OPTIONS_OPTION_LADDER_H
 
@@ -8,12 +8,12 @@
 option_fn option_ladder_output; /* of struct app_outputs */
 option_fn option_rungs;         /* of struct app_ladder */
 
-/* Settings that the reference leaves out are off, and rungs are exact where they can be, unless the
- * command line says otherwise. */
+/* Sets the defaults of firn ladder: what the reference does not draw is off, and refraction models
+ * use their exact variants. Options of the command line are applied afterwards. */
 void option_ladder_settings(struct settings *settings);
 
-/* Switches on again what only ice has, as in other commands, but for what the words set; cracks are
- * gaps, as in the reference. */
+/* Switches inclusions and surface effects of ice back on, as in other commands, unless --set or
+ * --preset sets them. Cracks become gaps, as in the reference. */
 void option_ladder_whole(struct app_scene *scene);
 
 #endif

@@ -1,4 +1,4 @@
-/* option_node.c: what --material says of one node. */
+/* option_node.c: parser of --material NODE=NAME[,KEY=VALUE...]. */
 #include "src/app/options/option_node.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 
 static const struct key {
     const char *name;
-    size_t offset; /* of a float in struct material */
+    size_t offset; /* offset of a float in struct material */
     float min, max;
 } keys[] = {
     { "ior", offsetof(struct material, ior), 1, 4 },
@@ -21,7 +21,7 @@ static const struct key {
 
 enum {
     KEY_COUNT = sizeof(keys) / sizeof(keys[0]),
-    WORD_SIZE = 64, /* bytes of "key=value" */
+    WORD_SIZE = 64, /* maximum length of "key=value", bytes */
 };
 
 static bool is_word(const char *word, size_t length, const char *name)
@@ -42,7 +42,7 @@ static enum status refuse_key(const char *words, const char *word)
     return STATUS_USAGE;
 }
 
-/* "ior=1.52" */
+/* Parses and sets one parameter of a material, such as "ior=1.52". */
 static enum status set_key(struct node_material *made, const char *word, size_t length)
 {
     char text[WORD_SIZE];
@@ -66,7 +66,7 @@ static enum status set_key(struct node_material *made, const char *word, size_t 
     return STATUS_OK;
 }
 
-/* Finds where the name of a material follows the node's; NULL: nowhere. */
+/* Finds the material name that follows the node's name and '='. Returns NULL if there is none. */
 static const struct material_preset *find_material(const char *value, const char **end)
 {
     for (*end = strchr(value, '='); *end; *end = strchr(*end + 1, '=')) {

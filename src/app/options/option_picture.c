@@ -1,4 +1,4 @@
-/* option_picture.c: what options set that say what is drawn, and to where. */
+/* option_picture.c: setters of the options that select scene, image, camera and output files. */
 #include "src/app/options/option_picture.h"
 #include <math.h>
 #include <stdio.h>
@@ -60,7 +60,7 @@ enum status option_chunk(const struct option *option, void *at, const char *valu
     return ok ? STATUS_OK : option_refuse(option, value, "K/N, K from 1 to N, such as 1/4");
 }
 
-/* At most one format; the same one again is harmless. */
+/* Sets the output format. Only one is allowed; repeating it is harmless. */
 enum status option_format(const struct option *option, void *at, const char *value)
 {
     static const char *const names[APP_FORMAT_COUNT] = {
@@ -96,7 +96,7 @@ enum status option_size(const struct option *option, void *at, const char *value
                : option_refuse(option, value, "WIDTHxHEIGHT in pixels, 1x1 to 16384x16384");
 }
 
-/* Of a face, which is square. */
+/* Sets the width of a cube face, which is square. */
 enum status option_bake_size(const struct option *option, void *at, const char *value)
 {
     struct app_picture *picture = at;
@@ -213,7 +213,7 @@ enum status option_sharing(const struct option *option, void *at, const char *va
     return STATUS_OK;
 }
 
-/* ---- what is drawn ---- */
+/* ---- scene, material, settings ---- */
 
 enum status option_refraction(const struct option *option, void *at, const char *value)
 {
@@ -244,7 +244,7 @@ enum status option_sandbox(const struct option *option, void *at, const char *va
         return option_refuse(option, value, "on or off");
     scene->reader.no_sandbox = value[1] == 'f';
     if (scene->reader.no_sandbox)
-        log_warning("--sandbox off: a malicious file may do what you may do");
+        log_warning("--sandbox off: a malicious file can do anything that you can do");
     return STATUS_OK;
 }
 
@@ -259,7 +259,7 @@ enum status option_set(const struct option *option, void *at, const char *value)
     return status;
 }
 
-/* Short for --set tonemap.curve. */
+/* Sets the tone curve: short for --set tonemap.curve. */
 enum status option_tone_curve(const struct option *option, void *at, const char *value)
 {
     struct app_scene *scene = at;
@@ -323,7 +323,7 @@ enum status option_rotate(const struct option *option, void *at, const char *val
     return ok ? STATUS_OK : option_refuse(option, value, "X,Y,Z, each from -360 to 360 degrees");
 }
 
-/* A colour that was given before "none" still lights the scene. */
+/* Sets the background. A colour that was given before "none" still lights the scene. */
 enum status option_background(const struct option *option, void *at, const char *value)
 {
     struct app_scene *scene = at;
@@ -342,7 +342,7 @@ enum status option_background(const struct option *option, void *at, const char 
 
 /* ---- the camera ---- */
 
-/* Metres: so far away squares of distances are finite. */
+/* Maximum coordinate, metres: squares of such distances are still finite in float. */
 static const float place_max = 1e9f;
 
 enum status option_orbit(const struct option *option, void *at, const char *value)

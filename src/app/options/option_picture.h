@@ -1,4 +1,4 @@
-/* option_picture.h: what options set that say what is drawn, and to where. */
+/* option_picture.h: setters of the options that select scene, image, camera and output files. */
 #ifndef FIRN_APP_OPTIONS_OPTION_PICTURE_H
 #define FIRN_APP_OPTIONS_OPTION_PICTURE_H
 

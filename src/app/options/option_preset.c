@@ -1,10 +1,10 @@
-/* option_preset.c: the settings of --preset. */
+/* option_preset.c: applies the settings of --preset. */
 #include "src/app/options/option_preset.h"
 #include <string.h>
 #include "src/reader/preset.h"
 #include "src/scene/scene.h"
 
-/* The preset of this name: an object among the paper's surroundings, in the paper's light. */
+/* Name of the built-in preset: an object in the paper's surroundings and lighting. */
 static const char paper[] = "paper";
 static const char *const paper_lines[] = { "ice_caustics.light=none",
                                            "ground.light=open",
@@ -27,7 +27,7 @@ static enum status apply_line(struct app_scene *scene, const char *assignment, u
     return STATUS_OK;
 }
 
-/* Its cube of ice is the one in the valley. */
+/* Applies the built-in preset. The paper's ice cube is the scene `valley`. */
 static enum status apply_paper(struct app_scene *scene)
 {
     enum status status = STATUS_OK;

@@ -1,4 +1,4 @@
-/* option_profile.c: what the options of firn profile set. */
+/* option_profile.c: setters of the options of firn profile. */
 #include "src/app/options/option_profile.h"
 #include "src/app/options/option_values.h"
 

@@ -1,4 +1,4 @@
-/* option_profile.h: what the options of firn profile set. */
+/* option_profile.h: setters of the options of firn profile. */
 #ifndef FIRN_APP_OPTIONS_OPTION_PROFILE_H
 #define FIRN_APP_OPTIONS_OPTION_PROFILE_H
 

@@ -1,9 +1,9 @@
-/* option_quality.c: what --quality sets. */
+/* option_quality.c: applies the quality level of --quality. */
 #include "src/app/options/option_quality.h"
 #include "src/app/options/option_values.h"
 #include "src/settings/quality.h"
 
-static void take_level(struct app_picture *picture, uint32_t level)
+static void apply_level(struct app_picture *picture, uint32_t level)
 {
     struct app_scene *scene = &picture->scene;
     picture->level_samples = qualities[level].samples;
@@ -21,7 +21,7 @@ enum status option_quality(const struct option *option, void *at, const char *va
     const int level = option_find_word(names, QUALITY_COUNT, value);
     if (level < 0)
         return option_refuse(option, value, "draft, normal or high");
-    take_level(at, (uint32_t)level);
+    apply_level(at, (uint32_t)level);
     return STATUS_OK;
 }
 
@@ -30,5 +30,5 @@ void option_quality_of_files(struct app_options *o)
     const struct app_picture *picture = &o->picture;
     const bool has_limit = o->render.noise > 0.0 || o->render.seconds > 0.0;
     if (!picture->level_samples && !picture->samples && !picture->scene.preset && !has_limit)
-        take_level(&o->picture, QUALITY_OF_FILES);
+        apply_level(&o->picture, QUALITY_OF_FILES);
 }

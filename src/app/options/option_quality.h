@@ -1,13 +1,13 @@
-/* option_quality.h: what --quality sets. */
+/* option_quality.h: applies the quality level of --quality. */
 #ifndef FIRN_APP_OPTIONS_OPTION_QUALITY_H
 #define FIRN_APP_OPTIONS_OPTION_QUALITY_H
 
 #include "src/app/options/option.h"
 
-/* Of struct app_picture: --set and --preset win. */
+/* Sets the quality level of a struct app_picture; --set and --preset take precedence. */
 option_fn option_quality;
 
-/* Makes the level that of firn render, unless a level, samples, a preset or a limit was named. */
+/* Applies firn render's default quality, unless level, samples, preset or a limit is given. */
 void option_quality_of_files(struct app_options *o);
 
 #endif

@@ -1,4 +1,4 @@
-/* option_reference.c: what the options of --refraction reference set. */
+/* option_reference.c: setters and checks of the options of --refraction reference. */
 #include "src/app/options/option_reference.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include "src/tech/refract_reference.h"
 
 enum {
-    SAMPLES_MAX = 65536 /* where noise or time is the limit */
+    SAMPLES_MAX = 65536 /* default if a noise or time limit is given */
 };
 
 static enum status set_number(const struct option *option, double *at, const char *value, float min,
@@ -63,13 +63,15 @@ enum status option_settle_reference(struct app_options *o)
     if (!o->picture.samples)
         o->picture.samples = limit ? SAMPLES_MAX : usual;
     if (o->picture.rung != &refract_reference && (limit || render->keep_sums)) {
-        log_error("--%s: only --refraction reference has it%s%s%s; %s", limit ? limit : "keep-sums",
-                  is_named ? ", not '" : "", is_named ? o->picture.rung->rung.name : "",
-                  is_named ? "'" : "", limit ? "give --samples instead" : "leave it out");
+        log_error("--%s: only available with --refraction reference%s%s%s; %s",
+                  limit ? limit : "keep-sums", is_named ? ", not '" : "",
+                  is_named ? o->picture.rung->rung.name : "", is_named ? "'" : "",
+                  limit ? "give --samples instead" : "leave it out");
         return STATUS_USAGE;
     }
     if (render->keep_sums && !option_sums_picture(o)) {
-        log_error("--keep-sums: expected an .exr file as --output, beside which the sums are");
+        log_error(
+            "--keep-sums: expected an .exr file as --output, beside which the sums are stored");
         return STATUS_USAGE;
     }
     return STATUS_OK;

@@ -1,4 +1,4 @@
-/* option_values.c: numbers and names on the command line. */
+/* option_values.c: parsers of numbers and names on the command line, and simple option setters. */
 #include "src/app/options/option_values.h"
 #include <ctype.h>
 #include <errno.h>
@@ -60,7 +60,8 @@ enum status option_refuse_name(const struct option *option, enum option_names na
              word);
     offer_names(&suggest, names);
     if (names == OPTION_RUNGS && !strcmp(name, refract_reference.rung.name))
-        log_error("--%s: rung '%s' is ray traced, which only firn render --refraction supports",
+        log_error("--%s: refraction model '%s' is ray traced, which only firn render --refraction "
+                  "supports",
                   option->name, name);
     else
         log_error("--%s: unknown %s '%s'%s (firn list %ss)", option->name, kinds[names], name,

@@ -1,19 +1,19 @@
-/* option_values.h: values on the command line, and options that only take one over. */
+/* option_values.h: parsers of numbers and names on the command line, and simple option setters. */
 #ifndef FIRN_APP_OPTIONS_OPTION_VALUES_H
 #define FIRN_APP_OPTIONS_OPTION_VALUES_H
 
 #include "src/app/options/option.h"
 
-/* Of a bool, a string that is taken as it is, and a uint32_t from option->min to max. */
+/* Set a bool to true, a string to the value, and a uint32_t from option->min to option->max. */
 option_fn option_flag, option_text, option_count;
 
-/* Whether its value comes with '=' or not at all. */
+/* Returns true if the option's value is optional, and then given with '='. */
 bool option_is_optional(const struct option *option);
 
-/* Logs "--option: expected EXPECTED, got 'value'". STATUS_USAGE. */
+/* Logs "--option: expected EXPECTED, got 'value'". Returns STATUS_USAGE. */
 enum status option_refuse(const struct option *option, const char *value, const char *expected);
 
-/* Logs that an option was given more than `most` times, last with `value`. STATUS_USAGE. */
+/* Logs that an option was given more than `most` times, last with `value`. Returns STATUS_USAGE. */
 enum status option_refuse_more(const struct option *option, const char *value, uint32_t most);
 
 enum option_names {
@@ -24,23 +24,23 @@ enum option_names {
 };
 
 /*
- * Logs that the first `length` characters of `word` are none of these names, suggesting a close one
- * and the list to look at. STATUS_USAGE.
+ * Logs that the first `length` characters of `word` are not a known name of this kind, suggests a
+ * similar name and refers to firn list. Returns STATUS_USAGE.
  */
 enum status option_refuse_name(const struct option *option, enum option_names names,
                                const char *word, size_t length);
 
-/* One file more. Logs: STATUS_USAGE. */
+/* Adds an output file. Logs that there are too many and returns STATUS_USAGE. */
 enum status option_add_output(const struct option *option, struct app_outputs *outputs,
                               const char *value);
 
-/* Which of the words it is; -1: none. */
+/* Returns the index of `value` in the array of words; -1 if it is not there. */
 int option_find_word(const char *const *words, int count, const char *value);
 
-/* Numbers with a separator between; true if there are exactly `count`, all finite. */
+/* Parses numbers between separators. Returns true if there are exactly `count`, all finite. */
 bool option_parse_numbers(const char *text, char separator, float *numbers, size_t count);
 
-/* A number from min to max, digits alone; *rest is what follows it. */
+/* Parses a number from min to max that consists of digits; *rest points to what follows it. */
 bool option_parse_count(const char *text, uint32_t min, uint32_t max, uint32_t *count,
                         const char **rest);
 

@@ -1,4 +1,4 @@
-/* option_view.c: what the options of firn view set. */
+/* option_view.c: setters of the options of firn view. */
 #include "src/app/options/option_view.h"
 #include <string.h>
 #include "src/app/options/option_values.h"

@@ -1,4 +1,4 @@
-/* options.c: the table of options, and how it is parsed. */
+/* options.c: the table of command-line options, and its parser. */
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,7 +30,7 @@
 /* ---- the table ---- */
 
 enum {
-    TASKS_MAX = 1000 /* Slurm's MaxArraySize is 1001 where nobody has set it */
+    TASKS_MAX = 1000 /* Slurm's default MaxArraySize is 1001 */
 };
 
 #define FRAMES   (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW | APP_FARM)
@@ -40,8 +40,8 @@ enum {
 #define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
 #define DEVICES  ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
-/* What a row sets, and the function for it; a field of another type does not compile. A type cannot
- * be in parentheses. NOLINTBEGIN(bugprone-macro-parentheses) */
+/* Give the offset of a row's field, and its setter; a field of another type does not compile. A
+ * type cannot be in parentheses. NOLINTBEGIN(bugprone-macro-parentheses) */
 #define AT(type, field, set) \
     _Generic(((struct app_options *)0)->field, type : offsetof(struct app_options, field)), set
 /* NOLINTEND(bugprone-macro-parentheses) */
@@ -72,40 +72,40 @@ static const struct option options[] = {
     { "Output", "output", 'o', "FILE", APP_MERGE, OUTPUTS(option_bake_output),
       "output file, .exr, or - for stdout (merged.exr)" },
     { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, SWEEP,
-      "values, one picture each; repeated: every combination (every material)" },
+      "values of a setting, one image each; repeatable: all combinations (materials)" },
     { "Output", "size", 's', "WxH", APP_SHEET, PICTURE(option_size),
-      "size of each picture, pixels, 1x1 to 16384x16384 (320x240)" },
+      "size of each image, pixels, 1x1 to 16384x16384 (320x240)" },
     { "Output", "size", 's', "N", APP_BAKE, PICTURE(option_bake_size),
       "side of a cube face, texels, 1 to 4096 (512)" },
     { "Output", "size", 's', "WxH", FRAMES, PICTURE(option_size),
-      "size of the picture, pixels, 1x1 to 16384x16384 (1024x768)" },
+      "size of the image, pixels, 1x1 to 16384x16384 (1024x768)" },
     { "Output", "size", 's', "WxH", APP_LADDER, PICTURE(option_size),
-      "size of the picture, pixels, 1x1 to 16384x16384 (512x512)" },
+      "size of the image, pixels, 1x1 to 16384x16384 (512x512)" },
     { "Output", "samples", 'n', "N|auto", APP_RENDER | APP_FARM, PICTURE(option_samples),
-      "samples per pixel, 1 to 65536; auto: 4, 16 or 64, by noise (of --quality)", 1, 65536 },
+      "samples per pixel, 1 to 65536; auto: 4, 16 or 64 by noise (set by --quality)", 1, 65536 },
     { "Output", "samples", 'n', "N", APP_GRAPH | APP_LADDER | APP_SHEET, COUNT(picture.samples),
       "samples per pixel, 1 to 65536 (1)", 1, 65536 },
     { "Output", "noise", 0, "LEVEL", APP_RENDER, AT(double, render.noise, option_noise),
-      "reference: mean standard error, of linear RGB clipped to 0..1, to end at (none)" },
+      "reference: stop at this mean standard error of RGB clamped to 0..1 (no limit)" },
     { "Output", "time", 0, "SECONDS", APP_RENDER, AT(double, render.seconds, option_seconds),
-      "reference: time limit for the start of a round of samples, seconds (none)" },
+      "reference: time after which no round of samples starts, seconds (no limit)" },
     { "Output", "keep-sums", 0, NULL, APP_RENDER, FLAG(render.keep_sums),
-      "reference: file of sums to which --resume adds samples, a.sums.exr for a.exr" },
+      "reference: keep sample sums in a.sums.exr beside a.exr, for --resume" },
     { "Output", "samples", 'n', "N", APP_VIEW, COUNT(picture.samples),
       "samples per pixel at rest and in screenshots, 1 to 65536 (64; 1 with --frames)", 1, 65536 },
     { "Output", "pixel-filter", 0, "FILTER", FILES | APP_LADDER | APP_SHEET,
       AT(struct app_picture, picture, option_pixel_filter),
-      "positions of a pixel's samples: box, point (its centre) or blackman-harris (box)" },
+      "pixel reconstruction filter: box, point (pixel centre) or blackman-harris (box)" },
     { "Output", "aov", 0, "LIST", FILES, PICTURE(option_aov),
-      "additional EXR layers, separated by commas, or all: firn list layers" },
+      "additional EXR layers (AOVs), separated by commas, or all: firn list layers" },
     { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, PICTURE(option_tiles),
       "columns and rows of tiles, 1x1 to 16x16: less memory, identical output" },
     { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, PICTURE(option_tile),
       "number of the only tile to draw, from 1; firn merge joins the files" },
     { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, FLAG(picture.interleaved),
-      "interleaved tiles: pictures beyond the device's limit, output differs" },
+      "interleave tiles, for images beyond the device's size limit; output differs" },
     { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, PICTURE(option_show),
-      "layer that PNG files show instead of the picture: firn list layers" },
+      "layer that PNG files show instead of the image: firn list layers" },
     { "Output", "png-bits", 0, "8|16", APP_RENDER | APP_FARM, PICTURE(option_png_bits),
       "bits per channel of PNG files (8)" },
     { "Window", "frames", 0, "N", APP_VIEW, COUNT(view.frame_count),
@@ -115,11 +115,11 @@ static const struct option options[] = {
     { "Window", "screenshot", 0, "FILE", APP_VIEW, OUTPUTS(option_output),
       "file for the last frame, .png or .exr, written at the end; repeatable" },
     { "Window", "present", 0, "MODE", APP_VIEW, VIEW(option_present),
-      "fifo or mailbox (no tearing), immediate, or shared memory, else fifo (auto)" },
+      "present mode: fifo, mailbox or immediate; auto: shared memory, else fifo (auto)" },
     { "Window", "fps-limit", 0, "N", APP_VIEW, COUNT(view.fps_limit),
       "limit of the frame rate, frames per second, 1 to 1000 (none)", 1, 1000 },
     { "Window", "overlay", 0, "on|off", APP_VIEW, VIEW(option_overlay),
-      "panels beside the picture (on; off with --frames or --screenshot)" },
+      "panels beside the image (on; off with --frames or --screenshot)" },
     { "Window", "ui-scale", 0, "FACTOR", APP_VIEW, VIEW(option_ui_scale),
       "size of text and panels, 0.5 to 4 (as the desktop's); Ctrl and +, -, 0" },
     { "Window", "theme", 0, "dark|light", APP_VIEW, VIEW(option_theme),
@@ -129,11 +129,11 @@ static const struct option options[] = {
     { "Window", "session", 0, "FILE", APP_VIEW, INPUT(view.session),
       "session file, as Ctrl S saves it, to open instead of SCENE" },
     { "Window", "split", 0, "RUNG", APP_VIEW, PICTURE(option_split),
-      "rung right of a divider, --refraction left of it; keys W, [ and ]" },
+      "refraction model to compare, to the right of a divider; keys W, [ and ]" },
     { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, VIEW(option_watch),
       "folder of shaders that are recompiled and reloaded when saved (shaders)" },
     { "Sequence", "frames", 0, "LIST", APP_RENDER | APP_FARM, TEXT(render.frames),
-      "frame numbers: A, A-B, A-BxN (every Nth) or A-B,C; to -o a.####.exr" },
+      "frames to render: A, A-B, A-BxN (every Nth) or A-B,C; use -o a.####.exr" },
     { "Sequence", "chunk", 0, "K/N", APP_RENDER, AT(struct app_render, render, option_chunk),
       "part K of N of the frame list, to distribute it over machines" },
     { "Sequence", "resume", 0, NULL, APP_RENDER, FLAG(render.resume),
@@ -158,7 +158,7 @@ static const struct option options[] = {
     { "Runs", "clock", 0, "CLOCK", APP_PROFILE, AT(enum rg_clock, profile.clock, option_clock),
       "timer: timestamps, submits (each pass submitted alone) or auto (auto)" },
     { "Runs", "sweep", 0, "NAME=A,B,...", APP_PROFILE, SWEEP,
-      "values of a setting, size, ... to profile; repeated: every combination" },
+      "values of a setting or option to profile; repeatable: all combinations" },
     { "Runs", "baseline", 0, "FILE", APP_PROFILE, INPUT(profile.baseline),
       "profile from --json to compare with; exit code 1 if a pass is slower" },
     { "Reports", "each", 0, NULL, APP_PROFILE, FLAG(profile.each),
@@ -173,39 +173,39 @@ static const struct option options[] = {
     { "Reports", "capture", 0, NULL, APP_PROFILE, FLAG(profile.capture),
       "RenderDoc capture of one frame; start firn from RenderDoc" },
     { "Ladder", "rungs", 0, "LIST", APP_LADDER, AT(struct app_ladder, ladder, option_rungs),
-      "rungs to compare, separated by commas; see firn list rungs (all)" },
+      "refraction models to compare, separated by commas: firn list rungs (all)" },
     { "Ladder", "runs", 0, "N", APP_LADDER, COUNT(ladder.run_count),
-      "number of timed frames per rung, 0 to 10000; 0 skips the timing (10)", 0, 10000 },
+      "timed frames per refraction model, 0 to 10000; 0 skips the timing (10)", 0, 10000 },
     { "Ladder", "furnace", 0, NULL, APP_LADDER, FLAG(ladder.furnace),
-      "white furnace test; exit code 1 if a rung gains or loses light" },
+      "white furnace test; exit code 1 if a refraction model gains or loses light" },
     { "Ladder", "whole", 0, NULL, APP_LADDER, FLAG(ladder.whole),
-      "bubbles, cracks, air, bumps and frost of ice as well, and errors by what is met" },
+      "include bubbles, cracks, air, bumps and frost; list errors by what rays hit" },
     { "Ladder", "truth", 0, "FILE", APP_LADDER, INPUT(ladder.truth),
-      "second reference: a picture of the same view by another program" },
+      "second reference: an image of the same view by another renderer" },
     { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, PICTURE(option_refraction),
-      "refraction rung: paper, bounce, ...; see firn list rungs (by the scene)" },
+      "refraction model: paper, bounce, ...: firn list rungs (chosen by the scene)" },
     { "Picture", "quality", 0, "LEVEL", PICTURES, PICTURE(option_quality),
-      "draft, normal or high: firn list qualities (normal; of firn render high)" },
+      "quality level: draft, normal or high (high in firn render, normal elsewhere)" },
     { "Picture", "material", 'm', "NAME", PICTURES, SCENE(option_material),
-      "ice, water, glass, ... (firn list materials), or NODE=glass[,ior=1.5,...]" },
+      "material: ice, glass, ... (firn list materials), or NODE=glass[,ior=1.5,...]" },
     { "Picture", "plain", 0, NULL, PICTURES, FLAG(picture.scene.plain),
-      "no cracks, air, bubbles, bumps, frost and highlights but those of --set" },
+      "no cracks, air, bubbles, bumps, frost or highlights, except those of --set" },
     { "Picture", "tone-curve", 0, "CURVE", PICTURES, SCENE(option_tone_curve),
       "tone curve of PNG files: neutral, agx, aces, hable or clip (neutral)" },
     { "Picture", "preset", 0, "FILE", SCENES, INPUT(picture.scene.preset),
-      "lines NAME=VALUE, .exr or .png of firn, or paper: its scenes and light" },
+      "settings: NAME=VALUE lines, firn's .exr or .png, or paper: the paper's scenes" },
     { "Picture", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
     { "Scene", "up", 0, "AXIS", SCENES, SCENE(option_up),
-      "axis of a model file that is up: y or z, not of --surroundings (y)" },
+      "up axis of the model file, y or z; does not affect --surroundings (y)" },
     { "Scene", "scale", 0, "X", SCENES, SCENE(option_scale),
-      "scale of a model file, 1e-6 to 1e6, not of --surroundings (1)" },
+      "scale of the model file, 1e-6 to 1e6; does not affect --surroundings (1)" },
     { "Scene", "rotate", 0, "X,Y,Z", SCENES, SCENE(option_rotate),
-      "rotation of a model file about X, Y, Z, degrees, not of --surroundings" },
+      "rotation of the model file about X, Y, Z, degrees; not of --surroundings" },
     { "Scene", "animation", 0, "NAME|N", SCENES, TEXT(picture.scene.animation),
-      "animation of a model file, name, number from 0, or none (the first)" },
+      "animation of the model file: name, number from 0, or none (the first)" },
     { "Scene", "env", 'e', "FILE", SCENES, INPUT(picture.scene.environment),
-      "environment: name, .exr, .hdr or firn bake's cube (sky; of a model file: studio)" },
+      "environment: name, .exr, .hdr or firn bake's cube (sky; studio for model files)" },
     { "Scene", "env-rotate", 0, "DEG", SCENES, SCENE(option_env_rotate),
       "rotation of the --env panorama about +Y, degrees, -360 to 360 (0)" },
     { "Scene", "env-exposure", 0, "EV", SCENES, SCENE(option_env_exposure),
@@ -215,21 +215,21 @@ static const struct option options[] = {
     { "Scene", "cracks", 0, "FILE", SCENES, INPUT(picture.scene.cracks),
       "model file of a crack; cracks.count copies of it are placed at random" },
     { "Scene", "bump", 0, "FILE", SCENES, INPUT(picture.scene.bump),
-      "picture of the bumps' heights, .exr, .hdr or .png, that repeats (noise)" },
+      "height map of bumps, tiled over the surface: .exr, .hdr or .png (noise)" },
     { "Scene", "bump-mask", 0, "FILE", SCENES, INPUT(picture.scene.bump_mask),
-      "picture of where the surface is smooth: white (noise and bump.mask)" },
+      "mask image: white where the surface has no bumps (noise and bump.mask)" },
     { "Scene", "air", 0, "FILE", SCENES, INPUT(picture.scene.air),
-      "picture of the bubbles on planes of air: white is opaque (drawn at random)" },
+      "image of bubbles for the planes of air: white is opaque (random bubbles)" },
     { "Scene", "background", 0, "R,G,B", SCENES, SCENE(option_background),
-      "constant colour instead of the sky, linear; or none: alpha 0 behind surfaces" },
+      "constant linear colour instead of the sky; none: alpha 0 behind surfaces" },
     { "Camera", "camera", 0, "NAME|N", PICTURES, TEXT(picture.camera),
       "camera of the model file, name or number from 0: firn info FILE (the first)" },
     { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, VECTOR(orbit, option_orbit),
-      "camera around the target: azimuth, elevation, degrees; distance, metres" },
+      "orbit camera: azimuth and elevation, degrees; distance to the target, metres" },
     { "Camera", "eye", 0, "X,Y,Z", PICTURES, VECTOR(eye, option_place),
       "position of the camera, metres" },
     { "Camera", "target", 0, "X,Y,Z", PICTURES, VECTOR(target, option_place),
-      "point that the camera faces, metres (the object's centre)" },
+      "point that the camera looks at, metres (the object's centre)" },
     { "Camera", "fov", 0, "DEGREES", PICTURES, PICTURE(option_fov),
       "vertical field of view, degrees, 1 to 170 (45)" },
     { "Device", "device", 'd', "N|NAME", DEVICES, TEXT(run.gpu.device),
@@ -237,9 +237,9 @@ static const struct option options[] = {
     { "Device", "validate", 0, NULL, DEVICES, FLAG(run.gpu.validate),
       "Vulkan validation layer, with synchronization validation" },
     { "Device", "no-cache", 0, NULL, DEVICES | APP_INFO, FLAG(run.gpu.no_cache),
-      "no cache of compiled pipelines and large trees in $XDG_CACHE_HOME/firn" },
+      "do not cache compiled pipelines and large BVHs in $XDG_CACHE_HOME/firn" },
     { "Device", "sharing", 0, "HOW", SCENES, AT(enum rg_sharing, picture.sharing, option_sharing),
-      "memory aliasing: batches (no extra batches), memory, nothing (batches)" },
+      "memory aliasing of images: batches (no extra batches), memory, nothing (batches)" },
     { "Reading", "load-seconds", 0, "N", READERS, COUNT(picture.scene.reader.seconds),
       "limit of CPU time per file, seconds, 1 to 3600 (60)", 1, 3600, " of seconds" },
     { "Reading", "load-memory", 0, "GiB", READERS, COUNT(picture.scene.reader.memory_gib),
@@ -257,9 +257,9 @@ static const struct option options[] = {
     { "Comparison", "ppd", 0, "N", APP_DIFF, DIFF(option_ppd),
       "pixels per degree of the viewer's field of view, 1 to 400 (67)" },
     { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS(option_error_picture),
-      "error picture, .png in colours or .exr as numbers; repeatable" },
+      "error image, .png in colours or .exr as numbers; repeatable" },
     { "Result", "only", 0, "heat", APP_DIFF, DIFF(option_only),
-      "PNG files show the errors alone (both pictures, errors and scale)" },
+      "PNG files show only the errors (default: both images, errors and scale)" },
     { "Result", "fail-above", 0, "METRIC=N", APP_DIFF, DIFF(option_fail_above),
       "limit of flip, rmse, relmse, mae or angle, degrees: exit code 1 above it" },
     { "Format", "dot", 0, NULL, APP_GRAPH, FORMAT, "Graphviz digraph instead of text" },
@@ -269,7 +269,7 @@ static const struct option options[] = {
       "JSON with all data instead of text" },
     { "Format", "json", 0, NULL, APP_LIST, FORMAT, "JSON instead of text: a key for each list" },
     { "Format", "preset", 0, NULL, APP_LIST, FORMAT,
-      "settings as a file for --preset, in which all lines are comments" },
+      "settings as a file for --preset, with every line commented out" },
     { "Other", "quiet", 'q', NULL, SCENES | APP_MERGE, FLAG(run.quiet), "no progress output" },
 };
 
@@ -322,7 +322,7 @@ static enum status refuse_option(const char *word, enum app_command command)
     return STATUS_USAGE;
 }
 
-/* "--name=value", "--name value", "-x value", "-xvalue": the option and its value. */
+/* Splits "--name=value", "--name value", "-x value" or "-xvalue" into an option and its value. */
 static const struct option *split(const char *word, enum app_command command, const char **value)
 {
     const struct option *option;
@@ -361,7 +361,7 @@ static enum status parse_option(struct app_options *o, enum app_command command,
     return option->set(option, (char *)o + option->offset, value);
 }
 
-/* Most commands have one word that is no option, SCENE; firn ladder may have more of these. */
+/* Adds an argument that is no option. Most commands take one, SCENE; firn ladder takes several. */
 static enum status add_positional(struct app_options *o, enum app_command command, const char *word)
 {
     const bool is_scene = command & (SCENES | APP_INFO) & ~(unsigned)APP_FARM;
@@ -393,11 +393,11 @@ static enum status refuse_traced(const struct app_picture *picture)
     if (picture->rung != &refract_reference)
         return STATUS_OK;
     log_error("--refraction: 'reference' is ray traced, which only firn render supports; choose "
-              "another rung");
+              "another refraction model");
     return STATUS_USAGE;
 }
 
-/* What cannot be said before all words are read: who draws which layers. */
+/* Checks that the selected renderer draws all requested layers; needs all options to be parsed. */
 static enum status settle_layers(struct app_picture *picture)
 {
     uint32_t made = 0;
@@ -436,7 +436,7 @@ void app_name_output(struct app_options *o, enum app_command command)
     }
 }
 
-/* No output may be an input or another output. */
+/* Checks that no output is an input or another output. */
 static enum status check_files(const struct app_options *o, enum app_command command)
 {
     struct option_file files[OPTION_COUNT + APP_OUTPUT_COUNT + APP_POSITIONAL_COUNT + 2];
@@ -464,7 +464,7 @@ static enum status check_files(const struct app_options *o, enum app_command com
     return status;
 }
 
-static void set_defaults(struct app_options *o, enum app_command command)
+static void init_defaults(struct app_options *o, enum app_command command)
 {
     *o = (struct app_options){
         .picture = {
@@ -482,9 +482,9 @@ static void set_defaults(struct app_options *o, enum app_command command)
         .ladder = { .run_count = 10 },
     };
     if (command & (APP_RENDER | APP_FARM))
-        o->picture.samples = 0; /* option_settle_reference() knows */
+        o->picture.samples = 0; /* option_settle_reference() sets the default */
     if (command == APP_VIEW)
-        o->picture.samples = 0; /* view.c knows */
+        o->picture.samples = 0; /* the viewer sets the default */
     if (command == APP_LADDER)
         option_ladder_settings(&o->picture.scene.settings);
     if (command & (APP_LADDER | APP_BAKE))
@@ -500,7 +500,7 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
 {
     bool only_words = false;
     *done = false;
-    set_defaults(o, command);
+    init_defaults(o, command);
     for (int i = 0; i < argc; i++) {
         enum status status = STATUS_OK;
         const char *word = argv[i];
@@ -524,7 +524,7 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     o->picture.scene.quiet = o->run.quiet;
     if (o->ladder.whole)
         option_ladder_whole(&o->picture.scene);
-    if (command != APP_FARM) /* its words tell whether it has outputs */
+    if (command != APP_FARM) /* firn farm sets its outputs later: a positional word may be one */
         app_name_output(o, command);
     enum status status = settle_layers(&o->picture);
     if (command & (APP_RENDER | APP_FARM))
@@ -560,7 +560,7 @@ void app_print_render_words(char *const *words, enum app_command command, uint32
     }
 }
 
-/* Options of a picture, which is all that their addresses then lead to. */
+/* Sets an option of a picture; only its offsets are valid here. */
 enum status app_set(struct app_picture *picture, const char *name, const char *value)
 {
     const struct option *option = find_long(name, strlen(name), APP_GRAPH);

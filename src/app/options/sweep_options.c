@@ -1,4 +1,4 @@
-/* sweep_options.c: --sweep, from its words to the options of each of its points. */
+/* sweep_options.c: parses --sweep and applies the values of each sweep point to the options. */
 #include "src/app/options/sweep_options.h"
 
 enum status sweep_options_parse(struct profile_sweep *sweep, const struct app_sweeps *sweeps,

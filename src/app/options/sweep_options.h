@@ -1,16 +1,16 @@
-/* sweep_options.h: --sweep, from its words to the options of each of its points. */
+/* sweep_options.h: parses --sweep and applies the values of each sweep point to the options. */
 #ifndef FIRN_APP_OPTIONS_SWEEP_OPTIONS_H
 #define FIRN_APP_OPTIONS_SWEEP_OPTIONS_H
 
 #include "src/app/app.h"
 #include "src/profile/sweep.h"
 
-/* All of them, and whether every point's words are right. Logs; *sweep may then be half-built. */
+/* Parses all --sweep options and checks every point. Logs errors; *sweep may then be half-built. */
 MUST_USE enum status sweep_options_parse(struct profile_sweep *sweep,
                                          const struct app_sweeps *sweeps,
                                          const struct app_picture *picture);
 
-/* The picture of a point. Logs: STATUS_USAGE. */
+/* Sets *at_point to the options of a sweep point. On failure logs and returns STATUS_USAGE. */
 MUST_USE enum status sweep_options_at(const struct profile_sweep *sweep, uint32_t point,
                                       const struct app_picture *picture,
                                       struct app_picture *at_point);
