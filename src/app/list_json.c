@@ -119,11 +119,11 @@ static json_t *setting_of(const struct setting *row)
         [SETTING_CHOICE] = "choice",
     };
     const bool has_range = row->type == SETTING_FLOAT || row->type == SETTING_COUNT;
-    return json_pack("{s:s, s:s, s:s, s:o, s:o*, s:o*, s:s*, s:o*}", "name", row->name, "help",
-                     row->help, "type", types[row->type], "default", value_of(row, row->initial),
-                     "min", has_range ? value_of(row, row->min) : NULL, "max",
-                     has_range ? value_of(row, row->max) : NULL, "unit", row->unit, "choices",
-                     row->type == SETTING_CHOICE ? choices_of(row) : NULL);
+    return json_pack("{s:s, s:s, s:s, s:s, s:o, s:o*, s:o*, s:s*, s:o*}", "name", row->name,
+                     "label", row->label, "help", row->help, "type", types[row->type], "default",
+                     value_of(row, row->initial), "min", has_range ? value_of(row, row->min) : NULL,
+                     "max", has_range ? value_of(row, row->max) : NULL, "unit", row->unit,
+                     "choices", row->type == SETTING_CHOICE ? choices_of(row) : NULL);
 }
 
 /* Returns the quality levels, with the values of settings that differ from the defaults. */

@@ -6,6 +6,7 @@
 static const struct setting object_rows[] = {
     {
         .name = "object.triangles",
+        .label = "Triangle count",
         .type = SETTING_COUNT,
         .offset = offsetof(struct object_params, triangles),
         .max = GENERATE_TRIANGLES_MAX,
@@ -21,6 +22,7 @@ const struct setting_group object_settings =
 static const struct setting ice_rows[] = {
     {
         .name = "ice.melt",
+        .label = "Melted",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct ice_params, melt),
         .max = 1,
@@ -34,6 +36,7 @@ const struct setting_group ice_settings = SETTING_GROUP("ice", ice_rows, struct 
 static const struct setting landscape_rows[] = {
     {
         .name = "landscape.triangles",
+        .label = "Landscape triangles",
         .type = SETTING_COUNT,
         .offset = offsetof(struct landscape_params, triangles),
         .max = GENERATE_TRIANGLES_MAX,
@@ -42,6 +45,7 @@ static const struct setting landscape_rows[] = {
     },
     {
         .name = "landscape.flat",
+        .label = "Flat floor",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct landscape_params, flat),
         .max = 1,
@@ -56,6 +60,7 @@ const struct setting_group landscape_settings =
 static const struct setting sky_rows[] = {
     {
         .name = "sky.strength",
+        .label = "Sky brightness",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct sky_params, strength),
         .initial = 1,
@@ -64,6 +69,7 @@ static const struct setting sky_rows[] = {
     },
     {
         .name = "sky.sun_azimuth",
+        .label = "Sun azimuth",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct sky_params, sun_azimuth),
         .initial = 60,
@@ -74,6 +80,7 @@ static const struct setting sky_rows[] = {
     },
     {
         .name = "sky.sun_elevation",
+        .label = "Sun elevation",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct sky_params, sun_elevation),
         .initial = 35,
@@ -84,6 +91,7 @@ static const struct setting sky_rows[] = {
     },
     {
         .name = "sky.sun_strength",
+        .label = "Sun brightness",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct sky_params, sun_strength),
         .initial = 1,
@@ -101,18 +109,27 @@ static const char *const env_suns[] = {
     NULL,
 };
 
+static const char *const env_sun_labels[] = {
+    [ENV_SUN_FILE] = "in the picture",
+    [ENV_SUN_OWN] = "set below",
+    [ENV_SUN_NONE] = "none",
+};
+
 static const struct setting env_rows[] = {
     {
         .name = "env.sun",
+        .label = "Sun of the panorama",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct env_params, sun),
         .max = ENV_SUN_NONE,
         .choices = env_suns,
+        .choice_labels = env_sun_labels,
         .help = "sun of the --env panorama: file (stored in the file), own (at env.sun_azimuth and "
                 "env.sun_elevation), or none",
     },
     {
         .name = "env.sun_strength",
+        .label = "Panorama sun brightness",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct env_params, sun_strength),
         .initial = 1,
@@ -121,6 +138,7 @@ static const struct setting env_rows[] = {
     },
     {
         .name = "env.sun_azimuth",
+        .label = "Panorama sun azimuth",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct env_params, sun_azimuth),
         .initial = 60,
@@ -131,6 +149,7 @@ static const struct setting env_rows[] = {
     },
     {
         .name = "env.sun_elevation",
+        .label = "Panorama sun elevation",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct env_params, sun_elevation),
         .initial = 35,
@@ -146,6 +165,7 @@ const struct setting_group env_settings = SETTING_GROUP("env", env_rows, struct 
 static const struct setting texture_rows[] = {
     {
         .name = "texture.anisotropy",
+        .label = "Anisotropic filtering",
         .type = SETTING_COUNT,
         .offset = offsetof(struct texture_params, anisotropy),
         .initial = 4,
@@ -166,18 +186,22 @@ const struct setting_group texture_settings =
     }
 
 static const struct setting motion_rows[] = {
-    MOTION(time, .min = -1e5, .max = 1e5, .unit = "seconds", .help = "scene time of frame 0"),
-    MOTION(fps, .initial = 25, .min = 0.01, .max = 1e4, .help = "frames per second of scene time"),
-    MOTION(ice, .initial = 20, .min = -3600, .max = 3600, .unit = "degrees per second",
-           .help = "rotation speed of the ice"),
-    MOTION(lights, .initial = 30, .min = -3600, .max = 3600, .unit = "degrees per second",
-           .help = "orbit speed of the lights around the ice"),
-    MOTION(objects, .initial = 40, .min = -3600, .max = 3600, .unit = "degrees per second",
-           .help = "orbit speed of the objects around the ice"),
-    MOTION(melt, .max = 1e3, .affects = SETTING_AFFECTS_SCENE, .unit = "half widths per second",
+    MOTION(time, .label = "Start time", .min = -1e5, .max = 1e5, .unit = "seconds",
+           .help = "scene time of frame 0"),
+    MOTION(fps, .label = "Frames per second", .initial = 25, .min = 0.01, .max = 1e4,
+           .help = "frames per second of scene time"),
+    MOTION(ice, .label = "Turntable", .initial = 20, .min = -3600, .max = 3600,
+           .unit = "degrees per second", .help = "rotation speed of the ice"),
+    MOTION(lights, .label = "Light orbit speed", .initial = 30, .min = -3600, .max = 3600,
+           .unit = "degrees per second", .help = "orbit speed of the lights around the ice"),
+    MOTION(objects, .label = "Object orbit speed", .initial = 40, .min = -3600, .max = 3600,
+           .unit = "degrees per second", .help = "orbit speed of the objects around the ice"),
+    MOTION(melt, .label = "Melts by", .max = 1e3, .affects = SETTING_AFFECTS_SCENE,
+           .unit = "half widths per second",
            .help = "speed at which the ice's faces retreat as it melts"),
     {
         .name = "motion.count",
+        .label = "Orbiting objects",
         .type = SETTING_COUNT,
         .offset = offsetof(struct motion_params, count),
         .max = GENERATE_MOVERS_MAX,
@@ -198,6 +222,7 @@ const struct setting_group motion_settings =
 static const struct setting light_rows[] = {
     {
         .name = "light.count",
+        .label = "Lights",
         .type = SETTING_COUNT,
         .offset = offsetof(struct light_params, count),
         .initial = 2,
@@ -205,13 +230,13 @@ static const struct setting light_rows[] = {
         .affects = SETTING_AFFECTS_PLAN,
         .help = "number of lights around the ice, visible only as highlights on it",
     },
-    LIGHT(strength, .initial = 1, .max = 100, .switches = SETTING_AFFECTS_PLAN,
-          .help = "brightness of the lights' highlights"),
-    LIGHT(azimuth, .initial = 60, .min = -360, .max = 360, .unit = "degrees",
-          .help = "azimuth of the first light at time 0; 0 is +Z, 90 is +X"),
-    LIGHT(elevation, .initial = 50, .min = -90, .max = 90, .unit = "degrees",
-          .help = "elevation of the lights above the horizon"),
-    LIGHT(distance, .initial = 4, .min = 1, .max = 1e4, .unit = "radii",
+    LIGHT(strength, .label = "Light brightness", .initial = 1, .max = 100,
+          .switches = SETTING_AFFECTS_PLAN, .help = "brightness of the lights' highlights"),
+    LIGHT(azimuth, .label = "Light azimuth", .initial = 60, .min = -360, .max = 360,
+          .unit = "degrees", .help = "azimuth of the first light at time 0; 0 is +Z, 90 is +X"),
+    LIGHT(elevation, .label = "Light elevation", .initial = 50, .min = -90, .max = 90,
+          .unit = "degrees", .help = "elevation of the lights above the horizon"),
+    LIGHT(distance, .label = "Light distance", .initial = 4, .min = 1, .max = 1e4, .unit = "radii",
           .help = "distance of the lights, in radii of the ice's bounding sphere"),
 };
 
@@ -220,6 +245,7 @@ const struct setting_group light_settings = SETTING_GROUP("light", light_rows, s
 static const struct setting env_cube_rows[] = {
     {
         .name = "env_cube.dynamic",
+        .label = "Update environment cube",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct env_cube_params, dynamic),
         .initial = 1,
@@ -230,6 +256,7 @@ static const struct setting env_cube_rows[] = {
     },
     {
         .name = "env_cube.always",
+        .label = "Redraw whole cube every frame",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct env_cube_params, always),
         .max = 1,
@@ -238,6 +265,7 @@ static const struct setting env_cube_rows[] = {
     },
     {
         .name = "env_cube.faces",
+        .label = "Cube faces per frame",
         .type = SETTING_COUNT,
         .offset = offsetof(struct env_cube_params, faces),
         .initial = 6,
@@ -247,6 +275,7 @@ static const struct setting env_cube_rows[] = {
     },
     {
         .name = "env_cube.size",
+        .label = "Environment cube resolution",
         .type = SETTING_COUNT,
         .offset = offsetof(struct env_cube_params, size),
         .min = 16,
@@ -277,6 +306,7 @@ static const char *const ground_shadings[] = {
 static const struct setting ground_rows[] = {
     {
         .name = "ground.light",
+        .label = "Ground lighting",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct ground_params, light),
         .max = GROUND_TRACED,
@@ -288,6 +318,7 @@ static const struct setting ground_rows[] = {
     },
     {
         .name = "ground.shading",
+        .label = "Ground shading",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct ground_params, shading),
         .initial = GROUND_PIXELS,
@@ -299,6 +330,7 @@ static const struct setting ground_rows[] = {
     },
     {
         .name = "ground.smooth",
+        .label = "Denoise ground lighting",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct ground_params, smooth),
         .max = 1,
@@ -314,6 +346,7 @@ const struct setting_group ground_settings =
 static const struct setting lens_rows[] = {
     {
         .name = "lens.f_stop",
+        .label = "Aperture (f-number; 0: all sharp)",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct lens_params, f_stop),
         .max = 1000,
@@ -322,6 +355,7 @@ static const struct setting lens_rows[] = {
     },
     {
         .name = "lens.focus",
+        .label = "Focus distance",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct lens_params, focus),
         .max = 1e6,
@@ -335,6 +369,7 @@ const struct setting_group lens_settings = SETTING_GROUP("lens", lens_rows, stru
 static const struct setting target_rows[] = {
     {
         .name = "target.scale",
+        .label = "Inclusion resolution",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct target_params, scale),
         .initial = 1,

@@ -22,14 +22,17 @@ enum setting_effect {
 };
 
 struct setting {
-    const char *name; /* "<group>.<parameter>" */
+    const char *name;         /* "<group>.<parameter>" */
+    const char *renamed_from; /* former name, still accepted with a note; NULL if there is none */
+    const char *label;        /* name in the window, such as "Refractive index" */
     enum setting_type type;
     size_t offset; /* offset of the member in the group's struct */
     double initial, min, max;
-    bool has_auto;                /* the value may be "auto", stored as setting_auto() */
-    const char *unit;             /* such as "degrees"; NULL if there is none */
-    const char *const *choices;   /* terminated by NULL */
-    const char *help;             /* one line, no full stop */
+    bool has_auto;                    /* the value may be "auto", stored as setting_auto() */
+    const char *unit;                 /* such as "degrees"; NULL if there is none */
+    const char *const *choices;       /* terminated by NULL */
+    const char *const *choice_labels; /* choices as the window shows them; NULL: `choices` */
+    const char *help;                 /* one line, no full stop */
     enum setting_effect affects;  /* effect of any change; SETTING_AFFECTS_NOTHING means FRAME */
     enum setting_effect switches; /* effect of a change from or to 0, if greater than `affects` */
 };

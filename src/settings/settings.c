@@ -196,6 +196,23 @@ static const char *format_source(const struct settings_source *source, const cha
     return text;
 }
 
+/* Finds the setting that had a name in an earlier version, and logs its present name. Returns NULL
+ * if there is none. */
+static const struct setting *find_renamed(const struct settings_source *source, const char *name)
+{
+    char where[SOURCE_SIZE];
+    for (struct iterator iterator = first_group(); iterator.group; next_group(&iterator)) {
+        for (size_t r = 0; r < iterator.group->row_count; r++) {
+            const struct setting *row = &iterator.group->rows[r];
+            if (row->renamed_from && !strcmp(row->renamed_from, name)) {
+                log_note("%s is now named %s", format_source(source, name, where), row->name);
+                return row;
+            }
+        }
+    }
+    return NULL;
+}
+
 static enum status rejection_status(const struct settings_source *source)
 {
     return source ? STATUS_DATA : STATUS_USAGE;
@@ -278,7 +295,9 @@ enum status settings_assign(struct settings *settings, const char *assignment,
         return rejection_status(source);
     }
     memcpy(name, assignment, length < NAME_SIZE ? length : NAME_SIZE - 1);
-    const struct assignment a = { settings, settings_find(name), source };
+    struct assignment a = { settings, settings_find(name), source };
+    if (!a.row)
+        a.row = find_renamed(source, name);
     if (!a.row || length >= NAME_SIZE)
         return reject_name(source, name);
     const bool is_number = a.row->type == SETTING_FLOAT || a.row->type == SETTING_COUNT;

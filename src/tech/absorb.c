@@ -5,6 +5,7 @@
 static const struct setting rows[] = {
     {
         .name = "absorb.red",
+        .label = "Absorption, red",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct absorb_params, red),
         .max = 1e4,
@@ -13,6 +14,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "absorb.green",
+        .label = "Absorption, green",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct absorb_params, green),
         .max = 1e4,
@@ -21,6 +23,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "absorb.blue",
+        .label = "Absorption, blue",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct absorb_params, blue),
         .max = 1e4,

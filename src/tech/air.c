@@ -119,6 +119,7 @@ static const char *const models[] = {
 static const struct setting rows[] = {
     {
         .name = "air.count",
+        .label = "Planes of fine bubbles",
         .type = SETTING_COUNT,
         .offset = offsetof(struct air_params, count),
         .initial = 19,
@@ -128,6 +129,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "air.seed",
+        .label = "Random seed of the planes",
         .type = SETTING_COUNT,
         .offset = offsetof(struct air_params, seed),
         .initial = 1,
@@ -137,6 +139,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "air.size",
+        .label = "Fine bubble size",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct air_params, size),
         .initial = 0.01,
@@ -147,6 +150,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "air.frequency",
+        .label = "Fine bubble frequency",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct air_params, frequency),
         .initial = 24,
@@ -157,6 +161,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "air.strength",
+        .label = "Density",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct air_params, strength),
         .initial = 0.35,
@@ -165,6 +170,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "air.haze",
+        .label = "Haze",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct air_params, haze),
         .initial = 0.04,
@@ -173,6 +179,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "air.model",
+        .label = "Model of the air",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct air_params, model),
         .max = AIR_MEDIUM,
@@ -183,6 +190,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "air.density",
+        .label = "Optical depth of the air",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct air_params, density),
         .initial = 4,
@@ -192,6 +200,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "air.clouds",
+        .label = "Density of scattering media",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct air_params, clouds),
         .initial = 1,
@@ -200,6 +209,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "air.anisotropy",
+        .label = "Scattering anisotropy (g)",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct air_params, anisotropy),
         .initial = 0.71,
@@ -209,6 +219,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "air.steps",
+        .label = "Scattering steps",
         .type = SETTING_COUNT,
         .offset = offsetof(struct air_params, steps),
         .initial = 6,

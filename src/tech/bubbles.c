@@ -152,6 +152,7 @@ static const char *const shape_names[] = { "sphere", "prolate", "oblate", "capsu
 static const struct setting rows[] = {
     {
         .name = "bubbles.count",
+        .label = "Bubbles",
         .type = SETTING_COUNT,
         .offset = offsetof(struct bubbles_params, count),
         .initial = 40,
@@ -161,6 +162,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "bubbles.seed",
+        .label = "Random seed of the bubbles",
         .type = SETTING_COUNT,
         .offset = offsetof(struct bubbles_params, seed),
         .initial = 1,
@@ -170,6 +172,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "bubbles.size",
+        .label = "Bubble size",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct bubbles_params, size),
         .initial = 0.03,
@@ -180,6 +183,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "bubbles.shape",
+        .label = "Bubble shape",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct bubbles_params, shape),
         .initial = GENERATE_BUBBLES_SPHERE,
@@ -191,6 +195,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "bubbles.stretch",
+        .label = "Bubble length",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct bubbles_params, stretch),
         .initial = 3,

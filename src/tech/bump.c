@@ -20,6 +20,7 @@ static const char *const mappings[] = {
 static const struct setting rows[] = {
     {
         .name = "bump.strength",
+        .label = "Surface bumps",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct bump_params, strength),
         .initial = 0.25,
@@ -29,6 +30,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "bump.scale",
+        .label = "Bump frequency",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct bump_params, scale),
         .initial = 1.6,
@@ -38,6 +40,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "bump.mask",
+        .label = "Smooth area",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct bump_params, mask),
         .initial = 0.4,
@@ -47,6 +50,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "bump.mapping",
+        .label = "Bump mapping",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct bump_params, mapping),
         .initial = BUMP_TRIPLANAR,
@@ -57,6 +61,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "bump.seed",
+        .label = "Random seed of the bumps",
         .type = SETTING_COUNT,
         .offset = offsetof(struct bump_params, seed),
         .max = 1e6,

@@ -251,22 +251,28 @@ static const char *const slopes[] = {
     }
 
 static const struct setting rows[] = {
-    ROW(method, SETTING_CHOICE, .initial = CAUSTICS_AREA, .max = CAUSTICS_AREA, .choices = methods,
-        .affects = SETTING_AFFECTS_PLAN, .help = "algorithm for the caustics on the pool's floor"),
-    ROW(sun, SETTING_FLOAT, .initial = 0.53, .min = 0.01, .max = 20, .unit = "degrees",
+    ROW(method, SETTING_CHOICE, .label = "Caustics", .initial = CAUSTICS_AREA, .max = CAUSTICS_AREA,
+        .choices = methods, .affects = SETTING_AFFECTS_PLAN,
+        .help = "algorithm for the caustics on the pool's floor"),
+    ROW(sun, SETTING_FLOAT, .label = "Sun diameter (caustics)", .initial = 0.53, .min = 0.01,
+        .max = 20, .unit = "degrees",
         .help =
             "angular diameter of the sun; caustics.method=backtrace uses caustics.glow instead"),
-    ROW(photons, SETTING_COUNT, .initial = 1000000, .min = 1, .max = 16000000,
-        .help = "number of photons with caustics.method=naive"),
-    ROW(directions, SETTING_COUNT, .initial = 64, .min = 1, .max = 65536,
+    ROW(photons, SETTING_COUNT, .label = "Photons (caustics)", .initial = 1000000, .min = 1,
+        .max = 16000000, .help = "number of photons with caustics.method=naive"),
+    ROW(directions, SETTING_COUNT, .label = "Directions per point (caustics)", .initial = 64,
+        .min = 1, .max = 65536,
         .help = "number of directions per point of the floor with caustics.method=gather"),
-    ROW(cone, SETTING_FLOAT, .initial = 20, .min = 0.1, .max = 90, .unit = "degrees",
+    ROW(cone, SETTING_FLOAT, .label = "Gather cone (caustics)", .initial = 20, .min = 0.1,
+        .max = 90, .unit = "degrees",
         .help = "half-angle of the cone of gathered directions around the unperturbed ray (90: "
                 "hemisphere)"),
-    ROW(slope, SETTING_CHOICE, .max = CAUSTICS_PUBLISHED, .choices = slopes,
+    ROW(slope, SETTING_CHOICE, .label = "Refraction law (caustics)", .max = CAUSTICS_PUBLISHED,
+        .choices = slopes,
         .help =
             "refraction with caustics.method=backtrace: by Snell's law, or three times as much"),
-    ROW(glow, SETTING_FLOAT, .initial = 4, .min = 0.1, .max = 90, .unit = "degrees",
+    ROW(glow, SETTING_FLOAT, .label = "Sun glow (caustics)", .initial = 4, .min = 0.1, .max = 90,
+        .unit = "degrees",
         .help = "angular radius of the sun's glow with caustics.method=backtrace"),
 };
 

@@ -125,6 +125,7 @@ static const float reach = 4.0f; /* half side of the map, radii of the objects' 
 static const struct setting rows[] = {
     {
         .name = "contact.strength",
+        .label = "Ambient occlusion",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct contact_params, strength),
         .initial = 1,

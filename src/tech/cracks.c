@@ -199,6 +199,7 @@ static const char *const refract_names[] = { "off", "normals", "gap", NULL };
 static const struct setting rows[] = {
     {
         .name = "cracks.count",
+        .label = "Cracks",
         .type = SETTING_COUNT,
         .offset = offsetof(struct cracks_params, count),
         .initial = 2,
@@ -208,6 +209,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "cracks.seed",
+        .label = "Random seed of the cracks",
         .type = SETTING_COUNT,
         .offset = offsetof(struct cracks_params, seed),
         .initial = 1,
@@ -217,6 +219,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "cracks.size",
+        .label = "Crack size",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct cracks_params, size),
         .initial = 1,
@@ -227,6 +230,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "cracks.clip",
+        .label = "Crack clipping",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct cracks_params, clip),
         .initial = CRACKS_CLIP_INTERVAL,
@@ -238,6 +242,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "cracks.refract",
+        .label = "Refraction at cracks",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct cracks_params, refract),
         .initial = CRACKS_REFRACT_OFF,
@@ -248,6 +253,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "cracks.strength",
+        .label = "Crack highlight",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct cracks_params, look.strength),
         .initial = 1,
@@ -256,6 +262,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "cracks.shininess",
+        .label = "Crack highlight sharpness",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct cracks_params, look.shininess),
         .initial = 60,
@@ -265,6 +272,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "cracks.bump",
+        .label = "Crack roughness",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct cracks_params, look.bump),
         .initial = 0.35,
@@ -273,6 +281,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "cracks.gap",
+        .label = "Crack air gap",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct cracks_params, look.gap),
         .initial = 2.4,
@@ -283,6 +292,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "cracks.surface",
+        .label = "Show crack surfaces",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct cracks_params, look.surface),
         .max = 1,

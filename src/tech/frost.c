@@ -95,6 +95,7 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 static const struct setting rows[] = {
     {
         .name = "frost.amount",
+        .label = "Frost",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct frost_params, amount),
         .max = 1,
@@ -103,6 +104,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "frost.roughness",
+        .label = "Frost roughness",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct frost_params, roughness),
         .initial = 0.6,

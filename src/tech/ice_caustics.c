@@ -337,6 +337,7 @@ static const char *const lights[] = {
 static const struct setting rows[] = {
     {
         .name = "ice_caustics.light",
+        .label = "Caustics and shadows",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct ice_caustics_params, light),
         .max = ICE_CAUSTICS_SUN,
@@ -347,6 +348,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "ice_caustics.reach",
+        .label = "Caustics radius",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct ice_caustics_params, reach),
         .initial = 3,
@@ -357,6 +359,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "ice_caustics.shadow",
+        .label = "Shadow of the ice",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct ice_caustics_params, shadow),
         .initial = 1,
@@ -366,6 +369,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "ice_caustics.ground",
+        .label = "Shadows of the surroundings",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct ice_caustics_params, ground),
         .initial = 1,

@@ -125,6 +125,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
 static const struct setting rows[] = {
     {
         .name = "ice_interval.count",
+        .label = "Ray intervals for crack clipping",
         .type = SETTING_COUNT,
         .offset = offsetof(struct ice_interval_params, count),
         .initial = 4,

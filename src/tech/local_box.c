@@ -5,7 +5,7 @@
 
 #define LOCAL(field, what) \
     { \
-        .name = "local." #field, .type = SETTING_FLOAT, \
+        .name = "local." #field, .label = "Environment box, " what, .type = SETTING_FLOAT, \
         .offset = offsetof(struct local_params, field), .min = -1e6, .max = 1e6, .unit = "metres", \
         .help = \
             "box of refract.lookup=box: " what " (if all six are 0: bounds of the surroundings)" \

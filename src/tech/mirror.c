@@ -254,6 +254,7 @@ static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 static const struct setting rows[] = {
     {
         .name = "mirror.steps",
+        .label = "Reflection steps",
         .type = SETTING_COUNT,
         .offset = offsetof(struct mirror_params, steps),
         .initial = 8,
@@ -264,6 +265,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "mirror.refract",
+        .label = "Refraction in reflections",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct mirror_params, refract),
         .initial = 1,

@@ -235,6 +235,7 @@ static const char *const lookups[] = {
 static const struct setting rows[] = {
     {
         .name = "refract.ior",
+        .label = "Refractive index",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_params, ior),
         .initial = 1.3091,
@@ -244,6 +245,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract.outside",
+        .label = "Refractive index outside",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_params, outside),
         .initial = 1.0003,
@@ -255,6 +257,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract.dispersion",
+        .label = "Dispersion",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_params, dispersion),
         .max = 10,
@@ -263,6 +266,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract.fresnel",
+        .label = "Reflectance model",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct refract_params, fresnel),
         .initial = REFRACT_FRESNEL_AUTO,
@@ -274,6 +278,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract.crossfade",
+        .label = "Refracted fraction",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_params, crossfade),
         .initial = 0.8,
@@ -282,6 +287,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract.lookup",
+        .label = "Environment lookup",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct refract_params, lookup),
         .initial = REFRACT_LOOKUP_AUTO,
@@ -293,6 +299,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract.steps",
+        .label = "Distance search steps",
         .type = SETTING_COUNT,
         .offset = offsetof(struct refract_params, steps),
         .initial = 8,

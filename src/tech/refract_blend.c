@@ -38,6 +38,7 @@ static const struct refract_rung rung = {
 static const struct setting rows[] = {
     {
         .name = "refract_blend.a",
+        .label = "Back-face normal weight (blend)",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_blend_params, a),
         .initial = 0.33,

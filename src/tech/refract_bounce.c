@@ -117,6 +117,7 @@ static const char *const bent_choices[] = {
 static const struct setting rows[] = {
     {
         .name = "refract_bounce.steps",
+        .label = "Ray steps (bounce)",
         .type = SETTING_COUNT,
         .offset = offsetof(struct refract_bounce_params, march.steps),
         .initial = 8,
@@ -126,6 +127,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract_bounce.halvings",
+        .label = "Bisections (bounce)",
         .type = SETTING_COUNT,
         .offset = offsetof(struct refract_bounce_params, march.halvings),
         .initial = 12,
@@ -134,6 +136,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract_bounce.count",
+        .label = "Internal reflections",
         .type = SETTING_COUNT,
         .offset = offsetof(struct refract_bounce_params, march.bounces),
         .initial = 8,
@@ -142,6 +145,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract_bounce.exits",
+        .label = "Exit faces per ray",
         .type = SETTING_COUNT,
         .offset = offsetof(struct refract_bounce_params, exits),
         .initial = 2,
@@ -152,6 +156,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract_bounce.least",
+        .label = "Minimum exit throughput",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_bounce_params, least),
         .max = 1,
@@ -159,6 +164,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract_bounce.branch",
+        .label = "Minimum crack branch throughput",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_bounce_params, branch),
         .initial = 0.1,
@@ -169,6 +175,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract_bounce.margin",
+        .label = "Refraction beyond image edges",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct refract_bounce_params, margin),
         .initial = 1,
@@ -179,6 +186,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract_bounce.nested",
+        .label = "Refraction at hidden faces",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct refract_bounce_params, nested),
         .initial = REFRACT_BOUNCE_NESTED_ON,
@@ -191,6 +199,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract_bounce.bent",
+        .label = "Inclusions along refracted rays",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct refract_bounce_params, bent),
         .initial = REFRACT_BOUNCE_BENT_CRACKS,

@@ -47,6 +47,7 @@ static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
 static const struct setting rows[] = {
     {
         .name = "refract_paper.a",
+        .label = "Back-face normal weight (paper)",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct refract_paper_params, a),
         .initial = 0.33,

@@ -11,6 +11,7 @@ static const char *const normals[] = {
 static const struct setting rows[] = {
     {
         .name = "reference.cutoff",
+        .label = "Reference: minimum throughput",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct reference_params, cutoff),
         .initial = 1e-3,
@@ -20,6 +21,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "reference.bounces",
+        .label = "Reference: maximum bounces",
         .type = SETTING_COUNT,
         .offset = offsetof(struct reference_params, bounces),
         .initial = 64,
@@ -29,6 +31,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "reference.roulette",
+        .label = "Reference: Russian roulette",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct reference_params, roulette),
         .max = 1,
@@ -37,6 +40,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "reference.photons",
+        .label = "Reference: caustic photons",
         .type = SETTING_COUNT,
         .offset = offsetof(struct reference_params, photons),
         .initial = 1000000,
@@ -46,6 +50,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "reference.normals",
+        .label = "Reference: normals",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct reference_params, normals),
         .max = REFERENCE_NORMALS_FLAT,

@@ -39,6 +39,7 @@ static const struct refract_rung rung = {
 static const struct setting rows[] = {
     {
         .name = "refract_search.steps",
+        .label = "Ray steps (search)",
         .type = SETTING_COUNT,
         .offset = offsetof(struct refract_march, steps),
         .initial = 8,
@@ -48,6 +49,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "refract_search.halvings",
+        .label = "Bisections (search)",
         .type = SETTING_COUNT,
         .offset = offsetof(struct refract_march, halvings),
         .initial = 8,

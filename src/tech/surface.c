@@ -23,6 +23,7 @@ const struct rg_image surface_highlight = {
 static const struct setting rows[] = {
     {
         .name = "surface.strength",
+        .label = "Highlight",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct surface_params, strength),
         .initial = 6,
@@ -32,6 +33,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "surface.shininess",
+        .label = "Highlight sharpness",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct surface_params, shininess),
         .initial = 900,

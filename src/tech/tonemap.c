@@ -45,6 +45,7 @@ static const char *const curves[] = {
 static const struct setting rows[] = {
     {
         .name = "tonemap.exposure",
+        .label = "Exposure",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct tonemap_params, exposure),
         .min = -16,
@@ -54,6 +55,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "tonemap.curve",
+        .label = "Tone curve",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct tonemap_params, curve),
         .initial = TONEMAP_NEUTRAL,
@@ -64,6 +66,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "tonemap.dither",
+        .label = "Dither 8-bit images",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct tonemap_params, dither),
         .max = 1,

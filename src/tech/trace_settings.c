@@ -27,6 +27,7 @@ static const char *const rays_by[] = {
 static const struct setting rows[] = {
     {
         .name = "trace.branch",
+        .label = "Minimum branch throughput",
         .type = SETTING_FLOAT,
         .offset = offsetof(struct trace_params, branch),
         .initial = -1,
@@ -38,6 +39,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "trace.surroundings",
+        .label = "Surroundings lookup",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct trace_params, surroundings),
         .max = TRACE_RAYS,
@@ -48,6 +50,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "trace.rays",
+        .label = "Ray traversal",
         .type = SETTING_CHOICE,
         .offset = offsetof(struct trace_params, rays),
         .max = TRACE_BY_QUERY,
@@ -58,6 +61,7 @@ static const struct setting rows[] = {
     },
     {
         .name = "trace.footprint",
+        .label = "Filter by ray footprint",
         .type = SETTING_SWITCH,
         .offset = offsetof(struct trace_params, footprint),
         .max = 1,

@@ -72,7 +72,7 @@ static uint32_t name_settings(const struct view_state *before, const struct view
             const double b = settings_get(&after->settings, row);
             if (!(a < b || a > b) || count++)
                 continue;
-            fprintf(out, "%s ", row->name);
+            fprintf(out, "%s ", row->label);
             settings_print(&before->settings, row, out);
             fputs(" -> ", out);
             settings_print(&after->settings, row, out);

@@ -49,6 +49,8 @@ static void check_words(const struct setting_group *group, const struct setting 
     assert_null(strpbrk(row->name, "= \n"));
     const char *help = row->help ? row->help : "";
     assert_true(strlen(help) > 3 && help[strlen(help) - 1] != '.');
+    assert_true(row->label && strlen(row->label) > 3);
+    assert_true(!row->renamed_from || !settings_find(row->renamed_from));
     assert_null(strchr(help, '\n'));
     assert_ptr_equal(settings_find(row->name), row); /* so there is no other of that name */
 }

@@ -62,7 +62,7 @@ static uint32_t distance_of(const struct palette *p, const struct entry *e)
     uint32_t distance = ui_words_distance(p->words, e->label, false);
     if (distance != UI_WORDS_NONE)
         return distance;
-    const char *const texts[] = { e->label, ui_synonyms(e->label) };
+    const char *const texts[] = { e->label, ui_synonyms(e->row ? e->row->name : e->label) };
     if (ui_words_fit(p->words, texts, 2))
         return SYNONYM;
     if (e->row && ui_settings_fit(e->row, p->words))
@@ -161,7 +161,8 @@ static void collect(struct palette *p)
     collect_sizes(p);
     for (enum ui_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
         for (uint32_t i = 0; (row = ui_group_row(g, i)); i++)
-            add(p, &(struct entry){ ENTRY_SETTING, 0, .row = row }, "%s", row->name);
+            add(p, &(struct entry){ ENTRY_SETTING, 0, .row = row }, "%s (%s)", row->label,
+                row->name);
     }
     sort(p);
 }

@@ -58,15 +58,6 @@ static bool is_scene_value(const struct ui_settings *settings, const struct sett
     return !memcmp(&usual, settings->now, sizeof(usual));
 }
 
-/* Converts a setting's name to its label: "cracks.count" to "cracks count". */
-static void print_label(const struct setting *row, char label[static LABEL_SIZE])
-{
-    snprintf(label, LABEL_SIZE, "%s", row->name);
-    for (char *c = label; *c; c++)
-        if (*c == '.' || *c == '_')
-            *c = ' ';
-}
-
 static const char *sign_of(const char *unit)
 {
     for (size_t i = 0; i < sizeof(units) / sizeof(units[0]) && unit; i++) {
@@ -118,7 +109,8 @@ static bool widget(const struct setting *row, const char *label, double *value)
         count = on;
         break;
     case UI_LIST:
-        changed = imgui_list(label, row->choices, choice_count(row), &count);
+        changed = imgui_list(label, row->choice_labels ? row->choice_labels : row->choices,
+                             choice_count(row), &count);
         break;
     case UI_NUMBER:
         changed = imgui_number(label, &count);
@@ -156,7 +148,7 @@ static void describe(const struct setting *row, char *text, size_t size)
 }
 
 /* Draws the label of a row, marked if the value was changed; the widget starts at `x`. */
-static void head(const struct setting *row, const char *label, bool changed, float x)
+static void head(const struct setting *row, bool changed, float x)
 {
     const struct theme *theme = imgui_theme();
     struct imgui_place mark = imgui_cursor();
@@ -167,7 +159,7 @@ static void head(const struct setting *row, const char *label, bool changed, flo
         imgui_rectangle(mark, imgui_rgba(theme->changed));
     imgui_indent(8.0f * scale);
     imgui_align();
-    imgui_text_cut(label, x - 14.0f * scale);
+    imgui_text_cut(row->label, x - 14.0f * scale);
     char text[400];
     describe(row, text, sizeof(text));
     imgui_tip(text);
@@ -181,11 +173,9 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
     const float button = imgui_width("\xc3\x97");
     const float x = imgui_room() * label_share;
     double value = before;
-    char label[LABEL_SIZE];
     char id[LABEL_SIZE + 16];
     char text[400];
-    print_label(row, label);
-    head(row, label, !usual, x);
+    head(row, !usual, x);
     imgui_next_width(imgui_room() - button - 6.0f * imgui_scale());
     snprintf(id, sizeof(id), "##%s", row->name);
     bool changed = widget(row, id, &value);
@@ -202,9 +192,9 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
         }
         const double usually = settings_get(settings->usual, row);
         if (setting_is_auto(row, usually))
-            snprintf(text, sizeof(text), "reset %s to auto", row->name);
+            snprintf(text, sizeof(text), "reset %s to auto", row->label);
         else
-            snprintf(text, sizeof(text), "reset %s to %g", row->name, usually);
+            snprintf(text, sizeof(text), "reset %s to %g", row->label, usually);
         imgui_tip(row->type == SETTING_CHOICE ? "reset to the scene's value" : text);
     }
     return changed;
@@ -212,9 +202,7 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
 
 bool ui_settings_fit(const struct setting *row, const char *words)
 {
-    char label[LABEL_SIZE];
-    print_label(row, label);
-    const char *const texts[] = { row->name, label, row->help, ui_group_name(ui_group_of(row)),
+    const char *const texts[] = { row->name, row->label, row->help, ui_group_name(ui_group_of(row)),
                                   ui_synonyms(row->name) };
     return ui_words_fit(words, texts, sizeof(texts) / sizeof(texts[0]));
 }
@@ -270,9 +258,7 @@ enum fit {
 
 static enum fit fit_of(const struct setting *row, const char *words)
 {
-    char label[LABEL_SIZE];
-    print_label(row, label);
-    const char *const names[] = { row->name, label };
+    const char *const names[] = { row->name, row->label };
     if (ui_words_fit(words, names, 2))
         return FIT_NAME;
     if (ui_settings_fit(row, words))
