@@ -1,15 +1,15 @@
-/* alike.c: motions of triangles, found from three corners. */
+/* alike.c: finds similarity transforms between triangle sets from three corresponding corners. */
 #include "src/scene/alike.h"
 #include <math.h>
 #include <string.h>
 
-/* The axes of three points: the first one is along the first side. */
+/* Orthonormal frame of three points; the first axis points along the first side. */
 struct frame {
     double origin[3], axes[3][3], length;
-    bool is_flat; /* they are on a line */
+    bool is_collinear; /* the points are collinear */
 };
 
-static const float *place_of(const struct alike_corners *corners, uint32_t corner)
+static const float *position_of(const struct alike_corners *corners, uint32_t corner)
 {
     return corners->place(corners->of, corner);
 }
@@ -25,13 +25,13 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static void between(const float *a, const float *b, double *to)
+static void difference(const float *a, const float *b, double *to)
 {
     for (int k = 0; k < 3; k++)
         to[k] = (double)b[k] - (double)a[k];
 }
 
-/* Returns the length of v, and makes it 1. */
+/* Normalises v. Returns its former length. */
 static double normalise(double *v)
 {
     const double length = sqrt(dot(v, v));
@@ -40,15 +40,15 @@ static double normalise(double *v)
     return length;
 }
 
-/* A corner far from the first one, and one far from the line through both. */
+/* Picks the corner farthest from corner 0, and the one farthest from the line through both. */
 struct alike_anchor alike_anchor_find(const struct alike_corners *corners)
 {
     struct alike_anchor anchor = { { 0 }, 0.0 };
-    const float *origin = place_of(corners, 0);
-    double along[3] = { 0 }, most = 0.0;
+    const float *origin = position_of(corners, 0);
+    double along[3] = { 0 }, farthest = 0.0;
     for (uint32_t i = 0; i < corners->count; i++) {
         double v[3];
-        between(origin, place_of(corners, i), v);
+        difference(origin, position_of(corners, i), v);
         if (dot(v, v) > anchor.length) {
             anchor.length = dot(v, v);
             anchor.corners[1] = i;
@@ -56,11 +56,11 @@ struct alike_anchor alike_anchor_find(const struct alike_corners *corners)
         }
     }
     for (uint32_t i = 0; i < corners->count; i++) {
-        double v[3], aside[3];
-        between(origin, place_of(corners, i), v);
-        cross(along, v, aside);
-        if (dot(aside, aside) > most) {
-            most = dot(aside, aside);
+        double v[3], cross_product[3];
+        difference(origin, position_of(corners, i), v);
+        cross(along, v, cross_product);
+        if (dot(cross_product, cross_product) > farthest) {
+            farthest = dot(cross_product, cross_product);
             anchor.corners[2] = i;
         }
     }
@@ -70,15 +70,15 @@ struct alike_anchor alike_anchor_find(const struct alike_corners *corners)
 static struct frame frame_of(const struct alike_corners *corners, const struct alike_anchor *anchor)
 {
     struct frame frame;
-    double aside[3];
-    const float *origin = place_of(corners, anchor->corners[0]);
+    double cross_product[3];
+    const float *origin = position_of(corners, anchor->corners[0]);
     for (int k = 0; k < 3; k++)
         frame.origin[k] = (double)origin[k];
-    between(origin, place_of(corners, anchor->corners[1]), frame.axes[0]);
-    between(origin, place_of(corners, anchor->corners[2]), aside);
+    difference(origin, position_of(corners, anchor->corners[1]), frame.axes[0]);
+    difference(origin, position_of(corners, anchor->corners[2]), cross_product);
     frame.length = normalise(frame.axes[0]);
-    cross(frame.axes[0], aside, frame.axes[2]);
-    frame.is_flat = !(normalise(frame.axes[2]) > 1e-6 * frame.length);
+    cross(frame.axes[0], cross_product, frame.axes[2]);
+    frame.is_collinear = !(normalise(frame.axes[2]) > 1e-6 * frame.length);
     cross(frame.axes[2], frame.axes[0], frame.axes[1]);
     return frame;
 }
@@ -87,7 +87,7 @@ bool alike_motion_find(struct alike_motion *motion, const struct alike_anchor *a
                        const struct alike_corners *before, const struct alike_corners *after)
 {
     const struct frame a = frame_of(before, anchor), b = frame_of(after, anchor);
-    if (a.is_flat || b.is_flat)
+    if (a.is_collinear || b.is_collinear)
         return false;
     motion->length = b.length;
     for (int k = 0; k < 3; k++) {

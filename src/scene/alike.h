@@ -1,8 +1,8 @@
 /*
- * alike.h: whether triangles are others that have been moved, turned and scaled evenly.
+ * alike.h: detects instancing: whether triangles are a copy of others under a similarity transform.
  *
- * Three corners that are far from each other, the anchor, tell the motion; whether all corners
- * follow it, the caller decides.
+ * The transform follows from an anchor, three corners that are far apart, without a search. The
+ * caller then checks that all corners match it.
  */
 #ifndef FIRN_SCENE_ALIKE_H
 #define FIRN_SCENE_ALIKE_H
@@ -10,31 +10,31 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The corners of triangles, by number. */
+/* Triangle corners, accessed by index. */
 struct alike_corners {
     const void *of;
-    const float *(*place)(const void *of, uint32_t corner); /* x, y, z */
+    const float *(*place)(const void *of, uint32_t corner); /* returns x, y, z of a corner */
     uint32_t count;
 };
 
 struct alike_anchor {
     uint32_t corners[3];
-    double length; /* squared, of the first side */
+    double length; /* squared length of the first side */
 };
 
-/* A point of the corners before, to one of those after. */
+/* Affine 3 x 4 matrix that maps points of the first set to points of the second. */
 struct alike_motion {
     double rows[3][4];
-    double length; /* of the anchor's first side, after */
+    double length; /* length of the anchor's first side in the second set */
 };
 
 struct alike_anchor alike_anchor_find(const struct alike_corners *corners);
 
-/* Finds the motion of an anchor. Returns false if it is on a line. */
+/* Finds the transform of the anchor from `before` to `after`. Returns false if it is collinear. */
 bool alike_motion_find(struct alike_motion *motion, const struct alike_anchor *anchor,
                        const struct alike_corners *before, const struct alike_corners *after);
 
-/* Returns how far a corner is from where the motion puts it, in its farthest coordinate. */
+/* Returns the error of a transformed corner: the largest difference of a coordinate. */
 double alike_error(const struct alike_motion *motion, const float before[static 3],
                    const float after[static 3]);
 

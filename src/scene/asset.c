@@ -1,4 +1,4 @@
-/* asset.c: the table of assets, and the folders that may have their files. */
+/* asset.c: table of bundled assets, and the search for their files. */
 #include "src/scene/asset.h"
 #include <stdbool.h>
 #include <stdio.h>
@@ -18,7 +18,7 @@ const struct asset assets[] = {
                       "bubbles.shape=grown", "bubbles.stretch=14", "cracks.count=2",
                       "cracks.seed=15", "cracks.refract=gap", "cracks.bump=0.06",
                       "cracks.clip=convex", "refract_bounce.least=0.04" },
-        .help = "cube of ice on wet slate, before mountains",
+        .help = "cube of ice on wet slate, in front of mountains",
     },
     {
         .name = "drink",
@@ -50,7 +50,7 @@ const struct asset assets[] = {
         .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.reach=1.2",
                       "ground.light=traced", "ground.smooth=on", "trace.footprint=on",
                       "lens.f_stop=120", "tonemap.exposure=0.9" },
-        .help = "melting block of ice on wet slate, before mountains",
+        .help = "melting block of ice on wet slate, in front of mountains",
     },
     {
         .name = "studio",
@@ -80,7 +80,7 @@ const struct asset assets[] = {
         .name = "rungs",
         .file = "rungs.png",
         .kind = ASSET_SHEET,
-        .help = "an ice cube by each rung",
+        .help = "an ice cube by each refraction model",
     },
     { 0 },
 };
@@ -94,7 +94,7 @@ const struct asset *asset_find(const char *name, enum asset_kind kind)
     return NULL;
 }
 
-/* Writes the folder of this program, with a slash at its end; "" if it is not known. */
+/* Writes the folder of the running program with a trailing slash, or "" if it is unknown. */
 static void find_program_folder(char *folder, size_t size)
 {
     const ssize_t length = readlink("/proc/self/exe", folder, size - 1);
@@ -103,8 +103,8 @@ static void find_program_folder(char *folder, size_t size)
     folder[slash ? slash + 1 - folder : 0] = '\0';
 }
 
-/* Returns "A" "B" "/" "FILE" if there is such a file, else NULL; *lacks_memory may become true. */
-static char *try_folder(const char *a, const char *b, const char *file, bool *lacks_memory)
+/* Returns the path "AB/FILE" if the file exists, else NULL. Sets *lacks_memory if out of memory. */
+static char *join_if_exists(const char *a, const char *b, const char *file, bool *lacks_memory)
 {
     const size_t size = strlen(a) + strlen(b) + strlen(file) + 2;
     char *path = malloc(size);
@@ -119,15 +119,17 @@ static char *try_folder(const char *a, const char *b, const char *file, bool *la
     return NULL;
 }
 
-static const char *const beside[] = { "../share/firn", "assets" };
+static const char *const folders[] = { "../share/firn", "assets" };
 
 /* Returns the path, which the caller frees, or NULL. */
-static char *find(const struct asset *asset, const char *program, bool *lacks_memory)
+static char *find_path(const struct asset *asset, const char *program, bool *lacks_memory)
 {
-    const char *stated = getenv("FIRN_ASSETS");
-    char *path = stated && stated[0] ? try_folder(stated, "", asset->file, lacks_memory) : NULL;
-    for (size_t i = 0; program[0] && !path && i < sizeof(beside) / sizeof(beside[0]); i++)
-        path = try_folder(program, beside[i], asset->file, lacks_memory);
+    const char *from_variable = getenv("FIRN_ASSETS");
+    char *path = from_variable && from_variable[0]
+                     ? join_if_exists(from_variable, "", asset->file, lacks_memory)
+                     : NULL;
+    for (size_t i = 0; program[0] && !path && i < sizeof(folders) / sizeof(folders[0]); i++)
+        path = join_if_exists(program, folders[i], asset->file, lacks_memory);
     return path;
 }
 
@@ -136,7 +138,7 @@ bool asset_is_there(const struct asset *asset)
     char program[4096];
     bool lacks_memory = false;
     find_program_folder(program, sizeof(program));
-    char *path = find(asset, program, &lacks_memory);
+    char *path = find_path(asset, program, &lacks_memory);
     free(path);
     return path != NULL;
 }
@@ -151,13 +153,13 @@ enum status asset_locate(const struct asset *asset, char **path)
     char program[4096];
     bool lacks_memory = false;
     find_program_folder(program, sizeof(program));
-    *path = find(asset, program, &lacks_memory);
+    *path = find_path(asset, program, &lacks_memory);
     if (*path)
         return STATUS_OK;
     if (lacks_memory)
         return log_out_of_memory(asset->name);
     log_error("'%s': %s is neither in $FIRN_ASSETS nor in %s%s; set FIRN_ASSETS to the folder of "
               "firn's assets",
-              asset->name, asset->file, program, beside[0]);
+              asset->name, asset->file, program, folders[0]);
     return STATUS_NO_INPUT;
 }

@@ -1,8 +1,8 @@
 /*
- * asset.h: models, panoramas and pictures that come with the program, by name.
+ * asset.h: models, environments and images bundled with the program, by name.
  *
- * A file of theirs is looked for in $FIRN_ASSETS, then in ../share/firn from the program's folder,
- * where it is installed, then in assets in the program's folder, where a build puts it.
+ * Files are searched in $FIRN_ASSETS, then in ../share/firn relative to the program's folder
+ * (installation), then in assets in the program's folder (build tree).
  */
 #ifndef FIRN_SCENE_ASSET_H
 #define FIRN_SCENE_ASSET_H
@@ -13,36 +13,36 @@
 enum asset_kind {
     ASSET_SCENE,
     ASSET_ENVIRONMENT,
-    ASSET_SHEET, /* pictures of `firn sheet`, for the window's panel */
+    ASSET_SHEET, /* images made by `firn sheet`, shown in the window's panel */
 };
 
 enum {
-    ASSET_SETTING_COUNT = 16, /* the last one is NULL */
+    ASSET_SETTING_COUNT = 16, /* including the terminating NULL */
 };
 
 struct asset {
-    const char *name; /* without a dot or a slash, so that "./NAME" is always a file */
-    const char *file; /* its name in the folder of assets */
+    const char *name; /* contains no dot or slash, so that "./NAME" is always a file */
+    const char *file; /* file name in the assets folder */
     enum asset_kind kind;
-    const char *environment; /* of a scene: what it is in unless an option says; NULL: the sky */
-    const char *settings[ASSET_SETTING_COUNT]; /* of a scene: its own defaults, "name=value" */
+    const char *environment; /* default environment of a scene; NULL for the sky */
+    const char *settings[ASSET_SETTING_COUNT]; /* default settings of a scene, "name=value" */
     const char *help;
 };
 
-extern const struct asset assets[]; /* ends at a row of zeros */
+extern const struct asset assets[]; /* terminated by a zero entry */
 
-/* Returns whether a folder has the asset's file; false, too, when out of memory. */
+/* Returns true if the asset's file exists; also false when out of memory. */
 bool asset_is_there(const struct asset *asset);
 
 /* Returns the asset of this name and kind, or NULL. */
 const struct asset *asset_find(const char *name, enum asset_kind kind);
 
-/* Returns whether a name of an environment is that of the built-in landscape: valley, or sky. */
+/* Returns true if an environment name means the built-in landscape: "valley" or "sky". */
 bool asset_is_valley(const char *name);
 
 /*
  * Finds an asset's file. The caller frees *path, which is NULL on failure. Logs and returns
- * STATUS_NO_INPUT if no folder has the file, or STATUS_TRY_AGAIN when out of memory.
+ * STATUS_NO_INPUT if the file does not exist, or STATUS_TRY_AGAIN when out of memory.
  */
 MUST_USE enum status asset_locate(const struct asset *asset, char **path);
 

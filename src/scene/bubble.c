@@ -1,9 +1,10 @@
-/* bubble.c: points and rays of a bubble, in double: bubbles are small and far from the eye. */
+/* bubble.c: ray intersection and surface points of bubbles, in double precision because bubbles are
+ * tiny compared to ray lengths. */
 #include "src/scene/bubble.h"
 #include <math.h>
 
-/* Returns the share of `axis` in a vector. */
-static double share(const struct bubble *bubble, const double v[static 3])
+/* Returns the dot product of `axis` and a vector. */
+static double axis_dot(const struct bubble *bubble, const double v[static 3])
 {
     double sum = 0.0;
     for (int k = 0; k < 3; k++)
@@ -22,17 +23,17 @@ static double length_of(const double v[static 3])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* Makes vectors shorter or longer along the axis, so that an ellipsoid becomes a sphere. */
+/* Scales a vector along the axis, so that the ellipsoid becomes a sphere. */
 static void to_sphere(const struct bubble *bubble, double v[static 3])
 {
     const double radius = (double)bubble->radius;
-    const double along = share(bubble, v);
+    const double along = axis_dot(bubble, v);
     add_axis(bubble, (radius / (radius + (double)bubble->stretch) - 1.0) * along, v);
 }
 
-/* Subtracts the point of the core that is nearest to it, and makes a sphere of what is around the
- * core: of a capsule, the core is a part of its axis; of an ellipsoid, its centre. On the surface
- * the length is then the radius. Returns how far along the axis the core's point is. */
+/* Subtracts the nearest point of the bubble's core (a capsule's axis segment, an ellipsoid's
+ * centre), and scales ellipsoids to spheres. On the surface the result's length is the radius.
+ * Returns the position of the core point along the axis. */
 static double reduce(const struct bubble *bubble, double v[static 3])
 {
     const double half = (double)bubble->stretch;
@@ -40,7 +41,7 @@ static double reduce(const struct bubble *bubble, double v[static 3])
         to_sphere(bubble, v);
         return 0.0;
     }
-    const double along = fmin(fmax(share(bubble, v), -half), half);
+    const double along = fmin(fmax(axis_dot(bubble, v), -half), half);
     add_axis(bubble, -along, v);
     return along;
 }
@@ -52,12 +53,12 @@ struct box bubble_box(const struct bubble *bubble)
     struct box box;
     for (int k = 0; k < 3; k++) {
         const float along = bubble->axis.raw[k];
-        const float room =
+        const float extent =
             bubble->is_capsule
                 ? radius + bubble->stretch * fabsf(along)
                 : sqrtf(radius * radius + (reach * reach - radius * radius) * along * along);
-        box.min.raw[k] = bubble->center.raw[k] - room;
-        box.max.raw[k] = bubble->center.raw[k] + room;
+        box.min.raw[k] = bubble->center.raw[k] - extent;
+        box.max.raw[k] = bubble->center.raw[k] + extent;
     }
     return box;
 }
@@ -71,9 +72,7 @@ bool bubble_holds(const struct bubble *bubble, vec3s point)
     return length_of(v) < (double)bubble->radius;
 }
 
-/* ---- rays ---- */
-
-/* A ray from the centre on, in lengths of `dir`. */
+/* Ray relative to the bubble's centre; t is in lengths of `dir`. */
 struct ray {
     double from[3], dir[3];
 };
@@ -88,8 +87,8 @@ static struct ray ray_of(const struct bubble *bubble, vec3s origin, vec3s dir)
     return ray;
 }
 
-/* Crosses a sphere around the centre; a ray without a direction is in it forever, or never. */
-static bool cross_sphere(const struct ray *ray, double radius, double at[static 2])
+/* Intersects a sphere at the origin. A zero direction gives an infinite interval or a miss. */
+static bool intersect_sphere(const struct ray *ray, double radius, double at[static 2])
 {
     double a = 0.0, b = 0.0, c = -radius * radius;
     for (int k = 0; k < 3; k++) {
@@ -105,39 +104,41 @@ static bool cross_sphere(const struct ray *ray, double radius, double at[static 
     return true;
 }
 
-/* Crosses the cylinder between a capsule's ends. */
-static bool cross_cylinder(const struct bubble *bubble, const struct ray *ray, double at[static 2])
+/* Intersects the cylindrical part of a capsule. */
+static bool intersect_cylinder(const struct bubble *bubble, const struct ray *ray,
+                               double at[static 2])
 {
     const double half = (double)bubble->stretch;
-    const double along = share(bubble, ray->from), pace = share(bubble, ray->dir);
+    const double along = axis_dot(bubble, ray->from), slope = axis_dot(bubble, ray->dir);
     struct ray across = *ray;
     add_axis(bubble, -along, across.from);
-    add_axis(bubble, -pace, across.dir);
-    if (!cross_sphere(&across, (double)bubble->radius, at))
+    add_axis(bubble, -slope, across.dir);
+    if (!intersect_sphere(&across, (double)bubble->radius, at))
         return false;
-    if (!(fabs(pace) > 0.0))
+    if (!(fabs(slope) > 0.0))
         return fabs(along) < half;
-    const double side = pace > 0.0 ? half : -half;
-    at[0] = fmax(at[0], (-side - along) / pace);
-    at[1] = fmin(at[1], (side - along) / pace);
+    const double side = slope > 0.0 ? half : -half;
+    at[0] = fmax(at[0], (-side - along) / slope);
+    at[1] = fmin(at[1], (side - along) / slope);
     return at[0] < at[1];
 }
 
-/* A capsule is a cylinder and two spheres. */
-static bool cross_capsule(const struct bubble *bubble, const struct ray *ray, double at[static 2])
+/* Intersects a capsule, as the union of a cylinder and two spheres. */
+static bool intersect_capsule(const struct bubble *bubble, const struct ray *ray,
+                              double at[static 2])
 {
-    double part[3][2];
-    bool is_met[3] = { cross_cylinder(bubble, ray, part[0]) };
+    double interval[3][2];
+    bool is_hit[3] = { intersect_cylinder(bubble, ray, interval[0]) };
     for (int end = 0; end < 2; end++) {
         struct ray moved = *ray;
         add_axis(bubble, (double)(end ? bubble->stretch : -bubble->stretch), moved.from);
-        is_met[1 + end] = cross_sphere(&moved, (double)bubble->radius, part[1 + end]);
+        is_hit[1 + end] = intersect_sphere(&moved, (double)bubble->radius, interval[1 + end]);
     }
     at[0] = HUGE_VAL;
     at[1] = -HUGE_VAL;
     for (int i = 0; i < 3; i++) {
-        at[0] = is_met[i] ? fmin(at[0], part[i][0]) : at[0];
-        at[1] = is_met[i] ? fmax(at[1], part[i][1]) : at[1];
+        at[0] = is_hit[i] ? fmin(at[0], interval[i][0]) : at[0];
+        at[1] = is_hit[i] ? fmax(at[1], interval[i][1]) : at[1];
     }
     return at[0] <= at[1];
 }
@@ -146,10 +147,10 @@ bool bubble_cross(const struct bubble *bubble, vec3s origin, vec3s dir, double a
 {
     struct ray ray = ray_of(bubble, origin, dir);
     if (bubble->is_capsule)
-        return cross_capsule(bubble, &ray, at);
+        return intersect_capsule(bubble, &ray, at);
     to_sphere(bubble, ray.from);
     to_sphere(bubble, ray.dir);
-    return cross_sphere(&ray, (double)bubble->radius, at);
+    return intersect_sphere(&ray, (double)bubble->radius, at);
 }
 
 struct bubble_face bubble_face_at(const struct bubble *bubble, vec3s origin, vec3s dir, double at)
@@ -168,7 +169,7 @@ struct bubble_face bubble_face_at(const struct bubble *bubble, vec3s origin, vec
     if (bubble->is_capsule) {
         add_axis(bubble, along, point);
     } else {
-        add_axis(bubble, (double)bubble->stretch * share(bubble, normal), point);
+        add_axis(bubble, (double)bubble->stretch * axis_dot(bubble, normal), point);
         to_sphere(bubble, normal);
     }
     const double scale = 1.0 / length_of(normal);

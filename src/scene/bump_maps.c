@@ -1,4 +1,4 @@
-/* bump_maps.c: dimples and noise on a tile whose edges fit each other. */
+/* bump_maps.c: generates tileable bump maps of dimples and gradient noise. */
 #include "src/scene/bump_maps.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -10,12 +10,12 @@
 
 enum {
     SIZE = BUMP_MAPS_SIZE,
-    PERIOD_MAX = 64, /* cells across the tile */
+    PERIOD_MAX = 64, /* maximum number of cells across the tile */
 };
 
-/* A tile divided into cells, with a random vector at every corner. */
+/* Periodic lattice of random vectors. */
 struct lattice {
-    uint32_t period; /* cells across the tile */
+    uint32_t period; /* number of cells across the tile */
     vec2s corners[PERIOD_MAX][PERIOD_MAX];
 };
 
@@ -35,25 +35,25 @@ static vec2s corner(const struct lattice *lattice, uint32_t x, uint32_t y)
     return lattice->corners[y % lattice->period][x % lattice->period];
 }
 
-/* Consecutive texels of a row that are in one cell. */
-struct run {
-    uint32_t x, y;         /* the cell */
-    uint32_t first, count; /* the texels, along x */
-    float rest_y;          /* distance from the cell's top, in cells */
+/* Consecutive texels of a row within one lattice cell. */
+struct span {
+    uint32_t x, y;         /* cell coordinates */
+    uint32_t first, count; /* first texel's x, and number of texels */
+    float rest_y;          /* offset from the cell's top, in cells */
 };
 
-static struct run find_run(const struct lattice *lattice, uint32_t x, uint32_t y)
+static struct span find_span(const struct lattice *lattice, uint32_t x, uint32_t y)
 {
     const uint32_t cell = x * lattice->period / SIZE;
     const uint32_t end = ((cell + 1) * SIZE + lattice->period - 1) / lattice->period;
     const uint32_t in_y = y * lattice->period;
-    return (struct run){ cell, in_y / SIZE, x, end - x, (float)(in_y % SIZE) / SIZE };
+    return (struct span){ cell, in_y / SIZE, x, end - x, (float)(in_y % SIZE) / SIZE };
 }
 
-/* Returns the distance of texel i of a run from the cell's left, in cells. */
-static float rest_x(const struct lattice *lattice, const struct run *run, uint32_t i)
+/* Returns the x offset of texel i from the cell's left side, in cells. */
+static float cell_x(const struct lattice *lattice, const struct span *span, uint32_t i)
 {
-    return (float)((run->first + i) * lattice->period - run->x * SIZE) / SIZE;
+    return (float)((span->first + i) * lattice->period - span->x * SIZE) / SIZE;
 }
 
 static float fade(float t)
@@ -61,15 +61,16 @@ static float fade(float t)
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/* Gradient noise (Perlin 2002): about -1 to 1, with features of the size of a cell. */
-static void wave(const struct lattice *lattice, const struct run *run, float *values)
+/* Gradient noise (Perlin 2002), about -1 to 1, one feature per cell. */
+static void gradient_noise(const struct lattice *lattice, const struct span *span, float *values)
 {
-    const vec2s upper[2] = { corner(lattice, run->x, run->y), corner(lattice, run->x + 1, run->y) };
-    const vec2s lower[2] = { corner(lattice, run->x, run->y + 1),
-                             corner(lattice, run->x + 1, run->y + 1) };
-    const float down = run->rest_y, up = down - 1;
-    for (uint32_t i = 0; i < run->count; i++) {
-        const float right = rest_x(lattice, run, i), left = right - 1;
+    const vec2s upper[2] = { corner(lattice, span->x, span->y),
+                             corner(lattice, span->x + 1, span->y) };
+    const vec2s lower[2] = { corner(lattice, span->x, span->y + 1),
+                             corner(lattice, span->x + 1, span->y + 1) };
+    const float down = span->rest_y, up = down - 1;
+    for (uint32_t i = 0; i < span->count; i++) {
+        const float right = cell_x(lattice, span, i), left = right - 1;
         const float across = fade(right);
         const float above = glm_lerp(upper[0].x * right + upper[0].y * down,
                                      upper[1].x * left + upper[1].y * down, across);
@@ -79,39 +80,39 @@ static void wave(const struct lattice *lattice, const struct run *run, float *va
     }
 }
 
-/* Squared distance to the nearest of scattered points, about 0 to 1, with rounded ridges: adjacent
- * bowls. */
-static void dimple(const struct lattice *lattice, const struct run *run, float *values)
+/* Smoothed cellular noise: squared distance to the nearest feature point, about 0 to 1. Looks like
+ * adjacent bowls with rounded ridges. */
+static void cellular_noise(const struct lattice *lattice, const struct span *span, float *values)
 {
-    memset(values, 0, run->count * sizeof(*values));
+    memset(values, 0, span->count * sizeof(*values));
     for (uint32_t point = 0; point < 25; point++) {
         const uint32_t x = point % 5, y = point / 5;
         const vec2s at =
-            corner(lattice, run->x + lattice->period + x - 2, run->y + lattice->period + y - 2);
-        const float from_y = run->rest_y - (float)y + 2 - 0.4F * at.y;
-        for (uint32_t i = 0; i < run->count; i++) {
-            const float from_x = rest_x(lattice, run, i) - (float)x + 2 - 0.4F * at.x;
+            corner(lattice, span->x + lattice->period + x - 2, span->y + lattice->period + y - 2);
+        const float from_y = span->rest_y - (float)y + 2 - 0.4F * at.y;
+        for (uint32_t i = 0; i < span->count; i++) {
+            const float from_x = cell_x(lattice, span, i) - (float)x + 2 - 0.4F * at.x;
             const float d = from_x * from_x + from_y * from_y + 0.1F;
             values[i] += 1 / (d * d * d * d);
         }
     }
-    for (uint32_t i = 0; i < run->count; i++)
+    for (uint32_t i = 0; i < span->count; i++)
         values[i] = 1 / sqrtf(sqrtf(values[i]));
 }
 
-/* Computes a field at all texels of a run. */
-typedef void field_fn(const struct lattice *lattice, const struct run *run, float *values);
+/* Evaluates a noise field at all texels of a run. */
+typedef void field_fn(const struct lattice *lattice, const struct span *span, float *values);
 
-/* Adds a field to a tile of heights. */
+/* Adds a scaled noise field to a tile of heights. */
 static void add_field(float *heights, struct lattice *lattice, field_fn *field, uint32_t period,
                       float height, uint32_t seed)
 {
     float values[SIZE];
     lattice_init(lattice, period, seed);
     for (uint32_t i = 0; i < SIZE * SIZE;) {
-        const struct run run = find_run(lattice, i % SIZE, i / SIZE);
-        field(lattice, &run, values);
-        for (uint32_t k = 0; k < run.count; k++)
+        const struct span span = find_span(lattice, i % SIZE, i / SIZE);
+        field(lattice, &span, values);
+        for (uint32_t k = 0; k < span.count; k++)
             heights[i++] += height * values[k];
     }
 }
@@ -129,12 +130,12 @@ static vec2s slope(const float *heights, uint32_t x, uint32_t y)
     } };
 }
 
-static void make_slopes(uint16_t *texels, const float *heights)
+static void write_slopes(uint16_t *texels, const float *heights)
 {
     double sum = 0;
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
         sum += (double)glms_vec2_norm2(slope(heights, i % SIZE, i / SIZE));
-    float scale = sum > 0 ? (float)sqrt(SIZE * SIZE / sum) : 0; /* heights may be flat */
+    float scale = sum > 0 ? (float)sqrt(SIZE * SIZE / sum) : 0; /* heights may be constant */
     for (uint32_t i = 0; i < SIZE * SIZE; i++) {
         vec2s s = glms_vec2_scale(slope(heights, i % SIZE, i / SIZE), scale);
         texels[4 * i + 0] = half_from_float(s.x);
@@ -142,64 +143,65 @@ static void make_slopes(uint16_t *texels, const float *heights)
     }
 }
 
-/* Returns the value below which a share of a field's values are, to a thousandth of the range -2 to
- * 2. */
-static float quantile(const float *field, float share)
+/* Returns the quantile of a field at a fraction, by a histogram over the range -2 to 2. */
+static float quantile(const float *field, float fraction)
 {
     uint32_t counts[4096] = { 0 };
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
         counts[(uint32_t)(glm_clamp(field[i] / 4 + 0.5F, 0, 0.9999F) * 4096)]++;
     float below = 0;
     uint32_t bin = 0;
-    for (; bin < 4096 && below <= share * SIZE * SIZE; bin++)
+    for (; bin < 4096 && below <= fraction * SIZE * SIZE; bin++)
         below += (float)counts[bin];
     return ((float)bin / 4096 - 0.5F) * 4;
 }
 
-static uint16_t to_share(float x)
+static uint16_t to_unit_half(float x)
 {
     return half_from_float(glm_clamp(x, 0, 1));
 }
 
-/* Makes the surface smooth where the field is low, with a gradual transition to rough. */
-static void make_smooth(uint16_t *texels, const float *field, float share)
+/* Writes smoothness: 1 where the field is low, with a gradual transition to 0. */
+static void write_smoothness(uint16_t *texels, const float *field, float fraction)
 {
     const float width = 0.25F;
-    float middle = quantile(field, share);
+    float middle = quantile(field, fraction);
     for (uint32_t i = 0; i < SIZE * SIZE; i++) {
         float t = glm_clamp((middle - field[i]) / width + 0.5F, 0, 1);
-        texels[4 * i + 2] = to_share(share <= 0 ? 0 : share >= 1 ? 1 : t * t * (3 - 2 * t));
+        texels[4 * i + 2] = to_unit_half(fraction <= 0   ? 0
+                                         : fraction >= 1 ? 1
+                                                         : t * t * (3 - 2 * t));
     }
 }
 
-static void make_crystals(uint16_t *texels, const float *field)
+static void write_frost(uint16_t *texels, const float *field)
 {
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
-        texels[4 * i + 3] = to_share(0.7F + 0.45F * field[i]);
+        texels[4 * i + 3] = to_unit_half(0.7F + 0.45F * field[i]);
 }
 
-static void make(struct bump_maps *maps, const struct bump_maps_params *params, float *field,
-                 struct lattice *lattice)
+static void generate(struct bump_maps *maps, const struct bump_maps_params *params, float *field,
+                     struct lattice *lattice)
 {
     const size_t field_size = (size_t)SIZE * SIZE * sizeof(*field);
     const uint32_t seed = params->seed * 16;
     memset(field, 0, field_size);
-    add_field(field, lattice, dimple, 7, 1.0F, seed);
-    add_field(field, lattice, wave, 3, 0.8F, seed + 1);
-    add_field(field, lattice, wave, 11, 0.14F, seed + 2);
-    add_field(field, lattice, wave, 29, 0.025F, seed + 3);
-    make_slopes(maps->texels, params->heights ? params->heights : field);
+    add_field(field, lattice, cellular_noise, 7, 1.0F, seed);
+    add_field(field, lattice, gradient_noise, 3, 0.8F, seed + 1);
+    add_field(field, lattice, gradient_noise, 11, 0.14F, seed + 2);
+    add_field(field, lattice, gradient_noise, 29, 0.025F, seed + 3);
+    write_slopes(maps->texels, params->heights ? params->heights : field);
     memset(field, 0, field_size);
-    add_field(field, lattice, wave, 4, 0.8F, seed + 4);
-    add_field(field, lattice, wave, 9, 0.35F, seed + 5);
-    add_field(field, lattice, wave, 23, 0.12F, seed + 6);
-    make_smooth(maps->texels, field, params->smooth);
+    add_field(field, lattice, gradient_noise, 4, 0.8F, seed + 4);
+    add_field(field, lattice, gradient_noise, 9, 0.35F, seed + 5);
+    add_field(field, lattice, gradient_noise, 23, 0.12F, seed + 6);
+    write_smoothness(maps->texels, field, params->smooth);
     for (uint32_t i = 0; i < SIZE * SIZE && params->smoothness; i++)
-        maps->texels[4 * i + 2] = to_share(params->smoothness[i]);
+        maps->texels[4 * i + 2] = to_unit_half(params->smoothness[i]);
     memset(field, 0, field_size);
-    add_field(field, lattice, wave, 31, 0.6F, seed + 7);
-    add_field(field, lattice, wave, 64, 0.5F, seed + 8);
-    make_crystals(maps->texels, field);
+    add_field(field, lattice, gradient_noise, 31, 0.6F, seed + 7);
+    add_field(field, lattice, gradient_noise, 64, 0.5F, seed + 8);
+    write_frost(maps->texels, field);
 }
 
 bool bump_maps_init(struct bump_maps *maps, const struct bump_maps_params *params)
@@ -213,7 +215,7 @@ bool bump_maps_init(struct bump_maps *maps, const struct bump_maps_params *param
     };
     bool done = field && lattice && maps->texels;
     if (done) {
-        make(maps, params, field, lattice);
+        generate(maps, params, field, lattice);
         mips_fill_halves(maps->texels, &mips);
     } else {
         bump_maps_finish(maps);

@@ -1,9 +1,8 @@
 /*
- * bump_maps.h: the uneven surface of ice as a procedural texture that repeats.
+ * bump_maps.h: procedural, tileable bump map of an ice surface.
  *
- * The texture has the slopes of a height field: dimples, as melting leaves them, and several
- * octaves of noise. Another noise selects where the surface is smooth. Equal parameters give equal
- * bytes on every machine.
+ * It stores the slopes of a height field: dimples, as melting leaves them, and octaves of noise.
+ * Another noise selects smooth regions. Results are bit-identical on every machine.
  *
  * Ownership: bump_maps_finish() frees the texels; {0} is fine.
  */
@@ -14,24 +13,24 @@
 #include <stdint.h>
 
 enum {
-    BUMP_MAPS_SIZE = 512, /* texels along each side */
+    BUMP_MAPS_SIZE = 512, /* width and height in texels */
 };
 
 struct bump_maps {
-    uint16_t *texels; /* half, four a texel: slopes along u and v, whose root mean square is 1;
-                         smoothness of the surface and thickness of its frost, 0 to 1; all mip
-                         levels, as mips.h orders them */
-    uint32_t size;    /* texels along each side of the first level; 0: no texture */
+    /* half RGBA: slopes along u and v, with a root mean square of 1; smoothness of the surface;
+     * thickness of its frost, 0 to 1. All mip levels, in the layout of mips.h. */
+    uint16_t *texels;
+    uint32_t size; /* width and height of the first level; 0 if there is no texture */
 };
 
 struct bump_maps_params {
-    float smooth; /* share of the surface that is smooth */
+    float smooth; /* fraction of the surface that is smooth */
     uint32_t seed;
-    const float *heights;    /* of BUMP_MAPS_SIZE rows, in place of the field; NULL: it is made */
-    const float *smoothness; /* likewise, 0 to 1, in place of `smooth`; NULL: it is made */
+    const float *heights; /* replaces the procedural height field; BUMP_MAPS_SIZE rows; or NULL */
+    const float *smoothness; /* smoothness, 0 to 1, that replaces `smooth`; or NULL */
 };
 
-/* Makes the texture. Returns false when out of memory; *maps is then {0}. */
+/* Generates the texture. Returns false when out of memory; *maps is then {0}. */
 bool bump_maps_init(struct bump_maps *maps, const struct bump_maps_params *params);
 
 void bump_maps_finish(struct bump_maps *maps);

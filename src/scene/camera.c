@@ -1,12 +1,12 @@
-/* camera.c: reversed-depth projections without a far plane, and the views of a cube map. */
+/* camera.c: reversed-Z perspective, orthographic and cube map projections. */
 #include "src/scene/camera.h"
 
 #include <assert.h>
 #include <cglm/struct.h>
 #include <math.h>
 
-/* Normalises a vector; its squared length may underflow or overflow. */
-static vec3s direction(vec3s v)
+/* Normalises a vector whose squared length may underflow or overflow. */
+static vec3s normalize_safe(vec3s v)
 {
     const float largest = fmaxf(fabsf(v.x), fmaxf(fabsf(v.y), fabsf(v.z)));
     if (largest > 0 && (largest < 1e-15F || largest > 1e15F))
@@ -16,11 +16,11 @@ static vec3s direction(vec3s v)
 
 struct camera_basis camera_basis(const struct camera *camera)
 {
-    vec3s forward = direction(glms_vec3_sub(camera->target, camera->eye));
+    vec3s forward = normalize_safe(glms_vec3_sub(camera->target, camera->eye));
     vec3s up = camera->up;
     if (glms_vec3_eqv(up, glms_vec3_zero()))
         up = (vec3s){ { 0, 1, 0 } };
-    vec3s right = glms_vec3_cross(forward, direction(up));
+    vec3s right = glms_vec3_cross(forward, normalize_safe(up));
     if (!(glms_vec3_norm(right) > 1e-4F)) {
         up = fabsf(forward.y) > 0.5F ? (vec3s){ { 0, 0, -1 } } : (vec3s){ { 0, 1, 0 } };
         right = glms_vec3_cross(forward, up);
@@ -41,9 +41,9 @@ static void set_row(mat4s *matrix, int row, vec3s v, float w)
     matrix->raw[3][row] = w;
 }
 
-/* The projection of a point with p = point - eye: x = right.p, y = down.p, w = forward.p, depth =
- * near / w. */
-static mat4s project(vec3s right, vec3s down, vec3s forward, vec3s eye, float near)
+/* Returns a projection. With p = point - eye: x = right.p, y = down.p, w = forward.p, depth = near
+ * / w. */
+static mat4s projection(vec3s right, vec3s down, vec3s forward, vec3s eye, float near)
 {
     mat4s clip_from_world = { 0 };
     set_row(&clip_from_world, 0, right, -glms_vec3_dot(right, eye));
@@ -58,8 +58,9 @@ float camera_half_height(const struct camera *camera)
     return camera->height > 0 ? camera->height / 2 : tanf(glm_rad(camera->fov_deg) / 2);
 }
 
-/* Depth is (far - distance) / (far - near). */
-static mat4s project_flat(const struct camera *camera, float aspect, float near, vec2s jitter)
+/* Returns an orthographic projection; depth is (far - distance) / (far - near). */
+static mat4s orthographic_projection(const struct camera *camera, float aspect, float near,
+                                     vec2s jitter)
 {
     const struct camera_basis basis = camera_basis(camera);
     const float half = camera->height / 2;
@@ -78,18 +79,18 @@ static mat4s project_flat(const struct camera *camera, float aspect, float near,
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter)
 {
-    const vec2s moved = { { 2 * jitter.x / (float)width, 2 * jitter.y / (float)height } };
+    const vec2s jitter_clip = { { 2 * jitter.x / (float)width, 2 * jitter.y / (float)height } };
     if (camera->height > 0)
-        return project_flat(camera, (float)width / (float)height, near, moved);
+        return orthographic_projection(camera, (float)width / (float)height, near, jitter_clip);
     struct camera_basis basis = camera_basis(camera);
     float scale_y = 1 / tanf(glm_rad(camera->fov_deg) / 2);
     float scale_x = scale_y * (float)height / (float)width;
     vec3s right = glms_vec3_scale(basis.right, scale_x);
     vec3s down = glms_vec3_scale(basis.up, -scale_y);
-    /* Adding a multiple of w to x and y moves the picture after the division by w. */
+    /* adding a multiple of w to x and y shifts the image after the perspective division */
     right = glms_vec3_muladds(basis.forward, -2 * jitter.x / (float)width, right);
     down = glms_vec3_muladds(basis.forward, -2 * jitter.y / (float)height, down);
-    return project(right, down, basis.forward, camera->eye, near);
+    return projection(right, down, basis.forward, camera->eye, near);
 }
 
 mat4s camera_view_from_world(const struct camera *camera)
@@ -107,7 +108,7 @@ mat4s camera_view_from_world(const struct camera *camera)
 mat4s camera_cube_clip_from_world(uint32_t face, vec3s center, float near)
 {
     struct camera_basis basis = camera_cube_basis(face);
-    return project(basis.right, glms_vec3_negate(basis.up), basis.forward, center, near);
+    return projection(basis.right, glms_vec3_negate(basis.up), basis.forward, center, near);
 }
 
 struct camera_basis camera_cube_basis(uint32_t face)

@@ -1,4 +1,4 @@
-/* clouds.c: densities of clouds, by the depth below an object's surface. */
+/* clouds.c: density fields of scattering media, by depth below the surface. */
 #include "src/scene/clouds.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -12,26 +12,26 @@ enum {
     COUNT = SIZE * SIZE * SIZE,
 };
 
-/* Returns how dense needles are that grow towards the middle of the box, in which `place` is from
- * -1 to 1: rows of bubbles that follow the way the ice grew, 0 to 1. */
-static float needles(vec3s place, float depth)
+/* Returns the density of needle-shaped structures, 0 to 1: rows of bubbles along the freezing
+ * direction, towards the centre. `position` is -1 to 1 in the box. */
+static float needle_density(vec3s position, float depth)
 {
-    const vec3s way = glms_vec3_scale(glms_vec3_normalize(place), 7.0f);
-    const float fine = noise_value(glms_vec3_scale(way, 2.3f), 17);
+    const vec3s dir = glms_vec3_scale(glms_vec3_normalize(position), 7.0f);
+    const float fine = noise_value(glms_vec3_scale(dir, 2.3f), 17);
     const float noise =
-        0.6f * noise_value(way, 5) + 0.5f * fine + 0.3f * noise_fractal(place, 2, 9);
+        0.6f * noise_value(dir, 5) + 0.5f * fine + 0.3f * noise_fractal(position, 2, 9);
     const float needle = glm_smoothstep(-0.35f, 0.5f, noise);
     return glm_lerp(needle, 1.0f, glm_smoothstep(CLOUD_CORE, 1.0f, depth));
 }
 
-/* Returns a texel's density, 0 to 1, `depth` that of the field there. */
+/* Returns a texel's density, 0 to 1; `depth` is the distance field's value there. */
 static float density_at(uint32_t texel, float depth)
 {
     const uint32_t at[3] = { texel % SIZE, texel / SIZE % SIZE, texel / SIZE / SIZE };
-    vec3s place;
+    vec3s position;
     for (int k = 0; k < 3; k++)
-        place.raw[k] = 2.0f * ((float)at[k] + 0.5f) / SIZE - 1.0f;
-    return depth > CLOUD_RIM ? cloud_share(depth) * needles(place, depth) : 0.0f;
+        position.raw[k] = 2.0f * ((float)at[k] + 0.5f) / SIZE - 1.0f;
+    return depth > CLOUD_RIM ? cloud_share(depth) * needle_density(position, depth) : 0.0f;
 }
 
 struct clouds clouds_find(const struct model *model, bool is_asked)
@@ -56,8 +56,8 @@ struct clouds clouds_find(const struct model *model, bool is_asked)
     return clouds;
 }
 
-/* Returns the triangles of a cloud's object. */
-static struct mesh part_of(const struct model *model, const struct cloud_field *cloud)
+/* Returns the triangles of a medium's object. */
+static struct mesh object_triangles(const struct model *model, const struct cloud_field *cloud)
 {
     struct mesh part = model->object;
     if (model->object_count) {
@@ -67,7 +67,7 @@ static struct mesh part_of(const struct model *model, const struct cloud_field *
     return part;
 }
 
-/* Returns the part of a cloud's box that its texels reach which are not empty. */
+/* Returns the bounding box of all texels with non-zero density, with a margin for interpolation. */
 static struct box filled_by(const struct box *box, uint8_t (*texels)[2])
 {
     float first[3] = { SIZE, SIZE, SIZE }, last[3] = { 0 };
@@ -93,7 +93,7 @@ bool clouds_fill(struct clouds *clouds, const struct model *model)
     if (clouds->count && !clouds->texels)
         return false;
     for (uint32_t i = 0; i < clouds->count; i++) {
-        const struct mesh part = part_of(model, &clouds->all[i]);
+        const struct mesh part = object_triangles(model, &clouds->all[i]);
         struct depth_field depth;
         if (!depth_field_init(&depth, &part))
             return false;
@@ -120,20 +120,20 @@ float clouds_at(const struct clouds *clouds, uint32_t index, vec3s point)
     const struct box *box = &clouds->all[index].box;
     uint8_t(*texels)[2] = &clouds->texels[(size_t)COUNT * index];
     uint32_t lower[3];
-    float share[3], sum = 0.0f;
+    float weights[3], sum = 0.0f;
     for (int k = 0; k < 3; k++) {
         const float at = (point.raw[k] - box->min.raw[k]) / (box->max.raw[k] - box->min.raw[k]);
         if (!(at >= 0.0f && at <= 1.0f))
             return 0.0f;
         const float texel = glm_clamp(at * SIZE - 0.5f, 0.0f, SIZE - 1.0f);
         lower[k] = (uint32_t)fminf(texel, SIZE - 2.0f);
-        share[k] = texel - (float)lower[k];
+        weights[k] = texel - (float)lower[k];
     }
     for (uint32_t i = 0; i < 8; i++) {
         const uint32_t x = lower[0] + (i & 1), y = lower[1] + (i >> 1 & 1), z = lower[2] + (i >> 2);
-        const float weight = (i & 1 ? share[0] : 1.0f - share[0]) *
-                             (i >> 1 & 1 ? share[1] : 1.0f - share[1]) *
-                             (i >> 2 ? share[2] : 1.0f - share[2]);
+        const float weight = (i & 1 ? weights[0] : 1.0f - weights[0]) *
+                             (i >> 1 & 1 ? weights[1] : 1.0f - weights[1]) *
+                             (i >> 2 ? weights[2] : 1.0f - weights[2]);
         sum += weight * (float)texels[(z * SIZE + y) * SIZE + x][0];
     }
     return sum / 255.0f;

@@ -1,26 +1,26 @@
-/* contact.c: finds bodies around objects. */
+/* contact.c: fits convex occluders around objects for ambient occlusion. */
 #include "src/scene/contact.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/base/log.h"
 
-#define SLACK 0.02f /* by which a member may reach out of a body, of its diagonal */
-#define FLAT  0.15f /* height of films, of their width */
+#define SLACK 0.02f /* tolerance of containment, in diagonals of the occluder */
+#define FLAT  0.15f /* height over width below which an object is flat */
 
 enum {
-    STEPS = 16 /* along each axis, to find how full a box is */
+    STEPS = 16 /* samples per axis, to estimate the filled volume of a box */
 };
 
-/* An object, and how far its points reach along each normal. */
-struct reach {
+/* Extent of an object along each plane normal. */
+struct extent {
     float most[CONTACT_PLANES];
     struct box box;
     float volume;
-    bool is_taken;
+    bool is_assigned;
 };
 
-/* The faces' directions first, then the edges'. */
+/* Returns a plane's unit normal: face directions of a cube first, then edge directions. */
 static vec3s direction(uint32_t plane)
 {
     const float side = plane & 1 ? 1.0f : -1.0f;
@@ -48,34 +48,34 @@ static float volume_of(const struct mesh *part)
     return (float)fabs(six) / 6.0f;
 }
 
-static struct reach reach_of(const struct mesh *part)
+static struct extent extent_of(const struct mesh *part)
 {
-    struct reach reach = { .volume = part->index_count ? volume_of(part) : 0.0f };
+    struct extent extent = { .volume = part->index_count ? volume_of(part) : 0.0f };
     vec3s dirs[CONTACT_PLANES];
     for (uint32_t k = 0; k < CONTACT_PLANES; k++) {
         dirs[k] = direction(k);
-        reach.most[k] = -INFINITY;
+        extent.most[k] = -INFINITY;
     }
     for (uint32_t i = 0; i < part->index_count; i++) {
         const vec3s at = part->vertices[part->indices[i]].position;
         for (uint32_t k = 0; k < CONTACT_PLANES; k++)
-            reach.most[k] = fmaxf(reach.most[k], glms_vec3_dot(at, dirs[k]));
+            extent.most[k] = fmaxf(extent.most[k], glms_vec3_dot(at, dirs[k]));
     }
     for (size_t axis = 0; axis < 3 && part->index_count; axis++) {
-        reach.box.min.raw[axis] = -reach.most[2 * axis];
-        reach.box.max.raw[axis] = reach.most[2 * axis + 1];
+        extent.box.min.raw[axis] = -extent.most[2 * axis];
+        extent.box.max.raw[axis] = extent.most[2 * axis + 1];
     }
-    return reach;
+    return extent;
 }
 
-static bool is_film(const struct reach *reach)
+static bool is_flat(const struct extent *extent)
 {
-    const vec3s sides = glms_vec3_sub(reach->box.max, reach->box.min);
+    const vec3s sides = glms_vec3_sub(extent->box.max, extent->box.min);
     return sides.y < FLAT * fmaxf(sides.x, sides.z);
 }
 
-/* Returns the share of its box that a shape fills. */
-static float filled(const struct contact_shape *shape)
+/* Returns the fraction of its bounding box that an occluder fills, by point sampling. */
+static float filled_fraction(const struct contact_shape *shape)
 {
     const vec3s sides = glms_vec3_sub(shape->box.max, shape->box.min);
     const uint32_t all = STEPS * STEPS * STEPS;
@@ -93,9 +93,7 @@ static float filled(const struct contact_shape *shape)
     return (float)(count ? count : 1) / (float)all;
 }
 
-/* ---- bodies ---- */
-
-static bool holds(const struct reach *body, const struct reach *other)
+static bool contains(const struct extent *body, const struct extent *other)
 {
     const float slack = SLACK * box_diagonal(body->box);
     for (uint32_t k = 0; k < CONTACT_PLANES; k++) {
@@ -105,7 +103,7 @@ static bool holds(const struct reach *body, const struct reach *other)
     return true;
 }
 
-/* Makes an object a member, whose volume is no more that of the object around it. */
+/* Adds an object to an occluder, and subtracts its volume from that of the object around it. */
 static void add_member(struct contact_shape *shape, const struct object *objects, uint32_t object,
                        float share)
 {
@@ -118,34 +116,34 @@ static void add_member(struct contact_shape *shape, const struct object *objects
     shape->members[shape->member_count++] = (struct contact_member){ object, share };
 }
 
-static void make_shape(struct contact_shape *shape, struct reach *reaches,
+static void make_shape(struct contact_shape *shape, struct extent *reaches,
                        const struct object *objects, uint32_t count, uint32_t largest)
 {
-    const struct reach *body = &reaches[largest];
+    const struct extent *body = &reaches[largest];
     const vec3s sides = glms_vec3_sub(body->box.max, body->box.min);
     shape->box = body->box;
     for (uint32_t k = 0; k < CONTACT_PLANES; k++)
         shape->planes[k] = glms_vec4(direction(k), body->most[k]);
-    const float full = filled(shape);
-    const float volume = fmaxf(full * sides.x * sides.y * sides.z, 1e-30f);
-    shape->slim = sqrtf(full);
+    const float fraction = filled_fraction(shape);
+    const float volume = fmaxf(fraction * sides.x * sides.y * sides.z, 1e-30f);
+    shape->slim = sqrtf(fraction);
     add_member(shape, objects, largest, fminf(body->volume / volume, 1.0f));
     for (uint32_t i = 0; i < count; i++) {
-        if (i == largest || reaches[i].is_taken || !holds(body, &reaches[i]))
+        if (i == largest || reaches[i].is_assigned || !contains(body, &reaches[i]))
             continue;
-        reaches[i].is_taken = true;
+        reaches[i].is_assigned = true;
         if (reaches[i].volume > 0.01f * volume)
             add_member(shape, objects, i, reaches[i].volume / volume);
     }
-    reaches[largest].is_taken = true;
+    reaches[largest].is_assigned = true;
 }
 
-/* Returns the largest object that no body has, or `count`. */
-static uint32_t find_largest(const struct reach *reaches, uint32_t count)
+/* Returns the largest object that is in no occluder yet, or `count` if there is none. */
+static uint32_t find_largest(const struct extent *reaches, uint32_t count)
 {
     uint32_t largest = count;
     for (uint32_t i = 0; i < count; i++) {
-        if (!reaches[i].is_taken &&
+        if (!reaches[i].is_assigned &&
             (largest == count || box_diagonal(reaches[i].box) > box_diagonal(reaches[largest].box)))
             largest = i;
     }
@@ -157,13 +155,13 @@ enum status contact_find(struct contact *contact, const struct mesh *mesh,
 {
     const uint32_t all = count ? count : 1;
     *contact = (struct contact){ 0 };
-    struct reach *reaches = calloc(all, sizeof(*reaches));
+    struct extent *reaches = calloc(all, sizeof(*reaches));
     if (!reaches)
         return log_out_of_memory(NULL);
     for (uint32_t i = 0; i < all; i++) {
         const struct mesh part = count ? object_part(&objects[i], mesh) : *mesh;
-        reaches[i] = reach_of(&part);
-        reaches[i].is_taken = part.index_count == 0 || is_film(&reaches[i]);
+        reaches[i] = extent_of(&part);
+        reaches[i].is_assigned = part.index_count == 0 || is_flat(&reaches[i]);
     }
     uint32_t largest = find_largest(reaches, all);
     while (largest < all && contact->count < CONTACT_BODIES) {

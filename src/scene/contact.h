@@ -1,9 +1,10 @@
 /*
- * contact.h: convex bodies around a scene's objects, which hide the sky from what they stand on.
+ * contact.h: convex occluders around a scene's objects, for analytic ambient occlusion.
  *
- * A body is a polytope whose normals are the directions from a cube's middle to its faces and
- * edges (hull.h without corners); an object that is nearly inside it is a member of it. Films and
- * puddles, which are flat, have none.
+ * Problem: clear objects need contact shadows, but ray casts or screen-space samples per pixel are
+ * noisy or miss hidden geometry. A few convex bodies per scene can be integrated in closed form. An
+ * occluder is an 18-DOP (the face and edge directions of a cube); objects that are nearly inside it
+ * become its members. Flat objects, such as puddles, have no occluder.
  */
 #ifndef FIRN_SCENE_CONTACT_H
 #define FIRN_SCENE_CONTACT_H
@@ -14,29 +15,29 @@
 
 enum {
     CONTACT_PLANES = 18,
-    CONTACT_MEMBERS = 8, /* of a body; others change little */
+    CONTACT_MEMBERS = 8, /* maximum number of members; more would change little */
 };
 
 struct contact_member {
     uint32_t object;
-    float share; /* of the body's volume that is the object and nothing in it */
+    float share; /* fraction of the occluder's volume, without objects inside this one */
 };
 
-/* Its points p have dot(p, planes[i].xyz) <= planes[i].w, in the space of the objects. */
+/* A point p is inside if dot(p, planes[i].xyz) <= planes[i].w for all i, in object space. */
 struct contact_shape {
     vec4s planes[CONTACT_PLANES]; /* unit normals */
     struct box box;
-    float slim; /* by which a box as high is slimmer that has as much surface; at most 1 */
+    float slim; /* relative width of an equally high box of equal surface area, at most 1 */
     struct contact_member members[CONTACT_MEMBERS];
     uint32_t member_count;
 };
 
 struct contact {
-    struct contact_shape shapes[CONTACT_BODIES]; /* the largest first */
+    struct contact_shape shapes[CONTACT_BODIES]; /* in order of decreasing size */
     uint32_t count;
 };
 
-/* Finds the bodies of objects; without a list, all of the mesh is one. Logs and returns
+/* Finds the occluders of all objects; without objects, the whole mesh is one. Logs and returns
  * STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status contact_find(struct contact *contact, const struct mesh *mesh,
                                   const struct object *objects, uint32_t count);

@@ -1,151 +1,155 @@
-/* contact_light.c: follows rays through a convex body. */
+/* contact_light.c: Monte Carlo transport of light through a convex body. */
 #include "src/scene/contact_light.h"
 #include <cglm/struct.h>
 #include <math.h>
 
-#define STRAIGHT 0.8f /* cosine of the angle by which straight light is turned at most */
+#define STRAIGHT_COSINE 0.8f /* maximum deflection of light that counts as undeviated (cosine) */
 
 enum {
-    RAYS = 192,        /* that are followed */
-    RAYS_TRIED = 4096, /* at most, to find those that meet the body */
-    TURNS = 24,        /* of a ray in the body */
+    RAYS = 192,        /* rays that are traced through the body */
+    RAYS_TRIED = 4096, /* maximum number of candidates, to find rays that hit the body */
+    EVENTS_MAX = 24,   /* maximum number of scattering and reflection events in the body */
 };
 
-/* Where rays start: their distance from the body's middle, horizontally, in halves of its
+/* Range of the rays' start points: horizontal distance from the body's centre, in halves of its
  * diagonal. */
 static const float from_middle = 0.3f, to_middle = 1.6f;
 
 struct ray {
-    vec3s at, dir; /* unit */
+    vec3s at, dir; /* `dir` is unit */
     vec3s weight;
     uint32_t seed;
 };
 
-static float chance(uint32_t *seed)
+static float random_unit(uint32_t *seed)
 {
-    *seed = *seed * 747796405u + 2891336453u; /* a permuted congruential generator (O'Neill 2014) */
+    *seed = *seed * 747796405u + 2891336453u; /* PCG hash (O'Neill 2014) */
     const uint32_t word = ((*seed >> ((*seed >> 28) + 4)) ^ *seed) * 277803737u;
     return (float)((word >> 22 ^ word) >> 8) * 0x1p-24f;
 }
 
-static vec3s any_dir(uint32_t *seed)
+static vec3s random_dir(uint32_t *seed)
 {
-    const float z = 1.0f - 2.0f * chance(seed);
-    const float angle = 6.28318531f * chance(seed);
+    const float z = 1.0f - 2.0f * random_unit(seed);
+    const float angle = 6.28318531f * random_unit(seed);
     const float r = sqrtf(fmaxf(1.0f - z * z, 0.0f));
     return (vec3s){ { r * cosf(angle), r * sinf(angle), z } };
 }
 
-/* Returns the share of light that is mirrored; `ratio` is the index before the surface by that
- * behind it (Fresnel's equations). */
-static float mirrored(float cosine, float ratio)
+/* Returns the Fresnel reflectance of a dielectric; `ratio` is the refractive index in front of the
+ * surface over that behind it. */
+static float fresnel(float cosine, float ratio)
 {
     const float square = ratio * ratio * (1.0f - cosine * cosine);
     if (square >= 1.0f)
         return 1.0f;
-    const float behind = sqrtf(1.0f - square);
-    const float s = (ratio * cosine - behind) / (ratio * cosine + behind);
-    const float p = (cosine - ratio * behind) / (cosine + ratio * behind);
+    const float cosine_refracted = sqrtf(1.0f - square);
+    const float s = (ratio * cosine - cosine_refracted) / (ratio * cosine + cosine_refracted);
+    const float p = (cosine - ratio * cosine_refracted) / (cosine + ratio * cosine_refracted);
     return 0.5f * (s * s + p * p);
 }
 
-/* Mirrors or bends a ray at a surface whose normal `n` faces it. Returns whether it passes. */
-static bool meet(struct ray *ray, vec3s n, float ratio)
+/* Reflects or refracts a ray at random, weighted by Fresnel reflectance, at a surface whose normal
+ * `n` faces it. Returns true if it is refracted. */
+static bool reflect_or_refract(struct ray *ray, vec3s n, float ratio)
 {
     const float cosine = fminf(-glms_vec3_dot(ray->dir, n), 1.0f);
-    if (chance(&ray->seed) < mirrored(cosine, ratio)) {
+    if (random_unit(&ray->seed) < fresnel(cosine, ratio)) {
         ray->dir = glms_vec3_muladds(n, 2.0f * cosine, ray->dir);
         return false;
     }
-    const float behind = sqrtf(1.0f - ratio * ratio * (1.0f - cosine * cosine));
+    const float cosine_refracted = sqrtf(1.0f - ratio * ratio * (1.0f - cosine * cosine));
     ray->dir = glms_vec3_normalize(
-        glms_vec3_muladds(n, ratio * cosine - behind, glms_vec3_scale(ray->dir, ratio)));
+        glms_vec3_muladds(n, ratio * cosine - cosine_refracted, glms_vec3_scale(ray->dir, ratio)));
     return true;
 }
 
-/* Finds the part of a ray that is in the body: the distances of its ends, and their planes. */
-static bool cross(const struct contact_shape *shape, const struct ray *ray, float ends[2],
-                  uint32_t planes[2])
+/* Finds the distances and planes where a ray enters and leaves the body; false if it misses. */
+static bool intersect(const struct contact_shape *shape, const struct ray *ray, float t[2],
+                      uint32_t planes[2])
 {
-    ends[0] = -INFINITY;
-    ends[1] = INFINITY;
+    t[0] = -INFINITY;
+    t[1] = INFINITY;
     for (uint32_t k = 0; k < CONTACT_PLANES; k++) {
         const vec3s n = glms_vec3(shape->planes[k]);
         const float along = glms_vec3_dot(n, ray->dir);
         const float to = shape->planes[k].w - glms_vec3_dot(n, ray->at);
-        if (along < 0.0f && to / along > ends[0]) {
-            ends[0] = to / along;
+        if (along < 0.0f && to / along > t[0]) {
+            t[0] = to / along;
             planes[0] = k;
-        } else if (along > 0.0f && to / along < ends[1]) {
-            ends[1] = to / along;
+        } else if (along > 0.0f && to / along < t[1]) {
+            t[1] = to / along;
             planes[1] = k;
         }
     }
-    return ends[0] < ends[1] && ends[1] > 0.0f;
+    return t[0] < t[1] && t[1] > 0.0f;
 }
 
-static void absorb(struct ray *ray, vec3s absorption, float way)
+static void absorb(struct ray *ray, vec3s absorption, float distance)
 {
     for (int c = 0; c < 3; c++)
-        ray->weight.raw[c] *= expf(-absorption.raw[c] * way);
+        ray->weight.raw[c] *= expf(-absorption.raw[c] * distance);
 }
 
-/* Reflects a ray from the matt part of a surface, to any side but the inner one. */
+/* Scatters a ray diffusely at the opaque part of a surface, outwards. */
 static void scatter_outside(struct ray *ray, vec3s n, vec3s tint)
 {
-    ray->dir = glms_vec3_normalize(glms_vec3_muladds(n, 1.001f, any_dir(&ray->seed)));
+    ray->dir = glms_vec3_normalize(glms_vec3_muladds(n, 1.001f, random_dir(&ray->seed)));
     ray->weight = glms_vec3_mul(ray->weight, tint);
 }
 
-/* Follows a ray through the body until it has left it. */
-static void follow(const struct contact_shape *shape, const struct contact_medium *medium,
-                   struct ray *ray)
+/* Traces a ray through the body until it leaves, by analog random walk. */
+static void trace_ray(const struct contact_shape *shape, const struct contact_medium *medium,
+                      struct ray *ray)
 {
-    float ends[2];
+    float t[2];
     uint32_t planes[2];
-    if (!cross(shape, ray, ends, planes))
+    if (!intersect(shape, ray, t, planes))
         return;
     const vec3s n = glms_vec3(shape->planes[planes[0]]);
-    ray->at = glms_vec3_muladds(ray->dir, fmaxf(ends[0], 0.0f), ray->at);
-    if (chance(&ray->seed) < medium->shine) {
+    ray->at = glms_vec3_muladds(ray->dir, fmaxf(t[0], 0.0f), ray->at);
+    if (random_unit(&ray->seed) < medium->shine) {
         scatter_outside(ray, n, medium->tint);
         return;
     }
-    bool is_inside = meet(ray, n, 1.0f / medium->ior);
+    bool is_inside = reflect_or_refract(ray, n, 1.0f / medium->ior);
     if (is_inside)
         ray->weight = glms_vec3_mul(ray->weight, medium->tint);
-    for (int i = 0; i < TURNS && is_inside; i++) {
-        const float free = -logf(1.0f - chance(&ray->seed)) / fmaxf(medium->scattering, 1e-9f);
-        if (!cross(shape, ray, ends, planes))
+    for (int i = 0; i < EVENTS_MAX && is_inside; i++) {
+        const float free_path =
+            -logf(1.0f - random_unit(&ray->seed)) / fmaxf(medium->scattering, 1e-9f);
+        if (!intersect(shape, ray, t, planes))
             return;
-        absorb(ray, medium->absorption, fminf(free, ends[1]));
-        ray->at = glms_vec3_muladds(ray->dir, fminf(free, ends[1]), ray->at);
-        if (free < ends[1]) {
-            ray->dir = any_dir(&ray->seed);
+        absorb(ray, medium->absorption, fminf(free_path, t[1]));
+        ray->at = glms_vec3_muladds(ray->dir, fminf(free_path, t[1]), ray->at);
+        if (free_path < t[1]) {
+            ray->dir = random_dir(&ray->seed);
             continue;
         }
-        is_inside = !meet(ray, glms_vec3_negate(glms_vec3(shape->planes[planes[1]])), medium->ior);
+        is_inside = !reflect_or_refract(ray, glms_vec3_negate(glms_vec3(shape->planes[planes[1]])),
+                                        medium->ior);
         if (!is_inside)
             ray->weight = glms_vec3_mul(ray->weight, medium->tint);
     }
 }
 
-/* Starts a ray on the ground, to as many directions as each lights it. */
-static struct ray start(const struct contact_shape *shape, vec3s foot, vec3s up, uint32_t number)
+/* Returns a ray from the ground with a cosine-distributed direction. */
+static struct ray start_ray(const struct contact_shape *shape, vec3s base, vec3s up,
+                            uint32_t number)
 {
     struct ray ray = { .weight = glms_vec3_one(), .seed = number * 2654435761u + 1u };
     const float half = 0.5f * box_diagonal(shape->box);
-    const vec3s aside = any_dir(&ray.seed);
+    const vec3s aside = random_dir(&ray.seed);
     const vec3s level =
         glms_vec3_normalize(glms_vec3_muladds(up, -glms_vec3_dot(aside, up), aside));
-    const float far = half * (from_middle + (to_middle - from_middle) * chance(&ray.seed));
-    ray.at = glms_vec3_muladds(level, far, foot);
-    ray.dir = glms_vec3_normalize(glms_vec3_muladds(up, 1.001f, any_dir(&ray.seed)));
+    const float far = half * (from_middle + (to_middle - from_middle) * random_unit(&ray.seed));
+    ray.at = glms_vec3_muladds(level, far, base);
+    ray.dir = glms_vec3_normalize(glms_vec3_muladds(up, 1.001f, random_dir(&ray.seed)));
     return ray;
 }
 
-/* Returns the point below the middle of a body's box, as deep as that. */
-static vec3s foot_of(const struct contact_shape *shape, vec3s up)
+/* Returns the point below the centre of a body's box, at the box's bottom. */
+static vec3s base_of(const struct contact_shape *shape, vec3s up)
 {
     const vec3s middle = box_center(shape->box);
     float deep = 0.0f;
@@ -158,18 +162,18 @@ struct contact_light contact_light_of(const struct contact_shape *shape,
                                       const struct contact_medium *medium, vec3s up)
 {
     struct contact_light light = { .sky = glms_vec3_zero() };
-    const vec3s foot = foot_of(shape, up);
+    const vec3s base = base_of(shape, up);
     uint32_t count = 0;
     float straight = 0.0f;
     for (uint32_t i = 0; i < RAYS_TRIED && count < RAYS; i++) {
-        float ends[2];
+        float t[2];
         uint32_t planes[2];
-        struct ray ray = start(shape, foot, up, i);
-        if (!cross(shape, &ray, ends, planes) || ends[0] <= 0.0f)
+        struct ray ray = start_ray(shape, base, up, i);
+        if (!intersect(shape, &ray, t, planes) || t[0] <= 0.0f)
             continue;
         const vec3s was = ray.dir;
-        follow(shape, medium, &ray);
-        if (glms_vec3_dot(ray.dir, up) > 0.0f && glms_vec3_dot(ray.dir, was) > STRAIGHT)
+        trace_ray(shape, medium, &ray);
+        if (glms_vec3_dot(ray.dir, up) > 0.0f && glms_vec3_dot(ray.dir, was) > STRAIGHT_COSINE)
             straight += ray.weight.y;
         vec3s *const from = glms_vec3_dot(ray.dir, up) > 0.0f ? &light.sky : &light.ground;
         *from = glms_vec3_add(*from, ray.weight);

@@ -1,32 +1,32 @@
 /*
- * contact_light.h: where light comes from that a body brings to its foot.
+ * contact_light.h: fraction of sky and ground light that a body transmits or reflects to its base.
  *
- * Rays go from the ground around a body into it, and are refracted, mirrored, absorbed and
- * scattered as its medium says, by chance: what leaves upwards sees the sky, what leaves downwards
- * the ground. A clear body loses nothing, so that even light stays even.
+ * Paths are traced backwards from the ground around the body: through refraction, Fresnel
+ * reflection, absorption and scattering in its medium. Those that leave upwards gather sky light,
+ * the others ground light. A clear body loses no energy: a uniform environment stays uniform.
  */
 #ifndef FIRN_SCENE_CONTACT_LIGHT_H
 #define FIRN_SCENE_CONTACT_LIGHT_H
 
 #include "src/scene/contact.h"
 
-/* What fills a body evenly. */
+/* Homogeneous medium that fills a body. */
 struct contact_medium {
-    float ior;        /* refractive index, by that of what is around it */
-    float scattering; /* 1 / metre, as if light were scattered evenly to all sides */
-    float shine;      /* share of the light on its surface that this reflects, matt */
-    vec3s absorption; /* 1 / metre */
-    vec3s tint;       /* of light that passes its surface, and of what that reflects matt */
+    float ior;        /* refractive index, relative to the outside */
+    float scattering; /* isotropic (reduced) scattering coefficient, 1 / metre */
+    float shine;      /* fraction of light that the surface reflects diffusely */
+    vec3s absorption; /* absorption coefficient, 1 / metre */
+    vec3s tint;       /* tint of light that the surface transmits or reflects diffusely */
 };
 
-/* Shares of the light of the sky and of the ground, together at most 1. */
+/* Fractions of the light that comes from the sky and from the ground; their sum is at most 1. */
 struct contact_light {
     vec3s sky, ground;
-    float straight; /* of the sky's, as much comes from nearly where the body is seen */
+    float straight; /* fraction of the sky light that arrives almost undeviated */
 };
 
-/* Returns the light that a body brings to the ground below it and near it; `up` is unit. The same
- * rays are followed in each call. */
+/* Returns the light that a body brings to the ground near its base. `up` is unit. Deterministic:
+ * each call uses the same random numbers. */
 struct contact_light contact_light_of(const struct contact_shape *shape,
                                       const struct contact_medium *medium, vec3s up);
 

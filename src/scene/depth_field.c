@@ -1,9 +1,10 @@
 /*
- * depth_field.c: distances to the nearest triangle, where a mesh's winding number is not 0.
+ * depth_field.c: interior distance field of a mesh, where its winding number is not 0.
  *
- * Each texel knows its nearest triangle: those near triangles are asked for all of these, the
- * others take over their neighbours' (Tsai 2002, Rapid and accurate computation of the distance
- * function using grids), with exact distances.
+ * Computing the distance of every texel to every triangle would be too slow. Only texels near a
+ * triangle test it directly; the others test the nearest triangles of their neighbours, in sweeps
+ * over the grid (Tsai 2002, Rapid and accurate computation of the distance function using grids).
+ * Distances are exact, since they are computed to triangles and not propagated.
  */
 #include "src/scene/depth_field.h"
 #include <cglm/struct.h>
@@ -14,7 +15,7 @@
 enum {
     SIZE = CLOUD_SIZE,
     COUNT = SIZE * SIZE * SIZE,
-    SWEEPS = 4, /* forth and back, twice */
+    SWEEPS = 4, /* forward and backward, twice */
 };
 
 #define NOWHERE UINT32_MAX
@@ -22,9 +23,9 @@ enum {
 struct work {
     const struct mesh *mesh;
     struct box box;
-    vec3s cell;        /* a texel's sides */
-    uint32_t *nearest; /* triangle of each texel, or NOWHERE */
-    uint8_t *changed;  /* the last sweep that found it */
+    vec3s cell;        /* size of a texel */
+    uint32_t *nearest; /* nearest triangle of each texel, or NOWHERE */
+    uint8_t *changed;  /* last sweep that changed each texel */
     float *distances2;
     int32_t *windings;
 };
@@ -46,9 +47,7 @@ static void corners_of(const struct mesh *mesh, uint32_t triangle, vec3s corners
         corners[k] = mesh->vertices[mesh->indices[triangle * 3 + k]].position;
 }
 
-/* ---- distances ---- */
-
-/* Returns the square of the distance to the line from a to b. */
+/* Returns the squared distance from p to the segment from a to b. */
 static float line_distance2(vec3s p, vec3s a, vec3s b)
 {
     const vec3s along = glms_vec3_sub(b, a);
@@ -57,8 +56,8 @@ static float line_distance2(vec3s p, vec3s a, vec3s b)
     return glms_vec3_norm2(glms_vec3_sub(to, glms_vec3_scale(along, glm_clamp(t, 0.0f, 1.0f))));
 }
 
-/* Returns the square of the distance to a triangle. What is not above it is nearest to one of the
- * sides that it is beyond. */
+/* Returns the squared distance from p to a triangle. If p projects outside, the nearest point is on
+ * one of the edges that it is beyond. */
 static float distance2(const struct work *work, uint32_t triangle, vec3s p)
 {
     vec3s c[3];
@@ -69,8 +68,8 @@ static float distance2(const struct work *work, uint32_t triangle, vec3s p)
     for (int k = 0; k < 3; k++) {
         const vec3s next = c[(k + 1) % 3];
         const vec3s inwards = glms_vec3_cross(n, glms_vec3_sub(next, c[k]));
-        const bool is_within = glms_vec3_dot(inwards, glms_vec3_sub(p, c[k])) >= 0.0f;
-        if (!is_within || !(n2 > 0.0f))
+        const bool is_inside_edge = glms_vec3_dot(inwards, glms_vec3_sub(p, c[k])) >= 0.0f;
+        if (!is_inside_edge || !(n2 > 0.0f))
             least = fminf(least, line_distance2(p, c[k], next));
     }
     if (least < INFINITY)
@@ -79,7 +78,7 @@ static float distance2(const struct work *work, uint32_t triangle, vec3s p)
     return height * height / n2;
 }
 
-static void offer(const struct work *work, uint32_t triangle, int x, int y, int z)
+static void test_triangle(const struct work *work, uint32_t triangle, int x, int y, int z)
 {
     const size_t texel = texel_at(x, y, z);
     if (work->nearest[texel] == triangle)
@@ -91,7 +90,7 @@ static void offer(const struct work *work, uint32_t triangle, int x, int y, int 
     }
 }
 
-/* The texels whose centres are in the box of a triangle, and `more` around them. */
+/* Texels whose centres are in a triangle's bounding box, extended by `more` texels. */
 struct range {
     int first[3], last[3];
 };
@@ -109,7 +108,7 @@ static struct range range_of(const struct work *work, const vec3s corners[static
     return range;
 }
 
-static void offer_near(const struct work *work, uint32_t triangle)
+static void test_near(const struct work *work, uint32_t triangle)
 {
     vec3s corners[3];
     corners_of(work->mesh, triangle, corners);
@@ -117,18 +116,18 @@ static void offer_near(const struct work *work, uint32_t triangle)
     for (int z = r.first[2]; z <= r.last[2]; z++) {
         for (int y = r.first[1]; y <= r.last[1]; y++) {
             for (int x = r.first[0]; x <= r.last[0]; x++)
-                offer(work, triangle, x, y, z);
+                test_triangle(work, triangle, x, y, z);
         }
     }
 }
 
-/* Offers a texel the nearest triangles of the 13 neighbours before it, or after it: few, for most
- * have the same, and only those that have changed since sweep `since`. */
-static void offer_neighbours(const struct work *work, size_t texel, int side, int since)
+/* Tests the nearest triangles of 13 neighbours, before or after the texel in scan order. Skips
+ * duplicates, which are common, and neighbours unchanged since sweep `since`. */
+static void test_neighbours(const struct work *work, size_t texel, int side, int since)
 {
     const int x = (int)(texel % SIZE), y = (int)(texel / SIZE % SIZE),
               z = (int)(texel / SIZE / SIZE);
-    uint32_t offered[13];
+    uint32_t tested[13];
     int count = 0;
     for (int i = 14; i < 27; i++) {
         const int nx = x + side * (i % 3 - 1);
@@ -140,43 +139,41 @@ static void offer_neighbours(const struct work *work, size_t texel, int side, in
         const uint32_t nearest = work->nearest[neighbour];
         bool is_new = nearest != NOWHERE && work->changed[neighbour] >= since;
         for (int k = 0; k < count && is_new; k++)
-            is_new = offered[k] != nearest;
+            is_new = tested[k] != nearest;
         if (is_new) {
-            offered[count++] = nearest;
-            offer(work, nearest, x, y, z);
+            tested[count++] = nearest;
+            test_triangle(work, nearest, x, y, z);
         }
     }
 }
 
-/* Hands the nearest triangles on to what is inside: nothing else is asked for its depth. What has
- * not changed since the sweep before has been offered by the one in the same direction. */
+/* Propagates nearest triangles to texels inside the mesh. Neighbours that have not changed since
+ * the last sweep in the same direction were tested by it. */
 static void sweep(const struct work *work, int number)
 {
-    const bool is_forth = number % 2 == 0;
+    const bool is_forward = number % 2 == 0;
     const int since = number < 2 ? 0 : number - 1;
     for (size_t i = 0; i < COUNT; i++) {
-        const size_t texel = is_forth ? i : COUNT - 1 - i;
+        const size_t texel = is_forward ? i : COUNT - 1 - i;
         const uint32_t before = work->nearest[texel];
         if (!work->windings[texel])
             continue;
-        offer_neighbours(work, texel, is_forth ? -1 : 1, since);
+        test_neighbours(work, texel, is_forward ? -1 : 1, since);
         if (work->nearest[texel] != before)
             work->changed[texel] = (uint8_t)number;
     }
 }
 
-/* ---- inside ---- */
-
-/* Returns twice the signed area of a, b and p along x. */
+/* Returns twice the signed area of the triangle a, b, (y, z) in the yz plane. */
 static double area(vec3s a, vec3s b, double y, double z)
 {
     return ((double)b.y - (double)a.y) * (z - (double)a.z) -
            ((double)b.z - (double)a.z) * (y - (double)a.y);
 }
 
-/* Counts a triangle in the winding numbers of the texels beyond it along x. The rows are shifted by
- * hairs, so that they meet no edge of a mesh that is aligned with them. */
-static void wind(const struct work *work, uint32_t triangle)
+/* Adds a triangle's winding to all texels behind it along x. The rows are shifted by an epsilon, so
+ * that they hit no edge of a mesh that is aligned with the grid. */
+static void add_winding(const struct work *work, uint32_t triangle)
 {
     vec3s c[3];
     corners_of(work->mesh, triangle, c);
@@ -200,8 +197,8 @@ static void wind(const struct work *work, uint32_t triangle)
     }
 }
 
-/* Returns the depth at a point near a texel's centre, by the triangles near which the texels around
- * it are. */
+/* Returns the distance at a point near a texel's centre to the triangles known to its neighbours.
+ */
 static float depth_near(const struct work *work, const int texel[static 3], vec3s point)
 {
     float least = INFINITY;
@@ -216,14 +213,14 @@ static float depth_near(const struct work *work, const int texel[static 3], vec3
     return sqrtf(least);
 }
 
-/* Returns the greatest depth, which is between texels, around the deepest of them. */
-static float deepest(const struct work *work, size_t index)
+/* Returns the maximum distance near the deepest texel, which lies between texel centres. */
+static float find_maximum(const struct work *work, size_t index)
 {
     const int texel[3] = { (int)(index % SIZE), (int)(index / SIZE % SIZE),
                            (int)(index / SIZE / SIZE) };
     const vec3s center = center_of(work, texel[0], texel[1], texel[2]);
     float most = 0.0f;
-    for (int i = 0; i < 729; i++) { /* quarters of a texel */
+    for (int i = 0; i < 729; i++) { /* steps of a quarter texel */
         const int x = i % 9 - 4, y = i / 9 % 9 - 4, z = i / 81 - 4;
         const vec3s step = { { (float)x, (float)y, (float)z } };
         const vec3s moved = glms_vec3_scale(glms_vec3_mul(step, work->cell), 0.25f);
@@ -242,12 +239,12 @@ static void measure(struct depth_field *field, const struct work *work)
     }
     if (!(field->texels[best] > 0.0f))
         return;
-    field->most = deepest(work, best);
+    field->most = find_maximum(work, best);
     for (size_t i = 0; i < COUNT; i++)
         field->texels[i] /= field->most;
 }
 
-/* Returns the box of the triangles, of which there are some. */
+/* Returns the bounding box of the triangles; there must be at least one. */
 static struct box box_of(const struct mesh *mesh)
 {
     const vec3s first = mesh->vertices[mesh->indices[0]].position;
@@ -283,8 +280,8 @@ bool depth_field_init(struct depth_field *field, const struct mesh *mesh)
         work.distances2[i] = INFINITY;
     }
     for (uint32_t i = 0; done && i < mesh->index_count / 3; i++) {
-        offer_near(&work, i);
-        wind(&work, i);
+        test_near(&work, i);
+        add_winding(&work, i);
     }
     for (int i = 0; done && i < SWEEPS; i++)
         sweep(&work, i);
@@ -305,12 +302,10 @@ void depth_field_finish(struct depth_field *field)
     *field = (struct depth_field){ 0 };
 }
 
-/* ---- lookup ---- */
-
 float depth_field_at(const struct depth_field *field, vec3s point)
 {
     int lower[3];
-    float share[3], sum = 0.0f;
+    float weights[3], sum = 0.0f;
     if (!field->texels)
         return 0.0f;
     for (int k = 0; k < 3; k++) {
@@ -318,12 +313,13 @@ float depth_field_at(const struct depth_field *field, vec3s point)
         const float at = (point.raw[k] - field->box.min.raw[k]) / side * SIZE - 0.5f;
         const float clamped = glm_clamp(side > 0.0f ? at : 0.0f, 0.0f, SIZE - 1.0f);
         lower[k] = (int)fminf(clamped, SIZE - 2);
-        share[k] = clamped - (float)lower[k];
+        weights[k] = clamped - (float)lower[k];
     }
     for (int i = 0; i < 8; i++) {
         const int x = i & 1, y = i >> 1 & 1, z = i >> 2;
-        const float weight = (x ? share[0] : 1.0f - share[0]) * (y ? share[1] : 1.0f - share[1]) *
-                             (z ? share[2] : 1.0f - share[2]);
+        const float weight = (x ? weights[0] : 1.0f - weights[0]) *
+                             (y ? weights[1] : 1.0f - weights[1]) *
+                             (z ? weights[2] : 1.0f - weights[2]);
         sum += weight * field->texels[texel_at(lower[0] + x, lower[1] + y, lower[2] + z)];
     }
     return sum;

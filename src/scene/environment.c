@@ -1,4 +1,4 @@
-/* environment.c: loads an image of the surroundings as half floats. */
+/* environment.c: loads environment images (.exr, .hdr) as half floats. */
 #include "src/scene/environment.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -11,14 +11,14 @@
 #include "src/image/hdr.h"
 #include "src/scene/panorama.h"
 
-/* Colours of Rec.709; gray is gray everywhere. */
+/* Converts colours to Rec.709. Gray needs no conversion. */
 static void convert_colors(struct image *image, const struct primaries *primaries, const char *path)
 {
     float m[9];
     float *r = image_find(image, "R"), *g = image_find(image, "G"), *b = image_find(image, "B");
     const enum primaries_kind kind = primaries_to_rec709(primaries, m);
     if (kind == PRIMARIES_INVALID)
-        log_warning("%s: its chromaticities are no colours: Rec.709 is assumed", path);
+        log_warning("%s: invalid chromaticities: Rec.709 is assumed", path);
     if (kind != PRIMARIES_OTHER || !r || !g || !b)
         return;
     for (size_t i = 0; i < (size_t)image->width * image->height; i++) {
@@ -29,14 +29,14 @@ static void convert_colors(struct image *image, const struct primaries *primarie
     }
 }
 
-/* What the head of a file says of the picture, besides its texels. */
-struct said {
+/* Metadata from the file's header. */
+struct header_info {
     bool is_cube_map;
     struct environment_sun sun;
 };
 
-/* Reads numbers; returns false if there are others, or none. */
-static bool read_numbers(const char *text, float *numbers, int count)
+/* Reads `count` numbers. Returns false if there are more, fewer, or other text. */
+static bool parse_numbers(const char *text, float *numbers, int count)
 {
     for (int i = 0; i < count; i++) {
         char *end;
@@ -48,15 +48,15 @@ static bool read_numbers(const char *text, float *numbers, int count)
     return text[strspn(text, " ")] == '\0';
 }
 
-static struct environment_sun sun_of(const char *text, const char *path)
+static struct environment_sun parse_sun(const char *text, const char *path)
 {
     float n[5];
     if (!text)
         return (struct environment_sun){ 0 };
-    if (!read_numbers(text, n, 5) || fabsf(n[0]) > 360 || fabsf(n[1]) > 90 || n[2] < 0 ||
+    if (!parse_numbers(text, n, 5) || fabsf(n[0]) > 360 || fabsf(n[1]) > 90 || n[2] < 0 ||
         n[3] < 0 || n[4] < 0 || fmaxf(n[2], fmaxf(n[3], n[4])) > ENVIRONMENT_SUN_MAX) {
-        log_warning("%s: %s: expected 'AZIMUTH ELEVATION RED GREEN BLUE', got '%.80s': it has no "
-                    "sun",
+        log_warning("%s: %s: expected 'AZIMUTH ELEVATION RED GREEN BLUE', got '%.80s': no sun is "
+                    "used",
                     path, ENVIRONMENT_SUN_TEXT, text);
         return (struct environment_sun){ 0 };
     }
@@ -73,49 +73,49 @@ vec3s environment_direction(float azimuth_deg, float elevation_deg)
     return (vec3s){ { sinf(around) * cosf(up), sinf(up), cosf(around) * cosf(up) } };
 }
 
-static enum status read_exr(const char *path, struct image *image, struct said *said)
+static enum status read_exr(const char *path, struct image *image, struct header_info *header_info)
 {
     struct picture_head head;
     const enum status status = exr_read_all(path, image, &head);
     if (status == STATUS_OK && head.has_primaries)
         convert_colors(image, &head.primaries, path);
-    said->is_cube_map = head.is_cube_map;
+    header_info->is_cube_map = head.is_cube_map;
     if (status == STATUS_OK)
-        said->sun = sun_of(picture_head_text(&head, ENVIRONMENT_SUN_TEXT), path);
+        header_info->sun = parse_sun(picture_head_text(&head, ENVIRONMENT_SUN_TEXT), path);
     picture_head_finish(&head);
     return status;
 }
 
-static enum status read_picture(const char *path, struct image *image, struct said *said)
+static enum status read_image(const char *path, struct image *image,
+                              struct header_info *header_info)
 {
     if (path_ends_in(path, ".hdr"))
         return hdr_read(path, image);
     if (path_ends_in(path, ".exr"))
-        return read_exr(path, image, said);
+        return read_exr(path, image, header_info);
     log_error("%s: expected an environment file that ends in .exr or .hdr", path);
     return STATUS_DATA;
 }
 
 static uint16_t to_half(float value)
 {
-    if (!(value > 0.0f) || isinf(value)) /* NaN too */
+    if (!(value > 0.0f) || isinf(value)) /* also true for NaN */
         return 0;
     return half_from_float(value);
 }
 
-static enum status check_shape(const struct image *image, const char *path)
+static enum status check_aspect(const struct image *image, const char *path)
 {
     if (image->width == 2 * (uint64_t)image->height || image->height == 6 * (uint64_t)image->width)
         return STATUS_OK;
-    log_error(
-        "%s: expected an equirectangular picture (2:1) or six faces of a cube (1:6, 6:1, or a "
-        "cross on black), got %u x %u",
-        path, image->width, image->height);
+    log_error("%s: expected an equirectangular image (2:1) or six faces of a cube (1:6, 6:1, or a "
+              "cross on black), got %u x %u",
+              path, image->width, image->height);
     return STATUS_DATA;
 }
 
-/* Unfolds a cube that is infinitely far away. */
-static enum status unfold(struct image *image, bool is_cube_map, const char *path)
+/* Converts a cube map at infinity to an equirectangular image. */
+static enum status convert_cube(struct image *image, bool is_cube_map, const char *path)
 {
     const enum panorama kind = panorama_find(image);
     if (is_cube_map && image->height == 6 * (uint64_t)image->width)
@@ -162,16 +162,16 @@ enum status environment_load(struct environment *environment, const char *path)
 {
     struct image image = { 0 };
     *environment = (struct environment){ 0 };
-    struct said said = { 0 };
-    enum status status = read_picture(path, &image, &said);
+    struct header_info header_info = { 0 };
+    enum status status = read_image(path, &image, &header_info);
     if (status == STATUS_OK)
-        status = unfold(&image, said.is_cube_map, path);
+        status = convert_cube(&image, header_info.is_cube_map, path);
     if (status == STATUS_OK)
-        status = check_shape(&image, path);
+        status = check_aspect(&image, path);
     if (status == STATUS_OK)
         status = convert(environment, &image, path);
     if (status == STATUS_OK && !environment->is_cube)
-        environment->sun = said.sun;
+        environment->sun = header_info.sun;
     image_finish(&image);
     return status;
 }

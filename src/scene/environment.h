@@ -1,9 +1,8 @@
 /*
- * environment.h: an image of the surroundings in linear Rec.709 radiance.
+ * environment.h: environment image in linear Rec.709 radiance.
  *
- * It is either equirectangular and infinitely far away, with -Z in the middle, +Y at the top and +X
- * right of the middle; or a cube, six square faces, one below the other, +X -X +Y -Y +Z -Z, in
- * Vulkan's orientation.
+ * It is either equirectangular and at infinity (-Z in the centre, +Y at the top, +X right of the
+ * centre), or a captured cube: a column of six faces, +X -X +Y -Y +Z -Z, as Vulkan orients them.
  */
 #ifndef FIRN_SCENE_ENVIRONMENT_H
 #define FIRN_SCENE_ENVIRONMENT_H
@@ -13,43 +12,41 @@
 #include <stdint.h>
 #include "src/base/status.h"
 
-/* The sun of a panorama, whose disc the picture does not show. */
+/* Sun of an equirectangular environment, whose disc is not in the image. */
 struct environment_sun {
-    vec3s dir;   /* unit, towards the sun, as the picture is stored: before `turn` */
-    vec3s light; /* radiance of a matt white surface that faces it, by it alone; 0: no sun */
+    vec3s dir;   /* unit direction to the sun, before `turn` is applied */
+    vec3s light; /* radiance of a white diffuse surface facing the sun; 0 without a sun */
 };
 
 struct environment {
-    uint16_t *texels;       /* half RGBA, rows from the top; finite, not negative; owned */
+    uint16_t *texels;       /* half RGBA, top row first; finite and not negative; owned */
     uint32_t width, height; /* texels */
-    float turn;             /* of an equirectangular picture: turns about +Y, 0 to 1 */
+    float turn;             /* rotation about +Y of an equirectangular image, in turns, 0 to 1 */
     struct environment_sun sun;
-    bool is_cube; /* alpha is 1 / distance from the capture's centre, 1 / metre, 0 at infinity; if
-                     false, alpha is 1 */
+    bool is_cube; /* captured cube: alpha is 1 / distance from its centre, 1 / metre */
 };
 
 /*
- * Loads a .exr file (channels R, G, B or Y; of a cube also A, without which everything is
- * infinitely far away) or a .hdr file. An image six times as high as wide is a cube, but a panorama
- * if its attribute `envmap` says so; that, and other cubes of panorama.h, become equirectangular.
- * Others that are not twice as wide as high are refused. Colours of an .exr with other
- * chromaticities than those of Rec.709 are converted; white stays white. Values below 0 or not
- * finite become 0; values beyond half's range become its largest. Logs and returns STATUS_NO_INPUT,
+ * Loads an .exr file (channels R, G, B or Y; of a cube also A, without which everything is at
+ * infinity) or a .hdr file. An image with aspect 1:6 is a captured cube, unless its attribute
+ * `envmap` says that it is a cube map; that, and the other cube layouts of panorama.h, are
+ * converted to equirectangular images. All others must have aspect 2:1. Colours with other
+ * chromaticities are converted to Rec.709, and white stays white. Negative and non-finite values
+ * become 0, and values beyond half's range its maximum. Logs and returns STATUS_NO_INPUT,
  * STATUS_DATA or STATUS_TRY_AGAIN; *environment is then {0}.
  */
 MUST_USE enum status environment_load(struct environment *environment, const char *path);
 
-#define ENVIRONMENT_SUN_MAX 1e6f /* environment_sun.light of a file */
+#define ENVIRONMENT_SUN_MAX 1e6f /* limit of environment_sun.light in files */
 
-/* Returns the unit direction of an azimuth (0 is +Z, 90 is +X) and an elevation above the horizon,
- * degrees. */
+/* Returns the unit direction of an azimuth (0 is +Z, 90 is +X) and an elevation, in degrees. */
 vec3s environment_direction(float azimuth_deg, float elevation_deg);
 
-/* The text of an .exr file that names its sun: "AZIMUTH ELEVATION RED GREEN BLUE", degrees as those
- * of sky.sun_azimuth and sky.sun_elevation, and environment_sun.light. */
+/* EXR string attribute that describes the sun: "AZIMUTH ELEVATION RED GREEN BLUE", with angles in
+ * degrees as in sky.sun_azimuth and sky.sun_elevation, and environment_sun.light. */
 #define ENVIRONMENT_SUN_TEXT "firn/sun"
 
-/* Multiplies the colours by 2^stops. */
+/* Multiplies all radiances, the sun's included, by 2^stops. */
 void environment_expose(struct environment *environment, float stops);
 
 /* Frees the texels; *environment is then {0}. */

@@ -1,39 +1,39 @@
-/* fold.c: counts the triangles on lines through a mesh. */
+/* fold.c: measures the depth complexity of a mesh along a grid of parallel lines. */
 #include "src/scene/fold.h"
 #include <cglm/struct.h>
 
 enum {
-    SIDE = 48 /* lines along each side of a rectangle */
+    SIDE = 48 /* lines per side of the grid */
 };
 
-/* Lines along one of the directions below, across the other two. */
+/* Grid of lines along one direction, spread over the other two. */
 struct grid {
     vec3s across[2];
-    vec2s first; /* corner of the rectangle around the mesh, in these directions */
-    vec2s step;  /* between lines */
-    unsigned char met[SIDE * SIDE]; /* triangles on each line, 255 at most */
+    vec2s first; /* minimum corner of the mesh's bounding rectangle in the `across` axes */
+    vec2s step;  /* spacing of lines */
+    unsigned char hits[SIDE * SIDE]; /* triangle hits of each line, at most 255 */
 };
 
-/* Perpendicular to each other, and oblique to the sides of what people make: lines along a flat
- * side that is a little uneven would meet it many times. */
+/* Orthogonal directions, oblique to the faces of man-made objects: lines within a slightly uneven
+ * flat face would hit it many times. */
 static const vec3s directions[3] = {
     { { 2.0f / 7.0f, 3.0f / 7.0f, 6.0f / 7.0f } },
     { { 3.0f / 7.0f, -6.0f / 7.0f, 2.0f / 7.0f } },
     { { 6.0f / 7.0f, 2.0f / 7.0f, -3.0f / 7.0f } },
 };
 
-static vec2s place(const struct grid *grid, vec3s point)
+static vec2s project(const struct grid *grid, vec3s point)
 {
     const vec2s at = { { glms_vec3_dot(grid->across[0], point),
                          glms_vec3_dot(grid->across[1], point) } };
     return at;
 }
 
-static void spread(struct grid *grid, const struct mesh *mesh)
+static void fit_grid(struct grid *grid, const struct mesh *mesh)
 {
     vec2s low = { { INFINITY, INFINITY } }, high = { { -INFINITY, -INFINITY } };
     for (uint32_t i = 0; i < mesh->index_count; i++) {
-        const vec2s at = place(grid, mesh->vertices[mesh->indices[i]].position);
+        const vec2s at = project(grid, mesh->vertices[mesh->indices[i]].position);
         low = glms_vec2_minv(low, at);
         high = glms_vec2_maxv(high, at);
     }
@@ -41,13 +41,13 @@ static void spread(struct grid *grid, const struct mesh *mesh)
     grid->step = glms_vec2_divs(glms_vec2_sub(high, low), (float)SIDE);
 }
 
-/* Returns twice the area of a triangle, below 0 if its corners are clockwise. */
+/* Returns twice the signed area of a triangle, negative if it is clockwise. */
 static float area(vec2s a, vec2s b, vec2s c)
 {
     return glms_vec2_cross(glms_vec2_sub(b, a), glms_vec2_sub(c, a));
 }
 
-static void meet(struct grid *grid, const vec2s *corners)
+static void rasterise(struct grid *grid, const vec2s *corners)
 {
     const float whole = area(corners[0], corners[1], corners[2]);
     const vec2s low = glms_vec2_minv(glms_vec2_minv(corners[0], corners[1]), corners[2]);
@@ -56,33 +56,33 @@ static void meet(struct grid *grid, const vec2s *corners)
     const vec2s to = glms_vec2_div(glms_vec2_sub(high, grid->first), grid->step);
     for (int y = (int)from.y; y <= (int)to.y && y < SIDE; y++) {
         for (int x = (int)from.x; x <= (int)to.x && x < SIDE; x++) {
-            const vec2s middle = { { (float)x + 0.5f, (float)y + 0.5f } };
-            const vec2s at = glms_vec2_add(grid->first, glms_vec2_mul(middle, grid->step));
-            unsigned char *met = &grid->met[y * SIDE + x];
-            const bool is_met = area(at, corners[0], corners[1]) * whole > 0.0f &&
+            const vec2s center = { { (float)x + 0.5f, (float)y + 0.5f } };
+            const vec2s at = glms_vec2_add(grid->first, glms_vec2_mul(center, grid->step));
+            unsigned char *hits = &grid->hits[y * SIDE + x];
+            const bool is_hit = area(at, corners[0], corners[1]) * whole > 0.0f &&
                                 area(at, corners[1], corners[2]) * whole > 0.0f &&
                                 area(at, corners[2], corners[0]) * whole > 0.0f;
-            if (is_met && *met < 255)
-                (*met)++;
+            if (is_hit && *hits < 255)
+                (*hits)++;
         }
     }
 }
 
-/* Adds the lines that meet any triangle, and those that meet more than two. */
-static void count(struct grid *grid, const struct mesh *mesh, uint32_t counts[2])
+/* Adds the number of lines that hit any triangle, and of those that hit more than two. */
+static void count_lines(struct grid *grid, const struct mesh *mesh, uint32_t counts[2])
 {
-    spread(grid, mesh);
+    fit_grid(grid, mesh);
     if (!(grid->step.x > 0.0f && grid->step.y > 0.0f))
         return;
     for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
         vec2s corners[3];
         for (uint32_t k = 0; k < 3; k++)
-            corners[k] = place(grid, mesh->vertices[mesh->indices[i + k]].position);
-        meet(grid, corners);
+            corners[k] = project(grid, mesh->vertices[mesh->indices[i + k]].position);
+        rasterise(grid, corners);
     }
     for (int i = 0; i < SIDE * SIDE; i++) {
-        counts[0] += grid->met[i] > 0;
-        counts[1] += grid->met[i] > 2;
+        counts[0] += grid->hits[i] > 0;
+        counts[1] += grid->hits[i] > 2;
     }
 }
 
@@ -91,7 +91,7 @@ float mesh_fold(const struct mesh *mesh)
     uint32_t counts[2] = { 0, 0 };
     for (int i = 0; i < 3; i++) {
         struct grid grid = { .across = { directions[(i + 1) % 3], directions[(i + 2) % 3] } };
-        count(&grid, mesh, counts);
+        count_lines(&grid, mesh, counts);
     }
     return counts[0] ? (float)counts[1] / (float)counts[0] : 0.0f;
 }

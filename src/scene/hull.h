@@ -1,8 +1,8 @@
 /*
- * hull.h: a convex polytope around a mesh, and polygons clipped to it.
+ * hull.h: discrete oriented polytope (26-DOP) around a mesh, and clipping of polygons to it.
  *
- * Its normals are the directions from a cube's middle to its faces, edges and corners (Klosowski
- * and others 1998: a discrete orientation polytope of 26 planes); the mesh touches each plane.
+ * Its normals point from a cube's centre to the faces, edges and corners (Klosowski et al. 1998);
+ * the mesh touches each plane.
  */
 #ifndef FIRN_SCENE_HULL_H
 #define FIRN_SCENE_HULL_H
@@ -11,21 +11,21 @@
 
 enum {
     HULL_PLANE_COUNT = 26,
-    HULL_CORNER_COUNT = 4 + HULL_PLANE_COUNT, /* greatest number of corners of a clipped square */
+    HULL_CORNER_COUNT = 4 + HULL_PLANE_COUNT, /* maximum vertex count of a clipped square */
 };
 
-/* Points p of the hull have dot(p, planes[i].xyz) <= planes[i].w. */
+/* A point p is inside if dot(p, planes[i].xyz) <= planes[i].w for all i. */
 struct hull {
     vec4s planes[HULL_PLANE_COUNT];
 };
 
-/* Returns the hull of a mesh; an empty mesh has an empty hull. */
+/* Returns the k-DOP of a mesh; that of an empty mesh is empty. */
 struct hull hull_of(const struct mesh *mesh);
 
 /*
- * Clips a convex polygon of `count` corners to the hull and returns the new number of corners: 0,
- * or from 3 to `count` + HULL_PLANE_COUNT, for which `corners` must have room. New corners have
- * interpolated uv and the other attributes of the first corner.
+ * Clips a convex polygon of `count` vertices to the k-DOP. Returns the new vertex count, which is
+ * 0, or 3 to `count` + HULL_PLANE_COUNT; `corners` must have room for it. New vertices interpolate
+ * the texture coordinates and copy the other attributes of the first vertex.
  */
 uint32_t hull_cut(const struct hull *hull, struct mesh_vertex *corners, uint32_t count);
 

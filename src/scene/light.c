@@ -1,4 +1,4 @@
-/* light.c: what a light may be. */
+/* light.c: validation of punctual lights, and their GPU table. */
 #include "src/scene/light.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -16,8 +16,8 @@ const char *light_kind_name(const struct light *light)
     return names[light->kind];
 }
 
-/* Comparisons with NaN are false. */
-static bool is_from(float value, float min, float max)
+/* Returns false for NaN. */
+static bool is_in_range(float value, float min, float max)
 {
     return value >= min && value <= max;
 }
@@ -27,13 +27,14 @@ bool light_is_sound(const struct light *light)
     const float far = 1e6f, half_pi = 1.5707964f;
     const bool is_spot = light->kind == LIGHT_SPOT;
     for (int k = 0; k < 3; k++) {
-        if (!is_from(light->position.raw[k], -far, far) || !is_from(light->color.raw[k], 0, 65504))
+        if (!is_in_range(light->position.raw[k], -far, far) ||
+            !is_in_range(light->color.raw[k], 0, 65504))
             return false;
     }
     return light->kind < LIGHT_KIND_COUNT && memchr(light->name, 0, sizeof(light->name)) &&
-           is_from(glms_vec3_norm(light->direction), 0.999f, 1.001f) &&
-           is_from(light->intensity, 0, 1e30f) && is_from(light->range, 0, 1e30f) &&
-           light->inner_cone >= 0 && is_from(light->outer_cone, 0, half_pi) &&
+           is_in_range(glms_vec3_norm(light->direction), 0.999f, 1.001f) &&
+           is_in_range(light->intensity, 0, 1e30f) && is_in_range(light->range, 0, 1e30f) &&
+           light->inner_cone >= 0 && is_in_range(light->outer_cone, 0, half_pi) &&
            (is_spot ? light->inner_cone < light->outer_cone
                     : !(light->inner_cone > 0) && !(light->outer_cone > 0));
 }
@@ -45,7 +46,7 @@ vec4s *light_rows_make(const struct light *lights, uint32_t count)
         const struct light *m = &lights[i];
         vec4s *row = &rows[(size_t)i * LIT_LIGHT_WIDTH];
         const bool is_spot = m->kind == LIGHT_SPOT;
-        /* All of what is no spot is within a cone of more than the sphere. */
+        /* Without a spot cone, every direction must be inside: cosines below -1. */
         const vec2s cone = { { is_spot ? cosf(m->inner_cone) : -2.0f,
                                is_spot ? cosf(m->outer_cone) : -3.0f } };
         row[LIT_LIGHT_POSITION] =

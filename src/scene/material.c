@@ -1,7 +1,7 @@
 /*
- * material.c: glTF's default material, and the table of presets.
+ * material.c: glTF's default material, and the table of refractive index presets.
  *
- * Indices: Fernando and Kilgard 2003, The Cg Tutorial, table 7-1; ice: Seipel and Nivfors 2006.
+ * Indices: Fernando and Kilgard 2003, The Cg Tutorial, table 7-1; ice: Seipel, Nivfors 2006.
  */
 #include "src/scene/material.h"
 #include <cglm/struct.h>
@@ -41,52 +41,52 @@ bool material_is_dressed(const struct material *m)
 
 static bool clamp(float *value, float min, float max, float initial)
 {
-    const float is = *value;
-    *value = isnan(is) ? initial : fminf(fmaxf(is, min), max);
-    return !(is == *value);
+    const float value_before = *value;
+    *value = isnan(value_before) ? initial : fminf(fmaxf(value_before, min), max);
+    return !(value_before == *value);
 }
 
-/* Clamps what the surface does with light beside the base colour. */
+/* Clamps the surface parameters other than the base colour. */
 static bool clamp_surface(struct material *m)
 {
     const float radiance_max = 65504.0f;
-    bool is_changed = false;
+    bool has_changed = false;
     for (int k = 0; k < 3; k++) {
-        is_changed |= clamp(&m->emission.raw[k], 0.0f, radiance_max, 0.0f);
-        is_changed |= clamp(&m->specular_color.raw[k], 0.0f, radiance_max, 1.0f);
+        has_changed |= clamp(&m->emission.raw[k], 0.0f, radiance_max, 0.0f);
+        has_changed |= clamp(&m->specular_color.raw[k], 0.0f, radiance_max, 1.0f);
     }
-    is_changed |= clamp(&m->metallic, 0.0f, 1.0f, 0.0f);
-    is_changed |= clamp(&m->alpha, 0.0f, 1.0f, 1.0f);
-    is_changed |= clamp(&m->alpha_cutoff, 0.0f, 1.0f, 0.5f);
-    is_changed |= clamp(&m->normal_scale, -radiance_max, radiance_max, 1.0f);
-    is_changed |= clamp(&m->occlusion_strength, 0.0f, 1.0f, 1.0f);
-    is_changed |= clamp(&m->specular, 0.0f, 1.0f, 1.0f);
-    return is_changed;
+    has_changed |= clamp(&m->metallic, 0.0f, 1.0f, 0.0f);
+    has_changed |= clamp(&m->alpha, 0.0f, 1.0f, 1.0f);
+    has_changed |= clamp(&m->alpha_cutoff, 0.0f, 1.0f, 0.5f);
+    has_changed |= clamp(&m->normal_scale, -radiance_max, radiance_max, 1.0f);
+    has_changed |= clamp(&m->occlusion_strength, 0.0f, 1.0f, 1.0f);
+    has_changed |= clamp(&m->specular, 0.0f, 1.0f, 1.0f);
+    return has_changed;
 }
 
 bool material_clamp(struct material *m)
 {
     const float color_max = m->flags & MATERIAL_IS_UNLIT ? 65504.0f : 1.0f;
-    bool is_changed = clamp_surface(m);
-    if (isinf(m->attenuation_distance)) /* glTF's default: clear */
+    bool has_changed = clamp_surface(m);
+    if (isinf(m->attenuation_distance)) /* glTF's default: a clear medium */
         m->attenuation_distance = 0.0f;
     for (int k = 0; k < 3; k++) {
-        is_changed |= clamp(&m->base_color.raw[k], 0.0f, color_max, 1.0f);
-        is_changed |= clamp(&m->attenuation_color.raw[k], 0.0f, 1.0f, 1.0f);
+        has_changed |= clamp(&m->base_color.raw[k], 0.0f, color_max, 1.0f);
+        has_changed |= clamp(&m->attenuation_color.raw[k], 0.0f, 1.0f, 1.0f);
     }
-    is_changed |= clamp(&m->roughness, 0.0f, 1.0f, 1.0f);
-    is_changed |= clamp(&m->transmission, 0.0f, 1.0f, 0.0f);
-    is_changed |= clamp(&m->thickness, 0.0f, 1e6f, 0.0f);
-    is_changed |= clamp(&m->ior, 1.0f, 4.0f, 1.5f);
-    is_changed |= clamp(&m->dispersion, 0.0f, 10.0f, 0.0f);
-    is_changed |= clamp(&m->attenuation_distance, 0.0f, FLT_MAX, 0.0f);
-    is_changed |= clamp(&m->cloud, 0.0f, MATERIAL_CLOUD_MAX, 0.0f);
-    return is_changed;
+    has_changed |= clamp(&m->roughness, 0.0f, 1.0f, 1.0f);
+    has_changed |= clamp(&m->transmission, 0.0f, 1.0f, 0.0f);
+    has_changed |= clamp(&m->thickness, 0.0f, 1e6f, 0.0f);
+    has_changed |= clamp(&m->ior, 1.0f, 4.0f, 1.5f);
+    has_changed |= clamp(&m->dispersion, 0.0f, 10.0f, 0.0f);
+    has_changed |= clamp(&m->attenuation_distance, 0.0f, FLT_MAX, 0.0f);
+    has_changed |= clamp(&m->cloud, 0.0f, MATERIAL_CLOUD_MAX, 0.0f);
+    return has_changed;
 }
 
 vec3s material_absorption(const struct material *m)
 {
-    const float color_min = 1e-12f; /* black after the distance: all but nothing is left */
+    const float color_min = 1e-12f; /* avoids log(0): black attenuation leaves almost nothing */
     vec3s absorption = glms_vec3_zero();
     for (int k = 0; k < 3 && m->attenuation_distance > 0.0f; k++)
         absorption.raw[k] =

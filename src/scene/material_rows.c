@@ -1,4 +1,4 @@
-/* material_rows.c: a row of texels for each material. */
+/* material_rows.c: GPU table of materials: one row of texels for each. */
 #include "src/scene/material_rows.h"
 #include <cglm/struct.h>
 #include <stdlib.h>
@@ -26,18 +26,18 @@ vec3s material_f0(const struct material *m)
     return glms_vec3_scale(m->specular_color, f0);
 }
 
-static bool is_matt(const struct material *m)
+static bool is_diffuse(const struct material *m)
 {
     return m->flags & (MATERIAL_IS_BARE | MATERIAL_IS_UNLIT);
 }
 
-static bool is_rich(const struct material *m)
+static bool needs_full_shading(const struct material *m)
 {
     const struct material_texture *base = &m->textures[MATERIAL_BASE_COLOR];
     const bool repeats = base->wrap_u == MATERIAL_REPEAT && base->wrap_v == MATERIAL_REPEAT;
     const bool is_cut_elsewhere =
         m->flags & MATERIAL_IS_CUTOUT && (m->alpha_cutoff < 0.5f || m->alpha_cutoff > 0.5f);
-    return !is_matt(m) || is_cut_elsewhere || m->flags & MATERIAL_IS_BLENDED ||
+    return !is_diffuse(m) || is_cut_elsewhere || m->flags & MATERIAL_IS_BLENDED ||
            (base->layer > 0 && !repeats);
 }
 
@@ -48,8 +48,9 @@ static int kind_of(const struct material *m)
     return m->flags & MATERIAL_IS_BLENDED ? MATERIAL_KIND_BLENDED : MATERIAL_KIND_OPAQUE;
 }
 
-/* The base colour's transform is that of the vertices' coordinates. */
-static void fill_texture(vec4s *texels, const struct material_texture *texture)
+/* Writes a texture's transform, layer and wrapping. Vertex uv already include that of the base
+ * colour. */
+static void write_texture(vec4s *texels, const struct material_texture *texture)
 {
     texels[0] = glms_vec4(texture->u_row, (float)texture->layer);
     texels[1] = glms_vec4(texture->v_row,
@@ -57,10 +58,10 @@ static void fill_texture(vec4s *texels, const struct material_texture *texture)
                                   texture->wrap_v * MATERIAL_WRAPS_COUNT + texture->wrap_u));
 }
 
-static void fill(vec4s *row, const struct material *m)
+static void write_row(vec4s *row, const struct material *m)
 {
     const vec3s f0 = material_f0(m);
-    const float specular = is_matt(m) ? 0.0f : m->specular;
+    const float specular = is_diffuse(m) ? 0.0f : m->specular;
     row[MATERIAL_ROW_FACTORS] = (vec4s){ { m->metallic, m->roughness, specular, m->alpha } };
     row[MATERIAL_ROW_F0] = glms_vec4(f0, (float)kind_of(m));
     row[MATERIAL_ROW_EMISSION] = glms_vec4(m->emission, m->alpha_cutoff);
@@ -68,7 +69,7 @@ static void fill(vec4s *row, const struct material *m)
         (vec4s){ { m->normal_scale, m->occlusion_strength, material_is_dressed(m) ? 1.0f : 0.0f,
                    m->flags & MATERIAL_IS_FILM ? 1.0f : 0.0f } };
     for (int i = 0; i < MATERIAL_TEXTURE_COUNT; i++)
-        fill_texture(&row[MATERIAL_ROW_TEXTURES + 2 * i], &m->textures[i]);
+        write_texture(&row[MATERIAL_ROW_TEXTURES + 2 * i], &m->textures[i]);
 }
 
 vec4s *material_rows_make(const struct model *model)
@@ -79,9 +80,9 @@ vec4s *material_rows_make(const struct model *model)
     none.flags = MATERIAL_IS_BARE;
     if (!rows)
         return NULL;
-    fill(rows, &none);
+    write_row(rows, &none);
     for (uint32_t i = 0; i < model->material_count; i++)
-        fill(&rows[(i + (size_t)1) * MATERIAL_ROW_WIDTH], &model->materials[i]);
+        write_row(&rows[(i + (size_t)1) * MATERIAL_ROW_WIDTH], &model->materials[i]);
     return rows;
 }
 
@@ -128,13 +129,13 @@ bool material_rows_has_lit(const struct mesh *mesh)
     return false;
 }
 
-/* Returns whether a triangle of the surroundings has a material that `is_such`. */
-static bool has(const struct model *model, bool (*is_such)(const struct material *))
+/* Returns true if any triangle of the surroundings has a material that satisfies `predicate`. */
+static bool has(const struct model *model, bool (*predicate)(const struct material *))
 {
     const struct mesh *mesh = &model->surroundings;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const uint32_t material = mesh->vertices[i].material >> MESH_SURFACE_SHIFT;
-        if (material > 0 && is_such(&model->materials[material - 1]))
+        if (material > 0 && predicate(&model->materials[material - 1]))
             return true;
     }
     return false;
@@ -142,18 +143,19 @@ static bool has(const struct model *model, bool (*is_such)(const struct material
 
 bool material_rows_has_rich(const struct model *model)
 {
-    return has(model, is_rich);
+    return has(model, needs_full_shading);
 }
 
-/* A texture may make a rough surface smooth in places. */
-static bool is_mirror(const struct material *m)
+/* Returns true if a surface may be smooth enough for screen-space reflections. A roughness texture
+ * may make parts of it smooth. */
+static bool is_reflective(const struct material *m)
 {
     const bool is_even = m->textures[MATERIAL_METALLIC_ROUGHNESS].layer == 0;
-    return !is_matt(m) && (m->specular > 0.0f || m->metallic > 0.0f) &&
+    return !is_diffuse(m) && (m->specular > 0.0f || m->metallic > 0.0f) &&
            (!is_even || m->roughness < MATERIAL_ROUGH);
 }
 
 bool material_rows_has_mirrors(const struct model *model)
 {
-    return has(model, is_mirror);
+    return has(model, is_reflective);
 }

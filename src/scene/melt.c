@@ -1,4 +1,4 @@
-/* melt.c: which shells melt, and what follows them. */
+/* melt.c: melts the ice of a model, and updates everything that depends on its shape. */
 #include "src/scene/melt.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -10,26 +10,25 @@
 #include "src/scene/melt_parts.h"
 #include "src/scene/weld.h"
 
-/* Indices of refraction that are taken for ice, water and air. */
-#define ICE_LEAST  1.3f
+#define ICE_LEAST  1.3f /* ranges of refractive indices that identify ice, water, air */
 #define ICE_MOST   1.32f
 #define WATER_MOST 1.345f
 #define AIR_MOST   1.1f
 
-#define FROST_GONE   0.03f /* share of the volume after which the surface is wet */
-#define HOLLOW       0.02f /* depth of hollows, in halves of the width */
-#define HOLLOW_CELL  0.36f /* their width */
-#define HOLLOW_FINE  0.45f /* depth of smaller ones in them, relative to them */
+#define FROST_GONE   0.03f /* fraction of lost volume at which the frost is gone */
+#define HOLLOW       0.02f /* depth of melt hollows, in half widths */
+#define HOLLOW_CELL  0.36f /* width of hollows, in half widths */
+#define HOLLOW_FINE  0.45f /* depth of the finer hollows, relative to the coarse ones */
 #define HOLLOW_OFTEN 2.1f
-#define HOLLOWS_DUE  0.1f   /* share of the volume after which they are there */
-#define OPENS_AT     0.1f   /* depth below which cracks grow wider, of the greatest */
-#define WIDER        20.0f  /* by which they do at the surface, of their gap, when all has melted */
-#define FLOATING     0.917f /* share of floating ice that is below water */
-#define PUDDLE       0.164f /* thickness of spread water, in halves of the ice's width: 2.3 mm */
-#define PUDDLE_LEFT  0.917f /* volume of the water of ice */
+#define HOLLOWS_DUE  0.1f   /* fraction of lost volume at which hollows are complete */
+#define OPENS_AT     0.1f   /* relative depth below which cracks open */
+#define WIDER        20.0f  /* widening of cracks at the surface of fully melted ice, in gaps */
+#define FLOATING     0.917f /* submerged fraction of floating ice (density ratio) */
+#define PUDDLE       0.164f /* thickness of spread meltwater, in half widths: 2.3 mm */
+#define PUDDLE_LEFT  0.917f /* volume of water per volume of ice */
 
-/* Returns how deep a point is in round hollows with sharp ridges between them, 0 to 1. */
-static float hollow_at(vec3s at)
+/* Returns the depth of cellular noise at a point, 0 to 1: round hollows with sharp ridges. */
+static float hollow_depth(vec3s at)
 {
     const vec3s cell = { { floorf(at.x), floorf(at.y), floorf(at.z) } };
     float nearest2 = 4.0f;
@@ -59,18 +58,18 @@ float melted_hollows(const struct melted *melted)
     return 1.0f + 2.0f * melted->share;
 }
 
-/* One shell of ice. */
+/* A melting shell of ice. */
 struct ice {
     struct weld weld;
     struct melt_flow flow;
-    double half; /* of its width, before */
+    double half; /* half the width of a cube of the initial volume */
     struct box before;
     bool floats;
-    float rise; /* by which it has moved up */
-    float lost; /* share of its volume */
+    float rise; /* vertical displacement after melting */
+    float lost; /* fraction of the volume that is lost */
 };
 
-/* Copies the places of the points. Returns false when out of memory. */
+/* Welds the shell's vertices and copies their positions. Returns false when out of memory. */
 static bool ice_init(struct ice *ice, const struct mesh *mesh, const struct object *object,
                      bool floats)
 {
@@ -96,7 +95,7 @@ static void ice_finish(struct ice *ice)
     weld_finish(&ice->weld);
 }
 
-/* Sets normals of points, weighted by the angles of their triangles. */
+/* Computes angle-weighted point normals. Returns false when out of memory. */
 static bool find_normals(const struct melt_flow *flow, vec3s *normals)
 {
     struct mesh mesh;
@@ -128,29 +127,29 @@ static struct box box_of(const struct melt_flow *flow)
     return box;
 }
 
-/* Presses hollows into the surface, but not where it stands. */
-static void press(struct ice *ice, const vec3s *normals)
+/* Presses melt hollows into the surface, except near its base. */
+static void press_hollows(struct ice *ice, const vec3s *normals)
 {
     const float lost = ice->lost;
     const struct box box = box_of(&ice->flow);
     const float cell = HOLLOW_CELL * (float)ice->half;
     const float depth = HOLLOW * (float)ice->half * (1.0f + 2.0f * lost) *
                         glm_smoothstep(0.0f, HOLLOWS_DUE, lost) * cbrtf(fmaxf(1.0f - lost, 0.0f));
-    const float foot = fmaxf(0.1f * (box.max.y - box.min.y), 1e-30f);
+    const float base_height = fmaxf(0.1f * (box.max.y - box.min.y), 1e-30f);
     for (uint32_t i = 0; i < ice->flow.count; i++) {
         double *point = ice->flow.points[i];
         const vec3s at = { { (float)point[0] / cell, (float)point[1] / cell,
                              (float)point[2] / cell } };
         const float sunk =
-            hollow_at(at) + HOLLOW_FINE * hollow_at(glms_vec3_scale(at, HOLLOW_OFTEN));
-        const float above = glm_smoothstep(0.0f, foot, (float)point[1] - box.min.y);
+            hollow_depth(at) + HOLLOW_FINE * hollow_depth(glms_vec3_scale(at, HOLLOW_OFTEN));
+        const float above = glm_smoothstep(0.0f, base_height, (float)point[1] - box.min.y);
         for (int k = 0; k < 3; k++)
             point[k] -= (double)(depth * above * sunk * normals[i].raw[k]);
     }
 }
 
-/* Returns how far ice moves up so that it stands, or floats, as before. */
-static float rise_of(const struct ice *ice)
+/* Returns the vertical displacement that keeps the ice standing, or floating, as before. */
+static float displacement_of(const struct ice *ice)
 {
     const struct box after = box_of(&ice->flow);
     const float share = ice->floats ? FLOATING : 0.0f;
@@ -158,9 +157,10 @@ static float rise_of(const struct ice *ice)
            glm_lerp(after.min.y, after.max.y, share);
 }
 
-/* Puts vertices where the points are, and those of the grown mesh to where it has sunk. */
-static void place(const struct ice *ice, const vec3s *normals, struct mesh *mesh,
-                  struct mesh *grown)
+/* Writes the welded points back to the mesh, and moves the unmelted mesh by the ice's displacement.
+ */
+static void write_back(const struct ice *ice, const vec3s *normals, struct mesh *mesh,
+                       struct mesh *grown)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const uint32_t at = ice->weld.points[i];
@@ -173,11 +173,12 @@ static void place(const struct ice *ice, const vec3s *normals, struct mesh *mesh
         vertex->normal = normals[at];
         grown->vertices[i].position.y += ice->rise;
         if (mesh->extras)
-            mesh->extras[i].tangent = glms_vec3_zero(); /* of the surface as it was */
+            /* tangents of the old surface are invalid */
+            mesh->extras[i].tangent = glms_vec3_zero();
     }
 }
 
-/* Melts a shell, and loses `share` of it and `further` (melt_flow_run()). */
+/* Melts a shell by a fraction `share` of its volume, then by `further` (see melt_flow_run()). */
 static bool melt_shell(struct ice *ice, struct mesh *mesh, struct mesh *grown, float share,
                        float further)
 {
@@ -189,12 +190,12 @@ static bool melt_shell(struct ice *ice, struct mesh *mesh, struct mesh *grown, f
                 find_normals(&ice->flow, normals);
     ice->lost = (float)lost;
     if (done) {
-        press(ice, normals);
+        press_hollows(ice, normals);
         done = find_normals(&ice->flow, normals);
     }
     if (done) {
-        ice->rise = rise_of(ice);
-        place(ice, normals, mesh, grown);
+        ice->rise = displacement_of(ice);
+        write_back(ice, normals, mesh, grown);
     }
     free(normals);
     return done;
@@ -205,34 +206,35 @@ static const struct material *material_of(const struct model *model, uint32_t ob
     return &model->materials[model->objects[object].material];
 }
 
-static bool has_index(const struct model *model, uint32_t object, float least, float most)
+static bool has_ior(const struct model *model, uint32_t object, float ior_min, float ior_max)
 {
     const struct material *material = material_of(model, object);
-    return !(material->flags & MATERIAL_IS_BARE) && material->ior >= least && material->ior < most;
+    return !(material->flags & MATERIAL_IS_BARE) && material->ior >= ior_min &&
+           material->ior < ior_max;
 }
 
 static bool is_ice(const struct model *model, uint32_t object, const struct melting *melting)
 {
     const bool is_one = material_of(model, object)->flags & MATERIAL_IS_BARE ||
-                        has_index(model, object, ICE_LEAST, ICE_MOST);
+                        has_ior(model, object, ICE_LEAST, ICE_MOST);
     return !melting->is_none && (melting->is_all || is_one);
 }
 
-/* Whether the middle of an object is in water. */
+/* Returns true if an object's centre is inside water. */
 static bool is_floating(const struct model *model, uint32_t object)
 {
     const vec3s middle = box_center(model->objects[object].box);
     for (uint32_t i = 0; i < model->object_count; i++) {
-        if (has_index(model, i, ICE_MOST, WATER_MOST) &&
+        if (has_ior(model, i, ICE_MOST, WATER_MOST) &&
             object_contains(&model->objects[i], &model->object, middle))
             return true;
     }
     return false;
 }
 
-/* Makes air in the ice, and water below and around it, follow. */
-static bool follow(struct model *model, const struct mesh *grown, const struct ice *ice,
-                   const struct object *of)
+/* Updates air shells inside the ice, and water below and around it. */
+static bool update_surroundings(struct model *model, const struct mesh *grown,
+                                const struct ice *ice, const struct object *of)
 {
     struct melt_parts_ice parts = {
         .object = of,
@@ -243,9 +245,9 @@ static bool follow(struct model *model, const struct mesh *grown, const struct i
     };
     bool done = true;
     for (uint32_t i = 0; i < model->object_count && done; i++) {
-        if (has_index(model, i, 0.0f, AIR_MOST))
+        if (has_ior(model, i, 0.0f, AIR_MOST))
             done = melt_parts_shrink(model, i, &parts);
-        else if (has_index(model, i, ICE_MOST, WATER_MOST))
+        else if (has_ior(model, i, ICE_MOST, WATER_MOST))
             done = melt_parts_spread(model, i, &parts);
     }
     done = done && melt_parts_spread_films(model, &parts);
@@ -260,14 +262,15 @@ static bool melt_object(struct model *model, const struct object *object, bool f
     const bool done = ice_init(&ice, &model->object, object, floats) &&
                       melt_shell(&ice, &model->object, &melted->grown, melting->share,
                                  fmaxf(melting->speed * time, 0.0f)) &&
-                      follow(model, &melted->grown, &ice, object);
+                      update_surroundings(model, &melted->grown, &ice, object);
     melted->share = melted->share > 0.0f ? melted->share : ice.lost;
     ice_finish(&ice);
     return done;
 }
 
-/* A melting surface is wet, and so smooth. */
-static void wet(struct model *model, const struct melting *melting, const struct melted *melted)
+/* A melting surface is wet and therefore smooth: scales the roughness of ice materials. */
+static void smooth_wet_ice(struct model *model, const struct melting *melting,
+                           const struct melted *melted)
 {
     for (uint32_t k = 0; k < model->material_count; k++) {
         bool is_of_ice = false;
@@ -278,13 +281,13 @@ static void wet(struct model *model, const struct melting *melting, const struct
     }
 }
 
-/* Melts all ice; returns false when out of memory. */
+/* Melts all ice. Returns false when out of memory. */
 static bool melt_all(struct model *model, const struct melting *melting, float time,
                      struct melted *melted)
 {
     struct object whole = { .index_count = model->object.index_count };
     bool done = mesh_append(&melted->grown, &model->object);
-    if (!model->object_count) /* ice in a pool */
+    if (!model->object_count) /* a pool's floating ice has no object list */
         done = done && melt_object(model, &whole, true, melting, time, melted);
     for (uint32_t i = 0; i < model->object_count && done; i++) {
         if (is_ice(model, i, melting))
@@ -294,7 +297,7 @@ static bool melt_all(struct model *model, const struct melting *melting, float t
     for (uint32_t i = 0; i < model->object_count; i++)
         model->objects[i].box = object_box(&model->objects[i], &model->object);
     melted->box = mesh_box(&melted->grown);
-    wet(model, melting, melted);
+    smooth_wet_ice(model, melting, melted);
     return done;
 }
 
@@ -316,8 +319,8 @@ enum status melt_model(struct model *model, const struct melting *melting, float
     return log_out_of_memory("melting ice");
 }
 
-/* Shortens a capsule from the end that the surface has come to first. */
-static void shorten(const struct depth_field *depth, struct bubble *bubble)
+/* Shortens a capsule bubble at its shallower end until it is inside the ice, by bisection. */
+static void shorten_capsule(const struct depth_field *depth, struct bubble *bubble)
 {
     enum {
         HALVINGS = 12
@@ -329,7 +332,7 @@ static void shorten(const struct depth_field *depth, struct bubble *bubble)
     };
     const bool is_second = melt_parts_depth(depth, ends[1]) > melt_parts_depth(depth, ends[0]);
     const vec3s deep = ends[is_second], shallow = ends[!is_second];
-    float whole = 0.0f, cut = 1.0f; /* shares of the length, from the deep end */
+    float whole = 0.0f, cut = 1.0f; /* fractions of the length: known inside, known outside */
     if (melt_parts_depth(depth, shallow) >= bubble->radius)
         return;
     for (int i = 0; i < HALVINGS; i++) {
@@ -351,7 +354,7 @@ bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object)
         struct bubble *bubble = &bubbles->all[i];
         const float longer = bubble->is_capsule ? 0.0f : fmaxf(bubble->stretch, 0.0f);
         if (bubble->is_capsule)
-            shorten(&depth, bubble);
+            shorten_capsule(&depth, bubble);
         const float share = melt_parts_depth(&depth, bubble->center) / (bubble->radius + longer);
         if (share < 0.05f)
             continue;

@@ -1,15 +1,18 @@
 /*
- * melt.h: a scene's ice, melted: its shells retreat (melt_flow.h), and what is in, below and around
- * it follows.
+ * melt.h: melts a scene's ice: its surface (melt_flow.h), inclusions and meltwater.
  *
- * Ice is what has the index of ice, and the object of a scene without materials. It keeps its
- * triangles. What stood on something sinks onto it, and what floated keeps its share above water.
- * Shells of air in the ice stay where they are in it; as its surface reaches them they open, shrink
- * and are gone; cracks grow wider there. Shells of water below it, where it stands, and films on
- * what is around it spread as far as what has melted fills them. Hollows appear on its surface.
+ * Problem: a melting animation needs plausible shapes at any time without a fluid simulation. Each
+ * state is computed directly from the initial one. Ice is recognised by its refractive index; so is
+ * the object of a scene without materials. Triangle counts do not change, which keeps BVH
+ * topologies and motion vectors valid.
  *
- * Errors: the water that the ice floats in keeps its level. Spread water does not see what is in
- * its way. Air that has come out of the ice leaves no drops.
+ * Standing ice sinks onto its base; floating ice keeps its submerged fraction. Air shells stay
+ * where they are in the ice, and shrink and vanish as the surface reaches them; cracks open there.
+ * Water shells under standing ice, and water layers on the surroundings, spread by the meltwater's
+ * volume. Hollows appear on the surface.
+ *
+ * Limits: the water level around floating ice is constant. Spreading water ignores obstacles.
+ * Escaped air leaves no bubbles or drops.
  */
 #ifndef FIRN_SCENE_MELT_H
 #define FIRN_SCENE_MELT_H
@@ -18,37 +21,35 @@
 #include "src/scene/import/model.h"
 
 struct melting {
-    float share; /* of the volume that is lost at time 0, 0 to 1 */
-    float speed; /* at which the faces retreat from then on, halves of the width a second */
-    bool is_all; /* every object is ice */
+    float share; /* fraction of the volume that is lost at time 0, 0 to 1 */
+    float speed; /* retreat of the faces from then on, half widths per second */
+    bool is_all; /* treat every object as ice */
     bool is_none;
 };
 
 struct melted {
-    float share;       /* of the first ice's volume that is lost; 0: nothing has melted */
-    struct mesh grown; /* the objects before, where the ice has sunk to; {0} */
-    struct box box;    /* of it */
+    float share;       /* lost volume fraction of the first ice object; 0 if nothing has melted */
+    struct mesh grown; /* the objects before melting, moved to where the ice has sunk; may be {0} */
+    struct box box;    /* bounding box of `grown` */
 };
 
-/* Melts the ice of a model for a time, seconds. Logs a warning at time 0 if there is none. Logs and
- * returns STATUS_TRY_AGAIN when out of memory; *melted is {0} if nothing melts. */
+/* Melts the ice of a model for `time` seconds. Logs a warning at time 0 if there is no ice. Logs
+ * and returns STATUS_TRY_AGAIN when out of memory; *melted is {0} if nothing melts. */
 MUST_USE enum status melt_model(struct model *model, const struct melting *melting, float time,
                                 struct melted *melted);
 
-/* Shrinks bubbles that were in the grown object, and leaves out those that are outside of the
- * melted one. Returns false when out of memory. */
+/* Shrinks bubbles near a melted surface, and removes those outside. False when out of memory. */
 bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object);
 
-/* Opens cracks where the surface of an object, of which a share has melted, is near. Returns false
- * when out of memory. */
+/* Opens cracks near the surface of ice that lost the fraction `share`. False when out of memory. */
 bool melt_cracks(struct mesh *cracks, const struct mesh *object, float share);
 
 void melted_finish(struct melted *melted); /* {0} is fine */
 
-/* Returns what is left of frost, and of what else makes ice matt: 1 to 0. */
+/* Returns the fraction of frost and roughness that is left, 1 to 0. */
 float melted_frost(const struct melted *melted);
 
-/* Returns by how much the hollows of the surface are deeper. */
+/* Returns the factor by which melting deepens surface hollows. */
 float melted_hollows(const struct melted *melted);
 
 #endif

@@ -1,23 +1,25 @@
 /*
- * melt_flow.c: the flow in steps that are implicit in the curvature.
+ * melt_flow.c: time steps of the surface retreat, implicit in mean curvature.
  *
- * A step solves (M + t L) p' = M (p - s n): M is the area of each point, L the cotangents of the
- * surface, n the normal, s the retreat of a flat face and t = s d / 2 (Desbrun, Meyer, Schroeder
- * and Barr 1999, Implicit fairing of irregular meshes using diffusion and curvature flow). Where
- * two faces meet, at an edge or in a thin part, their points have no area from then on: they lie
- * between their neighbours. The system is solved by conjugate gradients.
+ * A step solves (M + t L) p' = M (p - s n): M is the diagonal matrix of point areas, L the
+ * cotangent Laplacian, n the normal, s the retreat of a flat face, and t = s d / 2 (Desbrun, Meyer,
+ * Schroeder and Barr 1999, Implicit fairing of irregular meshes using diffusion and curvature
+ * flow). Implicit integration stays stable with large steps, where an explicit one would need steps
+ * as small as the smallest triangle. The solver is Jacobi-preconditioned CG.
+ *
+ * Where two faces collide, at an edge or in a thin part, their points get zero area, so that the
+ * smoothness term alone places them between their neighbours.
  */
 #include "src/scene/melt_flow.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define LAYER  0.118 /* thickness of the warmed air, in half widths */
-#define SPREAD 0.4   /* of points along the surface in each of SPREADS turns of a stage */
-#define STEP   0.025 /* retreat of a face in a stage, in half widths */
+#define LAYER  0.118 /* thickness of the warm air layer, in half widths */
+#define SPREAD 0.4   /* factor of tangential smoothing, applied SPREADS times per step */
+#define STEP   0.025 /* retreat of a face per step, in half widths */
 
-/* Limits of an angle's cotangent: narrow triangles are taken for wider ones. */
-#define COTANGENT_LEAST 0.02
+#define COTANGENT_LEAST 0.02 /* cotangents are clamped for the sake of sliver triangles */
 #define COTANGENT_MOST  8.0
 
 enum {
@@ -25,12 +27,12 @@ enum {
     ITERATIONS_MAX = 60,
     HALVINGS = 30,
     SPREADS = 4,
-    TRIES = 5, /* of a stage, in which triangles must not turn over */
+    TRIES = 5, /* attempts per step, until no triangle is inverted */
 };
 
 typedef double point[3];
 
-/* A weight of another point in the row of a point. */
+/* Off-diagonal entry of a sparse matrix row. */
 struct neighbour {
     uint32_t point;
     double weight;
@@ -38,12 +40,12 @@ struct neighbour {
 
 struct work {
     const struct melt_flow *flow;
-    uint32_t *starts; /* of the neighbours of each point, count + 1 */
+    uint32_t *starts; /* start of each point's row in `neighbours`, count + 1 */
     struct neighbour *neighbours;
-    double *sums;  /* of each point's weights */
-    double *areas; /* a third of those of its triangles; 0: it only follows its neighbours */
-    bool *follows;
-    point *normals, *next, *goal, *rest, *way, *image;
+    double *sums;  /* sum of each row's weights */
+    double *areas; /* a third of the adjacent triangles' area; 0 for points after a collision */
+    bool *is_collided;
+    point *normals, *next, *goal, *residual, *direction, *product_vector;
 };
 
 static void subtract(const point a, const point b, point to)
@@ -79,7 +81,7 @@ double melt_flow_half(const struct melt_flow *flow)
     return 0.5 * cbrt(fmax(volume_of(flow, flow->points), 0));
 }
 
-/* Returns half the cotangent of a triangle's angle at its corner `c`. */
+/* Returns half the cotangent of a triangle's angle at corner `c`. */
 static double half_cotangent(const point a, const point b, const point c)
 {
     point to_a, to_b, area;
@@ -90,8 +92,8 @@ static double half_cotangent(const point a, const point b, const point c)
     return 0.5 * fmin(fmax(cotangent, COTANGENT_LEAST), COTANGENT_MOST);
 }
 
-/* Fills the rows of L: two entries for each side of a triangle. */
-static void weigh(struct work *work)
+/* Builds the cotangent Laplacian L: two entries per triangle edge. */
+static void build_laplacian(struct work *work)
 {
     const struct melt_flow *flow = work->flow;
     uint32_t *ends = &work->starts[1];
@@ -101,7 +103,7 @@ static void weigh(struct work *work)
         ends[flow->corners[i]] += 2;
     for (uint32_t i = 1; i < flow->count; i++)
         ends[i] += ends[i - 1];
-    for (uint32_t i = flow->count; i > 0; i--) /* starts, until the entries are there */
+    for (uint32_t i = flow->count; i > 0; i--) /* row ends become row starts */
         work->starts[i] = work->starts[i - 1];
     for (uint32_t i = 0; i < flow->corner_count; i++) {
         const uint32_t first = i - i % 3;
@@ -116,8 +118,8 @@ static void weigh(struct work *work)
     }
 }
 
-/* Finds each point's area and normal. */
-static void survey(struct work *work)
+/* Computes the area and the normal of each point. */
+static void measure_points(struct work *work)
 {
     const struct melt_flow *flow = work->flow;
     memset(work->areas, 0, flow->count * sizeof(*work->areas));
@@ -138,20 +140,20 @@ static void survey(struct work *work)
         const double length = sqrt(dot(work->normals[i], work->normals[i]));
         for (int axis = 0; axis < 3; axis++)
             work->normals[i][axis] /= fmax(length, 1e-300);
-        work->areas[i] *= work->follows[i] ? 0 : 1;
+        work->areas[i] *= work->is_collided[i] ? 0 : 1;
     }
 }
 
-/* Makes points follow at which a triangle of the next stage is turned over, since two faces have
- * met there. Returns the number of such triangles. */
-static uint32_t find_met(struct work *work)
+/* Marks the points of triangles that the step has inverted, which shows that two faces have
+ * collided. Returns the number of such triangles. */
+static uint32_t mark_collisions(struct work *work)
 {
     const struct melt_flow *flow = work->flow;
     uint32_t count = 0;
     for (uint32_t i = 0; i < flow->corner_count; i += 3) {
         const uint32_t *corners = &flow->corners[i];
-        const bool all_follow =
-            work->follows[corners[0]] && work->follows[corners[1]] && work->follows[corners[2]];
+        const bool all_follow = work->is_collided[corners[0]] && work->is_collided[corners[1]] &&
+                                work->is_collided[corners[2]];
         point along, other, area, normal = { 0 };
         subtract(work->next[corners[1]], work->next[corners[0]], along);
         subtract(work->next[corners[2]], work->next[corners[0]], other);
@@ -162,14 +164,14 @@ static uint32_t find_met(struct work *work)
             continue;
         count++;
         for (int k = 0; k < 3; k++) {
-            work->follows[corners[k]] = true;
+            work->is_collided[corners[k]] = true;
             work->areas[corners[k]] = 0;
         }
     }
     return count;
 }
 
-/* Multiplies with M + t L; returns the product of result and argument. */
+/* Multiplies x by M + t L. Returns the dot product of result and argument. */
 static double multiply(const struct work *work, double t, point *x, point *to)
 {
     double product = 0;
@@ -188,73 +190,72 @@ static double multiply(const struct work *work, double t, point *x, point *to)
     return product;
 }
 
-/* Divides the rest by the diagonal, adds `share` of the way before, and returns the product of what
- * is divided and the rest; `is_way` puts it into the way. */
-static double divide(struct work *work, double t, double share, bool is_way)
+/* Applies the Jacobi preconditioner to the residual. Optionally sets the search direction to the
+ * result plus `share` times the previous one. Returns the dot product of result and residual. */
+static double precondition(struct work *work, double t, double share, bool updates_direction)
 {
     double product = 0;
     for (uint32_t i = 0; i < work->flow->count; i++) {
         const double own = fmax(work->areas[i] + t * work->sums[i], 1e-300);
         for (int k = 0; k < 3; k++) {
-            const double divided = work->rest[i][k] / own;
-            product += divided * work->rest[i][k];
-            if (is_way)
-                work->way[i][k] = divided + share * work->way[i][k];
+            const double divided = work->residual[i][k] / own;
+            product += divided * work->residual[i][k];
+            if (updates_direction)
+                work->direction[i][k] = divided + share * work->direction[i][k];
         }
     }
     return product;
 }
 
-/* Solves (M + t L) next = goal, from next = the points. */
+/* Solves (M + t L) next = goal by conjugate gradients, starting at the current points. */
 static void solve(struct work *work, double t)
 {
     const uint32_t count = work->flow->count;
     double start = 0;
     memcpy(work->next, work->flow->points, count * sizeof(point));
-    multiply(work, t, work->next, work->image);
+    multiply(work, t, work->next, work->product_vector);
     for (uint32_t i = 0; i < count; i++)
-        subtract(work->goal[i], work->image[i], work->rest[i]);
-    double product = divide(work, t, 0, true);
-    for (int turn = 0; turn < ITERATIONS_MAX && product > 1e-10 * start; turn++) {
+        subtract(work->goal[i], work->product_vector[i], work->residual[i]);
+    double product = precondition(work, t, 0, true);
+    for (int iteration = 0; iteration < ITERATIONS_MAX && product > 1e-10 * start; iteration++) {
         start = fmax(start, product);
-        const double energy = multiply(work, t, work->way, work->image);
-        const double step = energy > 0 ? product / energy : 0;
+        const double energy = multiply(work, t, work->direction, work->product_vector);
+        const double alpha = energy > 0 ? product / energy : 0;
         for (uint32_t i = 0; i < count; i++) {
             for (int k = 0; k < 3; k++) {
-                work->next[i][k] += step * work->way[i][k];
-                work->rest[i][k] -= step * work->image[i][k];
+                work->next[i][k] += alpha * work->direction[i][k];
+                work->residual[i][k] -= alpha * work->product_vector[i][k];
             }
         }
         const double before = product;
-        product = divide(work, t, 0, false);
-        divide(work, t, product / fmax(before, 1e-300), true);
+        product = precondition(work, t, 0, false);
+        precondition(work, t, product / fmax(before, 1e-300), true);
     }
 }
 
-/* Moves points along the surface of the next stage towards the middle of their neighbours, so that
- * those of an edge are not crowded where two faces draw nearer to each other. */
-static void spread(struct work *work)
+/* Smooths the next state tangentially, lest edge points crowd where two faces approach. */
+static void smooth_tangentially(struct work *work)
 {
     for (uint32_t i = 0; i < work->flow->count; i++) {
         const uint32_t first = work->starts[i], end = work->starts[i + 1];
-        point way = { 0 };
+        point direction = { 0 };
         for (uint32_t n = first; n < end; n++) {
             for (int k = 0; k < 3; k++)
-                way[k] += (work->next[work->neighbours[n].point][k] - work->next[i][k]) /
-                          (double)(end - first);
+                direction[k] += (work->next[work->neighbours[n].point][k] - work->next[i][k]) /
+                                (double)(end - first);
         }
-        const double across = dot(way, work->normals[i]);
+        const double across = dot(direction, work->normals[i]);
         for (int k = 0; k < 3; k++)
-            work->image[i][k] = way[k] - across * work->normals[i][k];
+            work->product_vector[i][k] = direction[k] - across * work->normals[i][k];
     }
     for (uint32_t i = 0; i < work->flow->count; i++) {
         for (int k = 0; k < 3; k++)
-            work->next[i][k] += SPREAD * work->image[i][k];
+            work->next[i][k] += SPREAD * work->product_vector[i][k];
     }
 }
 
-/* Puts all points of the next stage where the middle of this one is. */
-static void vanish(struct work *work)
+/* Collapses the next state to the current centroid. */
+static void collapse(struct work *work)
 {
     const struct melt_flow *flow = work->flow;
     double sum = 0;
@@ -270,13 +271,13 @@ static void vanish(struct work *work)
     }
 }
 
-/* Finds the next stage; returns its volume. */
-static double step(struct work *work, double half, double volume)
+/* Computes the next state. Returns its volume. */
+static double compute_next(struct work *work, double half, double volume)
 {
     const struct melt_flow *flow = work->flow;
-    weigh(work);
-    survey(work);
-    for (int turn = 0; turn < TRIES; turn++) {
+    build_laplacian(work);
+    measure_points(work);
+    for (int iteration = 0; iteration < TRIES; iteration++) {
         for (uint32_t i = 0; i < flow->count; i++) {
             for (int k = 0; k < 3; k++)
                 work->goal[i][k] =
@@ -284,24 +285,25 @@ static double step(struct work *work, double half, double volume)
         }
         solve(work, STEP * half * LAYER * half / 2);
         for (int i = 0; i < SPREADS; i++)
-            spread(work);
-        const uint32_t met = find_met(work);
-        if (met > flow->corner_count / 6) { /* most of them: it is gone */
-            vanish(work);
+            smooth_tangentially(work);
+        const uint32_t inverted = mark_collisions(work);
+        if (inverted >
+            flow->corner_count / 6) { /* most triangles are inverted: the ice has vanished */
+            collapse(work);
             return 0;
         }
-        if (!met)
+        if (!inverted)
             break;
     }
     const double after = volume_of(flow, work->next);
     if (after > 0 && after < volume)
         return after;
-    vanish(work);
+    collapse(work);
     return 0;
 }
 
-/* Moves the points a share of the way to the next stage. */
-static void go(struct work *work, double share, point *to)
+/* Interpolates between the current and the next state. */
+static void interpolate(struct work *work, double share, point *to)
 {
     for (uint32_t i = 0; i < work->flow->count; i++) {
         for (int k = 0; k < 3; k++)
@@ -310,14 +312,14 @@ static void go(struct work *work, double share, point *to)
     }
 }
 
-/* Returns the share of the way to the next stage after which the volume is `wanted`. */
-static double share_at(struct work *work, double wanted)
+/* Returns the interpolation factor at which the volume is `wanted`, by bisection. */
+static double find_fraction(struct work *work, double wanted)
 {
     double low = 0, high = 1;
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = 0.5 * (low + high);
-        go(work, middle, work->image);
-        if (volume_of(work->flow, work->image) > wanted)
+        interpolate(work, middle, work->product_vector);
+        if (volume_of(work->flow, work->product_vector) > wanted)
             low = middle;
         else
             high = middle;
@@ -325,17 +327,18 @@ static double share_at(struct work *work, double wanted)
     return 0.5 * (low + high);
 }
 
-/* Goes from stage to stage; returns the volume that is left. */
+/* Runs the flow to the requested loss. Returns the remaining volume. */
 static double run(struct work *work, double share, double further)
 {
     const double first = volume_of(work->flow, work->flow->points);
     const double half = melt_flow_half(work->flow);
-    double volume = first, left = -1; /* stages after the share is lost; below 0: it is not */
+    double volume = first,
+           left = -1; /* remaining steps once `share` is lost; negative before that */
     for (int stage = 0; stage < STAGES_MAX && volume > 0 && !(left >= 0 && left <= 0); stage++) {
-        const double after = step(work, half, volume);
+        const double after = compute_next(work, half, volume);
         double part = 1;
         if (left < 0 && after <= (1 - share) * first) {
-            const double at = share_at(work, (1 - share) * first);
+            const double at = find_fraction(work, (1 - share) * first);
             left = further / STEP;
             part = fmin(at + left, 1);
             left -= part - at;
@@ -343,7 +346,7 @@ static double run(struct work *work, double share, double further)
             part = fmin(left, 1);
             left -= part;
         }
-        go(work, part, work->flow->points);
+        interpolate(work, part, work->flow->points);
         volume = part < 1 ? volume_of(work->flow, work->flow->points) : after;
     }
     return volume;
@@ -366,22 +369,22 @@ bool melt_flow_run(struct melt_flow *flow, double share, double further, double 
     work.starts = make(count + 2, sizeof(*work.starts));
     work.neighbours = make((size_t)flow->corner_count * 2, sizeof(*work.neighbours));
     work.sums = make(2 * count, sizeof(*work.sums));
-    work.follows = make(count, sizeof(*work.follows));
-    const bool done = points && work.starts && work.neighbours && work.sums && work.follows;
+    work.is_collided = make(count, sizeof(*work.is_collided));
+    const bool done = points && work.starts && work.neighbours && work.sums && work.is_collided;
     if (done) {
         work.areas = &work.sums[count];
         work.normals = points;
         work.next = &points[count];
         work.goal = &points[2 * count];
-        work.rest = &points[3 * count];
-        work.way = &points[4 * count];
-        work.image = &points[5 * count];
+        work.residual = &points[3 * count];
+        work.direction = &points[4 * count];
+        work.product_vector = &points[5 * count];
         *lost = 1 - run(&work, fmin(share, 1), further) / first;
     }
     free(points);
     free(work.starts);
     free(work.neighbours);
     free(work.sums);
-    free(work.follows);
+    free(work.is_collided);
     return done;
 }

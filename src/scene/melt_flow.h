@@ -1,13 +1,13 @@
 /*
- * melt_flow.h: how the surface of ice retreats while it melts.
+ * melt_flow.h: retreat of an ice surface while it melts, by mean-curvature flow.
  *
- * Heat reaches the ice through a layer of air of thickness d. Where the surface is curved, more
- * heat reaches it: the flux is that of a flat face times 1 + d H, H the mean curvature. So edges
- * and corners grow rounder while the faces retreat evenly, and what is small melts first. A block
- * becomes a ball before it is gone.
+ * Model: heat reaches the ice by conduction through a layer of air of thickness d. Curvature
+ * increases the heat flux, to 1 + d H times that of a flat face, where H is the mean curvature. So
+ * edges and corners round off while faces retreat evenly, and small features melt first. A block
+ * becomes a sphere before it vanishes.
  *
- * Errors: d is that of a tray cube, 28 mm wide, in air of 20 degrees, in proportion to the ice. The
- * ice is warmed equally from all sides. Stages of the flow are linear in between.
+ * Limits: d is that of an ice cube 28 mm wide in air of 20 degrees, scaled with the ice. Heat comes
+ * equally from all sides. States between two time steps are interpolated linearly.
  */
 #ifndef FIRN_SCENE_MELT_FLOW_H
 #define FIRN_SCENE_MELT_FLOW_H
@@ -15,23 +15,23 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* A closed surface; points that several triangles have in common are there once. */
+/* Closed surface with welded points. */
 struct melt_flow {
     double (*points)[3];
     uint32_t count;
-    const uint32_t *corners; /* three a triangle, counter-clockwise seen from outside */
+    const uint32_t *corners; /* three per triangle, counter-clockwise seen from outside */
     uint32_t corner_count;
 };
 
 /*
- * Lets the surface retreat until it has lost `share` of its volume, 0 to 1, and then its faces by
- * `further`, in halves of the width of a cube of its first volume. What is gone is a point. Returns
- * in *lost the share of the volume that is lost. Returns false when out of memory; the points are
- * then unchanged.
+ * Melts the surface until it has lost the fraction `share` of its volume, 0 to 1, then moves its
+ * faces inwards by `further`, in half widths of a cube of the initial volume. Ice that vanishes
+ * collapses to a point. *lost receives the lost volume fraction. Returns false when out of memory;
+ * the points are then unchanged.
  */
 bool melt_flow_run(struct melt_flow *flow, double share, double further, double *lost);
 
-/* Returns half the width of a cube of the surface's volume. */
+/* Returns half the width of a cube with the surface's volume. */
 double melt_flow_half(const struct melt_flow *flow);
 
 #endif

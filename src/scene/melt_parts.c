@@ -1,110 +1,110 @@
-/* melt_parts.c: parts that are connected, and how they move. */
+/* melt_parts.c: moves connected components of air and water as the ice around them melts. */
 #include "src/scene/melt_parts.h"
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/scene/weld.h"
 
-/* Depth of its middle, in halves of the ice's width, at which a part begins to shrink; that of
- * small parts is half their reach. */
+/* Depth of a component's centre, in half widths of the ice, at which it starts to shrink. Small
+ * components start at half their radius. */
 #define SHRINKS_AT 0.06f
 
-/* What is left of a part that is gone: its triangles still have normals. */
-#define LEAST 1e-3f
+#define SCALE_MIN 1e-3f /* minimum scale of a component, whose normals must stay valid */
 
-/* Share of the ice's height, from below, along which water climbs it. */
-#define LOWEST 0.25f
+#define WET_FRACTION 0.25f /* fraction of the ice's height that climbing water wets */
 
-/* Share of the way to water's edge that ice covers at most; it bulges above the rest. */
-#define WITHIN 0.9f
+#define COVERED_MAX 0.9f /* maximum fraction of the water's radius that ice covers */
 
-/* How deep a film fills hollows that it runs over, by how deep it was. */
-#define HOLLOW 3.0f
+#define HOLLOW 3.0f /* factor on a water layer's depth in hollows of the ground */
 
 enum {
     BEARINGS = 64,
 };
 
-/* A part of an object. */
-struct part {
+/* Connected component of an object. */
+struct component {
     struct box box;
-    vec3s middle; /* that of its points */
-    float reach;  /* distance of the farthest point from there */
+    vec3s middle;  /* mean of its vertices */
+    float outline; /* distance of the farthest vertex from `middle` */
     uint32_t count;
 };
 
-struct parts {
+struct components {
     struct weld weld;
-    uint32_t *heads;  /* of each point: another one of its part, or itself */
-    struct part *all; /* of those points that are their own heads */
+    uint32_t *parents;     /* union-find parent of each welded point */
+    struct component *all; /* component of each root point */
 };
 
-static uint32_t head_of(uint32_t *heads, uint32_t point)
+static uint32_t find_root(uint32_t *parents, uint32_t point)
 {
-    while (heads[point] != point) {
-        heads[point] = heads[heads[point]];
-        point = heads[point];
+    while (parents[point] != point) {
+        parents[point] = parents[parents[point]];
+        point = parents[point];
     }
     return point;
 }
 
-static void parts_finish(struct parts *parts)
+static void components_finish(struct components *components)
 {
-    weld_finish(&parts->weld);
-    free(parts->heads);
-    free(parts->all);
+    weld_finish(&components->weld);
+    free(components->parents);
+    free(components->all);
 }
 
-/* Returns the part of a vertex, or NULL if the vertex is not of the object. */
-static struct part *part_of(const struct parts *parts, uint32_t vertex)
+/* Returns the component of a vertex, or NULL if the vertex is not of the object. */
+static struct component *component_of(const struct components *components, uint32_t vertex)
 {
-    const uint32_t point = parts->weld.points[vertex];
-    return point == WELD_NONE ? NULL : &parts->all[head_of(parts->heads, point)];
+    const uint32_t point = components->weld.points[vertex];
+    return point == WELD_NONE ? NULL : &components->all[find_root(components->parents, point)];
 }
 
-static void measure(struct parts *parts, const struct mesh *mesh)
+static void measure(struct components *components, const struct mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        struct part *part = part_of(parts, i);
+        struct component *component = component_of(components, i);
         const vec3s p = mesh->vertices[i].position;
-        if (!part)
+        if (!component)
             continue;
-        part->box.min = part->count ? glms_vec3_minv(part->box.min, p) : p;
-        part->box.max = part->count ? glms_vec3_maxv(part->box.max, p) : p;
-        part->middle = glms_vec3_add(part->middle, p);
-        part->count++;
+        component->box.min = component->count ? glms_vec3_minv(component->box.min, p) : p;
+        component->box.max = component->count ? glms_vec3_maxv(component->box.max, p) : p;
+        component->middle = glms_vec3_add(component->middle, p);
+        component->count++;
     }
-    for (uint32_t i = 0; i < parts->weld.count; i++) {
-        struct part *part = &parts->all[i];
-        part->middle = glms_vec3_divs(part->middle, fmaxf((float)part->count, 1.0f));
+    for (uint32_t i = 0; i < components->weld.count; i++) {
+        struct component *component = &components->all[i];
+        component->middle = glms_vec3_divs(component->middle, fmaxf((float)component->count, 1.0f));
     }
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        struct part *part = part_of(parts, i);
-        if (part)
-            part->reach =
-                fmaxf(part->reach, glms_vec3_distance(part->middle, mesh->vertices[i].position));
+        struct component *component = component_of(components, i);
+        if (component)
+            component->outline =
+                fmaxf(component->outline,
+                      glms_vec3_distance(component->middle, mesh->vertices[i].position));
     }
 }
 
-static bool parts_init(struct parts *parts, const struct mesh *mesh, const struct object *object)
+static bool components_init(struct components *components, const struct mesh *mesh,
+                            const struct object *object)
 {
-    *parts = (struct parts){ 0 };
-    if (!weld_init(&parts->weld, mesh, object->first_index, object->index_count))
+    *components = (struct components){ 0 };
+    if (!weld_init(&components->weld, mesh, object->first_index, object->index_count))
         return false;
-    parts->heads = malloc((parts->weld.count + (size_t)1) * sizeof(*parts->heads));
-    parts->all = calloc(parts->weld.count + (size_t)1, sizeof(*parts->all));
-    if (!parts->heads || !parts->all) {
-        parts_finish(parts);
+    components->parents =
+        malloc((components->weld.count + (size_t)1) * sizeof(*components->parents));
+    components->all = calloc(components->weld.count + (size_t)1, sizeof(*components->all));
+    if (!components->parents || !components->all) {
+        components_finish(components);
         return false;
     }
-    for (uint32_t i = 0; i < parts->weld.count; i++)
-        parts->heads[i] = i;
-    for (uint32_t i = 0; i < parts->weld.corner_count; i++) {
-        const uint32_t *corners = parts->weld.corners;
+    for (uint32_t i = 0; i < components->weld.count; i++)
+        components->parents[i] = i;
+    for (uint32_t i = 0; i < components->weld.corner_count; i++) {
+        const uint32_t *corners = components->weld.corners;
         const uint32_t next = i % 3 == 2 ? i - 2 : i + 1;
-        parts->heads[head_of(parts->heads, corners[i])] = head_of(parts->heads, corners[next]);
+        components->parents[find_root(components->parents, corners[i])] =
+            find_root(components->parents, corners[next]);
     }
-    measure(parts, mesh);
+    measure(components, mesh);
     return true;
 }
 
@@ -117,7 +117,7 @@ float melt_parts_depth(const struct depth_field *field, vec3s point)
     return field->most * depth_field_at(field, point);
 }
 
-/* Finds how deep the ice is, and was. */
+/* Computes distance fields of the ice after and before melting. */
 static bool find_depths(struct melt_parts_ice *ice, const struct mesh *mesh)
 {
     const struct mesh after = object_part(ice->object, mesh);
@@ -129,98 +129,98 @@ static bool find_depths(struct melt_parts_ice *ice, const struct mesh *mesh)
 bool melt_parts_shrink(struct model *model, uint32_t object, struct melt_parts_ice *ice)
 {
     struct mesh *mesh = &model->object;
-    struct parts parts;
-    if (!parts_init(&parts, mesh, &model->objects[object]))
+    struct components components;
+    if (!components_init(&components, mesh, &model->objects[object]))
         return false;
     const bool done = find_depths(ice, mesh);
     for (uint32_t i = 0; i < mesh->vertex_count && done; i++) {
-        const struct part *part = part_of(&parts, i);
-        if (!part)
+        const struct component *component = component_of(&components, i);
+        if (!component)
             continue;
-        vec3s middle = part->middle;
+        vec3s middle = component->middle;
         middle.y += ice->rise;
         if (!(melt_parts_depth(&ice->depth_before, middle) > 0.0f))
             continue;
-        const float due = fminf(0.5f * part->reach, SHRINKS_AT * ice->half);
+        const float due = fminf(0.5f * component->outline, SHRINKS_AT * ice->half);
         const float depth = melt_parts_depth(&ice->depth, middle);
-        const float share = fmaxf(glm_smoothstep(0.0f, due, depth), LEAST);
-        const vec3s from = glms_vec3_sub(mesh->vertices[i].position, part->middle);
+        const float share = fmaxf(glm_smoothstep(0.0f, due, depth), SCALE_MIN);
+        const vec3s from = glms_vec3_sub(mesh->vertices[i].position, component->middle);
         mesh->vertices[i].position = glms_vec3_muladds(from, share, middle);
     }
-    parts_finish(&parts);
+    components_finish(&components);
     return done;
 }
 
-/* Whether the ice stands on a part of an object, or in it. */
-static bool is_below(const struct part *part, const struct box *ice)
+/* Returns true if the ice stands on a component, or in it. */
+static bool is_below(const struct component *component, const struct box *ice)
 {
-    const vec3s foot = box_center(*ice);
-    const float hair = 0.02f * (ice->max.y - ice->min.y);
-    return part->count && foot.x > part->box.min.x && foot.x < part->box.max.x &&
-           foot.z > part->box.min.z && foot.z < part->box.max.z && part->box.max.y < foot.y &&
-           part->box.max.y > ice->min.y - hair;
+    const vec3s base = box_center(*ice);
+    const float epsilon = 0.02f * (ice->max.y - ice->min.y);
+    return component->count && base.x > component->box.min.x && base.x < component->box.max.x &&
+           base.z > component->box.min.z && base.z < component->box.max.z &&
+           component->box.max.y < base.y && component->box.max.y > ice->min.y - epsilon;
 }
 
-/* How far something reaches from an upright axis, by direction. */
-struct reach {
-    vec3s foot; /* on the axis */
+/* Horizontal radius of a shape around a vertical axis, by bearing. */
+struct outline {
+    vec3s base; /* base point of the axis */
     float out[BEARINGS];
 };
 
-static float bearing_of(const struct reach *reach, vec3s p)
+static float bearing(const struct outline *outline, vec3s p)
 {
-    const float turn = atan2f(p.z - reach->foot.z, p.x - reach->foot.x) / 6.28318531f;
+    const float turn = atan2f(p.z - outline->base.z, p.x - outline->base.x) / 6.28318531f;
     return (turn - floorf(turn)) * (float)BEARINGS;
 }
 
-static void reach_put(struct reach *reach, vec3s p)
+static void outline_add(struct outline *outline, vec3s p)
 {
-    float *out = &reach->out[(uint32_t)bearing_of(reach, p) % BEARINGS];
-    *out = fmaxf(*out, hypotf(p.x - reach->foot.x, p.z - reach->foot.z));
+    float *out = &outline->out[(uint32_t)bearing(outline, p) % BEARINGS];
+    *out = fmaxf(*out, hypotf(p.x - outline->base.x, p.z - outline->base.z));
 }
 
-/* Gives directions of no point the reach of the nearest ones. */
-static void reach_fill(struct reach *reach)
+/* Fills bearings without a vertex with the nearest known radius. */
+static void outline_fill(struct outline *outline)
 {
-    const struct reach known = *reach;
+    const struct outline known = *outline;
     for (uint32_t i = 0; i < BEARINGS; i++) {
-        for (uint32_t k = 1; k <= BEARINGS / 2 && !(reach->out[i] > 0.0f); k++)
-            reach->out[i] =
+        for (uint32_t k = 1; k <= BEARINGS / 2 && !(outline->out[i] > 0.0f); k++)
+            outline->out[i] =
                 fmaxf(known.out[(i + k) % BEARINGS], known.out[(i + BEARINGS - k) % BEARINGS]);
     }
 }
 
-/* Returns the reach in the direction of a point. */
-static float reach_at(const struct reach *reach, vec3s p)
+/* Returns the interpolated radius in the direction of a point. */
+static float outline_at(const struct outline *outline, vec3s p)
 {
-    const float at = bearing_of(reach, p) + (float)BEARINGS - 0.5f;
+    const float at = bearing(outline, p) + (float)BEARINGS - 0.5f;
     const uint32_t before = (uint32_t)at;
-    return glm_lerp(reach->out[before % BEARINGS], reach->out[(before + 1) % BEARINGS],
+    return glm_lerp(outline->out[before % BEARINGS], outline->out[(before + 1) % BEARINGS],
                     at - (float)before);
 }
 
-/* Returns how far the lowest part of an object reaches. */
-static struct reach reach_of(const struct object *object, const struct mesh *mesh, vec3s foot)
+/* Returns the radii of the lowest part of an object. */
+static struct outline outline_of(const struct object *object, const struct mesh *mesh, vec3s base)
 {
     const struct box box = object_box(object, mesh);
-    const float low = box.min.y + LOWEST * (box.max.y - box.min.y);
-    struct reach reach = { .foot = foot };
+    const float low = box.min.y + WET_FRACTION * (box.max.y - box.min.y);
+    struct outline outline = { .base = base };
     for (uint32_t i = 0; i < object->index_count; i++) {
         const vec3s p = mesh->vertices[mesh->indices[object->first_index + i]].position;
         if (p.y <= low)
-            reach_put(&reach, p);
+            outline_add(&outline, p);
     }
-    reach_fill(&reach);
-    return reach;
+    outline_fill(&outline);
+    return outline;
 }
 
-/* Water that has climbed the ice stays there: what is nearer than the ice's surface moves with it,
- * and so does what is close outside, but the farther, the more it spreads. */
-static float spread_from(float out, float before, float after, float edge, float share)
+/* Returns the new radius of a water vertex. Water that touches the ice moves with the ice's
+ * outline; beyond it, the displacement blends quadratically to that of the outer edge. */
+static float spread_radius(float out, float before, float after, float edge, float share)
 {
     if (!(before > 0.0f && edge > 0.0f))
         return share * out;
-    const float from = fminf(before, WITHIN * edge);
+    const float from = fminf(before, COVERED_MAX * edge);
     if (out < from)
         return out * after / from;
     const float way = (out - from) / (edge - from);
@@ -228,48 +228,49 @@ static float spread_from(float out, float before, float after, float edge, float
     return glm_lerp(least, fmaxf(share * edge, least), way * way);
 }
 
-/* Spreads a part; the ice reaches as far as `before` and `after` tell. */
-static void spread_part(const struct parts *parts, const struct part *part, struct mesh *mesh,
-                        const struct reach *before, const struct reach *after, float spread)
+/* Spreads a component, around ice whose outline changes from `before` to `after`. */
+static void spread_component(const struct components *components, const struct component *component,
+                             struct mesh *mesh, const struct outline *before,
+                             const struct outline *after, float spread)
 {
-    const vec3s foot = before->foot;
-    const vec3s sides = glms_vec3_sub(part->box.max, part->box.min);
+    const vec3s base = before->base;
+    const vec3s sides = glms_vec3_sub(component->box.max, component->box.min);
     const float radius = 0.25f * (sides.x + sides.z);
     const float share = hypotf(radius, spread) / fmaxf(radius, 1e-20f);
-    struct reach edge = { .foot = foot };
+    struct outline edge = { .base = base };
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (part_of(parts, i) == part)
-            reach_put(&edge, mesh->vertices[i].position);
+        if (component_of(components, i) == component)
+            outline_add(&edge, mesh->vertices[i].position);
     }
-    reach_fill(&edge);
+    outline_fill(&edge);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         vec3s *p = &mesh->vertices[i].position;
-        if (part_of(parts, i) != part)
+        if (component_of(components, i) != component)
             continue;
-        const float out = hypotf(p->x - foot.x, p->z - foot.z);
-        const float to =
-            spread_from(out, reach_at(before, *p), reach_at(after, *p), reach_at(&edge, *p), share);
+        const float out = hypotf(p->x - base.x, p->z - base.z);
+        const float to = spread_radius(out, outline_at(before, *p), outline_at(after, *p),
+                                       outline_at(&edge, *p), share);
         const float grown = to / fmaxf(out, 1e-20f);
-        p->x = foot.x + grown * (p->x - foot.x);
-        p->z = foot.z + grown * (p->z - foot.z);
+        p->x = base.x + grown * (p->x - base.x);
+        p->z = base.z + grown * (p->z - base.z);
     }
 }
 
-/* Spreads those parts of an object of a mesh that are below the ice. */
+/* Spreads those components of an object that are below the ice. */
 static bool spread(struct mesh *mesh, const struct object *object, const struct model *model,
                    const struct melt_parts_ice *ice)
 {
-    const vec3s foot = box_center(ice->object->box);
-    const struct reach before = reach_of(ice->object, ice->grown, foot);
-    const struct reach after = reach_of(ice->object, &model->object, foot);
-    struct parts parts;
-    if (!parts_init(&parts, mesh, object))
+    const vec3s base = box_center(ice->object->box);
+    const struct outline before = outline_of(ice->object, ice->grown, base);
+    const struct outline after = outline_of(ice->object, &model->object, base);
+    struct components components;
+    if (!components_init(&components, mesh, object))
         return false;
-    for (uint32_t i = 0; i < parts.weld.count; i++) {
-        if (is_below(&parts.all[i], &ice->object->box))
-            spread_part(&parts, &parts.all[i], mesh, &before, &after, ice->spread);
+    for (uint32_t i = 0; i < components.weld.count; i++) {
+        if (is_below(&components.all[i], &ice->object->box))
+            spread_component(&components, &components.all[i], mesh, &before, &after, ice->spread);
     }
-    parts_finish(&parts);
+    components_finish(&components);
     return true;
 }
 
@@ -278,16 +279,14 @@ bool melt_parts_spread(struct model *model, uint32_t object, const struct melt_p
     return spread(&model->object, &model->objects[object], model, ice);
 }
 
-/* ---- films on what is around the objects ---- */
-
-static bool is_film(const struct model *model, const struct mesh_vertex *vertex)
+static bool is_water_layer(const struct model *model, const struct mesh_vertex *vertex)
 {
     const uint32_t index = vertex->material >> MESH_SURFACE_SHIFT;
     return index && model->materials[index - 1].flags & MATERIAL_IS_FILM;
 }
 
-/* The triangles of the surroundings that are films, or are not; the vertices are those of all. */
-static bool choose(struct mesh *chosen, const struct model *model, bool are_films)
+/* Selects the surroundings' triangles that are water layers, or the others; borrows vertices. */
+static bool select_triangles(struct mesh *chosen, const struct model *model, bool are_films)
 {
     const struct mesh *all = &model->surroundings;
     *chosen = *all;
@@ -296,14 +295,14 @@ static bool choose(struct mesh *chosen, const struct model *model, bool are_film
     if (!chosen->indices)
         return false;
     for (uint32_t i = 0; i < all->index_count; i++) {
-        if (is_film(model, &all->vertices[all->indices[i]]) == are_films)
+        if (is_water_layer(model, &all->vertices[all->indices[i]]) == are_films)
             chosen->indices[chosen->index_count++] = all->indices[i];
     }
     return true;
 }
 
-/* Returns the height of the highest triangle at a place, or -INFINITY. */
-static float ground_at(const struct mesh *ground, float x, float z)
+/* Returns the height of the highest triangle at (x, z), or -INFINITY. */
+static float ground_height(const struct mesh *ground, float x, float z)
 {
     float height = -INFINITY;
     for (uint32_t i = 0; i < ground->index_count; i += 3) {
@@ -324,13 +323,13 @@ static float ground_at(const struct mesh *ground, float x, float z)
     return height;
 }
 
-/* How texture coordinates grow with places. */
-struct growth {
+/* Gradient of texture coordinates over positions. */
+struct uv_gradient {
     vec2s by_x, by_z;
 };
 
-/* Returns that of vertices whose coordinates grow evenly, by least squares. */
-static struct growth growth_of(const struct mesh *mesh)
+/* Returns the least-squares gradient of texture coordinates that depend linearly on position. */
+static struct uv_gradient uv_gradient_of(const struct mesh *mesh)
 {
     const float count = fmaxf((float)mesh->index_count, 1.0f);
     float x = 0, z = 0, xx = 0, xz = 0, zz = 0;
@@ -350,37 +349,39 @@ static struct growth growth_of(const struct mesh *mesh)
     }
     const float area = xx * zz - xz * xz;
     if (!(area > 1e-6f * xx * zz))
-        return (struct growth){ 0 };
-    return (struct growth){
+        return (struct uv_gradient){ 0 };
+    return (struct uv_gradient){
         glms_vec2_divs(glms_vec2_sub(glms_vec2_scale(by_x, zz), glms_vec2_scale(by_z, xz)), area),
         glms_vec2_divs(glms_vec2_sub(glms_vec2_scale(by_z, xx), glms_vec2_scale(by_x, xz)), area),
     };
 }
 
-/* Turns normals of films as their triangles have turned. `turned` is a copy of them, with normals
- * that its triangles had before. */
-static void turn_normals(const struct model *model, struct mesh *films, struct mesh *turned)
+/* Rotates the normals of water layers with their triangles. `turned` has the old geometric normals.
+ */
+static void rotate_normals(const struct model *model, struct mesh *films, struct mesh *turned)
 {
     for (uint32_t i = 0; i < films->vertex_count; i++) {
         struct mesh_vertex *v = &films->vertices[i];
-        if (is_film(model, v))
+        if (is_water_layer(model, v))
             v->normal = glms_vec3_sub(v->normal, turned->vertices[i].normal);
         turned->vertices[i].position = v->position;
     }
     mesh_make_normals(turned);
     for (uint32_t i = 0; i < films->vertex_count; i++) {
         struct mesh_vertex *v = &films->vertices[i];
-        if (!is_film(model, v))
+        if (!is_water_layer(model, v))
             continue;
         v->normal = glms_vec3_normalize(glms_vec3_add(v->normal, turned->vertices[i].normal));
     }
 }
 
-/* Moves films' textures and heights after vertices that were elsewhere before. Stone that stood out
- * of the water does not make it thinner elsewhere: `level` is the ground's height below the ice.
- * Hollows are filled, the deeper, the deeper the water was: it stays level, but for its rim. */
+/* Moves texture coordinates and heights of water layers with the moved vertices. `level` is the
+ * ground height below the ice, so that protruding stone does not make the layer thinner elsewhere.
+ * Hollows of the ground are filled in proportion to the water's depth: the surface stays level
+ * except at its rim. */
 static void follow_ground(struct mesh *films, const struct mesh *before,
-                          const struct growth *growth, const struct mesh *ground, float level)
+                          const struct uv_gradient *uv_gradient, const struct mesh *ground,
+                          float level)
 {
     for (uint32_t i = 0; i < films->vertex_count; i++) {
         struct mesh_vertex *v = &films->vertices[i];
@@ -388,10 +389,11 @@ static void follow_ground(struct mesh *films, const struct mesh *before,
         const float dx = v->position.x - from.x, dz = v->position.z - from.z;
         if (fabsf(dx) + fabsf(dz) <= 0.0f)
             continue;
-        const float deep = from.y - fminf(ground_at(ground, from.x, from.z), level);
+        const float deep = from.y - fminf(ground_height(ground, from.x, from.z), level);
         const float filled = deep > 0.0f ? HOLLOW * deep : deep;
-        const float fall = ground_at(ground, v->position.x, v->position.z) + filled - from.y;
-        v->uv = glms_vec2_muladds(growth->by_x, dx, glms_vec2_muladds(growth->by_z, dz, v->uv));
+        const float fall = ground_height(ground, v->position.x, v->position.z) + filled - from.y;
+        v->uv = glms_vec2_muladds(uv_gradient->by_x, dx,
+                                  glms_vec2_muladds(uv_gradient->by_z, dz, v->uv));
         if (fall < 0.0f && isfinite(fall))
             v->position.y += fall;
     }
@@ -400,16 +402,17 @@ static void follow_ground(struct mesh *films, const struct mesh *before,
 bool melt_parts_spread_films(struct model *model, const struct melt_parts_ice *ice)
 {
     struct mesh films, ground = { 0 }, before = { 0 };
-    bool done = choose(&films, model, true) && choose(&ground, model, false);
+    bool done = select_triangles(&films, model, true) && select_triangles(&ground, model, false);
     const struct object object = { .index_count = films.index_count };
     if (done && films.index_count) {
-        const struct growth growth = growth_of(&films);
+        const struct uv_gradient uv_gradient = uv_gradient_of(&films);
         done = mesh_append(&before, &films) && spread(&films, &object, model, ice);
         if (done) {
             mesh_make_normals(&before);
-            const vec3s foot = box_center(ice->object->box);
-            follow_ground(&films, &before, &growth, &ground, ground_at(&ground, foot.x, foot.z));
-            turn_normals(model, &films, &before);
+            const vec3s base = box_center(ice->object->box);
+            follow_ground(&films, &before, &uv_gradient, &ground,
+                          ground_height(&ground, base.x, base.z));
+            rotate_normals(model, &films, &before);
         }
     }
     free(films.indices);

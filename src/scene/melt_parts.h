@@ -1,7 +1,7 @@
 /*
- * melt_parts.h: what follows ice that melts: shells of air that were in it, and of water below it.
+ * melt_parts.h: objects that follow melting ice: air shells inside it, and water below it.
  *
- * A mesh has many shells, whose parts are not connected with each other.
+ * Shells are treated separately, as connected components of welded vertices.
  */
 #ifndef FIRN_SCENE_MELT_PARTS_H
 #define FIRN_SCENE_MELT_PARTS_H
@@ -9,32 +9,31 @@
 #include "src/scene/depth_field.h"
 #include "src/scene/import/model.h"
 
-/* Ice that has melted. */
+/* Ice that has melted, and its state before. */
 struct melt_parts_ice {
-    const struct object *object; /* of the model, which has it melted; its box is that before */
-    const struct mesh *grown;    /* the mesh of all objects before, where the ice has sunk to */
-    float half;                  /* of its width, before, metres */
-    float rise;                  /* by which it has moved up, metres */
-    float spread;                /* radius that the water which it lost covers, metres */
-    struct depth_field depth, depth_before; /* found when they are needed; {0} */
+    const struct object *object; /* after melting, but with the box of before */
+    const struct mesh *grown;    /* all objects before melting, where the ice has sunk to */
+    float half;                  /* half the ice's initial width, metres */
+    float rise;                  /* vertical displacement of the ice, metres */
+    float spread;                /* radius of the area that the meltwater covers, metres */
+    struct depth_field depth, depth_before; /* computed on demand; {0} until then */
 };
 
-/* Moves the parts of an object that were in the ice with it, shrinks those that are near its
- * surface, and makes those that are outside of it points. Returns false when out of memory. */
+/* Moves components inside the ice with it, shrinks those near its surface, and collapses those
+ * outside. Returns false when out of memory. */
 bool melt_parts_shrink(struct model *model, uint32_t object, struct melt_parts_ice *ice);
 
-/* Spreads the parts of an object that are below the ice, and on which it stands. Returns false when
- * out of memory. */
+/* Spreads an object's components that carry the ice. Returns false when out of memory. */
 bool melt_parts_spread(struct model *model, uint32_t object, const struct melt_parts_ice *ice);
 
-/* The same of films of water on what is around the objects (MATERIAL_IS_FILM). They go down with
- * the ground; where it rises they stay level, so that it rises out of them. Textures stay where
- * they are. */
+/* Spreads water layers (MATERIAL_IS_FILM) on the surroundings below the ice. They follow the ground
+ * downwards, but stay level where it rises, so that it emerges from them. Textures keep their
+ * place. Returns false when out of memory. */
 bool melt_parts_spread_films(struct model *model, const struct melt_parts_ice *ice);
 
 void melt_parts_finish(struct melt_parts_ice *ice);
 
-/* Returns the depth at a point below a field's surface, metres; 0 outside. */
+/* Returns the depth below a distance field's surface, metres; 0 outside. */
 float melt_parts_depth(const struct depth_field *field, vec3s point);
 
 #endif

@@ -1,4 +1,4 @@
-/* mesh.c: storage, boxes and normals of indexed triangles. */
+/* mesh.c: storage, bounding boxes, normals and sorting of indexed triangle meshes. */
 #include "src/scene/mesh.h"
 
 #include <assert.h>
@@ -44,21 +44,21 @@ void mesh_finish(struct mesh *mesh)
     *mesh = (struct mesh){ 0 };
 }
 
-/* Returns `array` reallocated with room for `count` more elements, or NULL. */
-static void *grown(void *array, uint32_t have, uint32_t count, size_t size)
+/* Returns `array` reallocated for `count` more elements; NULL on overflow or when out of memory. */
+static void *grow_array(void *array, uint32_t have, uint32_t count, size_t size)
 {
     if (count > UINT32_MAX - have || have + count > SIZE_MAX / size)
         return NULL;
     return realloc(array, (have + count) * size);
 }
 
-/* Makes room for the extras of both meshes, if any has some. */
+/* Makes room for the extras of both meshes, if either has any. */
 static bool grow_extras(struct mesh *mesh, const struct mesh *other)
 {
     if (!mesh->extras && !other->extras)
         return true;
     void *extras =
-        grown(mesh->extras, mesh->vertex_count, other->vertex_count, sizeof(*mesh->extras));
+        grow_array(mesh->extras, mesh->vertex_count, other->vertex_count, sizeof(*mesh->extras));
     if (extras == NULL)
         return false;
     if (!mesh->extras)
@@ -76,15 +76,15 @@ bool mesh_append(struct mesh *mesh, const struct mesh *other)
     if (other->vertex_count > 0 && !grow_extras(mesh, other))
         return false;
     if (other->vertex_count > 0) {
-        void *vertices =
-            grown(mesh->vertices, mesh->vertex_count, other->vertex_count, sizeof(*mesh->vertices));
+        void *vertices = grow_array(mesh->vertices, mesh->vertex_count, other->vertex_count,
+                                    sizeof(*mesh->vertices));
         if (vertices == NULL)
             return false;
         mesh->vertices = vertices;
     }
     if (other->index_count > 0) {
-        void *indices =
-            grown(mesh->indices, mesh->index_count, other->index_count, sizeof(*mesh->indices));
+        void *indices = grow_array(mesh->indices, mesh->index_count, other->index_count,
+                                   sizeof(*mesh->indices));
         if (indices == NULL)
             return false;
         mesh->indices = indices;
@@ -121,7 +121,7 @@ bool box_contains(const struct box *outer, const struct box *inner)
 
 vec3s box_center(struct box box)
 {
-    /* The halves are added, because the sum of two large coordinates may overflow. */
+    /* halves first: the sum of two large coordinates could overflow */
     return glms_vec3_add(glms_vec3_scale(box.min, 0.5F), glms_vec3_scale(box.max, 0.5F));
 }
 
@@ -141,10 +141,10 @@ void mesh_fit(struct mesh *mesh, float width)
     }
 }
 
-/* Returns the unit vector, or {0} for a vector without a direction. */
+/* Returns the normalised vector, or {0} if it has no direction. */
 static vec3s unit(vec3s v)
 {
-    /* In double the squares neither underflow nor overflow. */
+    /* squares of floats neither underflow nor overflow in double */
     double x = (double)v.x, y = (double)v.y, z = (double)v.z;
     double length = sqrt(x * x + y * y + z * z);
     if (!(length > 0) || !isfinite(length))
@@ -152,9 +152,9 @@ static vec3s unit(vec3s v)
     return (vec3s){ { (float)(x / length), (float)(y / length), (float)(z / length) } };
 }
 
-static void add_facet_normal(struct mesh_vertex *vertices, const uint32_t *corners)
+static void add_triangle_normals(struct mesh_vertex *vertices, const uint32_t *corners)
 {
-    vec3s side_dir[3]; /* from each corner to the next */
+    vec3s side_dir[3]; /* edge direction from each corner to the next */
     for (int k = 0; k < 3; k++)
         side_dir[k] = unit(
             glms_vec3_sub(vertices[corners[(k + 1) % 3]].position, vertices[corners[k]].position));
@@ -173,11 +173,11 @@ void mesh_make_normals(struct mesh *mesh)
     for (uint32_t i = 0; i < mesh->vertex_count; i++)
         mesh->vertices[i].normal = (vec3s){ 0 };
     for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3)
-        add_facet_normal(mesh->vertices, mesh->indices + i);
+        add_triangle_normals(mesh->vertices, mesh->indices + i);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         vec3s normal = unit(mesh->vertices[i].normal);
-        bool none = glms_vec3_norm2(normal) == 0;
-        mesh->vertices[i].normal = none ? (vec3s){ { 0, 1, 0 } } : normal;
+        bool is_undefined = glms_vec3_norm2(normal) == 0;
+        mesh->vertices[i].normal = is_undefined ? (vec3s){ { 0, 1, 0 } } : normal;
     }
 }
 
@@ -189,11 +189,11 @@ static vec3s area_of(const struct mesh *mesh, const uint32_t *corners)
                            glms_vec3_sub(mesh->vertices[corners[2]].position, a));
 }
 
-/* Whether all vertices are behind the plane through a point, or at most `room` before it. `normal`
- * need not be unit. */
-static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float room)
+/* Returns true if no vertex is more than `tolerance` in front of a plane; `normal` may have any
+ * length. */
+static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float tolerance)
 {
-    const float most = glms_vec3_dot(normal, point) + room * glms_vec3_norm(normal);
+    const float most = glms_vec3_dot(normal, point) + tolerance * glms_vec3_norm(normal);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (glms_vec3_dot(normal, mesh->vertices[i].position) > most)
             return false;
@@ -203,14 +203,14 @@ static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float 
 
 bool mesh_is_convex(const struct mesh *mesh)
 {
-    const float room = 1e-5f * box_diagonal(mesh_box(mesh));
-    vec3s sum = { 0 }; /* of all area vectors; 0 for a closed surface */
+    const float tolerance = 1e-5f * box_diagonal(mesh_box(mesh));
+    vec3s sum = { 0 }; /* sum of all area vectors; 0 for a closed surface */
     float all = 0.0f;
     if ((uint64_t)mesh->index_count / 3 * mesh->vertex_count > MESH_CONVEX_MAX)
         return false;
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         const vec3s area = area_of(mesh, mesh->indices + i);
-        if (!is_behind(mesh, mesh->vertices[mesh->indices[i]].position, area, room))
+        if (!is_behind(mesh, mesh->vertices[mesh->indices[i]].position, area, tolerance))
             return false;
         sum = glms_vec3_add(sum, area);
         all += glms_vec3_norm(area);
@@ -222,8 +222,8 @@ enum {
     SHELL_COUNT = 1 << 9
 };
 
-/* Returns the exponent and the first mantissa bit of the squared distance as a float: four shells
- * an octave. */
+/* Returns a shell index by quantised distance: exponent and top mantissa bit of the squared
+ * distance, four shells per octave of it. */
 static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s from)
 {
     float nearest = INFINITY;
@@ -236,19 +236,19 @@ static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s
 
 bool mesh_sort_by_distance(struct mesh *mesh, vec3s from, struct mesh_order *order)
 {
-    uint32_t next[SHELL_COUNT + 1] = { 0 }; /* index of the next triangle of each shell */
+    uint32_t next[SHELL_COUNT + 1] = { 0 }; /* index of the next triangle in each shell */
     if (order)
         *order = (struct mesh_order){ 0 };
     if (mesh->index_count == 0)
         return true;
     uint32_t *sorted = malloc(mesh->index_count * sizeof(*sorted));
-    uint32_t *former = order && sorted ? malloc(mesh->index_count / 3 * sizeof(*former)) : NULL;
-    if (!sorted || (order && !former)) {
+    uint32_t *original = order && sorted ? malloc(mesh->index_count / 3 * sizeof(*original)) : NULL;
+    if (!sorted || (order && !original)) {
         free(sorted);
         return false;
     }
     if (order)
-        *order = (struct mesh_order){ former, mesh->index_count / 3 };
+        *order = (struct mesh_order){ original, mesh->index_count / 3 };
     for (uint32_t i = 0; i < mesh->index_count; i += 3)
         next[shell_of(mesh, mesh->indices + i, from) + 1] += 3;
     for (uint32_t shell = 0; shell < SHELL_COUNT; shell++)
@@ -256,8 +256,8 @@ bool mesh_sort_by_distance(struct mesh *mesh, vec3s from, struct mesh_order *ord
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         uint32_t *to = &next[shell_of(mesh, mesh->indices + i, from)];
         memcpy(sorted + *to, mesh->indices + i, 3 * sizeof(*sorted));
-        if (former)
-            former[*to / 3] = i / 3;
+        if (original)
+            original[*to / 3] = i / 3;
         *to += 3;
     }
     free(mesh->indices);

@@ -1,4 +1,4 @@
-/* mips.c: generates mip levels. */
+/* mips.c: mip level generation on the CPU. */
 #include "src/scene/mips.h"
 #include <math.h>
 #include "src/image/half.h"
@@ -11,10 +11,10 @@ size_t mips_count(const struct mips *mips)
     return count;
 }
 
-/* Writes the mean of the values at four indices to the index `to`. */
+/* Writes the mean of four texel values to the index `to`. */
 typedef void mean_fn(void *texels, size_t to, const size_t from[4]);
 
-static void fill(void *texels, const struct mips *mips, mean_fn *mean)
+static void fill_levels(void *texels, const struct mips *mips, mean_fn *mean)
 {
     const size_t channels = mips->channels;
     size_t from = 0;
@@ -31,7 +31,7 @@ static void fill(void *texels, const struct mips *mips, mean_fn *mean)
     }
 }
 
-static float middle(float a, float b)
+static float average(float a, float b)
 {
     return a + 0.5f * (b - a);
 }
@@ -45,18 +45,19 @@ static uint16_t half_towards_zero(float value)
 static void mean_half(void *texels, size_t to, const size_t from[4])
 {
     uint16_t *halves = texels;
-    float of[4];
+    float values[4];
     for (int i = 0; i < 4; i++)
-        of[i] = half_to_float(halves[from[i]]);
-    halves[to] = half_towards_zero(middle(middle(of[0], of[1]), middle(of[2], of[3])));
+        values[i] = half_to_float(halves[from[i]]);
+    halves[to] =
+        half_towards_zero(average(average(values[0], values[1]), average(values[2], values[3])));
 }
 
 void mips_fill_halves(uint16_t *texels, const struct mips *mips)
 {
-    fill(texels, mips, mean_half);
+    fill_levels(texels, mips, mean_half);
 }
 
-static uint32_t middle_byte(uint32_t a, uint32_t b)
+static uint32_t average_bytes(uint32_t a, uint32_t b)
 {
     return (a + b + 1) / 2;
 }
@@ -64,11 +65,11 @@ static uint32_t middle_byte(uint32_t a, uint32_t b)
 static void mean_byte(void *texels, size_t to, const size_t from[4])
 {
     uint8_t *bytes = texels;
-    bytes[to] = (uint8_t)middle_byte(middle_byte(bytes[from[0]], bytes[from[1]]),
-                                     middle_byte(bytes[from[2]], bytes[from[3]]));
+    bytes[to] = (uint8_t)average_bytes(average_bytes(bytes[from[0]], bytes[from[1]]),
+                                       average_bytes(bytes[from[2]], bytes[from[3]]));
 }
 
 void mips_fill_bytes(uint8_t *texels, const struct mips *mips)
 {
-    fill(texels, mips, mean_byte);
+    fill_levels(texels, mips, mean_byte);
 }

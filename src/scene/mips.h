@@ -1,10 +1,9 @@
 /*
- * mips.h: mip levels of square images, generated on the host.
+ * mips.h: mip levels of square images, generated on the CPU.
  *
- * A device could generate them too, but would have to compile shaders for that before it draws its
- * first picture, and devices round differently.
+ * The CPU avoids shader compilation before the first frame, and rounds equally everywhere.
  *
- * Memory has level after level, from `side` texels to one, each with its layers one after another.
+ * Memory layout: levels from `side` texels down to one, each with all array layers.
  */
 #ifndef FIRN_SCENE_MIPS_H
 #define FIRN_SCENE_MIPS_H
@@ -13,16 +12,16 @@
 #include <stdint.h>
 
 struct mips {
-    uint32_t side;     /* texels along each side of the first level: a power of two */
-    uint32_t layers;   /* of every level */
-    uint32_t channels; /* per texel */
+    uint32_t side;     /* width and height of the first level, texels; a power of two */
+    uint32_t layers;   /* array layers */
+    uint32_t channels; /* channels per texel */
 };
 
-/* Returns the number of values in all levels together. */
+/* Returns the number of values in all levels. */
 size_t mips_count(const struct mips *mips);
 
-/* Fill all other levels from the first one with means of four texels, which are added up along rows
- * first. Halves are rounded toward zero, bytes away from it. */
+/* Fill all levels after the first by box filtering, horizontally first. Half floats are rounded
+ * towards zero, bytes away from it. */
 void mips_fill_halves(uint16_t *texels, const struct mips *mips);
 void mips_fill_bytes(uint8_t *texels, const struct mips *mips);
 

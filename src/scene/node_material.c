@@ -1,4 +1,4 @@
-/* node_material.c: new materials at the end of a model's, and objects that refer to them. */
+/* node_material.c: appends user-defined materials to a model's, and assigns them to objects. */
 #include "src/scene/node_material.h"
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +26,7 @@ static bool has_node(const struct model *model, const char *name)
     return false;
 }
 
-/* Material `first` + i replaces that of the objects which names[i] means. */
+/* Assigns material `first` + i to the objects that names[i] matches. */
 static void assign(struct model *model, const struct node_material *all, uint32_t count,
                    uint32_t first)
 {

@@ -1,4 +1,9 @@
-/* object.c: the order of media where objects overlap. */
+/*
+ * object.c: medium priorities (ranks) of overlapping objects, and inside tests.
+ *
+ * Overlapping media follow the priority scheme of Schmidt and Budge 2002, Simple nested dielectrics
+ * in ray traced images: the object with the highest rank fills the common space.
+ */
 #include "src/scene/object.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -7,13 +12,13 @@
 #include "src/base/log.h"
 #include "src/scene/solid.h"
 
-/* An object while it is ranked. */
-struct contender {
+/* An object during ranking. */
+struct ranked {
     uint32_t object;
-    int64_t priority; /* INT64_MIN: none is stated */
-    uint32_t depth;   /* number of shells around it */
-    uint32_t holder;  /* the innermost of them, + 1; 0: none */
-    uint32_t within;  /* likewise, of those whose cavity it may be in */
+    int64_t priority; /* priority from the file; INT64_MIN if there is none */
+    uint32_t depth;   /* number of enclosing shells */
+    uint32_t holder;  /* index of the innermost enclosing shell, + 1; 0 for none */
+    uint32_t within;  /* like `holder`, but counts shells whose cavity contains the object */
 };
 
 struct mesh object_part(const struct object *object, const struct mesh *mesh)
@@ -38,27 +43,27 @@ struct box object_box(const struct object *object, const struct mesh *mesh)
     return box;
 }
 
-/* Whether all corners of a part are inside the shell, or surrounded by it. */
-static bool encloses(const struct solid *shell, const struct mesh *part,
-                     bool (*holds)(const struct solid *shell, vec3s point))
+/* Returns true if all corners of `part` satisfy `contains` for the shell. */
+static bool all_inside(const struct solid *shell, const struct mesh *part,
+                       bool (*contains)(const struct solid *shell, vec3s point))
 {
     for (uint32_t i = 0; i < part->index_count; i++) {
-        if (!holds(shell, part->vertices[part->indices[i]].position))
+        if (!contains(shell, part->vertices[part->indices[i]].position))
             return false;
     }
     return true;
 }
 
-/* Makes object `k` the innermost one, + 1, of those found, if it is. */
-static void note_innermost(const struct object *objects, uint32_t k, uint32_t *innermost)
+/* Sets *innermost to `k` + 1 if object `k` is the smallest enclosing object so far. */
+static void update_innermost(const struct object *objects, uint32_t k, uint32_t *innermost)
 {
     if (!*innermost || box_contains(&objects[*innermost - 1].box, &objects[k].box))
         *innermost = k + 1;
 }
 
-/* Notes each object within the shell of object `k`. Returns false when out of memory. */
-static bool find_enclosed(struct contender *contenders, const struct object *objects,
-                          uint32_t count, const struct mesh *mesh, uint32_t k)
+/* Records that object `k` encloses others. Returns false when out of memory. */
+static bool record_enclosed(struct ranked *ranking, const struct object *objects, uint32_t count,
+                            const struct mesh *mesh, uint32_t k)
 {
     const struct mesh shell = object_part(&objects[k], mesh);
     struct solid solid = { 0 };
@@ -70,13 +75,13 @@ static bool find_enclosed(struct contender *contenders, const struct object *obj
             return false;
         is_made = true;
         const struct mesh part = object_part(&objects[i], mesh);
-        if (!encloses(&solid, &part, solid_surrounds))
+        if (!all_inside(&solid, &part, solid_surrounds))
             continue;
-        note_innermost(objects, k, &contenders[i].within);
-        if (!encloses(&solid, &part, solid_contains))
+        update_innermost(objects, k, &ranking[i].within);
+        if (!all_inside(&solid, &part, solid_contains))
             continue;
-        contenders[i].depth++;
-        note_innermost(objects, k, &contenders[i].holder);
+        ranking[i].depth++;
+        update_innermost(objects, k, &ranking[i].holder);
     }
     solid_finish(&solid);
     return true;
@@ -84,8 +89,8 @@ static bool find_enclosed(struct contender *contenders, const struct object *obj
 
 static int by_priority(const void *a, const void *b)
 {
-    const struct contender *x = a;
-    const struct contender *y = b;
+    const struct ranked *x = a;
+    const struct ranked *y = b;
     if (x->priority != y->priority)
         return x->priority < y->priority ? -1 : 1;
     if (x->depth != y->depth)
@@ -96,28 +101,28 @@ static int by_priority(const void *a, const void *b)
 enum status object_rank_all(struct object *objects, uint32_t count, const struct mesh *mesh,
                             const struct material *materials)
 {
-    struct contender *contenders = calloc(count + (size_t)1, sizeof(*contenders));
-    bool done = contenders != NULL;
+    struct ranked *ranking = calloc(count + (size_t)1, sizeof(*ranking));
+    bool done = ranking != NULL;
     for (uint32_t i = 0; done && i < count; i++) {
         const struct material *material = &materials[objects[i].material];
         const bool is_stated = material->flags & MATERIAL_HAS_PRIORITY;
-        contenders[i].object = i;
-        contenders[i].priority = is_stated ? material->priority : INT64_MIN;
+        ranking[i].object = i;
+        ranking[i].priority = is_stated ? material->priority : INT64_MIN;
         objects[i].box = object_box(&objects[i], mesh);
     }
     for (uint32_t i = 0; done && count > 1 && i < count; i++)
-        done = find_enclosed(contenders, objects, count, mesh, i);
+        done = record_enclosed(ranking, objects, count, mesh, i);
     if (done) {
-        qsort(contenders, count, sizeof(*contenders), by_priority);
+        qsort(ranking, count, sizeof(*ranking), by_priority);
         for (uint32_t i = 0; i < count; i++)
-            objects[contenders[i].object].rank = i + 1;
+            objects[ranking[i].object].rank = i + 1;
         for (uint32_t i = 0; i < count; i++) {
-            const uint32_t holder = contenders[i].holder;
-            objects[contenders[i].object].holder = holder ? objects[holder - 1].rank : 0;
-            objects[contenders[i].object].within = contenders[i].within;
+            const uint32_t holder = ranking[i].holder;
+            objects[ranking[i].object].holder = holder ? objects[holder - 1].rank : 0;
+            objects[ranking[i].object].within = ranking[i].within;
         }
     }
-    free(contenders);
+    free(ranking);
     return done ? STATUS_OK : log_out_of_memory("objects");
 }
 
@@ -146,7 +151,8 @@ bool object_is_closed(const struct object *object, const struct mesh *mesh)
     return left <= 1e-4 * all;
 }
 
-/* The solid angle of a triangle, as in van Oosterom and Strackee 1983, positive from behind. */
+/* Returns the signed angle in steradians that a triangle subtends at the origin (van Oosterom and
+ * Strackee 1983), positive from behind. */
 static double solid_angle(vec3s a, vec3s b, vec3s c)
 {
     const double x = (double)glms_vec3_norm(a), y = (double)glms_vec3_norm(b),
@@ -168,7 +174,7 @@ bool object_contains(const struct object *object, const struct mesh *mesh, vec3s
         }
         sum += solid_angle(to[0], to[1], to[2]);
     }
-    return sum > 6.2831853; /* half of a sphere, for shells that are not quite closed */
+    return sum > 6.2831853; /* more than half the sphere, for shells that are not quite closed */
 }
 
 const struct object *object_of_index(const struct object *objects, uint32_t count, uint32_t index)

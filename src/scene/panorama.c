@@ -1,5 +1,5 @@
-/* panorama.c: unfolds cubes. OpenEXR's orientation is that of ImfEnvmap.cpp (CubeMap), whose +Z is
- * in the middle of an equirectangular picture. */
+/* panorama.c: converts cube maps to equirectangular images. OpenEXR's face orientation is that of
+ * CubeMap in ImfEnvmap.cpp, whose +Z is in the centre of an equirectangular image. */
 #include "src/scene/panorama.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -8,11 +8,11 @@
 #include "src/scene/camera.h"
 
 enum {
-    WIDTH_MAX = 8192, /* texels */
+    WIDTH_MAX = 8192, /* maximum width of the result, texels */
     FACES = 6,
 };
 
-/* Where a face is in the picture, in faces, and what it shows. */
+/* Position of a face in the image, in faces, and its orientation. */
 struct face {
     struct camera_basis axes;
     uint32_t column, row;
@@ -57,9 +57,7 @@ static const struct face cross[FACES] = {
 
 static const struct face back_below = { { .forward = Z(1), .right = X(1), .up = Y(-1) }, 1, 3 };
 
-/* ---- kinds ---- */
-
-/* Whether nothing is beside the faces of a cross. */
+/* Returns true if the image is black beside the faces of a cross. */
 static bool is_bare_cross(const struct image *image, uint32_t side, bool is_tall)
 {
     for (uint32_t p = 0; p < image->plane_count; p++) {
@@ -112,13 +110,11 @@ static uint32_t side_of(const struct image *image, enum panorama kind)
     return image->width;
 }
 
-/* ---- texels ---- */
-
 struct cube {
     const struct image *image;
     struct face faces[FACES];
-    float side;         /* of a face, texels */
-    bool has_edge_rows; /* the outer texels' middles are on the face's edges */
+    float side;         /* face size, texels */
+    bool has_edge_rows; /* outer texel centres are on the face's edges, as in OpenEXR */
 };
 
 static float texel(const struct cube *cube, const struct face *face, uint32_t plane, float x,
@@ -130,8 +126,8 @@ static float texel(const struct cube *cube, const struct face *face, uint32_t pl
         .texels[(face->row * side + (size_t)y) * image->width + face->column * side + (size_t)x];
 }
 
-/* Returns the bilinear texel of a direction. */
-static float look_up(const struct cube *cube, uint32_t plane, vec3s dir)
+/* Returns the bilinearly interpolated texel in a direction. */
+static float sample_cube(const struct cube *cube, uint32_t plane, vec3s dir)
 {
     const struct face *face = &cube->faces[0];
     for (uint32_t i = 1; i < FACES; i++) {
@@ -156,7 +152,7 @@ static float look_up(const struct cube *cube, uint32_t plane, vec3s dir)
     return glm_lerp(above, below, y - top);
 }
 
-static void fill(const struct cube *cube, uint32_t plane, struct image *to)
+static void resample(const struct cube *cube, uint32_t plane, struct image *to)
 {
     const float pi = 3.14159265F;
     for (uint32_t y = 0; y < 2 * to->height; y++) {
@@ -166,7 +162,7 @@ static void fill(const struct cube *cube, uint32_t plane, struct image *to)
             const vec3s dir = { { sinf(down) * sinf(along), cosf(down),
                                   -sinf(down) * cosf(along) } };
             to->planes[plane].texels[(size_t)(y / 2) * to->width + x / 2] +=
-                0.25F * look_up(cube, plane, dir);
+                0.25F * sample_cube(cube, plane, dir);
         }
     }
 }
@@ -185,7 +181,7 @@ enum status panorama_unfold(struct image *image, enum panorama kind, const char 
             image_finish(&flat);
             return log_out_of_memory(path);
         }
-        fill(&cube, p, &flat);
+        resample(&cube, p, &flat);
     }
     image_finish(image);
     *image = flat;

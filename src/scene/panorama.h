@@ -1,4 +1,4 @@
-/* panorama.h: pictures of a cube's faces as equirectangular ones. */
+/* panorama.h: detects cube map layouts, and converts them to equirectangular images. */
 #ifndef FIRN_SCENE_PANORAMA_H
 #define FIRN_SCENE_PANORAMA_H
 
@@ -7,22 +7,21 @@
 #include "src/image/image.h"
 
 enum panorama {
-    PANORAMA_NONE,      /* no cube */
-    PANORAMA_OPENEXR,   /* faces one below the other, as OpenEXR's attribute `envmap` means them */
-    PANORAMA_ROW,       /* +X -X +Y -Y +Z -Z in Vulkan's orientation, one beside the other */
-    PANORAMA_CROSS,     /* 4:3: left, front (-Z), right, back; up and down above and below front */
-    PANORAMA_TALL_CROSS /* 3:4: back is below down, upside down */
+    PANORAMA_NONE,      /* not a cube map */
+    PANORAMA_OPENEXR,   /* vertical strip, with OpenEXR's attribute `envmap` */
+    PANORAMA_ROW,       /* horizontal strip +X -X +Y -Y +Z -Z in Vulkan's orientation */
+    PANORAMA_CROSS,     /* 4:3 cross: left, front (-Z), right, back; up and down at front */
+    PANORAMA_TALL_CROSS /* 3:4 cross: back is below down, upside down */
 };
 
-/* Returns what the shape of a picture says; a cross must be black beside its faces, so that an
- * ordinary picture is none. */
+/* Returns the cube map layout of an image by its aspect ratio. A cross must be black beside its
+ * faces, to tell it from ordinary images. */
 enum panorama panorama_find(const struct image *image);
 
 /*
- * Replaces the planes of a cube with those of an equirectangular picture, four faces wide, at most
- * 8192 texels: -Z in the middle, +X right of it, each texel the mean of four bilinear lookups.
- * Returns STATUS_OK, or logs with `path` and returns STATUS_TRY_AGAIN; the picture is then as it
- * was.
+ * Replaces a cube map with an equirectangular image (-Z in the centre, +X right of it), four faces
+ * wide, at most 8192 texels. Each texel is the mean of four bilinear samples. Returns STATUS_OK, or
+ * logs with `path` and returns STATUS_TRY_AGAIN; the image is then unchanged.
  */
 MUST_USE enum status panorama_unfold(struct image *image, enum panorama kind, const char *path);
 

@@ -1,4 +1,4 @@
-/* scene.c: built-in scenes, assets, model files, and their surroundings. */
+/* scene.c: loads or generates scenes: objects, surroundings, background, materials. */
 #include "src/scene/scene.h"
 #include <cglm/struct.h>
 #include <errno.h>
@@ -78,8 +78,8 @@ const char *scene_name(uint32_t index)
     return NULL;
 }
 
-/* The ice must fit in the pool at any angle about the vertical axis, with water below it. */
-static enum status add_floe(struct scene *scene, const struct scene_params *params)
+/* Adds floating ice. It must fit in the pool at any rotation, with water below it. */
+static enum status add_floating_ice(struct scene *scene, const struct scene_params *params)
 {
     const struct generate_pool *pool = &params->pool;
     const uint32_t triangles =
@@ -95,7 +95,7 @@ static enum status add_floe(struct scene *scene, const struct scene_params *para
     return STATUS_USAGE;
 }
 
-/* Makes the pool, and a camera that looks into it. */
+/* Generates the pool, and a camera that looks into it. */
 static enum status make_pool(struct scene *scene, const struct scene_params *params)
 {
     const struct generate_pool *pool = &params->pool;
@@ -110,17 +110,17 @@ static enum status make_pool(struct scene *scene, const struct scene_params *par
     };
     if (!generate_pool(&scene->model.surroundings, pool))
         return log_out_of_memory("pool");
-    return pool->ice > 0.0f ? add_floe(scene, params) : STATUS_OK;
+    return pool->ice > 0.0f ? add_floating_ice(scene, params) : STATUS_OK;
 }
 
-/* Suggests a name if there is no file of this one. */
+/* Logs an error with a similar name as a hint if the file does not exist. */
 static enum status check_file(const char *path, enum asset_kind kind)
 {
     const bool is_scene = kind == ASSET_SCENE;
     char hint[SUGGEST_HINT_SIZE];
     struct suggest suggest = { .word = path };
     if (access(path, F_OK) == 0 || errno != ENOENT)
-        return STATUS_OK; /* opening the file logs the error */
+        return STATUS_OK; /* opening the file will log the error */
     for (const struct scene_builtin *b = scene_builtins; is_scene && b->name; b++)
         suggest_offer(&suggest, b->name);
     for (const struct asset *a = assets; a->name; a++) {
@@ -133,7 +133,7 @@ static enum status check_file(const char *path, enum asset_kind kind)
     return STATUS_NO_INPUT;
 }
 
-/* Finds the file that a name or a path means, for the caller to free. */
+/* Resolves a name or path to a file path, which the caller frees. */
 static enum status locate(const char *name, enum asset_kind kind, char **path)
 {
     const struct asset *asset = asset_find(name, kind);
@@ -168,7 +168,7 @@ static enum status load_file(struct model *model, const struct scene_params *par
     return status;
 }
 
-/* Makes the mesh of the object one whose material the settings decide. */
+/* Makes the mesh a single object whose material the settings define. */
 static enum status add_bare_object(struct model *model)
 {
     model->objects = calloc(1, sizeof(*model->objects));
@@ -198,7 +198,7 @@ static enum status load_object(struct scene *scene, const struct scene_params *p
     return add_bare_object(&scene->model);
 }
 
-/* The landscape is made for objects about 3.2 m across; it is scaled to fit others. */
+/* Scales the landscape, which is made for objects 3.2 m across, to the object's size. */
 static void fit_landscape(struct mesh *landscape, struct box box)
 {
     float scale = box_diagonal(box) / 3.2f;
@@ -287,7 +287,7 @@ static enum status add_movers(struct scene *scene, uint32_t count)
     return done ? STATUS_OK : log_out_of_memory("moving objects");
 }
 
-/* Makes the texture of the vertices' extras, if there are any. */
+/* Builds the GPU table of the vertex extras, if there are any. */
 static enum status add_extras(struct scene *scene)
 {
     const struct mesh *mesh = &scene->model.surroundings;
@@ -303,8 +303,7 @@ static enum status add_extras(struct scene *scene)
     return scene->extra_rows ? STATUS_OK : log_out_of_memory("texture coordinates");
 }
 
-/* Makes what shaders need of surfaces that are not plain, and finds the clouds below them, which
- * see the same light. */
+/* Finds the scattering media, and builds the GPU tables of materials and lights. */
 static enum status add_surfaces(struct scene *scene, bool has_cloud)
 {
     if (scene->model.object.index_count)
@@ -314,12 +313,12 @@ static enum status add_surfaces(struct scene *scene, bool has_cloud)
     const bool has_lights = is_lit && scene->model.light_count > 0;
     const bool needs_light =
         (is_lit || scene->clouds.count) && scene->background == SCENE_ENVIRONMENT;
-    const bool is_lit_otherwise = has_lights || (is_lit && scene->background != SCENE_SKY);
+    const bool is_lit_by_table = has_lights || (is_lit && scene->background != SCENE_SKY);
     if (needs_light && !scene->surface_light)
         scene->surface_light = surface_light_make(&scene->environment);
     if (needs_light && !scene->surface_light)
-        return log_out_of_memory("light of the environment");
-    if (!is_lit_otherwise && !material_rows_has_rich(&scene->model) && !scene_has_dress(scene))
+        return log_out_of_memory("environment lighting");
+    if (!is_lit_by_table && !material_rows_has_rich(&scene->model) && !scene_has_dress(scene))
         return STATUS_OK;
     scene->material_rows = material_rows_make(&scene->model);
     scene->surface_split = surface_split_make();
@@ -332,7 +331,7 @@ static enum status add_surfaces(struct scene *scene, bool has_cloud)
     return add_extras(scene);
 }
 
-static enum status make_place_for_tree(struct scene *scene, const struct scene *before)
+static enum status allocate_bvh(struct scene *scene, const struct scene *before)
 {
     const bool is_first = scene->is_animated && !(before && before->rest);
     scene->tree = calloc(1, sizeof(*scene->tree));
@@ -340,8 +339,8 @@ static enum status make_place_for_tree(struct scene *scene, const struct scene *
     return scene->tree && (scene->rest || !is_first) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* Takes what the poses have in common from the one before; the first one is the model at rest. */
-static void take_rest(struct scene *scene, struct scene *before)
+/* Moves the rest pose from the previous pose, or makes that pose the rest pose. */
+static void move_rest_pose(struct scene *scene, struct scene *before)
 {
     if (!before->rest || scene->rest)
         return;
@@ -350,8 +349,9 @@ static void take_rest(struct scene *scene, struct scene *before)
     tree_rest_take(scene->rest, &before->model, &before->sorted);
 }
 
-/* Of two scenes that have an environment, and the light of it if both have it, one owns them. */
-static void forget_environment(struct scene *scene, const struct scene *before)
+/* Gives up shared pointers, so that only one of two scenes owns the environment and its lighting.
+ */
+static void release_environment(struct scene *scene, const struct scene *before)
 {
     if (scene == before || scene->surface_light == before->surface_light)
         scene->surface_light = NULL;
@@ -359,8 +359,8 @@ static void forget_environment(struct scene *scene, const struct scene *before)
     scene->cube = (struct environment){ 0 };
 }
 
-/* What is around the object: what the params name, what comes with a built-in scene, or, in the
- * open and around a bare object, the landscape. */
+/* Loads the surroundings: those of the parameters, of the built-in scene, or, under the sky and
+ * without any in the model, the landscape. */
 static enum status load_surroundings(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
@@ -372,7 +372,8 @@ static enum status load_surroundings(struct scene *scene, const struct scene_par
     return is_bare && scene->background == SCENE_SKY ? add_landscape(scene, params) : STATUS_OK;
 }
 
-/* The environment cube is drawn from the middle of the object, and cameras are often near it. */
+/* Sorts the surroundings front to back from the object's centre, where the environment cube is
+ * rendered and near which cameras are. */
 static enum status sort_surroundings(struct scene *scene)
 {
     struct mesh_order *sorted = scene->is_animated ? &scene->sorted : NULL;
@@ -381,8 +382,8 @@ static enum status sort_surroundings(struct scene *scene)
                : log_out_of_memory("surroundings");
 }
 
-/* Melts the ice, after all that is placed by the whole object's box. */
-static void know_shape(struct scene *scene)
+/* Measures the shape of the objects: whether they are convex, and their depth complexity. */
+static void measure_shape(struct scene *scene)
 {
     const struct model *model = &scene->model;
     scene->is_convex = mesh_is_convex(&model->object);
@@ -393,7 +394,7 @@ static void know_shape(struct scene *scene)
     }
 }
 
-static enum status melt(struct scene *scene, const struct scene_params *params)
+static enum status melt_ice(struct scene *scene, const struct scene_params *params)
 {
     struct model *model = &scene->model;
     const enum status status =
@@ -404,19 +405,19 @@ static enum status melt(struct scene *scene, const struct scene_params *params)
         scene->floe = mesh_box(&model->object);
     else
         scene->box = mesh_box(&model->object);
-    know_shape(scene);
+    measure_shape(scene);
     return status;
 }
 
-/* Leaves what the scene shares with the one before to one of them: to this one if it is sound. */
-static void part_from(struct scene *before, struct scene *scene, bool shares_environment,
-                      enum status status)
+/* Leaves what two poses share to the new one if it has loaded, else to the old one. */
+static void transfer_ownership(struct scene *before, struct scene *scene, bool shares_environment,
+                               enum status status)
 {
     struct scene *other = status == STATUS_OK ? before : scene;
     if (status == STATUS_OK)
-        take_rest(scene, before);
+        move_rest_pose(scene, before);
     if (shares_environment)
-        forget_environment(other, before);
+        release_environment(other, before);
     other->files = (struct scene_files){ 0 };
 }
 
@@ -439,7 +440,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     scene->framed = scene->box;
     scene->time = params->pose.time;
     scene->is_animated = scene->model.animation || params->melting.speed > 0.0f;
-    know_shape(scene);
+    measure_shape(scene);
     if (status == STATUS_OK)
         status = load_surroundings(scene, params);
     scene->around = scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);
@@ -448,7 +449,7 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (status == STATUS_OK && params->mover_count)
         status = add_movers(scene, params->mover_count);
     if (status == STATUS_OK)
-        status = melt(scene, params);
+        status = melt_ice(scene, params);
     if (status == STATUS_OK && !scene->has_pool)
         status = add_surfaces(scene, params->has_cloud);
     if (status == STATUS_OK && scene->material_rows && has_object)
@@ -457,9 +458,9 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (status == STATUS_OK && has_object && !scene->has_pool)
         status = scene_fill_object(scene, params);
     if (status == STATUS_OK)
-        status = make_place_for_tree(scene, params->before);
+        status = allocate_bvh(scene, params->before);
     if (params->before)
-        part_from(params->before, scene, params->environment != NULL, status);
+        transfer_ownership(params->before, scene, params->environment != NULL, status);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;

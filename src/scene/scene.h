@@ -1,5 +1,5 @@
 /*
- * scene.h: a scene: an object, its surroundings, a background.
+ * scene.h: scene of refractive objects, their surroundings and a background.
  *
  * Ownership: a scene owns its members; scene_finish() frees them; a {0} scene is fine.
  */
@@ -24,132 +24,127 @@ enum scene_background {
     SCENE_ENVIRONMENT,
 };
 
-/* What is read from files in place of what is made; empty: it is made. */
+/* Data read from files instead of generated; NULL or empty if it is generated. */
 struct scene_files {
-    float *heights, *smoothness; /* of bump_maps_params */
-    float *air_cover;            /* of generate_air */
-    struct mesh crack_sheet;     /* a crack, in the unit ball */
+    float *heights, *smoothness; /* for bump_maps_params */
+    float *air_cover;            /* for generate_air */
+    struct mesh crack_sheet;     /* crack sheet, scaled to the unit ball */
 };
 
 struct scene {
-    struct model model; /* its objects have ranks */
+    struct model model; /* its objects have ranks (medium priorities) */
     enum scene_background background;
-    vec3s background_color; /* SCENE_COLOR; linear radiance */
-    bool is_hidden;         /* pictures have alpha 0 in place of the background, which still lights
-                               surfaces and is seen through and in them */
+    vec3s background_color; /* linear radiance, for SCENE_COLOR */
+    bool is_hidden;         /* write alpha 0 for the background, which still lights surfaces */
     struct environment environment;
-    vec4s *material_rows;    /* material_rows.h; NULL: all surroundings are unlit, or matt and under
-                                the built-in sky */
-    vec4s *light_rows;       /* light.h; NULL: no light is on any surface */
-    vec4s *extra_rows;       /* material_rows.h, of the surroundings; NULL: they have no extras */
-    uint16_t *surface_split; /* surface_light.h; there if material_rows are */
-    uint16_t *surface_light; /* surface_light.h; NULL: nothing is lit by `environment` */
-    struct environment cube; /* replaces the environment cube that env_cube draws; may be {0} */
-    struct bump_maps bump;   /* of the object's surface; {0}: none */
-    struct box box;          /* of the object, or of the pool */
-    struct box framed; /* what a camera that nobody places shows: `box`, of an animated model that
-                        * at time 0 */
-    float time;        /* that an animated scene is posed for, seconds */
-    vec4s *earlier;    /* positions of the vertices in the frame before, in rows of
-                     * FIRST_SURFACE_WIDTH: objects, then surroundings; NULL: as they are */
+    vec4s *material_rows;    /* GPU table (material_rows.h); NULL if no material needs one */
+    vec4s *light_rows;       /* GPU table (light.h); NULL if no surface is lit by punctual lights */
+    vec4s *extra_rows;       /* GPU table of vertex extras (material_rows.h); NULL for none */
+    uint16_t *surface_split; /* BRDF table (surface_light.h); present if material_rows is */
+    uint16_t *surface_light; /* prefiltered environment (surface_light.h); NULL if not needed */
+    struct environment cube; /* replaces the environment cube that env_cube renders; may be {0} */
+    struct bump_maps bump;   /* bump map of the object's surface; {0} for none */
+    struct box box;          /* bounding box of the object, or of the pool */
+    struct box framed;       /* bounds for the default camera: `box` at time 0 */
+    float time;              /* animation time, seconds */
+    vec4s *earlier; /* vertex positions of the previous frame, objects first; NULL if unchanged */
     uint32_t earlier_rows;
-    struct box floe;              /* of the object in the pool; {0}: there is none */
-    struct box around;            /* for refract.lookup=box: the box that a model names, or that of
-                                   * the surroundings without moving objects; {0}: none */
-    struct mesh cracks;           /* in the object's space; may be empty */
-    struct mesh air;              /* planes of air in the object's space; may be empty */
-    struct air_layers air_layers; /* textures of the planes of air */
+    struct box floe;    /* bounding box of the ice that floats in the pool; {0} for none */
+    struct box around;  /* proxy box for refract.lookup=box; {0} for none */
+    struct mesh cracks; /* cracks, in object space; may be empty */
+    struct mesh air;    /* planes of air bubbles, in object space; may be empty */
+    struct air_layers air_layers; /* textures of the air planes */
     struct scene_files files;
-    struct melted melted;     /* what has melted of the ice; {0}: nothing */
-    struct clouds clouds;     /* in the space of the mesh of all objects */
-    struct contact contact;   /* bodies around the objects, in their space */
-    struct bubbles bubbles;   /* in the object's space */
-    struct tree *tree;        /* of the model's triangles; empty until scene_need_tree() */
-    struct tree_rest *rest;   /* of a scene that is animated, at time 0; NULL: it is not */
-    struct mesh_order sorted; /* of the surroundings, if the scene is animated */
-    float settled_ior;        /* the value of refract.ior that comes from the model; 0: none */
-    bool has_pool;            /* the scene is a pool, with the object, if any, in it */
-    bool is_animated;         /* its shapes change in time: the model is animated, or ice melts */
-    bool is_convex;           /* the object is known to be convex: mesh_is_convex() */
-    float fold;               /* of the object of which it is greatest: mesh_fold() */
+    struct melted melted;     /* result of melting; {0} if nothing has melted */
+    struct clouds clouds;     /* scattering media, in the space of the objects' mesh */
+    struct contact contact;   /* occluders of ambient occlusion, in object space */
+    struct bubbles bubbles;   /* bubbles, in object space */
+    struct tree *tree;        /* BVH of all triangles; empty until scene_need_tree() */
+    struct tree_rest *rest;   /* rest pose (time 0) of an animated scene; NULL if it is static */
+    struct mesh_order sorted; /* triangle order of the surroundings; only for animated scenes */
+    float settled_ior;        /* value of refract.ior given by the model; 0 if it has none */
+    bool has_pool;            /* the scene is a pool, which may contain an object */
+    bool is_animated;         /* geometry changes with time: the model is animated, or ice melts */
+    bool is_convex;           /* the object is convex, as mesh_is_convex() has shown */
+    float fold;               /* mesh_fold() of the worst object */
 };
 
 /* Cracks inside the object. */
 struct scene_cracks {
-    uint32_t count; /* 0: none */
+    uint32_t count; /* number of cracks; 0 for none */
     uint32_t seed;
-    float size;       /* relative to the usual one */
-    bool cut;         /* clip them to the object, which must be closed */
-    const char *file; /* model of a crack, read by scene_load(); NULL: they are made */
+    float size;       /* relative to the default size */
+    bool cut;         /* clip cracks to the object, which must be a closed mesh */
+    const char *file; /* model file of a crack, read by scene_load(); NULL for generated cracks */
 };
 
-/* Pictures in place of what is made of the object's surface, and of the air in it; NULL: none. */
+/* Image files that replace generated bump maps and air textures; NULL for none. */
 struct scene_pictures {
     const char *heights, *smoothness, *air;
 };
 
 enum {
-    SCENE_CRACK_TRIANGLES = 65536, /* of a file's crack, at most */
+    SCENE_CRACK_TRIANGLES = 65536, /* maximum triangle count of a crack's model file */
 };
 
 struct scene_params {
-    const char *name;         /* of a built-in scene or an asset, or a model file */
-    const char *surroundings; /* model file; NULL: the landscape, if the sky is there too */
-    const char *environment;  /* asset, or image file of the background or of a cube; NULL: none */
-    float environment_turn;   /* of a picture of the background: environment.turn */
-    float environment_exposure; /* of the file, stops */
-    struct scene *before; /* another pose of the same scene, which gives away its environment, the
-                             light of it, `files`, and `rest`; NULL: they are read */
-    const struct place *place; /* of the model file; NULL: as it is */
-    struct model_pose pose;    /* of the model file; its objects are those of: */
+    const char *name;         /* name of a built-in scene or asset, or path of a model file */
+    const char *surroundings; /* model file; NULL for the landscape, if the sky is the background */
+    const char *environment;  /* asset or file of a background image or environment cube; or NULL */
+    float environment_turn;   /* environment.turn of a background image */
+    float environment_exposure; /* exposure of the image file, stops */
+    /* another pose of the same scene, whose environment and lighting, `files` and `rest` are moved
+     * into this one; NULL to load them */
+    struct scene *before;
+    const struct place *place; /* transform of the model file; NULL for the identity */
+    struct model_pose pose;    /* `objects` are set to the names of node_materials */
     const struct node_material *node_materials;
     uint32_t node_material_count;
-    const vec3s *background;      /* colour; NULL: the sky */
-    bool is_hidden;               /* scene.is_hidden */
-    bool is_one_object;           /* a model file is, if nothing in it is transmissive */
-    uint32_t object_triangles;    /* of a built-in object; 0: its default */
-    uint32_t landscape_triangles; /* 0: default */
+    const vec3s *background; /* background colour; NULL for the sky */
+    bool is_hidden;          /* see scene.is_hidden */
+    bool is_one_object; /* treat a model without transmissive materials as one refractive object */
+    uint32_t object_triangles;    /* triangle count of a built-in object; 0 for its default */
+    uint32_t landscape_triangles; /* triangle count of the landscape; 0 for the default */
     bool flat;                    /* a level floor instead of the landscape */
-    uint32_t mover_count;         /* objects that move around the object */
+    uint32_t mover_count;         /* number of balls that orbit the object */
     struct melting melting;
-    struct generate_air air;             /* count 0: none */
-    bool has_cloud;                      /* the first object has one, as settings say */
-    struct generate_bubbles bubbles;     /* count 0: none */
-    const struct bump_maps_params *bump; /* of the object's surface; NULL: none */
+    struct generate_air air;         /* count 0 for none */
+    bool has_cloud;                  /* the settings give the first object a scattering medium */
+    struct generate_bubbles bubbles; /* count 0 for none */
+    const struct bump_maps_params *bump; /* bump map of the object's surface; NULL for none */
     struct scene_cracks cracks;
     struct scene_pictures pictures;
     const struct reader_params
-        *decode;               /* how a child process reads the files; NULL: this one does */
-    struct generate_pool pool; /* of the scene `pool` */
-    bool later; /* leave the texels of bumps and air to scene_fill(); their sizes are known */
-    /* Called once the object is loaded: may change what depends on its materials, the inclusions
-     * and `bump`. May be NULL. */
+        *decode; /* child process that decodes files; NULL to decode in this process */
+    struct generate_pool pool; /* for the scene `pool` */
+    bool later;                /* leave bump and air texels to scene_fill(); their sizes are set */
+    /* Callback after the object is loaded. It may change inclusions and `bump`, which depend on the
+     * object's materials. May be NULL. */
     void (*settle)(void *user, const struct scene *scene, struct scene_params *params);
     void *user;
 };
 
-/* A built-in scene. */
+/* Entry of the table of built-in scenes. */
 struct scene_builtin {
     const char *name;
-    bool (*generate)(struct mesh *mesh, uint32_t triangles); /* NULL: a pool of water */
-    bool (*surround)(struct mesh *mesh, struct box object);  /* NULL: the landscape */
-    uint32_t triangles;                                      /* default, of the object */
+    bool (*generate)(struct mesh *mesh, uint32_t triangles); /* NULL for a pool of water */
+    bool (*surround)(struct mesh *mesh, struct box object);  /* NULL for the landscape */
+    uint32_t triangles; /* default triangle count of the object */
     const char *help;
 };
 
-extern const struct scene_builtin scene_builtins[]; /* ends at a row of zeros */
+extern const struct scene_builtin scene_builtins[]; /* terminated by a zero entry */
 
 /* Returns the built-in scene of this name, or NULL. */
 const struct scene_builtin *scene_find_builtin(const char *name);
 
-/* Returns whether the name is that of a built-in scene or an asset, so not of a file. */
+/* Returns true if the name is that of a built-in scene or an asset, not a file. */
 bool scene_is_known(const char *name);
 
-/* Returns whether the name is that of an environment that comes with the program, and of no scene:
- * `valley` is both, but `sky` is the environment alone. */
+/* Returns true if the name means an environment, and not also a scene, as `valley` does. */
 bool scene_is_environment(const char *name);
 
-/* Returns the name of one of the built-in scenes, then of the assets, or NULL beyond the last. */
+/* Returns the name of a scene by index, built-in ones before assets, or NULL beyond the last. */
 const char *scene_name(uint32_t index);
 
 /* Loads or generates a scene. Logs and returns STATUS_NO_INPUT, STATUS_DATA, STATUS_USAGE (the ice
@@ -157,34 +152,32 @@ const char *scene_name(uint32_t index);
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
 
 /*
- * Makes what params.later has left out, while other threads may read the rest. Returns NULL, or the
- * name of the part for which memory was short ("air"). Does not log, since another thread may have
- * an error to report: the caller decides which of the two is printed.
+ * Generates the texels that params.later has deferred. Other threads may read the rest of the scene
+ * meanwhile. Returns NULL, or the name of the part that ran out of memory ("air"). Does not log,
+ * since another thread may have an error to report: the caller decides which of the two is printed.
  */
 MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
 
-/* Makes the inclusions and the surface of the object: a part of scene_load(). */
+/* Generates the object's inclusions and bump map; called by scene_load(). */
 MUST_USE enum status scene_fill_object(struct scene *scene, const struct scene_params *params);
 
-/* Replaces the cracks of a scene; scene_load() makes them, too. Logs and returns STATUS_TRY_AGAIN
- * when out of memory. */
+/* Replaces the cracks of a scene. Logs and returns STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cracks);
 
-/* Builds the scene's tree, unless that has been done; the scene must have been loaded. Shapes of
- * large trees that do not change in time may come from files of earlier runs (`is_cached`). Only
- * one thread may call it at the same time. Logs and returns STATUS_DATA or STATUS_TRY_AGAIN. */
+/* Builds the BVH of a loaded scene, unless it exists. With `is_cached`, topologies of large static
+ * BVHs are cached in files. Not thread-safe. Logs and returns STATUS_DATA or STATUS_TRY_AGAIN. */
 MUST_USE enum status scene_need_tree(const struct scene *scene, bool is_cached);
 
 void scene_finish(struct scene *scene);
 
-/* Returns whether light falls on an object's surface itself, which is not wholly transmissive. */
+/* Returns true if an object is not fully transmissive, so that its surface itself is lit. */
 bool scene_has_lit_object(const struct scene *scene);
 
-/* Returns whether objects tint the light that passes them, are not wholly transmissive, or have
- * textures that change how light passes; then there are material rows. */
+/* Returns true if an object tints transmitted light, is not fully transmissive, or has textures
+ * that affect transmission. Then material_rows exist. */
 bool scene_has_dress(const struct scene *scene);
 
-/* Returns the distance of the near plane for pictures of a scene, metres; there is no far plane. */
+/* Returns the distance of the near plane, metres. There is no far plane. */
 float scene_near_plane(const struct scene *scene);
 
 #endif

@@ -1,4 +1,4 @@
-/* scene_dress.c: whether objects of a scene are more than clear and white. */
+/* scene_dress.c: tests whether objects need more than the clear, white default material. */
 #include <cglm/struct.h>
 #include "src/scene/scene.h"
 

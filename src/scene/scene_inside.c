@@ -1,4 +1,4 @@
-/* scene_inside.c: what is in the object of a scene, and on its surface. */
+/* scene_inside.c: inclusions and bump map of a scene's object. */
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/base/log.h"
@@ -6,7 +6,7 @@
 #include "src/scene/scene.h"
 #include "src/scene/solid.h"
 
-/* Moves the crack of a file into the unit ball. */
+/* Scales and moves a crack sheet into the unit ball. */
 static void fit_sheet(struct mesh *sheet)
 {
     const struct box box = mesh_box(sheet);
@@ -39,32 +39,31 @@ static enum status load_cracks(struct scene *scene, const struct scene_params *p
     return status;
 }
 
-/* What has melted does not move what is left in the ice. */
-static struct box grown_box(const struct scene *scene)
+/* Returns the object's box before melting: inclusions stay where they were frozen in. */
+static struct box unmelted_box(const struct scene *scene)
 {
     return scene->melted.share > 0.0f ? scene->melted.box : scene->box;
 }
 
 static enum status add_air(struct scene *scene, const struct generate_air *air)
 {
-    bool done = generate_air_planes(&scene->air, grown_box(scene), air) &&
+    bool done = generate_air_planes(&scene->air, unmelted_box(scene), air) &&
                 generate_air_cut(&scene->air, &scene->model.object);
     return done ? STATUS_OK : log_out_of_memory("air");
 }
 
-/* Ice with a cloudy core has a clear rim: air is pushed ahead of what freezes first. */
-#define CLEAR_RIM 0.12f
+#define CLEAR_RIM 0.12f /* relative width of clear ice: freezing pushes air to the core */
 
 static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
 {
     const bool has_melted = scene->melted.share > 0.0f;
-    const struct mesh *grown = has_melted ? &scene->melted.grown : &scene->model.object;
+    const struct mesh *unmelted = has_melted ? &scene->melted.grown : &scene->model.object;
     const struct model *model = &scene->model;
-    const bool is_cloudy =
+    const bool has_core =
         model->object_count > 0 && model->materials[model->objects[0].material].cloud > 0.0f;
     struct generate_bubbles params = *bubbles;
-    params.rim = is_cloudy ? CLEAR_RIM : 0.0f;
-    bool done = generate_bubbles(&scene->bubbles, grown, &params) &&
+    params.rim = has_core ? CLEAR_RIM : 0.0f;
+    bool done = generate_bubbles(&scene->bubbles, unmelted, &params) &&
                 (!has_melted || melt_bubbles(&scene->bubbles, &scene->model.object));
     return done ? STATUS_OK : log_out_of_memory("bubbles");
 }
@@ -76,7 +75,7 @@ enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cr
     mesh_finish(&scene->cracks);
     const struct generate_cracks params = { cracks->count, cracks->seed, cracks->size };
     bool done =
-        generate_cracks(&scene->cracks, grown_box(scene), &params, &scene->files.crack_sheet);
+        generate_cracks(&scene->cracks, unmelted_box(scene), &params, &scene->files.crack_sheet);
     if (done && cracks->count && scene->melted.share > 0.0f)
         done = melt_cracks(&scene->cracks, object, scene->melted.share);
     if (done && cracks->count && cracks->cut) {
@@ -97,18 +96,18 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
     maps.smoothness = scene->files.smoothness;
     air.cover = scene->files.air_cover;
     if (params->bump && !bump_maps_init(&scene->bump, &maps))
-        return "maps of the surface";
+        return "bump maps";
     if (air.count && !generate_air_layers(&scene->air_layers, &air))
         return "air";
-    struct model grown = scene->model; /* the core of ice is where it was */
+    struct model unmelted = scene->model; /* the core stays where it was before melting */
     if (scene->melted.share > 0.0f)
-        grown.object = scene->melted.grown;
-    if (!clouds_fill(&scene->clouds, &grown))
-        return "clouds";
+        unmelted.object = scene->melted.grown;
+    if (!clouds_fill(&scene->clouds, &unmelted))
+        return "scattering media";
     return NULL;
 }
 
-/* What a plan asks of textures that scene_fill() makes. */
+/* Sets the sizes of deferred textures, which render plans need. */
 static void size_textures(struct scene *scene, const struct scene_params *params)
 {
     if (params->bump)
@@ -147,8 +146,8 @@ enum status scene_fill_object(struct scene *scene, const struct scene_params *pa
     if (params->before)
         scene->files = params->before->files;
     size_textures(scene, params);
-    const char *lacking = params->later ? NULL : scene_fill(scene, params);
-    status = lacking ? log_out_of_memory(lacking) : STATUS_OK;
+    const char *failed_part = params->later ? NULL : scene_fill(scene, params);
+    status = failed_part ? log_out_of_memory(failed_part) : STATUS_OK;
     if (status == STATUS_OK && params->air.count)
         status = add_air(scene, &params->air);
     if (status == STATUS_OK && params->bubbles.count)

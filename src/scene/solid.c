@@ -1,4 +1,4 @@
-/* solid.c: tests points against a closed mesh, by columns of triangles. */
+/* solid.c: point-in-mesh tests with a uniform grid of triangle columns. */
 #include "src/scene/solid.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -8,7 +8,7 @@ enum {
     SIDE_MAX = 256,
 };
 
-/* A range of columns along one axis. */
+/* Range of columns along one axis. */
 struct span {
     uint32_t from, to;
 };
@@ -39,8 +39,8 @@ static struct box triangle_box(const struct mesh *mesh, uint32_t index)
     return box;
 }
 
-/* Counts each triangle in the columns of its box or, if s->triangles is set, enters it there,
- * filling each column from its end. */
+/* Counts the triangles that overlap each column. On a second call, with s->triangles allocated,
+ * stores them, filling each column from its end. */
 static void enter_triangles(struct solid *s)
 {
     for (uint32_t i = 0; i + 2 < s->mesh->index_count; i += 3) {
@@ -90,23 +90,22 @@ void solid_finish(struct solid *solid)
 }
 
 /*
- * Returns on which side of the line from a to b, seen from above, p is: twice the signed area of
- * the triangle. Both triangles at an edge get the same value with opposite signs, 0 included,
- * because it is computed from the same end.
+ * Returns twice the signed area of the triangle a, b, p in the xz plane. The two triangles at an
+ * edge get exactly opposite values, and never 0, because the value is computed from the same end.
+ * So a line through an edge hits exactly one of them.
  */
 static double side_of(vec3s a, vec3s b, vec3s p)
 {
-    bool swap = a.x > b.x || (a.x >= b.x && a.z > b.z);
-    vec3s from = swap ? b : a;
-    vec3s to = swap ? a : b;
+    bool is_swapped = a.x > b.x || (a.x >= b.x && a.z > b.z);
+    vec3s from = is_swapped ? b : a;
+    vec3s to = is_swapped ? a : b;
     double area = ((double)to.x - (double)from.x) * ((double)p.z - (double)from.z) -
                   ((double)to.z - (double)from.z) * ((double)p.x - (double)from.x);
     area = area == 0.0 ? 0x1p-500 : area;
-    return swap ? -area : area;
+    return is_swapped ? -area : area;
 }
 
-/* Returns whether the vertical line through a point meets a triangle: 0, or above the point 1, else
- * -1. */
+/* Returns 1 if a triangle is above a point, -1 if below, 0 if the vertical line misses it. */
 static int side_of_point(const struct mesh *mesh, uint32_t index, vec3s p)
 {
     vec3s v[3];
@@ -126,7 +125,7 @@ static int side_of_point(const struct mesh *mesh, uint32_t index, vec3s p)
     return y > (double)p.y ? 1 : -1;
 }
 
-/* Counts the triangles below, 0, and above a point, 1. */
+/* Counts the triangles below (counts[0]) and above (counts[1]) a point. */
 static void count_sides(const struct solid *s, vec3s point, uint32_t counts[static 2])
 {
     counts[0] = counts[1] = 0;
@@ -156,7 +155,7 @@ bool solid_surrounds(const struct solid *s, vec3s point)
     return counts[0] && counts[1];
 }
 
-static bool boxes_meet(struct box a, struct box b)
+static bool boxes_overlap(struct box a, struct box b)
 {
     bool apart = false;
     for (int axis = 0; axis < 3; axis++)
@@ -166,7 +165,7 @@ static bool boxes_meet(struct box a, struct box b)
 
 bool solid_is_near(const struct solid *s, struct box box)
 {
-    if (!boxes_meet(s->box, box))
+    if (!boxes_overlap(s->box, box))
         return false;
     struct span x = span_of(s, box, 0);
     struct span z = span_of(s, box, 2);
@@ -174,7 +173,7 @@ bool solid_is_near(const struct solid *s, struct box box)
         uint32_t from = s->first[row * s->side + x.from];
         uint32_t to = s->first[row * s->side + x.to + 1];
         for (uint32_t i = from; i < to; i++) {
-            if (boxes_meet(triangle_box(s->mesh, s->triangles[i]), box))
+            if (boxes_overlap(triangle_box(s->mesh, s->triangles[i]), box))
                 return true;
         }
     }

@@ -1,16 +1,16 @@
-/* solid_cut.c: clips a sheet to the inside of a solid. */
+/* solid_cut.c: clips a sheet of triangles to the inside of a closed mesh. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include "src/scene/solid.h"
 
-/* The clipped triangles so far. */
+/* Growing list of clipped triangles. */
 struct cut {
     const struct solid *solid;
-    float step; /* metres */
+    float step; /* maximum side length near the surface, metres */
     struct mesh_vertex *vertices;
     uint32_t count, room;
-    bool failed; /* memory is short */
+    bool failed; /* out of memory */
 };
 
 static struct mesh_vertex between(const struct mesh_vertex *a, const struct mesh_vertex *b, float t)
@@ -25,7 +25,7 @@ static struct mesh_vertex between(const struct mesh_vertex *a, const struct mesh
     };
 }
 
-static void keep(struct cut *cut, const struct mesh_vertex *a, const struct mesh_vertex *b,
+static void emit(struct cut *cut, const struct mesh_vertex *a, const struct mesh_vertex *b,
                  const struct mesh_vertex *c)
 {
     if (cut->room - cut->count < 3 && !cut->failed) {
@@ -43,26 +43,26 @@ static void keep(struct cut *cut, const struct mesh_vertex *a, const struct mesh
     cut->vertices[cut->count++] = *c;
 }
 
-/* Returns the point at which the side from a point inside to one outside leaves the solid. */
+/* Returns the vertex where an edge leaves the closed mesh, by bisection. */
 static struct mesh_vertex find_exit(const struct solid *solid, const struct mesh_vertex *inside,
                                     const struct mesh_vertex *outside)
 {
     float in = 0.0F;
     float out = 1.0F;
     for (int i = 0; i < 20; i++) {
-        float middle = (in + out) / 2.0F;
-        vec3s p = glms_vec3_lerp(inside->position, outside->position, middle);
+        float midpoint = (in + out) / 2.0F;
+        vec3s p = glms_vec3_lerp(inside->position, outside->position, midpoint);
         if (solid_contains(solid, p))
-            in = middle;
+            in = midpoint;
         else
-            out = middle;
+            out = midpoint;
     }
     return between(inside, outside, in);
 }
 
-static void cut_straight(struct cut *cut, const struct mesh_vertex corner[3])
+static void clip_to_surface(struct cut *cut, const struct mesh_vertex corner[3])
 {
-    struct mesh_vertex kept[4]; /* a polygon */
+    struct mesh_vertex kept[4]; /* clipped polygon */
     int count = 0;
     for (int k = 0; k < 3; k++) {
         const struct mesh_vertex *a = &corner[k];
@@ -75,9 +75,9 @@ static void cut_straight(struct cut *cut, const struct mesh_vertex corner[3])
             kept[count++] = a_inside ? find_exit(cut->solid, a, b) : find_exit(cut->solid, b, a);
     }
     if (count >= 3)
-        keep(cut, &kept[0], &kept[1], &kept[2]);
+        emit(cut, &kept[0], &kept[1], &kept[2]);
     if (count == 4)
-        keep(cut, &kept[0], &kept[2], &kept[3]);
+        emit(cut, &kept[0], &kept[2], &kept[3]);
 }
 
 static struct box box_of(const struct mesh_vertex corner[3])
@@ -90,8 +90,9 @@ static struct box box_of(const struct mesh_vertex corner[3])
     return box;
 }
 
-/* Halves a triangle at its longest side, recursively. Two triangles at a side halve it alike. */
-static void cut_triangle(struct cut *cut, const struct mesh_vertex corner[3])
+/* Bisects a triangle at its longest side, recursively. Triangles that share the side bisect it
+ * equally, so no cracks appear. */
+static void bisect(struct cut *cut, const struct mesh_vertex corner[3])
 {
     int longest = 0;
     float length = 0.0F;
@@ -102,21 +103,21 @@ static void cut_triangle(struct cut *cut, const struct mesh_vertex corner[3])
     }
     if (!solid_is_near(cut->solid, box_of(corner))) {
         if (solid_contains(cut->solid, corner[0].position))
-            keep(cut, &corner[0], &corner[1], &corner[2]);
+            emit(cut, &corner[0], &corner[1], &corner[2]);
         return;
     }
     const struct mesh_vertex *a = &corner[longest];
     const struct mesh_vertex *b = &corner[(longest + 1) % 3];
     const struct mesh_vertex *c = &corner[(longest + 2) % 3];
-    const struct mesh_vertex middle = between(a, b, 0.5F);
-    float half = fmaxf(glms_vec3_distance(middle.position, a->position),
-                       glms_vec3_distance(middle.position, b->position));
-    if (length <= cut->step || !(half < 0.75F * length)) { /* or at the precision of floats */
-        cut_straight(cut, corner);
+    const struct mesh_vertex midpoint = between(a, b, 0.5F);
+    float half = fmaxf(glms_vec3_distance(midpoint.position, a->position),
+                       glms_vec3_distance(midpoint.position, b->position));
+    if (length <= cut->step || !(half < 0.75F * length)) { /* or at float precision */
+        clip_to_surface(cut, corner);
         return;
     }
-    cut_triangle(cut, (const struct mesh_vertex[]){ *a, middle, *c });
-    cut_triangle(cut, (const struct mesh_vertex[]){ middle, *b, *c });
+    bisect(cut, (const struct mesh_vertex[]){ *a, midpoint, *c });
+    bisect(cut, (const struct mesh_vertex[]){ midpoint, *b, *c });
 }
 
 bool solid_cut(const struct solid *solid, struct mesh *sheet, float step)
@@ -127,7 +128,7 @@ bool solid_cut(const struct solid *solid, struct mesh *sheet, float step)
         struct mesh_vertex corner[3];
         for (uint32_t k = 0; k < 3; k++)
             corner[k] = sheet->vertices[sheet->indices[i + k]];
-        cut_triangle(&cut, corner);
+        bisect(&cut, corner);
     }
     bool done = !cut.failed && mesh_init(&mesh, cut.count, cut.count);
     for (uint32_t i = 0; i < cut.count && done; i++) {

@@ -1,9 +1,10 @@
 /*
- * surface_light.c: integrates an environment over directions.
+ * surface_light.c: prefilters an environment for image-based lighting (split-sum approximation).
  *
- * Rough reflections are sampled where microfacets are likely, in means of so many texels as there
- * are to a sample (Krivanek and Colbert 2008, "Real-time shading with filtered importance
- * sampling"); matt ones are summed over a small picture.
+ * Glossy lobes are importance-sampled with GGX; each sample reads a mip level that matches its
+ * density, so that few samples suffice without fireflies (Krivanek and Colbert 2008, "Real-time
+ * shading with filtered importance sampling"). The diffuse lobe is summed over all texels of a
+ * small mip level.
  */
 #include "src/scene/surface_light.h"
 #include <cglm/struct.h>
@@ -15,23 +16,23 @@
 
 enum {
     LEVEL_MAX = 10,
-    WIDTH_MAX = 1024,  /* of the first level */
-    MATT_WIDTH = 32,   /* of the picture that is summed */
-    SAMPLE_COUNT = 64, /* of rough reflections */
+    WIDTH_MAX = 1024,   /* width of the finest level */
+    DIFFUSE_WIDTH = 32, /* width of the level that the diffuse lobe is summed over */
+    SAMPLE_COUNT = 64,  /* samples of a glossy lobe */
     SPLIT_SAMPLE_COUNT = 256,
-    OVERLAP = 4, /* solid angle of a level's texel, per that of a sample */
+    OVERLAP = 4, /* solid angle of a texel of the chosen level, relative to that of a sample */
 };
 
 static const float pi = 3.14159265358979f;
 
-/* The environment, ever smaller. */
+/* Mip chain of the environment. */
 struct levels {
     vec3s *texels[LEVEL_MAX];
     int width[LEVEL_MAX]; /* twice the height */
     int count;
 };
 
-/* Returns the mean of the environment's texels in one of the first level. */
+/* Returns the mean of the environment's texels that one texel of the first level covers. */
 static vec3s mean_of(const struct environment *e, uint32_t x, uint32_t y, uint32_t width)
 {
     const uint32_t height = width / 2;
@@ -52,7 +53,7 @@ static vec3s mean_of(const struct environment *e, uint32_t x, uint32_t y, uint32
     return glms_vec3_divs(sum, (float)((right - left) * (bottom - top)));
 }
 
-/* Returns the mean of four texels of a level that is twice as wide. */
+/* Returns the mean of four texels of the next finer level. */
 static vec3s mean_of_four(const vec3s *finer, size_t x, size_t y, size_t width)
 {
     const vec3s *above = &finer[4 * y * width + 2 * x];
@@ -63,7 +64,7 @@ static vec3s mean_of_four(const vec3s *finer, size_t x, size_t y, size_t width)
 
 static bool make_levels(struct levels *levels, const struct environment *e)
 {
-    int width = MATT_WIDTH;
+    int width = DIFFUSE_WIDTH;
     while (width < WIDTH_MAX && (uint32_t)width < e->width)
         width *= 2;
     *levels = (struct levels){ .count = 0 };
@@ -91,7 +92,7 @@ static vec3s texel_direction(float u, float v)
     return (vec3s){ { sinf(down) * sinf(around), cosf(down), -sinf(down) * cosf(around) } };
 }
 
-/* Returns a level's bilinear texel. */
+/* Returns a bilinearly interpolated sample of a level. */
 static vec3s sample_level(const struct levels *levels, int level, vec3s dir)
 {
     const vec2s uv = background_uv(dir, 0.0f);
@@ -110,7 +111,7 @@ static vec3s sample_level(const struct levels *levels, int level, vec3s dir)
     return glms_vec3_lerp(upper, lower, down);
 }
 
-/* Returns the smallest level whose texels are not larger than a solid angle, or the last one. */
+/* Returns the finest level whose texels are larger than a solid angle, or the last one. */
 static int level_of(const struct levels *levels, float solid_angle)
 {
     int level = 0;
@@ -123,8 +124,8 @@ static int level_of(const struct levels *levels, float solid_angle)
     return level;
 }
 
-/* A way light takes to microfacets that are seen along z. */
-struct way {
+/* GGX sample of the light direction, in a frame where the normal and the view direction are +Z. */
+struct light_sample {
     vec3s from;
     float weight;
     int level;
@@ -138,7 +139,7 @@ static float radical_inverse(uint32_t i)
     return (float)bits * 0x1p-32f;
 }
 
-static void make_ways(struct way *ways, const struct levels *levels, float roughness)
+static void make_samples(struct light_sample *samples, const struct levels *levels, float roughness)
 {
     const float square = powf(roughness, 4.0f);
     for (uint32_t i = 0; i < SAMPLE_COUNT; i++) {
@@ -149,13 +150,14 @@ static void make_ways(struct way *ways, const struct levels *levels, float rough
         const vec3s h = { { side * cosf(around), side * sinf(around), z } };
         const float d = z * z * (square - 1.0f) + 1.0f;
         const float density = square / (pi * d * d) / 4.0f;
-        ways[i].from = (vec3s){ { 2.0f * z * h.x, 2.0f * z * h.y, 2.0f * z * z - 1.0f } };
-        ways[i].weight = fmaxf(0.0f, ways[i].from.z);
-        ways[i].level = level_of(levels, OVERLAP / (SAMPLE_COUNT * density));
+        samples[i].from = (vec3s){ { 2.0f * z * h.x, 2.0f * z * h.y, 2.0f * z * z - 1.0f } };
+        samples[i].weight = fmaxf(0.0f, samples[i].from.z);
+        samples[i].level = level_of(levels, OVERLAP / (SAMPLE_COUNT * density));
     }
 }
 
-static vec3s glossy(const struct levels *levels, const struct way *ways, vec3s n)
+static vec3s glossy_radiance(const struct levels *levels, const struct light_sample *samples,
+                             vec3s n)
 {
     const vec3s other = { { fabsf(n.y) < 0.9f ? 0.0f : 1.0f, fabsf(n.y) < 0.9f ? 1.0f : 0.0f,
                             0.0f } };
@@ -164,21 +166,22 @@ static vec3s glossy(const struct levels *levels, const struct way *ways, vec3s n
     vec3s sum = glms_vec3_zero();
     float weights = 0.0f;
     for (uint32_t i = 0; i < SAMPLE_COUNT; i++) {
-        const vec3s from = ways[i].from;
-        if (!(ways[i].weight > 0.0f))
+        const vec3s from = samples[i].from;
+        if (!(samples[i].weight > 0.0f))
             continue;
         const vec3s dir =
             glms_vec3_muladds(x, from.x, glms_vec3_muladds(y, from.y, glms_vec3_scale(n, from.z)));
-        sum = glms_vec3_muladds(sample_level(levels, ways[i].level, dir), ways[i].weight, sum);
-        weights += ways[i].weight;
+        sum =
+            glms_vec3_muladds(sample_level(levels, samples[i].level, dir), samples[i].weight, sum);
+        weights += samples[i].weight;
     }
     return glms_vec3_divs(sum, weights);
 }
 
-static vec3s matt(const struct levels *levels, vec3s n)
+static vec3s diffuse_irradiance(const struct levels *levels, vec3s n)
 {
     int level = 0;
-    while (levels->width[level] > MATT_WIDTH)
+    while (levels->width[level] > DIFFUSE_WIDTH)
         level++;
     const int width = levels->width[level], height = width / 2;
     vec3s sum = glms_vec3_zero();
@@ -197,14 +200,15 @@ static vec3s matt(const struct levels *levels, vec3s n)
 
 static void fill_layer(uint16_t *texels, const struct levels *levels, int layer)
 {
-    struct way ways[SAMPLE_COUNT];
+    struct light_sample samples[SAMPLE_COUNT];
     if (layer != LIT_MATT_LAYER)
-        make_ways(ways, levels, ((float)layer + 1.0f) / LIT_ROUGH_LAYERS);
+        make_samples(samples, levels, ((float)layer + 1.0f) / LIT_ROUGH_LAYERS);
     for (int y = 0; y < LIT_HEIGHT; y++) {
         for (int x = 0; x < LIT_WIDTH; x++) {
             const vec3s n =
                 texel_direction(((float)x + 0.5f) / LIT_WIDTH, ((float)y + 0.5f) / LIT_HEIGHT);
-            const vec3s light = layer == LIT_MATT_LAYER ? matt(levels, n) : glossy(levels, ways, n);
+            const vec3s light = layer == LIT_MATT_LAYER ? diffuse_irradiance(levels, n)
+                                                        : glossy_radiance(levels, samples, n);
             uint16_t *texel = &texels[((size_t)y * LIT_WIDTH + (size_t)x) * 4];
             for (int k = 0; k < 3; k++)
                 texel[k] = half_from_float(fminf(light.raw[k], 65504.0f));
@@ -229,19 +233,17 @@ uint16_t *surface_light_make(const struct environment *environment)
     return texels;
 }
 
-/* ---- what surfaces reflect ---- */
-
-/* Smith's shadowing (Walter and others 2007), of a cosine and a squared width. */
-static float shadowing(float cosine, float square)
+/* Smith's masking function of GGX (Walter et al. 2007); `square` is the squared width. */
+static float smith_masking(float cosine, float square)
 {
     return 2.0f * cosine / (cosine + sqrtf(square + (1.0f - square) * cosine * cosine));
 }
 
-/* Integrates Schlick's two terms over microfacets, which are sampled where they are likely. */
-static vec2s split_of(float roughness, float cosine)
+/* Integrates both terms of Schlick's Fresnel approximation by GGX importance sampling. */
+static vec2s integrate_brdf(float roughness, float cosine)
 {
     const float square = powf(roughness, 4.0f);
-    const vec3s to_eye = { { sqrtf(1.0f - cosine * cosine), 0.0f, cosine } };
+    const vec3s to_camera = { { sqrtf(1.0f - cosine * cosine), 0.0f, cosine } };
     vec2s sum = glms_vec2_zero();
     for (uint32_t i = 0; i < SPLIT_SAMPLE_COUNT; i++) {
         const float u = ((float)i + 0.5f) / SPLIT_SAMPLE_COUNT;
@@ -249,15 +251,15 @@ static vec2s split_of(float roughness, float cosine)
         const float z = sqrtf((1.0f - u) / (1.0f + (square - 1.0f) * u));
         const float side = sqrtf(fmaxf(0.0f, 1.0f - z * z));
         const vec3s h = { { side * cosf(around), side * sinf(around), z } };
-        const float eye_dot_h = glms_vec3_dot(to_eye, h);
-        const float light = 2.0f * eye_dot_h * z - cosine;
-        if (light <= 0.0f || eye_dot_h <= 0.0f)
+        const float view_dot_h = glms_vec3_dot(to_camera, h);
+        const float light = 2.0f * view_dot_h * z - cosine;
+        if (light <= 0.0f || view_dot_h <= 0.0f)
             continue;
-        const float weight = shadowing(light, square) * shadowing(cosine, square) * eye_dot_h /
-                             (z * cosine * SPLIT_SAMPLE_COUNT);
-        const float grazing = powf(1.0f - eye_dot_h, 5.0f);
-        sum.x += (1.0f - grazing) * weight;
-        sum.y += grazing * weight;
+        const float weight = smith_masking(light, square) * smith_masking(cosine, square) *
+                             view_dot_h / (z * cosine * SPLIT_SAMPLE_COUNT);
+        const float schlick = powf(1.0f - view_dot_h, 5.0f);
+        sum.x += (1.0f - schlick) * weight;
+        sum.y += schlick * weight;
     }
     return sum;
 }
@@ -270,24 +272,22 @@ uint16_t *surface_split_make(void)
         const size_t row = i / side, column = i % side;
         const float root = (float)column / (float)(side - 1);
         const float roughness = (float)row / (float)(side - 1);
-        const vec2s split = split_of(fmaxf(roughness, 0.02f), fmaxf(root * root, 1e-3f));
+        const vec2s split = integrate_brdf(fmaxf(roughness, 0.02f), fmaxf(root * root, 1e-3f));
         texels[2 * i] = half_from_float(split.x);
         texels[2 * i + 1] = half_from_float(split.y);
     }
     return texels;
 }
 
-/* ---- where most light comes from ---- */
+/* Brightness above which a texel belongs to the dominant light, as a fraction of the maximum; and
+ * the minimum ratio of maximum to mean. */
+#define DOMINANT_FRACTION 0.35f
+#define DOMINANT_RATIO    4.0f
+#define DOMINANT_COSINE   0.75f /* minimum cosine to the brightest texel's direction */
+#define DOMINANT_MARGIN   0.02f /* subtracted from the cosine of the cone's half-angle */
 
-/* What is brighter than this share of the brightest texel belongs to it; it must be so much
- * brighter than the mean. */
-#define GUIDE_SHARE  0.35f
-#define GUIDE_BRIGHT 4.0f
-#define GUIDE_NEAR   0.75f /* cosine of the widest angle between both */
-#define GUIDE_MARGIN 0.02f /* of the cone's cosine */
-
-/* Returns the brightness of a texel of the sharpest layer, and its direction. */
-static float guide_texel(const uint16_t *table, size_t i, vec3s *dir)
+/* Returns the brightness and the direction of a texel of the least rough layer. */
+static float light_texel(const uint16_t *table, size_t i, vec3s *dir)
 {
     const size_t x = i % LIT_WIDTH, y = i / LIT_WIDTH;
     *dir = texel_direction(((float)x + 0.5f) / LIT_WIDTH, ((float)y + 0.5f) / LIT_HEIGHT);
@@ -299,23 +299,24 @@ vec4s surface_light_guide(const struct environment *environment, const uint16_t 
 {
     const vec4s none = { { 0.0f, 0.0f, 0.0f, 1.0f } };
     const size_t count = (size_t)LIT_WIDTH * LIT_HEIGHT;
-    float most = 0.0f, mean = 0.0f, cosine = 1.0f;
+    float maximum = 0.0f, mean = 0.0f, cosine = 1.0f;
     vec3s dir, brightest = { { 0.0f, 1.0f, 0.0f } }, axis = glms_vec3_zero();
     if (!table)
         return none;
     for (size_t i = 0; i < count; i++) {
-        const float light = guide_texel(table, i, &dir);
+        const float light = light_texel(table, i, &dir);
         mean += light * sqrtf(1.0f - dir.y * dir.y) * 0.5f * pi / (float)count;
-        if (light > most)
+        if (light > maximum)
             brightest = dir;
-        most = fmaxf(most, light);
+        maximum = fmaxf(maximum, light);
     }
-    if (!(most > GUIDE_BRIGHT * mean))
+    if (!(maximum > DOMINANT_RATIO * mean))
         return none;
     for (int pass = 0; pass < 2; pass++) {
         for (size_t i = 0; i < count; i++) {
-            const float light = guide_texel(table, i, &dir);
-            if (light < GUIDE_SHARE * most || glms_vec3_dot(dir, brightest) < GUIDE_NEAR)
+            const float light = light_texel(table, i, &dir);
+            if (light < DOMINANT_FRACTION * maximum ||
+                glms_vec3_dot(dir, brightest) < DOMINANT_COSINE)
                 continue;
             if (pass == 0)
                 axis = glms_vec3_muladds(dir, light * sqrtf(1.0f - dir.y * dir.y), axis);
@@ -325,5 +326,5 @@ vec4s surface_light_guide(const struct environment *environment, const uint16_t 
         axis = glms_vec3_normalize(axis);
     }
     axis = glms_vec3_rotate(axis, environment->turn * 2.0f * pi, (vec3s){ { 0.0f, 1.0f, 0.0f } });
-    return glms_vec4(axis, fmaxf(cosine - GUIDE_MARGIN, 0.0f));
+    return glms_vec4(axis, fmaxf(cosine - DOMINANT_MARGIN, 0.0f));
 }

@@ -1,26 +1,25 @@
 /*
- * surface_light.h: the light of an equirectangular environment on surfaces (shaders/lit.h).
+ * surface_light.h: image-based lighting tables of an equirectangular environment (shaders/lit.h).
  *
- * A table for directions and roughness: the environment averaged over what microfacets reflect that
- * are seen along their normal (Karis 2013), and over the hemisphere by Lambert's cosine. It is of
- * the picture as it is stored: environment.turn is left to those who look it up.
+ * Prefiltered radiance per direction and roughness (Karis 2013, split-sum approximation, view along
+ * the normal), and diffuse irradiance. The tables ignore environment.turn; lookups apply it.
  */
 #ifndef FIRN_SCENE_SURFACE_LIGHT_H
 #define FIRN_SCENE_SURFACE_LIGHT_H
 
 #include "src/scene/environment.h"
 
-/* Returns the table of what surfaces reflect of an even environment: LIT_SPLIT_SIDE times as many
- * pairs of halves, malloc'd. NULL when out of memory. */
+/* Returns the split-sum BRDF table: LIT_SPLIT_SIDE x LIT_SPLIT_SIDE pairs of half floats. The
+ * caller frees it. NULL when out of memory. */
 uint16_t *surface_split_make(void);
 
-/* Returns LIT_LAYERS pictures of LIT_WIDTH times LIT_HEIGHT texels of half RGBA, malloc'd. NULL
- * when out of memory. */
+/* Returns the prefiltered environment: LIT_LAYERS images of LIT_WIDTH x LIT_HEIGHT texels, half
+ * RGBA. The caller frees it. NULL when out of memory. */
 uint16_t *surface_light_make(const struct environment *environment);
 
-/* Returns a cone from which most of the light of a table comes: its axis, unit, and the cosine of
- * its angle; (0, 0, 0, 1) if there is none that is much brighter than the rest. It is turned with
- * the environment. `table`: of surface_light_make(); may be NULL. */
+/* Returns the cone that most light comes from: xyz is the unit axis, rotated by environment.turn,
+ * and w the cosine of the half-angle. (0, 0, 0, 1) if nothing is much brighter than the mean.
+ * `table` is the result of surface_light_make(), or NULL. */
 vec4s surface_light_guide(const struct environment *environment, const uint16_t *table);
 
 #endif

@@ -1,4 +1,4 @@
-/* tree.c: lays out trees of a scene's triangles, and meets them with rays. */
+/* tree.c: builds a scene's BVHs, encodes them for the GPU, and keeps the rest pose. */
 #include "src/scene/tree.h"
 #include <float.h>
 #include <math.h>
@@ -13,7 +13,8 @@
 #include "src/scene/tree_nodes.h"
 #include "src/scene/tree_shape.h"
 
-/* By how much a deformed tree's cost may grow; that of a part is all that rays meet of it. */
+/* Growth of SAH cost at which a deformed BVH is rebuilt. The limit of a whole part is lower,
+ * because all rays traverse it. */
 static const double object_growth_max = 1.5, part_growth_max = 1.1;
 
 static uint32_t bits(float x)
@@ -23,9 +24,7 @@ static uint32_t bits(float x)
     return word;
 }
 
-/* ---- words ---- */
-
-/* Makes room for words that have already been counted. */
+/* Allocates an array of `words->count` words, and resets the count. */
 static bool reserve(struct tree_words *words)
 {
     words->all = calloc(words->count + (size_t)1, sizeof(*words->all));
@@ -33,17 +32,17 @@ static bool reserve(struct tree_words *words)
     return words->all;
 }
 
-static void put(uint32_t to[static 4], const float *xyz, uint32_t last)
+static void write_word(uint32_t to[static 4], const float *xyz, uint32_t last)
 {
     for (int k = 0; k < 3; k++)
         to[k] = bits(xyz[k]);
     to[3] = last;
 }
 
-/* ---- triangles ---- */
-
-/* The map of a triangle; one without an area has rows of zeros, and is never met. */
-static void put_triangle(struct tree_words *words, const struct tree_part *part, uint32_t triangle)
+/* Writes a triangle's affine map to barycentric coordinates (shaders/tree.h). A triangle without an
+ * area gets zeros, so that no ray hits it. */
+static void write_triangle(struct tree_words *words, const struct tree_part *part,
+                           uint32_t triangle)
 {
     const float *p = tree_corner(part, triangle, 0)->position.raw;
     double sides[2][3], n[3], square = 0.0;
@@ -67,26 +66,27 @@ static void put_triangle(struct tree_words *words, const struct tree_part *part,
             at -= x[k] * (double)p[k];
         }
         const float xyz[3] = { (float)x[0], (float)x[1], (float)x[2] };
-        put(words->all[words->count++], xyz, bits((float)at));
+        write_word(words->all[words->count++], xyz, bits((float)at));
     }
 }
 
-static void put_bubble(struct tree_words *words, const struct bubble *bubble)
+static void write_bubble(struct tree_words *words, const struct bubble *bubble)
 {
     static const float zero[3] = { 0 };
-    put(words->all[words->count++], bubble->center.raw, bits(bubble->stretch));
-    put(words->all[words->count++], bubble->axis.raw, bits(bubble->is_capsule ? 1.0f : 0.0f));
-    put(words->all[words->count++], zero, bits(bubble->radius));
+    write_word(words->all[words->count++], bubble->center.raw, bits(bubble->stretch));
+    write_word(words->all[words->count++], bubble->axis.raw,
+               bits(bubble->is_capsule ? 1.0f : 0.0f));
+    write_word(words->all[words->count++], zero, bits(bubble->radius));
 }
 
-/* Returns what a corner of a crack has behind its normal. */
-static uint32_t open_bits(const struct tree_part *part, uint32_t triangle, uint32_t corner)
+/* Returns the gap width of a crack at a corner, as a half float in the upper 16 bits. */
+static uint32_t gap_bits(const struct tree_part *part, uint32_t triangle, uint32_t corner)
 {
     const float open = CRACKS_OPEN_OF(tree_corner(part, triangle, corner)->color);
     return (uint32_t)half_from_float(open) << 16;
 }
 
-/* Returns the rank of an object, and TREE_NUMBER times its number. */
+/* Returns an object's rank (medium priority) plus TREE_NUMBER times its object number. */
 static uint32_t rank_bits(const struct tree_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -99,7 +99,7 @@ static uint32_t rank_bits(const struct tree_part *part, uint32_t triangle)
     return object->rank + TREE_NUMBER * (uint32_t)(object - model->objects + 1);
 }
 
-/* Returns the material of an object's triangle, or NULL: settings decide. */
+/* Returns the material of an object's triangle, or NULL if the settings define it. */
 static const struct material *material_of(const struct tree_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -111,7 +111,7 @@ static const struct material *material_of(const struct tree_part *part, uint32_t
     return material->flags & MATERIAL_IS_BARE ? NULL : material;
 }
 
-/* Options may have given an object another material than its vertices have. */
+/* Returns a triangle's material bits. Options may replace the vertices' material. */
 static uint32_t material_bits(const struct tree_part *part, uint32_t triangle)
 {
     const uint32_t bits = tree_corner(part, triangle, 0)->material;
@@ -122,8 +122,8 @@ static uint32_t material_bits(const struct tree_part *part, uint32_t triangle)
     return (bits & ((1u << MESH_SURFACE_SHIFT) - 1)) | (index + 1) << MESH_SURFACE_SHIFT;
 }
 
-/* Whether a hit may ask for the colours and coordinates of the triangle's corners: opaque ones show
- * them, and objects do that have textures, or are not wholly transmissive. */
+/* Returns true if hits need vertex colours and texture coordinates: opaque surfaces, and objects
+ * that are textured or not fully transmissive. */
 static bool has_surface(const struct tree_part *part, uint32_t triangle)
 {
     if (part->is_inclusion)
@@ -133,41 +133,40 @@ static bool has_surface(const struct tree_part *part, uint32_t triangle)
            (material && (material->transmission < 1.0f || material_is_dressed(material)));
 }
 
-static void put_extras(struct tree_words *words, const struct tree_part *part, uint32_t triangle)
+static void write_extras(struct tree_words *words, const struct tree_part *part, uint32_t triangle)
 {
     float uv[8] = { 0.0f };
     for (uint32_t k = 0; k < 3; k++) {
         const uint32_t vertex = part->mesh->indices[(size_t)triangle * 3 + k];
         const struct mesh_extra *extra = &part->mesh->extras[vertex];
-        put(words->all[words->count++], extra->tangent.raw, bits(extra->side));
+        write_word(words->all[words->count++], extra->tangent.raw, bits(extra->side));
         memcpy(&uv[2 * (size_t)k], extra->uv.raw, 2 * sizeof(*uv));
     }
-    put(words->all[words->count++], &uv[0], bits(uv[3]));
-    put(words->all[words->count++], &uv[4], 0);
+    write_word(words->all[words->count++], &uv[0], bits(uv[3]));
+    write_word(words->all[words->count++], &uv[4], 0);
 }
 
-/* Returns the number of an object of the surroundings. */
-static uint32_t number_of(const struct tree_part *part, uint32_t triangle)
+/* Returns the object number of a triangle of the surroundings. */
+static uint32_t object_number(const struct tree_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
     return model->object_count + 1 +
            model_opaque_find(model, part->mesh->indices[(size_t)triangle * 3]);
 }
 
-static void put_surface(struct tree_words *words, const struct tree_part *part, uint32_t triangle)
+static void write_surface(struct tree_words *words, const struct tree_part *part, uint32_t triangle)
 {
-    const uint32_t number = part->is_object ? 0 : number_of(part, triangle);
+    const uint32_t number = part->is_object ? 0 : object_number(part, triangle);
     float uv[6];
     for (uint32_t k = 0; k < 3; k++)
         memcpy(&uv[2 * (size_t)k], tree_corner(part, triangle, k)->uv.raw, 2 * sizeof(*uv));
     for (uint32_t k = 0; k < 3; k++)
-        put(words->all[words->count++], tree_corner(part, triangle, k)->color.raw, bits(uv[k]));
-    put(words->all[words->count++], &uv[3], number * 2 + (part->mesh->extras ? 1 : 0));
+        write_word(words->all[words->count++], tree_corner(part, triangle, k)->color.raw,
+                   bits(uv[k]));
+    write_word(words->all[words->count++], &uv[3], number * 2 + (part->mesh->extras ? 1 : 0));
     if (part->mesh->extras)
-        put_extras(words, part, triangle);
+        write_extras(words, part, triangle);
 }
-
-/* ---- a scene ---- */
 
 static void count_words(struct tree *tree, const struct tree_part *part,
                         const struct tree_shape *shape)
@@ -183,9 +182,9 @@ static void count_words(struct tree *tree, const struct tree_part *part,
         tree->corners.count += surfaces * TREE_EXTRA_WORDS;
 }
 
-/* Writes a part's words; those of surfaces are behind the corners of all parts. */
-static void lay_part(struct tree *tree, uint32_t index, const struct tree_part *part,
-                     const struct tree_shape *shape)
+/* Writes a part's triangles and nodes. Colours and uv follow the corners of all parts. */
+static void write_part(struct tree *tree, uint32_t index, const struct tree_part *part,
+                       const struct tree_shape *shape)
 {
     const uint32_t first = tree->triangles.count / TREE_TRIANGLE_WORDS;
     size_t word = (size_t)first * TREE_CORNER_WORDS;
@@ -193,21 +192,21 @@ static void lay_part(struct tree *tree, uint32_t index, const struct tree_part *
     for (uint32_t i = 0; i < part->count; i++) {
         const uint32_t triangle = part->triangles[shape->draft.order[i]];
         if (tree_bubble(part, triangle)) {
-            put_bubble(&tree->triangles, tree_bubble(part, triangle));
+            write_bubble(&tree->triangles, tree_bubble(part, triangle));
             word += TREE_CORNER_WORDS;
             continue;
         }
-        const bool is_shown = has_surface(part, triangle);
+        const bool is_shaded = has_surface(part, triangle);
         const uint32_t horizon = shape->horizons ? shape->horizons[i] : TREE_HORIZON_UNKNOWN;
         const uint32_t last[3] = { rank_bits(part, triangle), material_bits(part, triangle),
-                                   (is_shown ? tree->corners.count : 0) |
+                                   (is_shaded ? tree->corners.count : 0) |
                                        horizon << TREE_HORIZON_SHIFT };
-        put_triangle(&tree->triangles, part, triangle);
+        write_triangle(&tree->triangles, part, triangle);
         for (uint32_t k = 0; k < 3; k++)
-            put(tree->corners.all[word++], tree_corner(part, triangle, k)->normal.raw,
-                part->is_inclusion ? open_bits(part, triangle, k) : last[k]);
-        if (is_shown)
-            put_surface(&tree->corners, part, triangle);
+            write_word(tree->corners.all[word++], tree_corner(part, triangle, k)->normal.raw,
+                       part->is_inclusion ? gap_bits(part, triangle, k) : last[k]);
+        if (is_shaded)
+            write_surface(&tree->corners, part, triangle);
     }
     if (part->count)
         tree->roots[index] =
@@ -219,9 +218,8 @@ static uint32_t media_words(const struct tree *tree)
     return tree->shells > TREE_SHELLS_FEW ? tree->shells + 1 : 0;
 }
 
-/* Writes the media of ranks: objects of one material have the same. Returns false when out of
- * memory. */
-static bool lay_media(struct tree *tree, const struct model *model)
+/* Writes the medium index of each rank, one per material. Returns false when out of memory. */
+static bool write_media(struct tree *tree, const struct model *model)
 {
     uint32_t count = 0;
     uint32_t *media = calloc(model->material_count + (size_t)1, sizeof(*media));
@@ -238,9 +236,9 @@ static bool lay_media(struct tree *tree, const struct model *model)
     return media;
 }
 
-/* Makes the trees of all parts. Those of poses come from the model at rest; of inclusions, of which
- * each pose has its own, they are always new. */
-static bool shape_parts(struct tree_shape *shapes, const struct tree_part *parts,
+/* Builds the BVHs of all parts. Those of poses are refitted from the rest pose; inclusions are
+ * always rebuilt, since each pose has its own. */
+static bool build_parts(struct tree_shape *shapes, const struct tree_part *parts,
                         const struct tree_params *params, struct tree_work *work)
 {
     struct tree_rest *rest = params->rest;
@@ -266,7 +264,8 @@ static bool shape_parts(struct tree_shape *shapes, const struct tree_part *parts
     return done;
 }
 
-static bool make(struct tree *tree, const struct tree_part *parts, const struct tree_shape *shapes)
+static bool write_all(struct tree *tree, const struct tree_part *parts,
+                      const struct tree_shape *shapes)
 {
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
         count_words(tree, &parts[i], &shapes[i]);
@@ -276,20 +275,20 @@ static bool make(struct tree *tree, const struct tree_part *parts, const struct 
         return false;
     tree->corners.count = tree->triangle_count * TREE_CORNER_WORDS;
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
-        lay_part(tree, i, &parts[i], &shapes[i]);
+        write_part(tree, i, &parts[i], &shapes[i]);
     if (tree_has_grid(tree, objects))
         tree_grid_lay(tree, objects, &parts[TREE_OBJECTS]);
     for (uint32_t i = 0; i < TREE_PART_COUNT; i++)
         tree->costs[i] = parts[i].count ? tree_cost(&shapes[i].draft, shapes[i].root) : 0.0;
-    return !media_words(tree) || lay_media(tree, parts[TREE_OBJECTS].model);
+    return !media_words(tree) || write_media(tree, parts[TREE_OBJECTS].model);
 }
 
-/* Keeps the shapes of a model at rest for its poses. */
-static bool keep_shapes(struct tree_rest *rest, struct tree_shape *shapes)
+/* Moves the topologies of the rest pose to `rest`, for its later poses. */
+static bool keep_topologies(struct tree_rest *rest, struct tree_shape *shapes)
 {
     bool done = true;
     for (uint32_t i = 0; i < TREE_PART_COUNT && i != TREE_INCLUSIONS && done; i++) {
-        tree_shape_finish(&rest->shapes[i]); /* of another tree_init() */
+        tree_shape_finish(&rest->shapes[i]); /* topology of an earlier tree_init() */
         rest->shapes[i] = shapes[i];
         shapes[i] = (struct tree_shape){ 0 };
         done = tree_shape_pack(&rest->shapes[i]);
@@ -297,14 +296,14 @@ static bool keep_shapes(struct tree_rest *rest, struct tree_shape *shapes)
     return done;
 }
 
-/* Logs what there is too much of. */
+/* Returns true, and logs an error, if the scene exceeds the limits of ray tracing. */
 static bool is_too_large(const struct model *model)
 {
     const uint64_t count =
         ((uint64_t)model->object.index_count + model->surroundings.index_count) / 3;
     if (count > TREE_TRIANGLES_MAX)
         log_error("--refraction trace: the scene has %llu triangles, at most %u can be traced: "
-                  "choose a simpler model or another rung",
+                  "choose a simpler model or another refraction model",
                   (unsigned long long)count, TREE_TRIANGLES_MAX);
     else if (model->object_count > TREE_SHELLS_MAX)
         log_error("--refraction trace: the scene has %u refractive objects, at most %d can be "
@@ -313,7 +312,7 @@ static bool is_too_large(const struct model *model)
     return count > TREE_TRIANGLES_MAX || model->object_count > TREE_SHELLS_MAX;
 }
 
-/* Builds and lays out the trees. Returns false when out of memory. */
+/* Builds and encodes all BVHs. Returns false when out of memory. */
 static bool build(struct tree *tree, const struct tree_params *params)
 {
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
@@ -325,13 +324,13 @@ static bool build(struct tree *tree, const struct tree_params *params)
     struct tree_part parts[TREE_PART_COUNT] = { 0 };
     struct tree_shape shapes[TREE_PART_COUNT] = { 0 };
     bool done =
-        tree_parts_init(parts, params, by_objects) && shape_parts(shapes, parts, params, &work);
+        tree_parts_init(parts, params, by_objects) && build_parts(shapes, parts, params, &work);
     if (done && !by_objects)
         shapes[TREE_OBJECTS].horizons =
             tree_horizons(&shapes[TREE_OBJECTS], &parts[TREE_OBJECTS], work.threads);
-    done = done && make(tree, parts, shapes);
+    done = done && write_all(tree, parts, shapes);
     if (done && params->rest && !params->rest->is_known)
-        done = keep_shapes(params->rest, shapes);
+        done = keep_topologies(params->rest, shapes);
     tree->is_closed = done && tree_part_is_closed(&parts[TREE_OBJECTS]);
     tree->is_apart = done && tree_parts_are_apart(parts, false);
     tree->is_apart_turning = done && tree_parts_are_apart(parts, true);
@@ -361,7 +360,7 @@ enum status tree_init(struct tree *tree, const struct tree_params *params)
     if (tree->medium_count > TREE_MEDIA_MAX) {
         log_error(
             "--refraction trace: the scene's refractive objects have %u materials, at most %d "
-            "can be traced: use fewer, or another rung",
+            "can be traced: use fewer, or another refraction model",
             tree->medium_count, TREE_MEDIA_MAX);
         tree_finish(tree);
         return STATUS_DATA;
@@ -429,7 +428,7 @@ uint32_t tree_node_count(const struct tree *tree)
 {
     uint32_t count = tree->nodes.count / TREE_NODE_WORDS;
     for (uint32_t i = 0; i < TREE_PART_COUNT && count; i++)
-        count -= tree->roots[i] != TREE_NOTHING; /* its grid */
+        count -= tree->roots[i] != TREE_NOTHING; /* its grid takes a node */
     return count;
 }
 

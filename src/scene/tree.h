@@ -1,13 +1,12 @@
 /*
- * tree.h: a scene's triangles in trees of boxes, in the layout that shaders read.
+ * tree.h: bounding volume hierarchies (BVHs) of a scene, in the layout of shaders.
  *
- * Binary trees by the surface area heuristic (Wald 2007, On fast Construction of SAH-based
- * Bounding Volume Hierarchies), one for each part of the scene that moves as a whole; of a model
- * that has poses, it has the trees of all objects below one of their boxes. Everything lies in
- * words of four 32-bit numbers (shaders/tree.h). The same scene gives the same words for any
- * number of threads.
+ * Binary BVHs, built with the binned surface area heuristic (Wald 2007, On fast Construction of
+ * SAH-based Bounding Volume Hierarchies): one for each part of the scene that moves rigidly. An
+ * animated model has one for each object, below a top-level BVH. All data is in 16-byte words
+ * (shaders/tree.h), and does not depend on the number of threads.
  *
- * Ownership:     a tree owns its words; tree_finish() frees them; a {0} tree is fine, and empty.
+ * Ownership:     a BVH owns its arrays; tree_finish() frees them; a {0} BVH is fine, and empty.
  * Thread-safety: several threads may call tree_meet() at the same time.
  */
 #ifndef FIRN_SCENE_TREE_H
@@ -27,103 +26,97 @@ struct tree_words {
 struct tree {
     struct tree_words nodes, triangles, corners;
     uint32_t triangle_count;
-    uint32_t roots[TREE_PART_COUNT]; /* nodes; TREE_NOTHING: the part has no triangles */
-    uint32_t shells;                 /* objects */
-    uint32_t medium_count;           /* materials of more than TREE_SHELLS_FEW objects, or 0 */
-    uint32_t media;                  /* among the corners: the word of rank 0, or 0 */
-    uint32_t grid;                   /* among the corners: the first of TREE_GRID_WORDS, or 0 */
-    vec3s grid_low, grid_scale;      /* corner of the grid; cells a metre */
-    double costs[TREE_PART_COUNT];   /* of a ray that meets a part's box, in tests of a triangle,
-                                        by the surface area heuristic; 0: no triangles */
-    uint32_t depth;                  /* most nodes on a way from a root; at most TREE_DEPTH_MAX */
-    bool is_closed; /* each side of a triangle of the objects is that of another one, reversed */
-    bool is_apart;  /* no box around a triangle of the surroundings meets that around the objects */
-    bool is_apart_turning; /* nor that around all turns of it about its vertical axis; nothing moves
-                              around the objects */
-    bool is_stored;        /* a device's buffers of texels are too small for it; set by its user */
-    double ms;             /* time that tree_init() took */
-    uint32_t built, shared,
-        fitted;    /* trees of objects: built by tree_init(); those of alike objects
-                                       that it built; kept from the model at rest */
-    uint32_t read; /* from files of an earlier run, of objects and all others */
+    uint32_t roots[TREE_PART_COUNT]; /* root nodes; TREE_NOTHING for a part without triangles */
+    uint32_t shells;                 /* number of refractive objects, at least 1 */
+    uint32_t medium_count;      /* distinct media of more than TREE_SHELLS_FEW objects; else 0 */
+    uint32_t media;             /* index in `corners` of the medium of rank 0; 0 if there is none */
+    uint32_t grid;              /* index in `corners` of the horizon grid; 0 if there is none */
+    vec3s grid_low, grid_scale; /* minimum corner of the horizon grid; cells per metre */
+    double costs[TREE_PART_COUNT]; /* SAH costs, in ray-triangle tests; 0 without triangles */
+    uint32_t depth;                /* deepest node, counted from a root; at most TREE_DEPTH_MAX */
+    bool is_closed;                /* the objects' mesh is closed: each edge has an opposite edge */
+    bool is_apart;         /* no triangle's box in the surroundings overlaps the objects' box */
+    bool is_apart_turning; /* is_apart at any rotation about +Y; false if anything else moves */
+    bool is_stored;        /* too large for texel buffers of the device; set by the caller */
+    double ms;             /* duration of tree_init(), milliseconds */
+    uint32_t built, shared, fitted; /* how many object BVHs were built, copied, or refitted */
+    uint32_t read; /* number of BVHs loaded from cache files, of objects and of all other parts */
 };
 
 struct tree_shape;
 
 /*
- * What the poses of a model have in common: the model at rest, and the shapes of its trees. In a
- * pose a tree keeps its shape, and its boxes are fitted to the triangles; so the words of a pose do
- * not depend on the poses before. What is not moved, turned or scaled evenly, but deformed, gets a
- * new tree once its own costs rays half as much again as at rest, or, if it is a part's, a tenth.
+ * Rest pose that all poses of an animated model share: the model, and its BVH topologies. A pose
+ * keeps the topology and refits the boxes, so that its data does not depend on earlier poses. The
+ * BVH of a deforming object is rebuilt once its SAH cost exceeds 1.5 times that of the rest pose;
+ * that of a whole part, 1.1 times. Rigid motion and uniform scaling never cause a rebuild.
  */
 struct tree_rest {
-    bool by_objects;           /* each object has a tree, and those that are alike share a shape;
-                                  else parts have one, and horizons */
-    struct model model;        /* its meshes, objects and opaque_starts alone */
-    struct mesh_order sorted;  /* of its surroundings */
-    bool is_known;             /* false: the first tree_init() has the model at rest itself */
-    struct tree_shape *shapes; /* of the parts; found by the first tree_init() */
+    bool by_objects;           /* one BVH per object; if false, one BVH per part, with horizons */
+    struct model model;        /* only its meshes, objects and opaque_starts */
+    struct mesh_order sorted;  /* triangle order of its surroundings */
+    bool is_known;             /* false until the first tree_init(), whose model is the rest pose */
+    struct tree_shape *shapes; /* topology of each part; set by the first tree_init() */
 };
 
-struct tree_rest *tree_rest_create(bool by_objects); /* NULL: out of memory */
+struct tree_rest *tree_rest_create(bool by_objects); /* returns NULL when out of memory */
 void tree_rest_destroy(struct tree_rest *rest);
 
-/* Takes the model at rest, unless it is known: its meshes, objects and opaque_starts, which *model
- * then lacks, and *sorted. */
+/* Moves meshes, objects, opaque_starts and *sorted into `rest`, unless it has a rest pose. */
 void tree_rest_take(struct tree_rest *rest, struct model *model, struct mesh_order *sorted);
 
-/* All is borrowed, and what is not the model may be NULL or 0. */
+/* Input of tree_init(), borrowed. Everything but `model` may be NULL or 0. */
 struct tree_params {
-    const struct model *model;     /* its objects have ranks */
-    struct mesh_order sorted;      /* of its surroundings */
-    const struct mesh *cracks;     /* in the ice */
-    const struct bubbles *bubbles; /* in the ice */
-    struct tree_rest *rest;        /* of a model that has poses; NULL: it has none */
-    uint32_t threads;              /* at most; 0: one for each core */
-    bool is_cached; /* large trees, of poses those at rest, are kept in files between runs */
+    const struct model *model;     /* model whose objects have ranks (medium priorities) */
+    struct mesh_order sorted;      /* triangle order of its surroundings */
+    const struct mesh *cracks;     /* crack sheets inside the ice */
+    const struct bubbles *bubbles; /* bubbles inside the ice */
+    struct tree_rest *rest;        /* rest pose of an animated model; NULL if it is not animated */
+    uint32_t threads;              /* maximum number of threads; 0 for one per core */
+    bool is_cached; /* cache large BVHs (for poses, those of the rest pose) in files */
 };
 
 /*
- * Builds the trees of a model. Logs and returns STATUS_TRY_AGAIN when out of memory, or
- * STATUS_DATA for more than TREE_TRIANGLES_MAX triangles, TREE_SHELLS_MAX objects, or
- * TREE_MEDIA_MAX materials of them; *tree is then {0}.
+ * Builds the BVHs of a model. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA
+ * for more than TREE_TRIANGLES_MAX triangles, TREE_SHELLS_MAX objects, or TREE_MEDIA_MAX object
+ * materials; *tree is then {0}.
  */
 MUST_USE enum status tree_init(struct tree *tree, const struct tree_params *params);
 
 void tree_finish(struct tree *tree);
 
-/* Returns the number of nodes of all parts; 0: the tree has not been built. */
+/* Returns the number of nodes of all parts; 0 before the BVH is built. */
 uint32_t tree_node_count(const struct tree *tree);
 
-/* Returns the number of words of the nodes, triangles or corners, of which there are most. */
+/* Returns the size of the largest array (nodes, triangles or corners) in 16-byte words. */
 uint32_t tree_words_most(const struct tree *tree);
 
-/* Returns the bytes of all words. */
+/* Returns the size of all arrays in bytes. */
 size_t tree_size(const struct tree *tree);
 
 struct tree_ray {
     vec3s origin, dir;
-    double near;   /* in lengths of `dir`; what is not farther is not met */
-    uint32_t from; /* a triangle that is not met; TREE_NOTHING: none */
+    double near;   /* minimum hit distance, exclusive, in lengths of `dir` */
+    uint32_t from; /* triangle to ignore, where the ray starts; TREE_NOTHING for none */
 };
 
 struct tree_hit {
-    double t, u, v; /* in lengths of the ray's direction; weights of the second and third corner */
-    uint32_t triangle; /* of the tree */
-    uint32_t rank;     /* of the object; 0: of the surroundings */
-    bool is_back;      /* seen from inside */
+    double t, u, v;    /* distance in lengths of `dir`; weights of the second and third corner */
+    uint32_t triangle; /* index in the BVH's triangle array */
+    uint32_t rank;     /* rank of the hit object; 0 for the surroundings */
+    bool is_back;      /* the back face was hit, from inside */
 };
 
-/* Finds the first triangle of a part that a ray meets; the part is at rest. Returns false if there
- * is none. */
+/* Finds the nearest hit of a ray with a scene part, in its space. Returns false if it misses. */
 bool tree_meet(const struct tree *tree, uint32_t part, const struct tree_ray *ray,
                struct tree_hit *hit);
 
-/* Returns the index of the medium of the object of a rank; 0: that of the outside. */
+/* Returns the medium index of the object with this rank; 0 for the outside. */
 uint32_t tree_medium(const struct tree *tree, uint32_t rank);
 
-/* A set of objects: with up to TREE_SHELLS_FEW in the tree a bit of the first word for each rank
- * from 1 on; else the TREE_NESTED_MAX greatest ranks, 16 bits each, the greatest one first. */
+/* Set of objects that enclose a point: the interior list of nested dielectrics (Schmidt and Budge
+ * 2002). With up to TREE_SHELLS_FEW objects it is a bit mask in the first word, bit `rank` - 1;
+ * else it holds the TREE_NESTED_MAX highest ranks, 16 bits each, in descending order. */
 struct tree_shells {
     uint32_t words[TREE_NESTED_MAX / 2];
 };
@@ -132,7 +125,7 @@ void tree_shells_put(struct tree_shells *shells, const struct tree *tree, uint32
 void tree_shells_remove(struct tree_shells *shells, const struct tree *tree, uint32_t rank);
 bool tree_shells_has(const struct tree_shells *shells, const struct tree *tree, uint32_t rank);
 
-/* Returns the objects that a point is inside. */
+/* Returns the set of objects that enclose a point. */
 struct tree_shells tree_immerse(const struct tree *tree, vec3s point);
 
 #endif

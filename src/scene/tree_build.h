@@ -1,4 +1,4 @@
-/* tree_build.h: how trees of triangles find their boxes, before their layout. */
+/* tree_build.h: BVH construction, refitting and SAH cost, before the nodes are encoded. */
 #ifndef FIRN_SCENE_TREE_BUILD_H
 #define FIRN_SCENE_TREE_BUILD_H
 
@@ -6,11 +6,11 @@
 #include "shaders/tree.h"
 
 enum {
-    TREE_LEAF_MAX = 4,   /* triangles of a leaf */
-    TREE_BIN_COUNT = 16, /* between which triangles are parted, along each axis */
+    TREE_LEAF_MAX = 4,   /* triangles per leaf */
+    TREE_BIN_COUNT = 16, /* split candidates are the bin boundaries along each axis */
 };
 
-/* Cost of a node, in tests of a triangle. */
+/* SAH cost of visiting a node, in ray-triangle tests */
 #define TREE_NODE_COST 1.2f
 
 struct tree_box {
@@ -19,48 +19,46 @@ struct tree_box {
 
 struct tree_node {
     struct tree_box box;
-    uint32_t first, count; /* triangles in `order` */
-    uint32_t children[2];  /* places; 0: a leaf */
+    uint32_t first, count; /* range of triangles in `order` */
+    uint32_t children[2];  /* node indices; 0 for a leaf */
 };
 
 struct tree_draft {
-    struct tree_box *boxes; /* of the triangles */
-    uint32_t *order;        /* triangles, in the order of the leaves */
+    struct tree_box *boxes; /* bounding box of each triangle */
+    uint32_t *order;        /* triangle indices in leaf order */
     struct tree_node
-        *nodes;        /* those of n triangles take at most 2 n - 1 places from their root on */
-    uint32_t leaf_max; /* triangles of a leaf */
+        *nodes; /* nodes; the subtree of n triangles takes at most 2 n - 1 slots from its root on */
+    uint32_t leaf_max; /* triangles per leaf */
 };
 
-/* Triangles in `order` that have a tree of their own, and the place of its root. */
+/* A range of triangles in `order` with a BVH of its own. */
 struct tree_range {
-    uint32_t first, count; /* not 0 */
+    uint32_t first, count; /* count is above 0 */
     uint32_t root;
 };
 
-/* The tree of a part (tree_shape.h). */
+/* BVH of a scene part (tree_shape.h). */
 struct tree_shape {
-    struct tree_draft draft; /* of a finished shape, without boxes */
+    struct tree_draft draft; /* without boxes once it is finished */
     struct tree_range *groups;
-    uint32_t count, group_count; /* triangles; groups */
-    uint32_t node_count;         /* places of nodes */
-    uint32_t root;               /* of the whole part */
-    uint32_t depth;              /* nodes that a way within a group may have */
-    uint8_t *horizons;           /* of its triangles: tree_horizon.h; NULL: they are unknown */
+    uint32_t count, group_count; /* numbers of triangles and groups */
+    uint32_t node_count;         /* size of the node array */
+    uint32_t root;               /* node index of the part's root */
+    uint32_t depth;              /* maximum depth within a group */
+    uint8_t *horizons;           /* per-triangle horizons (tree_horizon.h); NULL if unknown */
 };
 
-/* Returns how many nodes a way has to a leaf if each node halves its triangles. */
+/* Returns the depth of a balanced BVH of `count` triangles. */
 uint32_t tree_levels(uint32_t count, uint32_t leaf_max);
 
-/* Fills the nodes and the order of a range, which may be any; ways have at most `left` nodes, which
- * are more than tree_levels(). */
+/* Builds the BVH of a range. The depth is at most `left`, which must be above tree_levels(). */
 void tree_build(struct tree_draft *draft, const struct tree_range *range, uint32_t left,
                 uint32_t threads);
 
-/* Fits the boxes of the nodes at a place and below to those of the triangles. */
+/* Refits the boxes of the subtree at node `at` to its triangles (bottom-up). */
 void tree_refit(struct tree_draft *draft, uint32_t at);
 
-/* Returns the cost of a ray through the nodes at a place and below, in tests of triangles, if it
- * meets the first box (surface area heuristic). */
+/* Returns the SAH cost of the subtree at `at`, in ray-triangle tests of a ray that hits its box. */
 double tree_cost(const struct tree_draft *draft, uint32_t at);
 
 #endif

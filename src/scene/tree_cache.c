@@ -1,19 +1,16 @@
-/* tree_cache.c: writes the shapes of trees as words, and reads what may be any words. */
+/* tree_cache.c: encodes BVH topologies as 32-bit words, and decodes untrusted ones. */
 #include "src/scene/tree_cache.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/cache.h"
 
-/* Raised when other words are written, or trees are built in another way than by other numbers. */
-#define FORMAT 1
+#define FORMAT 1 /* version: raise it if the encoding or the build algorithm changes */
 
 enum {
-    KEY_WORDS = sizeof(uint64_t) / sizeof(uint32_t), /* of a file, before the others */
+    KEY_WORDS = sizeof(uint64_t) / sizeof(uint32_t), /* 32-bit words of the key, before the data */
     NAME_SIZE = 32,
 };
-
-/* ---- the key ---- */
 
 static void add(uint64_t *key, uint32_t word)
 {
@@ -51,15 +48,14 @@ static void write_name(char name[static NAME_SIZE], uint64_t key)
     snprintf(name, NAME_SIZE, "tree-%016llx", (unsigned long long)key);
 }
 
-/* ---- words ---- */
-
-/* Most words that the trees of a shape take: a tree of n triangles has at most 2 n - 1 nodes. */
+/* Returns the maximum size of an encoding: a BVH of n triangles has at most 2 n - 1 nodes. */
 static size_t words_max(const struct tree_shape *shape)
 {
     return 3 * (size_t)shape->count;
 }
 
-/* Writes a word for a node and each below: the triangles of its first child, or 0 for a leaf. */
+/* Writes a subtree in depth-first order, a word per node: the first child's triangle count, 0 for a
+ * leaf. */
 static void encode_node(uint32_t *words, size_t *next, const struct tree_node *nodes, uint32_t at)
 {
     const uint32_t *children = nodes[at].children;
@@ -68,7 +64,7 @@ static void encode_node(uint32_t *words, size_t *next, const struct tree_node *n
         encode_node(words, next, nodes, children[i]);
 }
 
-/* Returns how many words have been written. */
+/* Encodes a topology. Returns the number of words written. */
 static size_t encode(uint32_t *words, const struct tree_shape *shape)
 {
     size_t next = shape->count;
@@ -78,21 +74,21 @@ static size_t encode(uint32_t *words, const struct tree_shape *shape)
     return next;
 }
 
-/* Words that are read one by one. */
-struct reading {
+/* Decoder state. */
+struct decoder {
     struct tree_node *nodes;
     const uint32_t *words;
     size_t next, count;
 };
 
-/* Reads a node and those below, for triangles that the node above has given it: so they are one
- * tree whose leaves have each triangle once. Ways have at most `left` nodes. */
-static bool decode_node(struct reading *reading, const struct tree_range *range, uint32_t left)
+/* Decodes a subtree over exactly the range that its parent assigned, so that any input yields a
+ * valid BVH in which each triangle is in one leaf. `left` limits the depth. */
+static bool decode_node(struct decoder *decoder, const struct tree_range *range, uint32_t left)
 {
-    if (!left || reading->next == reading->count)
+    if (!left || decoder->next == decoder->count)
         return false;
-    const uint32_t cut = reading->words[reading->next++];
-    struct tree_node *node = &reading->nodes[range->root];
+    const uint32_t cut = decoder->words[decoder->next++];
+    struct tree_node *node = &decoder->nodes[range->root];
     *node = (struct tree_node){ .first = range->first, .count = range->count };
     if (!cut)
         return range->count <= TREE_LEAF_MAX;
@@ -102,10 +98,10 @@ static bool decode_node(struct reading *reading, const struct tree_range *range,
     const struct tree_range b = { range->first + cut, range->count - cut, range->root + 2 * cut };
     node->children[0] = a.root;
     node->children[1] = b.root;
-    return decode_node(reading, &a, left - 1) && decode_node(reading, &b, left - 1);
+    return decode_node(decoder, &a, left - 1) && decode_node(decoder, &b, left - 1);
 }
 
-/* Whether an order has each triangle once, among those of its group. */
+/* Returns true if `order` is a permutation of the triangles within each group. */
 static bool is_order(const struct tree_shape *shape, const uint32_t *order)
 {
     bool *seen = calloc(shape->count + (size_t)1, sizeof(*seen));
@@ -127,20 +123,18 @@ bool tree_cache_decode(struct tree_shape *shape, const uint32_t *words, size_t c
 {
     if (count < shape->count || !is_order(shape, words))
         return false;
-    struct reading reading = { shape->draft.nodes, words, shape->count, count };
+    struct decoder decoder = { shape->draft.nodes, words, shape->count, count };
     for (uint32_t i = 0; i < shape->group_count; i++) {
-        if (!decode_node(&reading, &shape->groups[i], shape->depth))
+        if (!decode_node(&decoder, &shape->groups[i], shape->depth))
             return false;
     }
-    if (reading.next != count)
+    if (decoder.next != count)
         return false;
     memcpy(shape->draft.order, words, shape->count * sizeof(*words));
     for (uint32_t i = 0; i < shape->group_count; i++)
         tree_refit(&shape->draft, shape->groups[i].root);
     return true;
 }
-
-/* ---- files ---- */
 
 static bool is_sound(const void *key, const void *data, size_t size)
 {

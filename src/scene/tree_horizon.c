@@ -1,4 +1,15 @@
-/* tree_horizon.c: bounds how high a part's triangles rise above the planes of others. */
+/*
+ * tree_horizon.c: computes an upper bound of each triangle's horizon by BVH traversal.
+ *
+ * Problem: most rays that leave a convex or nearly convex object hit nothing, but still cost a
+ * traversal. The horizon of a triangle is the largest elevation of any other triangle above its
+ * plane, seen from any of its points. A ray that leaves more steeply cannot hit the object.
+ *
+ * Method: of two children the one that rises higher is visited first, and subtrees below the
+ * horizon found so far are skipped. The previous triangle's highest occluder is tested first, since
+ * neighbours usually share it. Visits are capped; triangles beyond the cap, or with steep horizons,
+ * are marked unknown, and their rays are traced.
+ */
 #include "src/scene/tree_horizon.h"
 #include <float.h>
 #include <math.h>
@@ -9,20 +20,20 @@
 enum {
     THREADS_MAX = 16,
     THREAD_MIN = 1 << 12, /* triangles that are worth a thread */
-    BLOCK = 64,           /* triangles of which each begins with what the one before found */
-    VISITS_MAX = 1024,    /* nodes that are looked at for a triangle */
+    BLOCK = 64,           /* triangles per block, whose first has no candidate occluder */
+    VISITS_MAX = 1024,    /* node visits per triangle */
 };
 
-/* Steeper horizons are of no use, and flatter ones take long: tangents. */
+/* Tangents: horizons above `steepest` cull too few rays; flatter ones cost too much. */
 static const float steepest = 2.6f, flattest = 0.143f;
 
-/* A triangle from which others are seen. */
-struct outlook {
+/* Triangle whose horizon is computed. */
+struct receiver {
     float corners[3][3], middle[3];
-    float radius;       /* around the middle */
-    float plane[4];     /* unit normal; distance of the origin before it */
-    float across[3][3]; /* in the plane, away from each side */
-    uint32_t at;        /* in the order of the leaves */
+    float radius;          /* bounding radius around the middle */
+    float plane[4];        /* unit normal; negated distance of the plane from the origin */
+    float edge_dirs[3][3]; /* in-plane outward normal of each edge */
+    uint32_t at;           /* index in leaf order */
 };
 
 static float dot(const float a[static 3], const float b[static 3])
@@ -38,7 +49,7 @@ static void cross(float to[static 3], const float a[static 3], const float b[sta
     }
 }
 
-/* Returns false for a vector without a direction. */
+/* Returns false for a zero vector. */
 static bool normalize(float v[static 3])
 {
     const float length = sqrtf(dot(v, v));
@@ -47,11 +58,11 @@ static bool normalize(float v[static 3])
     return length > 0.0f;
 }
 
-/* What all threads have in common. */
+/* State that all threads share. */
 struct search {
     const struct tree_shape *shape;
     const struct tree_part *part;
-    float room; /* heights that are rounding */
+    float epsilon; /* heights up to this are rounding errors */
     uint8_t *horizons;
 };
 
@@ -62,8 +73,8 @@ static void copy_corners(float to[static 3][3], const struct search *search, uin
         memcpy(to[k], tree_corner(search->part, triangle, k)->position.raw, sizeof(to[k]));
 }
 
-/* Returns false for a triangle without an area. */
-static bool look_out(struct outlook *from, const struct search *search, uint32_t at)
+/* Sets up a triangle. Returns false if it is degenerate. */
+static bool receiver_init(struct receiver *from, const struct search *search, uint32_t at)
 {
     float sides[3][3];
     from->at = at;
@@ -79,8 +90,8 @@ static bool look_out(struct outlook *from, const struct search *search, uint32_t
     from->plane[3] = -dot(from->plane, from->middle);
     from->radius = 0.0f;
     for (int i = 0; i < 3; i++) {
-        cross(from->across[i], sides[i], from->plane);
-        if (!normalize(from->across[i]))
+        cross(from->edge_dirs[i], sides[i], from->plane);
+        if (!normalize(from->edge_dirs[i]))
             return false;
         float arm[3];
         for (int k = 0; k < 3; k++)
@@ -90,16 +101,16 @@ static bool look_out(struct outlook *from, const struct search *search, uint32_t
     return true;
 }
 
-/* Returns how far the triangle reaches along a direction. */
-static float reach_of(const struct outlook *from, const float dir[static 3])
+/* Returns the triangle's maximum extent along a direction. */
+static float extent_along(const struct receiver *from, const float dir[static 3])
 {
     return fmaxf(dot(dir, from->corners[0]),
                  fmaxf(dot(dir, from->corners[1]), dot(dir, from->corners[2])));
 }
 
-/* Returns the tangent of the elevation under which a box may be seen: its height over the least
- * distance along a direction in the plane, towards its middle. */
-static float rise_of_box(const struct outlook *from, const struct tree_box *box, float room)
+/* Returns an upper bound of the tangent of a box's elevation: its height over the least in-plane
+ * distance, along the direction to its centre. */
+static float box_elevation(const struct receiver *from, const struct tree_box *box, float epsilon)
 {
     const float *normal = from->plane;
     float dir[3], half[3];
@@ -110,80 +121,80 @@ static float rise_of_box(const struct outlook *from, const struct tree_box *box,
         up += normal[k] * dir[k];
         thick += fabsf(normal[k]) * half[k];
     }
-    if (up + thick <= room)
+    if (up + thick <= epsilon)
         return 0.0f;
     for (int k = 0; k < 3; k++) {
         dir[k] -= up * normal[k];
         wide += fabsf(dir[k]) * half[k];
     }
     const float square = dot(dir, dir);
-    const float near = square - wide - from->radius * sqrtf(square);
-    return near > 0.0f ? (up + thick) * sqrtf(square) / near : FLT_MAX;
+    const float nearest = square - wide - from->radius * sqrtf(square);
+    return nearest > 0.0f ? (up + thick) * sqrtf(square) / nearest : FLT_MAX;
 }
 
-/* The same of a triangle, along a direction in the plane; corners that both have are at no
- * distance, and of no height. */
-static float rise_along(const struct outlook *from, float corners[static 3][3],
-                        const float dir[static 3], float room)
+/* Returns the tangent of a triangle's elevation, with distances measured along an in-plane
+ * direction. Shared corners have distance 0 and height 0. */
+static float elevation_along(const struct receiver *from, float corners[static 3][3],
+                             const float dir[static 3], float epsilon)
 {
-    const float reach = reach_of(from, dir);
+    const float reach = extent_along(from, dir);
     float most = 0.0f;
     for (int i = 0; i < 3; i++) {
         const float height = dot(from->plane, corners[i]) + from->plane[3];
         const float away = dot(dir, corners[i]) - reach;
-        if (away < -room || (height > room && away <= 0.0f))
+        if (away < -epsilon || (height > epsilon && away <= 0.0f))
             return FLT_MAX;
-        if (height > room)
+        if (height > epsilon)
             most = fmaxf(most, height / away);
     }
     return most;
 }
 
-/* Of several directions that which tells of least counts, or the first that tells of `enough`. */
-static float rise_of_triangle(const struct outlook *from, const struct search *search, uint32_t at,
-                              float enough)
+/* Returns the least bound over several directions, or the first that is at most `enough`. */
+static float triangle_elevation(const struct receiver *from, const struct search *search,
+                                uint32_t at, float enough)
 {
     float corners[3][3], dir[3], top = -FLT_MAX;
     copy_corners(corners, search, at);
     for (int i = 0; i < 3; i++)
         top = fmaxf(top, dot(from->plane, corners[i]) + from->plane[3]);
-    if (top <= search->room)
+    if (top <= search->epsilon)
         return 0.0f;
     for (int k = 0; k < 3; k++)
         dir[k] = (corners[0][k] + corners[1][k] + corners[2][k]) / 3.0f - from->middle[k];
     const float up = dot(dir, from->plane);
     for (int k = 0; k < 3; k++)
         dir[k] -= up * from->plane[k];
-    float least = normalize(dir) ? rise_along(from, corners, dir, search->room) : FLT_MAX;
+    float least = normalize(dir) ? elevation_along(from, corners, dir, search->epsilon) : FLT_MAX;
     for (int i = 0; i < 3 && least > enough; i++)
-        least = fminf(least, rise_along(from, corners, from->across[i], search->room));
+        least = fminf(least, elevation_along(from, corners, from->edge_dirs[i], search->epsilon));
     return least;
 }
 
-/* A node that may rise above the horizon. */
-struct rise {
+/* Stack entry: a node, and the upper bound of its elevation. */
+struct candidate {
     float most;
     uint32_t node;
 };
 
-/* Returns the tangent of the horizon, or more than `steepest`. What may rise most comes first, and
- * before it *highest, a triangle, which becomes the one that has risen most. */
-static float horizon_of(const struct outlook *from, const struct search *search, uint32_t *highest)
+/* Returns the tangent of the horizon, or a value above `steepest`. Tests *highest, the
+ * predecessor's occluder, first, and sets it to this triangle's. */
+static float horizon_of(const struct receiver *from, const struct search *search, uint32_t *highest)
 {
     const struct tree_node *nodes = search->shape->draft.nodes;
-    struct rise stack[TREE_DEPTH_MAX + 2];
+    struct candidate stack[TREE_DEPTH_MAX + 2];
     uint32_t count = 0, visits = 0;
     float horizon = flattest;
     if (*highest != from->at)
-        horizon = fmaxf(horizon, rise_of_triangle(from, search, *highest, horizon));
-    stack[count++] = (struct rise){ FLT_MAX, search->shape->root };
+        horizon = fmaxf(horizon, triangle_elevation(from, search, *highest, horizon));
+    stack[count++] = (struct candidate){ FLT_MAX, search->shape->root };
     while (count && horizon <= steepest) {
-        const struct rise rise = stack[--count];
-        const struct tree_node *node = &nodes[rise.node];
-        if (rise.most <= horizon)
+        const struct candidate candidate = stack[--count];
+        const struct tree_node *node = &nodes[candidate.node];
+        if (candidate.most <= horizon)
             continue;
         for (uint32_t i = node->first; !node->children[0] && i < node->first + node->count; i++) {
-            const float most = i == from->at ? 0.0f : rise_of_triangle(from, search, i, horizon);
+            const float most = i == from->at ? 0.0f : triangle_elevation(from, search, i, horizon);
             *highest = most > horizon ? i : *highest;
             horizon = fmaxf(horizon, most);
         }
@@ -191,41 +202,41 @@ static float horizon_of(const struct outlook *from, const struct search *search,
             continue;
         if (++visits > VISITS_MAX)
             return FLT_MAX;
-        struct rise a = { 0.0f, node->children[0] }, b = { 0.0f, node->children[1] };
-        a.most = rise_of_box(from, &nodes[a.node].box, search->room);
-        b.most = rise_of_box(from, &nodes[b.node].box, search->room);
+        struct candidate a = { 0.0f, node->children[0] }, b = { 0.0f, node->children[1] };
+        a.most = box_elevation(from, &nodes[a.node].box, search->epsilon);
+        b.most = box_elevation(from, &nodes[b.node].box, search->epsilon);
         stack[count++] = a.most < b.most ? a : b;
         stack[count++] = a.most < b.most ? b : a;
     }
     return horizon;
 }
 
-/* Triangles of a thread. */
+/* Range of triangles of one thread. */
 struct range {
     const struct search *search;
     uint32_t first, end;
 };
 
-static void *find_range(void *user)
+static void *find_horizons(void *user)
 {
     const struct range *range = user;
     uint32_t highest = range->first;
     for (uint32_t i = range->first; i < range->end; i++) {
-        struct outlook from;
+        struct receiver from;
         uint8_t *horizon = &range->search->horizons[i];
         *horizon = TREE_HORIZON_UNKNOWN;
-        highest = i % BLOCK ? highest : i; /* the same for any number of threads */
-        if (!look_out(&from, range->search, i))
+        highest = i % BLOCK ? highest : i; /* independent of the number of threads */
+        if (!receiver_init(&from, range->search, i))
             continue;
-        const float rise = horizon_of(&from, range->search, &highest);
-        if (rise <= steepest)
+        const float candidate = horizon_of(&from, range->search, &highest);
+        if (candidate <= steepest)
             *horizon = (uint8_t)ceilf((float)TREE_HORIZON_STEPS *
-                                      (rise / sqrtf(1.0f + rise * rise) + 1e-3f));
+                                      (candidate / sqrtf(1.0f + candidate * candidate) + 1e-3f));
     }
     return NULL;
 }
 
-static float room_of(const struct tree_box *box)
+static float epsilon_of(const struct tree_box *box)
 {
     float most = 0.0f;
     for (int k = 0; k < 3; k++)
@@ -237,47 +248,48 @@ uint8_t *tree_horizons(const struct tree_shape *shape, const struct tree_part *p
                        uint32_t threads)
 {
     struct range ranges[THREADS_MAX];
-    pthread_t others[THREADS_MAX];
-    bool is_beside[THREADS_MAX] = { false };
+    pthread_t workers[THREADS_MAX];
+    bool is_parallel[THREADS_MAX] = { false };
     if (!part->count || part->count > TREE_HORIZON_MAX)
         return NULL;
-    struct search search = { shape, part, room_of(&shape->draft.nodes[shape->root].box),
+    struct search search = { shape, part, epsilon_of(&shape->draft.nodes[shape->root].box),
                              malloc(part->count) };
     uint32_t count = part->count / THREAD_MIN + 1;
     count = count < threads ? count : threads ? threads : 1;
     count = count < THREADS_MAX ? count : THREADS_MAX;
-    const uint32_t share = part->count / count / BLOCK * BLOCK;
+    const uint32_t block_count = part->count / count / BLOCK * BLOCK;
     for (uint32_t i = 0; i < count && search.horizons; i++) {
-        const uint32_t first = i * share, end = i + 1 < count ? first + share : part->count;
+        const uint32_t first = i * block_count,
+                       end = i + 1 < count ? first + block_count : part->count;
         ranges[i] = (struct range){ &search, first, end };
-        is_beside[i] = i + 1 < count && !pthread_create(&others[i], NULL, find_range, &ranges[i]);
-        if (!is_beside[i])
-            (void)find_range(&ranges[i]);
+        is_parallel[i] =
+            i + 1 < count && !pthread_create(&workers[i], NULL, find_horizons, &ranges[i]);
+        if (!is_parallel[i])
+            (void)find_horizons(&ranges[i]);
     }
     for (uint32_t i = 0; i < count; i++) {
-        if (is_beside[i])
-            pthread_join(others[i], NULL);
+        if (is_parallel[i])
+            pthread_join(workers[i], NULL);
     }
     return search.horizons;
 }
-
-/* ---- the grid ---- */
 
 bool tree_has_grid(const struct tree *tree, const struct tree_shape *objects)
 {
     return objects->horizons && tree->shells == 1;
 }
 
-/* Returns the horizon of a triangle above any plane whose normal is between those of its corners,
- * in steps. */
-static uint8_t widest_of(const struct tree_shape *shape, const struct tree_part *part, uint32_t at)
+/* Returns the horizon in steps, widened to be valid above the plane of every interpolated normal.
+ */
+static uint8_t widened_horizon(const struct tree_shape *shape, const struct tree_part *part,
+                               uint32_t at)
 {
     const struct search search = { .shape = shape, .part = part };
     const double horizon = (double)shape->horizons[at] / TREE_HORIZON_STEPS;
     const uint32_t triangle = part->triangles[shape->draft.order[at]];
-    struct outlook from;
+    struct receiver from;
     double cosine = 1.0;
-    if (horizon > 1.0 || !look_out(&from, &search, at))
+    if (horizon > 1.0 || !receiver_init(&from, &search, at))
         return TREE_HORIZON_UNKNOWN;
     for (uint32_t k = 0; k < 3; k++) {
         const float *normal = tree_corner(part, triangle, k)->normal.raw;
@@ -290,19 +302,19 @@ static uint8_t widest_of(const struct tree_shape *shape, const struct tree_part 
 }
 
 struct grid {
-    uint8_t cells[TREE_GRID][TREE_GRID][TREE_GRID]; /* horizons */
-    bool is_met[TREE_GRID][TREE_GRID][TREE_GRID];   /* triangles are in a cell */
+    uint8_t cells[TREE_GRID][TREE_GRID][TREE_GRID];    /* horizon of each cell */
+    bool is_occupied[TREE_GRID][TREE_GRID][TREE_GRID]; /* true if the cell contains triangles */
 };
 
-static void put_horizon(struct grid *grid, const int first[static 3], const int last[static 3],
+static void widen_cells(struct grid *grid, const int first[static 3], const int last[static 3],
                         uint8_t horizon)
 {
     for (int z = first[2]; z <= last[2]; z++) {
         for (int y = first[1]; y <= last[1]; y++) {
             for (int x = first[0]; x <= last[0]; x++) {
                 uint8_t *cell = &grid->cells[z][y][x];
-                *cell = grid->is_met[z][y][x] && *cell > horizon ? *cell : horizon;
-                grid->is_met[z][y][x] = true;
+                *cell = grid->is_occupied[z][y][x] && *cell > horizon ? *cell : horizon;
+                grid->is_occupied[z][y][x] = true;
             }
         }
     }
@@ -311,7 +323,7 @@ static void put_horizon(struct grid *grid, const int first[static 3], const int 
 void tree_grid_lay(struct tree *tree, const struct tree_shape *objects,
                    const struct tree_part *part)
 {
-    static const float aside = 0.1f; /* cells, by which points may be beside their triangles */
+    static const float tolerance = 0.1f; /* tolerance of hit points beside their triangle, cells */
     const struct tree_box *all = &objects->draft.nodes[objects->root].box;
     struct grid grid = { 0 };
     memset(grid.cells, TREE_HORIZON_UNKNOWN, sizeof(grid.cells));
@@ -324,10 +336,10 @@ void tree_grid_lay(struct tree *tree, const struct tree_shape *objects,
         int first[3], last[3];
         for (int k = 0; k < 3; k++) {
             const float low = tree->grid_low.raw[k], scale = tree->grid_scale.raw[k];
-            first[k] = (int)fmaxf((own.low[k] - low) * scale - aside, 0.0f);
-            last[k] = (int)fminf((own.high[k] - low) * scale + aside, TREE_GRID - 1);
+            first[k] = (int)fmaxf((own.low[k] - low) * scale - tolerance, 0.0f);
+            last[k] = (int)fminf((own.high[k] - low) * scale + tolerance, TREE_GRID - 1);
         }
-        put_horizon(&grid, first, last, widest_of(objects, part, i));
+        widen_cells(&grid, first, last, widened_horizon(objects, part, i));
     }
     tree->grid = tree->corners.count;
     tree->corners.count += TREE_GRID_WORDS;

@@ -1,4 +1,4 @@
-/* tree_meet.c: rays through a tree of triangles, on the host. */
+/* tree_meet.c: ray-BVH traversal on the CPU. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -11,7 +11,7 @@ static double number(uint32_t word)
     return (double)x;
 }
 
-static double along(const uint32_t row[static 4], const float *xyz)
+static double dot_row(const uint32_t row[static 4], const float *xyz)
 {
     double sum = 0.0;
     for (int k = 0; k < 3; k++)
@@ -19,26 +19,26 @@ static double along(const uint32_t row[static 4], const float *xyz)
     return sum;
 }
 
-static void meet_triangle(const struct tree *tree, uint32_t triangle, const struct tree_ray *ray,
-                          struct tree_hit *hit)
+static void intersect_triangle(const struct tree *tree, uint32_t triangle,
+                               const struct tree_ray *ray, struct tree_hit *hit)
 {
     const uint32_t(*rows)[4] =
         (const uint32_t(*)[4]) & tree->triangles.all[(size_t)triangle * TREE_TRIANGLE_WORDS];
-    const double towards = along(rows[2], ray->dir.raw);
-    const double t = -(along(rows[2], ray->origin.raw) + number(rows[2][3])) / towards;
+    const double facing = dot_row(rows[2], ray->dir.raw);
+    const double t = -(dot_row(rows[2], ray->origin.raw) + number(rows[2][3])) / facing;
     const double u =
-        along(rows[0], ray->origin.raw) + t * along(rows[0], ray->dir.raw) + number(rows[0][3]);
+        dot_row(rows[0], ray->origin.raw) + t * dot_row(rows[0], ray->dir.raw) + number(rows[0][3]);
     const double v =
-        along(rows[1], ray->origin.raw) + t * along(rows[1], ray->dir.raw) + number(rows[1][3]);
+        dot_row(rows[1], ray->origin.raw) + t * dot_row(rows[1], ray->dir.raw) + number(rows[1][3]);
     const double edge = -1e-6;
     if (triangle == ray->from || !(t > ray->near && t < hit->t))
         return;
     if (!(u >= edge && v >= edge && 1.0 - u - v >= edge))
         return;
-    *hit = (struct tree_hit){ t, u, v, triangle, 0, towards > 0.0 };
+    *hit = (struct tree_hit){ t, u, v, triangle, 0, facing > 0.0 };
 }
 
-static bool meets_box(const struct tree_box *box, const struct tree_ray *ray, double far)
+static bool intersects_box(const struct tree_box *box, const struct tree_ray *ray, double far)
 {
     double enter = 0.0;
     for (int k = 0; k < 3; k++) {
@@ -67,7 +67,7 @@ bool tree_meet(const struct tree *tree, uint32_t part, const struct tree_ray *ra
         for (size_t w = word; w < word + TREE_NODE_WORDS; w++) {
             const struct tree_box box = tree_nodes_box(grid, nodes[w]);
             const uint32_t child = nodes[w][3] & TREE_CHILD_MASK;
-            if (!meets_box(&box, ray, hit->t))
+            if (!intersects_box(&box, ray, hit->t))
                 continue;
             if (!(child & TREE_LEAF)) {
                 stack[count++] = child;
@@ -75,7 +75,7 @@ bool tree_meet(const struct tree *tree, uint32_t part, const struct tree_ray *ra
             }
             const uint32_t first = (child & ~TREE_LEAF) >> 3;
             for (uint32_t i = first; i < first + (child & 7); i++)
-                meet_triangle(tree, i, ray, hit);
+                intersect_triangle(tree, i, ray, hit);
         }
     }
     if (hit->triangle == TREE_NOTHING)

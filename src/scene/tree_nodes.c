@@ -1,9 +1,15 @@
-/* tree_nodes.c: lays out the nodes of trees, whose boxes are rounded to a grid. */
+/*
+ * tree_nodes.c: encodes BVH nodes for the GPU: quantised child boxes and normal cones.
+ *
+ * Child boxes are rounded outwards to a fixed-point grid per part, which halves the size of the
+ * boxes. The normal cones, which use the bits that are left, let a ray that is known to enter or
+ * leave an object skip subtrees that face the other way.
+ */
 #include "src/scene/tree_nodes.h"
 #include <math.h>
 #include <string.h>
 
-/* Steps of a grid by which boxes are enlarged: rays are computed with rounding. */
+/* Grid steps by which boxes are enlarged, to cover rounding in the shader. */
 static const double margin = 0.125;
 
 static uint32_t bits(float x)
@@ -20,9 +26,7 @@ static float number(uint32_t word)
     return x;
 }
 
-/* ---- cones ---- */
-
-/* The directions of normals: a unit mean, and the widest angle to it, radians. */
+/* Cone of normals: unit axis, and half-angle in radians; negative for an empty cone. */
 struct cone {
     double axis[3], angle;
 };
@@ -37,8 +41,8 @@ static double angle_of(const double *a, const double *b)
     return acos(fmax(-1.0, fmin(1.0, dot(a, b))));
 }
 
-/* Returns a cone around both. */
-static struct cone joined(const struct cone *a, const struct cone *b)
+/* Returns a cone that contains two cones. */
+static struct cone merge_cones(const struct cone *a, const struct cone *b)
 {
     struct cone cone = { .angle = 4.0 };
     if (a->angle < 0.0 || b->angle < 0.0)
@@ -55,8 +59,8 @@ static struct cone joined(const struct cone *a, const struct cone *b)
     return cone;
 }
 
-/* Returns the cone of a leaf's triangles, from their maps; one without an area has none. */
-static struct cone cone_of(const struct tree *tree, uint32_t first, uint32_t count)
+/* Returns the normal cone of a leaf, from the triangles' maps. Degenerate triangles are skipped. */
+static struct cone leaf_cone(const struct tree *tree, uint32_t first, uint32_t count)
 {
     struct cone cone = { .angle = -1.0 };
     for (uint32_t i = first; i < first + count; i++) {
@@ -66,19 +70,19 @@ static struct cone cone_of(const struct tree *tree, uint32_t first, uint32_t cou
             one.axis[k] = (double)number(row[k]);
         if (!(dot(one.axis, one.axis) > 0.5))
             continue;
-        cone = joined(&cone, &one);
+        cone = merge_cones(&cone, &one);
     }
     return cone;
 }
 
-/* The numbers of a cone in a child's words. */
+/* Quantised cone, as stored in a child's word. */
 struct packed_cone {
     int axis[3];
     uint32_t sine;
 };
 
-/* Light that meets only the far side of all triangles has a cosine with the axis of more than the
- * sine of the angle. That is enlarged by what is rounded of the axis. */
+/* Quantises a cone. A subtree is back-facing for a direction whose cosine with the axis exceeds the
+ * sine of the half-angle. The sine is enlarged by the rounding error of the axis. */
 static struct packed_cone pack(const struct cone *cone)
 {
     struct packed_cone packed = { .sine = TREE_CONE_OPEN };
@@ -98,9 +102,7 @@ static struct packed_cone pack(const struct cone *cone)
     return packed;
 }
 
-/* ---- grids ---- */
-
-static float room_of(const struct tree_box *box)
+static float rounding_of(const struct tree_box *box)
 {
     float most = 0.0f;
     for (int k = 0; k < 3; k++)
@@ -108,13 +110,13 @@ static float room_of(const struct tree_box *box)
     return 4e-7f * most;
 }
 
-/* Where the planes of boxes are numbers. */
+/* Fixed-point grid of box planes. */
 struct grid {
-    float low[3], scale[3]; /* where 0 is; steps a metre */
+    float low[3], scale[3]; /* position of plane 0; steps per metre */
     uint32_t plane_bits;
 };
 
-/* Makes a grid around a box, with a step to spare on each side. */
+/* Returns a grid around a box, with one spare step on each side. */
 static struct grid grid_around(const struct tree_box *box, uint32_t plane_bits)
 {
     const double steps = (double)((1u << plane_bits) - 1) - 2.0;
@@ -159,72 +161,70 @@ struct tree_box tree_nodes_extent(const struct tree *tree, uint32_t part)
     return tree_nodes_box(grid, (const uint32_t[4]){ all, all, all });
 }
 
-/* ---- nodes ---- */
-
-/* A tree while it is laid out. */
-struct layout {
+/* Encoder state. */
+struct encoder {
     struct tree *tree;
     const struct tree_shape *shape;
     struct grid grid;
-    uint32_t first; /* triangle of the tree for the part's first one */
-    float room;     /* by which boxes are enlarged: their planes are computed with rounding */
+    uint32_t first; /* BVH index of the part's first triangle */
+    float rounding; /* margin around boxes for rounding errors */
     bool has_cones;
 };
 
-static uint32_t lay_node(struct layout *layout, uint32_t at, uint32_t depth, struct cone *cone);
+static uint32_t write_node(struct encoder *encoder, uint32_t at, uint32_t depth, struct cone *cone);
 
-/* Writes a child's word, and widens the cone of its parent. */
-static void lay_child(struct layout *layout, uint32_t word, uint32_t at, uint32_t depth,
-                      struct cone *cone)
+/* Encodes a child, and extends the parent's cone. */
+static void write_child(struct encoder *encoder, uint32_t word, uint32_t at, uint32_t depth,
+                        struct cone *cone)
 {
-    struct tree *tree = layout->tree;
-    const struct tree_node *node = &layout->shape->draft.nodes[at];
-    const uint32_t first = layout->first + node->first;
+    struct tree *tree = encoder->tree;
+    const struct tree_node *node = &encoder->shape->draft.nodes[at];
+    const uint32_t first = encoder->first + node->first;
     struct cone own;
     uint32_t child;
     if (node->children[0]) {
-        child = lay_node(layout, at, depth, &own);
+        child = write_node(encoder, at, depth, &own);
     } else {
         child = TREE_LEAF | first << 3 | node->count;
-        own = cone_of(tree, first, node->count);
+        own = leaf_cone(tree, first, node->count);
     }
     const struct packed_cone packed =
-        layout->has_cones ? pack(&own) : (struct packed_cone){ .sine = TREE_CONE_OPEN };
+        encoder->has_cones ? pack(&own) : (struct packed_cone){ .sine = TREE_CONE_OPEN };
     uint32_t *to = tree->nodes.all[word];
     for (int k = 0; k < 3; k++) {
-        to[k] = plane_of(&layout->grid, k, node->box.low[k] - layout->room, false);
-        to[k] |= plane_of(&layout->grid, k, node->box.high[k] + layout->room, true)
-                 << layout->grid.plane_bits;
-        if (layout->has_cones)
+        to[k] = plane_of(&encoder->grid, k, node->box.low[k] - encoder->rounding, false);
+        to[k] |= plane_of(&encoder->grid, k, node->box.high[k] + encoder->rounding, true)
+                 << encoder->grid.plane_bits;
+        if (encoder->has_cones)
             to[k] |= (uint32_t)packed.axis[k] << TREE_CONE_SHIFT;
     }
     to[3] = child | packed.sine << TREE_SINE_SHIFT;
-    *cone = joined(cone, &own);
+    *cone = merge_cones(cone, &own);
 }
 
-/* Lays out a node that is no leaf, and what is below; returns its index. */
-static uint32_t lay_node(struct layout *layout, uint32_t at, uint32_t depth, struct cone *cone)
+/* Encodes an inner node and its subtree. Returns the node's index. */
+static uint32_t write_node(struct encoder *encoder, uint32_t at, uint32_t depth, struct cone *cone)
 {
-    struct tree *tree = layout->tree;
+    struct tree *tree = encoder->tree;
     const uint32_t word = tree->nodes.count;
-    const struct tree_node *node = &layout->shape->draft.nodes[at];
+    const struct tree_node *node = &encoder->shape->draft.nodes[at];
     tree->nodes.count += TREE_NODE_WORDS;
     tree->depth = depth > tree->depth ? depth : tree->depth;
     *cone = (struct cone){ .angle = -1.0 };
-    lay_child(layout, word, node->children[0], depth + 1, cone);
-    lay_child(layout, word + 1, node->children[1], depth + 1, cone);
+    write_child(encoder, word, node->children[0], depth + 1, cone);
+    write_child(encoder, word + 1, node->children[1], depth + 1, cone);
     return word / TREE_NODE_WORDS;
 }
 
-static void lay_grid(struct layout *layout)
+static void write_grid(struct encoder *encoder)
 {
-    uint32_t(*to)[4] = &layout->tree->nodes.all[layout->tree->nodes.count];
+    uint32_t(*to)[4] = &encoder->tree->nodes.all[encoder->tree->nodes.count];
     for (int k = 0; k < 3; k++) {
-        to[0][k] = bits(layout->grid.low[k]);
-        to[1][k] = bits(layout->grid.scale[k]);
+        to[0][k] = bits(encoder->grid.low[k]);
+        to[1][k] = bits(encoder->grid.scale[k]);
     }
-    to[0][3] = layout->grid.plane_bits;
-    layout->tree->nodes.count += TREE_NODE_WORDS;
+    to[0][3] = encoder->grid.plane_bits;
+    encoder->tree->nodes.count += TREE_NODE_WORDS;
 }
 
 static uint32_t count_inner(const struct tree_draft *draft, uint32_t at)
@@ -239,29 +239,29 @@ uint32_t tree_nodes_count(const struct tree_shape *shape)
     return (1 + (inner ? inner : 1)) * TREE_NODE_WORDS;
 }
 
-/* A single leaf gets a node that has it twice. */
+/* A root that is a leaf becomes a node that refers to the leaf twice. */
 uint32_t tree_nodes_lay(struct tree *tree, const struct tree_shape *shape, uint32_t first,
                         bool has_cones)
 {
     const struct tree_node *root = &shape->draft.nodes[shape->root];
-    struct layout layout = { .tree = tree,
-                             .shape = shape,
-                             .first = first,
-                             .room = room_of(&root->box),
-                             .has_cones = has_cones };
+    struct encoder encoder = { .tree = tree,
+                               .shape = shape,
+                               .first = first,
+                               .rounding = rounding_of(&root->box),
+                               .has_cones = has_cones };
     struct tree_box box = root->box;
     struct cone cone = { .angle = -1.0 };
     for (int k = 0; k < 3; k++) {
-        box.low[k] -= layout.room;
-        box.high[k] += layout.room;
+        box.low[k] -= encoder.rounding;
+        box.high[k] += encoder.rounding;
     }
-    layout.grid = grid_around(&box, has_cones ? TREE_CONE_SHIFT / 2 : TREE_PLANE_BITS);
-    lay_grid(&layout);
+    encoder.grid = grid_around(&box, has_cones ? TREE_CONE_SHIFT / 2 : TREE_PLANE_BITS);
+    write_grid(&encoder);
     if (root->children[0])
-        return lay_node(&layout, shape->root, 1, &cone);
+        return write_node(&encoder, shape->root, 1, &cone);
     const uint32_t word = tree->nodes.count;
     tree->nodes.count += TREE_NODE_WORDS;
-    lay_child(&layout, word, shape->root, 1, &cone);
-    lay_child(&layout, word + 1, shape->root, 1, &cone);
+    write_child(&encoder, word, shape->root, 1, &cone);
+    write_child(&encoder, word + 1, shape->root, 1, &cone);
     return word / TREE_NODE_WORDS;
 }

@@ -1,4 +1,4 @@
-/* tree_part.c: which triangles a tree has. */
+/* tree_part.c: triangle lists of scene parts; tests for overlap and closed meshes. */
 #include "src/scene/tree_part.h"
 #include <float.h>
 #include <math.h>
@@ -41,21 +41,19 @@ struct tree_box tree_box_of(const struct tree_part *part, uint32_t triangle)
     return box;
 }
 
-/* ---- lists ---- */
-
-/* Returns the places of the mesh's triangles in the order of the file, or NULL. */
-static uint32_t *find_places(const struct tree_part *part, const struct mesh_order *sorted)
+/* Returns triangle indices in file order (inverse of `sorted`), or NULL when out of memory. */
+static uint32_t *inverse_order(const struct tree_part *part, const struct mesh_order *sorted)
 {
     const uint32_t count = triangle_count(part) + (part->bubbles ? part->bubbles->count : 0);
-    uint32_t *places = calloc(count + (size_t)1, sizeof(*places));
-    for (uint32_t i = 0; places && i < count; i++)
-        places[i] = i;
-    for (uint32_t i = 0; places && sorted && i < sorted->count; i++)
-        places[sorted->all[i]] = i;
-    return places;
+    uint32_t *inverse = calloc(count + (size_t)1, sizeof(*inverse));
+    for (uint32_t i = 0; inverse && i < count; i++)
+        inverse[i] = i;
+    for (uint32_t i = 0; inverse && sorted && i < sorted->count; i++)
+        inverse[sorted->all[i]] = i;
+    return inverse;
 }
 
-/* Returns a number of the object that a triangle is of. */
+/* Returns an index of the object that owns a triangle. */
 static uint32_t owner_of(const struct tree_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -69,7 +67,7 @@ static uint32_t owner_of(const struct tree_part *part, uint32_t triangle)
                       model->objects);
 }
 
-/* Begins a group where the object changes. */
+/* Starts a new group wherever the owner object changes. */
 static bool list_groups(struct tree_part *part, bool by_objects)
 {
     uint32_t last = 0;
@@ -85,10 +83,10 @@ static bool list_groups(struct tree_part *part, bool by_objects)
     return part->firsts;
 }
 
-static bool list(struct tree_part *part, const struct mesh_order *sorted, bool moves)
+static bool list_triangles(struct tree_part *part, const struct mesh_order *sorted, bool moves)
 {
     const uint32_t count = triangle_count(part) + (part->bubbles ? part->bubbles->count : 0);
-    part->triangles = find_places(part, sorted);
+    part->triangles = inverse_order(part, sorted);
     for (uint32_t i = 0; part->triangles && i < count; i++) {
         const uint32_t at = part->triangles[i];
         const bool is_mover = !part->is_object && !part->is_inclusion &&
@@ -115,9 +113,10 @@ bool tree_parts_init(struct tree_part parts[static TREE_PART_COUNT],
     bool done = true;
     memcpy(parts, all, sizeof(all));
     for (uint32_t i = 0; i < TREE_PART_COUNT && done; i++) {
-        const bool is_around = i == TREE_SURROUNDINGS || i == TREE_MOVERS;
-        done = list(&parts[i], is_around ? &params->sorted : NULL, i == TREE_MOVERS) &&
-               list_groups(&parts[i], by_objects);
+        const bool is_surroundings = i == TREE_SURROUNDINGS || i == TREE_MOVERS;
+        done =
+            list_triangles(&parts[i], is_surroundings ? &params->sorted : NULL, i == TREE_MOVERS) &&
+            list_groups(&parts[i], by_objects);
     }
     return done;
 }
@@ -129,8 +128,6 @@ void tree_parts_finish(struct tree_part parts[static TREE_PART_COUNT])
         free(parts[i].firsts);
     }
 }
-
-/* ---- surroundings apart ---- */
 
 static struct tree_box box_of(const struct tree_part *part)
 {
@@ -149,20 +146,20 @@ static bool is_apart(const struct tree_part *part, const struct tree_box *box)
 {
     for (uint32_t i = 0; i < part->count; i++) {
         const struct tree_box own = tree_box_of(part, part->triangles[i]);
-        bool meets = true;
+        bool overlaps = true;
         for (int k = 0; k < 3; k++)
-            meets = meets && own.low[k] <= box->high[k] && own.high[k] >= box->low[k];
-        if (meets)
+            overlaps = overlaps && own.low[k] <= box->high[k] && own.high[k] >= box->low[k];
+        if (overlaps)
             return false;
     }
     return true;
 }
 
-/* Makes a box of what it encloses in any turn about its vertical axis. */
-static void turn_box(struct tree_box *box)
+/* Extends a box to its bounds over all rotations about its vertical axis. */
+static void extend_to_rotations(struct tree_box *box)
 {
     const float x = 0.5f * (box->high[0] - box->low[0]), z = 0.5f * (box->high[2] - box->low[2]);
-    const float radius = 1.001f * hypotf(x, z); /* more than rounding takes away */
+    const float radius = 1.001f * hypotf(x, z); /* margin for rounding */
     for (int k = 0; k < 3; k += 2) {
         const float middle = 0.5f * (box->low[k] + box->high[k]);
         box->low[k] = middle - radius;
@@ -174,15 +171,13 @@ bool tree_parts_are_apart(const struct tree_part parts[static TREE_PART_COUNT], 
 {
     struct tree_box box = box_of(&parts[TREE_OBJECTS]);
     if (turn && parts[TREE_OBJECTS].count)
-        turn_box(&box);
+        extend_to_rotations(&box);
     return is_apart(&parts[TREE_SURROUNDINGS], &box) && is_apart(&parts[TREE_MOVERS], &box) &&
            !(turn && parts[TREE_MOVERS].count);
 }
 
-/* ---- closed shells ---- */
-
-/* Returns a number for a directed side of a triangle; -0 and 0 are the same place. */
-static uint64_t side_number(const float *a, const float *b)
+/* Returns a hash of a directed edge. -0 and 0 are the same coordinate. */
+static uint64_t edge_hash(const float *a, const float *b)
 {
     uint64_t hash = 0x9e3779b97f4a7c15u;
     for (int k = 0; k < 6; k++) {
@@ -195,7 +190,7 @@ static uint64_t side_number(const float *a, const float *b)
     return hash * 0xc4ceb9fe1a85ec53u ^ hash >> 32;
 }
 
-/* Sides that meet their like, reversed, cancel each other. */
+/* In a closed mesh the hashes of opposite edges cancel in the sum, without a search for pairs. */
 bool tree_part_is_closed(const struct tree_part *part)
 {
     uint64_t sum = 0;
@@ -203,7 +198,7 @@ bool tree_part_is_closed(const struct tree_part *part)
         for (uint32_t k = 0; k < 3; k++) {
             const float *a = tree_corner(part, i, k)->position.raw;
             const float *b = tree_corner(part, i, (k + 1) % 3)->position.raw;
-            sum += side_number(a, b) - side_number(b, a);
+            sum += edge_hash(a, b) - edge_hash(b, a);
         }
     }
     return sum == 0;

@@ -1,4 +1,10 @@
-/* tree_shape.c: trees of groups of triangles, made, shared, and kept from pose to pose. */
+/*
+ * tree_shape.c: two-level BVHs: built, copied between similar objects, or refitted.
+ *
+ * Each group of triangles (an object) has a BVH, and a top-level BVH joins their roots. Objects
+ * that are copies of each other share one build: the topology is copied and refitted. A pose refits
+ * the rest pose's topology, which costs O(n) instead of a build.
+ */
 #include "src/scene/tree_shape.h"
 #include <math.h>
 #include <stdlib.h>
@@ -7,19 +13,17 @@
 #include "src/scene/tree_cache.h"
 
 enum {
-    LEVELS_FREE = 4, /* that the tree of groups may have beyond those it needs */
-    KNOWN_MAX = 64,  /* groups of as many triangles with which a group is compared */
+    LEVELS_FREE = 4, /* depth that the top-level BVH may have beyond a balanced one */
+    KNOWN_MAX = 64,  /* recently built groups that a new group is compared with */
 };
 
-/* ---- groups that are alike ---- */
-
-/* Triangles of a part, in the order of the file. */
+/* Group of triangles in file order. */
 struct group {
     const struct tree_part *part;
     uint32_t first, count;
 };
 
-static const float *place_of(const void *of, uint32_t corner)
+static const float *position_of(const void *of, uint32_t corner)
 {
     const struct group *group = of;
     const uint32_t triangle = group->part->triangles[group->first + corner / 3];
@@ -28,7 +32,7 @@ static const float *place_of(const void *of, uint32_t corner)
 
 static struct alike_corners corners_of(const struct group *group)
 {
-    return (struct alike_corners){ group, place_of, 3 * group->count };
+    return (struct alike_corners){ group, position_of, 3 * group->count };
 }
 
 static struct alike_anchor find_anchor(const struct tree_part *part, uint32_t first, uint32_t count)
@@ -38,26 +42,24 @@ static struct alike_anchor find_anchor(const struct tree_part *part, uint32_t fi
     return alike_anchor_find(&corners);
 }
 
-/* Whether a group is another one, moved, turned and scaled evenly: to the rounding of files. */
-static bool is_alike(const struct group *known, const struct alike_anchor *anchor,
-                     const struct group *group)
+/* Returns true if `group` is a copy of `recent` (a similarity transform), within rounding. */
+static bool is_similar(const struct group *recent, const struct alike_anchor *anchor,
+                       const struct group *group)
 {
-    const struct alike_corners before = corners_of(known), after = corners_of(group);
+    const struct alike_corners before = corners_of(recent), after = corners_of(group);
     struct alike_motion motion;
-    if (known->count != group->count || !alike_motion_find(&motion, anchor, &before, &after))
+    if (recent->count != group->count || !alike_motion_find(&motion, anchor, &before, &after))
         return false;
     for (uint32_t i = 0; i < after.count; i++) {
-        const float *to = place_of(group, i);
+        const float *to = position_of(group, i);
         double room = 1e-4 * motion.length;
         for (int k = 0; k < 3; k++)
             room = fmax(room, 1e-6 * fabs((double)to[k]));
-        if (!(alike_error(&motion, place_of(known, i), to) <= room))
+        if (!(alike_error(&motion, position_of(recent, i), to) <= room))
             return false;
     }
     return true;
 }
-
-/* ---- arrays ---- */
 
 static bool allocate(struct tree_shape *shape, const struct tree_part *part, uint32_t group_count,
                      uint32_t places)
@@ -96,8 +98,8 @@ void tree_shape_finish(struct tree_shape *shape)
     *shape = (struct tree_shape){ 0 };
 }
 
-/* Copies the nodes at a place and below, for triangles that are `shift` farther, to the next
- * places. */
+/* Copies the subtree at node `at` to the next free slots, and adds `shift` to its triangle indices.
+ */
 static uint32_t copy_nodes(struct tree_node *to, uint32_t *next, const struct tree_node *from,
                            uint32_t at, uint32_t shift)
 {
@@ -109,10 +111,8 @@ static uint32_t copy_nodes(struct tree_node *to, uint32_t *next, const struct tr
     return place;
 }
 
-/* ---- the tree of groups ---- */
-
-/* Makes nodes above those of the groups. */
-static bool join(struct tree_shape *shape)
+/* Builds a BVH over the roots of the groups. */
+static bool build_top_level(struct tree_shape *shape)
 {
     const uint32_t count = shape->group_count;
     struct tree_draft top = {
@@ -146,7 +146,7 @@ static bool join(struct tree_shape *shape)
     return done;
 }
 
-/* Decides which groups have trees of their own: none if the way to a triangle would be too long. */
+/* Returns the maximum depth of the group BVHs, and their number: 1 if they got too deep. */
 static uint32_t decide_depth(const struct tree_part *part, uint32_t *group_count)
 {
     const uint32_t above =
@@ -160,25 +160,23 @@ static uint32_t decide_depth(const struct tree_part *part, uint32_t *group_count
     return fits ? TREE_DEPTH_MAX - above : TREE_DEPTH_MAX;
 }
 
-/* ---- at rest ---- */
-
-/* Groups whose trees were built, to be shared by those that are alike. */
-struct known {
+/* Ring buffer of recently built groups that similar ones may copy. */
+struct recent {
     uint32_t groups[KNOWN_MAX];
     struct alike_anchor anchors[KNOWN_MAX];
     uint32_t count;
 };
 
-/* Gives a group the tree of one that is alike, if there is any. */
-static bool share(struct tree_shape *shape, const struct tree_part *part, const struct known *known,
-                  struct tree_range *range)
+/* Copies the topology of a similar group. Returns false if there is none. */
+static bool copy_similar(struct tree_shape *shape, const struct tree_part *part,
+                         const struct recent *recent, struct tree_range *range)
 {
-    const uint32_t end = known->count < KNOWN_MAX ? known->count : KNOWN_MAX;
+    const uint32_t end = recent->count < KNOWN_MAX ? recent->count : KNOWN_MAX;
     const struct group group = { part, range->first, range->count };
     for (uint32_t i = 0; i < end; i++) {
-        const struct tree_range *other = &shape->groups[known->groups[i]];
+        const struct tree_range *other = &shape->groups[recent->groups[i]];
         const struct group model = { part, other->first, other->count };
-        if (other->count != range->count || !is_alike(&model, &known->anchors[i], &group))
+        if (other->count != range->count || !is_similar(&model, &recent->anchors[i], &group))
             continue;
         const uint32_t shift = range->first - other->first;
         uint32_t next = range->root;
@@ -191,24 +189,24 @@ static bool share(struct tree_shape *shape, const struct tree_part *part, const 
     return false;
 }
 
-static void place_groups(struct tree_shape *shape, const struct tree_part *part)
+static void init_groups(struct tree_shape *shape, const struct tree_part *part)
 {
-    const bool is_one = shape->group_count == 1;
+    const bool is_single = shape->group_count == 1;
     for (uint32_t i = 0; i < shape->group_count; i++) {
-        const uint32_t first = is_one ? 0 : part->firsts[i];
-        const uint32_t end = is_one ? part->count : part->firsts[i + 1];
+        const uint32_t first = is_single ? 0 : part->firsts[i];
+        const uint32_t end = is_single ? part->count : part->firsts[i + 1];
         shape->groups[i] = (struct tree_range){ first, end - first, 2 * first + 1 };
     }
 }
 
-/* Makes the trees of all groups. */
-static void make_groups(struct tree_shape *shape, const struct tree_part *part,
-                        struct tree_work *work)
+/* Builds the BVHs of all groups. */
+static void build_groups(struct tree_shape *shape, const struct tree_part *part,
+                         struct tree_work *work)
 {
-    struct known known = { .count = 0 };
+    struct recent recent = { .count = 0 };
     for (uint32_t i = 0; i < shape->group_count; i++) {
         struct tree_range *range = &shape->groups[i];
-        if (share(shape, part, &known, range)) {
+        if (copy_similar(shape, part, &recent, range)) {
             work->shared++;
             continue;
         }
@@ -216,15 +214,15 @@ static void make_groups(struct tree_shape *shape, const struct tree_part *part,
         work->built++;
         if (shape->group_count == 1)
             continue;
-        const uint32_t slot = known.count++ % KNOWN_MAX;
-        known.groups[slot] = i;
-        known.anchors[slot] = find_anchor(part, range->first, range->count);
+        const uint32_t slot = recent.count++ % KNOWN_MAX;
+        recent.groups[slot] = i;
+        recent.anchors[slot] = find_anchor(part, range->first, range->count);
     }
 }
 
-/* Makes the trees of all groups, or, of a large part, finds them in a file. */
-static void get_groups(struct tree_shape *shape, const struct tree_part *part,
-                       struct tree_work *work)
+/* Loads the BVHs of all groups of a large part from the cache, or builds them. */
+static void load_groups(struct tree_shape *shape, const struct tree_part *part,
+                        struct tree_work *work)
 {
     const bool is_cached = work->is_cached && part->count >= TREE_CACHE_MIN;
     const uint64_t key = is_cached ? tree_cache_key(part) : 0;
@@ -232,7 +230,7 @@ static void get_groups(struct tree_shape *shape, const struct tree_part *part,
         work->read += shape->group_count;
         return;
     }
-    make_groups(shape, part, work);
+    build_groups(shape, part, work);
     if (is_cached)
         tree_cache_save(shape, key);
 }
@@ -246,9 +244,9 @@ bool tree_shape_make(struct tree_shape *shape, const struct tree_part *part, str
         return false;
     shape->depth = depth;
     shape->node_count = 2 * part->count + 1;
-    place_groups(shape, part);
-    get_groups(shape, part, work);
-    const bool done = join(shape);
+    init_groups(shape, part);
+    load_groups(shape, part, work);
+    const bool done = build_top_level(shape);
     free_boxes(shape);
     return done;
 }
@@ -270,27 +268,25 @@ bool tree_shape_pack(struct tree_shape *shape)
     return true;
 }
 
-/* ---- poses ---- */
-
 static bool has_groups_of(const struct tree_part *part, const struct tree_part *rest)
 {
     return part->count == rest->count && part->group_count == rest->group_count &&
            !memcmp(part->firsts, rest->firsts, (part->group_count + (size_t)1) * sizeof(uint32_t));
 }
 
-/* Whether the tree of a group at rest is not good for what the group has become. */
-static bool is_worn(const struct tree_shape *shape, const struct tree_part *part,
-                    const struct tree_shape *rest, const struct tree_part *rest_part,
-                    uint32_t index, double growth_max)
+/* Returns true if a group has deformed and its refitted BVH has become too expensive. */
+static bool is_degraded(const struct tree_shape *shape, const struct tree_part *part,
+                        const struct tree_shape *rest, const struct tree_part *rest_part,
+                        uint32_t index, double growth_max)
 {
     const struct tree_range *range = &rest->groups[index];
     const double before = tree_cost(&rest->draft, range->root);
     if (!(tree_cost(&shape->draft, shape->groups[index].root) > growth_max * before))
         return false;
-    const struct group known = { rest_part, range->first, range->count };
+    const struct group recent = { rest_part, range->first, range->count };
     const struct group group = { part, range->first, range->count };
     const struct alike_anchor anchor = find_anchor(rest_part, range->first, range->count);
-    return !is_alike(&known, &anchor, &group);
+    return !is_similar(&recent, &anchor, &group);
 }
 
 bool tree_shape_pose(struct tree_shape *shape, const struct tree_part *part,
@@ -310,7 +306,7 @@ bool tree_shape_pose(struct tree_shape *shape, const struct tree_part *part,
     for (uint32_t i = 0; i < group_count; i++) {
         struct tree_range *range = &shape->groups[i];
         tree_refit(&shape->draft, range->root);
-        if (!is_worn(shape, part, rest, rest_part, i, work->growth_max)) {
+        if (!is_degraded(shape, part, rest, rest_part, i, work->growth_max)) {
             work->fitted++;
             continue;
         }
@@ -318,7 +314,7 @@ bool tree_shape_pose(struct tree_shape *shape, const struct tree_part *part,
         tree_build(&shape->draft, range, shape->depth, work->threads);
         work->built++;
     }
-    const bool done = join(shape);
+    const bool done = build_top_level(shape);
     free_boxes(shape);
     return done;
 }

@@ -1,9 +1,9 @@
-/* tree_shells.c: sets of a scene's objects, and those around a point. */
+/* tree_shells.c: sets of enclosing objects (interior lists of nested dielectrics). */
 #include "src/scene/tree.h"
 
 enum {
-    CROSSINGS_MAX = 4096, /* of a ray that looks for the objects around a point */
-    HALF = 16,            /* bits of a rank, of which a word has two */
+    CROSSINGS_MAX = 4096, /* maximum hits of the ray that finds enclosing objects */
+    HALF = 16,            /* bits per rank; a 32-bit word holds two */
 };
 
 uint32_t tree_medium(const struct tree *tree, uint32_t rank)

@@ -1,15 +1,15 @@
-/* weld.c: sorts vertices by place. */
+/* weld.c: welds vertices by sorting them by position. */
 #include "src/scene/weld.h"
 #include <stdlib.h>
 
-struct placed {
+struct welded_vertex {
     vec3s at;
     uint32_t vertex;
 };
 
-static int by_place(const void *left, const void *right)
+static int compare_positions(const void *left, const void *right)
 {
-    const struct placed *a = left, *b = right;
+    const struct welded_vertex *a = left, *b = right;
     for (int k = 0; k < 3; k++) {
         if (a->at.raw[k] < b->at.raw[k] || a->at.raw[k] > b->at.raw[k])
             return a->at.raw[k] < b->at.raw[k] ? -1 : 1;
@@ -19,7 +19,7 @@ static int by_place(const void *left, const void *right)
 
 bool weld_init(struct weld *weld, const struct mesh *mesh, uint32_t first, uint32_t count)
 {
-    struct placed *all = malloc((count + (size_t)1) * sizeof(*all));
+    struct welded_vertex *all = malloc((count + (size_t)1) * sizeof(*all));
     *weld = (struct weld){
         .points = malloc((mesh->vertex_count + (size_t)1) * sizeof(*weld->points)),
         .corners = malloc((count + (size_t)1) * sizeof(*weld->corners)),
@@ -30,12 +30,12 @@ bool weld_init(struct weld *weld, const struct mesh *mesh, uint32_t first, uint3
         weld->points[i] = WELD_NONE;
     for (uint32_t i = 0; done && i < count; i++) {
         const uint32_t vertex = mesh->indices[first + i];
-        all[i] = (struct placed){ mesh->vertices[vertex].position, vertex };
+        all[i] = (struct welded_vertex){ mesh->vertices[vertex].position, vertex };
     }
     if (done)
-        qsort(all, count, sizeof(*all), by_place);
+        qsort(all, count, sizeof(*all), compare_positions);
     for (uint32_t i = 0; done && i < count; i++) {
-        weld->count += i == 0 || by_place(&all[i - 1], &all[i]) != 0;
+        weld->count += i == 0 || compare_positions(&all[i - 1], &all[i]) != 0;
         weld->points[all[i].vertex] = weld->count - 1;
     }
     for (uint32_t i = 0; done && i < count; i++)

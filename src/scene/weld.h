@@ -1,4 +1,10 @@
-/* weld.h: joins the vertices of a mesh that are at one place, and differ in other things. */
+/*
+ * weld.h: welds vertices of a mesh that share a position but differ in other attributes.
+ *
+ * Model files split vertices at hard edges and texture seams. Connected components and curvature
+ * flow need true adjacency, which the welded points give. Only equal positions are welded, so that
+ * no tolerance can join surfaces that merely touch.
+ */
 #ifndef FIRN_SCENE_WELD_H
 #define FIRN_SCENE_WELD_H
 
@@ -7,14 +13,14 @@
 #define WELD_NONE UINT32_MAX
 
 struct weld {
-    uint32_t *points;  /* of each vertex of the mesh: its point, or WELD_NONE; owned */
-    uint32_t count;    /* of points */
-    uint32_t *corners; /* points of the triangles' corners; owned */
+    uint32_t *points;  /* welded point of each mesh vertex, or WELD_NONE; owned */
+    uint32_t count;    /* number of welded points */
+    uint32_t *corners; /* welded points of the triangle corners; owned */
     uint32_t corner_count;
 };
 
-/* Joins the corners of `count` indices from `first` on. Returns false when out of memory; *weld is
- * then {0}. */
+/* Welds the corners of `count` indices from `first` on. Returns false, *weld {0}, if out of memory.
+ */
 bool weld_init(struct weld *weld, const struct mesh *mesh, uint32_t first, uint32_t count);
 void weld_finish(struct weld *weld); /* {0} is fine */
 

@@ -1,4 +1,4 @@
-/* air.c: planes of air, and the textures of bubbles and haze on them. */
+/* air.c: generates planes of air bubbles inside ice, and their textures. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -15,11 +15,9 @@ enum {
 };
 
 static const float off_center =
-    0.1f; /* greatest offset of a plane's middle, in the object's radii */
+    0.1f; /* maximum offset of a plane's centre, in radii of the object */
 
-/* ---- planes ---- */
-
-/* Makes the two triangles of a plane. */
+/* Adds the two triangles of a plane. */
 static void make_plane(struct mesh *mesh, uint32_t plane, mat3s axes, vec3s center, float side)
 {
     static const uint32_t corners[6] = { 0, 1, 2, 2, 1, 3 };
@@ -53,7 +51,7 @@ bool generate_air_planes(struct mesh *mesh, struct box box, const struct generat
     return true;
 }
 
-/* Appends a convex polygon as a fan. */
+/* Appends a convex polygon as a triangle fan. */
 static void add_polygon(struct mesh *mesh, const struct mesh_vertex *corners, uint32_t count)
 {
     for (uint32_t i = 2; i < count; i++) {
@@ -85,9 +83,7 @@ bool generate_air_cut(struct mesh *planes, const struct mesh *object)
     return true;
 }
 
-/* ---- textures ---- */
-
-/* Returns the density at uv, from 0 to 1: 1 in the middle of a texture, 0 at its edges. */
+/* Returns the density at (u, v): 1 in the texture's centre, 0 at its edges. */
 static float density(float u, float v)
 {
     const float x = 2 * u - 1;
@@ -96,7 +92,7 @@ static float density(float u, float v)
     return rest * rest * rest;
 }
 
-/* Draws a disc, brighter towards its rim, with an edge half a texel wide. */
+/* Draws an antialiased disc that is more opaque towards its rim. */
 static void draw_bubble(uint8_t *texels, vec2s center, float radius)
 {
     const int left = (int)floorf(center.x - radius - 1);
@@ -118,7 +114,7 @@ static void draw_bubble(uint8_t *texels, vec2s center, float radius)
     }
 }
 
-/* Draws at most one bubble in each cell of a grid. */
+/* Draws at most one bubble per cell of a grid, with a probability equal to the density. */
 static void draw_bubbles(uint8_t *texels, float frequency, float size, struct random *random)
 {
     const uint32_t across = (uint32_t)ceilf(frequency);

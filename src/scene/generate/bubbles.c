@@ -1,4 +1,4 @@
-/* bubbles.c: bubbles inside a closed mesh, whose spheres do not overlap. */
+/* bubbles.c: places non-overlapping bubbles inside a closed mesh by rejection sampling. */
 #include "src/scene/generate/bubbles.h"
 #include <assert.h>
 #include <cglm/struct.h>
@@ -7,18 +7,18 @@
 #include "src/scene/generate/random.h"
 
 enum {
-    ATTEMPTS = 64,   /* random places that are tried for each bubble */
-    FAILURES_MAX = 4 /* consecutive bubbles without a place, after which no more are tried */
+    ATTEMPTS = 64,   /* random positions per bubble */
+    FAILURES_MAX = 4 /* consecutive failed bubbles after which generation stops */
 };
 
-/* Returns twice the signed area of the triangle of a, b and the origin. */
+/* Returns twice the signed area of the triangle a, b, origin. */
 static float cross(vec2s a, vec2s b)
 {
     return a.x * b.y - a.y * b.x;
 }
 
-/* Returns the coordinate at which a triangle, relative to the point, crosses an axis, or NAN. */
-static float crossing(const vec3s corners[3], int axis)
+/* Returns the coordinate where an axis line through the origin hits a triangle, or NAN. */
+static float axis_hit(const vec3s corners[3], int axis)
 {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
@@ -38,55 +38,55 @@ static float crossing(const vec3s corners[3], int axis)
     return sum / (areas[0] + areas[1] + areas[2]);
 }
 
-static bool straddles(const vec3s corners[3], int axis)
+static bool spans_zero(const vec3s corners[3], int axis)
 {
     const float a = corners[0].raw[axis], b = corners[1].raw[axis], c = corners[2].raw[axis];
     return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0);
 }
 
-/* A ray from a point inside a closed surface crosses it an odd number of times. A ray through an
- * edge may miss it, so the rays along all three axes must agree. */
+/* A ray from inside a closed surface hits it an odd number of times. A ray through an edge may miss
+ * both triangles, so the rays along all three axes must agree. */
 float bubbles_clearance(const struct mesh *mesh, vec3s point)
 {
-    uint32_t leaves[3] = { 0 };
+    uint32_t exits[3] = { 0 };
     float nearest = HUGE_VALF;
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         vec3s corners[3];
         for (uint32_t k = 0; k < 3; k++)
             corners[k] = glms_vec3_sub(mesh->vertices[mesh->indices[i + k]].position, point);
-        const bool across[3] = { straddles(corners, 0), straddles(corners, 1),
-                                 straddles(corners, 2) };
+        const bool across[3] = { spans_zero(corners, 0), spans_zero(corners, 1),
+                                 spans_zero(corners, 2) };
         for (int axis = 0; axis < 3; axis++) {
             if (!across[(axis + 1) % 3] || !across[(axis + 2) % 3])
                 continue;
-            const float at = crossing(corners, axis);
+            const float at = axis_hit(corners, axis);
             if (isnan(at))
                 continue;
-            leaves[axis] += at > 0;
+            exits[axis] += at > 0;
             nearest = fminf(nearest, fabsf(at));
         }
     }
-    return leaves[0] % 2 && leaves[1] % 2 && leaves[2] % 2 ? nearest : 0;
+    return exits[0] % 2 && exits[1] % 2 && exits[2] % 2 ? nearest : 0;
 }
 
-/* Returns the radius of the sphere around a bubble. */
-static float reach(const struct bubble *bubble)
+/* Returns the radius of a bubble's bounding sphere. */
+static float bounding_radius(const struct bubble *bubble)
 {
     return bubble->radius + fmaxf(bubble->stretch, 0);
 }
 
-static bool is_free(const struct bubbles *bubbles, vec3s center, float radius)
+static bool is_unoccupied(const struct bubbles *bubbles, vec3s center, float radius)
 {
     for (uint32_t i = 0; i < bubbles->count; i++) {
         const struct bubble *other = &bubbles->all[i];
-        if (glms_vec3_distance(center, other->center) < radius + reach(other))
+        if (glms_vec3_distance(center, other->center) < radius + bounding_radius(other))
             return false;
     }
     return true;
 }
 
-/* Makes a bubble of a sphere that is around it. Its axis is that along which ice grows, to the
- * middle, within some 11 degrees. */
+/* Returns a bubble of the requested shape inside a bounding sphere. Its axis is the freezing
+ * direction, towards the centre, within some 11 degrees. */
 static struct bubble shape_bubble(struct bubble bubble, const struct generate_bubbles *params,
                                   vec3s middle, struct random *random)
 {
@@ -104,9 +104,8 @@ static struct bubble shape_bubble(struct bubble bubble, const struct generate_bu
     return bubble;
 }
 
-/* Adds a bubble at a random place with enough room; returns false if none is found. In a convex
- * object the octahedron whose half diagonals are the clearance is inside, and so is the ball in
- * it. */
+/* Adds a bubble at a random position. Returns false if none is free. In a convex object, the
+ * octahedron whose half diagonals are the clearance is inside, and so is its inscribed sphere. */
 static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh,
                        const struct generate_bubbles *params, struct box box, float radius,
                        struct random *random)
@@ -116,7 +115,7 @@ static bool add_bubble(struct bubbles *bubbles, const struct mesh *mesh,
     for (int i = 0; i < ATTEMPTS; i++) {
         const vec3s center =
             glms_vec3_add(box_center(box), glms_vec3_mul(half, random_box(random)));
-        if (!is_free(bubbles, center, radius))
+        if (!is_unoccupied(bubbles, center, radius))
             continue;
         if (bubbles_clearance(mesh, center) < radius * 1.7320508f + rim)
             continue;

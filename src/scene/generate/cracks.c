@@ -1,9 +1,9 @@
 /*
- * cracks.c: sheets for cracks inside an object.
+ * cracks.c: generates crack sheets inside an object.
  *
- * Seipel and Nivfors 2006, section 3.3: a few generic models, each instance scaled to the object's
- * box, rotated at random, and placed at random near the centre. Of the C library only floor and
- * square root are called, because other functions could differ between machines.
+ * Seipel and Nivfors 2006, section 3.3: instances of a few generic sheets, scaled to the object's
+ * box, randomly rotated, and placed near the centre. Calls no C library functions but floor and
+ * square root, since others may differ between machines.
  */
 #include "shaders/cracks.h"
 #include <cglm/struct.h>
@@ -17,39 +17,37 @@ enum {
     MODEL_COUNT = 3,
 };
 
-/* ---- the generic sheets, about 1 in radius ---- */
-
-static float bent(float x, float y, float r)
+static float bent_height(float x, float y, float r)
 {
     (void)r;
     return 0.45F * x * x + 0.12F * x * y - 0.15F;
 }
 
-static float twisted(float x, float y, float r)
+static float twisted_height(float x, float y, float r)
 {
     (void)r;
     return 0.7F * x * y + 0.1F * x;
 }
 
-/* A shell with waves around its deepest point, like a fracture of glass. */
-static float shell(float x, float y, float r)
+/* Returns the height of a shell with ripples around its centre (conchoidal fracture). */
+static float shell_height(float x, float y, float r)
 {
     float wave = noise_value((vec3s){ { 5.5F * r, 0.4F * x, 0.4F * y } }, 7);
     return 0.5F * r * r + 0.07F * wave - 0.25F;
 }
 
-/* Returns the radius of the sheet in a direction; the outline is irregular. */
+/* Returns the radius of a sheet's irregular outline in a direction. */
 static float outline(vec3s dir, uint32_t seed)
 {
     return 0.85F + 0.3F * noise_value(glms_vec3_scale(dir, 1.3F), seed) +
            0.12F * noise_value(glms_vec3_scale(dir, 5.0F), seed + 1);
 }
 
-/* Maps a point of the square to the disc, by ellipses, and displaces it. */
+/* Maps a point of the square to the disc (elliptical grid mapping), and displaces it. */
 static vec3s sheet_point(float u, float v, uint32_t model)
 {
-    static float (*const heights[MODEL_COUNT])(float x, float y, float r) = { bent, twisted,
-                                                                              shell };
+    static float (*const heights[MODEL_COUNT])(
+        float x, float y, float r) = { bent_height, twisted_height, shell_height };
     vec3s p = { { u * sqrtf(1.0F - v * v / 2.0F), v * sqrtf(1.0F - u * u / 2.0F), 0.0F } };
     float r = glms_vec3_norm(p);
     if (r > 0.0F)
@@ -69,10 +67,10 @@ static bool make_sheet(struct mesh *mesh, uint32_t model)
         uint32_t column = i % (CELLS + 1);
         vec2s uv = { { (float)column / CELLS, (float)row / CELLS } };
         const float u = 2.0F * uv.x - 1.0F, v = 2.0F * uv.y - 1.0F;
-        const float open = (1.0F - u * u) * (1.0F - v * v); /* 1 less the disc's radius squared */
+        const float gap = (1.0F - u * u) * (1.0F - v * v); /* 1 minus squared disc radius */
         mesh->vertices[i] = (struct mesh_vertex){
             .position = sheet_point(u, v, model),
-            .color = { { open, open, open } },
+            .color = { { gap, gap, gap } },
             .uv = uv,
         };
     }
@@ -87,16 +85,14 @@ static bool make_sheet(struct mesh *mesh, uint32_t model)
     return true;
 }
 
-/* ---- placement ---- */
-
-/* Returns the next number of a sequence, from -1 to 1. */
+/* Returns the next number of a random sequence, from -1 to 1. */
 static float random_value(uint32_t *state)
 {
     *state += 0x9e3779b9U;
     return (float)(noise_hash(*state) >> 8) / 8388607.5F - 1.0F;
 }
 
-/* Returns a random point of the unit ball of `count` dimensions, not too near to its centre. */
+/* Returns a random point of the unit ball of `count` dimensions, at least 0.1 from its centre. */
 static vec4s random_in_ball(uint32_t *state, int count)
 {
     vec4s v = { 0 };
@@ -140,7 +136,7 @@ bool generate_cracks(struct mesh *mesh, struct box box, const struct generate_cr
     for (uint32_t i = 0; i < MODEL_COUNT && done; i++)
         done = own->index_count || make_sheet(&sheets[i], i);
     for (uint32_t i = 0; i < wanted && done; i++) {
-        uint32_t state = noise_hash(noise_hash(params->seed) ^ i); /* not of the count */
+        uint32_t state = noise_hash(noise_hash(params->seed) ^ i); /* independent of the count */
         done = add_crack(mesh, own->index_count ? own : &sheets[i % MODEL_COUNT], box, params->size,
                          &state);
     }

@@ -1,18 +1,18 @@
-/* floor.c: pale tiles on a level plane, with a plane of one colour around them. */
+/* floor.c: generates a level floor of pale tiles, surrounded by a single-coloured plane. */
 #include "src/scene/generate/generate.h"
 
 #include <cglm/struct.h>
 
 enum {
-    TILES = 48, /* along each side */
+    TILES = 48, /* tiles along each side */
 };
 
 static const vec3s pale = { { 0.36F, 0.34F, 0.31F } };
 static const vec3s dark = { { 0.25F, 0.24F, 0.23F } };
-static const float tile = 0.28F; /* side length of a tile, in diagonals of the box */
-static const float beyond = 100; /* half side of the floor, in diagonals of the box */
+static const float tile = 0.28F; /* width of a tile, in diagonals of the object's box */
+static const float extent = 100; /* half width of the floor, in diagonals of the object's box */
 
-/* Adds a horizontal rectangle from the corner `from`, of size x, z. */
+/* Adds a horizontal rectangle between the corners `from` and (x, z). */
 static void add_square(struct mesh *mesh, vec3s from, float x, float z, vec3s color)
 {
     static const uint32_t order[6] = { 0, 2, 1, 0, 3, 2 };
@@ -46,7 +46,7 @@ static void add_tiles(struct mesh *mesh, vec3s corner, float side)
     }
 }
 
-/* Adds four rectangles around the tiles, whose half side is `inner`. */
+/* Adds four rectangles around the tiles, whose half width is `inner`. */
 static void add_rest(struct mesh *mesh, vec3s middle, float inner, float outer)
 {
     const float x = middle.x;
@@ -71,6 +71,6 @@ bool generate_floor(struct mesh *mesh, struct box object)
         return false;
     mesh->vertex_count = mesh->index_count = 0; /* counts of the filled part */
     add_tiles(mesh, (vec3s){ { middle.x - inner, middle.y, middle.z - inner } }, side);
-    add_rest(mesh, middle, inner, beyond * side / tile);
+    add_rest(mesh, middle, inner, extent * side / tile);
     return true;
 }

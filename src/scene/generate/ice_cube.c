@@ -1,8 +1,8 @@
 /*
- * ice_cube.c: a cube of six grids with rounded edges, displaced by smooth noise.
+ * ice_cube.c: generates a rounded cube of six grids, displaced by smooth noise.
  *
- * The displacement is a field of the whole space with gentle slopes, so that the surface has
- * neither gaps where grids meet nor self-intersections.
+ * The displacement is a function of position with gentle slopes, so the surface has neither gaps
+ * between grids nor self-intersections.
  */
 #include "src/scene/generate/generate.h"
 
@@ -11,7 +11,7 @@
 
 #include "src/scene/generate/noise.h"
 
-static const float rounding = 0.18F; /* radius of the edges; the half-width is 1 */
+static const float rounding = 0.18F; /* edge radius, for a half width of 1 */
 
 static uint32_t choose_cells(uint32_t triangles)
 {
@@ -23,8 +23,8 @@ static uint32_t choose_cells(uint32_t triangles)
 }
 
 /*
- * Numbers the points of an (n + 1)^3 lattice that lie on its surface: the layer at 0, the square
- * rings of 4n above it, the layer at n.
+ * Returns the index of a surface point of an (n + 1)^3 lattice: first the layer at 0, then square
+ * rings of 4n points, then the layer at n.
  */
 static uint32_t surface_index(const uint32_t at[3], uint32_t n)
 {
@@ -44,7 +44,7 @@ static uint32_t surface_index(const uint32_t at[3], uint32_t n)
     return ring + 4 * n - j;
 }
 
-/* Grid lines are closer together toward the edges, where the curvature is high. */
+/* Returns a lattice coordinate. Lines are denser towards the edges, where the curvature is high. */
 static float lattice_coordinate(uint32_t i, uint32_t n)
 {
     float t = 2 * (float)i / (float)n - 1;
@@ -67,7 +67,7 @@ static vec3s surface_point(const uint32_t at[3], uint32_t n)
     return glms_vec3_muladds(noise_vector(glms_vec3_scale(p, 4.7F), 13), 0.008F, bent);
 }
 
-/* One side of the cube: across `axis`, at coordinate 0 or n. */
+/* Adds one side of the cube, perpendicular to `axis` at lattice coordinate 0 or n. */
 static uint32_t *add_side(struct mesh *mesh, uint32_t *out, int axis, uint32_t coordinate,
                           uint32_t n)
 {

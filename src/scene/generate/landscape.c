@@ -1,7 +1,7 @@
 /*
- * landscape.c: a valley of flat facets, each of one colour.
+ * landscape.c: generates a valley of flat-shaded facets.
  *
- * Facets and patches of different colours keep the surroundings legible when seen refracted.
+ * Facets and patches of different colours keep the surroundings recognisable through refraction.
  */
 #include "src/scene/generate/generate.h"
 
@@ -46,7 +46,7 @@ static vec3s point_at(struct grid grid, uint32_t column, uint32_t row)
 {
     float x = 2 * (float)column / (float)grid.columns - 1;
     float z = 2 * (float)row / (float)grid.rows - 1;
-    /* Inner points are displaced, so that the grid is not visible. */
+    /* jitters inner points, to hide the grid */
     vec3s shift = noise_vector((vec3s){ { (float)column, 0, (float)row } }, 23);
     if (column > 0 && column < grid.columns)
         x += 0.5F * shift.x / (float)grid.columns;
@@ -62,7 +62,7 @@ static vec3s mix(vec3s from, vec3s to, float from_x, float to_x, float x)
     return glms_vec3_lerp(from, to, smooth_step(from_x, to_x, x));
 }
 
-/* Meadows below, forest and autumn trees on the slopes, rock where steep, snow on top. */
+/* Returns a facet's colour: meadows below, forest and autumn trees on slopes, rock, snow. */
 static vec3s facet_color(vec3s center, vec3s normal)
 {
     static const vec3s grass = { { 0.085F, 0.150F, 0.042F } };
@@ -116,8 +116,7 @@ bool generate_landscape(struct mesh *mesh, uint32_t triangles)
             vec3s b = point_at(grid, column, row + 1);
             vec3s c = point_at(grid, column + 1, row + 1);
             vec3s d = point_at(grid, column + 1, row);
-            /* The diagonal alternates: a herringbone is less visible than parallel lines. */
-            if ((row + column) % 2 == 0) {
+            if ((row + column) % 2 == 0) { /* herringbone hides the grid better */
                 add_facet(mesh, first, a, b, c);
                 add_facet(mesh, first + 3, a, c, d);
             } else {

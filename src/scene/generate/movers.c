@@ -1,4 +1,4 @@
-/* movers.c: balls that go around an object, so that its surroundings change. */
+/* movers.c: generates balls that orbit an object, to make its surroundings change over time. */
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/scene/generate/generate.h"
@@ -7,7 +7,7 @@ enum {
     BALL_TRIANGLES = 320
 };
 
-/* Colours evenly around the circle of hues. */
+/* Returns a colour from an evenly spaced hue circle. */
 static vec3s hue(float turn)
 {
     vec3s color;

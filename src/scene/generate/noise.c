@@ -1,10 +1,10 @@
-/* noise.c: value noise on a lattice of hashed whole numbers. */
+/* noise.c: value noise on a hashed integer lattice. */
 #include "src/scene/generate/noise.h"
 
 #include <cglm/struct.h>
 #include <math.h>
 
-/* An integer hash with good avalanche (Wellons, "Prospecting for Hash Functions", 2018). */
+/* Integer hash with good avalanche (Wellons, "Prospecting for Hash Functions", 2018). */
 uint32_t noise_hash(uint32_t x)
 {
     x = (x ^ (x >> 16)) * 0x7feb352dU;
@@ -17,7 +17,7 @@ static float fade(float t)
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/* An integer coordinate, and the weight of the next one. */
+/* Lattice coordinate, and the interpolation weight of the next one. */
 struct cell {
     uint32_t at;
     float next;

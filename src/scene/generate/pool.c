@@ -1,5 +1,5 @@
-/* pool.c: the dry parts of a pool: its walls' upper ends, a coping and paving around it; and the
- * ice that floats in it. */
+/* pool.c: generates the dry parts of a pool (walls above water, coping, paving), and floating ice.
+ */
 #include "shaders/water.h"
 #include "src/scene/generate/generate.h"
 
@@ -7,11 +7,12 @@
 
 static const vec3s stone = { { POOL_STONE } };
 static const vec3s paving = { { 0.400F, 0.385F, 0.360F } };
-static const float coping = 0.3F;   /* metres wide */
-static const float sunken = 0.917F; /* share of the ice below water: its density over water's */
-static const float paved = 2000;    /* metres from the middle to the edge of the paving */
+static const float coping = 0.3F; /* metres wide */
+static const float submerged =
+    0.917F;                      /* submerged fraction of ice: its density over that of water */
+static const float paved = 2000; /* metres from the centre to the edge of the paving */
 
-/* Adds a quad whose corners are in counter-clockwise order around its normal. */
+/* Adds a quad with corners in counter-clockwise order around its normal. */
 static void add_quad(struct mesh *mesh, uint32_t *count, const vec3s corners[4], vec3s color)
 {
     static const uint32_t order[6] = { 0, 1, 2, 0, 2, 3 };
@@ -29,8 +30,8 @@ static void add_quad(struct mesh *mesh, uint32_t *count, const vec3s corners[4],
     ++*count;
 }
 
-/* Returns (x, y) rotated by quarter turns, at a height. */
-static vec3s turned(uint32_t quarters, float x, float height, float y)
+/* Returns (x, height, y), rotated about the vertical axis by quarter turns. */
+static vec3s rotated(uint32_t quarters, float x, float height, float y)
 {
     const vec3s at[4] = {
         { { x, height, y } },
@@ -41,15 +42,15 @@ static vec3s turned(uint32_t quarters, float x, float height, float y)
     return at[quarters];
 }
 
-/* Adds a horizontal frame between two squares of these half sides around the middle. */
+/* Adds a horizontal frame between two concentric squares with these half widths. */
 static void add_frame(struct mesh *mesh, uint32_t *count, float inner, float outer, vec3s color)
 {
     for (uint32_t q = 0; q < 4; q++) {
         const vec3s corners[4] = {
-            turned(q, -inner, POOL_RIM, inner),
-            turned(q, -outer, POOL_RIM, outer),
-            turned(q, outer, POOL_RIM, outer),
-            turned(q, inner, POOL_RIM, inner),
+            rotated(q, -inner, POOL_RIM, inner),
+            rotated(q, -outer, POOL_RIM, outer),
+            rotated(q, outer, POOL_RIM, outer),
+            rotated(q, inner, POOL_RIM, inner),
         };
         add_quad(mesh, count, corners, color);
     }
@@ -59,10 +60,10 @@ static void add_walls(struct mesh *mesh, uint32_t *count, float half, float dept
 {
     for (uint32_t q = 0; q < 4; q++) {
         const vec3s corners[4] = {
-            turned(q, -half, POOL_RIM, half),
-            turned(q, half, POOL_RIM, half),
-            turned(q, half, -depth, half),
-            turned(q, -half, -depth, half),
+            rotated(q, -half, POOL_RIM, half),
+            rotated(q, half, POOL_RIM, half),
+            rotated(q, half, -depth, half),
+            rotated(q, -half, -depth, half),
         };
         add_quad(mesh, count, corners, stone);
     }
@@ -88,6 +89,6 @@ bool generate_floe(struct mesh *mesh, const struct generate_pool *pool, uint32_t
     const struct box box = mesh_box(mesh);
     const float height = box.max.y - box.min.y;
     for (uint32_t i = 0; i < mesh->vertex_count; i++)
-        mesh->vertices[i].position.y -= box.min.y + sunken * height;
+        mesh->vertices[i].position.y -= box.min.y + submerged * height;
     return true;
 }

@@ -1,9 +1,9 @@
-/* random.c: a hash of the count, keyed by the seed. */
+/* random.c: counter-based random numbers: a hash of counter and seed. */
 #include "src/scene/generate/random.h"
 
 #include <cglm/struct.h>
 
-/* An integer hash with good avalanche (Wellons, "Prospecting for Hash Functions", 2018). */
+/* Integer hash with good avalanche (Wellons, "Prospecting for Hash Functions", 2018). */
 static uint32_t scramble(uint32_t x)
 {
     x = (x ^ (x >> 16)) * 0x7feb352dU;
@@ -34,8 +34,8 @@ vec3s random_box(struct random *random)
     return v;
 }
 
-/* A point of the four-dimensional ball as a quaternion, without a sine, because libraries differ in
- * its last bit. */
+/* Normalises a point of the 4D unit ball to a quaternion. Avoids sines, because their last bit
+ * differs between C libraries. */
 mat3s random_rotation(struct random *random)
 {
     versors q;

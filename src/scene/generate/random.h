@@ -1,5 +1,5 @@
 /*
- * random.h: sequences of random numbers, equal on every machine.
+ * random.h: random number sequences, bit-identical on every machine.
  */
 #ifndef FIRN_SCENE_GENERATE_RANDOM_H
 #define FIRN_SCENE_GENERATE_RANDOM_H
@@ -7,12 +7,13 @@
 #include <cglm/types-struct.h>
 #include <stdint.h>
 
-/* The state of a sequence. */
+/* State of a random number sequence. */
 struct random {
     uint32_t key, count;
 };
 
-/* Begins a sequence; different seeds and different parts of one seed give unrelated sequences. */
+/* Starts a sequence. Different seeds, and different parts of one seed, give uncorrelated sequences.
+ */
 struct random random_begin(uint32_t seed, uint32_t part);
 
 float random_unit(struct random *random); /* in [0, 1) */

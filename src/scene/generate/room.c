@@ -1,8 +1,8 @@
 /*
- * room.c: a closed room with a table, which shows straight lines through ice.
+ * room.c: generates a closed room with a table, whose straight lines show the refraction of ice.
  *
- * Everything is made of boxes along the axes. Each vertex is lit by a lamp and a window, if no
- * furniture hides them, and by a constant ambient light.
+ * All geometry is axis-aligned boxes. Vertex lighting is baked: a lamp and a window with shadows of
+ * furniture, plus constant ambient light.
  */
 #include <cglm/struct.h>
 #include <math.h>
@@ -13,32 +13,32 @@ static const struct box walls = {
     .max = { { 7.2F, 3.6F, 6.3F } },
 };
 static const float tile = 0.9F;
-static const float line = 0.03F; /* half the width of the lines between tiles, metres */
+static const float line = 0.03F; /* half the width of the grout lines, metres */
 
 enum {
     BREAKS_MAX = 64,
     FURNITURE_MAX = 9,
     TABLE_PARTS = 5,
-    LIGHT_SAMPLES = 3, /* along each side of a light */
+    LIGHT_SAMPLES = 3, /* samples along each side of an area light */
 };
 
-/* A light covers whole tiles of one side of the room. */
+/* Area light that covers whole tiles of one side of the room. */
 struct light {
     int axis;
-    bool high; /* at the greater coordinate of the axis */
+    bool high; /* on the side with the greater coordinate */
     struct box box;
     vec3s radiance;
 };
 
 static const struct light lights[] = {
     {
-        .axis = 1, /* a lamp */
+        .axis = 1, /* ceiling lamp */
         .high = true,
         .box = { { { 0.9F, 3.6F, 0.0F } }, { { 2.7F, 3.6F, 1.8F } } },
         .radiance = { { 15.0F, 13.5F, 11.5F } },
     },
     {
-        .axis = 2, /* a window behind the ice */
+        .axis = 2, /* window behind the ice */
         .high = false,
         .box = { { { -0.9F, 0.0F, -3.6F } }, { { 1.8F, 2.7F, -3.6F } } },
         .radiance = { { 2.4F, 3.2F, 4.4F } },
@@ -50,16 +50,16 @@ struct room {
     struct mesh *mesh;
 };
 
-/* One of the six sides of a box, visible from its inside or outside. */
+/* One of the six sides of a box, seen from inside or outside. */
 struct side {
     struct box box;
     int axis;
     bool high;
-    bool inside;  /* a side of the room */
-    vec3s albedo; /* of furniture */
+    bool inside;  /* true for a side of the room */
+    vec3s albedo; /* for furniture */
 };
 
-/* Ascending boundaries of a side's cells along one axis. */
+/* Ascending cell boundaries of a side along one axis. */
 struct breaks {
     float at[BREAKS_MAX];
     uint32_t count;
@@ -77,7 +77,7 @@ static const vec3s furniture_colors[] = {
     { { 0.75F, 0.60F, 0.10F } }, { { 0.12F, 0.38F, 0.22F } },
 };
 
-/* The lines between tiles are cells of their own; those at the ends of a wall are half as wide. */
+/* Returns the cell boundaries of a wall. Grout lines are separate cells. */
 static struct breaks room_breaks(int axis)
 {
     struct breaks b = { { walls.min.raw[axis] }, 1 };
@@ -92,7 +92,7 @@ static struct breaks room_breaks(int axis)
     return b;
 }
 
-/* Cells of a quarter of a metre, or a little less. */
+/* Returns cell boundaries at most 0.25 m apart. */
 static struct breaks furniture_breaks(struct box box, int axis)
 {
     struct breaks b = { { 0 }, 0 };
@@ -106,17 +106,17 @@ static struct breaks furniture_breaks(struct box box, int axis)
     return b;
 }
 
-/* Whether furniture is between two points, excluding the points. */
+/* Returns true if furniture occludes the segment between two points. */
 static bool is_hidden(const struct room *room, vec3s from, vec3s to)
 {
-    vec3s way = glms_vec3_sub(to, from);
+    vec3s offset = glms_vec3_sub(to, from);
     for (size_t i = 0; i < FURNITURE_MAX; i++) {
         float first = 1e-3F;
         float last = 1.0F - 1e-3F;
         for (int axis = 0; axis < 3; axis++) {
             float low = room->furniture[i].min.raw[axis] + 1e-4F - from.raw[axis];
             float high = room->furniture[i].max.raw[axis] - 1e-4F - from.raw[axis];
-            float speed = fabsf(way.raw[axis]) > 1e-9F ? way.raw[axis] : 1e-9F;
+            float speed = fabsf(offset.raw[axis]) > 1e-9F ? offset.raw[axis] : 1e-9F;
             first = fmaxf(first, fminf(low / speed, high / speed));
             last = fminf(last, fmaxf(low / speed, high / speed));
         }
@@ -126,7 +126,8 @@ static bool is_hidden(const struct room *room, vec3s from, vec3s to)
     return false;
 }
 
-/* Returns the radiance of a white surface in the light, estimated from a few points of it. */
+/* Returns the radiance of a white diffuse surface lit by an area light, by sampling a few points.
+ */
 static vec3s light_from(const struct room *room, const struct light *light, vec3s point,
                         vec3s normal)
 {
@@ -140,9 +141,9 @@ static vec3s light_from(const struct room *room, const struct light *light, vec3
         vec3s at = light->box.min;
         at.raw[u] += extent.raw[u] * ((float)column + 0.5F) / LIGHT_SAMPLES;
         at.raw[v] += extent.raw[v] * ((float)row + 0.5F) / LIGHT_SAMPLES;
-        vec3s way = glms_vec3_sub(at, point);
-        float distance2 = fmaxf(glms_vec3_norm2(way), 0.05F);
-        float cosines = glms_vec3_dot(way, normal) * fabsf(way.raw[light->axis]) / distance2;
+        vec3s offset = glms_vec3_sub(at, point);
+        float distance2 = fmaxf(glms_vec3_norm2(offset), 0.05F);
+        float cosines = glms_vec3_dot(offset, normal) * fabsf(offset.raw[light->axis]) / distance2;
         if (cosines > 0.0F && !is_hidden(room, point, at))
             share += cosines / distance2;
     }
@@ -191,7 +192,7 @@ static vec3s albedo_of(const struct side *side, vec3s middle)
     return (vec3s){ { 0.72F, 0.70F, 0.66F } };
 }
 
-/* Sets the four vertices of a cell, and two triangles wound for the side's visible face. */
+/* Writes the four vertices of a cell, and two triangles with the winding of the visible face. */
 static void set_cell(const struct room *room, const struct side *side, uint32_t cell, vec3s low,
                      vec3s high)
 {
@@ -203,7 +204,7 @@ static void set_cell(const struct room *room, const struct side *side, uint32_t 
     bool rising = side->high != side->inside;
     normal.raw[side->axis] = rising ? 1.0F : -1.0F;
     const struct light *light = find_light(side, middle);
-    bool glows = light && !is_line(side, middle);
+    bool is_emitter = light && !is_line(side, middle);
     for (uint32_t i = 0; i < 4; i++) {
         struct mesh_vertex *vertex = &room->mesh->vertices[cell * 4 + i];
         vertex->position = low;
@@ -211,9 +212,9 @@ static void set_cell(const struct room *room, const struct side *side, uint32_t 
         vertex->position.raw[v] = i & 2 ? high.raw[v] : low.raw[v];
         vertex->normal = normal;
         vertex->material = MESH_UNLIT;
-        vertex->color = glows ? light->radiance
-                              : glms_vec3_mul(albedo_of(side, middle),
-                                              light_at(room, vertex->position, normal));
+        vertex->color = is_emitter ? light->radiance
+                                   : glms_vec3_mul(albedo_of(side, middle),
+                                                   light_at(room, vertex->position, normal));
     }
     for (uint32_t i = 0; i < 6; i++)
         room->mesh->indices[cell * 6 + i] = cell * 4 + corners[rising][i];
@@ -265,7 +266,7 @@ static struct box box_between(float x0, float y0, float z0, float x1, float y1, 
     return (struct box){ { { x0, y0, z0 } }, { { x1, y1, z1 } } };
 }
 
-/* First the table's parts. */
+/* Places the furniture, with the table's parts first. */
 static void furnish(struct room *room, float table)
 {
     const struct box top = box_between(-1.7F, table - 0.14F, -1.7F, 2.6F, table, 1.5F);
@@ -278,8 +279,8 @@ static void furnish(struct room *room, float table)
         float z = i & 2 ? top.max.z - leg : top.min.z;
         f[1 + i] = box_between(x, floor, z, x + leg, top.min.y, z + leg);
     }
-    f[5] = box_between(1.5F, table, -1.1F, 2.1F, table + 0.6F, -0.5F); /* beside the ice */
-    f[6] = box_between(-4.5F, floor, -3.6F, -2.7F, 1.8F, -2.3F);       /* a cabinet */
+    f[5] = box_between(1.5F, table, -1.1F, 2.1F, table + 0.6F, -0.5F); /* box beside the ice */
+    f[6] = box_between(-4.5F, floor, -3.6F, -2.7F, 1.8F, -2.3F);       /* cabinet */
     f[7] = box_between(4.0F, floor, -2.9F, 5.8F, floor + 1.3F, -1.1F); /* crates */
     f[8] = box_between(-3.9F, floor, 1.4F, -2.6F, floor + 2.0F, 2.7F);
 }

@@ -1,17 +1,17 @@
-/* sphere.c: unit sphere of longitudes and latitudes. */
+/* sphere.c: generates a unit sphere of longitudes and latitudes. */
 #include "src/scene/generate/generate.h"
 
 #include <cglm/struct.h>
 #include <math.h>
 
-/* `rows` bands from pole to pole, each of `columns` quads; the first and last are triangles. */
+/* `rows` bands from pole to pole, each of `columns` quads; the first and the last are triangles */
 struct grid {
     uint32_t rows, columns;
 };
 
 static struct grid choose_grid(uint32_t triangles)
 {
-    /* There are 2 columns (rows - 1) triangles; nearly square quads need columns = 2 rows. */
+    /* triangles = 2 columns (rows - 1); quads are nearly square if columns = 2 rows */
     double wanted = fmax(fmin(triangles, GENERATE_TRIANGLES_MAX), 6);
     double rows = fmax(2, round((1 + sqrt(1 + wanted)) / 2));
     double columns = fmax(3, round(wanted / (2 * (rows - 1))));
@@ -39,7 +39,7 @@ static uint32_t *add_triangle(uint32_t *out, uint32_t a, uint32_t b, uint32_t c)
     return out + 3;
 }
 
-/* Row 0 and the last row of vertices are the poles, each with one vertex. */
+/* Returns a vertex index. Row 0 and the last row are the poles, with one vertex each. */
 static uint32_t vertex_at(struct grid grid, uint32_t row, uint32_t column)
 {
     if (row == 0)
@@ -50,9 +50,9 @@ static uint32_t vertex_at(struct grid grid, uint32_t row, uint32_t column)
 }
 
 /*
- * Moves the vertices out until the facets enclose the volume of the unit sphere. Facets are then
- * about as far outside as inside of it, where vertices on the sphere would leave them all inside,
- * and the error of refracted directions against the sphere's closed forms is a third.
+ * Scales the sphere until its facets enclose the unit sphere's volume. Facets are then about as far
+ * outside as inside of it; vertices on the unit sphere would leave all facets inside. This reduces
+ * the error of refracted directions, relative to closed forms, to a third.
  */
 static void fill_volume(struct mesh *mesh)
 {

@@ -1,18 +1,17 @@
 /*
- * teapot.c: the Utah teapot as one closed surface.
+ * teapot.c: generates the Utah teapot as one closed surface.
  *
  * The 32 bicubic patches (Newell 1975, heights as scaled by Blinn, bottom by Crow) are 24 patches
- * of revolution and two tubes of two patches and their mirror images: a profile and two lists of
+ * of revolution, and two tubes of two patches and their mirror images. A profile and two lists of
  * cross-sections describe them exactly. A flat ring closes the gap between lid and rim. Handle and
- * spout are cut off where they meet the body and joined to holes left in its grid, so that there
- * is no wall inside; the spout's mouth is closed. The surface has one handle: its Euler
- * characteristic is 0, and it has twice as many triangles as vertices.
+ * spout are cut where they meet the body, and joined to holes in its grid, so that there are no
+ * inner walls; the spout's mouth is closed. The surface has genus 1: its Euler characteristic is 0,
+ * and it has twice as many triangles as vertices.
  *
- * With n cells along a patch's side the body has 24 * 2 n^2 triangles (the ring adds just what is
- * lost at the two poles). Spout and handle replace 2 * 4 patches; for n = 15:
- *   spout   27 rows * 34 around * 2 + mouth 32 - hole  6 * 11 * 2     = 1736
- *   handle  54 rows * 18 around * 2            - holes 4 *  5 * 2 * 2 = 1864
- * which is 8 * 2 * 15^2, and 14400 in all.
+ * With n cells along a patch's side, the body has 24 * 2 n^2 triangles (the ring adds as many as
+ * the two poles lose). Spout and handle replace 2 * 4 patches. For n = 15, the spout has 27 rows *
+ * 34 around * 2 + mouth 32 - hole 6 * 11 * 2 = 1736 triangles, and the handle 54 rows * 18 around *
+ * 2 - holes 4 * 5 * 2 * 2 = 1864, which is 8 * 2 * 15^2, and 14400 in all.
  */
 #include "src/scene/generate/generate.h"
 
@@ -23,11 +22,11 @@
 
 enum {
     PROFILE_PIECES = 6,
-    UPPER = 3, /* the body's first profile piece; the handle and the spout meet it and the next */
-    LEAST_CELLS = 5, /* with fewer the smoothed normals at the joints point inward */
+    UPPER = 3, /* first profile piece of the body; handle and spout join it and the next one */
+    LEAST_CELLS = 5, /* with fewer cells, smoothed normals at the joints point inwards */
 };
 
-/* radius, height */
+/* Control points of the profile: radius, height. */
 static const float profile[PROFILE_PIECES][4][2] = {
     { { 0, 3.15F }, { 0.8F, 3.15F }, { 0, 2.85F }, { 0.2F, 2.7F } },
     { { 0.2F, 2.7F }, { 0.4F, 2.55F }, { 1.3F, 2.55F }, { 1.3F, 2.4F } },
@@ -37,7 +36,7 @@ static const float profile[PROFILE_PIECES][4][2] = {
     { { 1.5F, 0.15F }, { 1.5F, 0.075F }, { 1.425F, 0 }, { 0, 0 } },
 };
 
-/* Cross-sections: x and y where the two halves begin, the same where they end, half the width. */
+/* Cross-sections: x and y at the start of both halves, x and y at their end, half the width. */
 static const float spout_sections[7][5] = {
     { 1.7F, 1.425F, 1.7F, 0.6F, 0.66F },       { 2.6F, 1.425F, 3.1F, 0.825F, 0.66F },
     { 2.3F, 2.1F, 2.4F, 2.025F, 0.25F },       { 2.7F, 2.4F, 3.3F, 2.4F, 0.25F },
@@ -52,7 +51,7 @@ static const float handle_sections[7][5] = {
     { -2, 0.9F, -1.9F, 0.6F, 0.3F },
 };
 
-/* Cells left out of the body's grid: rows top..bottom, `reach` columns to both sides of center. */
+/* Cells omitted from the body's grid: rows top..bottom, `reach` columns on both sides of center. */
 struct hole {
     uint32_t center;
     uint32_t reach;
@@ -62,12 +61,12 @@ struct hole {
 struct teapot {
     struct mesh *mesh;
     uint32_t n;       /* cells along a patch's side */
-    uint32_t columns; /* of the body, all round: 4n */
-    uint32_t lines;   /* the body's circles of vertices, from pole to pole, poles included */
+    uint32_t columns; /* columns of the body all round: 4n */
+    uint32_t lines;   /* circles of vertices on the body, both poles included */
     struct hole spout, handle_top, handle_bottom;
-    uint32_t spout_rows, handle_rows;       /* from hole to mouth, from hole to hole */
-    uint32_t *body;                         /* vertex by line and column */
-    uint32_t *loop, *next_loop, *hole_loop; /* scratch: vertices around a tube */
+    uint32_t spout_rows, handle_rows;       /* rows from hole to mouth, and from hole to hole */
+    uint32_t *body;                         /* vertex index by line and column */
+    uint32_t *loop, *next_loop, *hole_loop; /* scratch memory: vertices around a tube */
     uint32_t vertex_count, index_count;
 };
 
@@ -92,7 +91,7 @@ static vec2s profile_point(uint32_t piece, float t)
     return p;
 }
 
-/* A point of Newell's quarter circle, which is not quite round: 0.56 where 0.5523 is best. */
+/* Returns a point of Newell's quarter circle, which is not quite round: 0.56 instead of 0.5523. */
 static vec2s quarter_circle(float t)
 {
     float w[4];
@@ -100,7 +99,8 @@ static vec2s quarter_circle(float t)
     return (vec2s){ { w[0] + w[1] + 0.56F * w[2], 0.56F * w[1] + w[2] + w[3] } };
 }
 
-/* v runs from 0 to 1 along either half, which `side` = 1 or -1 tells. u in [0, 2], or near it. */
+/* Returns a point of a tube. v is 0 to 1 along the half that `side` (1 or -1) selects; u is about 0
+ * to 2. */
 static vec3s tube_point(const float (*sections)[5], float u, float v, float side)
 {
     int patch = u < 1 ? 0 : 1;
@@ -120,10 +120,10 @@ static vec3s tube_point(const float (*sections)[5], float u, float v, float side
     } };
 }
 
-/* Returns the distance of a point outside the body, at a height of its side. */
+/* Returns the horizontal distance of a point from the body at its height; negative inside. */
 static float outside_body(vec3s p)
 {
-    const int steps = 24; /* each halves the interval; a float has no more digits */
+    const int steps = 24; /* bisections, the precision of a float */
     uint32_t piece = p.y > profile[UPPER][3][1] ? UPPER : UPPER + 1;
     float low = 0, high = 1;
     for (int i = 0; i < steps; i++) {
@@ -149,7 +149,7 @@ static float outside_body(vec3s p)
     return hypotf(p.x, p.z) - radius * glms_vec2_norm(direction);
 }
 
-/* Returns the u at which the tube leaves the body, between a u inside and one outside. */
+/* Returns the u at which a tube leaves the body, between u values inside and outside. */
 static float find_joint(const float (*sections)[5], float inside, float outside, float v)
 {
     for (int i = 0; i < 24; i++) {
@@ -183,7 +183,7 @@ static uint32_t percent_ceil(uint32_t n, uint32_t percent)
 }
 
 /*
- * Plans the grid. The holes are given as shares of a patch; the joints are well inside them. In
+ * Plans the grid. Holes are given in percent of a patch, and contain the joints with a margin. In
  * rows of the body, counted from its rim, the spout's joint covers 0.62..1.20, the handle's
  * 0.10..0.24 and 1.00..1.24; in columns they reach 0.153, 0.085 and 0.070 to both sides.
  */
@@ -203,8 +203,7 @@ static struct teapot plan(uint32_t n)
         .top = rim + percent_floor(n, 96),
         .bottom = rim + percent_ceil(n, 126),
     };
-    /* both ends of the handle have equal loops */
-    t.handle_top = t.handle_bottom;
+    t.handle_top = t.handle_bottom; /* both ends have equal loops */
     t.handle_top.top = rim + percent_floor(n, 8);
     t.handle_top.bottom = t.handle_top.top + t.handle_bottom.bottom - t.handle_bottom.top;
     t.spout_rows = 9 * n / 5;
@@ -212,7 +211,7 @@ static struct teapot plan(uint32_t n)
     return t;
 }
 
-/* Returns half the number of triangles, which is the number of vertices. */
+/* Returns half the number of triangles, which equals the number of vertices. */
 static uint32_t half_count(const struct teapot *t)
 {
     uint32_t body = t->columns * (t->lines - 2) - hole_cells(&t->spout) -
@@ -253,7 +252,7 @@ static void add_triangle(struct teapot *t, uint32_t a, uint32_t b, uint32_t c)
     t->index_count += 3;
 }
 
-/* Columns go from +X over -Z to -X and on. */
+/* Returns a body vertex position. Columns run from +X over -Z to -X and on. */
 static vec3s body_point(const struct teapot *t, uint32_t line, uint32_t column)
 {
     /* the lid's last line and the rim's first are the two sides of the closing ring */
@@ -272,7 +271,7 @@ static vec3s body_point(const struct teapot *t, uint32_t line, uint32_t column)
     return (vec3s){ { p.x * direction.x, p.y, p.x * direction.y } };
 }
 
-/* Returns the distance of a column from the hole's center, in columns. */
+/* Returns the distance of a column from the hole's centre, in columns. */
 static uint32_t columns_off(const struct teapot *t, const struct hole *hole, uint32_t column)
 {
     uint32_t off = (column + t->columns - hole->center) % t->columns;
@@ -335,8 +334,8 @@ static void add_body(struct teapot *t)
 }
 
 /*
- * Lists the vertices around a hole from the middle of its upper edge (or lower, for a tube that
- * begins there), the half with +Z first.
+ * Lists the vertices around a hole, the half with +Z first, from the middle of its upper edge, or
+ * lower edge for a tube that starts there.
  */
 static void trace_hole(struct teapot *t, const struct hole *hole, bool from_bottom, uint32_t *loop)
 {
@@ -352,13 +351,13 @@ static void trace_hole(struct teapot *t, const struct hole *hole, bool from_bott
             off = down < height ? hole->reach : size / 2 - step;
         }
         uint32_t line = from_bottom ? hole->bottom - down : hole->top + down;
-        /* +Z is toward lower columns at the spout, toward higher ones at the handle */
+        /* +Z is towards lower columns at the spout, and towards higher ones at the handle */
         bool higher = first_half == (hole->center > 0);
         loop[i] = *body_vertex(t, line, hole->center + (higher ? off : t->columns - off));
     }
 }
 
-/* Joins two loops of vertices; the second is further along the tube. */
+/* Joins two loops of vertices with triangles; the second loop is farther along the tube. */
 static void bridge(struct teapot *t, const uint32_t *from, const uint32_t *to, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {
@@ -371,11 +370,11 @@ static void bridge(struct teapot *t, const uint32_t *from, const uint32_t *to, u
 struct tube {
     const float (*sections)[5];
     uint32_t size, rings;
-    float begin_inside, begin_outside; /* for find_joint() */
-    float end_inside, end_outside;     /* for find_joint(); equal: the tube has an open end there */
+    float begin_inside, begin_outside; /* u values inside and outside the body, for find_joint() */
+    float end_inside, end_outside; /* u range of the end joint; two equal values mean an open end */
 };
 
-/* Adds the rings from one end to the other and returns the first vertex. */
+/* Adds the rings of a tube. Returns the first vertex. */
 static uint32_t add_tube_vertices(struct teapot *t, const struct tube *tube)
 {
     uint32_t first = t->vertex_count;
@@ -396,7 +395,7 @@ static uint32_t add_tube_vertices(struct teapot *t, const struct tube *tube)
     return first;
 }
 
-/* Joins t->loop to t->next_loop, and makes the latter the current loop. */
+/* Joins t->loop to t->next_loop, which becomes the current loop. */
 static void advance(struct teapot *t, uint32_t size)
 {
     bridge(t, t->loop, t->next_loop, size);
@@ -405,7 +404,7 @@ static void advance(struct teapot *t, uint32_t size)
     t->next_loop = done;
 }
 
-/* Joins the tube's rings to t->loop, which is the last ring afterwards. */
+/* Joins a tube's rings to t->loop, which becomes the last ring. */
 static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
 {
     for (uint32_t ring = 0; ring < tube->rings; ring++) {
@@ -416,8 +415,8 @@ static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
 }
 
 /*
- * Puts a ring of the body's surface into t->next_loop: between a hole's edge and the tube's ring,
- * close to the latter, so that smoothing changes the body's normals only near the joint.
+ * Adds a ring on the body's surface to t->next_loop, between a hole's edge and the tube's ring,
+ * close to the latter, so that normal smoothing affects the body only near the joint.
  */
 static void add_skirt(struct teapot *t, const uint32_t *edge, uint32_t joint, uint32_t size)
 {
@@ -452,7 +451,7 @@ static void add_spout(struct teapot *t)
 static void add_handle(struct teapot *t)
 {
     uint32_t size = loop_size(&t->handle_top);
-    /* The lower end is just outside of the body, so the curve is extended a little beyond u = 2. */
+    /* the lower end is just outside the body: extends the curve slightly beyond u = 2 */
     const struct tube tube = {
         handle_sections, size, t->handle_rows - 3, 0, 0.5F, 2.12F, 1.5F,
     };
