@@ -101,7 +101,7 @@ static const struct rg_shader surface_vert =
     EXAMPLE_SHADER("deferred_surface.vert", deferred_surface_vert);
 static const struct rg_shader surface_frag =
     EXAMPLE_SHADER("deferred_surface.frag", deferred_surface_frag);
-static const struct rg_shader screen_vert =
+static const struct rg_shader fullscreen_vert =
     EXAMPLE_SHADER("deferred_screen.vert", deferred_screen_vert);
 static const struct rg_shader light_frag =
     EXAMPLE_SHADER("deferred_light.frag", deferred_light_frag);
@@ -156,7 +156,7 @@ static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 static const struct rg_sampler linear = { .linear = true };
 static const struct rg_sampler chain = { .linear = true, .mips = true };
 
-#define SCREEN(shader, function) .vert = &screen_vert, .frag = &(shader), .record = (function)
+#define SCREEN(shader, function) .vert = &fullscreen_vert, .frag = &(shader), .record = (function)
 #define SAMPLED(from, number) \
     { \
         .image = &(from), .access = RG_SAMPLED, .binding = (number) \

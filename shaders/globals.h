@@ -2,8 +2,8 @@
 #ifndef SHADERS_GLOBALS_H
 #define SHADERS_GLOBALS_H
 #include "abi.h"
-#include "cloud.h"
-#include "surface.h"
+#include "inclusions/medium.h"
+#include "lighting/highlight.h"
 
 #define GLOBALS_BINDING     0 /* binding in every pass that uses the buffer */
 #define GLOBALS_SKY         0 /* values of CONSTANT_BACKGROUND: procedural sky */
@@ -26,7 +26,7 @@ struct globals {
     vec3s sun_dir;          /* unit vector towards the sun */
     float sun_strength;     /* perpendicular irradiance of the sun, relative to the sky's */
     vec3s sun_light;     /* radiance of a white diffuse surface that faces the sun, without sky */
-    float sun_spread;    /* minimum width of the sun's specular lobe (lit.h) */
+    float sun_spread;    /* minimum width of the sun's specular lobe (brdf.h) */
     float sun_radius;    /* of a sun disc added to the environment map, radians; 0 if none */
     vec3s center;        /* of the object's bounding sphere, world, metres */
     float radius;        /* of the object's bounding sphere, metres */
@@ -38,14 +38,14 @@ struct globals {
     float outside_in_air;    /* refractive index of the outside relative to air */
     vec3s absorb;            /* absorption coefficients of the object, 1 / metre */
     float refract_crossfade; /* transmitted fraction with REFRACT_FRESNEL_CROSSFADE */
-    ABI_STRUCT(surface_params) surface;
-    ABI_STRUCT(cloud_place) cloud; /* medium in the object; extinction 0 if it is clear */
-    float cloud_cosine;            /* Henyey-Greenstein g of scattering media */
-    uint32_t cloud_steps; /* ray marching steps per path segment, in raster refraction models */
-    vec2s wide_share;     /* size of the image relative to ice_normal's wide maps */
-    vec3s cube_center;    /* capture point of the environment cube, world, metres */
+    ABI_STRUCT(highlight_params) highlight;
+    ABI_STRUCT(medium_field) cloud; /* medium in the object; extinction 0 if it is clear */
+    float medium_g;                 /* Henyey-Greenstein g of scattering media */
+    uint32_t medium_steps; /* ray marching steps per path segment, in raster refraction models */
+    vec2s wide_scale;      /* size of the image relative to ice_normal's wide maps */
+    vec3s cube_center;     /* capture point of the environment cube, world, metres */
     vec3s local_min, local_max; /* box of projected environment lookups, world, metres */
-    float sample_share;         /* sample's stratified number in 0 to 1, starting with 0.5 */
+    float sample_random;        /* sample's stratified number in 0 to 1, starting with 0.5 */
     float lod_bias;             /* mip level bias; below 0 in tiles of interleaved rendering */
 };
 

@@ -5,8 +5,9 @@
  *                            heights are fewer, too.
  *
  * Radiance is linear; 1 is what a white level surface shows. Sky, haze and the light on the ground
- * are of one atmosphere (src/scene/atmosphere.h). The file names the sun: ENVIRONMENT_SUN_TEXT of
- * src/scene/environment.h.
+ * are of one atmosphere (src/scene/environment/atmosphere.h). The file names the sun:
+ * ENVIRONMENT_SUN_TEXT of
+ * src/scene/environment/environment.h.
  */
 #include "assets/generate/alps.h"
 #include <cglm/struct.h>
@@ -14,8 +15,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/image/exr.h"
-#include "src/scene/atmosphere.h"
-#include "src/scene/environment.h"
+#include "src/scene/environment/atmosphere.h"
+#include "src/scene/environment/environment.h"
 
 #define PI 3.14159265358979F
 

@@ -155,7 +155,8 @@ def png_colors(rows):
 
 def exr(rows, sun=None):
     """Half floats R G B, packed; a row is three lists of values; rows from the top. `sun`: azimuth
-    and elevation as of src/scene/environment.h, and the light of a white surface that faces it."""
+    and elevation as of src/scene/environment/environment.h, and the light of a white surface that
+    faces it."""
     width, height = len(rows[0][0]), len(rows)
 
     def attribute(name, kind, data):

@@ -8,10 +8,11 @@
  * batches for this order of passes, and none waits earlier than necessary.
  *
  * A barrier that takes over memory from a previous owner has no source stages, and the item's index
- * in src_access, until rg_find_owners() fills them; all other barriers have source stages.
+ * in src_access, until rg_complete_alias_barriers() fills them; all other barriers have source
+ * stages.
  */
 #include <assert.h>
-#include "graph/compile/cell_state.h"
+#include "graph/compile/subresource_state.h"
 
 /* Assigns the newest batch to its pass, or to the end of the frame. */
 static void close_batch(struct compiler *c)
@@ -111,8 +112,8 @@ static void append_barrier(struct compiler *c, const struct cell_walk *w, struct
         c->batch_first = c->barrier_count;
         c->batch_end = deadline + 1;
     }
-    if (w->cell->flags & CELL_FRESH && r->acquired_at >= c->batch_end)
-        r->acquired_at = c->batch_end - 1;
+    if (w->cell->flags & CELL_FRESH && r->acquired_before >= c->batch_end)
+        r->acquired_before = c->batch_end - 1;
     r->last_barrier = c->barrier_count++;
     if (before != RG_NONE && merge(c, before))
         r->last_barrier = before;
@@ -156,14 +157,15 @@ static bool must_be_restored(const struct cell *s, const struct access *arrival)
            s->write_access != rg_access_table[arrival->kind].writes || s->read_stages;
 }
 
-void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass, bool hands_back)
+void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass,
+                     bool restores_import)
 {
     struct resource *r = a->resource;
     bool writes = a->flags & ACCESS_WRITES;
     uint32_t start = c->barrier_count;
     uint32_t mip = a->range.baseMipLevel;
     for (struct cell_walk w = rg_cells(a); w.cell && has_room(c); rg_next_cell(&w)) {
-        if (hands_back && !must_be_restored(w.cell, a))
+        if (restores_import && !must_be_restored(w.cell, a))
             continue;
         if (w.mip != mip)
             merge_newest(c, r, start); /* merges the previous mip level */
@@ -189,16 +191,16 @@ void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass, 
 /* Prepares an output for its access, or returns an import to its state of arrival. */
 static void end_resource(struct compiler *c, struct resource *r)
 {
-    bool hands_back = r->output == RG_NONE && r->import != RG_NONE;
+    bool restores_import = r->output == RG_NONE && r->import != RG_NONE;
     enum rg_access access = RG_ACCESS_NONE;
-    if (hands_back)
+    if (restores_import)
         access = c->params->imports[r->import].access;
     else if (r->output != RG_NONE)
         access = c->params->outputs[r->output].access;
     if (access == RG_ACCESS_NONE)
         return;
     const struct access a = rg_boundary_access(r, access);
-    rg_add_barriers(c, &a, c->plan->pass_count, hands_back);
+    rg_add_barriers(c, &a, c->plan->pass_count, restores_import);
 }
 
 /* Adds the initial barriers of a persistent resource: from its zero fill before the first frame to
@@ -231,7 +233,7 @@ static void begin_history(struct compiler *c, struct resource *r)
 }
 
 /* Extends the barrier that makes this frame's content visible to a read in the next frame, which
- * relies on it (cell_state.c). */
+ * relies on it (subresource_state.c). */
 static void extend_to_history_read(struct compiler *c, const struct cell_walk *w,
                                    const struct access *a)
 {

@@ -33,7 +33,7 @@ static void check_use(struct compiler *c, const struct rg_pass *pass, const stru
                  "a use needs exactly one image or buffer, and an access");
         return;
     }
-    const char *problem = rg_use_trouble(pass, use);
+    const char *problem = rg_use_problem(pass, use);
     rg_fault_if(c, problem, RG_ERROR_ACCESS, name, problem);
     if (use->image && use->image->samples > 1) { /* multisampled */
         rg_fault_if(c, use->access != RG_SAMPLED, RG_ERROR_SAMPLES, name,

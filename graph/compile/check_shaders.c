@@ -542,7 +542,7 @@ void rg_begin_constants(struct compiler *c)
     if (!given || c->params->skip_shaders)
         return;
     RG_CHECK_TABLE(c, given, pMapEntries, mapEntryCount, RG_MAX_ROWS, NULL);
-    if (!rg_is_no_table(given->pMapEntries, given->mapEntryCount, RG_MAX_ROWS))
+    if (!rg_is_bad_table(given->pMapEntries, given->mapEntryCount, RG_MAX_ROWS))
         c->known_constants = ARENA_ZEROED(c->arena, bool, given->mapEntryCount);
 }
 
@@ -551,7 +551,7 @@ void rg_end_constants(struct compiler *c)
     const struct shaders none = { .c = c };
     const VkSpecializationInfo *given = c->params->constants;
     for (uint32_t g = 0; c->known_constants && g < given->mapEntryCount; g++) {
-        if (!c->known_constants[g] && !c->has_wordless_shaders)
+        if (!c->known_constants[g] && !c->has_shaders_without_code)
             fault(&none, RG_ERROR_CONSTANT, NULL, "no shader has constant %u",
                   given->pMapEntries[g].constantID);
     }
@@ -581,7 +581,7 @@ void rg_check_shaders(struct compiler *c, const struct rg_pass *row)
     if (row->kind == RG_TRANSFER || c->params->skip_shaders)
         return;
     if (!(is_raster ? has_words(row->vert) && has_words(row->frag) : has_words(row->comp))) {
-        c->has_wordless_shaders = true;
+        c->has_shaders_without_code = true;
         return;
     }
     struct shaders s = { .c = c, .row = row };

@@ -9,8 +9,8 @@
 #define RG_COMPILE_COMPILER_H
 
 #include "graph/compile/arena.h"
-#include "graph/compile/map.h"
-#include "graph/compile/spirv.h"
+#include "graph/compile/hash_map.h"
+#include "graph/compile/spirv_reflection.h"
 #include "graph/rg.h"
 
 /* Values of cell.filled: whether earlier passes have written the subresource. */
@@ -52,9 +52,9 @@ struct cell {
     uint32_t touched;     /* index of the pass after the last access */
     uint32_t last_access; /* during expansion: index of the latest access plus 1 */
     uint32_t filled;
-    bool wanted;      /* during culling: later passes or outputs need the content */
-    bool wanted_next; /* during culling: the next frame needs the content (persistent) */
-    bool changed;     /* scratch of rg_each_history_read(): an earlier pass has changed it */
+    bool is_needed;            /* during culling: later passes or outputs need the content */
+    bool is_needed_next_frame; /* during culling: the next frame needs the content (persistent) */
+    bool changed; /* scratch of rg_each_history_read(): an earlier pass has changed it */
 };
 
 #define RG_SIZE_OVERFLOW UINT64_MAX
@@ -79,7 +79,7 @@ struct resource {
     uint32_t plan_image, plan_buffer; /* index into the plan's images and buffers, or RG_NONE */
     uint32_t item;                    /* index into compiler.owners, or RG_NONE */
     /* pass before which the resource takes over memory from the previous owner */
-    uint32_t acquired_at;
+    uint32_t acquired_before;
     uint32_t last_barrier; /* index of the resource's newest barrier, or RG_NONE */
     struct cell cell[];    /* inline storage: `cells` of a resource with a single cell */
 };
@@ -103,7 +103,8 @@ struct pass {
     bool alive; /* not culled */
 };
 
-/* A transient resource (in tests: any byte range) for which pack.c finds an offset in a block. */
+/* A transient resource (in tests: any byte range) for which pack_memory.c finds an offset in a
+ * block. */
 struct pack_item {
     VkDeviceSize size, alignment; /* bytes; a power of two */
     VkDeviceSize offset;  /* result of packing: offset from the start of the block in bytes */
@@ -134,7 +135,7 @@ struct compiler {
     uint32_t boundary_count;   /* resources up to the last import or output */
     uint32_t persistent_count; /* number of persistent resources */
     struct map by_address;     /* struct resource by the address of its rg_image or rg_buffer */
-    struct text_set resource_names, pass_names;
+    struct string_set resource_names, pass_names;
     struct map
         /* images that rows write or imports provide; only filled if a use has a fallback */
         provided;
@@ -148,7 +149,7 @@ struct compiler {
     uint32_t *bindings;        /* bit set of a row's bindings; all 0 outside check_bindings() */
     struct spirv modules[2];   /* its shaders */
     bool *known_constants;     /* for each entry of params->constants: it was found in a shader */
-    bool has_wordless_shaders;
+    bool has_shaders_without_code;
 
     struct pass *passes;
     struct rg_plan_pass *plan_passes; /* parallel to `passes`; culled ones are removed later */
@@ -201,17 +202,17 @@ static inline void rg_fault_if(struct compiler *c, bool wrong, enum rg_error err
                 #field ": expected a constant of " type)
 
 /* Returns true if a table is NULL despite its count, or its count exceeds `most`. */
-static inline bool rg_is_no_table(const void *table, size_t count, size_t most)
+static inline bool rg_is_bad_table(const void *table, size_t count, size_t most)
 {
     return count && (!table || count > most);
 }
 
 /* Adds a fault if a table field is NULL despite its count, or too long. */
 #define RG_CHECK_TABLE(c, of, table, count, most, resource) \
-    rg_fault_if((c), rg_is_no_table((of)->table, (of)->count, (most)), RG_ERROR_TABLE, (resource), \
-                #table ": expected " #count " entries, at most " #most)
+    rg_fault_if((c), rg_is_bad_table((of)->table, (of)->count, (most)), RG_ERROR_TABLE, \
+                (resource), #table ": expected " #count " entries, at most " #most)
 
-/* ---- access.c ---- */
+/* ---- access_table.c ---- */
 
 extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
 
@@ -231,7 +232,7 @@ static inline bool rg_is_shader_access(enum rg_access kind)
 }
 
 /* Returns true for accesses to an acceleration structure. */
-static inline bool rg_holds_structure(enum rg_access kind)
+static inline bool rg_is_structure_access(enum rg_access kind)
 {
     return kind == RG_TRACE || kind == RG_BUILD || kind == RG_BUILD_SOURCE;
 }
@@ -254,7 +255,7 @@ struct access rg_boundary_access(struct resource *r, enum rg_access kind);
 VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use);
 
 /* Returns a hint if a kind of pass cannot have this use, otherwise NULL. */
-const char *rg_use_trouble(const struct rg_pass *pass, const struct rg_use *use);
+const char *rg_use_problem(const struct rg_pass *pass, const struct rg_use *use);
 
 /* ---- for (struct cell_walk w = rg_cells(access); w.cell; rg_next_cell(&w)) ---- */
 
@@ -311,7 +312,7 @@ static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
     return (VkImageSubresourceRange){ lowest, w->mip, 1, w->layer, 1 };
 }
 
-/* ---- check.c, check_row.c ---- */
+/* ---- check_params.c, check_row.c ---- */
 
 /* Counts the rows and checks the tables of the params. Returns true if all tables can be read. */
 bool rg_check_params(struct compiler *c);
@@ -326,7 +327,7 @@ void rg_check_output_memory(struct compiler *c, const struct resource *r);
 /* Checks everything about a row, except its name, that does not depend on other rows. */
 void rg_check_row(struct compiler *c, const struct rg_pass *pass);
 
-/* ---- check_state.c ---- */
+/* ---- check_pipeline_state.c ---- */
 
 enum {
     ALL_CHANNELS = 0xf /* all bits of VkColorComponentFlags */
@@ -347,8 +348,8 @@ void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 void rg_begin_constants(struct compiler *c);
 void rg_end_constants(struct compiler *c);
 
-/* fallback.c: binds a sampled use to its fallback if it has one and nothing provides its image.
- * Returns true if bound. */
+/* find_fallbacks.c: binds a sampled use to its fallback if it has one and nothing provides its
+ * image. Returns true if bound. */
 bool rg_use_fallback(struct compiler *c, const struct rg_use *use);
 
 /* Returns true for a use, and false for the zero entry that ends a row's uses. */
@@ -367,7 +368,7 @@ static inline bool rg_is_good_use(const struct rg_use *use)
 /* Returns how many entries of .color are safe to read, even if color_count is wrong. */
 static inline uint32_t rg_color_room(const struct rg_pass *pass)
 {
-    return rg_is_no_table(pass->color, pass->color_count, RG_COLOR_COUNT) ? 0 : pass->color_count;
+    return rg_is_bad_table(pass->color, pass->color_count, RG_COLOR_COUNT) ? 0 : pass->color_count;
 }
 
 /* Returns the number of colour targets; the first entry without an image ends them. */
@@ -400,30 +401,31 @@ struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image
 
 /* ---- compiler stages in execution order; each requires the ones before it ---- */
 
-/* expand.c: expands rows to passes and accesses; reports the faults of rows. */
+/* expand_rows.c: expands rows to passes and accesses; reports the faults of rows. */
 void rg_expand(struct compiler *c);
 
-/* cull.c: decides which passes are alive. */
+/* cull_passes.c: decides which passes are alive. */
 void rg_cull(struct compiler *c);
 
-/* requirements.c: lifetimes and memory requirements of resources; the plan's images and buffers. */
+/* memory_requirements.c: lifetimes and memory requirements of resources; the plan's images and
+ * buffers. */
 void rg_find_lifetimes(struct compiler *c);
 void rg_check_formats(struct compiler *c);
 void rg_list_resources(struct compiler *c);
 
-/* memory.c: assigns each transient resource a memory block and an offset in it. */
-void rg_place_items(struct compiler *c);
+/* memory_blocks.c: assigns each transient resource a memory block and an offset in it. */
+void rg_pack_blocks(struct compiler *c);
 
-/* passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
-void rg_write_passes(struct compiler *c);
+/* write_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
+void rg_write_plan_passes(struct compiler *c);
 
-/* previous_owner.c: finds the last accesses to an item's memory by items that had it before. The
- * first function needs item offsets; the second also needs the final state of every cell, and
+/* alias_dependencies.c: finds the last accesses to an item's memory by items that had it before.
+ * The first function needs item offsets; the second also needs the final state of every cell, and
  * completes the barriers by which memory is taken over. */
-void rg_find_owner_ends(struct compiler *c);
-void rg_find_owners(struct compiler *c);
+void rg_find_release_passes(struct compiler *c);
+void rg_complete_alias_barriers(struct compiler *c);
 
-/* ---- cell_state.c ---- */
+/* ---- subresource_state.c ---- */
 
 /* Sets every cell to the state in which a frame begins. */
 void rg_begin_cells(struct compiler *c);
@@ -437,14 +439,15 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit);
 
 /* ---- barriers.c ---- */
 
-/* Adds the barriers that an access needs. With `hands_back` (an import being returned), only cells
- * that are not in the state of arrival get one. */
-void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass, bool hands_back);
+/* Adds the barriers that an access needs. With `restores_import` (an import being returned), only
+ * cells that are not in the state of arrival get one. */
+void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass,
+                     bool restores_import);
 
 /* Adds the barriers after the last pass, and the initial ones before the first frame. */
 void rg_end_barriers(struct compiler *c);
 
-/* ---- pack.c ---- */
+/* ---- pack_memory.c ---- */
 
 struct pack_result {
     VkDeviceSize size;      /* bytes of the block */

@@ -85,8 +85,9 @@ static void size_import(struct resource *r, const struct rg_import *import)
         r->all.levelCount = import->mips;
 }
 
-/* Allocates a resource's cells in the state in which a frame begins, except for what cell_state.c
- * sets: the state of imports, persistent resources and memory with a previous owner. */
+/* Allocates a resource's cells in the state in which a frame begins, except for what
+ * subresource_state.c sets: the state of imports, persistent resources and memory with a previous
+ * owner. */
 static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
 {
     uint64_t aspects = r->all.aspectMask & (r->all.aspectMask - 1) ? 2 : 1;
@@ -112,7 +113,7 @@ static void check_name(struct compiler *c, struct resource *r)
         rg_fault_of(c, RG_ERROR_NO_NAME, r->name, "give the resource a name");
         return;
     }
-    if (rg_texts_had(c->arena, &c->resource_names, name))
+    if (rg_string_set_add(c->arena, &c->resource_names, name))
         rg_fault_of(c, RG_ERROR_DUPLICATE_NAME, name, "give each resource a unique name");
 }
 
@@ -150,7 +151,7 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
         .plan_image = RG_NONE,
         .plan_buffer = RG_NONE,
         .item = RG_NONE,
-        .acquired_at = 0,
+        .acquired_before = 0,
         .last_barrier = RG_NONE,
     };
     if (image)

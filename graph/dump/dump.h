@@ -17,37 +17,37 @@ struct rg_dump {
     rg_dump_name_fn *name;
 };
 
-/* ---- put.c ---- */
+/* ---- formatted_output.c ---- */
 
 /* Formats and writes text: %u is a uint32_t, %z a VkDeviceSize, %b a VkDeviceSize with a unit (12.5
  * MiB), %s a string as it is, and %n a name to escape. */
-void rg_put(const struct rg_dump *d, const char *text, ...);
+void rg_dump_print(const struct rg_dump *d, const char *text, ...);
 
 /* Decodes the UTF-8 character at *text (not its end), and advances; U+FFFD if invalid. */
-uint32_t rg_dump_character(const char **text);
+uint32_t rg_dump_decode_utf8(const char **text);
 
 /* Returns the character, or U+FFFD for control characters and those that XML forbids. */
-uint32_t rg_dump_visible(uint32_t character);
+uint32_t rg_dump_printable(uint32_t character);
 
 void rg_dump_utf8(FILE *out, uint32_t character);
 
-/* ---- words.c ---- */
+/* ---- flag_names.c ---- */
 
 /* Name of a flag or enum value in dumps; NULL ends a list. */
-struct rg_dump_word {
+struct rg_dump_flag_name {
     const char *word;
     uint64_t value;
 };
 
-extern const struct rg_dump_word rg_dump_aspects[], rg_dump_stages[], rg_dump_accesses[];
-extern const struct rg_dump_word rg_dump_layouts[], rg_dump_loads[], rg_dump_stores[];
-extern const struct rg_dump_word rg_dump_kinds[], rg_dump_memories[];
+extern const struct rg_dump_flag_name rg_dump_aspects[], rg_dump_stages[], rg_dump_accesses[];
+extern const struct rg_dump_flag_name rg_dump_layouts[], rg_dump_loads[], rg_dump_stores[];
+extern const struct rg_dump_flag_name rg_dump_kinds[], rg_dump_memories[];
 
 /* Returns the name of a value; "?" if it has none. */
-const char *rg_dump_word(const struct rg_dump_word *words, uint64_t value);
+const char *rg_dump_flag_name(const struct rg_dump_flag_name *words, uint64_t value);
 
 /* Writes the names of flags, separated by `separator`; nothing if no flag is set. */
-void rg_dump_flags(FILE *out, const struct rg_dump_word *words, uint64_t flags,
+void rg_dump_flags(FILE *out, const struct rg_dump_flag_name *words, uint64_t flags,
                    const char *separator);
 
 const char *rg_dump_depth(const struct rg_pass *pass); /* its access name */
@@ -67,7 +67,7 @@ struct rg_dump_resource {
 /* Returns an image or buffer by a joint index: images first, then buffers. */
 struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t index);
 
-/* ---- text.c: each function writes lines of text with newlines ---- */
+/* ---- text_dump.c: each function writes lines of text with newlines ---- */
 
 void rg_dump_pass_name(const struct rg_dump *d, const struct rg_pass *pass, uint32_t repetition);
 void rg_dump_image(const struct rg_dump *d, uint32_t index);
@@ -76,7 +76,7 @@ void rg_dump_barriers(const struct rg_dump *d, const char *what, uint32_t first,
 void rg_dump_pass(const struct rg_dump *d, uint32_t index); /* without its barriers */
 void rg_dump_text(const struct rg_dump *d);
 
-/* chart.c: SVG chart of the HTML page: passes, memory blocks, other resources */
+/* html_chart.c: SVG chart of the HTML page: passes, memory blocks, other resources */
 void rg_dump_chart(const struct rg_dump *d);
 
 #endif

@@ -1,5 +1,5 @@
 /* descriptors.c: creates views, samplers and descriptor set 0 for the uses of each row. */
-#include "graph/exec/exec.h"
+#include "graph/exec/executor.h"
 
 static VkShaderStageFlags use_stages(const struct rg_pass *pass, const struct rg_use *use)
 {
@@ -144,7 +144,7 @@ static VkResult find_texels(struct rg_exec *exec, const struct exec_descriptor *
     VkBuffer buffer = rg_exec_buffer(exec, d->buffer, slot)->buffer;
     uint64_t key = RG_NO_KEY;
     VkResult result;
-    if (!rg_exec_is_foreign(exec, exec->plan->buffers[d->buffer].imported)) {
+    if (!rg_exec_is_external(exec, exec->plan->buffers[d->buffer].imported)) {
         key = rg_exec_key(key, &buffer, sizeof(buffer));
         RG_KEY(key, declared->format);
     }
@@ -178,12 +178,12 @@ static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_s
         if (d->type == VK_DESCRIPTOR_TYPE_MAX_ENUM)
             continue;
         if (d->type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER)
-            RG_PASS(find_sampler(exec, d->use, &d->image.sampler));
+            RG_TRY(find_sampler(exec, d->use, &d->image.sampler));
         if (d->buffer == RG_NONE && !d->image.imageView) {
             const struct rg_plan_use *use = &exec->plan->uses[plan->first_use + i];
             const struct rg_plan_image *image = &exec->plan->images[use->image];
-            RG_PASS(rg_exec_make_view(exec, image, set->images[use->image], view_type(image, use),
-                                      &use->range, &d->image.imageView));
+            RG_TRY(rg_exec_make_view(exec, image, set->images[use->image], view_type(image, use),
+                                     &use->range, &d->image.imageView));
         }
         RG_KEY(*key, d->image.imageView);
         RG_KEY(*key, d->image.sampler);
@@ -191,14 +191,14 @@ static VkResult find_descriptors(struct rg_exec *exec, const struct exec_image_s
         for (uint32_t slot = 0; slot < exec->slot_count && d->buffer != RG_NONE; slot++) {
             VkBufferView texels = VK_NULL_HANDLE;
             if (is_texels(d))
-                RG_PASS(find_texels(exec, d, slot, &texels));
+                RG_TRY(find_texels(exec, d, slot, &texels));
             RG_KEY(*key, texels);
             RG_KEY(*key, rg_exec_buffer(exec, d->buffer, slot)->buffer);
             RG_KEY(*key, rg_exec_buffer(exec, d->buffer, slot)->acceleration);
         }
         is_foreign =
             is_foreign || (d->buffer != RG_NONE &&
-                           rg_exec_is_foreign(exec, exec->plan->buffers[d->buffer].imported));
+                           rg_exec_is_external(exec, exec->plan->buffers[d->buffer].imported));
     }
     if (is_foreign)
         *key = RG_NO_KEY;
@@ -255,7 +255,7 @@ static VkResult write_set(struct rg_exec *exec, const struct rg_plan_pass *plan,
         if (d->buffer != RG_NONE)
             buffer.buffer = rg_exec_buffer(exec, d->buffer, slot)->buffer;
         if (is_texels(d))
-            RG_PASS(find_texels(exec, d, slot, &texels));
+            RG_TRY(find_texels(exec, d, slot, &texels));
         const VkWriteDescriptorSet write = {
             .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
             .dstSet = set,
@@ -283,11 +283,11 @@ static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set
     VkDescriptorSet *sets;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkResult result;
-    RG_PASS(find_descriptors(exec, set, plan, &key));
+    RG_TRY(find_descriptors(exec, set, plan, &key));
     if (!RG_MAKE_KEYED_ARRAY(exec, key, sets, exec->slot_count))
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     set->descriptors[pass] = sets;
-    RG_PASS(make_pool(exec, plan, key, &pool));
+    RG_TRY(make_pool(exec, plan, key, &pool));
     const bool is_kept = exec->found;
     for (uint32_t slot = 0; slot < exec->slot_count && !is_kept; slot++) {
         RG_CALL(exec, plan->pass->name, AllocateDescriptorSets, exec->device,
@@ -298,7 +298,7 @@ static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set
                     .pSetLayouts = layout,
                 },
                 &sets[slot]);
-        RG_PASS(write_set(exec, plan, slot, sets[slot]));
+        RG_TRY(write_set(exec, plan, slot, sets[slot]));
     }
 fail:
     return result;

@@ -1,5 +1,5 @@
 /* pipelines.c: creates the pipeline of each row of a plan. */
-#include "graph/exec/exec.h"
+#include "graph/exec/executor.h"
 
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass)
 {
@@ -29,7 +29,7 @@ static VkResult make_layout(struct rg_exec *exec, const struct rg_pass *row, str
     uint64_t key = rg_exec_key(RG_NO_KEY, &push, sizeof(push));
     VkResult result;
     if (row->set)
-        RG_PASS(find_set_layout(exec, row->set, &layouts[1]));
+        RG_TRY(find_set_layout(exec, row->set, &layouts[1]));
     RG_KEY(key, layouts[0]);
     RG_KEY(key, layouts[1]);
     RG_MAKE_KEYED(exec, row->name, key, PIPELINE_LAYOUT, CreatePipelineLayout, &pass->layout,
@@ -340,21 +340,21 @@ static VkResult make_pipeline(struct rg_exec *exec, const struct rg_plan_pass *p
     const struct rg_pass *row = plan->pass;
     VkPipelineShaderStageCreateInfo stages[2] = { 0 };
     VkResult result;
-    RG_PASS(make_layout(exec, row, pass));
+    RG_TRY(make_layout(exec, row, pass));
     const uint64_t key = pipeline_key(exec, plan, pass);
-    RG_PASS(rg_exec_make_room(exec));
+    RG_TRY(rg_exec_reserve_object(exec));
     pass->first =
         !rg_exec_find(exec, VK_OBJECT_TYPE_PIPELINE, key, &pass->pipeline, sizeof(pass->pipeline));
     if (!pass->first)
         return VK_SUCCESS;
     if (row->kind == RG_COMPUTE) {
-        RG_PASS(make_stage(exec, row->comp, VK_SHADER_STAGE_COMPUTE_BIT, &stages[0]));
-        RG_PASS(make_compute(exec, row, pass, key, stages));
+        RG_TRY(make_stage(exec, row->comp, VK_SHADER_STAGE_COMPUTE_BIT, &stages[0]));
+        RG_TRY(make_compute(exec, row, pass, key, stages));
     } else {
-        RG_PASS(make_stage(exec, row->vert, VK_SHADER_STAGE_VERTEX_BIT, &stages[0]));
+        RG_TRY(make_stage(exec, row->vert, VK_SHADER_STAGE_VERTEX_BIT, &stages[0]));
         if (row->frag)
-            RG_PASS(make_stage(exec, row->frag, VK_SHADER_STAGE_FRAGMENT_BIT, &stages[1]));
-        RG_PASS(make_graphics(exec, plan, pass, key, stages));
+            RG_TRY(make_stage(exec, row->frag, VK_SHADER_STAGE_FRAGMENT_BIT, &stages[1]));
+        RG_TRY(make_graphics(exec, plan, pass, key, stages));
     }
 fail:
     exec->vk.DestroyShaderModule(exec->device, stages[0].module, NULL);

@@ -1,8 +1,8 @@
 /* air_light.glsl: radiance of the milky air impostors in the ice (air.c). */
 #ifndef LIB_AIR_LIGHT_GLSL
 #define LIB_AIR_LIGHT_GLSL
-#include "lib/constants.glsl"
-#include "lib/sky.glsl"
+#include "lib/procedural_sky.glsl"
+#include "lib/specialization_constants.glsl"
 
 /* Returns the mean radiance of the environment image, weighted by solid angle. */
 vec3 air_mean(sampler2D environment)

@@ -6,7 +6,7 @@
  */
 #ifndef LIB_CAUSTICS_MAP_GLSL
 #define LIB_CAUSTICS_MAP_GLSL
-#include "water.h"
+#include "water/water.h"
 
 const float caustics_map_margin = 0.15; /* fraction of the pool's depth */
 

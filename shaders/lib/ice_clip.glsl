@@ -2,7 +2,7 @@
  * face of their pixel (Seipel and Nivfors 2006, section 3.3). Targets have the view's size. */
 #ifndef LIB_ICE_CLIP_GLSL
 #define LIB_ICE_CLIP_GLSL
-#include "ice_depth.h"
+#include "ice/ice_depth.h"
 
 layout(set = 0, binding = ICE_DEPTH_FRONT) uniform sampler2D ice_clip_front;
 layout(set = 0, binding = ICE_DEPTH_BACK) uniform sampler2D ice_clip_back;

@@ -3,7 +3,7 @@
 #ifndef LIB_POSE_GLSL
 #define LIB_POSE_GLSL
 #include "lib/globals.glsl"
-#include "mesh.h"
+#include "mesh_layout.h"
 
 vec3 pose_object(vec3 position)
 {
@@ -22,12 +22,12 @@ vec3 pose_to_object(vec3 point)
 
 vec3 pose_surroundings(vec3 position, uint material)
 {
-    bool moves = (material & MESH_MOVES) != 0u;
+    bool moves = (material & MESH_ORBITS) != 0u;
     return moves ? (frame.world_from_movers * vec4(position, 1.0)).xyz : position;
 }
 
 vec3 pose_surroundings_normal(vec3 normal, uint material)
 {
-    return (material & MESH_MOVES) != 0u ? mat3(frame.world_from_movers) * normal : normal;
+    return (material & MESH_ORBITS) != 0u ? mat3(frame.world_from_movers) * normal : normal;
 }
 #endif

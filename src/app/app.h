@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include "graph/rg_time.h"
 #include "src/base/status.h"
-#include "src/frame/layers.h"
+#include "src/frame/output_layers.h"
 #include "src/gpu/gpu.h"
 #include "src/gpu/gpu_swapchain.h"
 #include "src/metric/comparison.h"
@@ -56,11 +56,11 @@ struct app_scene {
     const char *environment, *surroundings, *material;
     const char *cracks;                 /* model file of a crack; NULL: generated cracks */
     const char *bump, *bump_mask, *air; /* image files; NULL: generated */
-    struct node_material node_materials[APP_NODE_COUNT];
-    uint32_t node_material_count;
-    const char *animation;        /* name of an animation, or "none"; NULL: the model's first one */
-    struct place place;           /* transform of the model file */
-    bool is_placed;               /* `place` was set by an option */
+    struct material_override material_overrides[APP_NODE_COUNT];
+    uint32_t material_override_count;
+    const char *animation; /* name of an animation, or "none"; NULL: the model's first one */
+    struct model_transform model_transform; /* transform of the model file */
+    bool is_placed;                         /* `place` was set by an option */
     bool has_own_environment;     /* `environment` is the asset's default, not set by an option */
     float env_rotate;             /* degrees */
     float env_exposure;           /* stops */
@@ -77,15 +77,16 @@ struct app_scene {
 };
 
 /* Options that describe the rendered image of a scene. */
-struct app_picture {
+struct app_image {
     struct app_scene scene;
-    const struct technique *rung;  /* refraction model; bounce until app_choose_rung() chooses */
-    bool is_rung_named;            /* by --refraction, or by the user of a window */
+    const struct technique
+        *refraction;          /* refraction model; bounce until app_choose_refraction() chooses */
+    bool is_refraction_named; /* by --refraction, or by the user of a window */
     const struct technique *split; /* model right of a window's divider; NULL if there is none */
     uint32_t width, height, samples;
-    bool adapts;            /* adaptive sampling: adaptive.h */
-    uint32_t level_samples; /* samples of --quality, unless --samples is given; 0: none */
-    bool level_is_smooth;   /* --quality asks for a smooth pixel filter */
+    bool is_adaptive;             /* adaptive sampling: adaptive.h */
+    uint32_t level_samples;       /* samples of --quality, unless --samples is given; 0: none */
+    bool level_has_smooth_filter; /* --quality asks for a smooth pixel filter */
     bool is_filter_named;
     enum pixel_filter filter;
     uint32_t columns, rows;         /* tiles that the image is drawn in; 0: drawn whole */
@@ -122,7 +123,7 @@ struct app_render {
     const char *frames;          /* not parsed yet; NULL: a single image */
     uint32_t chunk, chunk_count; /* chunk of the frames, from 1; 0: all frames */
     bool resume;
-    bool keep_sums;        /* store the sample sums of the reference: sums_file.h */
+    bool keep_sums;        /* store the sample sums of the reference: sample_sums_file.h */
     double noise, seconds; /* limits at which the reference stops; 0: only its sample count */
     const char *json;      /* report file; NULL if there is none */
 };
@@ -175,8 +176,8 @@ struct app_diff {
 
 /* Options of firn ladder. */
 struct app_ladder {
-    uint32_t rungs;     /* bit i: techniques_rung(i); 0: all */
-    uint32_t run_count; /* timed frames per refraction model */
+    uint32_t refraction_models; /* bit i: techniques_refraction(i); 0: all */
+    uint32_t run_count;         /* timed frames per refraction model */
     bool furnace;
     bool whole;        /* with the inclusions of ice */
     const char *truth; /* image file; NULL if there is none */
@@ -193,7 +194,7 @@ struct app_farm {
 
 /* All command-line options; app_parse() sets the defaults that are not zero. */
 struct app_options {
-    struct app_picture picture;
+    struct app_image picture;
     struct app_run run;
     const char *positionals[APP_POSITIONAL_COUNT]; /* arguments other than SCENE; end at NULL */
     struct app_render render;
@@ -235,7 +236,8 @@ MUST_USE enum status app_parse(struct app_options *options, enum app_command com
  * Prints those arguments of a command that firn render accepts, too, quoted, each after a space.
  * The first `skip` arguments that are not options are left out.
  */
-void app_print_render_words(char *const *words, enum app_command command, uint32_t skip, FILE *out);
+void app_print_render_arguments(char *const *words, enum app_command command, uint32_t skip,
+                                FILE *out);
 
 /* Prints the help of a command on stdout. */
 void app_help(enum app_command command);
@@ -258,19 +260,18 @@ enum status app_merge(const struct app_options *options);
  * Sets an option of the image ("size", "material") or a setting ("cracks.count") by its name, as
  * the command line would. On failure logs and returns STATUS_USAGE.
  */
-MUST_USE enum status app_set(struct app_picture *picture, const char *name, const char *value);
+MUST_USE enum status app_set_option(struct app_image *picture, const char *name, const char *value);
 
 /* Sets the default output file of a command if none is named. */
-void app_name_output(struct app_options *o, enum app_command command);
+void app_default_output(struct app_options *o, enum app_command command);
 
 /* Checks that SCENE is given. If not, logs and returns STATUS_USAGE. */
-MUST_USE enum status app_need_scene(const struct app_scene *given);
+MUST_USE enum status app_require_scene(const struct app_scene *given);
 
 struct bump_maps_params;
 
 /* Returns the scene parameters for the options; it points to `maps` and into the options. */
-struct scene_params app_describe_scene(const struct app_scene *given,
-                                       struct bump_maps_params *maps);
+struct scene_params app_scene_params(const struct app_scene *given, struct bump_maps_params *maps);
 
 /* Loads the scene that the options name, posed at motion.time if it is animated, and sets the
  * settings that depend on it, such as refract.ior. */
@@ -281,19 +282,19 @@ struct asset;
 const struct asset *app_own_environment(const char *name);
 
 /* Applies the settings of a loaded scene, except where options set other values. */
-void app_settle_settings(struct app_scene *given, const struct scene *scene);
+void app_apply_scene_settings(struct app_scene *given, const struct scene *scene);
 
 /* Returns a loaded scene's own settings, without options and changes by the user. */
-struct settings app_own_settings(const struct app_scene *given, const struct scene *scene);
+struct settings app_scene_settings(const struct app_scene *given, const struct scene *scene);
 
 /*
  * Load a scene in two steps. The first finds all errors. The second only takes time, and may run in
  * parallel with code that reads the result of the first. It logs nothing, and returns NULL or what
- * there was no memory for; app_fill_failed() then logs that and returns STATUS_TRY_AGAIN.
+ * there was no memory for; app_log_fill_failure() then logs that and returns STATUS_TRY_AGAIN.
  */
 MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *given);
 MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *given);
-enum status app_fill_failed(const char *lacking);
+enum status app_log_fill_failure(const char *lacking);
 
 /*
  * Poses an animated model of app_begin_scene(), which is at time 0, for another time, seconds:
@@ -309,21 +310,21 @@ MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene 
  * if it is trace (unless quiet), and warnings of what the model leaves out that the reference
  * draws. `camera` is that of the first frame; NULL if it is outside all objects.
  */
-void app_choose_rung(struct app_picture *picture, const struct scene *scene,
-                     const struct camera *camera);
+void app_choose_refraction(struct app_image *picture, const struct scene *scene,
+                           const struct camera *camera);
 
-/* Logs a warning if trace.rays asks for ray queries and the device has none. */
+/* Logs a warning if trace.traversal asks for ray queries and the device has none. */
 void app_check_rays(const struct settings *settings, const struct gpu *gpu);
 
 /* Finds the camera: the model's of that name, else its first, else one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
-                                const struct app_picture *picture);
+                                const struct app_image *picture);
 
 struct renderer_params;
 
 /* Returns parameters for renderers of the image, in tiles if requested. The caller sets samples and
  * outputs. Points into the picture. */
-struct renderer_params app_renderer_params(const struct app_picture *picture, struct gpu *gpu,
+struct renderer_params app_renderer_params(const struct app_image *picture, struct gpu *gpu,
                                            const struct scene *scene);
 
 #endif

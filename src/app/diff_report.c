@@ -113,7 +113,7 @@ static void print_exit(const struct angle *angle, FILE *out)
     fprintf(out, "\nexit       ");
     if (both)
         fprintf(out, "mean %.4g, median %.4g, 95 %% %.4g, largest %.4g degrees; ", angle->mean,
-                angle->median, angle->most_95, angle->largest);
+                angle->median, angle->percentile_95, angle->largest);
     fprintf(out, "pixels: %llu\n", both);
     fprintf(out, "           only in the reference: %llu; only in the test: %llu; %.4g %% of all\n",
             r, t, 100.0 * fraction(r + t, both + r + t));
@@ -228,7 +228,7 @@ static bool put_exit(json_t *json, const struct angle *angle)
     return put(json, "exit", exit) && put(exit, "pixels", make_count(angle->both)) &&
            put(exit, "mean", make_number(angle->mean)) &&
            put(exit, "median", make_number(angle->median)) &&
-           put(exit, "most_95", make_number(angle->most_95)) &&
+           put(exit, "most_95", make_number(angle->percentile_95)) &&
            put(exit, "largest", make_number(angle->largest)) &&
            put(exit, "only_reference", make_count(angle->only_reference)) &&
            put(exit, "only_test", make_count(angle->only_test)) &&

@@ -8,7 +8,7 @@
 #include "src/image/png.h"
 #include "src/image/srgb.h"
 #include "src/ladder/legend.h"
-#include "src/metric/heat.h"
+#include "src/metric/heat_map.h"
 
 enum {
     CELLS = 3,
@@ -26,7 +26,7 @@ static bool make_heat(const struct diff_sheet *sheet, struct canvas *heat)
         return false;
     for (size_t i = 0; i < (size_t)heat->width * heat->height; i++) {
         if (!sheet->counted || sheet->counted[i])
-            heat_srgb(sheet->errors[i], &heat->rgba[4 * i]);
+            heat_map_srgb(sheet->errors[i], &heat->rgba[4 * i]);
     }
     return true;
 }
@@ -52,7 +52,7 @@ static bool make_picture(const struct diff_sheet *sheet, const struct image *ima
 
 static enum status encode(const struct canvas *canvas, void **data, size_t *size)
 {
-    const struct png_picture picture = {
+    const struct png_image_source picture = {
         .rgba = canvas->rgba,
         .width = canvas->width,
         .height = canvas->height,
@@ -90,8 +90,8 @@ enum status diff_sheet_all(const struct diff_sheet *sheet, void **data, size_t *
                                 top + bar[3] + MARGIN, GREY);
     for (uint32_t i = 0; i < CELLS && ok; i++) {
         const uint32_t x = MARGIN + i * (cell + MARGIN);
-        canvas_write(&canvas, x, MARGIN, letters, labels[i]);
-        canvas_put(&canvas, x, top, &pictures[i]);
+        canvas_draw_text(&canvas, x, MARGIN, letters, labels[i]);
+        canvas_draw_image(&canvas, x, top, &pictures[i]);
     }
     if (ok)
         legend_put(&canvas, bar, letters);

@@ -1,17 +1,17 @@
 /* farm_script.c: generates readable shell scripts for Slurm and GNU parallel. */
 #include "src/app/farm_script.h"
 #include <stdlib.h>
-#include "src/app/shell_words.h"
+#include "src/app/shell_quote.h"
 
 /* Prints the arguments for firn render, without "farm" and its own arguments. */
 static void print_words(const struct farm_script *script, FILE *out)
 {
-    app_print_render_words(script->options->run.words + 1, APP_FARM, 1, out);
+    app_print_render_arguments(script->options->run.words + 1, APP_FARM, 1, out);
 }
 
 static void print_program(const struct farm_script *script, const char *what, FILE *out)
 {
-    shell_words_quote(script->program, out);
+    shell_quote_word(script->program, out);
     fprintf(out, " %s", what);
 }
 
@@ -89,7 +89,7 @@ static void print_line(const struct farm_script *script, FILE *out)
         fclose(words);
     }
     if (line)
-        shell_words_quote(line, out);
+        shell_quote_word(line, out);
     free(line);
 }
 
@@ -100,7 +100,7 @@ void farm_script_parallel(const struct farm_script *script, FILE *out)
     fprintf(out, "# Tasks of a host that does not answer are retried on the other hosts.\n: "
                  "\"${PARALLEL_SSH:=ssh -o BatchMode=yes -o ConnectTimeout=10}\"\nexport "
                  "PARALLEL_SSH\nparallel --sshlogin ");
-    shell_words_quote(hosts ? hosts : ":", out);
+    shell_quote_word(hosts ? hosts : ":", out);
     fprintf(out,
             " --workdir \"$PWD\" --jobs 1 --retries 4 \\\n"
             "    --joblog %s.logs/joblog --resume-failed \\\n    ",

@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include "src/app/output.h"
 #include "src/base/log.h"
-#include "src/reader/picture_reader.h"
+#include "src/reader/image_reader.h"
 
 /* State of a file or frame, best first; a frame has the state of its worst file. */
 enum state {
@@ -28,7 +28,7 @@ static const struct {
 };
 
 struct job {
-    struct app_picture picture; /* its scene name is NULL if only files are named */
+    struct app_image picture; /* its scene name is NULL if only files are named */
     const struct app_outputs *outputs;
     const struct sequence *sequence;
     struct scene scene;
@@ -41,10 +41,10 @@ struct job {
 /* ---- files ---- */
 
 /* Returns the settings stored in a file, without the frame's time; NULL when out of memory. */
-static char *copy_settings(const struct picture_head *head)
+static char *copy_settings(const struct image_header *head)
 {
     static const char time[] = " motion.time=";
-    const char *settings = picture_head_text(head, "firn/settings");
+    const char *settings = image_header_text(head, "firn/settings");
     char *text = strdup(settings ? settings : "");
     char *at = text ? strstr(text, time) : NULL;
     if (at) {
@@ -58,10 +58,10 @@ static char *copy_settings(const struct picture_head *head)
 static enum state check_file(const struct job *job, const struct output *output, uint32_t i,
                              const char *path)
 {
-    struct picture_head head;
+    struct image_header head;
     if (access(path, F_OK) != 0)
         return MISSING;
-    if (picture_check(&head, path, &job->picture.scene.reader) != STATUS_OK)
+    if (image_reader_check(&head, path, &job->picture.scene.reader) != STATUS_OK)
         return DAMAGED;
     bool same = output && output_is_current(output, path, &head);
     if (!output) {
@@ -69,7 +69,7 @@ static enum state check_file(const struct job *job, const struct output *output,
         same = settings && job->newest[i] && !strcmp(settings, job->newest[i]);
         free(settings);
     }
-    picture_head_finish(&head);
+    image_header_finish(&head);
     return same ? DONE : STALE;
 }
 
@@ -112,12 +112,12 @@ static enum status find_newest(struct job *job, uint32_t i)
             stat(path, &info) == 0 && S_ISREG(info.st_mode) &&
             (info.st_mtim.tv_sec > best.tv_sec ||
              (info.st_mtim.tv_sec == best.tv_sec && info.st_mtim.tv_nsec > best.tv_nsec));
-        struct picture_head head;
-        if (newer && picture_check(&head, path, &job->picture.scene.reader) == STATUS_OK) {
+        struct image_header head;
+        if (newer && image_reader_check(&head, path, &job->picture.scene.reader) == STATUS_OK) {
             best = info.st_mtim;
             free(job->newest[i]);
             job->newest[i] = copy_settings(&head);
-            picture_head_finish(&head);
+            image_header_finish(&head);
         }
         free(path);
     }
@@ -192,7 +192,7 @@ static enum status print_json(const struct job *job)
 static enum status check_frames(struct job *job)
 {
     const uint32_t count = job->sequence->range.count;
-    struct app_picture *picture = &job->picture;
+    struct app_image *picture = &job->picture;
     enum status status = STATUS_OK;
     job->frames = calloc(count, sizeof(*job->frames));
     if (!job->frames)
@@ -202,7 +202,7 @@ static enum status check_frames(struct job *job)
         if (status == STATUS_OK)
             status = app_camera(&job->camera, &job->scene, picture);
         if (status == STATUS_OK)
-            app_choose_rung(picture, &job->scene, &job->camera);
+            app_choose_refraction(picture, &job->scene, &job->camera);
         if (status == STATUS_OK)
             status = output_check_tiles(picture, job->outputs);
     } else {

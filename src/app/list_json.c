@@ -8,11 +8,11 @@
 #include "src/gpu/gpu.h"
 #include "src/reader/sandbox.h"
 #include "src/reference/reference.h"
-#include "src/scene/asset.h"
+#include "src/scene/bundled_assets.h"
 #include "src/scene/material.h"
 #include "src/scene/scene.h"
 #include "src/settings/quality.h"
-#include "src/tech/refract_reference.h"
+#include "src/tech/refract/refract_reference.h"
 
 /* In the functions below, NULL means out of memory; functions of jansson pass it on. */
 
@@ -47,17 +47,17 @@ static json_t *environments(void)
                                            "equirectangular .exr or .hdr, or firn bake's cube"));
 }
 
-static json_t *rung_of(const struct technique *rung, bool is_available)
+static json_t *rung_of(const struct technique *refraction, bool is_available)
 {
-    return json_pack("{s:s, s:s, s:b}", "name", rung->rung.name, "help", rung->help, "available",
-                     (int)is_available);
+    return json_pack("{s:s, s:s, s:b}", "name", refraction->refraction.name, "help",
+                     refraction->help, "available", (int)is_available);
 }
 
-static json_t *rungs(void)
+static json_t *refraction_models(void)
 {
     json_t *all = json_array();
-    for (size_t r = 0; techniques_rung(r) && all; r++)
-        all = json_text_append(all, rung_of(techniques_rung(r), true));
+    for (size_t r = 0; techniques_refraction(r) && all; r++)
+        all = json_text_append(all, rung_of(techniques_refraction(r), true));
     return json_text_append(all, rung_of(&refract_reference, reference_is_built()));
 }
 
@@ -177,7 +177,7 @@ static enum status devices(json_t **all)
 
 static json_t *sandbox(void)
 {
-    const struct sandbox_parts parts = sandbox_find();
+    const struct sandbox_support parts = sandbox_query();
     return json_pack("{s:i, s:b}", "landlock", parts.landlock, "seccomp", (int)parts.seccomp);
 }
 
@@ -187,10 +187,10 @@ static const struct {
     const char *name;
     json_t *(*make)(void); /* NULL for the devices */
 } lists[] = {
-    { "scenes", scenes },     { "environments", environments },
-    { "rungs", rungs },       { "materials", materials },
-    { "layers", layers },     { "qualities", qualities_all },
-    { "settings", settings }, { "devices", NULL },
+    { "scenes", scenes },           { "environments", environments },
+    { "rungs", refraction_models }, { "materials", materials },
+    { "layers", layers },           { "qualities", qualities_all },
+    { "settings", settings },       { "devices", NULL },
     { "sandbox", sandbox },
 };
 

@@ -5,7 +5,7 @@
 #include "src/app/standard_streams.h"
 #include "src/base/log.h"
 #include "src/base/suggest.h"
-#include "src/scene/import/decode.h"
+#include "src/scene/import/sandboxed_load.h"
 #include "src/version.h"
 
 static const struct {
@@ -109,8 +109,8 @@ static enum status run(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    if (reader_is_wanted(argc, argv))
-        return decode_main(argc, argv);
+    if (reader_is_child(argc, argv))
+        return sandboxed_load_main(argc, argv);
     standard_streams_begin();
     return (int)standard_streams_end(run(argc, argv));
 }

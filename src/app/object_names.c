@@ -1,4 +1,5 @@
-/* object_names.c: lists the object names for the IDs that shaders/first_surface.frag writes. */
+/* object_names.c: lists the object names for the IDs that shaders/output/first_surface.frag writes.
+ */
 #include "src/app/object_names.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,8 +26,8 @@ char *object_names(const struct scene *scene)
         print_line(out, i + 1, model->objects[i].name, "object");
     if (model->surroundings.index_count)
         print_line(out, first, "", "surroundings");
-    for (uint32_t i = 0; i < model->opaque_count; i++)
-        print_line(out, first + 1 + i, model->opaque_names[i], "object");
+    for (uint32_t i = 0; i < model->surroundings_object_count; i++)
+        print_line(out, first + 1 + i, model->surroundings_names[i], "object");
     const bool is_good = !ferror(out);
     if (fclose(out) == 0 && is_good)
         return text;

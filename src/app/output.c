@@ -5,19 +5,19 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "src/app/layer_picture.h"
+#include "src/app/layer_image.h"
 #include "src/app/object_names.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
 #include "src/base/tile.h"
-#include "src/frame/list.h"
-#include "src/frame/view.h"
+#include "src/frame/frame_uniforms.h"
+#include "src/frame/pass_list.h"
 #include "src/image/exr.h"
-#include "src/image/file.h"
+#include "src/image/file_io.h"
 #include "src/image/png.h"
 #include "src/reference/reference.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/refract_reference.h"
+#include "src/tech/refract/refract_reference.h"
 #include "src/version.h"
 
 /* Texts are stored in this order; texts that are not compared by --resume come last. */
@@ -61,18 +61,18 @@ static void print_cube_time(FILE *out, const struct settings *settings, const st
 
 static void print_place(FILE *out, const struct app_scene *scene)
 {
-    const struct place *place = &scene->place;
-    if (place->is_z_up)
+    const struct model_transform *model_transform = &scene->model_transform;
+    if (model_transform->is_z_up)
         fputs(" up=z", out);
-    if (place->scale > 0.0f)
-        fprintf(out, " scale=%.9g", (double)place->scale);
-    if (glms_vec3_norm2(place->rotate_deg) > 0.0f)
-        print_vector(out, "rotate", place->rotate_deg);
+    if (model_transform->scale > 0.0f)
+        fprintf(out, " scale=%.9g", (double)model_transform->scale);
+    if (glms_vec3_norm2(model_transform->rotate_deg) > 0.0f)
+        print_vector(out, "rotate", model_transform->rotate_deg);
     /* the material decides which parts are objects */
     if (scene->material && !scene_find_builtin(scene->name))
         fprintf(out, " material=%s", scene->material);
-    for (uint32_t i = 0; i < scene->node_material_count; i++)
-        fprintf(out, " material=%s", scene->node_materials[i].words);
+    for (uint32_t i = 0; i < scene->material_override_count; i++)
+        fprintf(out, " material=%s", scene->material_overrides[i].words);
     if (scene->animation)
         fprintf(out, " animation=%s", scene->animation);
 }
@@ -103,20 +103,21 @@ static void print_surroundings(FILE *out, const struct app_scene *scene)
 
 static bool describe(const struct output *output, bool is_png, char **text)
 {
-    const struct app_picture *p = output->picture;
+    const struct app_image *p = output->picture;
     const struct frame_layer *show = is_png ? p->show : NULL;
     const struct camera *camera = &output->shot.camera;
-    const struct settings settled = frame_settle(&p->scene.settings, p->rung, p->height);
+    const struct settings settled =
+        frame_resolve_settings(&p->scene.settings, p->refraction, p->height);
     struct settings settings = frame_settings(&settled, output->scene);
     size_t size;
     FILE *out = open_memstream(text, &size);
     bool ok = out != NULL;
 
-    settings_put(&settings, settings_find("motion.time"), (double)output->shot.time);
+    settings_set_value(&settings, settings_find("motion.time"), (double)output->shot.time);
     if (out) {
         fprintf(out, "scene=%s refraction=%s size=%ux%u samples=", p->scene.name,
-                p->rung->rung.name, p->width, p->height);
-        if (p->adapts)
+                p->refraction->refraction.name, p->width, p->height);
+        if (p->is_adaptive)
             fputs("auto", out);
         else
             fprintf(out, "%u", output->samples ? output->samples : p->samples);
@@ -125,7 +126,7 @@ static bool describe(const struct output *output, bool is_png, char **text)
         if (p->interleaved) /* tiles that are not interleaved change nothing */
             fprintf(out, " interleaved=%ux%u", p->columns, p->rows);
         if (p->split)
-            fprintf(out, " split=%s", p->split->rung.name);
+            fprintf(out, " split=%s", p->split->refraction.name);
         if (show)
             fprintf(out, " show=%s", show->name);
         if (is_png && p->png_bits == 16)
@@ -172,7 +173,7 @@ static void add_text(struct texts *texts, const char *name, const char *value)
 static void fill_texts(struct texts *texts, const struct output *output, bool is_png,
                        const char *device)
 {
-    const struct app_picture *p = output->picture;
+    const struct app_image *p = output->picture;
     texts->count = 0;
     add_text(texts, "firn/version", FIRN_VERSION);
     add_text(texts, "firn/settings", is_png ? output->png_settings : output->settings);
@@ -192,7 +193,7 @@ static void fill_texts(struct texts *texts, const struct output *output, bool is
 }
 
 /* Returns the pixels of the image that a file contains; at (0, 0) if tiles are interleaved. */
-static struct tile pixels_of(const struct app_picture *p)
+static struct tile pixels_of(const struct app_image *p)
 {
     const struct tiling tiling = { p->width, p->height, p->columns, p->rows };
     if (!p->tile)
@@ -206,16 +207,16 @@ static struct tile pixels_of(const struct app_picture *p)
 }
 
 /* Returns the position of a file's pixels in the whole image; {0} if it has no single position. */
-static struct picture_place place_of(const struct app_picture *p)
+static struct image_window window_of(const struct app_image *p)
 {
     const struct tile tile = pixels_of(p);
     if (!p->tile || p->interleaved)
-        return (struct picture_place){ 0 };
-    return (struct picture_place){ tile.x, tile.y, p->width, p->height };
+        return (struct image_window){ 0 };
+    return (struct image_window){ tile.x, tile.y, p->width, p->height };
 }
 
 /* Checks that the image size can be divided into the tiles. Returns an error message, or NULL. */
-static const char *check_sizes(const struct app_picture *p)
+static const char *check_sizes(const struct app_image *p)
 {
     const struct tiling tiling = { p->width, p->height, p->columns, p->rows };
     if (!p->interleaved)
@@ -228,10 +229,10 @@ static const char *check_sizes(const struct app_picture *p)
     return NULL;
 }
 
-enum status output_check_tiles(const struct app_picture *p, const struct app_outputs *outputs)
+enum status output_check_tiles(const struct app_image *p, const struct app_outputs *outputs)
 {
     const char *wrong = NULL;
-    if (p->adapts && (p->columns || p->rung == &refract_reference)) {
+    if (p->is_adaptive && (p->columns || p->refraction == &refract_reference)) {
         wrong = p->columns ? "--samples auto: not available with --tiles, since it depends on the "
                              "whole image; give a number"
                            : "--samples auto: not available with --refraction reference; give "
@@ -239,7 +240,7 @@ enum status output_check_tiles(const struct app_picture *p, const struct app_out
     } else if (!p->columns && (p->tile || p->interleaved)) {
         wrong = p->tile ? "--tile: --tiles is missing" : "--interleaved: --tiles is missing";
     } else if (p->columns) {
-        if (p->rung == &refract_reference)
+        if (p->refraction == &refract_reference)
             wrong = "--tiles: not available with --refraction reference, which needs no tiles";
         else if (p->tile > p->columns * p->rows)
             wrong = "--tile: its number exceeds the number of --tiles";
@@ -271,17 +272,17 @@ static void add_layer(struct image *image, const struct frame_layer *layer)
     }
 }
 
-static bool exr_is_current(const struct output *output, const struct picture_head *head,
+static bool exr_is_current(const struct output *output, const struct image_header *head,
                            const struct texts *texts)
 {
-    const struct app_picture *p = output->picture;
+    const struct app_image *p = output->picture;
     struct image_plane planes[PLANE_COUNT_MAX] = { 0 };
     const struct tile tile = pixels_of(p);
     struct image image = { .width = tile.width, .height = tile.height, .planes = planes };
     const struct exr_header header = {
         .texts = texts->all,
         .text_count = texts->compared_count,
-        .place = place_of(p),
+        .window = window_of(p),
     };
 
     add_layer(&image, &frame_beauty);
@@ -293,18 +294,18 @@ static bool exr_is_current(const struct output *output, const struct picture_hea
 }
 
 /* Returns true if PNG files have an alpha channel. */
-static bool has_alpha(const struct app_picture *p)
+static bool has_alpha(const struct app_image *p)
 {
     return p->scene.no_background && !p->show;
 }
 
 bool output_is_current(const struct output *output, const char *path,
-                       const struct picture_head *head)
+                       const struct image_header *head)
 {
     struct texts texts;
     const bool is_png = path_ends_in(path, ".png");
     fill_texts(&texts, output, is_png, "");
-    const struct png_picture picture = {
+    const struct png_image_source picture = {
         .width = pixels_of(output->picture).width,
         .height = pixels_of(output->picture).height,
         .texts = texts.all,
@@ -314,10 +315,10 @@ bool output_is_current(const struct output *output, const char *path,
     return is_png ? png_matches(head, &picture) : exr_is_current(output, head, &texts);
 }
 
-uint32_t output_enough_samples(const struct picture_head *head, uint32_t samples, double noise)
+uint32_t output_enough_samples(const struct image_header *head, uint32_t samples, double noise)
 {
-    const char *count = picture_head_text(head, "firn/samples");
-    const char *level = picture_head_text(head, "firn/noise");
+    const char *count = image_header_text(head, "firn/samples");
+    const char *level = image_header_text(head, "firn/noise");
     const unsigned long drawn = count ? strtoul(count, NULL, 10) : 0;
     const bool is_exact = level && noise > 0.0 && strtod(level, NULL) <= noise;
     return drawn && drawn <= samples && (drawn == samples || is_exact) ? (uint32_t)drawn : 0;
@@ -326,10 +327,9 @@ uint32_t output_enough_samples(const struct picture_head *head, uint32_t samples
 /* ---- new files ---- */
 
 /* Selects the planes to write: leaves out a layer that was drawn only for --show. */
-static void select_planes(struct image *image, const struct image *drawn,
-                          const struct app_picture *p)
+static void select_planes(struct image *image, const struct image *drawn, const struct app_image *p)
 {
-    const bool leave_out = p->show && !(p->layers & layer_picture_bit(p->show));
+    const bool leave_out = p->show && !(p->layers & layer_image_bit(p->show));
     for (uint32_t i = 0; i < drawn->plane_count; i++) {
         bool keep = true;
         for (size_t n = 0; leave_out && n < 4 && p->show->planes[n]; n++)
@@ -342,7 +342,7 @@ static void select_planes(struct image *image, const struct image *drawn,
 static enum status encode_exr(const struct output *output, const struct render_result *result,
                               const struct texts *texts, void **data, size_t *size)
 {
-    const struct app_picture *p = output->picture;
+    const struct app_image *p = output->picture;
     const struct camera *camera = &output->shot.camera;
     const mat4s view = camera_view_from_world(camera);
     const mat4s ndc = camera_clip_from_world(
@@ -355,7 +355,7 @@ static enum status encode_exr(const struct output *output, const struct render_r
         .frames_per_second = output->is_frame ? (double)motion->fps : 0.0,
         .world_to_camera = &view.raw[0][0],
         .world_to_ndc = &ndc.raw[0][0],
-        .place = place_of(p),
+        .window = window_of(p),
     };
     const struct tile tile = pixels_of(p);
     struct image_plane planes[PLANE_COUNT_MAX];
@@ -378,7 +378,7 @@ enum status output_encode(const struct output *output, const char *path,
             return log_out_of_memory("firn/objects");
         add_text(&texts, "firn/objects", objects);
     }
-    const struct png_picture picture = {
+    const struct png_image_source picture = {
         .rgba = result->rgba,
         .width = pixels_of(output->picture).width,
         .height = pixels_of(output->picture).height,

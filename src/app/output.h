@@ -3,12 +3,12 @@
 #define FIRN_APP_OUTPUT_H
 
 #include "src/app/app.h"
-#include "src/image/picture_head.h"
+#include "src/image/image_header.h"
 #include "src/render/renderer.h"
 
 /* A frame, before and after it is drawn. */
 struct output {
-    const struct app_picture *picture; /* its scene has been loaded by app_load_scene() */
+    const struct app_image *picture; /* its scene has been loaded by app_load_scene() */
     const struct scene *scene;
     struct renderer_shot shot;
     bool is_frame;      /* part of a sequence: motion.fps is written to EXR files */
@@ -34,19 +34,19 @@ void output_finish(struct output *output);
  * noticed, and the device may differ.
  */
 bool output_is_current(const struct output *output, const char *path,
-                       const struct picture_head *head);
+                       const struct image_header *head);
 
 /*
  * Returns the sample count stored in the head of a reference image that stopped at a limit of noise
  * (0: none) or time, if it still satisfies that limit with at most `samples`; else 0.
  */
-uint32_t output_enough_samples(const struct picture_head *head, uint32_t samples, double noise);
+uint32_t output_enough_samples(const struct image_header *head, uint32_t samples, double noise);
 
 /* Checks that --tiles and --tile fit size, refraction model and files: STATUS_USAGE (logged). */
-MUST_USE enum status output_check_tiles(const struct app_picture *picture,
+MUST_USE enum status output_check_tiles(const struct app_image *picture,
                                         const struct app_outputs *outputs);
 
-/* Encodes the image for file_write(); the caller frees *data. Logs errors. */
+/* Encodes the image for file_io_write(); the caller frees *data. Logs errors. */
 MUST_USE enum status output_encode(const struct output *output, const char *path,
                                    const struct render_result *result, const char *device,
                                    void **data, size_t *size);

@@ -4,14 +4,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "src/app/shell_words.h"
+#include "src/app/shell_quote.h"
 #include "src/base/log.h"
-#include "src/frame/list.h"
+#include "src/frame/pass_list.h"
 #include "src/gpu/gpu_capture.h"
-#include "src/image/file.h"
+#include "src/image/file_io.h"
 #include "src/profile/html.h"
 #include "src/profile/json.h"
-#include "src/render/request.h"
+#include "src/render/renderer_requests.h"
 #include "src/scene/material.h"
 #include "src/settings/scene_settings.h"
 
@@ -21,7 +21,7 @@ static enum status open_device(struct profile_job *job)
 {
     const struct app_profile *o = &job->o.profile;
     enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
-    const char *trouble = status == STATUS_OK && o->capture ? gpu_capture_trouble() : NULL;
+    const char *trouble = status == STATUS_OK && o->capture ? gpu_capture_problem() : NULL;
     if (trouble) {
         log_error("--capture: %s", trouble);
         status = STATUS_USAGE;
@@ -83,14 +83,15 @@ static void describe_material(struct profile *p, const struct app_scene *given)
         snprintf(p->material, sizeof(p->material), "refractive index %g", ior);
 }
 
-static enum status describe(struct profile *p, const struct app_picture *picture,
+static enum status describe(struct profile *p, const struct app_image *picture,
                             const struct scene *scene, char *const *words)
 {
     const struct app_scene *given = &picture->scene;
-    const struct settings settled = frame_settle(&given->settings, picture->rung, picture->height);
+    const struct settings settled =
+        frame_resolve_settings(&given->settings, picture->refraction, picture->height);
     const struct settings settings = frame_settings(&settled, scene);
     p->scene = strdup(given->name);
-    p->command = shell_words_join(words);
+    p->command = shell_quote_join(words);
     describe_material(p, given);
     if (p->scene && p->command && describe_settings(p, &settings))
         return STATUS_OK;
@@ -100,7 +101,7 @@ static enum status describe(struct profile *p, const struct app_picture *picture
 
 /* An image to be measured, and its scene. */
 struct subject {
-    struct app_picture picture;
+    struct app_image picture;
     struct scene scene;
 };
 
@@ -109,7 +110,7 @@ static enum status prepare(struct profile_job *job, struct subject *subject,
                            struct profile_request *request)
 {
     const struct app_profile *o = &job->o.profile;
-    struct app_picture *p = &subject->picture;
+    struct app_image *p = &subject->picture;
     *request = (struct profile_request){
         .clock = &job->clock,
         .warmup = o->warmup,
@@ -121,7 +122,7 @@ static enum status prepare(struct profile_job *job, struct subject *subject,
     if (status == STATUS_OK)
         status = app_camera(&request->camera, &subject->scene, p);
     if (status == STATUS_OK)
-        app_choose_rung(p, &subject->scene, &request->camera);
+        app_choose_refraction(p, &subject->scene, &request->camera);
     const bool is_first = !job->gpu.device;
     if (status == STATUS_OK && is_first)
         status = open_device(job);
@@ -131,12 +132,12 @@ static enum status prepare(struct profile_job *job, struct subject *subject,
         const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
         request->time = (double)motion->time;
         request->renderer = app_renderer_params(p, &job->gpu, &subject->scene);
-        renderer_see(&request->renderer, &request->camera);
+        renderer_set_camera(&request->renderer, &request->camera);
     }
     return status;
 }
 
-enum status profile_job_measure(struct profile_job *job, const struct app_picture *pictures,
+enum status profile_job_measure(struct profile_job *job, const struct app_image *pictures,
                                 struct profile *profiles, uint32_t count)
 {
     struct subject *subjects = calloc(count, sizeof(*subjects));
@@ -175,7 +176,7 @@ bool profile_job_has_table(const struct app_profile *given)
 
 enum status profile_job_write_text(const char *path, enum status made, char *text, size_t size)
 {
-    enum status status = made == STATUS_OK ? file_write(path, text, size) : made;
+    enum status status = made == STATUS_OK ? file_io_write(path, text, size) : made;
     free(text);
     return status;
 }

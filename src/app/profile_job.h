@@ -19,8 +19,7 @@ struct profile_job {
 
 /* Measures images interleaved: one run of each before the next run. The profiles must be {0}; after
  * a failure they may be in any state that profile_finish() accepts. */
-MUST_USE enum status profile_job_measure(struct profile_job *job,
-                                         const struct app_picture *pictures,
+MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_image *pictures,
                                          struct profile *profiles, uint32_t count);
 
 /* Writes the reports of job->sweep that the options name. */

@@ -6,7 +6,7 @@
 #include "src/app/output.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/image/file.h"
+#include "src/image/file_io.h"
 #include "src/settings/scene_settings.h"
 
 static enum status parse_frames(struct sequence *sequence, const struct app_options *o)
@@ -65,7 +65,7 @@ static enum status parse_names(struct sequence *sequence, struct app_options *o)
     enum status status = STATUS_OK;
     bool stdout_taken = o->render.json && !strcmp(o->render.json, "-");
     bool has_png = false;
-    app_name_output(o, APP_RENDER);
+    app_default_output(o, APP_RENDER);
     for (uint32_t i = 0; i < outputs->count && status == STATUS_OK; i++) {
         const bool is_stdout = !strcmp(outputs->paths[i], "-");
         if (is_stdout && stdout_taken) {
@@ -114,7 +114,7 @@ static enum status check_frame(const struct sequence *sequence, const struct app
     }
     for (uint32_t i = 0; i < o->run.outputs.count && status == STATUS_OK; i++) {
         char *path = frame_name_make(&sequence->names[i], frame);
-        status = path ? file_check(path) : log_out_of_memory(NULL);
+        status = path ? file_io_check(path) : log_out_of_memory(NULL);
         free(path);
     }
     return status;

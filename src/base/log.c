@@ -21,7 +21,7 @@ static size_t control_size(const unsigned char *text)
     return 0;
 }
 
-void log_clean(char *text)
+void log_sanitize(char *text)
 {
     char *end = text;
     for (const char *next = text; *next;) {
@@ -39,7 +39,7 @@ static void write_line(const char *prefix, const char *format, va_list *argument
 {
     char line[2048];
     vsnprintf(line, sizeof(line), format, *arguments);
-    log_clean(line);
+    log_sanitize(line);
     fprintf(stderr, "firn: %s%s\n", prefix, line);
 }
 

@@ -10,7 +10,7 @@
 
 /* Replaces terminal control characters and bidirectional control characters by '?', in place: file
  * names and names in files may contain them. */
-void log_clean(char *text);
+void log_sanitize(char *text);
 
 /* Writes "firn: ", the formatted and sanitised message, and a newline. */
 void log_error(const char *format, ...) __attribute__((format(printf, 1, 2)));

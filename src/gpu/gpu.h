@@ -49,11 +49,12 @@ struct gpu {
     VkCommandPool pool;             /* for uploads */
     bool portability_subset;        /* the device has this extension, so it must be enabled */
     float max_anisotropy;           /* of samplers; 0 if not supported */
-    bool has_host_memory;  /* CPU device with windows: can render to images in host memory */
-    bool has_rays;         /* supports acceleration structures and ray queries */
-    bool has_statistics;   /* supports pipeline statistics and exact occlusion queries */
-    bool validated;        /* the validation layer was found and is enabled */
-    struct gpu_rays *rays; /* those of the previous animation pose, for reuse; may be NULL */
+    bool has_host_memory; /* CPU device with windows: can render to images in host memory */
+    bool has_rays;        /* supports acceleration structures and ray queries */
+    bool has_statistics;  /* supports pipeline statistics and exact occlusion queries */
+    bool validated;       /* the validation layer was found and is enabled */
+    struct gpu_acceleration
+        *rays; /* those of the previous animation pose, for reuse; may be NULL */
     VkDebugUtilsMessengerEXT messenger;
     uint32_t message_count; /* warnings and errors of the validation layer so far */
 };
@@ -71,14 +72,15 @@ void gpu_destroy(struct gpu *gpu);
 bool gpu_is_lost(const struct gpu *gpu);
 
 /* A second logical device on the same physical device, with one queue, for another thread. */
-struct gpu_twin {
+struct gpu_secondary_device {
     VkDevice device;
     VkQueue queue; /* from gpu->queue_family */
 };
 
 /* Creates a second logical device; returns false on failure and logs nothing. */
-MUST_USE bool gpu_twin_create(struct gpu_twin *twin, const struct gpu *gpu);
-void gpu_twin_destroy(struct gpu_twin *twin); /* waits for the device first */
+MUST_USE bool gpu_secondary_device_create(struct gpu_secondary_device *twin, const struct gpu *gpu);
+void gpu_secondary_device_destroy(
+    struct gpu_secondary_device *twin); /* waits for the device first */
 
 /* One entry of gpu_list(). */
 struct gpu_device {
@@ -166,15 +168,15 @@ void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
  * limits (STATUS_USAGE), and `device_size` bytes of device memory with `host_size` bytes of
  * host-visible memory against the heaps (STATUS_TRY_AGAIN). Errors are logged.
  */
-MUST_USE enum status gpu_fit_size(const struct gpu *gpu, uint32_t width, uint32_t height);
+MUST_USE enum status gpu_check_size(const struct gpu *gpu, uint32_t width, uint32_t height);
 /* `side`: width of a face, texels */
-MUST_USE enum status gpu_fit_cube(const struct gpu *gpu, uint32_t side);
+MUST_USE enum status gpu_check_cube(const struct gpu *gpu, uint32_t side);
 /* Checks the size of a scene's texture, with `depth` array layers (STATUS_DATA). */
-MUST_USE enum status gpu_fit_texels(const struct gpu *gpu, const char *name, VkExtent3D size);
-MUST_USE enum status gpu_fit_memory(const struct gpu *gpu, VkExtent2D view,
-                                    VkDeviceSize device_size, VkDeviceSize host_size);
+MUST_USE enum status gpu_check_texels(const struct gpu *gpu, const char *name, VkExtent3D size);
+MUST_USE enum status gpu_check_memory(const struct gpu *gpu, VkExtent2D view,
+                                      VkDeviceSize device_size, VkDeviceSize host_size);
 /* Checks `size` bytes of acceleration structures against the device's memory heap. */
-MUST_USE enum status gpu_fit_rays(const struct gpu *gpu, VkDeviceSize size);
+MUST_USE enum status gpu_check_acceleration_memory(const struct gpu *gpu, VkDeviceSize size);
 void gpu_image_destroy(struct gpu *gpu, struct gpu_image *image);
 
 #endif

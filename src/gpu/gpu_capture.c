@@ -23,7 +23,7 @@ static RENDERDOC_API_1_4_0 *find_renderdoc(void)
     return api;
 }
 
-const char *gpu_capture_trouble(void)
+const char *gpu_capture_problem(void)
 {
     return find_renderdoc() ? NULL
                             : "RenderDoc is not loaded; start firn from RenderDoc, or with "

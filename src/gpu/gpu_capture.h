@@ -12,7 +12,7 @@
 
 /* Returns a static text that says why frames cannot be captured and what to do, or NULL if they can
  * be. A device must be open. */
-const char *gpu_capture_trouble(void);
+const char *gpu_capture_problem(void);
 
 /* Begins to capture all submitted work, until gpu_capture_end(). */
 void gpu_capture_begin(const struct gpu *gpu);

@@ -1,7 +1,7 @@
 /* gpu_capture_none.c: replaces gpu_capture.c in builds without RenderDoc's header. */
 #include "src/gpu/gpu_capture.h"
 
-const char *gpu_capture_trouble(void)
+const char *gpu_capture_problem(void)
 {
     return "this build lacks RenderDoc's header, renderdoc_app.h (Debian 12 has it in "
            "librenderdoc-dev); install it, then meson setup --reconfigure";

@@ -62,7 +62,7 @@ static const struct feature optional[] = {
     { CORE(occlusionQueryPrecise) },
     { V12(hostQueryReset) },
     { V12(timelineSemaphore) },
-    /* rays of shaders/within.glsl may access texels outside the image */
+    /* rays of shaders/refract/inclusion_march.glsl may access texels outside the image */
     { V13(robustImageAccess) },
 };
 
@@ -127,10 +127,10 @@ const char *gpu_features_choose(VkPhysicalDevice physical, bool rays, struct gpu
     return missing;
 }
 
-VkResult gpu_offer_find(VkPhysicalDevice physical, struct gpu_offer *offer)
+VkResult gpu_device_extensions_find(VkPhysicalDevice physical, struct gpu_device_extensions *offer)
 {
     uint32_t count = 0;
-    *offer = (struct gpu_offer){ 0 };
+    *offer = (struct gpu_device_extensions){ 0 };
     VkResult result = vkEnumerateDeviceExtensionProperties(physical, NULL, &count, NULL);
     if (result != VK_SUCCESS || count == 0)
         return result;
@@ -155,8 +155,8 @@ VkResult gpu_offer_find(VkPhysicalDevice physical, struct gpu_offer *offer)
 
 static bool has_swapchain(VkPhysicalDevice physical)
 {
-    struct gpu_offer offer;
-    return gpu_offer_find(physical, &offer) == VK_SUCCESS && offer.swapchain;
+    struct gpu_device_extensions offer;
+    return gpu_device_extensions_find(physical, &offer) == VK_SUCCESS && offer.swapchain;
 }
 
 uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physical)
@@ -285,7 +285,7 @@ enum status gpu_choose(const struct gpu_device *devices, uint32_t count, const c
     }
     list_names(devices, count, names, sizeof(names));
     if (count == 0)
-        log_error("no Vulkan device: %s", gpu_missing_driver());
+        log_error("no Vulkan device: %s", gpu_driver_advice());
     else if (wanted && refused)
         log_error("%s: %s", refused->name, refused->refused);
     else if (wanted)

@@ -3,8 +3,8 @@
 
 #include "graph/rg_exec.h"
 #include "src/base/log.h"
+#include "src/gpu/gpu_acceleration.h"
 #include "src/gpu/gpu_internal.h"
-#include "src/gpu/gpu_rays.h"
 
 /* Maximum number of devices, more than any machine has; further ones are ignored. */
 enum {
@@ -33,7 +33,7 @@ static enum status open_instance(struct gpu *gpu, bool validate)
         return STATUS_OK;
     if (result != VK_ERROR_INCOMPATIBLE_DRIVER)
         return gpu_failed("vkCreateInstance", result);
-    log_error("no Vulkan driver, or no Vulkan 1.3: %s", gpu_missing_driver());
+    log_error("no Vulkan driver, or no Vulkan 1.3: %s", gpu_driver_advice());
     return STATUS_NO_DEVICE;
 }
 
@@ -93,9 +93,9 @@ static VkResult create_device(const struct gpu *gpu, const struct gpu_features *
 static enum status open_device(struct gpu *gpu)
 {
     struct gpu_features features;
-    struct gpu_offer offer;
+    struct gpu_device_extensions offer;
 
-    VkResult result = gpu_offer_find(gpu->physical, &offer);
+    VkResult result = gpu_device_extensions_find(gpu->physical, &offer);
     if (result != VK_SUCCESS)
         return gpu_failed("vkEnumerateDeviceExtensionProperties", result);
     /* required features were checked when the device was chosen */
@@ -126,7 +126,7 @@ static enum status open_device(struct gpu *gpu)
         gpu->pool = VK_NULL_HANDLE;
         return gpu_failed("vkCreateCommandPool", result);
     }
-    return gpu_cache_load(gpu);
+    return gpu_pipeline_cache_load(gpu);
 }
 
 enum status gpu_create(struct gpu *gpu, const struct gpu_params *params)
@@ -149,8 +149,8 @@ void gpu_destroy(struct gpu *gpu)
     if (gpu->device) {
         (void)vkDeviceWaitIdle(gpu->device); /* the device is destroyed even if it is lost */
         if (gpu->pipeline_cache && !gpu->no_cache)
-            gpu_cache_save(gpu);
-        gpu_rays_destroy(gpu, gpu->rays);
+            gpu_pipeline_cache_save(gpu);
+        gpu_acceleration_destroy(gpu, gpu->rays);
         rg_pipelines_destroy(gpu->pipelines);
         vkDestroyPipelineCache(gpu->device, gpu->pipeline_cache, NULL);
         vkDestroyCommandPool(gpu->device, gpu->pool, NULL);
@@ -164,7 +164,7 @@ void gpu_destroy(struct gpu *gpu)
     *gpu = (struct gpu){ .message_count = gpu->message_count };
 }
 
-bool gpu_twin_create(struct gpu_twin *twin, const struct gpu *gpu)
+bool gpu_secondary_device_create(struct gpu_secondary_device *twin, const struct gpu *gpu)
 {
     struct gpu_features features;
     (void)gpu_features_choose(gpu->physical, gpu->has_rays, &features);
@@ -174,7 +174,7 @@ bool gpu_twin_create(struct gpu_twin *twin, const struct gpu *gpu)
     return true;
 }
 
-void gpu_twin_destroy(struct gpu_twin *twin)
+void gpu_secondary_device_destroy(struct gpu_secondary_device *twin)
 {
     (void)vkDeviceWaitIdle(twin->device);
     vkDestroyDevice(twin->device, NULL);
@@ -193,8 +193,8 @@ void gpu_describe(const struct gpu *gpu, struct gpu_device *device)
 static bool has_rays(VkPhysicalDevice physical)
 {
     struct gpu_features features;
-    struct gpu_offer offer;
-    if (gpu_offer_find(physical, &offer) != VK_SUCCESS)
+    struct gpu_device_extensions offer;
+    if (gpu_device_extensions_find(physical, &offer) != VK_SUCCESS)
         return false;
     (void)gpu_features_choose(physical, offer.rays, &features);
     return features.rays;

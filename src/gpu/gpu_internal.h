@@ -19,7 +19,7 @@ MUST_USE VkResult gpu_instance_create(struct gpu *gpu, bool validate);
 
 /* Returns advice for a machine without a usable driver: install one or, if a memory limit may keep
  * drivers from loading, raise it. */
-const char *gpu_missing_driver(void);
+const char *gpu_driver_advice(void);
 
 bool gpu_has_extension(const VkExtensionProperties *list, uint32_t count, const char *name);
 
@@ -46,7 +46,7 @@ MUST_USE enum status gpu_choose(const struct gpu_device *devices, uint32_t count
 uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physical);
 
 /* Optional extensions that a device has, of those that firn uses. */
-struct gpu_offer {
+struct gpu_device_extensions {
     bool portability_subset, swapchain;
     bool host_memory; /* VK_EXT_external_memory_host: images in host memory */
     bool rays;        /* all of gpu_ray_extensions */
@@ -59,7 +59,8 @@ enum {
 
 extern const char *const gpu_ray_extensions[GPU_RAY_EXTENSION_COUNT];
 
-MUST_USE VkResult gpu_offer_find(VkPhysicalDevice physical, struct gpu_offer *offer);
+MUST_USE VkResult gpu_device_extensions_find(VkPhysicalDevice physical,
+                                             struct gpu_device_extensions *offer);
 
 /* Device features to enable. `core` is the head of a pNext chain that points into the struct, so it
  * must not be moved after gpu_features_choose(). */
@@ -78,13 +79,14 @@ struct gpu_features {
 const char *gpu_features_choose(VkPhysicalDevice physical, bool rays, struct gpu_features *wanted);
 
 /* Creates gpu->pipeline_cache from an earlier run's file. Warns of a damaged file. */
-MUST_USE enum status gpu_cache_load(struct gpu *gpu);
+MUST_USE enum status gpu_pipeline_cache_load(struct gpu *gpu);
 
 /* Saves gpu->pipeline_cache for a later run. Failures are not logged: only speed is lost. */
-void gpu_cache_save(const struct gpu *gpu);
+void gpu_pipeline_cache_save(const struct gpu *gpu);
 
 /* Returns true if the content of a cache file is undamaged and from this device and driver. */
-bool gpu_cache_sound(const VkPhysicalDeviceProperties *device, const void *data, size_t size);
+bool gpu_pipeline_cache_is_valid(const VkPhysicalDeviceProperties *device, const void *data,
+                                 size_t size);
 
 /* Returns the first memory type among `bits` with all of `required` and, if possible, all of
  * `preferred` property flags; UINT32_MAX if there is none. */

@@ -73,7 +73,7 @@ static unsigned memory_limit(void)
     return is_limited ? (unsigned)(limit.rlim_cur >> 20) : 0;
 }
 
-const char *gpu_missing_driver(void)
+const char *gpu_driver_advice(void)
 {
     return memory_limit() ? "install a driver, or raise the memory limit of this process (ulimit "
                             "-v), which may prevent drivers from loading"

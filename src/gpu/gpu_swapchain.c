@@ -120,7 +120,7 @@ static VkSemaphore make_semaphore(const struct gpu *gpu, VkResult *result)
 }
 
 enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *s, VkSurfaceKHR surface,
-                               VkPresentModeKHR mode, const struct gpu_canvas *canvas)
+                               VkPresentModeKHR mode, const struct gpu_shared_window *canvas)
 {
     *s = (struct gpu_swapchain){ .surface = surface, .stale = true };
     enum status status = choose_format(gpu, s);
@@ -144,7 +144,7 @@ static void free_images(const struct gpu *gpu, struct gpu_swapchain *s)
         s->acquired[i] = VK_NULL_HANDLE;
     }
     if (s->canvas)
-        gpu_canvas_free(gpu, s->canvas, s->canvas_images);
+        gpu_shared_window_destroy_images(gpu, s->canvas, s->canvas_images);
     free(s->drawn);
     free(s->images);
     s->drawn = NULL;
@@ -250,7 +250,7 @@ static enum status create(struct gpu *gpu, struct gpu_swapchain *s,
 
 static enum status use_canvas_images(struct gpu_swapchain *s)
 {
-    const enum status status = allocate_images(s, GPU_CANVAS_COUNT);
+    const enum status status = allocate_images(s, GPU_SHARED_WINDOW_IMAGE_COUNT);
     for (uint32_t i = 0; i < s->image_count; i++)
         s->images[i] = s->canvas_images[i].image;
     return status;
@@ -268,7 +268,8 @@ enum status gpu_swapchain_recreate(struct gpu *gpu, struct gpu_swapchain *s, VkE
         return gpu_failed("vkGetPhysicalDeviceSurfaceCapabilitiesKHR", result);
     s->extent = choose_extent(&has, size);
     s->stale = s->extent.width == 0 || s->extent.height == 0;
-    if (!s->stale && s->canvas && gpu_canvas_make(gpu, s->canvas, s->extent, s->canvas_images))
+    if (!s->stale && s->canvas &&
+        gpu_shared_window_create_images(gpu, s->canvas, s->extent, s->canvas_images))
         return use_canvas_images(s);
     s->canvas = s->stale ? s->canvas : NULL;
     if (!s->stale)
@@ -295,7 +296,7 @@ enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *s, uint
                                   uint32_t *index)
 {
     if (s->canvas) {
-        *index = (s->shown + 1) % GPU_CANVAS_COUNT;
+        *index = (s->shown + 1) % GPU_SHARED_WINDOW_IMAGE_COUNT;
         s->canvas->wait(s->canvas->user, *index);
         return STATUS_OK;
     }

@@ -13,7 +13,7 @@
  *
  * A slot is a frame in flight; a caller reuses a slot only after its frame has finished.
  *
- * With a canvas (gpu_canvas.h) the images belong to it instead of the driver. There are no
+ * With a canvas (gpu_shared_window.h) the images belong to it instead of the driver. There are no
  * semaphores then, and presenting waits for the queue.
  *
  * Ownership: the caller owns surface and canvas, which must outlive the swapchain.
@@ -24,7 +24,7 @@
 #define FIRN_GPU_SWAPCHAIN_H
 
 #include "src/gpu/gpu.h"
-#include "src/gpu/gpu_canvas.h"
+#include "src/gpu/gpu_shared_window.h"
 
 enum {
     GPU_SWAPCHAIN_SLOT_COUNT = 2, /* frames in flight */
@@ -38,8 +38,8 @@ enum {
 struct gpu_swapchain {
     VkSurfaceKHR surface;
     VkSwapchainKHR swapchain; /* VK_NULL_HANDLE while the surface has no size, and with a canvas */
-    const struct gpu_canvas *canvas; /* NULL: the driver owns the images */
-    struct gpu_canvas_image canvas_images[GPU_CANVAS_COUNT];
+    const struct gpu_shared_window *canvas; /* NULL: the driver owns the images */
+    struct gpu_shared_window_image canvas_images[GPU_SHARED_WINDOW_IMAGE_COUNT];
     uint32_t shown; /* index of the canvas image that is displayed */
     VkFormat format;
     bool encodes; /* the format encodes linear colours that are written to it as sRGB */
@@ -60,7 +60,7 @@ struct gpu_swapchain {
  */
 MUST_USE enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                         VkSurfaceKHR surface, VkPresentModeKHR mode,
-                                        const struct gpu_canvas *canvas);
+                                        const struct gpu_shared_window *canvas);
 
 /* Waits for the device and recreates the images. `size` is the window's size, pixels; it is used
  * for surfaces that let the program choose. */

@@ -10,14 +10,14 @@
 
 #include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/image/picture_head.h"
+#include "src/image/image_header.h"
 
 struct exr_header {
     const struct image_text *texts; /* string attributes; may be NULL if text_count is 0 */
     uint32_t text_count;
     const float *world_to_camera; /* 16 floats in EXR's row-vector order; may be NULL */
     const float *world_to_ndc;    /* 16 floats in EXR's row-vector order; may be NULL */
-    struct picture_place place;
+    struct image_window window;
     double frames_per_second; /* frame rate of a sequence; 0 to write no attribute */
 };
 
@@ -52,7 +52,7 @@ struct exr_file;
  * allocation. Deep data, subsampled channels, DWAA and DWAB are not supported: STATUS_DATA. Logs
  * and returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *file is then NULL and *head {0}.
  */
-MUST_USE enum status exr_open(struct exr_file **file, const char *path, struct picture_head *head);
+MUST_USE enum status exr_open(struct exr_file **file, const char *path, struct image_header *head);
 
 /* Returns row y of a plane in *row, owned by the file and valid until the next call. Non-finite
  * texels are returned unchanged. Reading rows in ascending order is fastest. */
@@ -64,14 +64,14 @@ void exr_close(struct exr_file *file); /* may be NULL */
 MUST_USE enum status exr_read(const char *path, struct image *image);
 
 /* Reads a file and its header like exr_read(); the caller finishes *head, {0} on failure. */
-MUST_USE enum status exr_read_all(const char *path, struct image *image, struct picture_head *head);
+MUST_USE enum status exr_read_all(const char *path, struct image *image, struct image_header *head);
 
 /* Decodes a file to its end to check it, and returns its header like exr_open(). */
-MUST_USE enum status exr_check(const char *path, struct picture_head *head);
+MUST_USE enum status exr_check(const char *path, struct image_header *head);
 
 /* Returns true if a file with header `head` could be exr_encode()'s output for the image and
  * header: same size, windows, planes, and at least these texts. Texels and matrices are ignored. */
-bool exr_matches(const struct picture_head *head, const struct image *image,
+bool exr_matches(const struct image_header *head, const struct image *image,
                  const struct exr_header *header);
 
 #endif

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "src/base/log.h"
 #include "src/image/exr.h"
-#include "src/image/file.h"
+#include "src/image/file_io.h"
 
 struct source {
     FILE *file;
@@ -178,7 +178,7 @@ static exr_result_t add_planes(struct exr_file *file, const exr_attr_chlist_t *c
     return EXR_ERR_SUCCESS;
 }
 
-static bool find_place(const struct exr_file *file, struct picture_place *place)
+static bool find_window(const struct exr_file *file, struct image_window *window)
 {
     const exr_attr_box2i_t *data = &file->window;
     exr_attr_box2i_t display;
@@ -186,7 +186,7 @@ static bool find_place(const struct exr_file *file, struct picture_place *place)
         data->min.x < display.min.x || data->min.y < display.min.y || data->max.x > display.max.x ||
         data->max.y > display.max.y)
         return false;
-    *place = (struct picture_place){
+    *window = (struct image_window){
         .x = (uint32_t)data->min.x - (uint32_t)display.min.x,
         .y = (uint32_t)data->min.y - (uint32_t)display.min.y,
         .width = (uint32_t)display.max.x - (uint32_t)display.min.x + 1,
@@ -219,7 +219,7 @@ static bool find_primaries(const struct exr_file *file, struct primaries *primar
     return true;
 }
 
-static bool add_texts(const struct exr_file *file, struct picture_head *head)
+static bool add_texts(const struct exr_file *file, struct image_header *head)
 {
     int32_t count = 0;
     bool done = true;
@@ -230,20 +230,20 @@ static bool add_texts(const struct exr_file *file, struct picture_head *head)
         if (exr_get_attribute_by_index(file->context, file->part, EXR_ATTR_LIST_FILE_ORDER, i,
                                        &a) == EXR_ERR_SUCCESS &&
             a->type == EXR_ATTR_STRING && a->string->length >= 0)
-            done = picture_head_add_text(head, a->name, a->string->str, (size_t)a->string->length);
+            done = image_header_add_text(head, a->name, a->string->str, (size_t)a->string->length);
     }
     return done;
 }
 
-static bool fill_head(const struct exr_file *file, struct picture_head *head)
+static bool fill_head(const struct exr_file *file, struct image_header *head)
 {
     bool done = true;
     image_init(&head->image, file->rows.width, file->height);
     for (uint32_t p = 0; p < file->rows.plane_count && done; p++) {
         const struct image_plane *plane = &file->rows.planes[p];
-        done = picture_head_add_plane(head, plane->name, plane->half);
+        done = image_header_add_plane(head, plane->name, plane->half);
     }
-    head->has_place = find_place(file, &head->place);
+    head->has_window = find_window(file, &head->window);
     head->has_world_to_camera = find_matrix(file, "worldToCamera", head->world_to_camera);
     head->has_world_to_ndc = find_matrix(file, "worldToNDC", head->world_to_ndc);
     head->has_primaries = find_primaries(file, &head->primaries);
@@ -368,26 +368,26 @@ static exr_result_t read_header(struct exr_file *file)
     return result == EXR_ERR_SUCCESS ? add_planes(file, channels) : result;
 }
 
-enum status exr_open(struct exr_file **opened, const char *path, struct picture_head *head)
+enum status exr_open(struct exr_file **opened, const char *path, struct image_header *head)
 {
     struct exr_file *file = calloc(1, sizeof(*file));
     enum status status;
 
     *opened = NULL;
-    *head = (struct picture_head){ 0 };
+    *head = (struct image_header){ 0 };
     if (file)
         file->path = strdup(path);
     if (!file || !file->path) {
         free(file);
         return log_out_of_memory(path);
     }
-    status = file_open(path, &file->source.file, &file->source.size);
+    status = file_io_open(path, &file->source.file, &file->source.size);
     if (status == STATUS_OK)
         status = report(file, read_header(file));
     if (status == STATUS_OK && !fill_head(file, head))
         status = log_out_of_memory(path);
     if (status != STATUS_OK) {
-        picture_head_finish(head);
+        image_header_finish(head);
         exr_close(file);
         return status;
     }
@@ -423,7 +423,7 @@ enum status exr_row(struct exr_file *file, uint32_t plane, uint32_t y, const flo
     return STATUS_OK;
 }
 
-static bool add_image(struct image *image, const struct picture_head *head)
+static bool add_image(struct image *image, const struct image_header *head)
 {
     image_init(image, head->image.width, head->image.height);
     for (uint32_t p = 0; p < head->image.plane_count; p++) {
@@ -434,7 +434,7 @@ static bool add_image(struct image *image, const struct picture_head *head)
     return true;
 }
 
-enum status exr_read_all(const char *path, struct image *image, struct picture_head *head)
+enum status exr_read_all(const char *path, struct image *image, struct image_header *head)
 {
     struct exr_file *file;
     enum status status = exr_open(&file, path, head);
@@ -451,7 +451,7 @@ enum status exr_read_all(const char *path, struct image *image, struct picture_h
     }
     if (status != STATUS_OK) {
         image_finish(image);
-        picture_head_finish(head);
+        image_header_finish(head);
     }
     exr_close(file);
     return status;
@@ -459,13 +459,13 @@ enum status exr_read_all(const char *path, struct image *image, struct picture_h
 
 enum status exr_read(const char *path, struct image *image)
 {
-    struct picture_head head;
+    struct image_header head;
     const enum status status = exr_read_all(path, image, &head);
-    picture_head_finish(&head);
+    image_header_finish(&head);
     return status;
 }
 
-enum status exr_check(const char *path, struct picture_head *head)
+enum status exr_check(const char *path, struct image_header *head)
 {
     struct exr_file *file;
     const float *row;
@@ -473,19 +473,19 @@ enum status exr_check(const char *path, struct picture_head *head)
     for (uint32_t y = 0; y < head->image.height && status == STATUS_OK; y++)
         status = exr_row(file, 0, y, &row);
     if (status != STATUS_OK)
-        picture_head_finish(head);
+        image_header_finish(head);
     exr_close(file);
     return status;
 }
 
-bool exr_matches(const struct picture_head *head, const struct image *image,
+bool exr_matches(const struct image_header *head, const struct image *image,
                  const struct exr_header *header)
 {
-    const struct picture_place *place = &head->place, *wanted = &header->place;
-    if (!head->has_place || !picture_head_matches(head, image, header->texts, header->text_count))
+    const struct image_window *window = &head->window, *wanted = &header->window;
+    if (!head->has_window || !image_header_matches(head, image, header->texts, header->text_count))
         return false;
     if (!wanted->width)
-        return place->width == image->width && place->height == image->height;
-    return place->x == wanted->x && place->y == wanted->y && place->width == wanted->width &&
-           place->height == wanted->height;
+        return window->width == image->width && window->height == image->height;
+    return window->x == wanted->x && window->y == wanted->y && window->width == wanted->width &&
+           window->height == wanted->height;
 }

@@ -121,32 +121,32 @@ static exr_result_t declare_attributes(exr_context_t context, const struct exr_h
 
 /* Sets both windows; like exr_initialize_required_attr_simple() if the image is whole. */
 static exr_result_t declare_windows(exr_context_t context, int part, const struct image *image,
-                                    const struct picture_place *place)
+                                    const struct image_window *window)
 {
     const exr_attr_v2f_t middle = { .x = 0.0f, .y = 0.0f };
-    const int32_t x = (int32_t)place->x, y = (int32_t)place->y;
+    const int32_t x = (int32_t)window->x, y = (int32_t)window->y;
     const exr_attr_box2i_t data = {
         .min = { .x = x, .y = y },
         .max = { .x = x + (int32_t)image->width - 1, .y = y + (int32_t)image->height - 1 },
     };
     exr_attr_box2i_t display = data;
 
-    if (place->width)
+    if (window->width)
         display = (exr_attr_box2i_t){
-            .max = { .x = (int32_t)place->width - 1, .y = (int32_t)place->height - 1 },
+            .max = { .x = (int32_t)window->width - 1, .y = (int32_t)window->height - 1 },
         };
     return exr_initialize_required_attr(context, part, &display, &data, 1.0f, &middle, 1.0f,
                                         EXR_LINEORDER_INCREASING_Y, EXR_COMPRESSION_ZIP);
 }
 
 static exr_result_t declare_part(exr_context_t context, const struct image *image,
-                                 const struct picture_place *place)
+                                 const struct image_window *window)
 {
     int part;
     exr_result_t result = exr_add_part(context, NULL, EXR_STORAGE_SCANLINE, &part);
 
     if (result == EXR_ERR_SUCCESS)
-        result = declare_windows(context, part, image, place);
+        result = declare_windows(context, part, image, window);
     for (uint32_t i = 0; i < image->plane_count && result == EXR_ERR_SUCCESS; i++) {
         const struct image_plane *plane = &image->planes[i];
         result = exr_add_channel(context, part, plane->name,
@@ -302,11 +302,11 @@ static enum status encode(struct origin *origin, const struct exr_header *header
 
     assert(image->plane_count > 0 && image->plane_count <= IMAGE_MAX_PLANES);
     assert(image->width <= IMAGE_MAX_SIDE && image->height <= IMAGE_MAX_SIDE);
-    assert(!header->place.width || (header->place.x + image->width <= header->place.width &&
-                                    header->place.y + image->height <= header->place.height));
+    assert(!header->window.width || (header->window.x + image->width <= header->window.width &&
+                                     header->window.y + image->height <= header->window.height));
     *data = NULL;
     *size = 0;
-    origin->y = header->place.y;
+    origin->y = header->window.y;
     start.error_handler_fn = ignore_message;
     start.user_data = &sink;
     start.write_fn = sink_write;
@@ -315,7 +315,7 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     if (result == EXR_ERR_SUCCESS && has_long_names(image, header))
         result = exr_set_longname_support(context, 1);
     if (result == EXR_ERR_SUCCESS)
-        result = declare_part(context, image, &header->place);
+        result = declare_part(context, image, &header->window);
     if (result == EXR_ERR_SUCCESS)
         result = declare_attributes(context, header);
     if (result == EXR_ERR_SUCCESS)

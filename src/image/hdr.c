@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/image/file.h"
+#include "src/image/file_io.h"
 
 struct source {
     FILE *file;
@@ -119,7 +119,7 @@ static enum status open_hdr(const char *path, struct source *source, int *width,
 {
     int64_t file_size;
     *source = (struct source){ 0 };
-    const enum status status = file_open(path, &source->file, &file_size);
+    const enum status status = file_io_open(path, &source->file, &file_size);
     if (status != STATUS_OK)
         return status;
     const char *fault = find_fault(source, file_size, width, height);
@@ -149,20 +149,20 @@ static enum status close_hdr(struct source *source, enum status status)
     return status;
 }
 
-enum status hdr_head(const char *path, struct picture_head *head)
+enum status hdr_head(const char *path, struct image_header *head)
 {
     struct source source;
     int width = 0, height = 0;
     enum status status = open_hdr(path, &source, &width, &height);
-    *head = (struct picture_head){ 0 };
+    *head = (struct image_header){ 0 };
     if (status == STATUS_OK)
         image_init(&head->image, (uint32_t)width, (uint32_t)height);
     for (size_t p = 0; p < 3 && status == STATUS_OK; p++) {
-        if (!picture_head_add_plane(head, names[p], false))
+        if (!image_header_add_plane(head, names[p], false))
             status = log_out_of_memory(path);
     }
     if (status != STATUS_OK)
-        picture_head_finish(head);
+        image_header_finish(head);
     return close_hdr(&source, status);
 }
 

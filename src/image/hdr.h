@@ -4,10 +4,10 @@
 
 #include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/image/picture_head.h"
+#include "src/image/image_header.h"
 
 /* Returns size and planes of the image that hdr_read() would return, from the header only. */
-MUST_USE enum status hdr_head(const char *path, struct picture_head *head);
+MUST_USE enum status hdr_head(const char *path, struct image_header *head);
 
 /* Reads a Radiance file; rejects other formats. Limits, errors, ownership: see exr_read(). */
 MUST_USE enum status hdr_read(const char *path, struct image *image);

@@ -7,9 +7,9 @@
 #include <stdint.h>
 #include "src/base/status.h"
 #include "src/image/image.h"
-#include "src/image/picture_head.h"
+#include "src/image/image_header.h"
 
-struct png_picture {
+struct png_image_source {
     const uint8_t *rgba;            /* sRGB-encoded texels, rows from the top */
     uint32_t width, height;         /* pixels */
     const struct image_text *texts; /* text metadata; may be NULL if text_count is 0 */
@@ -24,7 +24,7 @@ struct png_picture {
  * UTF-8; names of at most 79 characters), but no timestamp. Logs and returns STATUS_TRY_AGAIN or
  * STATUS_FAILED; *data is then NULL.
  */
-MUST_USE enum status png_encode(const struct png_picture *picture, void **data, size_t *size);
+MUST_USE enum status png_encode(const struct png_image_source *picture, void **data, size_t *size);
 
 /*
  * Reads a PNG file of any colour type into *image, which must be {0}: planes R, G and B, and A if
@@ -35,14 +35,14 @@ MUST_USE enum status png_encode(const struct png_picture *picture, void **data, 
 MUST_USE enum status png_read(const char *path, struct image *image);
 
 /* Returns size and planes of the image that png_read() would return, from the header only. */
-MUST_USE enum status png_head(const char *path, struct picture_head *head);
+MUST_USE enum status png_head(const char *path, struct image_header *head);
 
 /* Checks a whole file by the CRCs of its chunks, without decompressing texels, and returns its
  * header in *head, which the caller finishes. Errors are those of png_read(). */
-MUST_USE enum status png_check(const char *path, struct picture_head *head);
+MUST_USE enum status png_check(const char *path, struct image_header *head);
 
 /* Returns true if a file with header `head` could be png_encode()'s output for the image: same
  * size, channels and texts. Texels, which may be NULL, are not compared. */
-bool png_matches(const struct picture_head *head, const struct png_picture *picture);
+bool png_matches(const struct image_header *head, const struct png_image_source *picture);
 
 #endif

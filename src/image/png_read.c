@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/image/file.h"
+#include "src/image/file_io.h"
 #include "src/image/png.h"
 #include "src/image/srgb.h"
 
@@ -94,7 +94,7 @@ static enum status read_texels(const char *path, png_image *png, struct image *i
 static enum status open_png(const char *path, png_image *png, FILE **file)
 {
     int64_t size;
-    enum status status = file_open(path, file, &size);
+    enum status status = file_io_open(path, file, &size);
 
     *png = (png_image){ .version = PNG_IMAGE_VERSION };
     if (status != STATUS_OK)
@@ -120,21 +120,21 @@ static enum status close_png(png_image *png, FILE *file, enum status status)
     return status;
 }
 
-enum status png_head(const char *path, struct picture_head *head)
+enum status png_head(const char *path, struct image_header *head)
 {
     png_image png;
     FILE *file;
     enum status status = open_png(path, &png, &file);
 
-    *head = (struct picture_head){ 0 };
+    *head = (struct image_header){ 0 };
     if (status == STATUS_OK)
         image_init(&head->image, png.width, png.height);
     for (uint32_t p = 0; p < count_planes(&png) && status == STATUS_OK; p++) {
-        if (!picture_head_add_plane(head, names[p], false))
+        if (!image_header_add_plane(head, names[p], false))
             status = log_out_of_memory(path);
     }
     if (status != STATUS_OK)
-        picture_head_finish(head);
+        image_header_finish(head);
     return close_png(&png, file, status);
 }
 

@@ -34,7 +34,7 @@ void canvas_fill(struct canvas *canvas, const uint32_t box[static 4], const uint
     }
 }
 
-void canvas_put(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *picture)
+void canvas_draw_image(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *picture)
 {
     if (x >= canvas->width)
         return;
@@ -45,7 +45,8 @@ void canvas_put(struct canvas *canvas, uint32_t x, uint32_t y, const struct canv
                &picture->rgba[4 * (size_t)row * picture->width], size);
 }
 
-void canvas_write(struct canvas *canvas, uint32_t x, uint32_t y, uint32_t scale, const char *text)
+void canvas_draw_text(struct canvas *canvas, uint32_t x, uint32_t y, uint32_t scale,
+                      const char *text)
 {
     static const uint8_t light[3] = { 235, 235, 235 };
     char letters[128];

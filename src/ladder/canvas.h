@@ -21,10 +21,11 @@ bool canvas_init(struct canvas *canvas, uint32_t width, uint32_t height, uint8_t
 /* Draw a filled box, or an image with its top left corner at (x, y). `box` is left, top, width and
  * height in pixels. All drawing is clipped to the canvas. */
 void canvas_fill(struct canvas *canvas, const uint32_t box[static 4], const uint8_t rgb[static 3]);
-void canvas_put(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *picture);
+void canvas_draw_image(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *picture);
 
 /* Draws light ASCII text at (x, y), its top left corner; each font pixel is scale * scale pixels.
  */
-void canvas_write(struct canvas *canvas, uint32_t x, uint32_t y, uint32_t scale, const char *text);
+void canvas_draw_text(struct canvas *canvas, uint32_t x, uint32_t y, uint32_t scale,
+                      const char *text);
 
 #endif

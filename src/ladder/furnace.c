@@ -42,9 +42,10 @@ struct furnace furnace_measure(const struct ladder *ladder)
     const struct image *reference = &ladder->reference.image;
     struct furnace furnace = { .pixel_count = ladder->object_count };
     furnace.rows[furnace.row_count++] = measure("reference", reference, reference);
-    for (uint32_t i = 0; i < ladder->rung_count; i++)
+    for (uint32_t i = 0; i < ladder->refraction_model_count; i++)
         furnace.rows[furnace.row_count++] =
-            measure(ladder->rungs[i].rung->rung.name, &ladder->rungs[i].result.image, reference);
+            measure(ladder->refraction_models[i].refraction->refraction.name,
+                    &ladder->refraction_models[i].result.image, reference);
     return furnace;
 }
 

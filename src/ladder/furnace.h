@@ -9,7 +9,7 @@
 #define FIRN_LADDER_FURNACE_H
 
 #include <stdio.h>
-#include "src/ladder/ladder.h"
+#include "src/ladder/model_comparison.h"
 
 /* Largest deviation from 1 at which a pixel passes. */
 extern const double furnace_tolerance;
@@ -23,7 +23,7 @@ struct furnace_row {
 };
 
 struct furnace {
-    struct furnace_row rows[LADDER_RUNG_COUNT + 1]; /* the reference first */
+    struct furnace_row rows[LADDER_MODEL_COUNT + 1]; /* the reference first */
     uint32_t row_count;
     uint64_t pixel_count;
 };

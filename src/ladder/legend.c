@@ -1,7 +1,7 @@
 /* legend.c: draws the colour bar of the FLIP heat map. */
 #include "src/ladder/legend.h"
 #include <stdio.h>
-#include "src/metric/heat.h"
+#include "src/metric/heat_map.h"
 
 enum {
     TICKS = 5,
@@ -22,7 +22,7 @@ void legend_put(struct canvas *canvas, const uint32_t box[static 4], uint32_t sc
     const uint32_t ticks = height >= TICKS * line ? TICKS : 2; /* only the ends if the bar is low */
     uint8_t rgb[3];
     for (uint32_t row = 0; row < height; row++) {
-        heat_srgb(1.0f - ((float)row + 0.5f) / (float)height, rgb);
+        heat_map_srgb(1.0f - ((float)row + 0.5f) / (float)height, rgb);
         canvas_fill(canvas, (const uint32_t[]){ x, y + row, width, 1 }, rgb);
     }
     for (uint32_t i = 0; i < ticks; i++) {
@@ -30,7 +30,7 @@ void legend_put(struct canvas *canvas, const uint32_t box[static 4], uint32_t sc
         const uint32_t at = i * (height - 1) / (ticks - 1);
         const uint32_t lift = i * line / (ticks - 1);
         snprintf(text, sizeof(text), "%.2f", 1.0 - (double)i / (ticks - 1));
-        canvas_write(canvas, x + width + TICK_LENGTH, y + at - (lift < at ? lift : at), scale,
-                     text);
+        canvas_draw_text(canvas, x + width + TICK_LENGTH, y + at - (lift < at ? lift : at), scale,
+                         text);
     }
 }

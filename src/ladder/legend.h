@@ -1,4 +1,4 @@
-/* legend.h: colour bar of the heat map in heat.h, with numbers. */
+/* legend.h: colour bar of the heat map in heat_map.h, with numbers. */
 #ifndef FIRN_LADDER_LEGEND_H
 #define FIRN_LADDER_LEGEND_H
 

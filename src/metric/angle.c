@@ -28,7 +28,7 @@ static void summarize(struct angle *angle, float *angles, size_t count)
 {
     double sum = 0.0;
     angle->both = count;
-    angle->mean = angle->median = angle->most_95 = angle->largest = (double)NAN;
+    angle->mean = angle->median = angle->percentile_95 = angle->largest = (double)NAN;
     if (!count)
         return;
     quantile_sort(angles, count);
@@ -36,7 +36,7 @@ static void summarize(struct angle *angle, float *angles, size_t count)
         sum += (double)angles[i];
     angle->mean = sum / (double)count;
     angle->median = quantile_median(angles, count);
-    angle->most_95 = quantile_at(angles, count, 0.95);
+    angle->percentile_95 = quantile_at(angles, count, 0.95);
     angle->largest = (double)angles[count - 1];
 }
 

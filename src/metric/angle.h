@@ -15,7 +15,8 @@ struct angle_pair {
 
 struct angle {
     uint64_t both, only_reference, only_test; /* pixels with directions in both images; in one */
-    double mean, median, most_95, largest;    /* degrees, over the pixels in `both`; NaN if none */
+    double mean, median, percentile_95,
+        largest; /* degrees, over the pixels in `both`; NaN if none */
 };
 
 /* Returns true if a pixel has a direction. */

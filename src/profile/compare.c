@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/profile/table.h"
 #include "src/profile/table_rows.h"
-#include "src/profile/text.h"
+#include "src/profile/text_format.h"
 
 enum {
     NAME_COLUMNS = 30,
@@ -38,7 +38,7 @@ static void note_difference(const char *what, const char *base, const char *now,
         return;
     snprintf(words, sizeof(words), "warning: different %s: %s in the baseline, %s now", what, base,
              now);
-    profile_print_words(words, 2, out);
+    profile_print_wrapped(words, 2, out);
 }
 
 static void note_numbers(const char *what, double base, double now, FILE *out)
@@ -72,7 +72,7 @@ static void note_settings(const struct profile *base, const struct profile *now,
 static void note_differences(const struct profile *base, const struct profile *now, FILE *out)
 {
     note_difference("scene", base->scene, now->scene, out);
-    note_difference("refraction", base->rung, now->rung, out);
+    note_difference("refraction", base->refraction, now->refraction, out);
     note_difference("material", base->material, now->material, out);
     note_numbers("width", base->width, now->width, out);
     note_numbers("height", base->height, now->height, out);
@@ -238,7 +238,7 @@ static void print_least(const struct comparison *c, FILE *out)
              "With %" PRIu32 " and %" PRIu32 " runs no difference can be significant in %" PRIu32
              " tests: measure at least %" PRIu32 " runs for both.",
              c->base->run_count, c->now->run_count, c->tested, runs);
-    profile_print_words(words, 0, out);
+    profile_print_wrapped(words, 0, out);
 }
 
 static void print_table(const struct comparison *c, FILE *out)
@@ -257,7 +257,7 @@ static void print_table(const struct comparison *c, FILE *out)
              "test, after Holm's correction for %" PRIu32 " tests; slower and faster: p is "
              "at most %g. Runs: %" PRIu32 ", %" PRIu32 ".",
              c->tested, significance, c->base->run_count, c->now->run_count);
-    profile_print_words(words, 0, out);
+    profile_print_wrapped(words, 0, out);
     print_least(c, out);
 }
 

@@ -34,7 +34,7 @@ struct profile_fields {
 };
 
 /* Numbers and strings of each struct, in file order. */
-extern const struct profile_fields profile_fields, profile_setting_fields, profile_resident_fields,
+extern const struct profile_fields profile_fields, profile_setting_fields, profile_resource_fields,
     profile_row_fields;
 
 extern const char *const profile_kind_names[PROFILE_KIND_COUNT];

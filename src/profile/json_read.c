@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/image/file.h"
+#include "src/image/file_io.h"
 #include "src/profile/json.h"
 #include "src/profile/json_fields.h"
 
@@ -186,10 +186,10 @@ static enum status read_residents(struct reader *reader, const json_t *root, str
         read_array(reader, root, "residents", &p->resident_count, &elements, sizeof(*p->residents));
     p->residents = elements;
     for (uint32_t i = 0; i < p->resident_count && status == STATUS_OK; i++) {
-        struct profile_resident *resident = &p->residents[i];
+        struct profile_resource *resident = &p->residents[i];
         snprintf(reader->place, PLACE_SIZE, "residents[%" PRIu32 "]", i);
         status = read_fields(reader, json_array_get(json_object_get(root, "residents"), i),
-                             &profile_resident_fields, resident);
+                             &profile_resource_fields, resident);
         if (status == STATUS_OK &&
             (resident->last_pass >= p->pass_count || resident->first_pass > resident->last_pass))
             status = fault(reader, "last_pass", "is not a pass at or after first_pass");
@@ -324,7 +324,7 @@ static enum status load(const char *path, json_t **root)
     FILE *file = NULL;
     int64_t size = 0;
     json_error_t error;
-    enum status status = file_open(path, &file, &size);
+    enum status status = file_io_open(path, &file, &size);
     *root = NULL;
     if (status != STATUS_OK)
         return status;

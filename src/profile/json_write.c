@@ -6,7 +6,7 @@
 #include "src/profile/json_fields.h"
 #include "src/profile/statistics.h"
 #include "src/profile/table_rows.h"
-#include "src/profile/text.h"
+#include "src/profile/text_format.h"
 
 /* Key, offset and size of a struct member, for struct profile_field. */
 #define AT(object, name) #name, offsetof(struct object, name), sizeof(((struct object *)0)->name)
@@ -18,7 +18,7 @@
 static const struct profile_field of_profile[] = {
     { PROFILE_FIELD_HEAP, AT(profile, command) },
     { PROFILE_FIELD_HEAP, AT(profile, scene) },
-    { PROFILE_FIELD_TEXT, AT(profile, rung) },
+    { PROFILE_FIELD_TEXT, AT(profile, refraction) },
     { PROFILE_FIELD_TEXT, AT(profile, material) },
     { PROFILE_FIELD_U32, AT(profile, width) },
     { PROFILE_FIELD_U32, AT(profile, height) },
@@ -56,12 +56,12 @@ static const struct profile_field of_setting[] = {
 };
 
 static const struct profile_field of_resident[] = {
-    { PROFILE_FIELD_TEXT, AT(profile_resident, name) },
-    { PROFILE_FIELD_U32, AT(profile_resident, first_pass) },
-    { PROFILE_FIELD_U32, AT(profile_resident, last_pass) },
-    { PROFILE_FIELD_U32, AT(profile_resident, block) },
-    { PROFILE_FIELD_U64, AT(profile_resident, offset) },
-    { PROFILE_FIELD_U64, AT(profile_resident, size) },
+    { PROFILE_FIELD_TEXT, AT(profile_resource, name) },
+    { PROFILE_FIELD_U32, AT(profile_resource, first_pass) },
+    { PROFILE_FIELD_U32, AT(profile_resource, last_pass) },
+    { PROFILE_FIELD_U32, AT(profile_resource, block) },
+    { PROFILE_FIELD_U64, AT(profile_resource, offset) },
+    { PROFILE_FIELD_U64, AT(profile_resource, size) },
 };
 
 static const struct profile_field of_row[] = {
@@ -82,7 +82,7 @@ static const struct profile_field of_row[] = {
 
 const struct profile_fields profile_fields = FIELDS(of_profile);
 const struct profile_fields profile_setting_fields = FIELDS(of_setting);
-const struct profile_fields profile_resident_fields = FIELDS(of_resident);
+const struct profile_fields profile_resource_fields = FIELDS(of_resident);
 const struct profile_fields profile_row_fields = FIELDS(of_row);
 
 const char *const profile_kind_names[PROFILE_KIND_COUNT] = {
@@ -210,7 +210,7 @@ static bool add_residents(json_t *json, const struct profile *p)
     bool ok = array;
     for (uint32_t i = 0; i < p->resident_count; i++) {
         json_t *object = profile_json_put(array, NULL, json_object());
-        ok = add_fields(object, &profile_resident_fields, &p->residents[i]) && ok;
+        ok = add_fields(object, &profile_resource_fields, &p->residents[i]) && ok;
     }
     return ok;
 }

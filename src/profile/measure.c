@@ -65,7 +65,7 @@ static void describe_pass(const struct measure *m, uint32_t index, struct profil
     }
 }
 
-static void add_resident(struct profile *p, const char *name, struct profile_resident resident)
+static void add_resident(struct profile *p, const char *name, struct profile_resource resident)
 {
     if (resident.block == RG_NONE)
         return;
@@ -88,7 +88,7 @@ static enum status describe_memory(struct profile *p, const struct rg_plan *plan
     for (uint32_t i = 0; i < plan->image_count; i++) {
         const struct rg_plan_image *image = &plan->images[i];
         add_resident(p, image->image->name,
-                     (struct profile_resident){
+                     (struct profile_resource){
                          .first_pass = image->first,
                          .last_pass = image->last,
                          .block = image->block,
@@ -99,7 +99,7 @@ static enum status describe_memory(struct profile *p, const struct rg_plan *plan
     for (uint32_t i = 0; i < plan->buffer_count; i++) {
         const struct rg_plan_buffer *buffer = &plan->buffers[i];
         add_resident(p, buffer->buffer->name,
-                     (struct profile_resident){
+                     (struct profile_resource){
                          .first_pass = buffer->first,
                          .last_pass = buffer->last,
                          .block = buffer->block,
@@ -133,7 +133,8 @@ static void describe(struct profile *p, const struct profile_request *request)
     snprintf(p->device, sizeof(p->device), "%s", device.name);
     snprintf(p->driver, sizeof(p->driver), "%s, Vulkan %s", device.kind, device.version);
     describe_host(p->host, sizeof(p->host));
-    snprintf(p->rung, sizeof(p->rung), "%s", request->renderer.rung->rung.name);
+    snprintf(p->refraction, sizeof(p->refraction), "%s",
+             request->renderer.refraction->refraction.name);
     p->width = request->renderer.width;
     p->height = request->renderer.height;
     snprintf(p->clock, sizeof(p->clock), "%s",
@@ -270,9 +271,9 @@ static enum status open_renderer(struct measure *m)
     if (status != STATUS_OK)
         return status;
     const struct renderer_costs costs = renderer_costs(m->renderer);
-    p->tree = costs.tree;
-    p->tree_triangles = costs.tree_triangles;
-    p->tree_size = costs.tree_size;
+    p->tree = costs.bvh;
+    p->tree_triangles = costs.bvh_triangles;
+    p->tree_size = costs.bvh_size;
     p->rays = costs.rays;
     p->rays_size = costs.rays_size;
     p->upload = costs.upload;

@@ -48,7 +48,7 @@ struct profile_row {
 };
 
 /* Lifetime and memory of a transient image or buffer, for the plot of memory aliasing. */
-struct profile_resident {
+struct profile_resource {
     char name[PROFILE_NAME_SIZE];
     uint32_t first_pass, last_pass; /* indices of rows */
     uint32_t block;                 /* index of the memory block */
@@ -63,7 +63,7 @@ struct profile_setting {
 struct profile {
     char *command; /* the whole command line */
     char *scene;   /* scene name as on the command line */
-    char rung[PROFILE_NAME_SIZE], material[PROFILE_NAME_SIZE];
+    char refraction[PROFILE_NAME_SIZE], material[PROFILE_NAME_SIZE];
     uint32_t width, height; /* of the image */
     struct profile_setting *settings;
     uint32_t setting_count;
@@ -85,7 +85,7 @@ struct profile {
     /* One-time costs, ms: scene, graph, pipelines, first frame with shader compilation. */
     double upload, compile, realise, first_frame;
     uint64_t memory_used, memory_without_aliasing, memory_bound, memory_persistent;
-    struct profile_resident *residents;
+    struct profile_resource *residents;
     uint32_t resident_count;
     struct profile_row *rows; /* passes, then CPU rows, then the remainder */
     uint32_t row_count, pass_count;

@@ -6,7 +6,7 @@
 #include "src/profile/sweep.h"
 #include "src/profile/table.h"
 #include "src/profile/table_rows.h"
-#include "src/profile/text.h"
+#include "src/profile/text_format.h"
 
 enum {
     PARAMETERS_COLUMNS = 42, /* maximum for all parameters together */
@@ -106,7 +106,7 @@ static void print_fits(const struct profile_sweep *sweep, const struct profile_g
         "median in ms = factor * %s ^ exponent: least squares of the logarithms, of points above 0",
         strcmp(sweep->parameters[0].name, "size") == 0 ? "pixels" : sweep->parameters[0].name);
     fputc('\n', out);
-    profile_print_words(words, 2, out);
+    profile_print_wrapped(words, 2, out);
     profile_print_name("", FIT_NAME_COLUMNS, out);
     fprintf(out, " %10s %12s %8s %8s\n", "exponent", "factor", "R²", "points");
     for (uint32_t i = 0; i < count; i++) {

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "src/profile/table_rows.h"
-#include "src/profile/text.h"
+#include "src/profile/text_format.h"
 
 enum {
     NAME_COLUMNS = 32,
@@ -24,12 +24,12 @@ int profile_decimals(double greatest)
 static void print_heading(const struct profile *p, FILE *out)
 {
     char words[WORDS_SIZE];
-    snprintf(words, sizeof(words), "%s, %s, %s, %" PRIu32 "x%" PRIu32 ", on %s", p->scene, p->rung,
-             p->material, p->width, p->height, p->device);
-    profile_print_words(words, 2, out);
+    snprintf(words, sizeof(words), "%s, %s, %s, %" PRIu32 "x%" PRIu32 ", on %s", p->scene,
+             p->refraction, p->material, p->width, p->height, p->device);
+    profile_print_wrapped(words, 2, out);
     snprintf(words, sizeof(words), "%" PRIu32 " run%s after %" PRIu32 " warm-up runs; times in ms",
              p->run_count, p->run_count == 1 ? "" : "s", p->warmup);
-    profile_print_words(words, 2, out);
+    profile_print_wrapped(words, 2, out);
 }
 
 static void print_summary(const char *name, const struct profile_summary *s, double share,
@@ -103,7 +103,7 @@ static void print_work(const struct profile_table_rows *lines, const struct prof
     for (uint32_t i = 0; i < lines->pass_count; i++)
         print_work_of(&lines->lines[i], p, out);
     if (p->has_statistics)
-        profile_print_words(
+        profile_print_wrapped(
             p->fragments_are_exact
                 ? "covered: samples that passed the depth test; shaded: fragments or invocations"
                 : "covered: samples that passed the depth test; shaded: fragments (this driver "
@@ -145,7 +145,7 @@ static void print_outlier(const struct outlier *outlier, FILE *out)
         snprintf(times, sizeof(times), ", %.1fx its median", ms / median);
     snprintf(words, sizeof(words), "run %" PRIu32 ": %s %.*f ms%s", outlier->run, name,
              profile_decimals(ms), ms, times);
-    profile_print_words(words, 2, out);
+    profile_print_wrapped(words, 2, out);
 }
 
 /* Prints the outliers that deviate from their median by more than 1 % of the frame time. */
@@ -176,7 +176,7 @@ static void print_rest(const struct profile_table_rows *lines, const struct prof
     char words[WORDS_SIZE];
 
     snprintf(words, sizeof(words), "clock: %s: %s", p->clock, p->clock_reason);
-    profile_print_words(words, 2, out);
+    profile_print_wrapped(words, 2, out);
     if (strcmp(p->clock, "submits") == 0)
         fprintf(out, "an empty submit takes %.4f ms, which is included in every pass\n",
                 p->submit_cost);
@@ -189,22 +189,22 @@ static void print_rest(const struct profile_table_rows *lines, const struct prof
              profile_decimals(p->upload), p->upload, profile_decimals(p->compile), p->compile,
              profile_decimals(p->realise), p->realise, profile_decimals(p->first_frame),
              p->first_frame);
-    profile_print_words(words, 2, out);
+    profile_print_wrapped(words, 2, out);
     if (p->tree_triangles) {
         snprintf(words, sizeof(words), "BVH: %u triangles, %.*f ms, %.1f MiB", p->tree_triangles,
                  profile_decimals(p->tree), p->tree, (double)p->tree_size / (1 << 20));
-        profile_print_words(words, 2, out);
+        profile_print_wrapped(words, 2, out);
     }
     if (p->rays_size) {
         snprintf(words, sizeof(words), "acceleration structures: %.*f ms, %.1f MiB",
                  profile_decimals(p->rays), p->rays, (double)p->rays_size / (1 << 20));
-        profile_print_words(words, 2, out);
+        profile_print_wrapped(words, 2, out);
     }
     snprintf(words, sizeof(words),
              "memory: %" PRIu64 " bytes transient (%" PRIu64 " without aliasing, %" PRIu64
              " lower bound), %" PRIu64 " persistent",
              p->memory_used, p->memory_without_aliasing, p->memory_bound, p->memory_persistent);
-    profile_print_words(words, 2, out);
+    profile_print_wrapped(words, 2, out);
     print_outliers(lines, p->run_count, out);
 }
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include "graph/rg_cmd.h"
 #include "shaders/embedded.h"
-#include "shaders/timestamp_check.h"
+#include "shaders/output/timestamp_check.h"
 #include "src/base/log.h"
 
 enum {
@@ -80,7 +80,7 @@ static void record_nothing(struct rg_cmd *cmd, const struct rg_frame *frame)
 #define SCREEN(title, target, load, record_function) \
     { \
         .name = "timestamp_check." title, .color = RG_TARGETS({ &(target), (load) }), \
-        .vert = &screen_vert, .frag = &timestamp_check_frag, \
+        .vert = &fullscreen_vert, .frag = &timestamp_check_frag, \
         .push_size = sizeof(struct timestamp_check_push), .record = (record_function), \
     }
 

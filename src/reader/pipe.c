@@ -5,7 +5,7 @@ enum {
     MAGIC_END = 0x444e4546,
 };
 
-const char *pipe_words(enum pipe_fault fault)
+const char *pipe_fault_text(enum pipe_fault fault)
 {
     static const char *const words[PIPE_FAULT_COUNT] = {
         [PIPE_OK] = "the expected data",

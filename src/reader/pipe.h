@@ -47,7 +47,7 @@ enum pipe_fault {
 };
 
 /* Returns a description of a fault, such as "an index beyond the vertices". */
-const char *pipe_words(enum pipe_fault fault);
+const char *pipe_fault_text(enum pipe_fault fault);
 
 /* Write or read `size` bytes; `bytes` may be NULL if `size` is 0. */
 MUST_USE bool pipe_write(const struct pipe_sink *sink, const void *bytes, size_t size);

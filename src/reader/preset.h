@@ -35,7 +35,7 @@ void preset_finish(struct preset *preset); /* {0} is fine */
 /* ---- in the child process ---- */
 
 /* Parses a preset file in this process. On failure *preset is {0}. */
-MUST_USE enum status preset_load(struct preset *preset, const char *path);
+MUST_USE enum status preset_parse(struct preset *preset, const char *path);
 
 MUST_USE enum status preset_send(const char *path, const struct pipe_sink *sink);
 

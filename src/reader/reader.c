@@ -158,7 +158,7 @@ static int spawn(pid_t *process, const char *program, char *const *arguments, in
 static int start(struct reader *reader, enum reader_kind kind)
 {
     int data[2] = { -1, -1 }, messages[2] = { -1, -1 };
-    char numbers[4][16], name[] = "firn", option_name[] = READER_WORD;
+    char numbers[4][16], name[] = "firn", option_name[] = READER_OPTION;
     const uint32_t values[] = { kind + 1u, reader->params.seconds, reader->params.memory_gib,
                                 reader->params.no_sandbox };
     char *file = strdup(reader->path);
@@ -433,7 +433,7 @@ static enum status report_result(const struct reader *reader, enum pipe_fault fa
         return report_large_image(reader);
     if (fault != PIPE_OK) {
         log_error("%s: invalid data from the reader: %s; export the file again", reader->path,
-                  pipe_words(fault));
+                  pipe_fault_text(fault));
         return STATUS_DATA;
     }
     if (!reader->params.no_warnings)

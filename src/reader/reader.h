@@ -31,7 +31,7 @@
 #endif
 
 /* First argument of the program when it runs as a reader process. */
-#define READER_WORD "--read"
+#define READER_OPTION "--read"
 
 enum {
     READER_SECONDS = 60,
@@ -45,15 +45,16 @@ enum reader_kind {
     READER_SURROUNDINGS,
     READER_BY_MATERIALS,
     READER_ENVIRONMENT,
-    READER_PICTURE,       /* sends the rows of an image */
-    READER_PICTURE_CHECK, /* decodes a whole image, but sends only its header */
+    READER_IMAGE,       /* sends the rows of an image */
+    READER_IMAGE_CHECK, /* decodes a whole image, but sends only its header */
     READER_PRESET,
     READER_KIND_COUNT,
 };
 
 struct reader_params {
-    const char *program; /* path of a program whose main() calls decode_main() in the child */
-    uint32_t seconds;    /* limit of CPU time, seconds; 0 for READER_SECONDS */
+    const char
+        *program;     /* path of a program whose main() calls sandboxed_load_main() in the child */
+    uint32_t seconds; /* limit of CPU time, seconds; 0 for READER_SECONDS */
     /* Limit of the time during which the child neither computes nor sends, because it waits for a
      * FIFO or a file server; 0 for READER_IDLE_SECONDS. */
     uint32_t idle_seconds;
@@ -91,7 +92,7 @@ struct reader_job {
 };
 
 /* Returns true if the program was started as a reader process. */
-bool reader_is_wanted(int argc, char **argv);
+bool reader_is_child(int argc, char **argv);
 
 /* Applies the resource limits and the sandbox, and returns the job in *job. Returns false if the
  * arguments are invalid, or a limit or the sandbox cannot be applied. */

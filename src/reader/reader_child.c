@@ -14,12 +14,12 @@
 enum {
     OPEN_FILE_MAX = 32,
     WORD_COUNT =
-        8, /* program, READER_WORD, path, kind, seconds, GiB, no sandbox (0 or 1), details */
+        8, /* program, READER_OPTION, path, kind, seconds, GiB, no sandbox (0 or 1), details */
 };
 
-bool reader_is_wanted(int argc, char **argv)
+bool reader_is_child(int argc, char **argv)
 {
-    return argc > 1 && strcmp(argv[1], READER_WORD) == 0;
+    return argc > 1 && strcmp(argv[1], READER_OPTION) == 0;
 }
 
 static rlim_t smaller(rlim_t a, rlim_t b)

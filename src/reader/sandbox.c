@@ -168,9 +168,9 @@ bool sandbox_enter(const char *path, bool with_folder)
     return filter_calls();
 }
 
-struct sandbox_parts sandbox_find(void)
+struct sandbox_support sandbox_query(void)
 {
-    return (struct sandbox_parts){
+    return (struct sandbox_support){
         .landlock = landlock_version(),
         .seccomp = has_seccomp(),
     };

@@ -21,10 +21,10 @@
 MUST_USE bool sandbox_enter(const char *path, bool with_folder);
 
 /* Sandbox mechanisms that this kernel supports. */
-struct sandbox_parts {
+struct sandbox_support {
     int landlock; /* Landlock ABI version; 0 if not supported */
     bool seccomp;
 };
-struct sandbox_parts sandbox_find(void);
+struct sandbox_support sandbox_query(void);
 
 #endif

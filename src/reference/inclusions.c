@@ -2,15 +2,15 @@
 #include "src/reference/inclusions.h"
 #include <cglm/struct.h>
 #include <math.h>
-#include "shaders/bump_normal.h"
-#include "shaders/cracks_noise.h"
-#include "shaders/sky.h"
+#include "shaders/inclusions/cracks_noise.h"
+#include "shaders/lighting/bump_normal.h"
+#include "shaders/surroundings/sky.h"
 #include "src/image/half.h"
-#include "src/reference/texel_pair.h"
-#include "src/tech/air.h"
-#include "src/tech/bump.h"
-#include "src/tech/cracks.h"
-#include "src/tech/frost.h"
+#include "src/reference/linear_filter.h"
+#include "src/tech/inclusions/air.h"
+#include "src/tech/inclusions/cracks.h"
+#include "src/tech/inclusions/frost.h"
+#include "src/tech/lighting/bump.h"
 
 /* Returns the radiance of a white medium whose multiple scattering makes light isotropic, with the
  * formula of shaders/lib/air_light.glsl. */
@@ -36,12 +36,12 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
     const bool has_map = radiance->scene->bump.texels != NULL;
     const bool has_bumps = has_map && bump_params->strength > 0.0f;
     const float frost_amount =
-        has_map ? frost_params->amount * melted_frost(&radiance->scene->melted) : 0.0f;
+        has_map ? frost_params->amount * melted_frost_factor(&radiance->scene->melted) : 0.0f;
     return (struct inclusions){
         .radiance = radiance,
         .world_from_object = glms_mat4_pick3(radiance->globals->world_from_object),
-        .crack_slope = cracks_params->look.bump,
-        .crack_gap = cracks_params->look.gap,
+        .crack_rms_slope = cracks_params->shading.bump,
+        .crack_gap = cracks_params->shading.gap,
         .is_uneven = has_bumps || frost_amount > 0.0f,
         .has_bumps = has_bumps,
         .is_mapped_by_uv = bump_params->mapping == BUMP_UV,
@@ -64,12 +64,12 @@ vec3s inclusions_crack_normal(const struct inclusions *inclusions,
                               const struct mesh_vertex *surface)
 {
     const struct globals *g = inclusions->radiance->globals;
-    if (!(inclusions->crack_slope > 0.0f))
+    if (!(inclusions->crack_rms_slope > 0.0f))
         return surface->normal;
     const vec3s moved = glms_vec3(g->world_from_object.col[3]);
     const vec3s at = to_object(inclusions, glms_vec3_sub(surface->position, moved));
-    const vec3s bent = crack_bent(to_object(inclusions, surface->normal),
-                                  glms_vec3_divs(at, g->radius), inclusions->crack_slope);
+    const vec3s bent = crack_perturbed(to_object(inclusions, surface->normal),
+                                       glms_vec3_divs(at, g->radius), inclusions->crack_rms_slope);
     return glms_mat3_mulv(inclusions->world_from_object, bent);
 }
 
@@ -88,8 +88,8 @@ float inclusions_air_cover(const struct inclusions *inclusions, const struct mes
     const uint32_t layer = (surface->material & MESH_TEXTURE_MASK) - 1;
     if (layer >= layers->count)
         return 0.0f;
-    const struct linear_filter x = texel_pair_at(surface->uv.x, layers->size, false);
-    const struct linear_filter y = texel_pair_at(surface->uv.y, layers->size, false);
+    const struct linear_filter x = linear_filter_at(surface->uv.x, layers->size, false);
+    const struct linear_filter y = linear_filter_at(surface->uv.y, layers->size, false);
     const vec2s above = glms_vec2_lerp(fetch_air(layers, layer, x.first, y.first),
                                        fetch_air(layers, layer, x.second, y.first), x.weight);
     const vec2s below = glms_vec2_lerp(fetch_air(layers, layer, x.first, y.second),
@@ -113,8 +113,8 @@ static vec4s fetch_bump(const struct bump_maps *maps, uint32_t x, uint32_t y)
 static vec4s sample_bump(const struct inclusions *inclusions, vec2s at)
 {
     const struct bump_maps *maps = &inclusions->radiance->scene->bump;
-    const struct linear_filter x = texel_pair_at(at.x, maps->size, true);
-    const struct linear_filter y = texel_pair_at(at.y, maps->size, true);
+    const struct linear_filter x = linear_filter_at(at.x, maps->size, true);
+    const struct linear_filter y = linear_filter_at(at.y, maps->size, true);
     const vec4s above = glms_vec4_lerp(fetch_bump(maps, x.first, y.first),
                                        fetch_bump(maps, x.second, y.first), x.weight);
     const vec4s below = glms_vec4_lerp(fetch_bump(maps, x.first, y.second),
@@ -134,7 +134,7 @@ static struct bump_sample bump_triplanar(const struct inclusions *inclusions, ve
     const struct globals *g = inclusions->radiance->globals;
     const vec3s p =
         glms_vec3_scale(to_object(inclusions, glms_vec3_sub(point, g->center)), g->bump_scale);
-    const vec3s weights = bump_shares(to_object(inclusions, normal));
+    const vec3s weights = bump_weights(to_object(inclusions, normal));
     const vec4s x = glms_vec4_scale(sample_bump(inclusions, (vec2s){ { p.y, p.z } }), weights.x);
     const vec2s at_y = glms_vec2_add((vec2s){ { p.z, p.x } }, BUMP_OFFSET_Y);
     const vec4s y = glms_vec4_scale(sample_bump(inclusions, at_y), weights.y);
@@ -157,10 +157,11 @@ static vec3s weighted_direction(vec3s a, float s, vec3s b, float t)
 
 /* Samples the bump map by the mesh's uv, with the triangle's tangents; without uv the slope is 0.
  */
-static struct bump_sample bump_by_uv(const struct inclusions *inclusions, const struct bvh *bvh,
-                                     const struct bvh_hit *hit, vec3s normal)
+static struct bump_sample bump_by_uv(const struct inclusions *inclusions,
+                                     const struct embree_scene *embree_scene,
+                                     const struct embree_scene_hit *hit, vec3s normal)
 {
-    const struct bvh_part *part = &bvh->parts[BVH_OBJECT];
+    const struct embree_scene_part *part = &embree_scene->parts[EMBREE_SCENE_OBJECT];
     const uint32_t *corners = &part->mesh->indices[(size_t)hit->triangle * 3];
     const vec2s scaled =
         glms_vec2_scale(hit->surface.uv, inclusions->radiance->globals->bump_scale);
@@ -183,17 +184,17 @@ static struct bump_sample bump_by_uv(const struct inclusions *inclusions, const 
 }
 
 struct inclusions_surface inclusions_surface_at(const struct inclusions *inclusions,
-                                                const struct bvh *bvh, const struct bvh_hit *hit,
-                                                vec3s normal)
+                                                const struct embree_scene *embree_scene,
+                                                const struct embree_scene_hit *hit, vec3s normal)
 {
     const struct bump_sample bump_sample =
-        inclusions->is_mapped_by_uv ? bump_by_uv(inclusions, bvh, hit, normal)
+        inclusions->is_mapped_by_uv ? bump_by_uv(inclusions, embree_scene, hit, normal)
                                     : bump_triplanar(inclusions, hit->surface.position, normal);
     const float roughness = 1.0f - bump_sample.smoothness;
     const float slope = inclusions->radiance->globals->bump_strength * roughness;
     struct inclusions_surface surface = { normal,
                                           inclusions->frost * roughness * bump_sample.crystals };
     if (inclusions->has_bumps)
-        surface.normal = bump_bent(normal, glms_vec3_scale(bump_sample.gradient, slope));
+        surface.normal = bump_perturbed(normal, glms_vec3_scale(bump_sample.gradient, slope));
     return surface;
 }

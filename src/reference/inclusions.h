@@ -1,20 +1,20 @@
 /*
  * inclusions.h: cracks, planes of air, bumps and frost for the path tracer.
  *
- * The noise functions and formulas are shared with the shaders (shaders/cracks_noise.h,
- * shaders/bump_normal.h). Maps are filtered bilinearly, without mip levels.
+ * The noise functions and formulas are shared with the shaders (shaders/inclusions/cracks_noise.h,
+ * shaders/lighting/bump_normal.h). Maps are filtered bilinearly, without mip levels.
  */
 #ifndef FIRN_REFERENCE_INCLUSIONS_H
 #define FIRN_REFERENCE_INCLUSIONS_H
 
-#include "shaders/air.h"
-#include "src/reference/bvh.h"
+#include "shaders/inclusions/air.h"
+#include "src/reference/embree_scene.h"
 #include "src/settings/settings.h"
 
 struct inclusions {
     const struct radiance *radiance; /* borrowed */
     mat3s world_from_object;         /* rotation of the object */
-    float crack_slope;               /* roughness of crack surfaces; 0 if they are smooth */
+    float crack_rms_slope;           /* roughness of crack surfaces; 0 if they are smooth */
     float crack_gap;                 /* gap width at the middle of a crack, micrometres */
     bool is_uneven; /* the surface has bumps or frost, so inclusions_surface_at() must be called */
     bool has_bumps; /* there is a bump map with a strength above 0 */
@@ -44,7 +44,7 @@ struct inclusions_surface {
 
 /* Evaluates bumps and frost at a hit on the object; `normal` is unit, outward, in world space. */
 struct inclusions_surface inclusions_surface_at(const struct inclusions *inclusions,
-                                                const struct bvh *bvh, const struct bvh_hit *hit,
-                                                vec3s normal);
+                                                const struct embree_scene *embree_scene,
+                                                const struct embree_scene_hit *hit, vec3s normal);
 
 #endif

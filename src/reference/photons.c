@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/reference/branch.h"
 #include "src/reference/microfacet.h"
+#include "src/reference/ray_branch.h"
 
 enum {
     CHUNK = 4096, /* photons per task of a thread */
@@ -66,7 +66,7 @@ static struct ray_branch emit(const struct job *job, uint32_t index, vec3s chann
         .ray = {
             .origin = glms_vec3_muladds(up, 1.01f * g->radius, glms_vec3_add(g->center, side)),
             .dir = glms_vec3_negate(up),
-            .from = BVH_NOWHERE,
+            .from = EMBREE_SCENE_NO_ORIGIN,
         },
         .throughput = glms_vec3_scale(channels, area),
         .seed = PATH_SEED,
@@ -95,20 +95,20 @@ static void trace_photon(const struct tracer *tracing, struct ray_branch b, uint
                          struct stored_hits *stored_hits)
 {
     const float cutoff = tracing->params.cutoff * glms_vec3_max(b.throughput);
-    struct meeting meeting = { .channel = channel };
+    struct surface_hit surface_hit = { .channel = channel };
     bool has_hit_object = false;
-    while (glms_vec3_max(b.throughput) > cutoff && branch_advance(tracing, &b, &meeting)) {
-        const struct bvh_hit *hit = &meeting.hit;
-        if (hit->part != BVH_SURROUNDINGS) {
-            const struct fork fork = branch_fork(tracing, &b, &meeting);
-            b = branch_choose(tracing, &b, &fork);
+    while (glms_vec3_max(b.throughput) > cutoff && ray_branch_advance(tracing, &b, &surface_hit)) {
+        const struct embree_scene_hit *hit = &surface_hit.hit;
+        if (hit->part != EMBREE_SCENE_SURROUNDINGS) {
+            const struct fork fork = ray_branch_split(tracing, &b, &surface_hit);
+            b = ray_branch_choose(tracing, &b, &fork);
             has_hit_object = true;
             continue;
         }
-        const float passing = radiance_passing(tracing->radiance, &hit->surface);
+        const float passing = radiance_transmittance(tracing->radiance, &hit->surface);
         if (has_hit_object)
             store_hit(stored_hits, &b, hit->surface.position, 1.0f - passing);
-        branch_pass(tracing, &b, hit, passing);
+        ray_branch_pass(tracing, &b, hit, passing);
     }
 }
 
@@ -116,12 +116,12 @@ static void trace_chunk(const struct job *job, uint32_t chunk)
 {
     const uint32_t end =
         job->params->count - chunk * CHUNK < CHUNK ? job->params->count : (chunk + 1) * CHUNK;
-    const uint32_t channels = tracing_channel_count(job->tracing);
+    const uint32_t channels = tracer_channel_count(job->tracing);
     for (uint32_t i = chunk * CHUNK; i < end; i++) {
         struct tracer tracing = *job->tracing;
         tracing.sample = i;
         for (uint32_t c = 0; c < channels; c++) {
-            const vec3s of_channel = tracing_channels(job->tracing, c);
+            const vec3s of_channel = tracer_channels(job->tracing, c);
             trace_photon(&tracing, emit(job, i, of_channel), c, &job->chunks[chunk]);
         }
     }
@@ -298,12 +298,14 @@ static struct disc estimate(const struct photons *photons, vec3s point, vec3s no
 /* Returns true if an object occludes the ray from a point to infinity. */
 static bool is_occluded(const struct tracer *tracing, vec3s point, vec3s dir)
 {
-    struct bvh_hit hit;
-    struct bvh_ray ray = {
-        .origin = point, .dir = dir, .near = tracing->bvh->hair, .from = BVH_NOWHERE
-    };
-    for (uint32_t i = 0; i < CROSSINGS_MAX && bvh_meet(tracing->bvh, &ray, &hit); i++) {
-        if (hit.part == BVH_OBJECT)
+    struct embree_scene_hit hit;
+    struct embree_scene_ray ray = { .origin = point,
+                                    .dir = dir,
+                                    .near = tracing->embree_scene->epsilon,
+                                    .from = EMBREE_SCENE_NO_ORIGIN };
+    for (uint32_t i = 0;
+         i < CROSSINGS_MAX && embree_scene_intersect(tracing->embree_scene, &ray, &hit); i++) {
+        if (hit.part == EMBREE_SCENE_OBJECT)
             return true;
         ray.origin = hit.surface.position;
     }

@@ -16,7 +16,7 @@
 #define FIRN_REFERENCE_PHOTONS_H
 
 #include "src/base/status.h"
-#include "src/reference/tracing.h"
+#include "src/reference/tracer.h"
 
 struct photon {
     vec3s position, dir;
@@ -34,14 +34,14 @@ struct photons {
 };
 
 /* Returns false to cancel the tracing of photons. */
-typedef bool photons_go_on_fn(void *user);
+typedef bool photons_progress_fn(void *user);
 
 struct photons_params {
-    uint32_t count;          /* photons to emit */
-    float sun_deg;           /* angular diameter of the sun, degrees */
-    bool has_shadow;         /* objects cast shadows in direct sunlight */
-    uint32_t threads;        /* upper limit of threads */
-    photons_go_on_fn *go_on; /* called now and then by the calling thread; may be NULL */
+    uint32_t count;             /* photons to emit */
+    float sun_deg;              /* angular diameter of the sun, degrees */
+    bool has_shadow;            /* objects cast shadows in direct sunlight */
+    uint32_t threads;           /* upper limit of threads */
+    photons_progress_fn *go_on; /* called now and then by the calling thread; may be NULL */
     void *user;
 };
 

@@ -2,14 +2,14 @@
 #include "src/reference/radiance.h"
 #include <cglm/struct.h>
 #include <math.h>
-#include "shaders/background.h"
-#include "shaders/lit.h"
-#include "shaders/sky.h"
-#include "shaders/tiles.h"
+#include "shaders/brdf.h"
+#include "shaders/surroundings/sky.h"
+#include "shaders/surroundings/surroundings.h"
+#include "shaders/water/pool_tiles.h"
 #include "src/image/half.h"
 #include "src/image/srgb.h"
-#include "src/reference/texel_pair.h"
-#include "src/scene/material_rows.h"
+#include "src/reference/linear_filter.h"
+#include "src/scene/material_table.h"
 
 #define TILES_WIDTH  ABI_VEC2(1e-4f, 1e-4f) /* filter width of the procedural tiles, in uv */
 #define LEAST_COSINE 0.05f                  /* smallest cosine by which irradiance is divided */
@@ -57,14 +57,14 @@ static vec4s fetch_number(const struct radiance *radiance, uint32_t layer, uint3
 static vec4s fetch_light(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y)
 {
     const size_t row = (size_t)layer * LIT_HEIGHT + y;
-    const uint16_t *texel = &radiance->scene->surface_light[(row * LIT_WIDTH + x) * 4];
+    const uint16_t *texel = &radiance->scene->prefiltered_environment[(row * LIT_WIDTH + x) * 4];
     return (vec4s){ { half_to_float(texel[0]), half_to_float(texel[1]), half_to_float(texel[2]),
                       1.0f } };
 }
 
 static vec4s fetch_split(const struct radiance *radiance, uint32_t layer, uint32_t x, uint32_t y)
 {
-    const uint16_t *texel = &radiance->scene->surface_split[((size_t)y * LIT_SPLIT_SIDE + x) * 2];
+    const uint16_t *texel = &radiance->scene->brdf_table[((size_t)y * LIT_SPLIT_SIDE + x) * 2];
     (void)layer;
     return (vec4s){ { half_to_float(texel[0]), half_to_float(texel[1]), 0.0f, 0.0f } };
 }
@@ -85,8 +85,8 @@ vec4s radiance_texel(const struct radiance *radiance, uint32_t material, vec2s u
     const uint32_t size = radiance->scene->model.textures.size;
     if (!layer || !size)
         return glms_vec4_one();
-    return bilinear(radiance, fetch_texture, layer - 1, texel_pair_at(uv.x, size, true),
-                    texel_pair_at(uv.y, size, true));
+    return bilinear(radiance, fetch_texture, layer - 1, linear_filter_at(uv.x, size, true),
+                    linear_filter_at(uv.y, size, true));
 }
 
 static vec3s scaled(const struct globals *globals, vec3s light)
@@ -98,10 +98,10 @@ static vec3s scaled(const struct globals *globals, vec3s light)
 static vec3s environment_radiance(const struct radiance *radiance, vec3s dir)
 {
     const struct environment *environment = &radiance->scene->environment;
-    const vec2s uv = background_uv(dir, environment->turn);
+    const vec2s uv = surroundings_equirect_uv(dir, environment->turn);
     return glms_vec3(bilinear(radiance, fetch_environment, 0,
-                              texel_pair_at(uv.x, environment->width, true),
-                              texel_pair_at(uv.y, environment->height, false)));
+                              linear_filter_at(uv.x, environment->width, true),
+                              linear_filter_at(uv.y, environment->height, false)));
 }
 
 vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
@@ -110,7 +110,7 @@ vec3s radiance_sky(const struct radiance *radiance, vec3s dir)
     if (radiance->scene->background == SCENE_COLOR)
         return g->background_color;
     if (radiance->scene->background == SCENE_SKY)
-        return scaled(g, sky_seen(dir, g->sun_dir, g->sun_strength));
+        return scaled(g, sky_radiance_with_sun(dir, g->sun_dir, g->sun_strength));
     const vec3s light = environment_radiance(radiance, dir);
     if (!(g->sun_radius > 0.0f))
         return light;
@@ -140,7 +140,7 @@ static const struct material *material_of(const struct radiance *radiance, uint3
 {
     const uint32_t index = material >> MESH_SURFACE_SHIFT;
     const struct material *found = index ? &radiance->scene->model.materials[index - 1] : NULL;
-    return found && !(found->flags & MATERIAL_IS_BARE) ? found : NULL;
+    return found && !(found->flags & MATERIAL_FROM_SETTINGS) ? found : NULL;
 }
 
 /* Applies a wrap mode to a texture coordinate; clamped footprints stay inside the texture. */
@@ -183,7 +183,7 @@ static vec4s texel_of(const struct radiance *radiance, const struct material *ma
     const float v =
         wrap_coordinate(glms_vec3_dot(texture->v_row, at), texture->wrap_v, (float)size);
     return bilinear(radiance, is_color ? fetch_texture : fetch_number, texture->layer - 1,
-                    texel_pair_at(u, size, true), texel_pair_at(v, size, true));
+                    linear_filter_at(u, size, true), linear_filter_at(v, size, true));
 }
 
 static vec4s base_texel(const struct radiance *radiance, const struct mesh_vertex *vertex)
@@ -197,7 +197,7 @@ static vec4s base_texel(const struct radiance *radiance, const struct mesh_verte
     return radiance_texel(radiance, vertex->material, vertex->uv);
 }
 
-float radiance_passing(const struct radiance *radiance, const struct mesh_vertex *vertex)
+float radiance_transmittance(const struct radiance *radiance, const struct mesh_vertex *vertex)
 {
     const struct material *material = material_of(radiance, vertex->material);
     const bool is_cutout =
@@ -220,8 +220,8 @@ static vec3s normal_mapped(const struct radiance *radiance, const struct materia
     const uint32_t set = m->textures[MATERIAL_NORMAL].uv_set;
     const float side = point->extra ? point->extra->side : 0.0f;
     const bool is_given = fabsf(side) > 0.0f;
-    const vec3s along_u = is_given ? point->extra->tangent : point->along_u[set];
-    const vec3s tangent = glms_vec3_muladds(n, -glms_vec3_dot(n, along_u), along_u);
+    const vec3s u_dir = is_given ? point->extra->tangent : point->u_dir[set];
+    const vec3s tangent = glms_vec3_muladds(n, -glms_vec3_dot(n, u_dir), u_dir);
     if (!(glms_vec3_norm2(tangent) > 0.0f))
         return n;
     const vec3s t = glms_vec3_normalize(tangent);
@@ -238,29 +238,31 @@ static vec3s normal_mapped(const struct radiance *radiance, const struct materia
         glms_vec3_muladds(t, slope.x, glms_vec3_muladds(b, slope.y, glms_vec3_scale(n, slope.z))));
 }
 
-struct dress radiance_dress(const struct radiance *radiance, const struct material *material,
-                            const struct radiance_point *point, struct dress own, vec3s *normal)
+struct object_material radiance_material_at(const struct radiance *radiance,
+                                            const struct material *material,
+                                            const struct radiance_point *point,
+                                            struct object_material own, vec3s *normal)
 {
     const struct coordinates uv = coordinates_of(point);
     *normal = normal_mapped(radiance, material, point, point->vertex->normal);
-    return dress_of(own, glms_vec3(texel_of(radiance, material, MATERIAL_BASE_COLOR, uv)),
-                    texel_of(radiance, material, MATERIAL_METALLIC_ROUGHNESS, uv).y,
-                    texel_of(radiance, material, MATERIAL_TRANSMISSION, uv).x);
+    return object_material_of(own, glms_vec3(texel_of(radiance, material, MATERIAL_BASE_COLOR, uv)),
+                              texel_of(radiance, material, MATERIAL_METALLIC_ROUGHNESS, uv).y,
+                              texel_of(radiance, material, MATERIAL_TRANSMISSION, uv).x);
 }
 
 static vec3s environment_light(const struct radiance *radiance, uint32_t layer, vec3s dir)
 {
-    const vec2s uv = background_uv(dir, radiance->scene->environment.turn);
-    return glms_vec3(bilinear(radiance, fetch_light, layer, texel_pair_at(uv.x, LIT_WIDTH, true),
-                              texel_pair_at(uv.y, LIT_HEIGHT, false)));
+    const vec2s uv = surroundings_equirect_uv(dir, radiance->scene->environment.turn);
+    return glms_vec3(bilinear(radiance, fetch_light, layer, linear_filter_at(uv.x, LIT_WIDTH, true),
+                              linear_filter_at(uv.y, LIT_HEIGHT, false)));
 }
 
 static vec3s diffuse_irradiance(const struct radiance *radiance, vec3s n)
 {
     if (radiance->scene->background == SCENE_COLOR)
         return radiance->globals->background_color;
-    if (radiance->scene->surface_light)
-        return environment_light(radiance, LIT_MATT_LAYER, n);
+    if (radiance->scene->prefiltered_environment)
+        return environment_light(radiance, LIT_DIFFUSE_LAYER, n);
     return scaled(radiance->globals, sky_diffuse(n));
 }
 
@@ -283,8 +285,8 @@ static vec2s split_of(const struct radiance *radiance, float roughness, float n_
     const vec2s at =
         glms_vec2_divs(glms_vec2_adds(lit_split_at(roughness, n_dot_v), 0.5f), LIT_SPLIT_SIDE);
     const vec4s split =
-        bilinear(radiance, fetch_split, 0, texel_pair_at(at.x, LIT_SPLIT_SIDE, false),
-                 texel_pair_at(at.y, LIT_SPLIT_SIDE, false));
+        bilinear(radiance, fetch_split, 0, linear_filter_at(at.x, LIT_SPLIT_SIDE, false),
+                 linear_filter_at(at.y, LIT_SPLIT_SIDE, false));
     return (vec2s){ { split.x, split.y } };
 }
 
@@ -296,8 +298,9 @@ static struct lit_surface surface_of(const struct radiance *radiance, const stru
     const vec4s tint = texel_of(radiance, m, MATERIAL_SPECULAR_COLOR, uv);
     const vec3s f0 = glms_vec3_mul(material_f0(m), glms_vec3(tint));
     float specular = m->specular * texel_of(radiance, m, MATERIAL_SPECULAR, uv).w;
-    if (m->flags & MATERIAL_IS_FILM) /* a wetted interface below ice reflects almost nothing */
-        specular *= lit_share_in(glms_vec3_max(f0), point->ior);
+    if (m->flags &
+        MATERIAL_IS_WATER_LAYER) /* a wetted interface below ice reflects almost nothing */
+        specular *= lit_reflectance_in_medium(glms_vec3_max(f0), point->ior);
     return lit_surface_of(albedo, m->metallic * rough.z, m->roughness * rough.y, f0, specular);
 }
 
@@ -310,7 +313,7 @@ static struct normals normals_of(const struct radiance *radiance, const struct m
                                  const struct radiance_point *point, vec3s n)
 {
     const vec3s base = normal_mapped(radiance, m, point, n);
-    return (struct normals){ m->flags & MATERIAL_IS_FILM ? n : base, base };
+    return (struct normals){ m->flags & MATERIAL_IS_WATER_LAYER ? n : base, base };
 }
 
 /* Returns the reflected radiance of the model file's lights, which cast no shadows. */
@@ -319,8 +322,8 @@ static vec3s shade_lights(const struct radiance *radiance, const struct lit_surf
 {
     const struct scene *scene = radiance->scene;
     vec3s sum = glms_vec3_zero();
-    for (uint32_t i = 0; scene->light_rows && i < scene->model.light_count; i++) {
-        const vec4s *row = &scene->light_rows[(size_t)i * LIT_LIGHT_WIDTH];
+    for (uint32_t i = 0; scene->punctual_light_table && i < scene->model.light_count; i++) {
+        const vec4s *row = &scene->punctual_light_table[(size_t)i * LIT_LIGHT_WIDTH];
         const vec3s axis = glms_vec3(row[LIT_LIGHT_DIRECTION]);
         const vec4s cone = row[LIT_LIGHT_CONE];
         const vec3s to_light = row[LIT_LIGHT_POSITION].w > 0.0f
@@ -329,8 +332,8 @@ static vec3s shade_lights(const struct radiance *radiance, const struct lit_surf
         const float distance = glms_vec3_norm(to_light);
         const vec3s l = glms_vec3_divs(to_light, fmaxf(distance, 1e-6f));
         const float attenuation =
-            lit_arriving(distance, row[LIT_LIGHT_DIRECTION].w, -glms_vec3_dot(l, axis),
-                         (vec2s){ { cone.x, cone.y } });
+            lit_attenuation(distance, row[LIT_LIGHT_DIRECTION].w, -glms_vec3_dot(l, axis),
+                            (vec2s){ { cone.x, cone.y } });
         const vec3s light =
             glms_vec3_scale(glms_vec3(row[LIT_LIGHT_COLOR]), attenuation / 3.14159265f);
         sum = glms_vec3_muladd(
@@ -437,15 +440,15 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
     return shade_material(radiance, m, point, normals_of(radiance, m, point, n), albedo);
 }
 
-vec3s radiance_open(const struct radiance *radiance, vec3s dir)
+vec3s radiance_at_infinity(const struct radiance *radiance, vec3s dir)
 {
     if (radiance->scene->background == SCENE_ENVIRONMENT)
         return environment_radiance(radiance, dir);
     return prefiltered_radiance(radiance, dir, 0.0f);
 }
 
-bool radiance_shares_at(const struct radiance *radiance, const struct radiance_point *point,
-                        struct radiance_reflectance *reflectance)
+bool radiance_reflectance_at(const struct radiance *radiance, const struct radiance_point *point,
+                             struct radiance_reflectance *reflectance)
 {
     const struct mesh_vertex *vertex = point->vertex;
     const struct material *m = material_of(radiance, vertex->material);

@@ -1,16 +1,17 @@
 /*
- * radiance.h: radiance of the surroundings and the sky along a ray, as background.c renders them.
+ * radiance.h: radiance of the surroundings and the sky along a ray, as surroundings.c renders them.
  *
- * Formulas and constants are shared with the shaders (shaders/sky.h, shaders/background.h,
- * shaders/lit.h), and environment lighting uses the same prefiltered tables as the refraction
- * models, so that a comparison shows errors of refraction alone. Textures are filtered bilinearly,
- * without mip levels; only the samples of a pixel antialias them.
+ * Formulas and constants are shared with the shaders (shaders/surroundings/sky.h,
+ * shaders/surroundings/surroundings.h, shaders/brdf.h), and environment lighting uses the same
+ * prefiltered tables as the refraction models, so that a comparison shows errors of refraction
+ * alone. Textures are filtered bilinearly, without mip levels; only the samples of a pixel
+ * antialias them.
  */
 #ifndef FIRN_REFERENCE_RADIANCE_H
 #define FIRN_REFERENCE_RADIANCE_H
 
-#include "shaders/dress.h"
 #include "shaders/globals.h"
+#include "shaders/object_material.h"
 #include "src/scene/scene.h"
 
 struct radiance {
@@ -33,7 +34,7 @@ struct radiance_sun {
 struct radiance_point {
     const struct mesh_vertex *vertex; /* interpolated, in world space, unit normal of either side */
     const struct mesh_extra *extra;   /* interpolated; NULL if the mesh has none */
-    const vec3s *along_u, *along_v;   /* position derivatives per uv set; may be NULL if is_base */
+    const vec3s *u_dir, *along_v;     /* position derivatives per uv set; may be NULL if is_base */
     vec3s dir;                        /* unit length */
     const struct radiance_sun *sun;   /* NULL if no object affects the light */
     float ior;    /* index of the medium on the surface, relative to that around the objects */
@@ -66,18 +67,20 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
 
 /* Computes the reflectance of a surface of the surroundings. Returns false if the surface is unlit.
  */
-bool radiance_shares_at(const struct radiance *radiance, const struct radiance_point *point,
-                        struct radiance_reflectance *shares);
+bool radiance_reflectance_at(const struct radiance *radiance, const struct radiance_point *point,
+                             struct radiance_reflectance *shares);
 
 /* Returns the radiance at infinity without the sun's disc, which is sampled separately. */
-vec3s radiance_open(const struct radiance *radiance, vec3s dir);
+vec3s radiance_at_infinity(const struct radiance *radiance, vec3s dir);
 
 /* Evaluates the textures of an object's material at a point; `own` has its values without textures.
  * *normal becomes the outward normal, perturbed by the normal map. */
-struct dress radiance_dress(const struct radiance *radiance, const struct material *material,
-                            const struct radiance_point *point, struct dress own, vec3s *normal);
+struct object_material radiance_material_at(const struct radiance *radiance,
+                                            const struct material *material,
+                                            const struct radiance_point *point,
+                                            struct object_material own, vec3s *normal);
 
 /* Returns the transmittance of a surface: 1 in a cutout's hole, 1 - alpha where blended, else 0. */
-float radiance_passing(const struct radiance *radiance, const struct mesh_vertex *vertex);
+float radiance_transmittance(const struct radiance *radiance, const struct mesh_vertex *vertex);
 
 #endif

@@ -10,24 +10,24 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
-#include "shaders/tonemap.h"
+#include "shaders/output/tonemap.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/frame/view.h"
-#include "src/reference/basin.h"
-#include "src/reference/eye.h"
+#include "src/frame/frame_uniforms.h"
+#include "src/reference/camera_rays.h"
 #include "src/reference/microfacet.h"
 #include "src/reference/photons.h"
+#include "src/reference/pool_scene.h"
 #include "src/reference/reference_layers.h"
-#include "src/reference/reference_sums.h"
+#include "src/reference/reference_sample_sums.h"
 #include "src/reference/whitted.h"
 #include "src/render/accumulate.h"
-#include "src/scene/surface_light.h"
+#include "src/scene/environment/image_based_lighting.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/caustics.h"
-#include "src/tech/first_surface.h"
-#include "src/tech/ice_caustics.h"
-#include "src/tech/tonemap.h"
+#include "src/tech/lighting/ice_caustics.h"
+#include "src/tech/output/first_surface.h"
+#include "src/tech/output/tonemap.h"
+#include "src/tech/water/caustics.h"
 
 enum {
     TILE = 16, /* tile side in pixels */
@@ -63,13 +63,13 @@ struct job {
     struct radiance radiance;
     struct globals globals;
     struct camera_rays eye;
-    struct first_surface_earlier earlier;
-    struct bvh bvh;
+    struct first_surface_previous earlier;
+    struct embree_scene embree_scene;
     struct nested_media media;
     struct inclusions inclusions;
     struct tracer tracing;
     struct photons photons;
-    struct pool_scene basin;
+    struct pool_scene pool_scene;
     struct plane planes[PLANE_COUNT_MAX];
     uint32_t plane_count;
     struct reference_session *session;
@@ -130,9 +130,10 @@ void reference_destroy(struct reference *r)
 
 /* ---- a pixel ---- */
 
-static void write_first(const struct job *job, size_t pixel, const struct reference_seen *seen)
+static void write_first(const struct job *job, size_t pixel,
+                        const struct reference_ray_values *seen)
 {
-    float values[REFERENCE_SEEN_COUNT];
+    float values[REFERENCE_RAY_VALUE_COUNT];
     memcpy(values, seen, sizeof(values));
     for (uint32_t p = 0; p < job->plane_count; p++) {
         if (!job->planes[p].mean)
@@ -148,7 +149,7 @@ static void write_means(const struct job *job, size_t pixel, const double *sums,
     for (uint32_t p = 0; p < job->plane_count; p++) {
         const struct plane *plane = &job->planes[p];
         if (plane->mean)
-            plane->texels[pixel] = (float)(plane->seen_index == REFERENCE_SEEN_ERROR
+            plane->texels[pixel] = (float)(plane->seen_index == REFERENCE_RAY_VALUE_ERROR
                                                ? error
                                                : sums[plane->sum_index] / job->end);
     }
@@ -163,12 +164,12 @@ static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct ta
     double own[REFERENCE_VALUE_COUNT] = { 0 };
     double *sums = job->sums.sums ? &job->sums.sums[pixel * job->sums.count] : own;
     for (uint32_t s = job->begin; s < job->end; s++) {
-        const struct bvh_ray ray = eye_ray(&job->eye, x, y, s);
+        const struct embree_scene_ray ray = camera_rays_at(&job->eye, x, y, s);
         struct tracer tracing = job->tracing;
         tracing.sample = s;
         if (job->eye.is_orthographic)
-            whitted_immerse(&tracing, ray.origin, &tracing.eye_inside);
-        const struct reference_seen seen =
+            whitted_find_enclosing(&tracing, ray.origin, &tracing.camera_inside);
+        const struct reference_ray_values seen =
             whitted_trace(&tracing, &ray, job->globals.forward, microfacet_hash(x, y));
         reference_sums_add(&job->sums, sums, &seen);
         if (s == 0)
@@ -334,7 +335,7 @@ static bool add_layer(struct job *job, struct image *image, const struct frame_l
         return false;
     for (size_t p = 0; p < 4 && layer->planes[p]; p++) {
         const size_t seen_index = reference_layers_find(layer->planes[p]);
-        const bool is_sum = layer->mean && seen_index < REFERENCE_SEEN_COUNT;
+        const bool is_sum = layer->mean && seen_index < REFERENCE_RAY_VALUE_COUNT;
         job->planes[job->plane_count++] = (struct plane){
             .texels = image_find(image, layer->planes[p]),
             .seen_index = seen_index,
@@ -358,7 +359,7 @@ static bool add_layers(struct job *job, struct image *image)
     if (request->linear || request->display)
         done = add_layer(job, image, &frame_beauty);
     for (uint32_t i = 0; techniques_layer(i); i++) {
-        if (request->layers & 1u << i && reference_makes(techniques_layer(i)))
+        if (request->layers & 1u << i && reference_has_layer(techniques_layer(i)))
             done = done && add_layer(job, image, techniques_layer(i));
     }
     job->tile_columns = (request->width + TILE - 1) / TILE;
@@ -385,21 +386,22 @@ static struct tracer tracing_of(const struct job *job)
     const struct reference_params *params =
         settings_of(job->reference->request.settings, &reference_settings);
     struct tracer tracing = {
-        .bvh = &job->bvh,
+        .embree_scene = &job->embree_scene,
         .radiance = &job->radiance,
         .media = &job->media,
         .inclusions = &job->inclusions,
-        .basin = job->reference->request.scene->has_pool ? &job->basin : NULL,
+        .pool_scene = job->reference->request.scene->has_pool ? &job->pool_scene : NULL,
         .earlier = &job->earlier,
         .has_layers = job->reference->request.layers != 0,
-        .guide = surface_light_guide(&job->radiance.scene->environment,
-                                     job->radiance.scene->surface_light),
+        .guide = image_based_lighting_dominant_cone(&job->radiance.scene->environment,
+                                                    job->radiance.scene->prefiltered_environment),
         .params = *params,
     };
     for (uint32_t i = 0; i < job->radiance.scene->clouds.count; i++) {
-        const struct cloud cloud = cloud_of(&job->radiance, job->reference->request.settings, i);
-        if (cloud.most > 0.0f)
-            tracing.clouds[tracing.cloud_count++] = cloud;
+        const struct volume_scattering volume_scattering =
+            volume_scattering_of(&job->radiance, job->reference->request.settings, i);
+        if (volume_scattering.most > 0.0f)
+            tracing.clouds[tracing.cloud_count++] = volume_scattering;
     }
     return tracing;
 }
@@ -446,9 +448,9 @@ static bool build_pool(struct job *job, struct frame_view *view)
 {
     if (!view->scene->has_pool)
         return true;
-    if (!basin_init(&job->basin, view->scene, view->settings, &job->globals))
+    if (!pool_scene_init(&job->pool_scene, view->scene, view->settings, &job->globals))
         return false;
-    view->scene = &job->basin.scene;
+    view->scene = &job->pool_scene.scene;
     job->globals = frame_view_globals(view, &job->eye.push);
     job->globals.world_from_object = glms_mat4_identity(); /* the ice is in world space */
     return true;
@@ -467,14 +469,14 @@ static bool prepare(struct job *job, const struct renderer_shot *shot)
         .width = request->width,
         .height = request->height,
     };
-    job->eye = eye_of(&view, request->filter);
+    job->eye = camera_rays_of(&view, request->filter);
     job->globals = frame_view_globals(&view, &job->eye.push);
-    view.clip_from_world_earlier = frame_view_earlier(&view, &shot->earlier);
+    view.previous_clip_from_world = frame_view_previous_clip_from_world(&view, &shot->earlier);
     first_surface_write(&job->earlier, &view, &job->globals);
-    if (!build_pool(job, &view) || !media_init(&job->media, view.scene, request->settings))
+    if (!build_pool(job, &view) || !nested_media_init(&job->media, view.scene, request->settings))
         return false;
     if (request->scene->has_pool)
-        basin_set_media(&job->basin, request->scene, request->settings, &job->media);
+        pool_scene_set_media(&job->pool_scene, request->scene, request->settings, &job->media);
     const struct ground_params *ground = settings_of(request->settings, &ground_settings);
     job->radiance = radiance_of(view.scene, &job->globals);
     job->radiance.is_traced = ground->light == GROUND_TRACED;
@@ -491,17 +493,17 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
 {
     if (!prepare(job, shot))
         return log_out_of_memory("objects");
-    enum status status = bvh_init(&job->bvh, job->reference->device, &job->radiance,
-                                  memory_limit(&job->reference->request));
+    enum status status = embree_scene_init(&job->embree_scene, job->reference->device,
+                                           &job->radiance, memory_limit(&job->reference->request));
     if (status == STATUS_OK)
         status = trace_photons(job, (struct photon_progress){ progress, user, job->tile_count });
     if (status == STATUS_OK) {
-        whitted_immerse(&job->tracing, job->eye.push.eye, &job->tracing.eye_inside);
+        whitted_find_enclosing(&job->tracing, job->eye.push.eye, &job->tracing.camera_inside);
         status = run_rounds(job, progress, user);
     }
     photons_finish(&job->photons);
-    media_finish(&job->media);
-    bvh_finish(&job->bvh);
+    nested_media_finish(&job->media);
+    embree_scene_finish(&job->embree_scene);
     return status;
 }
 
@@ -549,7 +551,7 @@ enum status reference_continue(struct reference *r, const struct renderer_shot *
         status = log_out_of_memory(NULL);
     }
     if (job) {
-        basin_finish(&job->basin);
+        pool_scene_finish(&job->pool_scene);
         reference_sums_finish(&job->sums);
         free(job->tallies);
     }

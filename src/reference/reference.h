@@ -35,7 +35,7 @@ struct reference_request {
     double noise;           /* stop when the noise is at or below this; 0 to render all samples */
     double seconds;         /* start no further round of samples after this time; 0 for no limit */
     enum pixel_filter filter;
-    uint32_t layers;  /* bit i: techniques_layer(i); needs reference_makes() */
+    uint32_t layers;  /* bit i: techniques_layer(i); needs reference_has_layer() */
     bool linear;      /* return linear radiance in render_result.image */
     bool display;     /* return the tone-mapped image in render_result.rgba */
     uint32_t threads; /* 0 for one per core */
@@ -61,7 +61,7 @@ MUST_USE enum status reference_render(struct reference *reference, const struct 
 /*
  * Samples are rendered in rounds, which end after 1, 2, 4, 8, 16, 32, 48, ... samples per pixel.
  * Limits are checked between rounds. The noise of an image is the mean standard error of its pixels
- * (reference_sums.h). The estimate is too uncertain to stop at with fewer than
+ * (reference_sample_sums.h). The estimate is too uncertain to stop at with fewer than
  * REFERENCE_NOISE_SAMPLES samples.
  */
 enum {

@@ -7,7 +7,7 @@
 
 #define SEEN(name, field) \
     { \
-        (name), offsetof(struct reference_seen, field) \
+        (name), offsetof(struct reference_ray_values, field) \
     }
 
 static const struct {
@@ -57,7 +57,7 @@ size_t reference_layers_find(const char *plane)
         if (!strcmp(planes[i].plane, plane))
             return planes[i].offset / sizeof(float);
     }
-    return strcmp(plane, "error.Z") != 0 ? REFERENCE_SEEN_NOTHING : REFERENCE_SEEN_ERROR;
+    return strcmp(plane, "error.Z") != 0 ? REFERENCE_RAY_VALUE_NONE : REFERENCE_RAY_VALUE_ERROR;
 }
 
 const char *reference_layers_plane(size_t index)
@@ -69,9 +69,9 @@ const char *reference_layers_plane(size_t index)
     return NULL;
 }
 
-bool reference_makes(const struct frame_layer *layer)
+bool reference_has_layer(const struct frame_layer *layer)
 {
-    return reference_layers_find(layer->planes[0]) != REFERENCE_SEEN_NOTHING;
+    return reference_layers_find(layer->planes[0]) != REFERENCE_RAY_VALUE_NONE;
 }
 
 static void add_name(char *names, size_t size, const char *name, bool is_on)
@@ -81,7 +81,7 @@ static void add_name(char *names, size_t size, const char *name, bool is_on)
         snprintf(&names[used], size - used, "%s%s", used ? ", " : "", name);
 }
 
-bool reference_leaves_out(const struct settings *settings, char *names, size_t size)
+bool reference_unsupported(const struct settings *settings, char *names, size_t size)
 {
     names[0] = '\0';
     for (const struct technique *const *t = techniques; *t; t++) {

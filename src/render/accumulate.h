@@ -4,7 +4,7 @@
 
 #include "src/base/status.h"
 #include "src/base/tile.h"
-#include "src/frame/layers.h"
+#include "src/frame/output_layers.h"
 #include "src/image/image.h"
 
 /* Adds a layer's planes, filled with 0, to the image. Returns false when out of memory. */

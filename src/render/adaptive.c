@@ -18,31 +18,31 @@ bool adaptive_init(struct adaptive *adaptive, uint32_t width, uint32_t height)
         .height = height,
         .columns = (width + CELL - 1) / CELL,
         .rows = (height + CELL - 1) / CELL,
-        .part_count = 1,
+        .rectangle_count = 1,
         .end = FIRST_END,
     };
     const size_t pixels = (size_t)width * height, cells = (size_t)a.columns * a.rows;
     a.sums = calloc(pixels, sizeof(*a.sums));
-    a.halves = calloc(pixels, sizeof(*a.halves));
+    a.alternate_sums = calloc(pixels, sizeof(*a.alternate_sums));
     a.counts = calloc(cells, sizeof(*a.counts));
-    a.asks = calloc(cells, sizeof(*a.asks));
-    a.parts = calloc(cells, sizeof(*a.parts));
+    a.is_noisy = calloc(cells, sizeof(*a.is_noisy));
+    a.rectangles = calloc(cells, sizeof(*a.rectangles));
     *adaptive = a;
-    if (!a.sums || !a.halves || !a.counts || !a.asks || !a.parts) {
+    if (!a.sums || !a.alternate_sums || !a.counts || !a.is_noisy || !a.rectangles) {
         adaptive_finish(adaptive);
         return false;
     }
-    a.parts[0] = (struct tile){ .width = width, .height = height };
+    a.rectangles[0] = (struct tile){ .width = width, .height = height };
     return true;
 }
 
 void adaptive_finish(struct adaptive *adaptive)
 {
     free(adaptive->sums);
-    free(adaptive->halves);
+    free(adaptive->alternate_sums);
     free(adaptive->counts);
-    free(adaptive->asks);
-    free(adaptive->parts);
+    free(adaptive->is_noisy);
+    free(adaptive->rectangles);
     *adaptive = (struct adaptive){ 0 };
 }
 
@@ -62,7 +62,7 @@ void adaptive_add(struct adaptive *adaptive, const struct tile *tile, const uint
         for (uint32_t x = 0; x < tile->width; x++) {
             const float b = brightness(&texels[4 * ((size_t)y * tile->width + x)]);
             adaptive->sums[row + x] += b;
-            adaptive->halves[row + x] += sample % 2 ? 0.0f : b;
+            adaptive->alternate_sums[row + x] += sample % 2 ? 0.0f : b;
         }
     }
     for (uint32_t y = tile->y / CELL; y * CELL < tile->y + tile->height; y++) {
@@ -90,7 +90,7 @@ static double squared_error(const struct adaptive *a, uint32_t column, uint32_t 
     for (uint32_t y = pixels.y; y < pixels.y + pixels.height; y++) {
         for (uint32_t x = pixels.x; x < pixels.x + pixels.width; x++) {
             const size_t i = (size_t)y * a->width + x;
-            const double error = ((double)a->sums[i] - 2.0 * (double)a->halves[i]) / n;
+            const double error = ((double)a->sums[i] - 2.0 * (double)a->alternate_sums[i]) / n;
             sum += error * error;
         }
     }
@@ -103,7 +103,7 @@ static bool shrink(const struct adaptive *a, struct tile *cells)
     uint32_t left = UINT32_MAX, top = UINT32_MAX, right = 0, bottom = 0;
     for (uint32_t y = cells->y; y < cells->y + cells->height; y++) {
         for (uint32_t x = cells->x; x < cells->x + cells->width; x++) {
-            if (!a->asks[y * a->columns + x])
+            if (!a->is_noisy[y * a->columns + x])
                 continue;
             left = x < left ? x : left;
             right = x > right ? x : right;
@@ -120,7 +120,7 @@ static bool shrink(const struct adaptive *a, struct tile *cells)
  * is cheaper than drawing it whole. Returns the cost of the cover, in cells. */
 static uint32_t cover(struct adaptive *a, struct tile cells)
 {
-    const uint32_t before = a->part_count;
+    const uint32_t before = a->rectangle_count;
     uint32_t split = UINT32_MAX;
     if (!shrink(a, &cells))
         return 0;
@@ -140,20 +140,21 @@ static uint32_t cover(struct adaptive *a, struct tile cells)
     }
     if (split < whole)
         return split;
-    a->part_count = before;
-    a->parts[a->part_count++] = pixels_of(a, &cells);
+    a->rectangle_count = before;
+    a->rectangles[a->rectangle_count++] = pixels_of(a, &cells);
     return whole;
 }
 
-bool adaptive_go_on(struct adaptive *adaptive)
+bool adaptive_next_round(struct adaptive *adaptive)
 {
     struct adaptive *a = adaptive;
     for (uint32_t y = 0; y < a->rows; y++) {
         for (uint32_t x = 0; x < a->columns; x++)
-            a->asks[y * a->columns + x] = a->counts[y * a->columns + x] == a->end &&
-                                          squared_error(a, x, y) > ADAPTIVE_NOISE * ADAPTIVE_NOISE;
+            a->is_noisy[y * a->columns + x] =
+                a->counts[y * a->columns + x] == a->end &&
+                squared_error(a, x, y) > ADAPTIVE_NOISE * ADAPTIVE_NOISE;
     }
-    a->part_count = 0;
+    a->rectangle_count = 0;
     if (a->end == ADAPTIVE_SAMPLES)
         return false;
     a->end *= 4;
@@ -165,8 +166,8 @@ uint32_t adaptive_count(const struct adaptive *adaptive, uint32_t x, uint32_t y)
     return adaptive->counts[y / CELL * adaptive->columns + x / CELL];
 }
 
-void adaptive_even(const struct adaptive *adaptive, struct image *image,
-                   const struct frame_layer *layer)
+void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
+                      const struct frame_layer *layer)
 {
     for (uint32_t p = 0; p < 4 && layer->planes[p] && layer->mean; p++) {
         float *plane = image_find(image, layer->planes[p]);

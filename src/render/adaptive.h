@@ -15,7 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "src/base/tile.h"
-#include "src/frame/layers.h"
+#include "src/frame/output_layers.h"
 #include "src/image/image.h"
 
 #define ADAPTIVE_NOISE 0.01
@@ -28,11 +28,12 @@ enum {
 struct adaptive {
     uint32_t width, height; /* size of the image, pixels */
     uint32_t columns, rows; /* number of cells across and down */
-    float *sums, *halves;   /* brightness per pixel: sum over all samples; over every other one */
-    uint32_t *counts;       /* number of samples drawn so far, per cell */
-    bool *asks;             /* per cell: still noisy, needs more samples */
-    struct tile *parts;     /* pixel rectangles to draw until they have `end` samples */
-    uint32_t part_count, end;
+    float *sums,
+        *alternate_sums;     /* brightness per pixel: sum over all samples; over every other one */
+    uint32_t *counts;        /* number of samples drawn so far, per cell */
+    bool *is_noisy;          /* per cell: still noisy, needs more samples */
+    struct tile *rectangles; /* pixel rectangles to draw until they have `end` samples */
+    uint32_t rectangle_count, end;
 };
 
 /* Starts with one rectangle, the whole image. Returns false when out of memory. */
@@ -45,12 +46,12 @@ void adaptive_add(struct adaptive *adaptive, const struct tile *tile, const uint
 
 /* Starts the next round, once all rectangles have `end` samples: raises `end` and finds the
  * rectangles that are still noisy. Returns false if no cell needs more samples. */
-bool adaptive_go_on(struct adaptive *adaptive);
+bool adaptive_next_round(struct adaptive *adaptive);
 
 /* Scales the sample sums of an averaged layer as if every cell had ADAPTIVE_SAMPLES samples, so
  * that one division yields all means. The factors are powers of two, so this rounds nothing. */
-void adaptive_even(const struct adaptive *adaptive, struct image *image,
-                   const struct frame_layer *layer);
+void adaptive_rescale(const struct adaptive *adaptive, struct image *image,
+                      const struct frame_layer *layer);
 
 /* Returns the number of samples drawn for a pixel. */
 uint32_t adaptive_count(const struct adaptive *adaptive, uint32_t x, uint32_t y);

@@ -1,8 +1,8 @@
 /*
  * cpu_driver.h: optimisations for software Vulkan drivers, such as Mesa's lavapipe.
  *
- * All code for such drivers is here and in warm_up.h, which compiles their shaders in parallel. It
- * saves time and memory and leaves every image bit-identical.
+ * All code for such drivers is here and in shader_warm_up.h, which compiles their shaders in
+ * parallel. It saves time and memory and leaves every image bit-identical.
  */
 #ifndef FIRN_RENDER_CPU_DRIVER_H
 #define FIRN_RENDER_CPU_DRIVER_H

@@ -5,7 +5,7 @@
 #include "src/base/log.h"
 #include "src/gpu/gpu.h"
 #include "src/render/cpu_driver.h"
-#include "src/render/request.h"
+#include "src/render/renderer_requests.h"
 #include "src/settings/scene_settings.h"
 
 enum {
@@ -32,8 +32,8 @@ static enum status check_memory(const struct gpu *gpu, const struct rg_plan *pla
         if (!buffer->imported && buffer->buffer->memory != RG_MEMORY_DEVICE)
             host_size += FRAMES_IN_FLIGHT * buffer->size;
     }
-    return gpu_fit_memory(gpu, view, plan->memory_used / parts + plan->memory_persistent,
-                          host_size);
+    return gpu_check_memory(gpu, view, plan->memory_used / parts + plan->memory_persistent,
+                            host_size);
 }
 
 struct rg_vulkan frame_exec_vulkan(const struct gpu *gpu)
@@ -68,8 +68,9 @@ void frame_exec_describe(struct frame_exec_params *described, const struct frame
     const struct gpu *gpu = params->gpu;
     const struct texture_params *texture = settings_of(params->settings, &texture_settings);
     struct frame_exec_params *d = described;
-    const struct settings settled = frame_settle(params->settings, params->rung, params->height);
-    d->constants = frame_view_constants(params->scene, &settled, params->rung);
+    const struct settings settled =
+        frame_resolve_settings(params->settings, params->refraction, params->height);
+    d->constants = frame_view_constants(params->scene, &settled, params->refraction);
     d->constants.values[CONSTANT_TILED] = renderer_is_interleaved(params);
     d->constants.values[CONSTANT_ORTHOGRAPHIC] = params->is_orthographic;
     for (uint32_t i = 0; i < CONSTANT_COUNT; i++)

@@ -7,9 +7,9 @@
 #define FIRN_RENDER_FRAME_EXEC_H
 
 #include "graph/rg_exec.h"
-#include "shaders/constants.h"
-#include "src/frame/plan.h"
-#include "src/frame/view.h"
+#include "shaders/specialization_constants.h"
+#include "src/frame/frame_plan.h"
+#include "src/frame/frame_uniforms.h"
 #include "src/render/renderer_params.h"
 
 struct frame_exec {

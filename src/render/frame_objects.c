@@ -10,8 +10,8 @@ struct frame_object_distance {
     uint32_t object;
 };
 
-/* Margin around an object for G-buffer lookups that miss it slightly (shaders/refract_inside.glsl),
- * as a fraction of the object's radius. */
+/* Margin around an object for G-buffer lookups that miss it slightly
+ * (shaders/refract/refract_march_ray.glsl), as a fraction of the object's radius. */
 #define LOOKUP_MARGIN 0.05f
 
 enum status frame_objects_init(struct frame_objects *objects, const struct frame_list *list,
@@ -150,7 +150,7 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
     const uint32_t count = sort(objects->order, view, globals, list->is_nested);
     for (size_t i = 0; i < objects->count; i++) {
         const struct frame_list_object *rows = &list->objects[i];
-        const uint32_t index = objects->order[rows->place].object;
+        const uint32_t index = objects->order[rows->depth_index].object;
         const struct object *object = &view->scene->model.objects[index];
         const struct globals own = frame_view_object_globals(view, globals, index);
         void *memory = rg_exec_mapped(frame_exec->exec, rows->globals, slot);
@@ -167,10 +167,10 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
         };
         objects->all[i].drawn = objects->all[i].reach;
         /* The farthest object's passes clear the whole G-buffer, which may be an output layer. */
-        if (!(reach > 0.0f) && rows->place)
+        if (!(reach > 0.0f) && rows->depth_index)
             objects->all[i].lookup_area =
                 frame_view_box_area(view, &own, object->box, size, LOOKUP_MARGIN);
     }
-    if (list->are_local)
+    if (list->is_local_to_objects)
         assign_layers(objects->all, count);
 }

@@ -2,8 +2,8 @@
 #ifndef FIRN_RENDER_FRAME_OBJECTS_H
 #define FIRN_RENDER_FRAME_OBJECTS_H
 
-#include "src/frame/list.h"
-#include "src/frame/view.h"
+#include "src/frame/frame_uniforms.h"
+#include "src/frame/pass_list.h"
 #include "src/render/frame_exec.h"
 
 /* Memory for the objects of a plan's frames; {0} if the plan has no passes for several objects. */

@@ -9,28 +9,28 @@
 #include "shaders/globals.h"
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/frame/cube.h"
-#include "src/frame/lens.h"
-#include "src/frame/plan.h"
-#include "src/frame/view.h"
+#include "src/frame/env_cube_updates.h"
+#include "src/frame/frame_plan.h"
+#include "src/frame/frame_uniforms.h"
+#include "src/frame/thin_lens.h"
 #include "src/image/half.h"
 #include "src/render/accumulate.h"
 #include "src/render/adaptive.h"
 #include "src/render/frame_exec.h"
 #include "src/render/frame_objects.h"
 #include "src/render/renderer_internal.h"
-#include "src/render/request.h"
+#include "src/render/renderer_requests.h"
+#include "src/render/shader_warm_up.h"
 #include "src/render/uploaded_scene.h"
-#include "src/render/warm_up.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 #include "src/tech/techniques.h"
 
 /* ---- plans ---- */
 
-bool renderer_meets_tree(const struct renderer_params *params)
+bool renderer_uses_bvh(const struct renderer_params *params)
 {
-    return params->rung && params->rung->rung.meets_tree;
+    return params->refraction && params->refraction->refraction.traces_bvh;
 }
 
 bool renderer_wants_capture(const struct renderer_params *params)
@@ -41,7 +41,7 @@ bool renderer_wants_capture(const struct renderer_params *params)
 bool renderer_wants_resolve(const struct renderer_params *params)
 {
     return params->refines ||
-           (params->display && (params->samples > 1 || renderer_smooths(params)));
+           (params->display && (params->samples > 1 || renderer_denoises(params)));
 }
 
 static VkImage find_import(const struct renderer *r, const struct rg_image *image)
@@ -55,11 +55,11 @@ struct rg_exec_import *renderer_imports(const struct renderer *r, const struct f
 {
     struct rg_exec_import *imports = calloc(plan->import_count + 1, sizeof(*imports));
     for (size_t i = 0; i < plan->import_count && imports; i++) {
-        if (plan->imports[i].access == RG_TRACE && r->tree.rays)
-            imports[i] = (struct rg_exec_import){ .buffer = r->tree.rays->upper_memory.buffer,
-                                                  .acceleration = r->tree.rays->upper };
+        if (plan->imports[i].access == RG_TRACE && r->bvh.rays)
+            imports[i] = (struct rg_exec_import){ .buffer = r->bvh.rays->tlas_memory.buffer,
+                                                  .acceleration = r->bvh.rays->tlas };
         else if (plan->imports[i].buffer)
-            imports[i].buffer = uploaded_scene_buffer(&r->tree, plan->imports[i].buffer);
+            imports[i].buffer = uploaded_scene_buffer(&r->bvh, plan->imports[i].buffer);
         else
             imports[i].image = find_import(r, plan->imports[i].image);
     }
@@ -75,8 +75,8 @@ static enum status realise(struct renderer *r, struct frame_exec *frame_exec)
     return status;
 }
 
-enum status renderer_make(struct renderer *r, struct frame_exec *frame_exec,
-                          struct frame_request request)
+enum status renderer_compile(struct renderer *r, struct frame_exec *frame_exec,
+                             struct frame_request request)
 {
     enum status status = frame_exec_compile(frame_exec, &r->params, request);
     if (status == STATUS_OK)
@@ -84,14 +84,14 @@ enum status renderer_make(struct renderer *r, struct frame_exec *frame_exec,
     return status;
 }
 
-enum status renderer_upload_tree(struct renderer *r)
+enum status renderer_upload_bvh(struct renderer *r)
 {
     const struct renderer_params *p = &r->params;
     enum status status = STATUS_OK;
-    if (!r->tree.imports)
-        status = uploaded_scene_init_tree(&r->tree, p->gpu, p->scene);
-    if (status == STATUS_OK && renderer_picture_request(p).choice.queries)
-        status = uploaded_scene_need_rays(&r->tree, p->gpu, p->scene);
+    if (!r->bvh.imports)
+        status = uploaded_scene_init_bvh(&r->bvh, p->gpu, p->scene);
+    if (status == STATUS_OK && renderer_image_request(p).choice.queries)
+        status = uploaded_scene_build_acceleration(&r->bvh, p->gpu, p->scene);
     return status;
 }
 
@@ -101,8 +101,8 @@ static enum status upload(struct renderer *r)
     r->scene = r->params.uploaded ? r->params.uploaded : &r->own;
     if (!r->params.uploaded)
         status = uploaded_scene_init(&r->own, r->params.gpu, r->params.scene);
-    if (status == STATUS_OK && renderer_meets_tree(&r->params))
-        status = renderer_upload_tree(r);
+    if (status == STATUS_OK && renderer_uses_bvh(&r->params))
+        status = renderer_upload_bvh(r);
     r->meshes = calloc(techniques_count, sizeof(*r->meshes));
     if (status == STATUS_OK && !r->meshes) {
         status = log_out_of_memory(NULL);
@@ -123,11 +123,11 @@ static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
                       (float)row + 0.5f - (float)params->rows / 2.0f } };
 }
 
-void renderer_take_params(struct renderer *r, const struct renderer_params *params)
+void renderer_set_params(struct renderer *r, const struct renderer_params *params)
 {
     r->params = *params;
     r->params.samples = params->samples ? params->samples : 1;
-    if (params->adapts)
+    if (params->is_adaptive)
         r->params.samples = ADAPTIVE_SAMPLES;
     r->params.columns = params->columns ? params->columns : 1;
     r->params.rows = params->rows ? params->rows : 1;
@@ -144,21 +144,21 @@ void renderer_take_params(struct renderer *r, const struct renderer_params *para
     r->tile = tile_at(&r->tiling, 0);
 }
 
-enum status renderer_need_tree(struct renderer *r)
+enum status renderer_build_bvh(struct renderer *r)
 {
-    if (!r->params.scene->tree) {
+    if (!r->params.scene->bvh) {
         r->own_scene = *r->params.scene;
-        r->own_scene.tree = &r->own_tree;
+        r->own_scene.bvh = &r->own_tree;
         r->params.scene = &r->own_scene;
     }
-    const enum status status = scene_need_tree(r->params.scene, !r->params.gpu->no_cache);
-    struct tree *tree = r->params.scene->tree;
+    const enum status status = scene_build_bvh(r->params.scene, !r->params.gpu->no_cache);
+    struct bvh *bvh = r->params.scene->bvh;
     const uint32_t most = r->params.gpu->properties.limits.maxTexelBufferElements;
-    if (status == STATUS_OK && !tree->is_stored)
-        tree->is_stored = tree_words_most(tree) > most;
-    r->costs.tree = tree->ms;
-    r->costs.tree_triangles = tree->triangle_count;
-    r->costs.tree_size = tree_size(tree);
+    if (status == STATUS_OK && !bvh->is_stored)
+        bvh->is_stored = bvh_words_max(bvh) > most;
+    r->costs.bvh = bvh->ms;
+    r->costs.bvh_triangles = bvh->triangle_count;
+    r->costs.bvh_size = bvh_size(bvh);
     return status;
 }
 
@@ -168,18 +168,18 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     *renderer = NULL;
     if (!r)
         return log_out_of_memory(NULL);
-    renderer_take_params(r, params);
-    enum status status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
+    renderer_set_params(r, params);
+    enum status status = gpu_check_size(params->gpu, r->params.width, r->params.height);
     if (status == STATUS_OK)
         status = uploaded_scene_check(params->gpu, params->scene);
-    if (status == STATUS_OK && renderer_meets_tree(params))
-        status = renderer_need_tree(r);
+    if (status == STATUS_OK && renderer_uses_bvh(params))
+        status = renderer_build_bvh(r);
     const double start = clock_ms();
     if (status == STATUS_OK)
-        status = frame_exec_compile(&r->picture, &r->params, renderer_picture_request(&r->params));
+        status = frame_exec_compile(&r->picture, &r->params, renderer_image_request(&r->params));
     r->costs.compile = clock_ms() - start;
     if (status == STATUS_OK && params->warm_up)
-        r->warm_up = warm_up_begin(&r->picture, &r->params);
+        r->warm_up = shader_warm_up_begin(&r->picture, &r->params);
     const double compiled = clock_ms();
     if (status == STATUS_OK)
         status = frame_objects_init(&r->objects, &r->picture.frame->list, params->scene);
@@ -188,12 +188,12 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
     if (status == STATUS_OK)
         status = upload(r);
     r->costs.upload = clock_ms() - compiled;
-    r->costs.rays = r->tree.rays ? r->tree.rays->ms : 0.0;
-    r->costs.rays_size = r->tree.rays ? r->tree.rays->size : 0;
+    r->costs.rays = r->bvh.rays ? r->bvh.rays->ms : 0.0;
+    r->costs.rays_size = r->bvh.rays ? r->bvh.rays->size : 0;
     if (status == STATUS_OK && renderer_wants_capture(&r->params))
-        status = renderer_make(r, &r->capture, renderer_capture_request(&r->params));
+        status = renderer_compile(r, &r->capture, renderer_capture_request(&r->params));
     if (status == STATUS_OK && renderer_wants_resolve(&r->params))
-        status = renderer_make(r, &r->resolve, renderer_resolve_request(&r->params));
+        status = renderer_compile(r, &r->resolve, renderer_resolve_request(&r->params));
     const double begin = clock_ms();
     if (status == STATUS_OK)
         status = realise(r, &r->picture);
@@ -209,17 +209,17 @@ void renderer_destroy(struct renderer *renderer)
 {
     if (!renderer)
         return;
-    warm_up_end(renderer->warm_up);
+    shader_warm_up_end(renderer->warm_up);
     frame_exec_destroy(&renderer->resolve);
     frame_exec_destroy(&renderer->picture);
     frame_exec_destroy(&renderer->capture);
     frame_objects_finish(&renderer->objects);
     frame_cube_finish(&renderer->cube);
     uploaded_scene_finish(&renderer->own, renderer->params.gpu);
-    uploaded_scene_finish(&renderer->tree, renderer->params.gpu);
-    tree_finish(&renderer->own_tree);
+    uploaded_scene_finish(&renderer->bvh, renderer->params.gpu);
+    bvh_finish(&renderer->own_tree);
     image_finish(&renderer->sums);
-    image_finish(&renderer->ground);
+    image_finish(&renderer->lighting);
     free(renderer->meshes);
     free(renderer);
 }
@@ -243,13 +243,14 @@ static void write_uploads(const struct frame_view *view, const struct globals *g
 }
 
 /* Returns the pixels in which shaders may look up the object's faces. Rays begin up to 0.02 radii
- * inside (shaders/refract_inside.glsl). Layers and floating ice in a pool need the whole image. */
+ * inside (shaders/refract/refract_march_ray.glsl). Layers and floating ice in a pool need the whole
+ * image. */
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
-    const struct technique *rung = r->params.rung; /* NULL if only the cube is drawn */
-    const bool is_all =
-        !rung || rung->rung.reach > 0.0f || r->params.layers || view->scene->has_pool;
+    const struct technique *refraction = r->params.refraction; /* NULL if only the cube is drawn */
+    const bool is_all = !refraction || refraction->refraction.reach > 0.0f || r->params.layers ||
+                        view->scene->has_pool;
     return is_all ? (VkRect2D){ .extent = size }
                   : frame_view_box_area(view, globals, view->scene->box, size, 0.05f);
 }
@@ -261,9 +262,9 @@ static void restrict_to_tile(const struct renderer *r, const struct frame_view *
     const struct tile *t = &r->tile;
     const struct rg_exec_region region = {
         .region = { { (int32_t)t->x, (int32_t)t->y }, { t->width, t->height } },
-        .reach = frame_view_reach(view, globals, r->params.rung->rung.reach),
+        .reach = frame_view_reach(view, globals, r->params.refraction->refraction.reach),
     };
-    if (r->tiling.columns * r->tiling.rows > 1 || r->params.adapts)
+    if (r->tiling.columns * r->tiling.rows > 1 || r->params.is_adaptive)
         rg_exec_set_region(r->picture.exec, &region);
 }
 
@@ -288,7 +289,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         .sample = sample,
     };
     frame_lens_apply(&view);
-    view.clip_from_world_earlier = frame_view_earlier(&view, &shot->earlier);
+    view.previous_clip_from_world = frame_view_previous_clip_from_world(&view, &shot->earlier);
     struct rg_frame frame = {
         .settings = r->params.settings,
         .scene = r->params.scene,
@@ -308,21 +309,22 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
     const VkExtent2D size = frame_exec->frame->plan->view;
     frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
     frame.lookup_area = lookup_area(r, &view, &globals, size);
-    frame.foot_area = frame_view_foot_area(&view, &globals, size);
+    frame.ground_area = frame_view_reflection_area(&view, &globals, size);
     frame.due = frame_exec == &r->picture ? frame_cube_due(&r->cube, &view, &globals)
-                                          : (struct frame_due){ FRAME_CUBE_ALL, true };
+                                          : (struct frame_updates){ FRAME_CUBE_ALL, true };
     VkResult result = rg_exec_begin(frame_exec->exec, slot);
     if (result == VK_SUCCESS) {
         write_uploads(&view, &globals, frame_exec->exec, *slot);
         if (frame_exec == &r->picture) {
             frame_objects_place(&r->objects, frame_exec, *slot, &view, &globals,
-                                r->params.rung ? r->params.rung->rung.reach : 0.0f);
+                                r->params.refraction ? r->params.refraction->refraction.reach
+                                                     : 0.0f);
             restrict_to_tile(r, &view, &globals);
         }
         result = rg_exec_submit(frame_exec->exec, &frame);
     }
     if (frame_exec == &r->picture && result == VK_SUCCESS)
-        frame_cube_drawn(&r->cube, &view, &globals, frame.due);
+        frame_cube_mark_drawn(&r->cube, &view, &globals, frame.due);
     return gpu_status(result);
 }
 
@@ -340,8 +342,8 @@ static bool wants_layer(const struct renderer *r, uint32_t layer)
     return r->params.layers & 1u << layer;
 }
 
-enum status renderer_fetch(struct renderer *r, struct image *image, const struct tile *tile,
-                           uint32_t sample, uint32_t slot)
+enum status renderer_read_sample(struct renderer *r, struct image *image, const struct tile *tile,
+                                 uint32_t sample, uint32_t slot)
 {
     enum status status = gpu_status(rg_exec_wait(r->picture.exec, slot));
     if (status != STATUS_OK)
@@ -354,7 +356,7 @@ enum status renderer_fetch(struct renderer *r, struct image *image, const struct
         if (wants_layer(r, i) && texels)
             accumulate_sample(image, tile, techniques_layer(i), texels, sample);
     }
-    renderer_smooth_fetch(r, tile, sample, slot);
+    renderer_denoise_accumulate(r, tile, sample, slot);
     return STATUS_OK;
 }
 
@@ -386,7 +388,7 @@ enum status renderer_wait(struct renderer *r)
     return gpu_status(rg_exec_wait(r->picture.exec, r->last_slot));
 }
 
-VkImage renderer_picture(const struct renderer *r)
+VkImage renderer_display_image(const struct renderer *r)
 {
     return rg_exec_image(r->picture.exec, &frame_display);
 }
@@ -413,7 +415,7 @@ const struct rg_plan *renderer_frame(const struct renderer *r)
 
 const char *renderer_row_name(const struct renderer *r, const struct rg_pass *row)
 {
-    return frame_list_name(&r->picture.frame->list, row);
+    return frame_list_row_name(&r->picture.frame->list, row);
 }
 
 static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,
@@ -430,7 +432,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
             status = renderer_run(r, &r->picture, shot, i, &r->last_slot);
         if (i == 0 || status != STATUS_OK)
             continue;
-        status = renderer_fetch(r, image, &pixels, i - 1, slot_before);
+        status = renderer_read_sample(r, image, &pixels, i - 1, slot_before);
         if (status == STATUS_OK && progress && !progress(user, i, r->params.samples))
             status = STATUS_FAILED;
     }
@@ -481,7 +483,7 @@ static enum status resolve_display(struct renderer *r, const struct image *image
 
 static bool add_planes(struct renderer *r, struct image *image)
 {
-    const bool many = r->params.samples > 1 || renderer_smooths(&r->params);
+    const bool many = r->params.samples > 1 || renderer_denoises(&r->params);
     image_init(image, r->tile.width, r->tile.height);
     if (r->params.linear || (r->params.display && many)) {
         if (!accumulate_add_planes(image, &frame_beauty))
@@ -491,7 +493,7 @@ static bool add_planes(struct renderer *r, struct image *image)
         if (wants_layer(r, i) && !accumulate_add_planes(image, techniques_layer(i)))
             return false;
     }
-    return renderer_smooth_begin(r);
+    return renderer_denoise_begin(r);
 }
 
 static enum status divide_sums(struct renderer *r, struct image *image)
@@ -502,7 +504,7 @@ static enum status divide_sums(struct renderer *r, struct image *image)
         if (wants_layer(r, i))
             accumulate_mean(image, techniques_layer(i), r->params.samples);
     }
-    return renderer_smooth_end(r, image);
+    return renderer_denoise_end(r, image);
 }
 
 enum status renderer_render(struct renderer *r, const struct renderer_shot *shot,
@@ -516,12 +518,12 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
     result->samples = (float)r->params.samples;
     if (!add_planes(r, &result->image))
         status = log_out_of_memory(NULL);
-    else if (r->params.adapts)
+    else if (r->params.is_adaptive)
         status = renderer_draw_adaptive(r, shot, result, progress, user);
     else
         status = draw_samples(r, shot, &result->image, progress, user);
     /* The warm-up ends first, so that a crash of a driver's compiler cannot damage an output. */
-    warm_up_end(r->warm_up);
+    shader_warm_up_end(r->warm_up);
     r->warm_up = NULL;
     if (status == STATUS_OK)
         status = divide_sums(r, &result->image);
@@ -568,14 +570,14 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
     struct renderer_params strip = *params;
     uint32_t slot;
     strip.height = strip.face_size = params->width;
-    renderer_take_params(&r, &strip);
-    enum status status = gpu_fit_cube(params->gpu, params->width);
+    renderer_set_params(&r, &strip);
+    enum status status = gpu_check_cube(params->gpu, params->width);
     if (status == STATUS_OK)
         status = uploaded_scene_check(params->gpu, params->scene);
     if (status == STATUS_OK)
         status = upload(&r);
     if (status == STATUS_OK)
-        status = renderer_make(&r, &r.capture, renderer_bake_request(&r.params));
+        status = renderer_compile(&r, &r.capture, renderer_bake_request(&r.params));
     if (status == STATUS_OK)
         status = renderer_run(&r, &r.capture, &shot, 0, &slot);
     if (status == STATUS_OK)
@@ -584,7 +586,7 @@ enum status renderer_bake(const struct renderer_params *params, float time, stru
         status = fetch_cube(&r, slot, image);
     frame_exec_destroy(&r.capture);
     uploaded_scene_finish(&r.own, params->gpu);
-    uploaded_scene_finish(&r.tree, params->gpu);
+    uploaded_scene_finish(&r.bvh, params->gpu);
     free(r.meshes);
     return status;
 }

@@ -17,7 +17,7 @@
 
 #include "graph/rg_exec.h"
 #include "graph/rg_time.h"
-#include "src/frame/layers.h"
+#include "src/frame/output_layers.h"
 #include "src/gpu/gpu.h"
 #include "src/image/image.h"
 #include "src/render/renderer_params.h"
@@ -89,10 +89,10 @@ MUST_USE enum status renderer_bake(const struct renderer_params *params, float t
  * `scales`).
  *
  * renderer_set_view() makes the next images smaller, at most as large as in params; it creates no
- * memory and no pipelines, but renderer_picture() returns another image. renderer_refine() draws a
- * full-size sample, waits, and adds it to the sums; sample 0 restarts them. renderer_resolve()
- * tone-maps the mean of the samples with the current settings into renderer_mean(): the pixels are
- * those of renderer_render() with that many samples.
+ * memory and no pipelines, but renderer_display_image() returns another image. renderer_refine()
+ * draws a full-size sample, waits, and adds it to the sums; sample 0 restarts them.
+ * renderer_resolve() tone-maps the mean of the samples with the current settings into
+ * renderer_mean(): the pixels are those of renderer_render() with that many samples.
  */
 MUST_USE enum status renderer_set_view(struct renderer *renderer, VkExtent2D view);
 MUST_USE enum status renderer_refine(struct renderer *renderer, const struct renderer_shot *shot,
@@ -107,18 +107,18 @@ uint32_t renderer_sum_count(const struct renderer *renderer); /* number of sampl
 MUST_USE enum status renderer_wait(struct renderer *renderer);
 
 /* Returns the kept image (frame_display); every frame leaves it in a layout ready to be sampled. */
-VkImage renderer_picture(const struct renderer *renderer);
+VkImage renderer_display_image(const struct renderer *renderer);
 
 /* Host time spent by renderer_create(), milliseconds, and sizes of what it built. */
 struct renderer_costs {
-    double tree;             /* build time of the BVH, which stays with the scene */
-    uint32_t tree_triangles; /* 0 if the refraction model has no BVH */
-    uint64_t tree_size;      /* bytes */
-    double rays;             /* build time of acceleration structures */
-    uint64_t rays_size;      /* bytes; 0 if there are none */
-    double upload;           /* time to upload the scene */
-    double compile;          /* time to compile the frame's tables to a plan */
-    double realise;          /* time to create memory, images, descriptors and pipelines */
+    double bvh;             /* build time of the BVH, which stays with the scene */
+    uint32_t bvh_triangles; /* 0 if the refraction model has no BVH */
+    uint64_t bvh_size;      /* bytes */
+    double rays;            /* build time of acceleration structures */
+    uint64_t rays_size;     /* bytes; 0 if there are none */
+    double upload;          /* time to upload the scene */
+    double compile;         /* time to compile the frame's tables to a plan */
+    double realise;         /* time to create memory, images, descriptors and pipelines */
 };
 struct renderer_costs renderer_costs(const struct renderer *renderer);
 

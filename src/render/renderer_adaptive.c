@@ -9,11 +9,11 @@ static enum status draw_tiles(struct renderer *r, const struct renderer_shot *sh
                               struct image *image, struct adaptive *adaptive, uint32_t sample)
 {
     enum status status = STATUS_OK;
-    for (uint32_t p = 0; p < adaptive->part_count && status == STATUS_OK; p++) {
-        r->tile = adaptive->parts[p];
+    for (uint32_t p = 0; p < adaptive->rectangle_count && status == STATUS_OK; p++) {
+        r->tile = adaptive->rectangles[p];
         status = renderer_run(r, &r->picture, shot, sample, &r->last_slot);
         if (status == STATUS_OK)
-            status = renderer_fetch(r, image, &r->tile, sample, r->last_slot);
+            status = renderer_read_sample(r, image, &r->tile, sample, r->last_slot);
         if (status == STATUS_OK)
             adaptive_add(adaptive, &r->tile,
                          renderer_read_back(&r->picture, frame_beauty.image, r->last_slot), sample);
@@ -33,18 +33,18 @@ enum status renderer_draw_adaptive(struct renderer *r, const struct renderer_sho
     enum status status = renderer_capture_cube(r, shot);
     r->cube.in_turn = false; /* draw all faces: an image must not depend on earlier ones */
     r->stays = false;
-    while (status == STATUS_OK && (sample < adaptive.end || adaptive_go_on(&adaptive))) {
+    while (status == STATUS_OK && (sample < adaptive.end || adaptive_next_round(&adaptive))) {
         status = draw_tiles(r, shot, &result->image, &adaptive, sample++);
         if (status == STATUS_OK && progress && !progress(user, sample, ADAPTIVE_SAMPLES))
             status = STATUS_FAILED;
     }
     r->tile = whole;
-    adaptive_even(&adaptive, &result->image, &frame_beauty);
+    adaptive_rescale(&adaptive, &result->image, &frame_beauty);
     for (uint32_t i = 0; techniques_layer(i); i++) {
         if (r->params.layers & 1u << i)
-            adaptive_even(&adaptive, &result->image, techniques_layer(i));
+            adaptive_rescale(&adaptive, &result->image, techniques_layer(i));
     }
-    renderer_smooth_even(r, &adaptive);
+    renderer_denoise_rescale(r, &adaptive);
     result->samples = adaptive_mean(&adaptive);
     adaptive_finish(&adaptive);
     return status;

@@ -2,8 +2,8 @@
 #include <stdlib.h>
 #include "src/base/log.h"
 #include "src/render/renderer_internal.h"
-#include "src/render/request.h"
-#include "src/render/warm_up.h"
+#include "src/render/renderer_requests.h"
+#include "src/render/shader_warm_up.h"
 
 /* Replaces the plan of frame_exec by one compiled from the request. */
 static enum status replace(struct renderer *r, struct frame_exec *frame_exec,
@@ -25,7 +25,7 @@ static enum status update(struct renderer *r, struct frame_exec *frame_exec,
                           struct frame_request request)
 {
     return frame_exec->exec ? replace(r, frame_exec, request)
-                            : renderer_make(r, frame_exec, request);
+                            : renderer_compile(r, frame_exec, request);
 }
 
 /* The image imports the cube of `capture`, which is updated before it and destroyed after it. */
@@ -40,7 +40,7 @@ static enum status update_all(struct renderer *r)
     else
         r->capture = (struct frame_exec){ 0 };
     if (status == STATUS_OK)
-        status = update(r, &r->picture, renderer_picture_request(&r->params));
+        status = update(r, &r->picture, renderer_image_request(&r->params));
     if (!captures)
         frame_exec_destroy(&unused);
     if (!resolves)
@@ -62,18 +62,18 @@ static void discard_images(struct renderer *r)
 
 enum status renderer_change(struct renderer *r, const struct renderer_params *params)
 {
-    warm_up_end(r->warm_up); /* the warm-up reads the plan */
+    shader_warm_up_end(r->warm_up); /* the warm-up reads the plan */
     r->warm_up = NULL;
     /* rg_exec_update() of the image does not wait for `capture` */
     enum status status = renderer_wait(r);
-    renderer_take_params(r, params);
+    renderer_set_params(r, params);
     discard_images(r);
     if (status == STATUS_OK)
-        status = gpu_fit_size(params->gpu, r->params.width, r->params.height);
-    if (status == STATUS_OK && renderer_meets_tree(&r->params)) {
-        status = renderer_need_tree(r);
+        status = gpu_check_size(params->gpu, r->params.width, r->params.height);
+    if (status == STATUS_OK && renderer_uses_bvh(&r->params)) {
+        status = renderer_build_bvh(r);
         if (status == STATUS_OK)
-            status = renderer_upload_tree(r);
+            status = renderer_upload_bvh(r);
     }
     if (status == STATUS_OK)
         status = update_all(r);

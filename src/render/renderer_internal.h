@@ -3,7 +3,7 @@
 #define FIRN_RENDER_RENDERER_INTERNAL_H
 
 #include "src/base/tile.h"
-#include "src/frame/cube.h"
+#include "src/frame/env_cube_updates.h"
 #include "src/render/frame_exec.h"
 #include "src/render/frame_objects.h"
 #include "src/render/renderer.h"
@@ -19,8 +19,8 @@ struct renderer {
     struct tile tile;                   /* the rectangle of `tiling` that is drawn at present */
     struct uploaded_scene own;          /* {0} if params.uploaded is set */
     const struct uploaded_scene *scene; /* `own` or params.uploaded */
-    struct uploaded_scene tree;         /* the scene's BVH, if the refraction model traces it */
-    struct tree own_tree; /* BVH of a scene without a `tree` of its own; own_scene points to it */
+    struct uploaded_scene bvh;          /* the scene's BVH, if the refraction model traces it */
+    struct bvh own_tree; /* BVH of a scene without a `tree` of its own; own_scene points to it */
     struct scene own_scene;
     struct rg_mesh *meshes;       /* meshes of the techniques, in the order of the techniques */
     struct frame_exec capture;    /* draws the environment cube, if it is not dynamic */
@@ -32,29 +32,29 @@ struct renderer {
     struct frame_cube cube;       /* state of the cube that the frames of `picture` draw */
     bool stays;                   /* the image being drawn stays on the device */
     struct renderer_costs costs;
-    uint32_t last_slot;  /* slot of the picture's executor with the last sample */
-    uint32_t sum_count;  /* number of samples in `sums` */
-    struct image sums;   /* sums of the samples of renderer_refine() */
-    struct image ground; /* frame_smooth_layers and "samples"; {0} if nothing is denoised */
+    uint32_t last_slot;    /* slot of the picture's executor with the last sample */
+    uint32_t sum_count;    /* number of samples in `sums` */
+    struct image sums;     /* sums of the samples of renderer_refine() */
+    struct image lighting; /* frame_denoise_layers and "samples"; {0} if nothing is denoised */
 };
 
 /* Return true if params need a cube that is drawn once, a mean of samples, or a BVH. */
 bool renderer_wants_capture(const struct renderer_params *params);
 bool renderer_wants_resolve(const struct renderer_params *params);
-bool renderer_meets_tree(const struct renderer_params *params);
+bool renderer_uses_bvh(const struct renderer_params *params);
 
 /* Copies the params, replaces sizes of 0 by 1, and the size by that of an interleaved tile. */
-void renderer_take_params(struct renderer *renderer, const struct renderer_params *params);
+void renderer_set_params(struct renderer *renderer, const struct renderer_params *params);
 
 /* Builds the scene's BVH. The renderer owns it if the scene has no place for one. */
-MUST_USE enum status renderer_need_tree(struct renderer *renderer);
+MUST_USE enum status renderer_build_bvh(struct renderer *renderer);
 
 /* Uploads the BVH, and acceleration structures if ray queries are used, unless already done. */
-MUST_USE enum status renderer_upload_tree(struct renderer *renderer);
+MUST_USE enum status renderer_upload_bvh(struct renderer *renderer);
 
 /* Compiles a request and creates its executor. */
-MUST_USE enum status renderer_make(struct renderer *renderer, struct frame_exec *frame_exec,
-                                   struct frame_request request);
+MUST_USE enum status renderer_compile(struct renderer *renderer, struct frame_exec *frame_exec,
+                                      struct frame_request request);
 
 /* Returns the Vulkan objects of a plan's imports, to be freed by the caller; NULL when out of
  * memory, which is not logged. */
@@ -67,19 +67,19 @@ MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_exec *
                                   uint32_t *slot);
 
 /* Waits for a sample, and adds it to a rectangle of the result's image. */
-MUST_USE enum status renderer_fetch(struct renderer *renderer, struct image *image,
-                                    const struct tile *tile, uint32_t sample, uint32_t slot);
+MUST_USE enum status renderer_read_sample(struct renderer *renderer, struct image *image,
+                                          const struct tile *tile, uint32_t sample, uint32_t slot);
 
 /*
- * Denoising of light on surroundings (renderer_smooth.c, smooth.h). In order of use: adds the
+ * Denoising of light on surroundings (renderer_denoise.c, denoise.h). In order of use: adds the
  * planes if the params ask for them; accumulates a sample; rescales sums after adaptive sampling
- * like adaptive_even(); filters the light and adds it to the image.
+ * like adaptive_rescale(); filters the light and adds it to the image.
  */
-bool renderer_smooth_begin(struct renderer *renderer); /* false when out of memory */
-void renderer_smooth_fetch(struct renderer *renderer, const struct tile *tile, uint32_t sample,
-                           uint32_t slot);
-void renderer_smooth_even(struct renderer *renderer, const struct adaptive *adaptive);
-MUST_USE enum status renderer_smooth_end(struct renderer *renderer, struct image *image);
+bool renderer_denoise_begin(struct renderer *renderer); /* false when out of memory */
+void renderer_denoise_accumulate(struct renderer *renderer, const struct tile *tile,
+                                 uint32_t sample, uint32_t slot);
+void renderer_denoise_rescale(struct renderer *renderer, const struct adaptive *adaptive);
+MUST_USE enum status renderer_denoise_end(struct renderer *renderer, struct image *image);
 
 /* Draws the samples of a result with params.adapts; the sums are scaled to ADAPTIVE_SAMPLES. */
 MUST_USE enum status renderer_draw_adaptive(struct renderer *renderer,

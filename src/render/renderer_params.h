@@ -14,26 +14,28 @@ struct renderer_params {
     struct gpu *gpu;
     const struct scene *scene;
     const struct uploaded_scene *uploaded; /* scene on the device; NULL: the renderer uploads it */
-    bool is_coarse; /* draw simplified meshes, see uploaded_scene_add_coarse() */
+    bool is_coarse; /* draw simplified meshes, see uploaded_scene_add_simplified() */
     const struct settings *settings;
-    const struct technique *rung;
+    const struct technique *refraction;
     uint32_t width, height; /* pixels */
     uint32_t face_size;     /* width of a cube face, texels; 0: derived from settings and height */
     uint32_t columns, rows; /* number of tiles, of which a shot draws one; 0 means 1 */
-    bool is_orthographic;   /* all shots are orthographic; set by renderer_see() */
-    bool is_beyond;   /* true if the object may extend beyond the image; set by renderer_see() */
+    bool is_orthographic;   /* all shots are orthographic; set by renderer_set_camera() */
+    bool
+        /* true if the object may extend beyond the image; set by renderer_set_camera() */
+        is_beyond;
     bool interleaved; /* tiles are interleaved: see renderer_shot */
     uint32_t samples; /* per pixel; 0 means 1 */
-    bool adapts;      /* adaptive sampling, up to ADAPTIVE_SAMPLES: adaptive.h */
+    bool is_adaptive; /* adaptive sampling, up to ADAPTIVE_SAMPLES: adaptive.h */
     enum pixel_filter filter;
     uint32_t layers; /* bit i: return techniques_layer(i), if the settings switch it on */
     bool linear;     /* return the beauty in render_result.image */
     bool display;    /* return the tone-mapped image in render_result.rgba */
-    bool keep;       /* keep the tone-mapped last sample on the device: renderer_picture() */
+    bool keep;       /* keep the tone-mapped last sample on the device: renderer_display_image() */
     bool scales;     /* with keep: renderer_set_view() may be called */
     bool refines;    /* with keep: renderer_set_view() and renderer_refine() may be called */
     bool measured;   /* renderer_measure() may be called */
-    bool warm_up;    /* compile shaders on several cores: warm_up.h */
+    bool warm_up;    /* compile shaders on several cores: shader_warm_up.h */
     enum rg_sharing sharing;       /* which transient images may share memory */
     rg_replace_shader_fn *replace; /* passed on in rg_exec_params, with replace_user */
     void *replace_user;

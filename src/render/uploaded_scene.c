@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/render/ray_groups.h"
-#include "src/scene/mips.h"
+#include "src/render/blas_groups.h"
+#include "src/scene/mip_levels.h"
 #include "src/tech/techniques.h"
 
 /* Simplification error of coarse meshes, relative to their size. It is smaller for surroundings,
@@ -45,9 +45,9 @@ static enum status upload_meshes(struct uploaded_scene *on_gpu, struct gpu *gpu,
 static size_t size_of(const struct technique_texels *texels, size_t texel_size)
 {
     const uint32_t layers = texels->layers ? texels->layers : 1;
-    const struct mips mips = { .side = texels->width, .layers = layers, .channels = 1 };
+    const struct mip_levels mip_levels = { .side = texels->width, .layers = layers, .channels = 1 };
     if (texels->all_mips)
-        return mips_count(&mips) * texel_size;
+        return mip_levels_count(&mip_levels) * texel_size;
     return (size_t)texels->width * texels->height * layers * texel_size;
 }
 
@@ -60,8 +60,8 @@ enum status uploaded_scene_check(const struct gpu *gpu, const struct scene *scen
             continue;
         const struct technique_texels texels = import->find(scene);
         if (texels.texels)
-            status = gpu_fit_texels(gpu, import->image->name,
-                                    (VkExtent3D){ texels.width, texels.height, texels.layers });
+            status = gpu_check_texels(gpu, import->image->name,
+                                      (VkExtent3D){ texels.width, texels.height, texels.layers });
     }
     return status;
 }
@@ -129,7 +129,8 @@ static enum status upload_imports(struct uploaded_scene *on_gpu, struct gpu *gpu
     for (size_t i = 0; status == STATUS_OK && (import = techniques_import(i)); i++) {
         struct uploaded_import *to = &on_gpu->imports[on_gpu->import_count++];
         if (import->is_structure)
-            to->declared_buffer = import->buffer; /* created later by uploaded_scene_need_rays() */
+            to->declared_buffer =
+                import->buffer; /* created later by uploaded_scene_build_acceleration() */
         else if (import->buffer && are_buffers)
             status = upload_buffer(to, gpu, import, scene);
         else if (import->image && !are_buffers)
@@ -179,13 +180,13 @@ static enum status add_coarse(struct gpu *gpu, const struct mesh *mesh, struct u
     enum status status = STATUS_OK;
     if (count && 4 * count < (size_t)3 * mesh->index_count)
         status = gpu_buffer_create(gpu, &to->coarse, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, indices,
-                                   count * sizeof(*indices), "scene.coarse");
+                                   count * sizeof(*indices), "scene.simplified");
     free(indices);
     return status;
 }
 
-enum status uploaded_scene_add_coarse(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                                      const struct scene *scene)
+enum status uploaded_scene_add_simplified(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                          const struct scene *scene)
 {
     const struct model *model = &scene->model;
     enum status status = STATUS_OK;
@@ -196,8 +197,8 @@ enum status uploaded_scene_add_coarse(struct uploaded_scene *on_gpu, struct gpu 
     return status;
 }
 
-enum status uploaded_scene_init_tree(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                                     const struct scene *scene)
+enum status uploaded_scene_init_bvh(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                    const struct scene *scene)
 {
     *on_gpu = (struct uploaded_scene){
         .imports = calloc(count_imports() + 1, sizeof(*on_gpu->imports)),
@@ -209,25 +210,25 @@ enum status uploaded_scene_init_tree(struct uploaded_scene *on_gpu, struct gpu *
     return status;
 }
 
-enum status uploaded_scene_need_rays(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                                     const struct scene *scene)
+enum status uploaded_scene_build_acceleration(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                              const struct scene *scene)
 {
-    struct gpu_ray_groups groups;
-    struct gpu_rays *rays = gpu->rays;
+    struct gpu_blas_groups groups;
+    struct gpu_acceleration *rays = gpu->rays;
     const double start = clock_ms();
     if (on_gpu->rays)
         return STATUS_OK;
-    enum status status = ray_groups_init(&groups, scene->tree, scene->rest != NULL);
+    enum status status = blas_groups_init(&groups, scene->bvh, scene->rest != NULL);
     gpu->rays = NULL;
-    if (rays && (status != STATUS_OK || !ray_groups_keep(&groups, &rays->built))) {
-        gpu_rays_destroy(gpu, rays);
+    if (rays && (status != STATUS_OK || !blas_groups_keep(&groups, &rays->built))) {
+        gpu_acceleration_destroy(gpu, rays);
         rays = NULL;
     }
     if (status == STATUS_OK && !rays)
-        status = gpu_rays_create(gpu, &rays, &groups);
+        status = gpu_acceleration_create(gpu, &rays, &groups);
     if (status == STATUS_OK)
-        status = gpu_rays_build(gpu, rays, &groups);
-    gpu_ray_groups_finish(&groups);
+        status = gpu_acceleration_build(gpu, rays, &groups);
+    gpu_blas_groups_finish(&groups);
     if (rays)
         rays->ms = clock_ms() - start;
     on_gpu->rays = rays;
@@ -238,12 +239,12 @@ enum status uploaded_scene_need_rays(struct uploaded_scene *on_gpu, struct gpu *
 /* Destroys the acceleration structures; those of an animated scene are handed to the next pose. */
 static void release_rays(struct uploaded_scene *on_gpu, struct gpu *gpu)
 {
-    struct gpu_rays *unused = on_gpu->rays;
+    struct gpu_acceleration *unused = on_gpu->rays;
     if (on_gpu->rays && on_gpu->has_poses) {
         unused = gpu->rays;
         gpu->rays = on_gpu->rays;
     }
-    gpu_rays_destroy(gpu, unused);
+    gpu_acceleration_destroy(gpu, unused);
 }
 
 static void destroy_mesh(struct gpu *gpu, struct uploaded_mesh *mesh)

@@ -3,7 +3,7 @@
 #define FIRN_RENDER_UPLOADED_SCENE_H
 
 #include "graph/rg_cmd.h"
-#include "src/gpu/gpu_rays.h"
+#include "src/gpu/gpu_acceleration.h"
 #include "src/scene/scene.h"
 
 /* Vertex and index buffers of a mesh; {0} if it has no triangles. */
@@ -25,8 +25,8 @@ struct uploaded_scene {
     struct uploaded_mesh *meshes; /* meshes of the techniques, by techniques_index() */
     struct uploaded_import *imports;
     size_t import_count;
-    struct gpu_rays *rays; /* NULL if ray queries are not used */
-    bool has_poses;        /* animated: further poses of the scene may follow */
+    struct gpu_acceleration *rays; /* NULL if ray queries are not used */
+    bool has_poses;                /* animated: further poses of the scene may follow */
 };
 
 /* Checks before any allocation that the device supports the sizes of the scene's images. If not,
@@ -38,13 +38,13 @@ MUST_USE enum status uploaded_scene_init(struct uploaded_scene *on_gpu, struct g
                                          const struct scene *scene);
 
 /* Uploads only the buffers of a scene's BVH, or zeros if it has not been built. */
-MUST_USE enum status uploaded_scene_init_tree(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                                              const struct scene *scene);
+MUST_USE enum status uploaded_scene_init_bvh(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                             const struct scene *scene);
 
 /* Builds the acceleration structures of a scene's BVH, unless they exist. Reuses the structures of
  * a previous pose, if its upload has been finished, for objects that have only moved. */
-MUST_USE enum status uploaded_scene_need_rays(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                                              const struct scene *scene);
+MUST_USE enum status uploaded_scene_build_acceleration(struct uploaded_scene *on_gpu,
+                                                       struct gpu *gpu, const struct scene *scene);
 
 /*
  * Simplifies the meshes of the object (unless there are several) and of the surroundings, for
@@ -52,8 +52,8 @@ MUST_USE enum status uploaded_scene_need_rays(struct uploaded_scene *on_gpu, str
  * the surroundings'. This pays off for CPU drivers, which shade whole pixel blocks for each
  * triangle. Returns STATUS_TRY_AGAIN when out of memory; the scene is then unchanged.
  */
-MUST_USE enum status uploaded_scene_add_coarse(struct uploaded_scene *on_gpu, struct gpu *gpu,
-                                               const struct scene *scene);
+MUST_USE enum status uploaded_scene_add_simplified(struct uploaded_scene *on_gpu, struct gpu *gpu,
+                                                   const struct scene *scene);
 
 void uploaded_scene_finish(struct uploaded_scene *on_gpu, struct gpu *gpu);
 

@@ -63,7 +63,7 @@ struct box bubble_box(const struct bubble *bubble)
     return box;
 }
 
-bool bubble_holds(const struct bubble *bubble, vec3s point)
+bool bubble_contains(const struct bubble *bubble, vec3s point)
 {
     double v[3];
     for (int k = 0; k < 3; k++)
@@ -143,7 +143,7 @@ static bool intersect_capsule(const struct bubble *bubble, const struct ray *ray
     return at[0] <= at[1];
 }
 
-bool bubble_cross(const struct bubble *bubble, vec3s origin, vec3s dir, double at[static 2])
+bool bubble_intersect(const struct bubble *bubble, vec3s origin, vec3s dir, double at[static 2])
 {
     struct ray ray = ray_of(bubble, origin, dir);
     if (bubble->is_capsule)

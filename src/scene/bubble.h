@@ -5,7 +5,7 @@
 #ifndef FIRN_SCENE_BUBBLE_H
 #define FIRN_SCENE_BUBBLE_H
 
-#include "src/scene/mesh.h"
+#include "src/scene/geometry/mesh.h"
 
 struct bubble {
     vec3s center;
@@ -23,11 +23,11 @@ static inline bool bubble_is_sphere(const struct bubble *bubble)
 struct box bubble_box(const struct bubble *bubble);
 
 /* Returns true if a point is inside. */
-bool bubble_holds(const struct bubble *bubble, vec3s point);
+bool bubble_contains(const struct bubble *bubble, vec3s point);
 
 /* Finds the two intersections of a ray's line with a bubble, in lengths of `dir`; they may be
  * negative. Returns false if it misses. */
-bool bubble_cross(const struct bubble *bubble, vec3s origin, vec3s dir, double at[static 2]);
+bool bubble_intersect(const struct bubble *bubble, vec3s origin, vec3s dir, double at[static 2]);
 
 struct bubble_face {
     vec3s position, normal; /* `normal` is unit, outward */

@@ -6,7 +6,7 @@
 #include <string.h>
 #include "src/image/half.h"
 #include "src/scene/generate/noise.h"
-#include "src/scene/mips.h"
+#include "src/scene/mip_levels.h"
 
 enum {
     SIZE = BUMP_MAPS_SIZE,
@@ -206,17 +206,17 @@ static void generate(struct bump_maps *maps, const struct bump_maps_params *para
 
 bool bump_maps_init(struct bump_maps *maps, const struct bump_maps_params *params)
 {
-    const struct mips mips = { .side = SIZE, .layers = 1, .channels = 4 };
+    const struct mip_levels mip_levels = { .side = SIZE, .layers = 1, .channels = 4 };
     float *field = malloc((size_t)SIZE * SIZE * sizeof(*field));
     struct lattice *lattice = malloc(sizeof(*lattice));
     *maps = (struct bump_maps){
-        .texels = malloc(mips_count(&mips) * sizeof(*maps->texels)),
+        .texels = malloc(mip_levels_count(&mip_levels) * sizeof(*maps->texels)),
         .size = SIZE,
     };
     bool done = field && lattice && maps->texels;
     if (done) {
         generate(maps, params, field, lattice);
-        mips_fill_halves(maps->texels, &mips);
+        mip_levels_fill_halves(maps->texels, &mip_levels);
     } else {
         bump_maps_finish(maps);
     }

@@ -18,7 +18,7 @@ enum {
 
 struct bump_maps {
     /* half RGBA: slopes along u and v, with a root mean square of 1; smoothness of the surface;
-     * thickness of its frost, 0 to 1. All mip levels, in the layout of mips.h. */
+     * thickness of its frost, 0 to 1. All mip levels, in the layout of mip_levels.h. */
     uint16_t *texels;
     uint32_t size; /* width and height of the first level; 0 if there is no texture */
 };

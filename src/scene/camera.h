@@ -10,7 +10,7 @@
 
 #include <cglm/types-struct.h>
 #include <stdint.h>
-#include "src/scene/mesh.h"
+#include "src/scene/geometry/mesh.h"
 
 struct camera {
     vec3s eye;

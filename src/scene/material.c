@@ -32,7 +32,7 @@ struct material material_make(const char *name)
     return material;
 }
 
-bool material_is_dressed(const struct material *m)
+bool material_is_textured(const struct material *m)
 {
     return m->textures[MATERIAL_BASE_COLOR].layer || m->textures[MATERIAL_NORMAL].layer ||
            m->textures[MATERIAL_METALLIC_ROUGHNESS].layer ||
@@ -80,7 +80,7 @@ bool material_clamp(struct material *m)
     has_changed |= clamp(&m->ior, 1.0f, 4.0f, 1.5f);
     has_changed |= clamp(&m->dispersion, 0.0f, 10.0f, 0.0f);
     has_changed |= clamp(&m->attenuation_distance, 0.0f, FLT_MAX, 0.0f);
-    has_changed |= clamp(&m->cloud, 0.0f, MATERIAL_CLOUD_MAX, 0.0f);
+    has_changed |= clamp(&m->cloud, 0.0f, MATERIAL_SCATTERING_MAX, 0.0f);
     return has_changed;
 }
 

@@ -10,11 +10,11 @@ enum {
     MATERIAL_NAME_SIZE = 64, /* bytes of a name, terminator included; longer ones are truncated */
 };
 
-#define MATERIAL_CLOUD_MAX 1000.0f
+#define MATERIAL_SCATTERING_MAX 1000.0f
 
 /* Bits of material.flags. */
 enum {
-    MATERIAL_IS_BARE = 1, /* without a file's material: the settings define it */
+    MATERIAL_FROM_SETTINGS = 1, /* without a file's material: the settings define it */
     MATERIAL_HAS_IOR = 2, /* the file sets the refractive index; else it is the format's default */
     MATERIAL_HAS_PRIORITY = 4, /* the file sets the priority */
     MATERIAL_IS_CUTOUT = 8,    /* alpha mask: alpha below the cutoff is a hole */
@@ -22,7 +22,7 @@ enum {
     MATERIAL_IS_BLENDED = 32,  /* alpha is the fraction of light that the surface reflects */
     MATERIAL_IS_TWO_SIDED = 64,
     MATERIAL_IS_LEGACY = 128, /* the file's index is 0: the specular colour is the reflectance */
-    MATERIAL_IS_FILM = 256,   /* water layer on an opaque base with colour and normal map */
+    MATERIAL_IS_WATER_LAYER = 256, /* water layer on an opaque base with colour and normal map */
     MATERIAL_FLAGS = 511,
 };
 
@@ -93,7 +93,7 @@ struct material {
 
 /* Returns true if a texture affects transmission or reflection of a transmissive surface: base
  * colour, roughness, transmission or normal. */
-bool material_is_dressed(const struct material *material);
+bool material_is_textured(const struct material *material);
 
 /* Returns glTF's default material, white and opaque, with a name. */
 struct material material_make(const char *name);

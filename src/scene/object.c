@@ -10,18 +10,18 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/scene/solid.h"
+#include "src/scene/geometry/closed_mesh.h"
 
 /* An object during ranking. */
 struct ranked {
     uint32_t object;
-    int64_t priority; /* priority from the file; INT64_MIN if there is none */
-    uint32_t depth;   /* number of enclosing shells */
-    uint32_t holder;  /* index of the innermost enclosing shell, + 1; 0 for none */
-    uint32_t within;  /* like `holder`, but counts shells whose cavity contains the object */
+    int64_t priority;        /* priority from the file; INT64_MIN if there is none */
+    uint32_t depth;          /* number of enclosing shells */
+    uint32_t container_rank; /* index of the innermost enclosing shell, + 1; 0 for none */
+    uint32_t within;         /* like `holder`, but counts shells whose cavity contains the object */
 };
 
-struct mesh object_part(const struct object *object, const struct mesh *mesh)
+struct mesh object_mesh(const struct object *object, const struct mesh *mesh)
 {
     return (struct mesh){
         .vertices = mesh->vertices,
@@ -33,7 +33,7 @@ struct mesh object_part(const struct object *object, const struct mesh *mesh)
 
 struct box object_box(const struct object *object, const struct mesh *mesh)
 {
-    const struct mesh part = object_part(object, mesh);
+    const struct mesh part = object_mesh(object, mesh);
     struct box box = { 0 };
     for (uint32_t i = 0; i < part.index_count; i++) {
         const vec3s p = part.vertices[part.indices[i]].position;
@@ -44,8 +44,8 @@ struct box object_box(const struct object *object, const struct mesh *mesh)
 }
 
 /* Returns true if all corners of `part` satisfy `contains` for the shell. */
-static bool all_inside(const struct solid *shell, const struct mesh *part,
-                       bool (*contains)(const struct solid *shell, vec3s point))
+static bool all_inside(const struct closed_mesh *shell, const struct mesh *part,
+                       bool (*contains)(const struct closed_mesh *shell, vec3s point))
 {
     for (uint32_t i = 0; i < part->index_count; i++) {
         if (!contains(shell, part->vertices[part->indices[i]].position))
@@ -65,25 +65,25 @@ static void update_innermost(const struct object *objects, uint32_t k, uint32_t 
 static bool record_enclosed(struct ranked *ranking, const struct object *objects, uint32_t count,
                             const struct mesh *mesh, uint32_t k)
 {
-    const struct mesh shell = object_part(&objects[k], mesh);
-    struct solid solid = { 0 };
+    const struct mesh shell = object_mesh(&objects[k], mesh);
+    struct closed_mesh closed_mesh = { 0 };
     bool is_made = false;
     for (uint32_t i = 0; i < count; i++) {
         if (i == k || !box_contains(&objects[k].box, &objects[i].box))
             continue;
-        if (!is_made && !solid_init(&solid, &shell))
+        if (!is_made && !closed_mesh_init(&closed_mesh, &shell))
             return false;
         is_made = true;
-        const struct mesh part = object_part(&objects[i], mesh);
-        if (!all_inside(&solid, &part, solid_surrounds))
+        const struct mesh part = object_mesh(&objects[i], mesh);
+        if (!all_inside(&closed_mesh, &part, closed_mesh_surrounds))
             continue;
         update_innermost(objects, k, &ranking[i].within);
-        if (!all_inside(&solid, &part, solid_contains))
+        if (!all_inside(&closed_mesh, &part, closed_mesh_contains))
             continue;
         ranking[i].depth++;
-        update_innermost(objects, k, &ranking[i].holder);
+        update_innermost(objects, k, &ranking[i].container_rank);
     }
-    solid_finish(&solid);
+    closed_mesh_finish(&closed_mesh);
     return true;
 }
 
@@ -98,8 +98,8 @@ static int by_priority(const void *a, const void *b)
     return x->object < y->object ? -1 : 1;
 }
 
-enum status object_rank_all(struct object *objects, uint32_t count, const struct mesh *mesh,
-                            const struct material *materials)
+enum status object_assign_ranks(struct object *objects, uint32_t count, const struct mesh *mesh,
+                                const struct material *materials)
 {
     struct ranked *ranking = calloc(count + (size_t)1, sizeof(*ranking));
     bool done = ranking != NULL;
@@ -117,8 +117,9 @@ enum status object_rank_all(struct object *objects, uint32_t count, const struct
         for (uint32_t i = 0; i < count; i++)
             objects[ranking[i].object].rank = i + 1;
         for (uint32_t i = 0; i < count; i++) {
-            const uint32_t holder = ranking[i].holder;
-            objects[ranking[i].object].holder = holder ? objects[holder - 1].rank : 0;
+            const uint32_t container_rank = ranking[i].container_rank;
+            objects[ranking[i].object].container_rank =
+                container_rank ? objects[container_rank - 1].rank : 0;
             objects[ranking[i].object].within = ranking[i].within;
         }
     }

@@ -4,8 +4,8 @@
 #define FIRN_SCENE_OBJECT_H
 
 #include "src/base/status.h"
+#include "src/scene/geometry/mesh.h"
 #include "src/scene/material.h"
-#include "src/scene/mesh.h"
 
 /*
  * Closed shell that bounds a medium: a model node with a transmissive material. Its triangles are a
@@ -17,12 +17,14 @@ struct object {
     uint32_t material; /* index into the model's materials */
     struct box box;    /* bounding box of the triangles; set with the rank */
     uint32_t rank;     /* unique medium priority: where shells overlap, the highest wins; not 0 */
-    uint32_t holder; /* rank of the innermost shell whose medium encloses this shell; 0 for none */
+    uint32_t
+        /* rank of the innermost shell whose medium encloses this shell; 0 for none */
+        container_rank;
     uint32_t within; /* 1 + index of the innermost object around it or its cavity; 0: none */
 };
 
 /* Returns a mesh of the object's triangles that borrows the arrays of the mesh of all objects. */
-struct mesh object_part(const struct object *object, const struct mesh *mesh);
+struct mesh object_mesh(const struct object *object, const struct mesh *mesh);
 
 /* Returns the bounding box of an object's triangles. */
 struct box object_box(const struct object *object, const struct mesh *mesh);
@@ -32,8 +34,8 @@ struct box object_box(const struct object *object, const struct mesh *mesh);
  * without, and a higher priority a lower one. Otherwise, an enclosed shell outranks the enclosing
  * one, and else the later object wins. Logs and returns STATUS_TRY_AGAIN when out of memory.
  */
-MUST_USE enum status object_rank_all(struct object *objects, uint32_t count,
-                                     const struct mesh *mesh, const struct material *materials);
+MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
+                                         const struct mesh *mesh, const struct material *materials);
 
 /* Returns the index of the outermost object around object `index`, or `index` itself. */
 uint32_t object_outermost(const struct object *objects, uint32_t index);

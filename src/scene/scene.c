@@ -7,11 +7,11 @@
 #include <unistd.h>
 #include "src/base/log.h"
 #include "src/base/suggest.h"
-#include "src/scene/asset.h"
-#include "src/scene/fold.h"
+#include "src/scene/bundled_assets.h"
+#include "src/scene/environment/image_based_lighting.h"
 #include "src/scene/generate/generate.h"
-#include "src/scene/material_rows.h"
-#include "src/scene/surface_light.h"
+#include "src/scene/geometry/mesh_depth_complexity.h"
+#include "src/scene/material_table.h"
 
 const struct scene_builtin scene_builtins[] = {
     {
@@ -84,14 +84,14 @@ static enum status add_floating_ice(struct scene *scene, const struct scene_para
     const struct generate_pool *pool = &params->pool;
     const uint32_t triangles =
         params->object_triangles ? params->object_triangles : GENERATE_ICE_CUBE_TRIANGLES;
-    if (!generate_floe(&scene->model.object, pool, triangles))
+    if (!generate_floating_ice(&scene->model.object, pool, triangles))
         return log_out_of_memory("ice");
-    scene->floe = mesh_box(&scene->model.object);
-    if (1.5f * pool->ice < pool->size && -scene->floe.min.y < pool->depth)
+    scene->floating_ice = mesh_box(&scene->model.object);
+    if (1.5f * pool->ice < pool->size && -scene->floating_ice.min.y < pool->depth)
         return STATUS_OK;
     log_error(
         "pool.ice=%g: expected pool.size above %g and pool.depth above %g for ice of this width",
-        (double)pool->ice, 1.5 * (double)pool->ice, (double)-scene->floe.min.y);
+        (double)pool->ice, 1.5 * (double)pool->ice, (double)-scene->floating_ice.min.y);
     return STATUS_USAGE;
 }
 
@@ -150,19 +150,21 @@ static enum status load_file(struct model *model, const struct scene_params *par
 {
     char *path;
     struct model_pose pose = params->pose;
-    char *names = node_material_names(params->node_materials, params->node_material_count);
+    char *names =
+        material_override_names(params->material_overrides, params->material_override_count);
     if (!names)
         return log_out_of_memory(params->name);
     pose.objects = names;
     enum status status = locate(params->name, ASSET_SCENE, &path);
     if (status == STATUS_OK)
-        status =
-            decode_model(model, path, params->is_one_object ? MODEL_OBJECT : MODEL_BY_MATERIALS,
-                         &pose, params->decode);
+        status = sandboxed_load_model(model, path,
+                                      params->is_one_object ? MODEL_OBJECT : MODEL_BY_MATERIALS,
+                                      &pose, params->decode);
     if (status == STATUS_OK)
-        status = node_material_apply(model, params->node_materials, params->node_material_count);
-    if (status == STATUS_OK && params->place)
-        status = place_model(model, params->place, path);
+        status = material_override_apply(model, params->material_overrides,
+                                         params->material_override_count);
+    if (status == STATUS_OK && params->model_transform)
+        status = model_transform_apply(model, params->model_transform, path);
     free(names);
     free(path);
     return status;
@@ -177,7 +179,7 @@ static enum status add_bare_object(struct model *model)
         return log_out_of_memory("object");
     model->objects[0].index_count = model->object.index_count;
     model->materials[0] = material_make("ice");
-    model->materials[0].flags = MATERIAL_IS_BARE;
+    model->materials[0].flags = MATERIAL_FROM_SETTINGS;
     model->materials[0].transmission = 1.0f;
     model->materials[0].roughness = 0.0f;
     model->object_count = 1;
@@ -232,8 +234,8 @@ static enum status add_builtin_surroundings(struct scene *scene, const struct sc
 static enum status add_surroundings(struct scene *scene, const struct scene_params *params)
 {
     struct model model = { 0 };
-    enum status status =
-        decode_model(&model, params->surroundings, MODEL_SURROUNDINGS, NULL, params->decode);
+    enum status status = sandboxed_load_model(&model, params->surroundings, MODEL_SURROUNDINGS,
+                                              NULL, params->decode);
     if (status == STATUS_OK)
         status = model_add_surroundings(&scene->model, &model);
     model_finish(&model);
@@ -253,19 +255,19 @@ static enum status load_background(struct scene *scene, const struct scene_param
         scene->background = params->before->background;
         scene->environment = params->before->environment;
         scene->cube = params->before->cube;
-        scene->surface_light = params->before->surface_light;
+        scene->prefiltered_environment = params->before->prefiltered_environment;
         return STATUS_OK;
     }
     struct environment environment;
     char *path;
     enum status status = locate(params->environment, ASSET_ENVIRONMENT, &path);
     if (status == STATUS_OK)
-        status = decode_environment(&environment, path, params->decode);
+        status = sandboxed_load_environment(&environment, path, params->decode);
     free(path);
     if (status != STATUS_OK)
         return status;
     if (params->environment_exposure < 0.0f || params->environment_exposure > 0.0f)
-        environment_expose(&environment, params->environment_exposure);
+        environment_apply_exposure(&environment, params->environment_exposure);
     if (environment.is_cube) {
         scene->cube = environment;
     } else {
@@ -280,8 +282,8 @@ static enum status add_movers(struct scene *scene, uint32_t count)
 {
     struct mesh movers = { 0 };
     const uint32_t start = scene->model.surroundings.vertex_count;
-    bool done = generate_movers(&movers, scene->box, count) &&
-                model_opaque_add(&scene->model, "moving objects", start) &&
+    bool done = generate_orbiting_balls(&movers, scene->box, count) &&
+                model_surroundings_add_object(&scene->model, "moving objects", start) &&
                 mesh_append(&scene->model.surroundings, &movers);
     mesh_finish(&movers);
     return done ? STATUS_OK : log_out_of_memory("moving objects");
@@ -299,33 +301,35 @@ static enum status add_extras(struct scene *scene)
                   MESH_EXTRA_HEIGHT * (MESH_EXTRA_WIDTH / MESH_EXTRA_TEXELS), mesh->vertex_count);
         return STATUS_DATA;
     }
-    scene->extra_rows = material_rows_make_extras(mesh);
-    return scene->extra_rows ? STATUS_OK : log_out_of_memory("texture coordinates");
+    scene->vertex_extra_table = material_table_make_extras(mesh);
+    return scene->vertex_extra_table ? STATUS_OK : log_out_of_memory("texture coordinates");
 }
 
 /* Finds the scattering media, and builds the GPU tables of materials and lights. */
-static enum status add_surfaces(struct scene *scene, bool has_cloud)
+static enum status add_surfaces(struct scene *scene, bool has_scattering_medium)
 {
     if (scene->model.object.index_count)
-        scene->clouds = clouds_find(&scene->model, has_cloud);
+        scene->clouds = scattering_media_find(&scene->model, has_scattering_medium);
     const bool is_lit =
-        material_rows_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene);
+        material_table_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene);
     const bool has_lights = is_lit && scene->model.light_count > 0;
     const bool needs_light =
         (is_lit || scene->clouds.count) && scene->background == SCENE_ENVIRONMENT;
     const bool is_lit_by_table = has_lights || (is_lit && scene->background != SCENE_SKY);
-    if (needs_light && !scene->surface_light)
-        scene->surface_light = surface_light_make(&scene->environment);
-    if (needs_light && !scene->surface_light)
+    if (needs_light && !scene->prefiltered_environment)
+        scene->prefiltered_environment = image_based_lighting_prefilter(&scene->environment);
+    if (needs_light && !scene->prefiltered_environment)
         return log_out_of_memory("environment lighting");
-    if (!is_lit_by_table && !material_rows_has_rich(&scene->model) && !scene_has_dress(scene))
+    if (!is_lit_by_table && !material_table_needs_full_shading(&scene->model) &&
+        !scene_has_textured_objects(scene))
         return STATUS_OK;
-    scene->material_rows = material_rows_make(&scene->model);
-    scene->surface_split = surface_split_make();
+    scene->material_table = material_table_make(&scene->model);
+    scene->brdf_table = image_based_lighting_brdf_table();
     if (has_lights)
-        scene->light_rows = light_rows_make(scene->model.lights, scene->model.light_count);
+        scene->punctual_light_table =
+            punctual_light_table_make(scene->model.lights, scene->model.light_count);
     const bool done =
-        scene->material_rows && scene->surface_split && (scene->light_rows || !has_lights);
+        scene->material_table && scene->brdf_table && (scene->punctual_light_table || !has_lights);
     if (!done)
         return log_out_of_memory("materials");
     return add_extras(scene);
@@ -334,9 +338,9 @@ static enum status add_surfaces(struct scene *scene, bool has_cloud)
 static enum status allocate_bvh(struct scene *scene, const struct scene *before)
 {
     const bool is_first = scene->is_animated && !(before && before->rest);
-    scene->tree = calloc(1, sizeof(*scene->tree));
-    scene->rest = is_first ? tree_rest_create(scene->model.animation) : NULL;
-    return scene->tree && (scene->rest || !is_first) ? STATUS_OK : log_out_of_memory(NULL);
+    scene->bvh = calloc(1, sizeof(*scene->bvh));
+    scene->rest = is_first ? bvh_rest_pose_create(scene->model.animation) : NULL;
+    return scene->bvh && (scene->rest || !is_first) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
 /* Moves the rest pose from the previous pose, or makes that pose the rest pose. */
@@ -346,15 +350,15 @@ static void move_rest_pose(struct scene *scene, struct scene *before)
         return;
     scene->rest = before->rest;
     before->rest = NULL;
-    tree_rest_take(scene->rest, &before->model, &before->sorted);
+    bvh_rest_pose_move_from(scene->rest, &before->model, &before->sorted);
 }
 
 /* Gives up shared pointers, so that only one of two scenes owns the environment and its lighting.
  */
 static void release_environment(struct scene *scene, const struct scene *before)
 {
-    if (scene == before || scene->surface_light == before->surface_light)
-        scene->surface_light = NULL;
+    if (scene == before || scene->prefiltered_environment == before->prefiltered_environment)
+        scene->prefiltered_environment = NULL;
     scene->environment = (struct environment){ 0 };
     scene->cube = (struct environment){ 0 };
 }
@@ -387,10 +391,10 @@ static void measure_shape(struct scene *scene)
 {
     const struct model *model = &scene->model;
     scene->is_convex = mesh_is_convex(&model->object);
-    scene->fold = 0.0f;
+    scene->depth_complexity = 0.0f;
     for (uint32_t i = 0; i < model->object_count; i++) {
-        const struct mesh part = object_part(&model->objects[i], &model->object);
-        scene->fold = fmaxf(scene->fold, mesh_fold(&part));
+        const struct mesh part = object_mesh(&model->objects[i], &model->object);
+        scene->depth_complexity = fmaxf(scene->depth_complexity, mesh_depth_complexity(&part));
     }
 }
 
@@ -402,7 +406,7 @@ static enum status melt_ice(struct scene *scene, const struct scene_params *para
     if (status != STATUS_OK || !(scene->melted.share > 0.0f))
         return status;
     if (scene->has_pool)
-        scene->floe = mesh_box(&model->object);
+        scene->floating_ice = mesh_box(&model->object);
     else
         scene->box = mesh_box(&model->object);
     measure_shape(scene);
@@ -432,12 +436,12 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (status == STATUS_OK)
         status = load_background(scene, params);
     if (status == STATUS_OK)
-        status = object_rank_all(scene->model.objects, scene->model.object_count,
-                                 &scene->model.object, scene->model.materials);
+        status = object_assign_ranks(scene->model.objects, scene->model.object_count,
+                                     &scene->model.object, scene->model.materials);
     const bool has_object = scene->model.object.index_count > 0;
     if (!scene->has_pool)
         scene->box = mesh_box(has_object ? &scene->model.object : &scene->model.surroundings);
-    scene->framed = scene->box;
+    scene->framing_box = scene->box;
     scene->time = params->pose.time;
     scene->is_animated = scene->model.animation || params->melting.speed > 0.0f;
     measure_shape(scene);
@@ -446,15 +450,15 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     scene->around = scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);
     if (status == STATUS_OK)
         status = sort_surroundings(scene);
-    if (status == STATUS_OK && params->mover_count)
-        status = add_movers(scene, params->mover_count);
+    if (status == STATUS_OK && params->orbiting_ball_count)
+        status = add_movers(scene, params->orbiting_ball_count);
     if (status == STATUS_OK)
         status = melt_ice(scene, params);
     if (status == STATUS_OK && !scene->has_pool)
-        status = add_surfaces(scene, params->has_cloud);
-    if (status == STATUS_OK && scene->material_rows && has_object)
-        status = contact_find(&scene->contact, &scene->model.object, scene->model.objects,
-                              scene->model.object_count);
+        status = add_surfaces(scene, params->has_scattering_medium);
+    if (status == STATUS_OK && scene->material_table && has_object)
+        status = ao_find(&scene->ao, &scene->model.object, scene->model.objects,
+                         scene->model.object_count);
     if (status == STATUS_OK && has_object && !scene->has_pool)
         status = scene_fill_object(scene, params);
     if (status == STATUS_OK)
@@ -466,9 +470,9 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     return status;
 }
 
-enum status scene_need_tree(const struct scene *scene, bool is_cached)
+enum status scene_build_bvh(const struct scene *scene, bool is_cached)
 {
-    const struct tree_params params = {
+    const struct bvh_params params = {
         .model = &scene->model,
         .sorted = scene->sorted,
         .cracks = &scene->cracks,
@@ -476,28 +480,28 @@ enum status scene_need_tree(const struct scene *scene, bool is_cached)
         .rest = scene->rest,
         .is_cached = is_cached && (scene->rest || !scene->is_animated),
     };
-    return scene->tree->nodes.all ? STATUS_OK : tree_init(scene->tree, &params);
+    return scene->bvh->nodes.all ? STATUS_OK : bvh_init(scene->bvh, &params);
 }
 
 void scene_finish(struct scene *scene)
 {
-    if (scene->tree)
-        tree_finish(scene->tree);
-    free(scene->tree);
-    tree_rest_destroy(scene->rest);
+    if (scene->bvh)
+        bvh_finish(scene->bvh);
+    free(scene->bvh);
+    bvh_rest_pose_destroy(scene->rest);
     free(scene->sorted.all);
     model_finish(&scene->model);
     melted_finish(&scene->melted);
     environment_finish(&scene->environment);
     environment_finish(&scene->cube);
-    free(scene->material_rows);
-    free(scene->extra_rows);
+    free(scene->material_table);
+    free(scene->vertex_extra_table);
     free(scene->earlier);
-    free(scene->light_rows);
-    free(scene->surface_split);
-    free(scene->surface_light);
+    free(scene->punctual_light_table);
+    free(scene->brdf_table);
+    free(scene->prefiltered_environment);
     bump_maps_finish(&scene->bump);
-    clouds_finish(&scene->clouds);
+    scattering_media_finish(&scene->clouds);
     mesh_finish(&scene->air);
     free(scene->air_layers.texels);
     free(scene->bubbles.all);

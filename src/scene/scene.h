@@ -6,17 +6,17 @@
 #ifndef FIRN_SCENE_SCENE_H
 #define FIRN_SCENE_SCENE_H
 
+#include "src/scene/ao_occluders.h"
 #include "src/scene/bump_maps.h"
-#include "src/scene/clouds.h"
-#include "src/scene/contact.h"
-#include "src/scene/environment.h"
+#include "src/scene/bvh/bvh.h"
+#include "src/scene/environment/environment.h"
 #include "src/scene/generate/generate.h"
-#include "src/scene/import/decode.h"
 #include "src/scene/import/model.h"
-#include "src/scene/melt.h"
-#include "src/scene/node_material.h"
-#include "src/scene/place.h"
-#include "src/scene/tree.h"
+#include "src/scene/import/sandboxed_load.h"
+#include "src/scene/material_override.h"
+#include "src/scene/melt/melt.h"
+#include "src/scene/model_transform.h"
+#include "src/scene/scattering_media.h"
 
 enum scene_background {
     SCENE_SKY,
@@ -37,36 +37,40 @@ struct scene {
     vec3s background_color; /* linear radiance, for SCENE_COLOR */
     bool is_hidden;         /* write alpha 0 for the background, which still lights surfaces */
     struct environment environment;
-    vec4s *material_rows;    /* GPU table (material_rows.h); NULL if no material needs one */
-    vec4s *light_rows;       /* GPU table (light.h); NULL if no surface is lit by punctual lights */
-    vec4s *extra_rows;       /* GPU table of vertex extras (material_rows.h); NULL for none */
-    uint16_t *surface_split; /* BRDF table (surface_light.h); present if material_rows is */
-    uint16_t *surface_light; /* prefiltered environment (surface_light.h); NULL if not needed */
+    vec4s *material_table; /* GPU table (material_table.h); NULL if no material needs one */
+    vec4s *
+        /* GPU table (punctual_light.h); NULL if no surface is lit by punctual lights */
+        punctual_light_table;
+    vec4s *vertex_extra_table; /* GPU table of vertex extras (material_table.h); NULL for none */
+    uint16_t *brdf_table; /* BRDF table (prefiltered_environment.h); present if material_table is */
+    uint16_t *
+        /* prefiltered environment (prefiltered_environment.h); NULL if not needed */
+        prefiltered_environment;
     struct environment cube; /* replaces the environment cube that env_cube renders; may be {0} */
     struct bump_maps bump;   /* bump map of the object's surface; {0} for none */
     struct box box;          /* bounding box of the object, or of the pool */
-    struct box framed;       /* bounds for the default camera: `box` at time 0 */
+    struct box framing_box;  /* bounds for the default camera: `box` at time 0 */
     float time;              /* animation time, seconds */
     vec4s *earlier; /* vertex positions of the previous frame, objects first; NULL if unchanged */
     uint32_t earlier_rows;
-    struct box floe;    /* bounding box of the ice that floats in the pool; {0} for none */
-    struct box around;  /* proxy box for refract.lookup=box; {0} for none */
-    struct mesh cracks; /* cracks, in object space; may be empty */
-    struct mesh air;    /* planes of air bubbles, in object space; may be empty */
+    struct box floating_ice; /* bounding box of the ice that floats in the pool; {0} for none */
+    struct box around;       /* proxy box for refract.lookup=box; {0} for none */
+    struct mesh cracks;      /* cracks, in object space; may be empty */
+    struct mesh air;         /* planes of air bubbles, in object space; may be empty */
     struct air_layers air_layers; /* textures of the air planes */
     struct scene_files files;
-    struct melted melted;     /* result of melting; {0} if nothing has melted */
-    struct clouds clouds;     /* scattering media, in the space of the objects' mesh */
-    struct contact contact;   /* occluders of ambient occlusion, in object space */
-    struct bubbles bubbles;   /* bubbles, in object space */
-    struct tree *tree;        /* BVH of all triangles; empty until scene_need_tree() */
-    struct tree_rest *rest;   /* rest pose (time 0) of an animated scene; NULL if it is static */
-    struct mesh_order sorted; /* triangle order of the surroundings; only for animated scenes */
-    float settled_ior;        /* value of refract.ior given by the model; 0 if it has none */
-    bool has_pool;            /* the scene is a pool, which may contain an object */
-    bool is_animated;         /* geometry changes with time: the model is animated, or ice melts */
-    bool is_convex;           /* the object is convex, as mesh_is_convex() has shown */
-    float fold;               /* mesh_fold() of the worst object */
+    struct melted melted;       /* result of melting; {0} if nothing has melted */
+    struct clouds clouds;       /* scattering media, in the space of the objects' mesh */
+    struct ao ao;               /* occluders of ambient occlusion, in object space */
+    struct bubbles bubbles;     /* bubbles, in object space */
+    struct bvh *bvh;            /* BVH of all triangles; empty until scene_build_bvh() */
+    struct bvh_rest_pose *rest; /* rest pose (time 0) of an animated scene; NULL if it is static */
+    struct mesh_order sorted;   /* triangle order of the surroundings; only for animated scenes */
+    float model_ior;            /* value of refract.ior given by the model; 0 if it has none */
+    bool has_pool;              /* the scene is a pool, which may contain an object */
+    bool is_animated;       /* geometry changes with time: the model is animated, or ice melts */
+    bool is_convex;         /* the object is convex, as mesh_is_convex() has shown */
+    float depth_complexity; /* mesh_depth_complexity() of the worst object */
 };
 
 /* Cracks inside the object. */
@@ -96,20 +100,21 @@ struct scene_params {
     /* another pose of the same scene, whose environment and lighting, `files` and `rest` are moved
      * into this one; NULL to load them */
     struct scene *before;
-    const struct place *place; /* transform of the model file; NULL for the identity */
-    struct model_pose pose;    /* `objects` are set to the names of node_materials */
-    const struct node_material *node_materials;
-    uint32_t node_material_count;
+    const struct model_transform
+        *model_transform;   /* transform of the model file; NULL for the identity */
+    struct model_pose pose; /* `objects` are set to the names of material_overrides */
+    const struct material_override *material_overrides;
+    uint32_t material_override_count;
     const vec3s *background; /* background colour; NULL for the sky */
     bool is_hidden;          /* see scene.is_hidden */
     bool is_one_object; /* treat a model without transmissive materials as one refractive object */
     uint32_t object_triangles;    /* triangle count of a built-in object; 0 for its default */
     uint32_t landscape_triangles; /* triangle count of the landscape; 0 for the default */
     bool flat;                    /* a level floor instead of the landscape */
-    uint32_t mover_count;         /* number of balls that orbit the object */
+    uint32_t orbiting_ball_count; /* number of balls that orbit the object */
     struct melting melting;
     struct generate_air air;         /* count 0 for none */
-    bool has_cloud;                  /* the settings give the first object a scattering medium */
+    bool has_scattering_medium;      /* the settings give the first object a scattering medium */
     struct generate_bubbles bubbles; /* count 0 for none */
     const struct bump_maps_params *bump; /* bump map of the object's surface; NULL for none */
     struct scene_cracks cracks;
@@ -162,11 +167,11 @@ MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *
 MUST_USE enum status scene_fill_object(struct scene *scene, const struct scene_params *params);
 
 /* Replaces the cracks of a scene. Logs and returns STATUS_TRY_AGAIN when out of memory. */
-MUST_USE enum status scene_make_cracks(struct scene *scene, const struct scene_cracks *cracks);
+MUST_USE enum status scene_generate_cracks(struct scene *scene, const struct scene_cracks *cracks);
 
 /* Builds the BVH of a loaded scene, unless it exists. With `is_cached`, topologies of large static
  * BVHs are cached in files. Not thread-safe. Logs and returns STATUS_DATA or STATUS_TRY_AGAIN. */
-MUST_USE enum status scene_need_tree(const struct scene *scene, bool is_cached);
+MUST_USE enum status scene_build_bvh(const struct scene *scene, bool is_cached);
 
 void scene_finish(struct scene *scene);
 
@@ -174,8 +179,8 @@ void scene_finish(struct scene *scene);
 bool scene_has_lit_object(const struct scene *scene);
 
 /* Returns true if an object tints transmitted light, is not fully transmissive, or has textures
- * that affect transmission. Then material_rows exist. */
-bool scene_has_dress(const struct scene *scene);
+ * that affect transmission. Then material_table exist. */
+bool scene_has_textured_objects(const struct scene *scene);
 
 /* Returns the distance of the near plane, metres. There is no far plane. */
 float scene_near_plane(const struct scene *scene);

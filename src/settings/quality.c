@@ -24,24 +24,24 @@ const struct quality_row quality_rows[] = {
     { "refract.lookup", { [DRAFT] = "infinite" } },
     { "refract.steps", { [HIGH] = "12" } },
     { "refract_bounce.exits", { [DRAFT] = "1" } },
-    { "refract_bounce.bent", { [DRAFT] = "off", [HIGH] = "all" } },
+    { "refract_bounce.inclusions", { [DRAFT] = "off", [HIGH] = "all" } },
     { "air.steps", { [DRAFT] = "0", [HIGH] = "8" } },
-    { "mirror.steps", { [DRAFT] = "0", [HIGH] = "16" } },
-    { "trace.branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
+    { "ssr.steps", { [DRAFT] = "0", [HIGH] = "16" } },
+    { "trace.min_branch", { [DRAFT] = "0.1", [HIGH] = "0.005" } },
     { "trace.footprint", { [HIGH] = "on" } },
     { "ground.light", { [HIGH] = "traced" } },
-    { "ground.smooth", { [HIGH] = "on" } },
+    { "ground.denoise", { [HIGH] = "on" } },
     { "tonemap.dither", { [HIGH] = "on" } },
     { "reference.photons", { [DRAFT] = "200000", [HIGH] = "4000000" } },
     { 0 },
 };
 
-void quality_put(struct settings *settings, const struct quality_row *row, uint32_t level)
+void quality_apply_row(struct settings *settings, const struct quality_row *row, uint32_t level)
 {
     const struct settings defaults = settings_default();
     const struct setting *setting = settings_find(row->setting);
     char assignment[64];
-    settings_put(settings, setting, settings_get(&defaults, setting));
+    settings_set_value(settings, setting, settings_get(&defaults, setting));
     if (!row->values[level])
         return;
     snprintf(assignment, sizeof(assignment), "%s=%s", row->setting, row->values[level]);
@@ -50,12 +50,12 @@ void quality_put(struct settings *settings, const struct quality_row *row, uint3
     (void)status;
 }
 
-uint32_t quality_of(const struct settings *settings)
+uint32_t quality_find(const struct settings *settings)
 {
     for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
         struct settings own = *settings;
         for (const struct quality_row *row = quality_rows; row->setting; row++)
-            quality_put(&own, row, level);
+            quality_apply_row(&own, row, level);
         if (!memcmp(&own, settings, sizeof(own)))
             return level;
     }

@@ -6,7 +6,7 @@
 
 enum {
     QUALITY_COUNT = 3,
-    QUALITY_OF_FILES = 2, /* default level of firn render */
+    QUALITY_RENDER_DEFAULT = 2, /* default level of firn render */
 };
 
 struct quality {
@@ -27,9 +27,9 @@ struct quality_row {
 extern const struct quality_row quality_rows[]; /* terminated by a row of zeros */
 
 /* Sets a row's setting to its value at a quality level. */
-void quality_put(struct settings *settings, const struct quality_row *row, uint32_t level);
+void quality_apply_row(struct settings *settings, const struct quality_row *row, uint32_t level);
 
 /* Returns the quality level whose values all settings have, or QUALITY_COUNT if there is none. */
-uint32_t quality_of(const struct settings *settings);
+uint32_t quality_find(const struct settings *settings);
 
 #endif

@@ -204,7 +204,7 @@ static const struct setting motion_rows[] = {
         .label = "Orbiting objects",
         .type = SETTING_COUNT,
         .offset = offsetof(struct motion_params, count),
-        .max = GENERATE_MOVERS_MAX,
+        .max = GENERATE_ORBITING_BALLS_MAX,
         .affects = SETTING_AFFECTS_SCENE,
         .help = "number of objects that move around the ice",
     },
@@ -292,7 +292,7 @@ const struct setting_group env_cube_settings =
     SETTING_GROUP("env_cube", env_cube_rows, struct env_cube_params);
 
 static const char *const ground_lights[] = {
-    [GROUND_OPEN] = "open",
+    [GROUND_UNOCCLUDED] = "open",
     [GROUND_TRACED] = "traced",
     NULL,
 };
@@ -329,10 +329,11 @@ static const struct setting ground_rows[] = {
                 "maps and reflections of objects; used while the view in a window moves)",
     },
     {
-        .name = "ground.smooth",
+        .name = "ground.denoise",
+        .renamed_from = "ground.smooth",
         .label = "Denoise ground lighting",
         .type = SETTING_SWITCH,
-        .offset = offsetof(struct ground_params, smooth),
+        .offset = offsetof(struct ground_params, denoise),
         .max = 1,
         .affects = SETTING_AFFECTS_PLAN,
         .help = "trace fewer rays for ground.light=traced and denoise the result (edge-avoiding "
@@ -368,10 +369,11 @@ const struct setting_group lens_settings = SETTING_GROUP("lens", lens_rows, stru
 
 static const struct setting target_rows[] = {
     {
-        .name = "target.scale",
+        .name = "inclusions.scale",
+        .renamed_from = "target.scale",
         .label = "Inclusion resolution",
         .type = SETTING_FLOAT,
-        .offset = offsetof(struct target_params, scale),
+        .offset = offsetof(struct inclusion_target_params, scale),
         .initial = 1,
         .min = 0.125,
         .max = 1,
@@ -381,5 +383,5 @@ static const struct setting target_rows[] = {
     },
 };
 
-const struct setting_group target_settings =
-    SETTING_GROUP("target", target_rows, struct target_params);
+const struct setting_group inclusion_target_settings =
+    SETTING_GROUP("inclusions", target_rows, struct inclusion_target_params);

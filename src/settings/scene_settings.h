@@ -76,8 +76,8 @@ struct lens_params {
 };
 
 enum ground_light {
-    GROUND_OPEN,   /* unoccluded */
-    GROUND_TRACED, /* ray-traced */
+    GROUND_UNOCCLUDED, /* unoccluded */
+    GROUND_TRACED,     /* ray-traced */
 };
 
 enum ground_shading {
@@ -89,16 +89,16 @@ enum ground_shading {
 struct ground_params {
     uint32_t light;   /* enum ground_light */
     uint32_t shading; /* enum ground_shading: shading per vertex or per pixel */
-    uint32_t smooth;  /* denoise, 0 or 1 */
+    uint32_t denoise; /* denoise, 0 or 1 */
 };
 
 /* Intermediate images that are composited over the final image. */
-struct target_params {
+struct inclusion_target_params {
     float scale; /* resolution of the images of inclusions relative to the view */
 };
 
 extern const struct setting_group object_settings, ice_settings, landscape_settings, sky_settings,
     env_settings, texture_settings, motion_settings, light_settings, env_cube_settings,
-    ground_settings, lens_settings, target_settings;
+    ground_settings, lens_settings, inclusion_target_settings;
 
 #endif

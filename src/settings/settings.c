@@ -14,7 +14,7 @@
 static const struct setting_group *const scene_groups[] = {
     &object_settings,   &ice_settings,     &landscape_settings, &sky_settings,
     &env_settings,      &texture_settings, &motion_settings,    &light_settings,
-    &env_cube_settings, &ground_settings,  &lens_settings,      &target_settings,
+    &env_cube_settings, &ground_settings,  &lens_settings,      &inclusion_target_settings,
 };
 
 enum {
@@ -118,7 +118,7 @@ static double read_field(const unsigned char *field, const struct setting *row)
     return count;
 }
 
-void settings_put(struct settings *settings, const struct setting *row, double value)
+void settings_set_value(struct settings *settings, const struct setting *row, double value)
 {
     write_field(&settings->values[row_offset(row)], row, value);
 }
@@ -257,7 +257,7 @@ static enum status set_number(const struct assignment *a, const char *text)
     char *end;
     double value = strtod(text, &end);
     if (row->has_auto && !strcmp(text, "auto")) {
-        settings_put(a->settings, row, setting_auto(row));
+        settings_set_value(a->settings, row, setting_auto(row));
         return STATUS_OK;
     }
     if (end == text || *end || isspace((unsigned char)*text) || !isfinite(value) ||
@@ -265,7 +265,7 @@ static enum status set_number(const struct assignment *a, const char *text)
         return reject_value(a, text);
     if (row->type == SETTING_COUNT && floor(value) < value)
         return reject_value(a, text);
-    settings_put(a->settings, row, value);
+    settings_set_value(a->settings, row, value);
     return STATUS_OK;
 }
 
@@ -275,7 +275,7 @@ static enum status set_word(const struct assignment *a, const char *text)
     const char *const *words = a->row->type == SETTING_SWITCH ? switches : a->row->choices;
     for (uint32_t i = 0; words[i]; i++) {
         if (!strcmp(words[i], text)) {
-            settings_put(a->settings, a->row, i);
+            settings_set_value(a->settings, a->row, i);
             return STATUS_OK;
         }
     }

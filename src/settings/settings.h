@@ -66,8 +66,8 @@ enum {
 /* Returns a number below SETTINGS_FIELD_COUNT that is unique to a row. */
 size_t settings_index(const struct setting *row);
 
-/* Set or return the value of a row as a number; settings_put() does not check its range. */
-void settings_put(struct settings *settings, const struct setting *row, double value);
+/* Set or return the value of a row as a number; settings_set_value() does not check its range. */
+void settings_set_value(struct settings *settings, const struct setting *row, double value);
 double settings_get(const struct settings *settings, const struct setting *row);
 
 /* Returns the greatest effect of all changes from `before` to `after`. */

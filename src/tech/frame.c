@@ -2,7 +2,7 @@
 #include "src/tech/frame.h"
 #include <cglm/struct.h>
 #include <math.h>
-#include "src/scene/mesh.h"
+#include "src/scene/geometry/mesh.h"
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
 
@@ -47,12 +47,12 @@ const struct rg_buffer frame_globals = {
 };
 
 const struct rg_image frame_color = {
-    .name = "background.color",
+    .name = "surroundings.color",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
 const struct rg_image frame_depth = {
-    .name = "background.depth",
+    .name = "surroundings.depth",
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
@@ -251,8 +251,8 @@ static mat4s turned(vec3s center, float turn)
     return glms_translate(turned, glms_vec3_negate(center));
 }
 
-void frame_turn(const struct frame_view *view, vec3s center, float time, mat4s *world_from_object,
-                mat4s *world_from_movers)
+void frame_rotations(const struct frame_view *view, vec3s center, float time,
+                     mat4s *world_from_object, mat4s *world_from_movers)
 {
     const struct motion_params *motion = settings_of(view->settings, &motion_settings);
     const float radians = 0.01745329252f;

@@ -5,8 +5,8 @@
 #define FIRN_TECH_FRAME_H
 
 #include "graph/rg_cmd.h"
-#include "shaders/background.h"
 #include "shaders/globals.h"
+#include "shaders/surroundings/surroundings.h"
 #include "src/scene/camera.h"
 #include "src/scene/scene.h"
 #include "src/settings/settings.h"
@@ -29,15 +29,15 @@ struct frame_view {
     vec2s tile;
     uint32_t sample; /* index of the sample in the image, from 0 */
     float lod_bias;  /* mip level bias of a tile, -log2 of its pixel spacing; otherwise 0 */
-    mat4s clip_from_world_earlier; /* of the previous frame */
+    mat4s previous_clip_from_world; /* of the previous frame */
 };
 
 /* Returns the time of the previous frame in seconds, at least 0. */
 float frame_time_before(const struct settings *settings, float time);
 
 /* Computes the rotations of the objects about `center` and of what orbits them. */
-void frame_turn(const struct frame_view *view, vec3s center, float time, mat4s *world_from_object,
-                mat4s *world_from_movers);
+void frame_rotations(const struct frame_view *view, vec3s center, float time,
+                     mat4s *world_from_object, mat4s *world_from_movers);
 
 /* One of several refractive objects and the passes that draw it in this frame. */
 struct frame_object {
@@ -52,8 +52,8 @@ struct frame_object {
     VkRect2D drawn;
 };
 
-/* Cached results that a frame has to redraw (src/frame/cube.h). */
-struct frame_due {
+/* Cached results that a frame has to redraw (src/frame/env_cube_updates.h). */
+struct frame_updates {
     uint32_t faces; /* bit mask of the environment cube's faces */
     bool light;     /* the maps of light that objects transmit */
 };
@@ -72,17 +72,18 @@ struct rg_frame {
     const struct rg_mesh *meshes; /* meshes by technique, for frame_draw_mesh() */
     VkRect2D object_area;         /* pixels of the view that contain the whole object */
     VkRect2D lookup_area; /* pixels of the view in which shaders look up the object's faces */
-    VkRect2D foot_area;   /* pixels of the view in which the ground may reflect the object */
-    struct background_push view;
-    float time;                      /* animation time, seconds */
-    vec2s light_jitter;              /* as in struct frame_view */
-    struct background_push faces[6]; /* views of the environment cube's faces, in Vulkan's order */
-    struct frame_due due;
+    VkRect2D ground_area; /* pixels of the view in which the ground may reflect the object */
+    struct surroundings_push view;
+    float time;         /* animation time, seconds */
+    vec2s light_jitter; /* as in struct frame_view */
+    struct surroundings_push
+        faces[6]; /* views of the environment cube's faces, in Vulkan's order */
+    struct frame_updates due;
     bool stays; /* the frame is presented from device memory and not read back */
     const struct window_frame *window; /* src/view/present.h; NULL if there is no window */
 };
 
-/* Vertex layout of struct mesh_vertex (shaders/mesh.h). */
+/* Vertex layout of struct mesh_vertex (shaders/mesh_layout.h). */
 extern const struct rg_vertex_layout frame_mesh_layout;
 
 /* Uniform buffer of struct globals (shaders/globals.h), and the use that most passes start with. */
@@ -119,12 +120,12 @@ extern const struct rg_buffer frame_samples;
 extern const struct rg_image frame_environment; /* equirectangular; 1x1 if there is none */
 extern const struct rg_image frame_textures;    /* colour textures; 1x1 if there are none */
 extern const struct rg_image frame_numbers;     /* non-colour textures; 1x1 if there are none */
-extern const struct rg_image frame_materials;   /* shaders/material.h; 1x1 without materials */
-/* Punctual lights of scene files (shaders/lit.h); 1x1 if there are none. */
+extern const struct rg_image frame_materials; /* shaders/material_layout.h; 1x1 without materials */
+/* Punctual lights of scene files (shaders/brdf.h); 1x1 if there are none. */
 extern const struct rg_image frame_lights;
-/* Optional vertex attributes of the surroundings (shaders/mesh.h); 1x1 if there are none. */
+/* Optional vertex attributes of the surroundings (shaders/mesh_layout.h); 1x1 if there are none. */
 extern const struct rg_image frame_extras;
-/* Prefiltered environment light and split-sum table (shaders/lit.h); 1x1 if unused. */
+/* Prefiltered environment light and split-sum table (shaders/brdf.h); 1x1 if unused. */
 extern const struct rg_image frame_surface_light, frame_surface_split;
 
 /* Samplers; settings and device limit the anisotropy. */
@@ -145,7 +146,7 @@ VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *fra
 const struct rg_pass *frame_object_more(const struct rg_pass *row, const struct rg_frame *frame);
 
 /* Record functions of passes without push constants: draw the pass's object; a full-screen triangle
- * (screen.vert); that triangle within lookup_area. */
+ * (fullscreen.vert); that triangle within lookup_area. */
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_screen(struct rg_cmd *cmd, const struct rg_frame *frame);
 void frame_draw_lookup_area(struct rg_cmd *cmd, const struct rg_frame *frame);
@@ -155,11 +156,11 @@ void frame_draw_mesh(struct rg_cmd *cmd, const struct rg_frame *frame,
                      const struct technique *technique);
 
 enum {
-    FRAME_SMOOTH_COUNT = 3
+    FRAME_DENOISE_COUNT = 3
 };
 
-/* Outputs of shaders/trace_smooth.glsl for the denoise pass: light and the fraction of samples that
- * gathered it, throughput, position. They are not offered as layers of --aov. */
-extern const struct frame_layer frame_smooth_layers[FRAME_SMOOTH_COUNT];
+/* Outputs of shaders/trace_denoise_inputs.glsl for the denoise pass: light and the fraction of
+ * samples that gathered it, throughput, position. They are not offered as layers of --aov. */
+extern const struct frame_layer frame_denoise_layers[FRAME_DENOISE_COUNT];
 
 #endif

@@ -1,7 +1,7 @@
 /* frame_media.c: media of a scene's objects: refractive index, absorption, surface parameters. */
 #include "src/tech/frame_media.h"
-#include "src/tech/absorb.h"
-#include "src/tech/refract.h"
+#include "src/tech/refract/absorb.h"
+#include "src/tech/refract/refract.h"
 
 #include <cglm/struct.h>
 #include <math.h>
@@ -31,9 +31,9 @@ static struct frame_medium medium_of(const struct material *material, bool has_o
         .absorption = material_absorption(material),
         .tint = material->base_color,
         .roughness = material->roughness,
-        .shine = 1.0f - material->transmission,
+        .opacity = 1.0f - material->transmission,
         .is_thin = !(material->thickness > 0.0f),
-        .is_dressed = material_is_dressed(material),
+        .is_textured = material_is_textured(material),
     };
     if (absorption.x > 0.0f || absorption.y > 0.0f || absorption.z > 0.0f)
         medium.absorption = absorption;
@@ -45,7 +45,7 @@ static struct frame_medium medium_of(const struct material *material, bool has_o
 float frame_media_air(const struct scene *scene)
 {
     /* glTF assumes vacuum outside, the paper air. */
-    return frame_media_are_bare(scene) ? REFRACT_IOR_AIR : 1.0f;
+    return frame_media_are_from_settings(scene) ? REFRACT_IOR_AIR : 1.0f;
 }
 
 /* Returns the refractive index of the outside. */
@@ -61,11 +61,11 @@ uint32_t frame_media_count(const struct scene *scene)
     return (scene->model.object_count ? scene->model.object_count : 1) + 1;
 }
 
-bool frame_media_are_bare(const struct scene *scene)
+bool frame_media_are_from_settings(const struct scene *scene)
 {
     const struct model *model = &scene->model;
     return !model->object_count ||
-           model->materials[model->objects[0].material].flags & MATERIAL_IS_BARE;
+           model->materials[model->objects[0].material].flags & MATERIAL_FROM_SETTINGS;
 }
 
 bool frame_media_disperse(const struct scene *scene, const struct settings *settings)
@@ -74,7 +74,7 @@ bool frame_media_disperse(const struct scene *scene, const struct settings *sett
     const struct refract_params *refract = settings_of(settings, &refract_settings);
     if (refract->dispersion > 0.0f)
         return true;
-    for (uint32_t i = 0; i < model->object_count && !frame_media_are_bare(scene); i++) {
+    for (uint32_t i = 0; i < model->object_count && !frame_media_are_from_settings(scene); i++) {
         if (model->materials[model->objects[i].material].dispersion > 0.0f)
             return true;
     }
@@ -88,7 +88,7 @@ struct frame_medium frame_medium_at(const struct scene *scene, const struct sett
     const struct refract_params *refract = settings_of(settings, &refract_settings);
     const struct absorb_params *absorb = settings_of(settings, &absorb_settings);
     const vec3s absorption = { { absorb->red, absorb->green, absorb->blue } };
-    const bool is_bare = frame_media_are_bare(scene);
+    const bool is_bare = frame_media_are_from_settings(scene);
     struct frame_medium medium = { .tint = glms_vec3_one() };
     if (index + 1 == frame_media_count(scene)) {
         disperse(medium.ior, outside_of(scene, settings), 0.0f);
@@ -96,7 +96,7 @@ struct frame_medium frame_medium_at(const struct scene *scene, const struct sett
         medium = medium_of_settings(refract, absorption);
     } else {
         medium = medium_of(&model->materials[model->objects[index].material],
-                           refract->ior == scene->settled_ior, refract, absorption);
+                           refract->ior == scene->model_ior, refract, absorption);
         medium.rank = model->objects[index].rank;
     }
     return medium;

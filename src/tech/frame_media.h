@@ -10,16 +10,16 @@ struct frame_medium {
     vec3s absorption; /* absorption coefficients, 1 / metre */
     vec3s tint;       /* colour factor on light transmitted by the surface */
     float roughness;  /* of the surface, 0 to 1 */
-    float shine;      /* opacity: fraction of unreflected light that reaches the diffuse base */
+    float opacity;    /* opacity: fraction of unreflected light that reaches the diffuse base */
     uint32_t rank;    /* medium priority (struct object); 0 is the outside */
     bool is_thin;     /* thin wall: the same medium on both sides */
-    bool is_dressed;  /* textured: material_is_dressed() */
+    bool is_textured; /* textured: material_is_textured() */
 };
 
 /*
  * Returns the medium of object `index` or, for the last index, of the outside. refract.ior
  * overrides all objects' indices if it differs from the value when the scene was loaded
- * (scene->settled_ior); absorb.* and refract.dispersion override if they are not 0. Objects without
+ * (scene->model_ior); absorb.* and refract.dispersion override if they are not 0. Objects without
  * a material take all values from the settings.
  */
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
@@ -29,7 +29,7 @@ struct frame_medium frame_medium_at(const struct scene *scene, const struct sett
 float frame_media_air(const struct scene *scene);
 
 /* Returns true if settings, not materials, define the media of the objects. */
-bool frame_media_are_bare(const struct scene *scene);
+bool frame_media_are_from_settings(const struct scene *scene);
 
 /* Returns true if some medium is dispersive, so that each colour channel needs its own path. */
 bool frame_media_disperse(const struct scene *scene, const struct settings *settings);

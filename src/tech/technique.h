@@ -15,14 +15,14 @@
 struct frame_view;
 struct globals;
 struct mesh;
-struct refract_rung;
-struct row_builder;
+struct refract_shaders;
+struct pass_builder;
 struct scene;
 struct technique;
 
 /* What a compiled plan renders. */
 enum technique_purpose {
-    TECHNIQUE_PICTURE, /* one sample of an image */
+    TECHNIQUE_IMAGE,   /* one sample of an image */
     TECHNIQUE_CAPTURE, /* the environment cube, captured once before all images */
     TECHNIQUE_BAKE,    /* the environment cube, for writing to a file */
     TECHNIQUE_RESOLVE, /* the display image of the mean of many samples */
@@ -32,12 +32,12 @@ enum technique_purpose {
 struct technique_choice {
     const struct settings *settings;
     enum technique_purpose purpose;
-    const struct technique
-        *rung;      /* refraction model; may be NULL in a pool and for purposes other than images */
+    const struct technique *
+        refraction; /* refraction model; may be NULL in a pool and for purposes other than images */
     bool is_convex; /* the object is known to be convex */
     bool has_pool;  /* the scene is a pool of water */
-    bool has_materials; /* surroundings have materials (scene.material_rows) */
-    bool has_extras;    /* surroundings have scene.extra_rows */
+    bool has_materials; /* surroundings have materials (scene.material_table) */
+    bool has_extras;    /* surroundings have scene.vertex_extra_table */
     bool has_mirrors;   /* surroundings have reflective surfaces */
     bool has_cube;      /* the scene has its own environment cube */
     bool keeps_depth;   /* the objects are redrawn over a finished image, whose depth is kept */
@@ -47,15 +47,17 @@ struct technique_choice {
     uint32_t object_count; /* number of refractive objects, each with its own passes; 0 means 1 */
     bool has_rays;         /* the device has ray queries */
     bool has_fast_rays;    /* ray queries are in hardware, not emulated on a CPU */
-    /* Set by technique_rung.choose: */
-    bool is_dressed; /* objects have textured or tinted surfaces */
-    bool is_cloudy;  /* a raster refraction model renders scattering media */
-    bool is_wide;    /* maps extend beyond the image (ice_normal.h) */
-    bool is_nested;  /* objects are rendered together with those nested in them (ice_nested.h) */
-    bool meets_surroundings;  /* rays hit the triangles of the surroundings */
-    bool lights_surroundings; /* ray-traced lighting of surroundings, all over the image */
-    bool smooths;             /* traced lighting is denoised if the request allows it (request.c) */
-    bool queries;             /* rays use hardware acceleration structures */
+    /* Set by refraction_model.choose: */
+    bool is_textured;   /* objects have textured or tinted surfaces */
+    bool renders_media; /* a raster refraction model renders scattering media */
+    bool is_wide;       /* maps extend beyond the image (ice_normal.h) */
+    bool is_nested;     /* objects are rendered together with those nested in them (ice_nested.h) */
+    bool hits_surroundings; /* rays hit the triangles of the surroundings */
+    bool has_diffuse_light; /* ray-traced lighting of surroundings, all over the image */
+    bool
+        /* traced lighting is denoised if the request allows it (renderer_requests.c) */
+        is_lighting_denoised;
+    bool queries; /* rays use hardware acceleration structures */
 };
 
 /* Order of the parts of a frame. Parts of the same phase are drawn in the order of techniques.h. */
@@ -84,39 +86,41 @@ enum technique_scene {
 };
 
 /* Returns a part's passes, or none if the part is off. Tables that depend on the choice are
- * allocated from the builder (src/tech/row_builder.h), which owns them. */
-typedef struct rg_technique technique_rows_fn(const struct technique_choice *choice,
-                                              struct row_builder *builder);
+ * allocated from the builder (src/tech/pass_builder.h), which owns them. */
+typedef struct rg_technique technique_passes_fn(const struct technique_choice *choice,
+                                                struct pass_builder *builder);
 
 struct technique_part {
     enum technique_phase phase;
     enum technique_scene scene;
     uint32_t purposes;         /* bit mask of enum technique_purpose; 0 means pictures only */
     struct rg_technique graph; /* the passes if the technique is on; ignored if `rows` is set */
-    technique_rows_fn *rows;   /* may be NULL */
+    technique_passes_fn *rows; /* may be NULL */
 };
 
 /* A refraction model, as --refraction names it. */
-struct technique_rung {
-    const char *name;                /* NULL if the technique is not a refraction model */
-    const struct refract_rung *rows; /* src/tech/refract.h; NULL if the CPU reference renders it */
-    float reach;                     /* radius of face lookups in bounding radii; 0 means 1 */
+struct refraction_model {
+    const char *name; /* NULL if the technique is not a refraction model */
+    const struct refract_shaders
+        *rows;   /* src/tech/refract/refract.h; NULL if the CPU reference renders it */
+    float reach; /* radius of face lookups in bounding radii; 0 means 1 */
     /* Shades a full-screen triangle where ice_normal.front shows the object, instead of drawing
-     * front faces (shaders/refract_seen.glsl): for models with expensive fragment shaders. */
+     * front faces (shaders/refract/refract_fullscreen.glsl): for models with expensive fragment
+     * shaders. */
     bool by_pixel;
-    bool is_as_printed; /* automatic settings resolve to the paper's values, not to exact ones */
+    bool follows_paper; /* automatic settings resolve to the paper's values, not to exact ones */
     bool is_whole;      /* its passes draw all refractive objects at once */
-    bool meets_tree;    /* it traces rays through the BVH (scene.tree) */
+    bool traces_bvh;    /* it traces rays through the BVH (scene.tree) */
     /* Return true if refracted rays intersect cracks (air gaps) and bubbles; NULL: never. */
-    bool (*bends_cracks)(const struct settings *settings);
-    bool (*bends_bubbles)(const struct settings *settings);
+    bool (*refracts_cracks)(const struct settings *settings);
+    bool (*refracts_bubbles)(const struct settings *settings);
     /* Sets the members of an otherwise complete choice that depend on the model; may be NULL. */
     void (*choose)(struct technique_choice *choice, const struct scene *scene);
     /* Turns a pass of ice_caustics.c into one that traces photons through the scene's triangles,
      * for choices that hit surroundings. `own` lists the pass's further uses and ends at {0};
      * targets and record function are kept. NULL: photons are rasterised. */
     void (*trace_photons)(struct rg_pass *row, const struct technique_choice *choice,
-                          struct row_builder *builder, const struct rg_use *own);
+                          struct pass_builder *builder, const struct rg_use *own);
 };
 
 /* A buffer that the host fills in every frame whose plan contains it. */
@@ -153,10 +157,10 @@ struct technique_import {
 };
 
 /* Inputs of a scene's plans and specialisation constants. */
-struct technique_subject {
+struct technique_inputs {
     const struct scene *scene;
-    const struct settings *settings; /* as settled by frame_settle() */
-    const struct technique *rung;    /* refraction model; NULL: one that traces no rays */
+    const struct settings *settings;    /* as settled by frame_resolve_settings() */
+    const struct technique *refraction; /* refraction model; NULL: one that traces no rays */
 };
 
 enum {
@@ -170,15 +174,15 @@ struct technique {
     const struct setting_group *settings[TECHNIQUE_GROUP_COUNT];
     /* Returns true if the feature is on; its first setting 0 switches it off. NULL: always on. */
     bool (*is_on)(const struct settings *settings);
-    bool is_traced; /* the CPU reference models the feature */
-    bool is_of_ice; /* only ice has the feature by default */
-    bool is_met;    /* ray-traced models intersect the feature themselves; it has no passes then */
+    bool is_traced;   /* the CPU reference models the feature */
+    bool is_ice_only; /* only ice has the feature by default */
+    bool is_hit; /* ray-traced models intersect the feature themselves; it has no passes then */
     /* Returns true if the feature makes objects of a scene transmit or block light
-     * (src/frame/cube.h); NULL: never. */
+     * (src/frame/env_cube_updates.h); NULL: never. */
     bool (*relights)(const struct scene *scene);
     const char *title; /* display name of the feature; NULL: `name` */
     struct technique_part parts[TECHNIQUE_PART_COUNT];
-    struct technique_rung rung;
+    struct refraction_model refraction;
     const struct frame_layer *layers;       /* ends at an entry of zeros; may be NULL */
     const struct technique_upload *uploads; /* may be NULL */
     const struct technique_import *imports; /* may be NULL */
@@ -187,12 +191,12 @@ struct technique {
     /* Overwrites settings of the technique that the scene determines; may be NULL. */
     void (*follow_scene)(struct settings *settings, const struct scene *scene);
     /* Replaces `auto` values by those of a refraction model or NULL; the hook may be NULL. */
-    void (*settle)(struct settings *settings, const struct technique *rung);
+    void (*settle)(struct settings *settings, const struct technique *refraction);
     /* Writes the technique's members of struct globals; may be NULL. */
     void (*write_globals)(const struct frame_view *view, struct globals *globals);
-    /* Writes the technique's specialisation constants, by identifier (shaders/constants.h); or
-     * NULL. */
-    void (*write_constants)(const struct technique_subject *subject, uint32_t *values);
+    /* Writes the technique's specialisation constants, by identifier
+     * (shaders/specialization_constants.h); or NULL. */
+    void (*write_constants)(const struct technique_inputs *subject, uint32_t *values);
 };
 
 #endif

@@ -12,10 +12,10 @@ extern const size_t techniques_count;
 size_t techniques_index(const struct technique *technique);
 
 /* Returns refraction model i in list order, or NULL at the end. */
-const struct technique *techniques_rung(size_t i);
+const struct technique *techniques_refraction(size_t i);
 
 /* Returns the refraction model of that name, or NULL. */
-const struct technique *techniques_find_rung(const char *name);
+const struct technique *techniques_find_refraction(const char *name);
 
 /* Sets the technique's first setting to 0, so that is_on(), which must exist, returns false. */
 void techniques_switch_off(struct settings *settings, const struct technique *technique);

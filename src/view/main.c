@@ -1,19 +1,19 @@
 /* main.c: entry point of firn-view, the program that `firn view` starts. */
 #include "src/app/standard_streams.h"
-#include "src/scene/import/decode.h"
-#include "src/view/view.h"
+#include "src/scene/import/sandboxed_load.h"
+#include "src/view/viewer.h"
 
 int main(int argc, char **argv)
 {
     struct app_options options;
     bool done;
-    if (reader_is_wanted(argc, argv))
-        return decode_main(argc, argv);
+    if (reader_is_child(argc, argv))
+        return sandboxed_load_main(argc, argv);
     standard_streams_begin();
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);
     if (status == STATUS_OK && !done && !options.view.session)
-        status = app_need_scene(&options.picture.scene);
+        status = app_require_scene(&options.picture.scene);
     if (status == STATUS_OK && !done)
-        status = view_run(&options);
+        status = viewer_run(&options);
     return (int)standard_streams_end(status);
 }

@@ -8,9 +8,9 @@
 #include "src/view/overlay.h"
 #include <string.h>
 #include "shaders/embedded.h"
-#include "shaders/overlay.h"
+#include "shaders/output/overlay.h"
 #include "src/tech/frame.h"
-#include "src/view/overlay_list.h"
+#include "src/view/overlay_draw_list.h"
 #include "src/view/present.h"
 
 static rg_record_fn record_panels, record_copy, record_parts;
@@ -102,8 +102,8 @@ static const struct rg_pass passes[OVERLAY_PASS_COUNT] = {
         .record = record_copy,
         .when = are_kept,
     },
-    [OVERLAY_PARTS] = {
-        .name = "overlay.parts",
+    [OVERLAY_COMMANDS] = {
+        .name = "overlay.direct",
         .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
         .uses = uses,
         .vert = &overlay_vert,
@@ -123,7 +123,7 @@ static bool are_kept(const struct rg_frame *frame, uint32_t repetition)
 
 static bool are_old(const struct rg_frame *frame, uint32_t repetition)
 {
-    return are_kept(frame, repetition) && frame->window->panels_are_old;
+    return are_kept(frame, repetition) && frame->window->panels_are_outdated;
 }
 
 /* Returns the first draw command that is drawn directly; earlier ones are copied from the cache. */
@@ -134,12 +134,13 @@ static uint32_t first_part(const struct rg_frame *frame)
 
 static bool has_parts(const struct rg_frame *frame, uint32_t repetition)
 {
-    const struct overlay_list *list = frame->window->overlay;
+    const struct overlay_draw_list *list = frame->window->overlay;
     (void)repetition;
     return list && first_part(frame) < list->part_count;
 }
 
-static void draw(struct rg_cmd *cmd, const struct overlay_list *list, uint32_t first, uint32_t end)
+static void draw(struct rg_cmd *cmd, const struct overlay_draw_list *list, uint32_t first,
+                 uint32_t end)
 {
     const VkExtent2D extent = rg_cmd_extent(cmd);
     const struct overlay_push push = {
@@ -151,7 +152,7 @@ static void draw(struct rg_cmd *cmd, const struct overlay_list *list, uint32_t f
     };
     rg_cmd_push(cmd, &push, sizeof(push));
     for (uint32_t i = first; i < end; i++) {
-        const struct overlay_part *part = &list->parts[i];
+        const struct overlay_draw_command *part = &list->parts[i];
         rg_cmd_scissor(cmd, (VkRect2D){ { part->left, part->top }, { part->width, part->height } });
         rg_cmd_draw_mesh_part(cmd, &mesh, part->first_index, part->index_count);
     }
@@ -170,7 +171,7 @@ static void record_parts(struct rg_cmd *cmd, const struct rg_frame *frame)
 /* Copies each docked panel from the cached image to the same place in the swapchain image. */
 static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct layout *l = &frame->window->layout;
+    const struct window_layout *l = &frame->window->layout;
     const VkRect2D parts[] = { l->bar, l->panel, l->strip, l->status };
     for (size_t i = 0; i < sizeof(parts) / sizeof(parts[0]); i++) {
         const VkImageSubresourceLayers color = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1 };
@@ -194,7 +195,7 @@ const struct technique overlay = {
 
 void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window, bool copies)
 {
-    const size_t first = copies ? OVERLAY_PANELS : OVERLAY_PARTS;
+    const size_t first = copies ? OVERLAY_PANELS : OVERLAY_COMMANDS;
     memcpy(tables->passes, passes, sizeof(passes));
     memcpy(tables->copy_uses, copy_uses, sizeof(copy_uses));
     tables->panels = panels;

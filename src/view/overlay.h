@@ -3,8 +3,8 @@
  *
  * It runs after `present` on the same image. Triangles and font atlas come from outside:
  * rg_frame.overlay and the buffers below, filled before each frame. Docked panels are redrawn only
- * when their draw list changes (window_frame.panels_are_old), into an image that is copied into
- * each frame, which is much cheaper than drawing.
+ * when their draw list changes (window_frame.panels_are_outdated), into an image that is copied
+ * into each frame, which is much cheaper than drawing.
  */
 #ifndef FIRN_VIEW_OVERLAY_H
 #define FIRN_VIEW_OVERLAY_H
@@ -13,7 +13,7 @@
 enum {
     OVERLAY_PANELS,
     OVERLAY_COPY,
-    OVERLAY_PARTS,
+    OVERLAY_COMMANDS,
     OVERLAY_PASS_COUNT,
 };
 

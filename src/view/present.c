@@ -3,10 +3,10 @@
 #include <math.h>
 #include <string.h>
 #include "shaders/embedded.h"
-#include "shaders/present.h"
+#include "shaders/output/present.h"
 #include "src/image/srgb.h"
 #include "src/tech/frame.h"
-#include "src/tech/tonemap.h"
+#include "src/tech/output/tonemap.h"
 
 static rg_record_fn record_scaled, record_left, record_right;
 static rg_when_fn is_exact, is_split, is_split_scaled;
@@ -38,7 +38,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
         .record = record_scaled,
     },
     {
-        .name = "present.screen",
+        .name = "present.exact",
         .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
         .uses = PICTURE(frame_display),
         .vert = &present_vert,
@@ -74,7 +74,7 @@ static bool has_line(const struct rg_frame *frame)
     return frame->window->present.line != PRESENT_NO_LINE;
 }
 
-static void push(struct rg_cmd *cmd, const struct present_place *place)
+static void push(struct rg_cmd *cmd, const struct present_area *place)
 {
     const VkExtent2D window = rg_cmd_extent(cmd);
     const vec2s middle = { { (float)window.width / 2.0f, (float)window.height / 2.0f } };
@@ -89,14 +89,14 @@ static void push(struct rg_cmd *cmd, const struct present_place *place)
 }
 
 /* Returns the rectangle of a range of columns of the displayed image. */
-static VkRect2D columns(const struct present_place *place, uint32_t from, uint32_t to)
+static VkRect2D columns(const struct present_area *place, uint32_t from, uint32_t to)
 {
     to = to < place->width ? to : place->width;
     return (VkRect2D){ { (int32_t)(place->x + from), (int32_t)place->y },
                        { to > from ? to - from : 0, place->height } };
 }
 
-static void draw(struct rg_cmd *cmd, const struct present_place *place, VkRect2D part)
+static void draw(struct rg_cmd *cmd, const struct present_area *place, VkRect2D part)
 {
     if (!part.extent.width || !part.extent.height)
         return;
@@ -122,14 +122,14 @@ static void fill(struct rg_cmd *cmd, const struct rg_frame *frame, VkRect2D part
 
 static void record_left(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct present_place *place = &frame->window->present;
+    const struct present_area *place = &frame->window->present;
     draw(cmd, place, columns(place, 0, place->line));
 }
 
 /* Fills the margins around the image if its aspect ratio differs from that of its area. */
 static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct present_place *p = &frame->window->present;
+    const struct present_area *p = &frame->window->present;
     const VkRect2D *room = &frame->window->layout.picture;
     const uint32_t left = p->x - (uint32_t)room->offset.x;
     const uint32_t above = p->y - (uint32_t)room->offset.y;
@@ -157,7 +157,7 @@ static void record_scaled(struct rg_cmd *cmd, const struct rg_frame *frame)
 /* Draws the right image and the divider. */
 static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct present_place *place = &frame->window->present;
+    const struct present_area *place = &frame->window->present;
     draw(cmd, place, columns(place, place->line, place->width));
     fill(cmd, frame, columns(place, place->line, place->line + 1), 0xffffff);
     fill(cmd, frame, columns(place, place->line + 1, place->line + 2), 0);
@@ -170,7 +170,7 @@ static bool has_size(const struct rg_frame *frame, uint32_t columns, uint32_t ro
 
 static bool is_exact(const struct rg_frame *frame, uint32_t repetition)
 {
-    const struct present_place *p = &frame->window->present;
+    const struct present_area *p = &frame->window->present;
     (void)repetition;
     return has_size(frame, p->texel_columns, p->texel_rows);
 }
@@ -193,10 +193,10 @@ const struct technique present = {
     .parts = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("present", passes) } },
 };
 
-struct present_place present_fit(VkRect2D view, VkExtent2D picture, double divider)
+struct present_area present_fit(VkRect2D view, VkExtent2D picture, double divider)
 {
     const VkExtent2D room = view.extent;
-    struct present_place place = { .line = PRESENT_NO_LINE };
+    struct present_area place = { .line = PRESENT_NO_LINE };
     double scale = fmin((double)room.width / picture.width, (double)room.height / picture.height);
     place.width = (uint32_t)fmin(fmax(picture.width * scale + 0.5, 1.0), room.width);
     place.height = (uint32_t)fmin(fmax(picture.height * scale + 0.5, 1.0), room.height);

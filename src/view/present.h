@@ -9,14 +9,14 @@
  */
 #ifndef FIRN_VIEW_PRESENT_H
 #define FIRN_VIEW_PRESENT_H
-#include "shaders/present.h"
+#include "shaders/output/present.h"
 #include "src/tech/technique.h"
-#include "src/view/layout.h"
+#include "src/view/window_layout.h"
 
-struct overlay_list;
+struct overlay_draw_list;
 
 /* Where the window shows the image, in pixels from the window's upper left corner. */
-struct present_place {
+struct present_area {
     uint32_t
         line; /* column of the divider, from the image's left edge; PRESENT_NO_LINE if not split */
     uint32_t x, y;                      /* upper left corner of the image */
@@ -27,11 +27,12 @@ struct present_place {
 
 /* Frame data of the window's techniques: rg_frame.window. */
 struct window_frame {
-    struct present_place present;
-    struct layout layout;
-    const struct overlay_list *overlay; /* src/view/overlay_list.h; NULL without user interface */
-    bool keeps_panels;                  /* docked panels are cached in the image `panels` */
-    bool panels_are_old;                /* the cached panels have to be redrawn */
+    struct present_area present;
+    struct window_layout layout;
+    const struct overlay_draw_list
+        *overlay;             /* src/view/overlay_draw_list.h; NULL without user interface */
+    bool keeps_panels;        /* docked panels are cached in the image `panels` */
+    bool panels_are_outdated; /* the cached panels have to be redrawn */
     const struct rg_image *panels, *shown; /* cache image and window image, with keeps_panels */
     uint32_t right_columns, right_rows;    /* size of the right image, texels */
     bool encodes;                          /* the window's format applies sRGB encoding on write */
@@ -51,7 +52,7 @@ struct present_tables {
 
 /* Fits an image of size `picture` into the non-empty rectangle `view`, keeping its aspect ratio.
  * `divider` is its position as a fraction of the width; negative if not split. */
-struct present_place present_fit(VkRect2D view, VkExtent2D picture, double divider);
+struct present_area present_fit(VkRect2D view, VkExtent2D picture, double divider);
 
 void present_tables_init(struct present_tables *tables, VkFormat format);
 

@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "src/settings/scene_settings.h"
-#include "src/view/orbit.h"
-#include "src/view/place.h"
-#include "src/view/ui/ui_command.h"
+#include "src/view/orbit_camera.h"
+#include "src/view/ui/ui_render_command.h"
+#include "src/view/user_files.h"
 #include "src/view/view_internal.h"
 
 static const float key_turn_deg = 5.0f;
@@ -17,13 +17,13 @@ void view_zoom(struct view *v, float steps)
 {
     float nearest;
     float farthest;
-    picture_range(v->picture, &nearest, &farthest);
-    orbit_zoom(&v->picture->camera, steps, nearest, farthest);
+    viewport_camera_range(v->picture, &nearest, &farthest);
+    orbit_camera_zoom(&v->picture->camera, steps, nearest, farthest);
 }
 
 static void copy_command(struct view *v)
 {
-    char *words = ui_command_print(&(struct ui_command){
+    char *words = ui_render_command_print(&(struct ui_render_command){
         .picture = &v->picture->state,
         .scene = &v->picture->scene,
         .camera = &v->picture->camera,
@@ -34,7 +34,7 @@ static void copy_command(struct view *v)
     window_copy(&v->window, words);
     printf("%s\n", words);
     fflush(stdout);
-    ui_say(v->ui, "command copied to the clipboard");
+    ui_show_message(v->ui, "command copied to the clipboard");
     free(words);
 }
 
@@ -42,7 +42,7 @@ static void open_panel(struct view *v, enum view_action action)
 {
     const bool helps = ui_toggle(v->ui, action) && action == VIEW_HELP;
     if (helps) {
-        keys_print(stdout);
+        key_bindings_print(stdout);
         fflush(stdout);
     }
     if (!ui_is_shown(v->ui))
@@ -54,7 +54,7 @@ static void resize_ui(struct view *v, float scale)
 {
     const bool shown = ui_is_shown(v->ui);
     v->ui_scale = fminf(fmaxf(scale, APP_UI_SCALE_MIN), APP_UI_SCALE_MAX);
-    screen_lay_over(&v->screen, NULL);
+    presenter_set_font(&v->screen, NULL);
     if (ui_rescale(v->ui, v->ui_scale) == STATUS_OK)
         view_show_ui(v, shown);
     else
@@ -67,7 +67,7 @@ static float usual_scale(const struct view *v)
     return given > 0.0f ? given : window_scale(&v->window);
 }
 
-void view_slide(struct view *v, double to)
+void view_move_divider(struct view *v, double to)
 {
     v->picture->divider = to < 0.0 ? 0.0 : to > 1.0 ? 1.0 : to;
 }
@@ -75,15 +75,15 @@ void view_slide(struct view *v, double to)
 /* Sets the camera. Renderers support one kind of projection, so they are replaced if it changes. */
 void view_use_camera(struct view *v, const struct camera *camera)
 {
-    struct picture *p = v->picture;
+    struct viewport *p = v->picture;
     const struct camera before = p->camera;
     const bool other = (camera->height > 0.0f) != (before.height > 0.0f);
     p->camera = *camera;
     if (!other)
         return;
-    screen_disconnect(&v->screen);
-    view_attempt(v);
-    if (picture_remake(p) == STATUS_OK)
+    presenter_disconnect(&v->screen);
+    view_clear_errors(v);
+    if (viewport_rebuild(p) == STATUS_OK)
         return;
     p->camera = before;
     view_fail(v, "the projection was not changed");
@@ -94,8 +94,8 @@ static void change_projection(struct view *v)
     struct camera camera = v->picture->camera;
     float nearest;
     float farthest;
-    picture_range(v->picture, &nearest, &farthest);
-    orbit_project(&camera, 4.0f * farthest);
+    viewport_camera_range(v->picture, &nearest, &farthest);
+    orbit_camera_toggle_projection(&camera, 4.0f * farthest);
     view_use_camera(v, &camera);
 }
 
@@ -113,7 +113,7 @@ static void use_bookmark(struct view *v, uint32_t i, bool store)
         snprintf(words, sizeof(words), "camera %u is empty: store one with Ctrl Shift %u", i + 1,
                  i + 1);
     }
-    ui_say(v->ui, words);
+    ui_show_message(v->ui, words);
 }
 
 /* Handles view directions, projection and stored cameras. Returns true if `action` is one. */
@@ -121,11 +121,11 @@ static bool place_camera(struct view *v, enum view_action action)
 {
     struct camera *camera = &v->picture->camera;
     if (action == VIEW_FRONT)
-        orbit_look(camera, 0.0f, 0.0f);
+        orbit_camera_look_from(camera, 0.0f, 0.0f);
     else if (action == VIEW_SIDE)
-        orbit_look(camera, 90.0f, 0.0f);
+        orbit_camera_look_from(camera, 90.0f, 0.0f);
     else if (action == VIEW_TOP)
-        orbit_look(camera, 0.0f, 90.0f);
+        orbit_camera_look_from(camera, 0.0f, 90.0f);
     else if (action == VIEW_ORTHOGRAPHIC)
         change_projection(v);
     else if (action >= VIEW_GO_1 && action <= VIEW_GO_4)
@@ -142,11 +142,11 @@ static bool move_camera(struct view *v, enum view_action action)
 {
     struct camera *camera = &v->picture->camera;
     if (action == VIEW_LEFT || action == VIEW_RIGHT)
-        orbit_turn(camera, action == VIEW_RIGHT ? key_turn_deg : -key_turn_deg, 0.0f);
+        orbit_camera_rotate(camera, action == VIEW_RIGHT ? key_turn_deg : -key_turn_deg, 0.0f);
     else if (action == VIEW_UP || action == VIEW_DOWN)
-        orbit_turn(camera, 0.0f, action == VIEW_UP ? key_turn_deg : -key_turn_deg);
-    else if (action == VIEW_NEARER || action == VIEW_FARTHER)
-        view_zoom(v, action == VIEW_NEARER ? 1.0f : -1.0f);
+        orbit_camera_rotate(camera, 0.0f, action == VIEW_UP ? key_turn_deg : -key_turn_deg);
+    else if (action == VIEW_ZOOM_IN || action == VIEW_ZOOM_OUT)
+        view_zoom(v, action == VIEW_ZOOM_IN ? 1.0f : -1.0f);
     else if (action == VIEW_RESET)
         view_use_camera(v, &v->picture->first_camera);
     else
@@ -157,7 +157,7 @@ static bool move_camera(struct view *v, enum view_action action)
 static void set_theme(struct view *v, uint32_t theme)
 {
     v->theme = theme_at(theme) ? theme : 0;
-    ui_look(v->ui, theme_at(v->theme));
+    ui_set_theme(v->ui, theme_at(v->theme));
     window_set_background(&v->window, theme_at(v->theme)->surround);
 }
 
@@ -165,15 +165,15 @@ static void set_theme(struct view *v, uint32_t theme)
 static bool change_window(struct view *v, enum view_action action)
 {
     if (action == VIEW_FULLSCREEN)
-        window_fill_screen(&v->window);
+        window_toggle_fullscreen(&v->window);
     else if (action == VIEW_HIDE)
         view_show_ui(v, !ui_is_shown(v->ui));
     else if (action == VIEW_HELP || action == VIEW_TIMES || action == VIEW_PLAN ||
-             action == VIEW_PALETTE || action == VIEW_LOOK)
+             action == VIEW_PALETTE || action == VIEW_INSPECT)
         open_panel(v, action);
     else if (action == VIEW_LARGER || action == VIEW_SMALLER)
         resize_ui(v, v->ui_scale + (action == VIEW_LARGER ? ui_scale_step : -ui_scale_step));
-    else if (action == VIEW_USUAL_SIZE)
+    else if (action == VIEW_RESET_SIZE)
         resize_ui(v, usual_scale(v));
     else if (action == VIEW_THEME)
         set_theme(v, v->theme + 1);
@@ -186,11 +186,11 @@ static bool change_window(struct view *v, enum view_action action)
 
 static void open_next(struct view *v, int step)
 {
-    char *path = place_next(v->picture->state.scene.name, step);
+    char *path = user_files_next_model(v->picture->state.scene.name, step);
     if (path)
         view_open(v, path);
     else
-        ui_say(v->ui, "no other model in this folder");
+        ui_show_message(v->ui, "no other model in this folder");
     free(path);
 }
 
@@ -198,14 +198,14 @@ static void step_layer(struct view *v, int step)
 {
     char words[256];
     uint32_t count = 1;
-    while (look_layer(count))
+    while (pixel_inspector_layer(count))
         count++;
-    v->look_wanted.layer = (v->look_wanted.layer + count + (uint32_t)step) % count;
-    v->look_wanted.channel = 0;
-    const struct frame_layer *layer = look_layer(v->look_wanted.layer);
+    v->inspector_wanted.layer = (v->inspector_wanted.layer + count + (uint32_t)step) % count;
+    v->inspector_wanted.channel = 0;
+    const struct frame_layer *layer = pixel_inspector_layer(v->inspector_wanted.layer);
     snprintf(words, sizeof(words), "%s: %s", layer ? layer->name : "image",
              layer ? layer->help : "unmodified");
-    ui_say(v->ui, words);
+    ui_show_message(v->ui, words);
 }
 
 static void step_time(struct view *v, float frames)
@@ -215,16 +215,16 @@ static void step_time(struct view *v, float frames)
         settings_of(&v->picture->state.scene.settings, &motion_settings);
     view_seek(v, view_time(v) + frames / motion->fps);
     snprintf(words, sizeof(words), "time %.4g s", (double)view_time(v));
-    ui_say(v->ui, words);
+    ui_show_message(v->ui, words);
 }
 
 /* Handles saving and copying. Returns true if `action` is one of these. */
 static bool save(struct view *v, enum view_action action)
 {
-    if (action == VIEW_SCREENSHOT || action == VIEW_SHOT_OF_ALL) {
+    if (action == VIEW_SCREENSHOT || action == VIEW_SCREENSHOT_WINDOW) {
         v->shoot = true;
-        v->shoot_all = action == VIEW_SHOT_OF_ALL;
-    } else if (action == VIEW_COPY_PICTURE)
+        v->shoot_all = action == VIEW_SCREENSHOT_WINDOW;
+    } else if (action == VIEW_COPY_IMAGE)
         v->shoot = v->shoot_copy = true;
     else if (action == VIEW_COPY)
         copy_command(v);
@@ -240,11 +240,11 @@ static bool save(struct view *v, enum view_action action)
 /* Handles next and previous frame, file and layer. Returns true if `action` is one of these. */
 static bool step(struct view *v, enum view_action action)
 {
-    if (action == VIEW_NEXT_FRAME || action == VIEW_LAST_FRAME)
+    if (action == VIEW_NEXT_FRAME || action == VIEW_PREVIOUS_FRAME)
         step_time(v, action == VIEW_NEXT_FRAME ? 1.0f : -1.0f);
-    else if (action == VIEW_NEXT_FILE || action == VIEW_LAST_FILE)
+    else if (action == VIEW_NEXT_FILE || action == VIEW_PREVIOUS_FILE)
         open_next(v, action == VIEW_NEXT_FILE ? 1 : -1);
-    else if (action == VIEW_NEXT_LAYER || action == VIEW_LAST_LAYER)
+    else if (action == VIEW_NEXT_LAYER || action == VIEW_PREVIOUS_LAYER)
         step_layer(v, action == VIEW_NEXT_LAYER ? 1 : -1);
     else
         return false;
@@ -260,18 +260,19 @@ static void change_picture(struct view *v, enum view_action action)
         view_show_name(v);
     } else if (action == VIEW_DIVIDER_LEFT || action == VIEW_DIVIDER_RIGHT) {
         const double by = action == VIEW_DIVIDER_LEFT ? -key_slide : key_slide;
-        view_slide(v, v->picture->divider + by);
+        view_move_divider(v, v->picture->divider + by);
     } else if (action == VIEW_BRIGHTER || action == VIEW_DARKER) {
-        view_expose(v, action == VIEW_BRIGHTER ? key_stops : -key_stops);
+        view_add_exposure(v, action == VIEW_BRIGHTER ? key_stops : -key_stops);
     } else if (action == VIEW_UNDO || action == VIEW_REDO) {
-        view_undo(v, action == VIEW_REDO);
-    } else if (action == VIEW_QUICK) {
-        struct quick *quick = &v->picture->quick;
+        view_undo_redo(v, action == VIEW_REDO);
+    } else if (action == VIEW_DRAFT) {
+        struct draft_renderer *quick = &v->picture->quick;
         quick->is_off = !quick->is_off;
-        ui_say(v->ui, quick->is_off ? "full size and quality while something moves"
-                                    : "fast drafts at lower resolution while something moves");
+        ui_show_message(v->ui, quick->is_off
+                                   ? "full size and quality while something moves"
+                                   : "fast drafts at lower resolution while something moves");
     } else if (action == VIEW_FALSE_COLORS) {
-        v->look_wanted.false_color = !v->look_wanted.false_color;
+        v->inspector_wanted.false_color = !v->inspector_wanted.false_color;
     }
 }
 
@@ -280,23 +281,23 @@ static bool compare(struct view *v, enum view_action action)
 {
     if (action == VIEW_SPLIT)
         view_compare_toggle(v);
-    else if (action == VIEW_TRUTH)
-        view_compare_with(v, VIEW_OTHER_REFERENCE);
+    else if (action == VIEW_REFERENCE)
+        view_compare_with(v, VIEW_SIDE_B_REFERENCE);
     else if (action == VIEW_STORE)
         view_compare_store(v);
     else if (action == VIEW_FLIP)
         view_compare_flip(v);
-    else if (action == VIEW_DIFFER)
-        view_compare_differ(v);
+    else if (action == VIEW_ERROR_MAP)
+        view_compare_toggle_error_map(v);
     else
         return false;
     return true;
 }
 
-void view_act(struct view *v, enum view_action action)
+void view_execute(struct view *v, enum view_action action)
 {
     v->changed = true;
-    ui_count(v->ui, action);
+    ui_count_action(v->ui, action);
     if (!compare(v, action) && !move_camera(v, action) && !place_camera(v, action) &&
         !change_window(v, action))
         change_picture(v, action);

@@ -5,29 +5,29 @@
 #include <string.h>
 #include "src/base/clock.h"
 #include "src/base/log.h"
-#include "src/image/file.h"
-#include "src/scene/asset.h"
-#include "src/view/place.h"
-#include "src/view/recent.h"
-#include "src/view/session.h"
+#include "src/image/file_io.h"
+#include "src/scene/bundled_assets.h"
+#include "src/view/recent_files.h"
+#include "src/view/session_file.h"
+#include "src/view/user_files.h"
 #include "src/view/view_internal.h"
 #include "src/view/worker.h"
 
-_Static_assert((int)SESSION_BOOKMARK_COUNT == (int)VIEW_BOOKMARK_COUNT,
+_Static_assert((int)SESSION_FILE_BOOKMARK_COUNT == (int)VIEW_BOOKMARK_COUNT,
                "sessions keep all bookmarks");
 
-enum status view_read_session(struct session *session, const char *path,
+enum status view_read_session(struct session_file *session, const char *path,
                               const struct reader_params *reader)
 {
     struct preset lines = { 0 };
     enum status status = preset_read(&lines, path, reader);
     if (status == STATUS_OK)
-        status = session_parse(session, &lines, path);
+        status = session_file_parse(session, &lines, path);
     preset_finish(&lines);
     return status;
 }
 
-void view_apply_session(const struct session *session, struct app_picture *state)
+void view_apply_session(const struct session_file *session, struct app_image *state)
 {
     struct app_scene *scene = &state->scene;
     scene->name = session->scene;
@@ -40,10 +40,10 @@ void view_apply_session(const struct session *session, struct app_picture *state
     scene->has_own_environment = false;
     scene->animation = scene->surroundings = scene->material = NULL;
     scene->cracks = scene->bump = scene->bump_mask = scene->air = NULL;
-    scene->node_material_count = 0;
+    scene->material_override_count = 0;
     scene->background.is_given = false;
-    state->rung = session->state.rung;
-    state->is_rung_named = true;
+    state->refraction = session->state.refraction;
+    state->is_refraction_named = true;
     state->split = NULL;
     state->camera = NULL;
     state->eye.is_given = state->target.is_given = state->orbit.is_given = false;
@@ -55,7 +55,7 @@ static void unmark_scene_settings(struct view *v)
     const struct app_scene *given = &v->options->picture.scene;
     struct app_scene *scene = &v->picture->state.scene;
     const struct asset *environment = app_own_environment(scene->name);
-    const struct settings own = view_brought(v);
+    const struct settings own = view_scene_settings(v);
     const struct setting_group *group;
     for (size_t g = 0; (group = settings_group(g)); g++) {
         for (size_t r = 0; r < group->row_count; r++) {
@@ -65,14 +65,14 @@ static void unmark_scene_settings(struct view *v)
             if (value < brought || value > brought || given->is_set[settings_index(row)])
                 continue;
             scene->is_set[settings_index(row)] = false;
-            settings_put(&scene->stated, row, settings_get(&given->settings, row));
+            settings_set_value(&scene->stated, row, settings_get(&given->settings, row));
         }
     }
     scene->has_own_environment =
         environment && scene->environment && !strcmp(scene->environment, environment->name);
 }
 
-enum status view_resume_session(struct view *v, const struct session *session)
+enum status view_resume_session(struct view *v, const struct session_file *session)
 {
     unmark_scene_settings(v);
     v->scene = ++v->scene_count;
@@ -84,13 +84,13 @@ enum status view_resume_session(struct view *v, const struct session *session)
     v->elapsed = 0.0;
     v->elapsed = (double)session->time - (double)view_time(v);
     v->history.count = v->history.at = 0;
-    opened_forget(&v->opened, NULL);
+    undo_scenes_prune(&v->opened, NULL);
     state.other = session->state.other;
     state.split = session->state.split;
     state.right = session->state.right;
-    v->compare.has_stored = state.other == VIEW_OTHER_STATE;
+    v->compare.has_stored = state.other == VIEW_SIDE_B_STATE;
     v->compare.stored = state;
-    v->compare.stored.rung = state.split;
+    v->compare.stored.refraction = state.split;
     v->compare.stored.settings = state.right;
     v->changed = true;
     return view_compare_use(v, &state);
@@ -99,40 +99,40 @@ enum status view_resume_session(struct view *v, const struct session *session)
 struct loading {
     struct view *view;
     const char *path;
-    struct session session;
+    struct session_file session;
 };
 
 static enum status load(void *user)
 {
     struct loading *loading = user;
     struct view *v = loading->view;
-    struct app_picture state = v->picture->state;
+    struct app_image state = v->picture->state;
     enum status status = view_read_session(&loading->session, loading->path, &state.scene.reader);
     if (status != STATUS_OK)
         return status;
     view_apply_session(&loading->session, &state);
-    return picture_use(&v->picture, &state);
+    return viewport_apply_state(&v->picture, &state);
 }
 
 void view_load_session(struct view *v, const char *path)
 {
     struct loading loading = { .view = v, .path = path };
     const double start = clock_seconds();
-    view_say(v, "loading");
-    screen_disconnect(&v->screen);
+    view_set_title(v, "loading");
+    presenter_disconnect(&v->screen);
     view_compare_stop(v);
-    view_attempt(v);
+    view_clear_errors(v);
     enum status status = worker_run(&v->window, load, &loading);
     if (status == STATUS_OK)
         status = view_resume_session(v, &loading.session);
     if (status == STATUS_OK)
-        ui_say(v->ui, "session opened");
+        ui_show_message(v->ui, "session opened");
     else
         view_fail(v, "the session was not opened");
-    session_finish(&loading.session);
+    session_file_finish(&loading.session);
     v->changed = true;
     view_show_name(v);
-    view_costs_rest(&v->costs, start);
+    view_frame_stats_exclude(&v->costs, start);
 }
 
 /* Returns the absolute path of a file, so that it is found from any folder, or a copy of a built-in
@@ -160,9 +160,9 @@ static const char *left_out(const struct view *v)
         { s->bump_mask, "--bump-mask" },
         { s->air, "--air" },
         { s->animation, "--animation" },
-        { s->node_material_count, "--material NODE=..." },
+        { s->material_override_count, "--material NODE=..." },
         { s->background.is_given, "--background" },
-        { v->compare.other == VIEW_OTHER_FILE, "the image on side B" },
+        { v->compare.other == VIEW_SIDE_B_FILE, "the image on side B" },
     };
 
     for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++) {
@@ -174,7 +174,7 @@ static const char *left_out(const struct view *v)
 
 static char *print(const struct view *v, const char *scene, const char *environment, size_t *size)
 {
-    const struct session session = {
+    const struct session_file session = {
         .scene = scene,
         .environment = environment,
         .env_exposure = v->picture->state.scene.env_exposure,
@@ -182,14 +182,14 @@ static char *print(const struct view *v, const char *scene, const char *environm
         .camera = v->picture->camera,
         .time = view_time(v),
     };
-    struct session all = session;
+    struct session_file all = session;
     char *text = NULL;
     memcpy(all.bookmarked, v->bookmarked, sizeof(all.bookmarked));
     memcpy(all.bookmarks, v->bookmarks, sizeof(all.bookmarks));
     FILE *out = open_memstream(&text, size);
     if (!out)
         return NULL;
-    session_print(&all, out);
+    session_file_print(&all, out);
     if (fclose(out) == 0)
         return text;
     free(text);
@@ -201,19 +201,19 @@ void view_save_session(struct view *v)
     const struct app_scene *s = &v->picture->state.scene;
     char words[600];
     size_t size = 0;
-    char *folder = place_sessions(true);
-    char *path = folder ? place_new(folder, "session", ".firn") : NULL;
+    char *folder = user_files_sessions(true);
+    char *path = folder ? user_files_new(folder, "session", ".firn") : NULL;
     char *scene = whole_name(s->name);
     char *environment = s->environment ? whole_name(s->environment) : NULL;
     char *text = path && scene ? print(v, scene, environment, &size) : NULL;
-    if (text && file_write(path, text, size) == STATUS_OK) {
+    if (text && file_io_write(path, text, size) == STATUS_OK) {
         const char *out = left_out(v);
         snprintf(words, sizeof(words), "saved %s%s%s", path, out ? " without " : "",
                  out ? out : "");
-        ui_say(v->ui, words);
+        ui_show_message(v->ui, words);
     } else {
-        ui_fail(v->ui, "the session was not saved: set HOME or XDG_DATA_HOME to a writable "
-                       "folder");
+        ui_show_failure(v->ui, "the session was not saved: set HOME or XDG_DATA_HOME to a writable "
+                               "folder");
     }
     free(text);
     free(environment);

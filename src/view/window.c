@@ -28,7 +28,7 @@ static bool notify(struct window *w, const struct window_event *event)
 
 static void add_action(struct window *w, enum view_action action)
 {
-    if (action != VIEW_NOTHING && w->input.action_count < WINDOW_ACTION_COUNT)
+    if (action != VIEW_ACTION_NONE && w->input.action_count < WINDOW_ACTION_COUNT)
         w->input.actions[w->input.action_count++] = action;
 }
 
@@ -60,7 +60,7 @@ static void on_key(GLFWwindow *handle, int key, int code, int event, int modifie
         .shift = notice.shift,
     };
     if (!notify(w, &notice) && notice.down)
-        add_action(w, keys_find(&press));
+        add_action(w, key_bindings_find(&press));
 }
 
 static void on_character(GLFWwindow *handle, unsigned character)
@@ -68,8 +68,8 @@ static void on_character(GLFWwindow *handle, unsigned character)
     struct window *w = glfwGetWindowUserPointer(handle);
     const struct window_event notice = { .kind = WINDOW_CHARACTER, .code = (int)character };
     if (!notify(w, &notice))
-        add_action(
-            w, keys_find(&(struct key_press){ .character = character, .repeated = w->repeated }));
+        add_action(w, key_bindings_find(
+                          &(struct key_press){ .character = character, .repeated = w->repeated }));
 }
 
 static bool is_down(GLFWwindow *handle, int button)
@@ -384,14 +384,14 @@ void window_hide(struct window *w)
 void window_poll(struct window *w)
 {
     (void)w;
-    window_x11_go_on();
+    window_x11_ignore_errors();
     glfwPollEvents();
 }
 
 void window_wait(struct window *w, double seconds)
 {
     (void)w;
-    window_x11_go_on();
+    window_x11_ignore_errors();
     glfwWaitEventsTimeout(seconds);
 }
 
@@ -400,7 +400,7 @@ void window_wake(void)
     glfwPostEmptyEvent();
 }
 
-void window_tell(struct window *w, window_listen_fn *hear, void *listener)
+void window_set_listener(struct window *w, window_listen_fn *hear, void *listener)
 {
     double x;
     double y;
@@ -410,7 +410,7 @@ void window_tell(struct window *w, window_listen_fn *hear, void *listener)
     on_cursor(w->handle, x, y);
 }
 
-struct window_input window_take(struct window *w)
+struct window_input window_take_input(struct window *w)
 {
     const struct window_input input = w->input;
     w->input = (struct window_input){ 0 };
@@ -434,7 +434,7 @@ VkExtent2D window_size(const struct window *w)
     return w->minimised ? (VkExtent2D){ 0, 0 } : w->framebuffer;
 }
 
-void window_fill_screen(struct window *w)
+void window_toggle_fullscreen(struct window *w)
 {
     GLFWmonitor *monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode *mode = monitor ? glfwGetVideoMode(monitor) : NULL;

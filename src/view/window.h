@@ -8,13 +8,13 @@
 #define FIRN_VIEW_WINDOW_H
 
 #include "src/gpu/gpu.h"
-#include "src/view/keys.h"
+#include "src/view/key_bindings.h"
 
 struct GLFWcursor;
 struct GLFWwindow;
 
 enum {
-    WINDOW_ACTION_COUNT = 32, /* maximum between two calls of window_take() */
+    WINDOW_ACTION_COUNT = 32, /* maximum between two calls of window_take_input() */
 };
 
 /* Mouse drag in fractions of the window height, right and down. */
@@ -22,7 +22,7 @@ struct window_drag {
     double x, y;
 };
 
-/* Input accumulated since the last window_take(). */
+/* Input accumulated since the last window_take_input(). */
 struct window_input {
     struct window_drag turn, pan;  /* orbit and pan of the camera */
     struct window_drag light, sun; /* of all light (Ctrl drag) and of the sun (Ctrl Shift drag) */
@@ -118,10 +118,10 @@ void window_wake(void);
 
 /* Sets the listener that gets all events first. It immediately gets the current cursor position, as
  * the cursor may not move for a while. */
-void window_tell(struct window *window, window_listen_fn *hear, void *listener);
+void window_set_listener(struct window *window, window_listen_fn *hear, void *listener);
 
 /* Returns the accumulated input and clears it. */
-struct window_input window_take(struct window *window);
+struct window_input window_take_input(struct window *window);
 
 /* Returns the last dropped file and forgets it; the caller frees the path. NULL if there is none.
  */
@@ -133,7 +133,7 @@ bool window_is_closed(const struct window *window);
 /* Returns the framebuffer size in pixels; 0x0 while minimised. */
 VkExtent2D window_size(const struct window *window);
 
-void window_fill_screen(struct window *window); /* toggles full screen */
+void window_toggle_fullscreen(struct window *window); /* toggles full screen */
 
 /* Returns the extensions and callbacks that gpu_create() needs; valid while the window exists. */
 MUST_USE enum status window_system(const struct window *window, struct gpu_window_system *system);

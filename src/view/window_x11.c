@@ -65,7 +65,7 @@ static int handle_error(Display *display, XErrorEvent *event)
     return 0;
 }
 
-void window_x11_go_on(void)
+void window_x11_ignore_errors(void)
 {
     void *x11 = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD); /* loaded only if GLFW uses X11 */
     const union symbol set = { x11 ? dlsym(x11, "XSetErrorHandler") : NULL };
@@ -87,7 +87,7 @@ void window_x11_background(struct GLFWwindow *window, uint32_t color)
     (void)color;
 }
 
-void window_x11_go_on(void)
+void window_x11_ignore_errors(void)
 {
 }
 #endif

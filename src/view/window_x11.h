@@ -22,6 +22,6 @@ void window_x11_background(struct GLFWwindow *window, uint32_t color);
  * Other errors are logged. GLFW 3.3 occasionally restores the old handler, so call this before
  * handling events.
  */
-void window_x11_go_on(void);
+void window_x11_ignore_errors(void);
 
 #endif

@@ -72,7 +72,7 @@ class Animation(Case):
         (self.folder / 'fifty.gltf').write_text(json.dumps(scene))
         words = ('fifty.gltf', '-r', 'trace', '--env', 'studio')
         self.check_sequence(*words)
-        query = ('--set', 'trace.rays=query')
+        query = ('--set', 'trace.traversal=query')
         if b'no ray queries' not in self.succeed('render', *words, *SMALL, *query, '-o',
                                                  'a.exr').stderr:
             self.check_sequence(*words, *query)

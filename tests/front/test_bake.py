@@ -151,7 +151,7 @@ class Bake(Case):
         words = [word for side, at in sides.items() for word in ('--set', f'local.{side}={at}')]
         self.assertEqual(self.succeed(*box, 'room').stderr, b'')
         self.assertEqual(self.succeed(*box, *bare, *words).stderr, b'')
-        for wrong in ((), (*words, '--set', 'local.top=-3'), ('--set', 'local.left=-1')):
+        for wrong in ((), (*words, '--set', 'env_box.max_y=-3'), ('--set', 'env_box.min_x=-1')):
             said = self.succeed(*box, *bare, *wrong).stderr.decode()
             self.assertEqual(len(said.splitlines()), 1, said)
             self.assertIn('refract.lookup=box', said)

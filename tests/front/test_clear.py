@@ -168,7 +168,7 @@ class Rungs(Clear):
     @long
     def test_trace(self):
         self.fill()
-        self.compare('-r', 'trace', '--set', 'trace.branch=0', '--samples', '4')
+        self.compare('-r', 'trace', '--set', 'trace.min_branch=0', '--samples', '4')
 
     @unsanitized
     def test_maps(self):

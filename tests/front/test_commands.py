@@ -156,12 +156,12 @@ class CommandLine(Case):
     def test_bad_settings(self):
         for assignment, name in (
                 ('sky.strenght=1', 'sky.strength'),  # the nearest is proposed
-                ('refract_paper.a=1.5', 'refract_paper.a'),
-                ('refract_paper.a=-0.1', 'refract_paper.a'),
-                ('refract_paper.a=nan', 'refract_paper.a'),
-                ('refract_paper.a=ice', 'ice'),
-                ('refract_paper.a=0.5x', '0.5x'),
-                ('refract_paper.a', 'refract_paper.a'),
+                ('refract_paper.back_weight=1.5', 'refract_paper.back_weight'),
+                ('refract_paper.back_weight=-0.1', 'refract_paper.back_weight'),
+                ('refract_paper.back_weight=nan', 'refract_paper.back_weight'),
+                ('refract_paper.back_weight=ice', 'ice'),
+                ('refract_paper.back_weight=0.5x', '0.5x'),
+                ('refract_paper.back_weight', 'refract_paper.back_weight'),
                 ('tonemap.curve=neutrl', 'neutrl')):
             self.refuse(USAGE, 'render', 'sphere', '-o', 'a.exr', '--set', assignment,
                         names=[name])
@@ -175,7 +175,7 @@ class CommandLine(Case):
     def test_list(self):
         text = self.succeed('list', env=NO_DRIVER).stdout.decode()
         for name in ('valley', 'sphere', 'teapot', 'pool', 'paper', 'one-sided',
-                     'refract_paper.a'):
+                     'refract_paper.back_weight'):
             self.assertRegex(text, rf'(?m)(^|\s){re.escape(name)}(\s|$)')
 
     def test_list_as_json(self):
@@ -216,15 +216,16 @@ class CommandLine(Case):
         self.assertEqual(drawn('--quality', 'high'), drawn())
         self.assertEqual(drawn('--preset', 'paper'),
                          drawn('--samples', '1', '--set', 'ice_caustics.light=none', '--set',
-                               'mirror.steps=0', '--set', 'contact.strength=0'))
+                               'ssr.steps=0', '--set', 'ao.strength=0'))
         for words, wanted in (
-                (('--quality', 'high'), ('samples=5', 'refract.steps=12', 'trace.branch=0.005')),
+                (('--quality', 'high'),
+                 ('samples=5', 'refract.steps=12', 'trace.min_branch=0.005')),
                 (('--quality', 'draft'),
-                 ('samples=1', 'refract_bounce.exits=1', 'trace.branch=0.1')),
+                 ('samples=1', 'refract_bounce.exits=1', 'trace.min_branch=0.1')),
                 (('--quality', 'high', '--quality', 'draft'),
                  ('samples=1', 'refract.steps=8', 'texture.anisotropy=1')),
-                (('--samples', '2', '--set', 'trace.branch=0.5', '--quality', 'high', '--preset',
-                  'a.set'), ('samples=2', 'trace.branch=0.5', 'refract.steps=7'))):
+                (('--samples', '2', '--set', 'trace.min_branch=0.5', '--quality', 'high',
+                  '--preset', 'a.set'), ('samples=2', 'trace.min_branch=0.5', 'refract.steps=7'))):
             found = drawn(*words).split()
             for value in wanted:
                 self.assertIn(value, found, words)
@@ -401,7 +402,7 @@ class Layers(Case):
                                                           '--preset').stdout.decode())
 
     def test_metadata_tells_how_it_was_made(self):
-        picture = Exr(self.render('a.exr', '--set', 'refract_paper.a=0.25'))
+        picture = Exr(self.render('a.exr', '--set', 'refract_paper.back_weight=0.25'))
         version = self.succeed('--version').stdout.decode().split()[1]
         self.assertIn(version, picture.text('firn/version'))
         self.assertRegex(picture.text('firn/settings'), r'refract_paper\.a=0\.25\b')
@@ -437,7 +438,7 @@ class Same(Case):
         self.check('--sharing', 'nothing')
 
     def test_a_setting_changes_the_picture(self):
-        other = self.render('other.exr', *self.ALL, '--set', 'refract_paper.a=0.5')
+        other = self.render('other.exr', *self.ALL, '--set', 'refract_paper.back_weight=0.5')
         self.assertFalse(Exr(self.first).pixels == Exr(other).pixels)
 
 

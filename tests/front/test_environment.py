@@ -171,7 +171,8 @@ class Environment(Case):
     @long
     def test_a_locale_with_a_decimal_comma(self):
         env = self.german()
-        options = ('--set', 'refract_paper.a=0.25', '--fov', '40.5', '--background', '0.1,0.2,.3')
+        options = ('--set', 'refract_paper.back_weight=0.25', '--fov', '40.5', '--background',
+                   '0.1,0.2,.3')
         here, there = self.draw('a.exr', *options), self.draw('b.exr', *options, env=env)
         self.assertTrue(here == there, 'other bytes')
         for arguments in (('graph', 'sphere', '--json'), ('list', 'settings'),

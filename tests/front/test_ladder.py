@@ -311,7 +311,7 @@ class Refused(LadderCase):
 
     def test_what_the_reference_leaves_out(self):
         done = self.succeed('ladder', 'sphere', *SIZE, '--rungs', 'paper', '--runs', 0, '--set',
-                            'light.count=1', '--set', 'surface.strength=1')
+                            'light.count=1', '--set', 'highlight.strength=1')
         self.assertIn('highlights', done.stderr.decode())
 
 

@@ -137,7 +137,7 @@ class Small(Case):
         found = []
         for scale in ('1', '0.5'):
             self.succeed('render', 'valley', '-r', 'paper', '--size', '96x72', '-q', '--set',
-                         f'target.scale={scale}', '--set', 'air.size=0.1', '--set',
+                         f'inclusions.scale={scale}', '--set', 'air.size=0.1', '--set',
                          'air.frequency=2', '--aov', 'air,refraction', '-o', 'a.exr')
             found.append(Exr((self.folder / 'a.exr').read_bytes()).read_planes(
                 ('air.A', 'refraction.G')))
@@ -161,7 +161,7 @@ class Small(Case):
                                    '--set', 'bubbles.size=0.1', '--set', f'bubbles.shape={shape}')
             self.assertGreater(sum(cover), 50)
             self.assertLess(max(abs(a - b) for a, b in zip(light, cover)), 0.01)
-        cloudy, clear = (bubbles('ice-cube', '--set', f'air.clouds={share}') for share in (1, 0))
+        cloudy, clear = (bubbles('ice-cube', '--set', f'air.media={share}') for share in (1, 0))
         self.assertEqual(cloudy[1], clear[1])
         self.assertGreater(sum(cloudy[0]), 1.2 * sum(clear[0]))
 

@@ -168,7 +168,7 @@ class Panorama(Case):
     def test_objects_have_shadows(self):
         """The sun is turned with the panorama, from +Z to +X, so the shadow is beside the box."""
         for rung in ('reference', 'bounce', 'trace'):
-            found, _ = self.sunny('--set', 'motion.ice=0', '--set', 'contact.strength=0',
+            found, _ = self.sunny('--set', 'motion.ice=0', '--set', 'ao.strength=0',
                                   '--env-rotate', '90', sun='0 45 0.8 0.6 0.4', rung=rung)
             with self.subTest(rung):
                 self.check_light(found['open'], (0.8, 0.6, 0.4), 45)

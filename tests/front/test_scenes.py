@@ -53,11 +53,11 @@ class Scenes(Case):
     def techniques(self, *words):
         return {name.split('.')[0] for name in self.passes(*words)[0]}
 
-    def check_dressed(self, is_dressed, *words):
+    def check_dressed(self, is_textured, *words):
         with self.subTest(words):
             found = self.techniques(*words)
             for name in DRESSING:
-                self.assertEqual(name in found, is_dressed, name)
+                self.assertEqual(name in found, is_textured, name)
 
     @unsanitized
     def test_what_is_in_ice_for_rays_alone_is_said(self):
@@ -100,7 +100,7 @@ class Scenes(Case):
         shares = []
         for more in ((), ('--cracks', 'crack.obj')):
             self.succeed('render', 'valley', *CRACKED, '--size', '64x48', '--set',
-                         'cracks.surface=on', '--aov', 'cracks', '-o', 'a.exr', '-q', *more)
+                         'cracks.debug=on', '--aov', 'cracks', '-o', 'a.exr', '-q', *more)
             exr = Exr((self.folder / 'a.exr').read_bytes())
             shares.append(sum(exr.read_planes(['cracks.A'])['cracks.A']))
         self.assertNotEqual(*shares)
@@ -114,8 +114,8 @@ class Scenes(Case):
         self.assertIn(b'--cracks: no effect', done.stderr)
         for rung in ('trace', 'reference'):
             done = self.succeed('render', 'valley', '-r', rung, '--plain', '--size', '8x6',
-                                '--set', 'target.scale=0.5', '-o', 'a.exr')
-            self.assertIn(b'target.scale: no effect', done.stderr)
+                                '--set', 'inclusions.scale=0.5', '-o', 'a.exr')
+            self.assertIn(b'inclusions.scale: no effect', done.stderr)
 
     @long
     def test_own_pictures(self):

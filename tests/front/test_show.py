@@ -105,7 +105,7 @@ class Show(Case):
             self.assertGreater(red, green)
             self.assertGreater(green, blue)
         # a cracks layer of flat red: linear (1, 0, 0, 1)
-        cracks = self.show('cracks', *CRACKS, '--set', 'cracks.surface=on')
+        cracks = self.show('cracks', *CRACKS, '--set', 'cracks.debug=on')
         self.assertEqual(set(cracks.pixels()), {(0, 0, 0), (255, 0, 0)})
 
     def test_half_of_the_light_is_188(self):

@@ -40,7 +40,7 @@ class Tiles(Tiled):
                 ('2x2', 4, ('--set', 'cracks.refract=normals', '--set', 'bump.strength=0.5')),
                 ('3x1', 3, ('--size', '97x63', '-r', 'paper')),
                 ('1x2', 2, ('--samples', '2', '--aov', 'all', '-r', 'wyman', '--set',
-                            'target.scale=0.5', '--set', 'tonemap.dither=on'))):
+                            'inclusions.scale=0.5', '--set', 'tonemap.dither=on'))):
             with self.subTest(tiles=tiles, more=more):
                 self.compare(tiles, count, *more)
 

@@ -10,7 +10,7 @@ from exr_file import Exr, write_exr  # noqa: E402
 from gltf_file import balls, boxes, glass  # noqa: E402
 
 SIZE = ('--size', '64x48', '--pixel-filter', 'point', '--samples', 1, '--plain', '-q',
-        '--set', 'trace.branch=0')
+        '--set', 'trace.min_branch=0')
 INSIDE = ('--eye', '0.005,0.06,0.03', '--target', '0,0.045,0')  # the ball of hollow
 FLOOR = 'v -9 -2 -9\nv 9 -2 -9\nv 9 -2 9\nv -9 -2 9\nf 1 3 2\nf 1 4 3\n'
 WHITE = ('--background', '1,1,1')
@@ -55,7 +55,7 @@ class Trace(Case):
             0.75, (glass(1.5), [0, 0, 0], 1), (glass(1.3), [0.1, 0, 0], 0.4),
             (glass(1.3), [3, 0.2, -3], 1), (glass(1.6), [3, 0.2, -3], 0.5)))
         words = ('nested.gltf', '--env', 'studio', *SIZE, '--size', '128x96', '--eye', '2,1,6',
-                 '--target', '1,0,0', '--set', 'reference.roulette=on')
+                 '--target', '1,0,0', '--set', 'reference.russian_roulette=on')
         self.check(0.064, *words, rung=('-r', 'bounce'))
         self.assertGreater(self.check(0.1, *words, rung=(
             '-r', 'bounce', '--set', 'refract_bounce.nested=off')), 0.064)
@@ -81,7 +81,7 @@ class Trace(Case):
     def test_concave_by_bounce(self):
         """A ball with an empty cavity: its far wall is there unless `nested` is off."""
         (self.folder / 'hollow.gltf').write_text(balls(0.75, (glass(1.5), [0, 0, 0], 1)))
-        words = ('hollow.gltf', '--env', 'studio', *SIZE, '--set', 'reference.roulette=on',
+        words = ('hollow.gltf', '--env', 'studio', *SIZE, '--set', 'reference.russian_roulette=on',
                  '--eye', '0.5,1,5', '--target', '0,0,0')
         self.check(0.06, *words, rung=('-r', 'bounce'))
         self.assertGreater(self.check(0.1, *words, rung=(
@@ -91,7 +91,7 @@ class Trace(Case):
     def test_a_drink(self):
         # a pixel of dew is many lenses; the reference scatters light in clouds at random
         self.check(0.028, 'drink', '--env', 'studio', *SIZE, '--set', 'ground.light=open',
-                   '--set', 'air.clouds=0', '--set', 'trace.footprint=off')
+                   '--set', 'air.media=0', '--set', 'trace.footprint=off')
 
     @unsanitized
     def test_a_film_below_glass(self):
@@ -116,7 +116,7 @@ class Trace(Case):
 
     def test_queries(self):
         """By ray queries of the device, if it has them, pictures are those by trees."""
-        query = ('-r', 'trace', '--set', 'trace.rays=query')
+        query = ('-r', 'trace', '--set', 'trace.traversal=query')
         words = ('hollow', '--env', 'studio', *SIZE, '--set', 'ground.light=open')
         if b'no ray queries' in self.succeed('render', *words, '--size', '8x6', *query,
                                              '-o', 'a.exr').stderr:
@@ -125,7 +125,7 @@ class Trace(Case):
         cube = ('valley', *SIZE, '--size', '32x24', '--set', 'trace.surroundings=cube')
         for words in (words, ice, cube):
             found = self.planes(*words, *query)
-            truth = self.planes(*words, '-r', 'trace', '--set', 'trace.rays=tree')
+            truth = self.planes(*words, '-r', 'trace', '--set', 'trace.traversal=tree')
             differ = sum(a != b for a, b in zip(found['G'], truth['G']))
             self.assertLessEqual(differ, 3, words)
 
@@ -179,10 +179,10 @@ class Trace(Case):
         """A ball that bends light apart; and bubbles of air in water without a surface."""
         sphere = ('sphere', *SIZE, *SMALL_CUBE, '--set')
         for rung, limit in (('bounce', 0.02), ('trace', 0.001)):
-            self.check(limit, *sphere, 'refract.ior=1.3', '--set', 'refract.outside=1.5',
+            self.check(limit, *sphere, 'refract.ior=1.3', '--set', 'refract.ior_outside=1.5',
                        rung=('-r', rung))
-        self.check(0.001, *sphere, 'refract.ior=1.34', '--set', 'refract.outside=1.333', '--set',
-                   'bubbles.count=3', '--set', 'bubbles.size=0.3')
+        self.check(0.001, *sphere, 'refract.ior=1.34', '--set', 'refract.ior_outside=1.333',
+                   '--set', 'bubbles.count=3', '--set', 'bubbles.size=0.3')
 
     @long
     def test_light_on_surroundings(self):
@@ -215,16 +215,16 @@ class Trace(Case):
         words = ('dark.gltf', *WHITE, *SIZE, '--size', '96x72', '--eye', '0,4,9', '--target',
                  '0,0,0', '--fov', 60, '-r', 'trace', '--set', 'ground.light=traced', '--set')
         truth, few, smooth, many = (
-            self.planes(*words, f'ground.smooth={switch}', '--samples', samples)['G']
+            self.planes(*words, f'ground.denoise={switch}', '--samples', samples)['G']
             for switch, samples in (('off', 32), ('off', 4), ('on', 4), ('on', 32)))
         errors = [sum(abs(a - b) for a, b in zip(x, truth)) for x in (few, smooth)]
         self.assertLess(errors[1], 0.5 * errors[0])
         self.assertAlmostEqual(sum(smooth) / sum(truth), 1, delta=0.005)
         self.assertEqual(many, truth)
         words = [word for word in words if word != '-q']
-        tiled = self.succeed('render', *words, 'ground.smooth=on', '--samples', 4, '--tiles', '2x1',
-                             '-o', 'tiled.exr')
-        self.assertIn(b'ground.smooth', tiled.stderr)
+        tiled = self.succeed('render', *words, 'ground.denoise=on', '--samples', 4, '--tiles',
+                             '2x1', '-o', 'tiled.exr')
+        self.assertIn(b'ground.denoise', tiled.stderr)
         planes = Exr((self.folder / 'tiled.exr').read_bytes()).read_planes(['G'])['G']
         self.assertEqual(planes, few)
 
@@ -324,7 +324,7 @@ class Trace(Case):
         def mean(planes):
             return sum(planes['G'][i] for i in objects) / len(objects)
         light, gained = {}, {}
-        clear = {rung: self.planes(*lit, '-r', rung, '--set', 'air.clouds=0')
+        clear = {rung: self.planes(*lit, '-r', rung, '--set', 'air.media=0')
                  for rung in ('trace', 'bounce')}
         for rung in clear:
             light[rung] = mean(self.planes(*lit, '-r', rung))

@@ -130,7 +130,7 @@ class Panels(PanelsCase):
         first = self.shoot(window, 1)
         for row, change, places in (
                 ('tonemap.exposure', 'tonemap.exposure=', (0.5, 0.6, 0.7)),
-                ('cracks.surface', 'cracks.surface=on', (0.5,)),
+                ('cracks.debug', 'cracks.debug=on', (0.5,)),
                 ('cracks.count', 'cracks.count=', (0.2, 0.7))):
             command = self.wait_for_command(
                 window, change, without='cracks.count=3 ' if row == 'cracks.count' else None,
@@ -323,9 +323,9 @@ class Panels(PanelsCase):
                               act=lambda: self.press(window, 'ctrl+z'))
         self.wait_for_command(window, 'refract.ior',
                               act=lambda: self.press(window, 'ctrl+shift+z'))
-        self.wait_for_command(window, 'surface.shininess=', act=lambda: self.move(
-            window, *[self.place('surface.shininess', part) for part in (0.5, 0.4, 0.3, 0.2)]))
-        self.wait_for_command(window, 'refract.ior', without='surface.shininess',
+        self.wait_for_command(window, 'highlight.shininess=', act=lambda: self.move(
+            window, *[self.place('highlight.shininess', part) for part in (0.5, 0.4, 0.3, 0.2)]))
+        self.wait_for_command(window, 'refract.ior', without='highlight.shininess',
                               act=lambda: self.press(window, 'ctrl+z'))  # all of the movement
         presets = self.folder / 'data' / 'firn' / 'presets'
         self.press_until(window, 'ctrl+shift+s', 'a preset', lambda: list(presets.glob('*.txt')))

@@ -191,8 +191,8 @@ class FirstMinutes(PanelsCase):
     def names_come_first(self, window):
         """Settings whose help alone has the word come after those that are called so."""
         self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
-        wait_until('names first', lambda: self.control('refract.outside') and self.control(
-            'bubbles.seed')[1] < self.control('refract.outside')[1], self.words,
+        wait_until('names first', lambda: self.control('refract.ior_outside') and self.control(
+            'bubbles.seed')[1] < self.control('refract.ior_outside')[1], self.words,
                    act=lambda: self.desktop.do('key', 'ctrl+a', 'type', 'bub'), again=15)
         self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
 
@@ -238,7 +238,7 @@ class FirstMinutes(PanelsCase):
         self.do('which keys', 1, [key('F1')], lambda: 'Ctrl Shift Z' in self.printed())
         self.press(window, 'F1')
         self.do('find a setting', 2, [key('ctrl+k'), lambda: self.desktop.do('type', 'shini')],
-                lambda: self.control('surface.shininess'))
+                lambda: self.control('highlight.shininess'))
         self.press_until(window, 'Escape', 'no palette', lambda: not self.control('palette'))
         self.names_come_first(window)
         self.press(window, 'slash')  # a line of text has the keys: Ctrl still acts

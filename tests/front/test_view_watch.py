@@ -66,7 +66,7 @@ class Watch(WatchCase):
         turned = LAST.replace('tonemap_encode', '1.0 - tonemap_encode')
         self.save('tonemap.frag', LAST, turned)
         self.expect(inverted)
-        self.expect_words('my shaders/tonemap.frag: compiled')
+        self.expect_words('my shaders/output/tonemap.frag: compiled')
         shot = self.shoot(self.window, 1)
         self.assertEqual(png_pixels(shot), inverted)  # in files, too
         self.save('tonemap.frag', turned, turned.replace('_encode', '_encdoe'))

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "src/app/app.h"
-#include "src/frame/view.h"
+#include "src/frame/frame_uniforms.h"
 #include "tests/fuzz/fuzz.h"
 
 enum {
@@ -27,7 +27,7 @@ static void check_matrix(mat4s matrix)
         FUZZ_CHECK(isfinite(matrix.raw[i / 4][i % 4]));
 }
 
-static void check_camera(const struct camera *camera, const struct app_picture *picture)
+static void check_camera(const struct camera *camera, const struct app_image *picture)
 {
     const struct camera_basis basis = camera_basis(camera);
     FUZZ_CHECK(is_unit(basis.right) && is_unit(basis.up) && is_unit(basis.forward));
@@ -41,9 +41,9 @@ static void check_camera(const struct camera *camera, const struct app_picture *
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct scene scene = { .box = { { { -1, -1, -1 } }, { { 1, 2, 1 } } } };
-    struct app_picture picture = {
+    struct app_image picture = {
         .scene = { .settings = settings_default() },
-        .rung = techniques_rung(0),
+        .refraction = techniques_refraction(0),
         .width = 64,
         .height = 48,
     };
@@ -58,7 +58,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         for (size_t k = 0; value && k < sizeof(names) / sizeof(names[0]); k++) {
             const size_t length = strlen(names[k]);
             if (strncmp(line, names[k], length) == 0 && line[length] == ' ')
-                (void)!app_set(&picture, names[k], line + length + 1);
+                (void)!app_set_option(&picture, names[k], line + length + 1);
         }
         line = end ? end + 1 : NULL;
     }

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/image/exr.h"
-#include "src/reader/picture_reader.h"
+#include "src/reader/image_reader.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_image.h"
 #include "tests/fuzz/fuzz_scene.h"
@@ -72,17 +72,17 @@ static void check_rows(const struct stream *stream, const struct image *whole)
 static void send(const char *path, const struct image *whole)
 {
     struct stream stream = { 0 };
-    struct picture_head head;
-    const enum status status = picture_send(path, &(struct pipe_sink){ write_stream, &stream });
+    struct image_header head;
+    const enum status status = image_send(path, &(struct pipe_sink){ write_stream, &stream });
     FUZZ_CHECK((status == STATUS_OK) == (whole->planes != NULL));
     const struct pipe_source source = { read_stream, &stream, TEXELS_MAX };
-    const enum pipe_fault fault = picture_pipe_read_head(&source, &head);
+    const enum pipe_fault fault = image_pipe_read_header(&source, &head);
     FUZZ_CHECK(fault == PIPE_OK || (fault == PIPE_SHORT && status != STATUS_OK));
     if (status == STATUS_OK) {
-        FUZZ_CHECK(picture_head_matches(&head, whole, NULL, 0));
+        FUZZ_CHECK(image_header_matches(&head, whole, NULL, 0));
         check_rows(&stream, whole);
     }
-    picture_head_finish(&head);
+    image_header_finish(&head);
     free(stream.bytes);
 }
 
@@ -90,7 +90,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     char path[FUZZ_PATH_SIZE];
     struct image image = { 0 };
-    struct picture_head head;
+    struct image_header head;
     if (is_large(data, size))
         return 0;
     fuzz_file_write(path, "a.exr", data, size);
@@ -98,8 +98,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     fuzz_check_image(&image, status);
     FUZZ_CHECK(exr_check(path, &head) == status);
     FUZZ_CHECK((head.image.planes != NULL) == (status == STATUS_OK));
-    FUZZ_CHECK(!head.has_place || head.place.x < head.place.width);
-    picture_head_finish(&head);
+    FUZZ_CHECK(!head.has_window || head.window.x < head.window.width);
+    image_header_finish(&head);
     send(path, &image);
     FUZZ_CHECK(fuzz_load_environment(path) != STATUS_OK || status == STATUS_OK);
     image_finish(&image);

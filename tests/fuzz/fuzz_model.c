@@ -23,8 +23,8 @@
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "src/scene/import/gltf_draco.h"
-#include "src/scene/import/mesh_pipe.h"
+#include "src/scene/import/gltf/gltf_draco.h"
+#include "src/scene/import/model_pipe.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/fuzz_scene.h"
@@ -126,7 +126,7 @@ static void leave_reports(void)
     __sanitizer_set_report_fd((void *)STDERR_FILENO);
 }
 
-_Noreturn static void read_in_child(const char *path, enum model_part part, int out)
+_Noreturn static void read_in_child(const char *path, enum model_role part, int out)
 {
     const struct pipe_sink sink = { write_all, &out };
     struct model model;
@@ -135,7 +135,7 @@ _Noreturn static void read_in_child(const char *path, enum model_part part, int 
     enum status status = model_load(&model, path, part);
     if (status != STATUS_OK)
         fuzz_check_no_model(&model);
-    else if (!mesh_pipe_write_model(&sink, &model))
+    else if (!model_pipe_write_model(&sink, &model))
         status = STATUS_WRITE;
     model_finish(&model);
     memcpy(shared->counters, counters_begin, (size_t)(counters_end - counters_begin));
@@ -181,7 +181,7 @@ static void check_end(int ended, enum pipe_fault fault)
     add_coverage();
 }
 
-static void read_model(const char *path, enum model_part part)
+static void read_model(const char *path, enum model_role part)
 {
     struct model model;
     int pipes[2], ended = 0;
@@ -195,7 +195,7 @@ static void read_model(const char *path, enum model_part part)
     }
     close(pipes[1]);
     const struct pipe_source source = { read_pipe, &pipes[0], SIZE_MAX_OF_ALL };
-    const enum pipe_fault fault = mesh_pipe_read_model(&source, &model);
+    const enum pipe_fault fault = model_pipe_read_model(&source, &model);
     close(pipes[0]);
     while (waitpid(child, &ended, 0) != child)
         FUZZ_CHECK(errno == EINTR);

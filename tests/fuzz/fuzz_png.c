@@ -57,12 +57,12 @@ static void repair(uint8_t *bytes, size_t size)
 static void read_texels(const char *path)
 {
     struct image image = { 0 };
-    struct picture_head head;
+    struct image_header head;
     const enum status status = png_read(path, &image);
     fuzz_check_image(&image, status);
     FUZZ_CHECK(png_head(path, &head) == STATUS_OK || status != STATUS_OK);
-    FUZZ_CHECK(status != STATUS_OK || picture_head_matches(&head, &image, NULL, 0));
-    picture_head_finish(&head);
+    FUZZ_CHECK(status != STATUS_OK || image_header_matches(&head, &image, NULL, 0));
+    image_header_finish(&head);
     for (uint32_t p = 0; p < image.plane_count; p++) {
         for (size_t i = 0; i < (size_t)image.width * image.height; i++)
             FUZZ_CHECK(image.planes[p].texels[i] >= 0 && image.planes[p].texels[i] <= 1);
@@ -73,13 +73,15 @@ static void read_texels(const char *path)
 static void read_text(const char *path)
 {
     static const struct image_text texts[] = { { "firn/settings", "a" } };
-    const struct png_picture picture = { .width = 4, .height = 4, .texts = texts, .text_count = 1 };
-    struct picture_head head;
+    const struct png_image_source picture = {
+        .width = 4, .height = 4, .texts = texts, .text_count = 1
+    };
+    struct image_header head;
     const enum status status = png_check(path, &head);
     FUZZ_CHECK(status == STATUS_OK || status == STATUS_DATA);
     FUZZ_CHECK((head.image.planes != NULL) == (status == STATUS_OK));
     FUZZ_CHECK(!png_matches(&head, &picture) || status == STATUS_OK);
-    picture_head_finish(&head);
+    image_header_finish(&head);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

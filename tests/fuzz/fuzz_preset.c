@@ -69,7 +69,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     char path[FUZZ_PATH_SIZE];
     struct preset preset;
     fuzz_file_write(path, "a.txt", data, size);
-    const enum status status = preset_load(&preset, path);
+    const enum status status = preset_parse(&preset, path);
     FUZZ_CHECK(status == STATUS_OK || (status == STATUS_DATA && !preset.lines));
     if (status == STATUS_OK) {
         check(&preset);

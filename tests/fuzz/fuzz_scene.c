@@ -40,7 +40,7 @@ void fuzz_check_model(const struct model *model)
     check_mesh(&model->surroundings, &model->textures);
     check_cameras(model);
     for (uint32_t i = 0; i < model->light_count; i++)
-        FUZZ_CHECK(light_is_sound(&model->lights[i]));
+        FUZZ_CHECK(punctual_light_is_valid(&model->lights[i]));
     for (uint32_t i = 0; i < model->extension_count; i++)
         FUZZ_CHECK(memchr(model->extensions[i].name, 0, MATERIAL_NAME_SIZE) &&
                    model->extensions[i].support < MODEL_SUPPORT_COUNT);
@@ -48,9 +48,9 @@ void fuzz_check_model(const struct model *model)
     for (uint32_t i = 0; i < model->animation_count; i++)
         FUZZ_CHECK(memchr(model->animations[i].name, 0, MATERIAL_NAME_SIZE) &&
                    model->animations[i].seconds >= 0);
-    for (uint32_t i = 0; i < model->opaque_count; i++)
-        FUZZ_CHECK(model->opaque_starts[i] < model->surroundings.vertex_count &&
-                   (i == 0 || model->opaque_starts[i] > model->opaque_starts[i - 1]));
+    for (uint32_t i = 0; i < model->surroundings_object_count; i++)
+        FUZZ_CHECK(model->surroundings_starts[i] < model->surroundings.vertex_count &&
+                   (i == 0 || model->surroundings_starts[i] > model->surroundings_starts[i - 1]));
     uint32_t end = 0;
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
@@ -70,7 +70,7 @@ void fuzz_check_no_model(const struct model *model)
                !model->numbers.texels && !model->surroundings.vertices &&
                !model->surroundings.indices && !model->objects && !model->materials &&
                !model->cameras && !model->animations && !model->lights && !model->extensions &&
-               !model->opaque_starts && !model->opaque_names);
+               !model->surroundings_starts && !model->surroundings_names);
 }
 
 void fuzz_check_environment(const struct environment *environment)

@@ -3,7 +3,7 @@
 #define TESTS_FUZZ_SCENE_H
 
 #include "src/base/status.h"
-#include "src/scene/environment.h"
+#include "src/scene/environment/environment.h"
 #include "src/scene/import/model.h"
 
 /* Abort if it is not so. */

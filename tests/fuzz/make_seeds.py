@@ -20,11 +20,11 @@ READERS = {'exr': 'exr', 'hdr': 'hdr', 'png': 'png', 'json': 'profile_json', 'tx
 TEXTS = {
     'camera': ('eye 1,2,3\ntarget 0,0,0\nfov 45\nsize 64x48', 'orbit 10,-20,5e3\ntarget 1,1,1'),
     'frame_range': ('1-9x2,-4--2,20',),
-    'mesh_pipe': (),
+    'model_pipe': (),
     'session': ('scene=a%20b.glb\nenv=alps\nenv-rotate=-35.5\nrung=bounce\nb=stored\n'
                 'b.rung=trace\ntime=3.25\ncamera=1,2,3,0,0.5,0,0,1,0,40,0,0\n'
                 'camera-4=0,0,9,0,0,0,0,0,0,45,2,30\ncracks.count=5\nb.cracks.count=7',),
-    'settings': ('tonemap.curve=neutral', 'refract_paper.a=0.5'),
+    'settings': ('tonemap.curve=neutral', 'refract_paper.back_weight=0.5'),
 }
 
 
@@ -66,7 +66,7 @@ def seeds():
     for entry in corpus():
         if len(entry.content) <= SIZE_MAX and entry.kind not in SLOW:
             yield READERS[entry.name.rsplit('.', 1)[1]], entry.content
-    yield 'tree', bytes((*range(20), 8, 4, 0, 0, 3, 0, 0, 4, 0, 0))
+    yield 'bvh', bytes((*range(20), 8, 4, 0, 0, 3, 0, 0, 4, 0, 0))
     yield 'profile_json', profile()
     yield 'exr', tile(b'1 of 1x1 interleaved')
     yield 'hdr', hdr(hdr_line(16, b'\x90\x80') * 8)

@@ -315,11 +315,11 @@ static void in_even_light(void **state)
     scene.background = SCENE_COLOR;
     scene.background_color = (vec3s){ { 0.25F, 0.5F, 0.75F } };
     struct picture_request request = request_of(&scene, 0, 4, 40);
-    const struct settings settings = picture_settings("refract_bounce.bent=all");
-    static const char *const rungs[] = { NULL, "bounce" };
+    const struct settings settings = picture_settings("refract_bounce.inclusions=all");
+    static const char *const refraction_models[] = { NULL, "bounce" };
     request.settings = &settings;
     for (size_t r = 0; r < 2; r++) {
-        request.rung = rungs[r];
+        request.refraction = refraction_models[r];
         struct render_result result = picture_render(*state, &request);
         const float *alpha = image_find(&result.image, "bubbles.A");
         for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
@@ -378,13 +378,13 @@ static void long_ones(void **state)
         const struct vec e = picture_pixel_ray(&request, i);
         const vec3s dir = { { (float)e.x, (float)e.y, (float)e.z } };
         double at[2];
-        const bool is_met = bubble_cross(&both[0], request.camera.eye, dir, at) ||
-                            bubble_cross(&both[1], request.camera.eye, dir, at);
+        const bool is_hit = bubble_intersect(&both[0], request.camera.eye, dir, at) ||
+                            bubble_intersect(&both[1], request.camera.eye, dir, at);
         const struct vec bubble = picture_at(picture_layer(&result.image, "bubbles"), i);
         const struct vec even = vec_scale(vec_from(scene.background_color), (double)alpha[i]);
         CHECK_NEAR(vec_difference(bubble, even), 0, 1e-3);
-        wrong += is_met != (alpha[i] > 0.0F);
-        seen += is_met;
+        wrong += is_hit != (alpha[i] > 0.0F);
+        seen += is_hit;
     }
     assert_in_range(seen, 1500, 8000);
     assert_true(wrong < 20);

@@ -32,14 +32,14 @@ static struct settings settings_of_bumps(const char *strength, const char *mappi
     return settings;
 }
 
-static struct bump_picture draw(struct gpu *gpu, const struct scene *scene, const char *rung,
+static struct bump_picture draw(struct gpu *gpu, const struct scene *scene, const char *refraction,
                                 const struct settings *settings, float time)
 {
     struct bump_picture p = {
         .request = {
             .scene = scene,
             .settings = settings,
-            .rung = rung,
+            .refraction = refraction,
             .camera = { .eye = eye, .fov_deg = 50 },
             .width = SIZE,
             .height = SIZE,
@@ -76,7 +76,7 @@ static double error_of(const struct bump_picture *p, const struct bumps *bumps, 
 }
 
 /* Of all pixels, of a sphere whose facets are small: normals tell where they are. */
-static void check_sphere(struct gpu *gpu, const char *rung, double a, struct bumps bumps,
+static void check_sphere(struct gpu *gpu, const char *refraction, double a, struct bumps bumps,
                          float time)
 {
     struct scene scene = picture_sphere_scene(origin, 40000);
@@ -84,7 +84,7 @@ static void check_sphere(struct gpu *gpu, const char *rung, double a, struct bum
         settings_of_bumps("bump.strength=0.5", "bump.mapping=triplanar");
     /* the strength leaves half of it, the mask four fifths */
     bumps_even(&scene, bumps.slope_u / 0.5 / 0.8, bumps.slope_v / 0.5 / 0.8, 0.2, 1);
-    struct bump_picture p = draw(gpu, &scene, rung, &settings, time);
+    struct bump_picture p = draw(gpu, &scene, refraction, &settings, time);
     size_t count = 0;
     for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
         if (!picture_is_object(p.exit, i))

@@ -15,7 +15,7 @@ enum {
 
 /* What a request asks for, and the setting in it. */
 struct wish {
-    const char *rung, *setting;
+    const char *refraction, *setting;
     uint32_t width, samples;
     bool display;
 };
@@ -56,7 +56,7 @@ static void changed_renderers_draw_as_new_ones(void **state)
         const struct picture_request request = {
             .scene = &scene,
             .settings = &settings[i],
-            .rung = wishes[i].rung,
+            .refraction = wishes[i].refraction,
             .camera = { .eye = { { 0, 0, 3 } }, .fov_deg = 50 },
             .width = wishes[i].width,
             .height = SIZE,

@@ -87,7 +87,7 @@ static struct scene open_scene(const char *name)
 static void crack(struct scene *scene, uint32_t count, uint32_t seed, bool cut)
 {
     const struct scene_cracks cracks = { .count = count, .seed = seed, .size = 1, .cut = cut };
-    assert_int_equal(scene_make_cracks(scene, &cracks), STATUS_OK);
+    assert_int_equal(scene_generate_cracks(scene, &cracks), STATUS_OK);
 }
 
 static struct picture_request request_of(const struct scene *scene, const struct settings *settings)
@@ -328,7 +328,7 @@ static void test_seeds_and_counts(void **state)
     struct scene scene = open_scene("valley");
     struct render_result results[4];
     for (size_t i = 0; i < 4; i++) {
-        assert_int_equal(scene_make_cracks(&scene, &kinds[i]), STATUS_OK);
+        assert_int_equal(scene_generate_cracks(&scene, &kinds[i]), STATUS_OK);
         results[i] = render(*state, &scene, &settings);
     }
     assert_int_equal(count_different(&results[0].image, &results[1].image, "R", 0), 0);
@@ -380,7 +380,7 @@ static void test_surface(void **state)
         size_t shown[2], wrong = 0;
         for (size_t c = 0; c < 2; c++) {
             const struct settings gap = SETTINGS(clips[c], GAPS);
-            const struct settings red = SETTINGS(clips[c], kinds[k], "cracks.surface=on");
+            const struct settings red = SETTINGS(clips[c], kinds[k], "cracks.debug=on");
             struct render_result a = render(*state, &scene, &gap);
             struct render_result b = render(*state, &scene, &red);
             const float *kept = image_find(&a.image, "cracks.A");
@@ -506,7 +506,7 @@ static void test_gap_is_followed(void **state)
         .camera = camera_orbit(0, 0, 4, box_center(scene.box), 30),
         .width = FLAT_SIZE,
         .height = FLAT_SIZE,
-        .rung = "bounce",
+        .refraction = "bounce",
     };
     struct render_result result = picture_render(*state, &request);
     const double turn = 104 * pi / 180;
@@ -528,7 +528,7 @@ static void test_even_light_by_bounce(void **state)
     struct scene scene = open_scene("valley");
     crack(&scene, 5, 4, false);
     struct picture_request request = request_of(&scene, &settings);
-    request.rung = "bounce";
+    request.refraction = "bounce";
     struct render_result result = picture_render(*state, &request);
     const float *picture = image_find(&result.image, "G");
     for (size_t i = 0; i < PIXELS; i++)

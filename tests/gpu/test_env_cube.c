@@ -7,9 +7,9 @@
 
 #include "graph/rg_cmd.h"
 #include "graph/rg_exec.h"
-#include "shaders/constants.h"
 #include "shaders/globals.h"
-#include "src/frame/list.h"
+#include "shaders/specialization_constants.h"
+#include "src/frame/pass_list.h"
 #include "src/image/half.h"
 #include "src/render/uploaded_scene.h"
 #include "src/tech/frame.h"
@@ -121,7 +121,7 @@ static struct rg_frame make_frame(const struct uploaded_scene *on_gpu, vec3s cen
     for (uint32_t i = 0; i < 6; i++) {
         const struct camera_basis basis = camera_cube_basis(i);
         frame.due.faces |= 1u << i;
-        frame.faces[i] = (struct background_push){
+        frame.faces[i] = (struct surroundings_push){
             .clip_from_world = camera_cube_clip_from_world(i, center, near),
             .eye = center,
             .right = basis.right,

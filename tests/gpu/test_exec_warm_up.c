@@ -175,7 +175,7 @@ static const struct rg_pass rows[] = {
 
 /* ---- the test ---- */
 
-static struct rg_exec *make_warm_up(const struct run *run, const struct gpu_twin *twin)
+static struct rg_exec *make_warm_up(const struct run *run, const struct gpu_secondary_device *twin)
 {
     VkResult result;
     struct rg_exec *exec = rg_exec_create(
@@ -210,14 +210,14 @@ static void passes_draw_nowhere(void **state)
         .import_count = 1,
     };
     const struct rg_frame frame = { .rows = rows, .mesh.index_count = 3000 };
-    struct gpu_twin twin;
+    struct gpu_secondary_device twin;
     struct run run;
     if (!cpu_driver_is(*state)) {
         print_message("skipped: the memory of a GPU cannot be read\n");
         skip();
     }
     run_compile(&run, *state, &params);
-    assert_true(gpu_twin_create(&twin, run.gpu));
+    assert_true(gpu_secondary_device_create(&twin, run.gpu));
     allocated.count = 0;
     pipeline_count = drawn = 0;
     struct rg_exec *exec = make_warm_up(&run, &twin);
@@ -230,7 +230,7 @@ static void passes_draw_nowhere(void **state)
     assert_int_equal(drawn, 1u << SEE | 1u << LAYERS | 1u << MESH | 1u << FALL_BACK);
     assert_int_equal(count_written(), 1);
     rg_exec_destroy(exec);
-    gpu_twin_destroy(&twin);
+    gpu_secondary_device_destroy(&twin);
     run_close(&run);
 }
 

@@ -7,7 +7,7 @@
 #include "tests/support/check.h"
 
 #include "src/image/half.h"
-#include "src/scene/mips.h"
+#include "src/scene/mip_levels.h"
 #include "tests/support/bumps.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
@@ -138,11 +138,11 @@ static void halve_mask(struct scene *scene)
         TEXELS = 64
     };
 
-    const double middle = 0.71; /* where shaders/bump_map.glsl puts it */
-    const struct mips mips = { .side = TEXELS, .layers = 1, .channels = 4 };
+    const double middle = 0.71; /* where shaders/lighting/bump_map.glsl puts it */
+    const struct mip_levels mip_levels = { .side = TEXELS, .layers = 1, .channels = 4 };
     struct bump_maps *maps = &scene->bump;
     *maps = (struct bump_maps){
-        .texels = calloc(mips_count(&mips), sizeof(*maps->texels)),
+        .texels = calloc(mip_levels_count(&mip_levels), sizeof(*maps->texels)),
         .size = TEXELS,
     };
     assert_non_null(maps->texels);
@@ -152,7 +152,7 @@ static void halve_mask(struct scene *scene)
         maps->texels[4 * i + 2] = half_from_float(smooth ? 1.0F : 0.0F);
         maps->texels[4 * i + 3] = half_from_float(1.0F);
     }
-    mips_fill_halves(maps->texels, &mips);
+    mip_levels_fill_halves(maps->texels, &mip_levels);
 }
 
 /* The sky lights it: brighter than dark surroundings behind it, on one side alone. */

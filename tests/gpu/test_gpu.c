@@ -301,24 +301,24 @@ static void only_a_sound_cache_is_used(void **state)
     assert_non_null(mkdtemp(folder));
     snprintf(inner, sizeof(inner), "%s/firn", folder);
     assert_int_equal(setenv("XDG_CACHE_HOME", folder, 1), 0);
-    gpu_cache_save(gpu);
+    gpu_pipeline_cache_save(gpu);
     vkDestroyPipelineCache(gpu->device, gpu->pipeline_cache, NULL);
-    assert_int_equal(gpu_cache_load(gpu), STATUS_OK);
+    assert_int_equal(gpu_pipeline_cache_load(gpu), STATUS_OK);
     unsetenv("XDG_CACHE_HOME");
     const size_t size = read_cache(gpu, folder, data, sizeof(data));
     assert_int_equal(rmdir(inner), 0); /* nothing else was left */
     assert_int_equal(rmdir(folder), 0);
 
     assert_in_range(size, sizeof(VkPipelineCacheHeaderVersionOne) + 8, sizeof(data) - 1);
-    assert_true(gpu_cache_sound(&gpu->properties, data, size));
-    assert_false(gpu_cache_sound(&gpu->properties, data, size - 1));
-    assert_false(gpu_cache_sound(&gpu->properties, data, 3));
-    assert_false(gpu_cache_sound(&gpu->properties, data, 0));
+    assert_true(gpu_pipeline_cache_is_valid(&gpu->properties, data, size));
+    assert_false(gpu_pipeline_cache_is_valid(&gpu->properties, data, size - 1));
+    assert_false(gpu_pipeline_cache_is_valid(&gpu->properties, data, 3));
+    assert_false(gpu_pipeline_cache_is_valid(&gpu->properties, data, 0));
     other.pipelineCacheUUID[15] ^= 1;
-    assert_false(gpu_cache_sound(&other, data, size));
+    assert_false(gpu_pipeline_cache_is_valid(&other, data, size));
     for (size_t i = 0; i < size; i++) {
         data[i] ^= 0x10;
-        assert_false(gpu_cache_sound(&gpu->properties, data, size));
+        assert_false(gpu_pipeline_cache_is_valid(&gpu->properties, data, size));
         data[i] ^= 0x10;
     }
 }
@@ -330,9 +330,9 @@ static void cache_may_be_missing(void **state)
     static const char *const folders[] = { "relative", "/proc", "/dev/null" };
     for (size_t i = 0; i < sizeof(folders) / sizeof(folders[0]); i++) {
         assert_int_equal(setenv("XDG_CACHE_HOME", folders[i], 1), 0);
-        gpu_cache_save(gpu);
+        gpu_pipeline_cache_save(gpu);
         vkDestroyPipelineCache(gpu->device, gpu->pipeline_cache, NULL);
-        assert_int_equal(gpu_cache_load(gpu), STATUS_OK);
+        assert_int_equal(gpu_pipeline_cache_load(gpu), STATUS_OK);
     }
     unsetenv("XDG_CACHE_HOME");
 }

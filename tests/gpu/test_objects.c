@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "src/scene/generate/generate.h"
-#include "src/tech/refract.h"
+#include "src/tech/refract/refract.h"
 #include "src/tech/techniques.h"
 #include "tests/support/check.h"
 #include "tests/support/lavapipe.h"
@@ -61,7 +61,7 @@ static struct scene scene_with_room(uint32_t count)
 {
     const struct settings settings = settings_default();
     const struct refract_params *refract = settings_of(&settings, &refract_settings);
-    struct scene scene = { .settled_ior = refract->ior };
+    struct scene scene = { .model_ior = refract->ior };
     scene.model.objects = calloc(count, sizeof(struct object));
     scene.model.materials = calloc(count, sizeof(struct material));
     assert_true(scene.model.objects && scene.model.materials);
@@ -72,7 +72,7 @@ static void complete(struct scene *scene)
 {
     const struct model *model = &scene->model;
     assert_int_equal(
-        object_rank_all(model->objects, model->object_count, &model->object, model->materials),
+        object_assign_ranks(model->objects, model->object_count, &model->object, model->materials),
         STATUS_OK);
     scene->box = mesh_box(&model->object);
     picture_use_directions(scene, 256);
@@ -109,7 +109,7 @@ static void add_cavity(struct scene *scene, const struct ball *ball)
 }
 
 /* Without layers there is nothing in the balls either, so that they may share passes. */
-static struct render_result draw(struct gpu *gpu, const char *rung, uint32_t layers,
+static struct render_result draw(struct gpu *gpu, const char *refraction, uint32_t layers,
                                  const struct ball *const *balls, uint32_t count)
 {
     static const char *const inside[] = { "air.count=0", "bubbles.count=0", "cracks.count=0" };
@@ -120,7 +120,7 @@ static struct render_result draw(struct gpu *gpu, const char *rung, uint32_t lay
     struct render_result result = picture_render(gpu, &(struct picture_request){
                                                           .scene = &scene,
                                                           .settings = &settings,
-                                                          .rung = rung,
+                                                          .refraction = refraction,
                                                           .camera = {
                                                               .eye = { { 0, 0, 6 } },
                                                               .fov_deg = 40,
@@ -133,8 +133,8 @@ static struct render_result draw(struct gpu *gpu, const char *rung, uint32_t lay
     return result;
 }
 
-#define DRAW(gpu, rung, layers, ...) \
-    draw(gpu, rung, layers, (const struct ball *const[]){ __VA_ARGS__ }, \
+#define DRAW(gpu, refraction, layers, ...) \
+    draw(gpu, refraction, layers, (const struct ball *const[]){ __VA_ARGS__ }, \
          sizeof((const struct ball *const[]){ __VA_ARGS__ }) / sizeof(struct ball *))
 
 /* Each half is that of a picture of one ball, in all layers that the rung has; but balls of the
@@ -171,7 +171,7 @@ static vec3s normal_at(const struct image *image, size_t pixel)
 static void each_looks_as_it_does_alone(void **state)
 {
     static const struct {
-        const char *rung;
+        const char *refraction;
         uint32_t layers;
     } cases[] = {
         { "paper", PICTURE_ALL_LAYERS },
@@ -181,11 +181,11 @@ static void each_looks_as_it_does_alone(void **state)
     };
 
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-        const char *rung = cases[i].rung;
+        const char *refraction = cases[i].refraction;
         const uint32_t layers = cases[i].layers;
-        struct render_result both = DRAW(*state, rung, layers, &left, &right, &low);
-        struct render_result one = DRAW(*state, rung, layers, &left);
-        struct render_result other = DRAW(*state, rung, layers, &right, &low);
+        struct render_result both = DRAW(*state, refraction, layers, &left, &right, &low);
+        struct render_result one = DRAW(*state, refraction, layers, &left);
+        struct render_result other = DRAW(*state, refraction, layers, &right, &low);
         check_halves(&both.image, &one.image, &other.image);
         render_result_finish(&both);
         render_result_finish(&one);
@@ -226,12 +226,12 @@ static void the_nearest_is_seen(void **state)
 static void back_faces_of_all(void **state)
 {
     static const struct ball small = { { { 0.3F, 0.2F, 2 } }, 0.3F, 1.5F };
-    static const char *const rungs[] = { "paper", "bounce" };
+    static const char *const refraction_models[] = { "paper", "bounce" };
     const uint32_t layers = picture_layer_bit("back.N");
     for (size_t k = 0; k < 2; k++) {
-        struct render_result both = DRAW(*state, rungs[k], layers, &small, &behind);
-        struct render_result near = DRAW(*state, rungs[k], layers, &small);
-        struct render_result far = DRAW(*state, rungs[k], layers, &behind);
+        struct render_result both = DRAW(*state, refraction_models[k], layers, &small, &behind);
+        struct render_result near = DRAW(*state, refraction_models[k], layers, &small);
+        struct render_result far = DRAW(*state, refraction_models[k], layers, &behind);
         size_t seen[2] = { 0 };
         for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
             const vec3s is = normal_at(&both.image, i), own = normal_at(&near.image, i);
@@ -266,7 +266,7 @@ static struct scene hollow_scene(bool core_first)
         add_ball(&scene, &core);
     complete(&scene);
     assert_int_equal(objects[!core_first].within, 1 + core_first);
-    assert_int_equal(objects[!core_first].holder, 0);
+    assert_int_equal(objects[!core_first].container_rank, 0);
     assert_int_equal(objects[core_first].within, 0);
     return scene;
 }
@@ -297,7 +297,7 @@ static void light_goes_through_objects_in_objects(void **state)
         struct picture_request request = {
             .scene = &scene,
             .settings = &settings,
-            .rung = "bounce",
+            .refraction = "bounce",
             .camera = { .eye = { { 0, 0, 6 } }, .fov_deg = 30 },
             .width = WIDTH,
             .height = HEIGHT,

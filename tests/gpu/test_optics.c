@@ -1,6 +1,7 @@
 /*
- * test_optics.c: lib/optics.glsl, bubble.glsl and local_cube.glsl, run on a device, against vectors
- * worked out elsewhere in double precision (tests/data/oracles.json) and against closed forms.
+ * test_optics.c: lib/optics.glsl, bubble_deflection.glsl and box_projection.glsl, run on a device,
+ * against vectors worked out elsewhere in double precision (tests/data/oracles.json) and against
+ * closed forms.
  *
  * Vectors: e goes towards the surface, the front normal against it; "inside" and "chord" are those
  * of a ray that enters a unit sphere of ice along -z, x being its impact parameter.

@@ -4,13 +4,13 @@
 
 #include "tests/support/check.h"
 
-#include "shaders/tonemap.h"
+#include "shaders/output/tonemap.h"
 #include "src/render/accumulate.h"
-#include "src/tech/tonemap.h"
+#include "src/tech/output/tonemap.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 
-static const char *const rungs[] = { "paper", "one-sided" };
+static const char *const refraction_models[] = { "paper", "one-sided" };
 
 static size_t pixel_count(const struct picture_request *request)
 {
@@ -58,11 +58,11 @@ static double object_share(const struct image *image)
     return (double)count / image->width / image->height;
 }
 
-static void check_no_holes(struct gpu *gpu, const struct scene *scene, const char *rung)
+static void check_no_holes(struct gpu *gpu, const struct scene *scene, const char *refraction)
 {
     const struct picture_request request = {
         .scene = scene,
-        .rung = rung,
+        .refraction = refraction,
         .camera = camera_orbit(28, 9, 4.5F, box_center(scene->box), 45),
         .width = 128,
         .height = 96,
@@ -106,7 +106,7 @@ static void no_pixel_is_black_or_no_number(void **state)
             if (kind == SCENE_ENVIRONMENT)
                 picture_use_directions(&scene, 256);
             for (size_t r = 0; r < 2; r++)
-                check_no_holes(*state, &scene, rungs[r]);
+                check_no_holes(*state, &scene, refraction_models[r]);
             scene_finish(&scene);
         }
     }
@@ -139,11 +139,11 @@ static double largest_jump(const struct picture_request *request, const struct i
 
 /* What a sphere far from the origin shows is what lies in the directions it looks. */
 static void check_lookups(struct gpu *gpu, const struct scene *scene, vec3s center,
-                          const char *rung)
+                          const char *refraction)
 {
     const struct picture_request request = {
         .scene = scene,
-        .rung = rung,
+        .refraction = refraction,
         .camera = camera_orbit(200, -15, 4, center, 35),
         .width = 192,
         .height = 144,
@@ -153,15 +153,14 @@ static void check_lookups(struct gpu *gpu, const struct scene *scene, vec3s cent
     struct render_result result = picture_render(gpu, &request);
     const struct picture_layer exit = picture_layer(&result.image, "exit");
     const struct picture_layer normal = picture_layer(&result.image, "N");
-    const struct picture_layer refraction = picture_layer(&result.image, "refraction");
+    const struct picture_layer refracted = picture_layer(&result.image, "refraction");
     const struct picture_layer reflection = picture_layer(&result.image, "reflection");
     for (size_t i = 0; i < pixel_count(&request); i++) {
         if (!picture_is_object(exit, i))
             continue;
         const struct vec out = picture_at(exit, i);
         const struct vec back = reflected(picture_pixel_ray(&request, i), picture_at(normal, i));
-        CHECK_NEAR(vec_difference(picture_at(refraction, i), picture_direction_color(out)), 0,
-                   4e-3);
+        CHECK_NEAR(vec_difference(picture_at(refracted, i), picture_direction_color(out)), 0, 4e-3);
         CHECK_NEAR(vec_difference(picture_at(reflection, i), picture_direction_color(back)), 0,
                    4e-3);
     }
@@ -180,7 +179,7 @@ static void lookups_have_no_seams(void **state)
         else
             picture_add_directions(&scene, center, 30);
         for (size_t r = 0; r < 2; r++)
-            check_lookups(*state, &scene, center, rungs[r]);
+            check_lookups(*state, &scene, center, refraction_models[r]);
         scene_finish(&scene);
     }
 }
@@ -397,14 +396,14 @@ static void check_same(const struct picture_request *request, const struct rende
         assert_memory_equal(b->rgba, a->rgba, pixel_count(request) * 4);
 }
 
-static void check_repeatable(struct gpu *gpu, const char *rung, uint32_t samples)
+static void check_repeatable(struct gpu *gpu, const char *refraction, uint32_t samples)
 {
     const struct settings still = picture_settings("env_cube.dynamic=off");
     struct scene scene;
     load(&scene, "valley", NULL);
     struct picture_request request = {
         .scene = &scene,
-        .rung = rung,
+        .refraction = refraction,
         .camera = camera_orbit(28, 9, 4.5F, box_center(scene.box), 45),
         .width = 128,
         .height = 96,

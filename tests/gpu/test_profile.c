@@ -79,7 +79,7 @@ static enum status measure(struct gpu *gpu, enum rg_clock clock, struct progress
                 .renderer = { .gpu = gpu,
                               .scene = &scene,
                               .settings = &settings,
-                              .rung = techniques_rung(0),
+                              .refraction = techniques_refraction(0),
                               .width = SIDE,
                               .height = SIDE },
                 .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
@@ -195,16 +195,17 @@ static void a_kept_frame_is_the_picture(void **state)
         .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45),
     };
     assert_int_equal(
-        renderer_create(&renderer, &(struct renderer_params){ .gpu = *state,
-                                                              .scene = &scene,
-                                                              .settings = &settings,
-                                                              .rung = techniques_rung(0),
-                                                              .width = SIDE,
-                                                              .height = SIDE,
-                                                              .display = true,
-                                                              .keep = true }),
+        renderer_create(&renderer,
+                        &(struct renderer_params){ .gpu = *state,
+                                                   .scene = &scene,
+                                                   .settings = &settings,
+                                                   .refraction = techniques_refraction(0),
+                                                   .width = SIDE,
+                                                   .height = SIDE,
+                                                   .display = true,
+                                                   .keep = true }),
         STATUS_OK);
-    assert_true(renderer_picture(renderer) != VK_NULL_HANDLE);
+    assert_true(renderer_display_image(renderer) != VK_NULL_HANDLE);
     assert_int_equal(renderer_render(renderer, &shot, &first, NULL, NULL), STATUS_OK);
     for (uint32_t i = 0; i < 3; i++)
         assert_int_equal(renderer_draw(renderer, &(struct renderer_shot){ shot.camera, (float)i }),
@@ -231,15 +232,16 @@ static void a_shown_frame_stays_on_the_device(void **state)
         STATUS_OK);
     struct renderer_shot shot = { .camera = camera_orbit(28, 9, 4, box_center(scene.box), 45) };
     assert_int_equal(
-        renderer_create(&renderer, &(struct renderer_params){ .gpu = *state,
-                                                              .scene = &scene,
-                                                              .settings = &settings,
-                                                              .rung = techniques_rung(0),
-                                                              .width = SIDE,
-                                                              .height = SIDE,
-                                                              .display = true,
-                                                              .keep = true,
-                                                              .refines = true }),
+        renderer_create(&renderer,
+                        &(struct renderer_params){ .gpu = *state,
+                                                   .scene = &scene,
+                                                   .settings = &settings,
+                                                   .refraction = techniques_refraction(0),
+                                                   .width = SIDE,
+                                                   .height = SIDE,
+                                                   .display = true,
+                                                   .keep = true,
+                                                   .refines = true }),
         STATUS_OK);
     assert_int_equal(renderer_refine(renderer, &shot, 0), STATUS_OK);
     const uint32_t slot = renderer->last_slot;
@@ -274,7 +276,7 @@ static void a_picture_that_does_not_fit_is_refused(void **state)
         .gpu = &gpu,
         .scene = &scene,
         .settings = &settings,
-        .rung = techniques_rung(0),
+        .refraction = techniques_refraction(0),
         .width = SIDE,
         .height = SIDE,
         .display = true,

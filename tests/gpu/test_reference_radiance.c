@@ -8,9 +8,9 @@
 
 #include "tests/support/check.h"
 
-#include "shaders/tonemap.h"
+#include "shaders/output/tonemap.h"
 #include "src/reference/reference.h"
-#include "src/tech/tonemap.h"
+#include "src/tech/output/tonemap.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 
@@ -106,7 +106,7 @@ static void sky_landscape_and_movers(void **state)
     assert_int_equal(settings_set(&settings, "sky.strength=0.7"), STATUS_OK);
     assert_int_equal(settings_set(&settings, "sky.sun_strength=1.4"), STATUS_OK);
     assert_int_equal(
-        scene_load(&scene, &(struct scene_params){ .name = "valley", .mover_count = 7 }),
+        scene_load(&scene, &(struct scene_params){ .name = "valley", .orbiting_ball_count = 7 }),
         STATUS_OK);
     struct picture_request request = {
         .scene = &scene,

@@ -25,12 +25,13 @@ struct sphere_picture {
 };
 
 /* In an environment of directions. */
-static struct sphere_picture draw(struct gpu *gpu, uint32_t triangles, const char *rung, vec3s eye)
+static struct sphere_picture draw(struct gpu *gpu, uint32_t triangles, const char *refraction,
+                                  vec3s eye)
 {
     struct sphere_picture p = {
         .scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, triangles),
         .request = {
-            .rung = rung,
+            .refraction = refraction,
             .camera = { .eye = eye, .fov_deg = 45 },
             .width = 192,
             .height = 144,
@@ -215,9 +216,10 @@ static void pixels_are_consistent(void **state)
 /* Eq. 1 and 2 on the layers that the same picture shows, to float's precision. */
 static void exit_follows_from_the_normals(void **state)
 {
-    static const char *const rungs[] = { "paper", "one-sided" };
+    static const char *const refraction_models[] = { "paper", "one-sided" };
     for (size_t r = 0; r < 2; r++) {
-        struct sphere_picture p = draw(*state, GENERATE_SPHERE_TRIANGLES, rungs[r], fifth);
+        struct sphere_picture p =
+            draw(*state, GENERATE_SPHERE_TRIANGLES, refraction_models[r], fifth);
         for (size_t i = 0; i < p.pixel_count; i++) {
             const struct vec e = picture_pixel_ray(&p.request, i);
             const struct vec n_f = picture_at(p.normal, i);
@@ -231,9 +233,9 @@ static void exit_follows_from_the_normals(void **state)
 }
 
 /* Deviation of light that passes the centre at 0.6 radii. */
-static void check_deviation(struct gpu *gpu, const char *rung, double expected)
+static void check_deviation(struct gpu *gpu, const char *refraction, double expected)
 {
-    struct sphere_picture p = draw(gpu, 40000, rung, fifth);
+    struct sphere_picture p = draw(gpu, 40000, refraction, fifth);
     double sum = 0;
     size_t count = 0;
     for (size_t i = 0; i < p.pixel_count; i++) {
@@ -257,9 +259,10 @@ static void light_is_deviated_as_known(void **state)
 
 static void beauty_is_composed_of_the_layers(void **state)
 {
-    static const char *const rungs[] = { "paper", "one-sided" };
+    static const char *const refraction_models[] = { "paper", "one-sided" };
     for (size_t r = 0; r < 2; r++) {
-        struct sphere_picture p = draw(*state, GENERATE_SPHERE_TRIANGLES, rungs[r], fifth);
+        struct sphere_picture p =
+            draw(*state, GENERATE_SPHERE_TRIANGLES, refraction_models[r], fifth);
         for (size_t i = 0; i < p.pixel_count; i++) {
             const double f = (double)p.fresnel[i];
             const struct vec expected = vec_add(vec_scale(picture_at(p.reflection, i), f), 1 - f,
@@ -295,7 +298,7 @@ static void second_exit_has_the_rest(void **state)
     const struct picture_request request = {
         .scene = &scene,
         .settings = &settings,
-        .rung = "bounce",
+        .refraction = "bounce",
         .camera = { .eye = fifth, .fov_deg = 45 },
         .width = 192,
         .height = 144,
@@ -352,7 +355,7 @@ static double ball_error(struct gpu *gpu, const char *lookup)
     const struct picture_request request = {
         .scene = &scene,
         .settings = &settings,
-        .rung = "bounce",
+        .refraction = "bounce",
         .camera = { .eye = fifth, .fov_deg = 45 },
         .width = 192,
         .height = 144,
@@ -393,7 +396,7 @@ static void coarse_triangles_have_the_shape(void **state)
         struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, i ? 40000 : 10000);
         struct uploaded_scene on_gpu;
         assert_int_equal(uploaded_scene_init(&on_gpu, *state, &scene), STATUS_OK);
-        assert_int_equal(uploaded_scene_add_coarse(&on_gpu, *state, &scene), STATUS_OK);
+        assert_int_equal(uploaded_scene_add_simplified(&on_gpu, *state, &scene), STATUS_OK);
         const struct rg_mesh whole = uploaded_scene_mesh(&on_gpu.object, false);
         const struct rg_mesh coarse = uploaded_scene_mesh(&on_gpu.object, true);
         assert_ptr_equal(coarse.vertices, whole.vertices);

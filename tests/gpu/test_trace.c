@@ -1,17 +1,17 @@
-/* test_trace.c: rays that meet a tree of triangles on a device, by shaders/trace_tree.glsl, meet
- * what they meet on the host. */
+/* test_trace.c: rays that meet a tree of triangles on a device, by shaders/trace/trace_bvh.glsl,
+ * meet what they meet on the host. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
 
 #include "tests/support/check.h"
 
-#include "shaders/constants.h"
 #include "shaders/embedded.h"
-#include "shaders/refract_trace.h"
-#include "src/gpu/gpu_rays.h"
-#include "src/render/ray_groups.h"
-#include "src/scene/tree.h"
+#include "shaders/specialization_constants.h"
+#include "shaders/trace/refract_trace.h"
+#include "src/gpu/gpu_acceleration.h"
+#include "src/render/blas_groups.h"
+#include "src/scene/bvh/bvh.h"
 #include "tests/gpu/shaders/trace_rays.h"
 #include "tests/gpu/test_shaders.h"
 #include "tests/support/lavapipe.h"
@@ -67,12 +67,12 @@ static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
         .buffer = &stored_triangles, .access = RG_STORAGE_READ, .binding = TRACE_STORED_TRIANGLES \
     }
 
-static const struct rg_pass tree_rows[] = {
+static const struct rg_pass bvh_rows[] = {
     {
         .name = "meet",
         .color = RG_TARGETS({ &found, RG_LOAD_DISCARD }),
         .uses = RG_USES(TREE_USES),
-        .vert = &screen_vert,
+        .vert = &fullscreen_vert,
         .frag = &trace_rays_frag,
         .record = record,
     },
@@ -85,7 +85,7 @@ static const struct rg_pass query_rows[] = {
         .color = RG_TARGETS({ &found, RG_LOAD_DISCARD }),
         .uses = RG_USES(TREE_USES,
                         { .buffer = &structure, .access = RG_TRACE, .binding = TRACE_STRUCTURE }),
-        .vert = &screen_vert,
+        .vert = &fullscreen_vert,
         .frag = &trace_rays_query_frag,
         .record = record,
     },
@@ -110,7 +110,7 @@ struct ray {
     vec3s origin;
     float part;
     vec3s dir;
-    float side; /* as of trace_ray in trace_tree.glsl */
+    float side; /* as of trace_ray in trace_bvh.glsl */
 };
 
 /* Cosine and sine of a turn about the vertical axis, and what x and z are shifted by. */
@@ -123,7 +123,7 @@ static vec3s turned(vec3s v)
 
 /* Rays from all around and from inside of an object, some along an axis. `is_sided`: they meet only
  * faces that they can see, as of a closed object. */
-static void pick_rays(struct ray *to, const struct tree *tree, bool is_sided)
+static void pick_rays(struct ray *to, const struct bvh *bvh, bool is_sided)
 {
     uint32_t seed = 1;
     for (int i = 0; i < RAYS; i++) {
@@ -132,7 +132,7 @@ static void pick_rays(struct ray *to, const struct tree *tree, bool is_sided)
         if (i % 7 == 0)
             to[i].dir = (vec3s){ { 0.0f, i % 2 ? 1.0f : -1.0f, 0.0f } };
         if (is_sided)
-            to[i].side = tree_immerse(tree, to[i].origin).words[0] ? 1.0f : -1.0f;
+            to[i].side = bvh_interior_list_at(bvh, to[i].origin).words[0] ? 1.0f : -1.0f;
     }
 }
 
@@ -143,23 +143,23 @@ enum {
     IMPORTS = WORDS_AND_RAYS + 1,
 };
 
-static struct gpu_rays *build(struct gpu *gpu, const struct tree *tree)
+static struct gpu_acceleration *build(struct gpu *gpu, const struct bvh *bvh)
 {
-    struct gpu_ray_groups groups;
-    struct gpu_rays *built;
-    assert_int_equal(ray_groups_init(&groups, tree, false), STATUS_OK);
-    assert_int_equal(gpu_rays_create(gpu, &built, &groups), STATUS_OK);
-    assert_int_equal(gpu_rays_build(gpu, built, &groups), STATUS_OK);
+    struct gpu_blas_groups groups;
+    struct gpu_acceleration *built;
+    assert_int_equal(blas_groups_init(&groups, bvh, false), STATUS_OK);
+    assert_int_equal(gpu_acceleration_create(gpu, &built, &groups), STATUS_OK);
+    assert_int_equal(gpu_acceleration_build(gpu, built, &groups), STATUS_OK);
     return built;
 }
 
 /* Asks the device what rays meet, by the tree or, if there are any, acceleration structures. */
-static void ask(struct gpu *gpu, const struct tree *tree, const struct gpu_rays *structures,
+static void ask(struct gpu *gpu, const struct bvh *bvh, const struct gpu_acceleration *structures,
                 const struct ray *asked, uint32_t constant, vec4s *answers)
 {
     const VkSpecializationMapEntry entry = { CONSTANT_TRACE, 0, sizeof(constant) };
     const VkSpecializationInfo constants = { 1, &entry, sizeof(constant), &constant };
-    const struct tree_words *words[] = { &tree->nodes, &tree->triangles };
+    const struct bvh_words *words[] = { &bvh->nodes, &bvh->triangles };
     const struct rg_buffer *const declared[] = { &nodes, &triangles, &rays };
     struct rg_import imports[IMPORTS];
     struct rg_exec_import objects[IMPORTS];
@@ -180,20 +180,19 @@ static void ask(struct gpu *gpu, const struct tree *tree, const struct gpu_rays 
     if (structures) {
         imports[WORDS_AND_RAYS] =
             (struct rg_import){ .buffer = &structure, .access = RG_TRACE, .size = 16 };
-        objects[WORDS_AND_RAYS] =
-            (struct rg_exec_import){ .buffer = structures->upper_memory.buffer,
-                                     .acceleration = structures->upper };
+        objects[WORDS_AND_RAYS] = (struct rg_exec_import){ .buffer = structures->tlas_memory.buffer,
+                                                           .acceleration = structures->tlas };
     }
     run_open(&run, gpu,
-             &(struct run_params){ .technique = { "trace", structures ? query_rows : tree_rows, 2 },
+             &(struct run_params){ .technique = { "trace", structures ? query_rows : bvh_rows, 2 },
                                    .view = { TRACE_RAYS_SIDE, TRACE_RAYS_SIDE },
                                    .outputs = { &found_out },
                                    .imports = imports,
                                    .objects = objects,
                                    .import_count = WORDS_AND_RAYS + (structures ? 1 : 0),
                                    .constants = &constants });
-    struct trace_frame frame = { .one = 1, .hair = 1e-4f, .objects_turn = turn };
-    memcpy(frame.roots, tree->roots, sizeof(tree->roots));
+    struct trace_frame frame = { .one = 1, .epsilon = 1e-4f, .objects_rotation = turn };
+    memcpy(frame.roots, bvh->roots, sizeof(bvh->roots));
     assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
     memcpy(run_data(&run, &trace), &frame, sizeof(frame));
     assert_int_equal(rg_exec_submit(run.exec, NULL), VK_SUCCESS);
@@ -206,23 +205,23 @@ static void ask(struct gpu *gpu, const struct tree *tree, const struct gpu_rays 
 
 /* A ray along a side of two triangles may meet either, so the places count. `constant`: with
  * TRACE_HAS_CULLING rays are sided, with TRACE_HAS_MOTION the object is turned. */
-static void compare(struct gpu *gpu, const struct tree *tree, const struct gpu_rays *structures,
-                    uint32_t constant)
+static void compare(struct gpu *gpu, const struct bvh *bvh,
+                    const struct gpu_acceleration *structures, uint32_t constant)
 {
     static struct ray asked[RAYS], sent[RAYS];
     static vec4s answers[RAYS];
     int met = 0, same = 0;
-    pick_rays(asked, tree, constant & TRACE_HAS_CULLING);
+    pick_rays(asked, bvh, constant & TRACE_HAS_CULLING);
     memcpy(sent, asked, sizeof(sent));
     for (int i = 0; i < RAYS && constant & TRACE_HAS_MOTION; i++) {
         sent[i].origin = glms_vec3_add(turned(asked[i].origin), (vec3s){ { turn.z, 0, turn.w } });
         sent[i].dir = turned(asked[i].dir);
     }
-    ask(gpu, tree, structures, sent, constant, answers);
+    ask(gpu, bvh, structures, sent, constant, answers);
     for (int i = 0; i < RAYS; i++) {
-        struct tree_hit hit;
-        const struct tree_ray ray = { asked[i].origin, asked[i].dir, 0.0, TREE_NOTHING };
-        const bool meets = tree_meet(tree, TREE_OBJECTS, &ray, &hit);
+        struct bvh_hit hit;
+        const struct bvh_ray ray = { asked[i].origin, asked[i].dir, 0.0, BVH_NONE };
+        const bool meets = bvh_intersect(bvh, BVH_OBJECTS, &ray, &hit);
         assert_int_equal(answers[i].w >= 0.0f, meets);
         if (!meets)
             continue;
@@ -240,16 +239,16 @@ static void rays_meet_the_same(struct gpu *gpu, bool by_query)
                                                             generate_teapot };
     for (size_t g = 0; g < 3; g++) {
         struct model model = { 0 };
-        struct tree tree;
+        struct bvh bvh;
         assert_true(generators[g](&model.object, 3000));
-        assert_int_equal(tree_init(&tree, &(struct tree_params){ .model = &model, .threads = 2 }),
+        assert_int_equal(bvh_init(&bvh, &(struct bvh_params){ .model = &model, .threads = 2 }),
                          STATUS_OK);
-        struct gpu_rays *structures = by_query ? build(gpu, &tree) : NULL;
-        compare(gpu, &tree, structures, TRACE_HAS_MOTION);
-        if (tree.is_closed)
-            compare(gpu, &tree, structures, TRACE_HAS_CULLING);
-        gpu_rays_destroy(gpu, structures);
-        tree_finish(&tree);
+        struct gpu_acceleration *structures = by_query ? build(gpu, &bvh) : NULL;
+        compare(gpu, &bvh, structures, TRACE_HAS_MOTION);
+        if (bvh.is_closed)
+            compare(gpu, &bvh, structures, TRACE_HAS_CULLING);
+        gpu_acceleration_destroy(gpu, structures);
+        bvh_finish(&bvh);
         mesh_finish(&model.object);
     }
 }
@@ -284,7 +283,7 @@ static void stored_trees_show_the_same(void **state)
         const struct picture_request request = {
             .scene = &scene,
             .settings = &settings,
-            .rung = "trace",
+            .refraction = "trace",
             .camera = camera_orbit(28, 9, 4.5F, glms_vec3_zero(), 45),
             .width = 64,
             .height = 48,

@@ -4,8 +4,8 @@
 
 #include "tests/support/check.h"
 
-#include "shaders/water.h"
-#include "src/tech/pool.h"
+#include "shaders/water/water.h"
+#include "src/tech/water/pool.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 #include "tests/support/trace.h"
@@ -293,8 +293,8 @@ static void ice_below_absorbs(void **state)
         const struct seen seen = look_from(&low, i);
         if (fmax(fabs(seen.at.x), fabs(seen.at.z)) > half - 0.01 || is_dry(&dim, i))
             continue;
-        const struct trace_way way =
-            trace_through(&scene.model.object, seen.at, seen.inside, 1.333 / 1.3091, 4);
+        const struct trace_path way =
+            trace_transmitted(&scene.model.object, seen.at, seen.inside, 1.333 / 1.3091, 4);
         const double path = -log((double)after[i] / (double)before[i]) / 2;
         if (way.hit || path > 0.01)
             errors[count++] = fabs(path - way.path);

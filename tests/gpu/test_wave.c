@@ -7,7 +7,7 @@
 #include "tests/support/check.h"
 
 #include "src/settings/settings.h"
-#include "src/tech/pool.h"
+#include "src/tech/water/pool.h"
 #include "tests/gpu/optics_ask.h"
 #include "tests/support/lavapipe.h"
 

@@ -6,18 +6,18 @@
 #include "tests/support/check.h"
 
 #include "src/image/half.h"
-#include "src/scene/mips.h"
+#include "src/scene/mip_levels.h"
 
 void bumps_even(struct scene *scene, double slope_u, double slope_v, double smoothness,
                 double crystals)
 {
     struct bump_maps *maps = &scene->bump;
-    const struct mips mips = { .side = 2, .layers = 1, .channels = 4 };
-    const size_t count = mips_count(&mips); /* all levels alike */
+    const struct mip_levels mip_levels = { .side = 2, .layers = 1, .channels = 4 };
+    const size_t count = mip_levels_count(&mip_levels); /* all levels alike */
     bump_maps_finish(maps);
     *maps = (struct bump_maps){
         .texels = malloc(count * sizeof(*maps->texels)),
-        .size = mips.side,
+        .size = mip_levels.side,
     };
     assert_non_null(maps->texels);
     for (size_t i = 0; i < count / 4; i++) {

@@ -13,7 +13,7 @@
 
 static bool needs_no_device(const char *command)
 {
-    static const char *const commands[] = { "graph", "diff", "merge", "--version", READER_WORD };
+    static const char *const commands[] = { "graph", "diff", "merge", "--version", READER_OPTION };
     for (size_t i = 0; i < sizeof(commands) / sizeof(commands[0]); i++) {
         if (!strcmp(command, commands[i]))
             return true;

@@ -9,9 +9,9 @@
 
 #include "tests/support/check.h"
 
-#include "src/tech/caustics.h"
 #include "src/tech/frame.h"
-#include "src/tech/pool.h"
+#include "src/tech/water/caustics.h"
+#include "src/tech/water/pool.h"
 #include "tests/support/run_graph.h"
 
 enum {

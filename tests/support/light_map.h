@@ -2,7 +2,7 @@
 #ifndef TESTS_LIGHT_MAP_H
 #define TESTS_LIGHT_MAP_H
 
-#include "shaders/caustics.h"
+#include "shaders/water/caustics.h"
 #include "src/gpu/gpu.h"
 
 enum {

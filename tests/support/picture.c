@@ -8,12 +8,12 @@
 
 #include "tests/support/check.h"
 
-#include "src/frame/list.h"
-#include "src/frame/view.h"
+#include "src/frame/frame_uniforms.h"
+#include "src/frame/pass_list.h"
 #include "src/image/half.h"
 #include "src/scene/generate/generate.h"
-#include "src/tech/bump.h"
-#include "src/tech/frost.h"
+#include "src/tech/inclusions/frost.h"
+#include "src/tech/lighting/bump.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -30,7 +30,8 @@ static struct renderer_params params_for(struct picture_stage *stage,
         .gpu = stage->gpu,
         .scene = request->scene,
         .settings = &stage->settings,
-        .rung = request->rung ? techniques_find_rung(request->rung) : techniques_rung(0),
+        .refraction = request->refraction ? techniques_find_refraction(request->refraction)
+                                          : techniques_refraction(0),
         .width = request->width,
         .height = request->height,
         .samples = request->samples,
@@ -39,7 +40,7 @@ static struct renderer_params params_for(struct picture_stage *stage,
         .display = request->display,
         .sharing = request->sharing,
     };
-    assert_non_null(params.rung);
+    assert_non_null(params.refraction);
     stage->request = *request;
     stage->settings = settings_for(request);
     return params;
@@ -77,7 +78,7 @@ struct render_result picture_take(struct picture_stage *stage,
     const struct renderer_shot shot = { .camera = request->camera, .time = request->time };
     const struct settings settings = settings_for(request);
     struct render_result result;
-    assert_true(request->scene == first->scene && request->rung == first->rung);
+    assert_true(request->scene == first->scene && request->refraction == first->refraction);
     assert_true(request->width == first->width && request->height == first->height);
     assert_true(request->samples == first->samples && request->layers == first->layers);
     assert_true(request->display == first->display && request->sharing == first->sharing);

@@ -15,7 +15,7 @@
 struct picture_request {
     const struct scene *scene;
     const struct settings *settings; /* NULL: those of picture_settings() */
-    const char *rung;                /* NULL: paper */
+    const char *refraction;          /* NULL: paper */
     struct camera camera;
     uint32_t width, height, samples, layers;
     bool display;

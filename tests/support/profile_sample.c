@@ -64,7 +64,7 @@ void profile_sample(struct profile *p, double scale)
     *p = (struct profile){
         .command = strdup("firn profile valley --set ice.name='a & b' --json"),
         .scene = strdup("valley"),
-        .rung = "paper",
+        .refraction = "paper",
         .material = "ice",
         .width = 1024,
         .height = 768,
@@ -91,15 +91,15 @@ void profile_sample(struct profile *p, double scale)
         .memory_used = 66060288,
         .memory_without_aliasing = 91226112,
         .memory_bound = 66060288,
-        .residents = calloc(2, sizeof(struct profile_resident)),
+        .residents = calloc(2, sizeof(struct profile_resource)),
         .resident_count = 2,
         .pass_count = SAMPLE_PASS_COUNT,
     };
     assert_true(p->command && p->scene && p->settings && p->residents);
     p->settings[0] = (struct profile_setting){ "refract.ior", "1.3091" };
     p->settings[1] = (struct profile_setting){ "tonemap.curve", "neutral" };
-    p->residents[0] = (struct profile_resident){ "env_cube.color", 0, 2, 0, 0, 12582912 };
-    p->residents[1] = (struct profile_resident){ "wave.height", 3, 4, 0, 0, 1048576 };
+    p->residents[0] = (struct profile_resource){ "env_cube.color", 0, 2, 0, 0, 12582912 };
+    p->residents[1] = (struct profile_resource){ "wave.height", 3, 4, 0, 0, 1048576 };
     assert_int_equal(profile_make_rows(p), STATUS_OK);
     for (uint32_t i = 0; i < p->row_count; i++)
         fill_row(p, i, scale);

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "graph/exec/functions.h"
+#include "graph/exec/vulkan_functions.h"
 #include "tests/support/check.h"
 
 static void log_line(void *user, const char *what, VkResult result)

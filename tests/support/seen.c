@@ -17,7 +17,7 @@ uint32_t seen_layers(void)
 {
     uint32_t layers = 0;
     for (uint32_t i = 0; techniques_layer(i); i++)
-        layers |= reference_makes(techniques_layer(i)) ? 1u << i : 0;
+        layers |= reference_has_layer(techniques_layer(i)) ? 1u << i : 0;
     return layers;
 }
 

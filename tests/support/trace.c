@@ -56,14 +56,14 @@ static bool bend(struct vec *dir, struct vec n, double eta)
     return k < 0;
 }
 
-struct trace_way trace_through(const struct mesh *mesh, struct vec eye, struct vec dir, double eta,
-                               int bounces)
+struct trace_path trace_transmitted(const struct mesh *mesh, struct vec eye, struct vec dir,
+                                    double eta, int bounces)
 {
-    struct trace_way way = { .dir = dir };
+    struct trace_path way = { .dir = dir };
     struct crossing c = cross_mesh(mesh, eye, dir, -1);
     way.hit = c.t < HUGE_VAL;
     if (!way.hit)
-        return (struct trace_way){ 0 };
+        return (struct trace_path){ 0 };
     struct vec point = vec_add(eye, c.t, dir);
     bend(&way.dir, c.normal, eta);
     for (;;) {

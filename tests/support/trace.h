@@ -6,10 +6,10 @@
 #ifndef TESTS_TRACE_H
 #define TESTS_TRACE_H
 
-#include "src/scene/mesh.h"
+#include "src/scene/geometry/mesh.h"
 #include "tests/support/vec.h"
 
-struct trace_way {
+struct trace_path {
     bool hit;       /* the ray meets the mesh; else all is 0 */
     bool left;      /* it has left it again, within the bounces allowed */
     struct vec dir; /* in which it leaves, unit */
@@ -18,7 +18,7 @@ struct trace_way {
 };
 
 /* From outside; `eta` is the index outside over the one inside. */
-struct trace_way trace_through(const struct mesh *mesh, struct vec eye, struct vec dir, double eta,
-                               int bounces);
+struct trace_path trace_transmitted(const struct mesh *mesh, struct vec eye, struct vec dir,
+                                    double eta, int bounces);
 
 #endif

@@ -35,7 +35,7 @@ from exr_file import Exr  # noqa: E402
 KINDS = {5123: 'H', 5125: 'I', 5126: 'f'}
 WIDTHS = {'SCALAR': 1, 'VEC2': 2, 'VEC3': 3, 'VEC4': 4}
 FILTERS = [], ['point'], ['flat'], ['box']
-OFF = ('env.sun=none', 'air.clouds=0', 'light.count=0', 'ice_caustics.light=none')
+OFF = ('env.sun=none', 'air.media=0', 'light.count=0', 'ice_caustics.light=none')
 
 
 class Glb:

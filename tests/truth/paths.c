@@ -456,8 +456,9 @@ static struct vec cross_surface(const struct scene *scene, struct path *path, co
         normal = flat;
     struct vec reflected, through = path->way;
     double share = bend(path->way, normal, ratio, &reflected, &through);
-    const bool is_astray = dot(reflected, flat) <= 0 || (share < 1 && dot(through, flat) >= 0);
-    if (is_astray)
+    const bool is_on_wrong_side =
+        dot(reflected, flat) <= 0 || (share < 1 && dot(through, flat) >= 0);
+    if (is_on_wrong_side)
         share = bend(path->way, flat, ratio, &reflected, &through);
     back.way = reflected;
     path->way = through;

@@ -35,8 +35,8 @@ static void add_sample(struct adaptive *a, const struct noise *noise, uint32_t s
 {
     uint16_t *texels = malloc((size_t)WIDTH * HEIGHT * 4 * sizeof(*texels));
     assert_non_null(texels);
-    for (uint32_t p = 0; p < a->part_count; p++) {
-        const struct tile *part = &a->parts[p];
+    for (uint32_t p = 0; p < a->rectangle_count; p++) {
+        const struct tile *part = &a->rectangles[p];
         for (uint32_t i = 0; i < part->width * part->height; i++) {
             const float value =
                 value_at(noise, part->x + i % part->width, part->y + i / part->width, sample);
@@ -56,7 +56,7 @@ static uint32_t draw(struct adaptive *a, const struct noise *noise)
     do {
         for (; done < a->end; done++)
             add_sample(a, noise, done);
-    } while (adaptive_go_on(a));
+    } while (adaptive_next_round(a));
     return done;
 }
 
@@ -113,13 +113,13 @@ static void test_parts(void **state)
     const struct noise first = { { 0, 0, 1, 1 }, 0.25f, 64 };
     for (uint32_t i = 0; i < 4; i++)
         add_sample(&a, &first, i);
-    a.halves[(size_t)WIDTH * HEIGHT - 1] = 10.0f; /* the last pixel, a cell of 5 alone */
-    assert_true(adaptive_go_on(&a));
-    assert_int_equal(a.part_count, 2);
-    assert_int_equal(a.parts[0].width, CELL);
-    assert_int_equal(a.parts[1].x, 20 * CELL);
-    assert_int_equal(a.parts[1].width, 5);
-    assert_int_equal(a.parts[1].height, 1);
+    a.alternate_sums[(size_t)WIDTH * HEIGHT - 1] = 10.0f; /* the last pixel, a cell of 5 alone */
+    assert_true(adaptive_next_round(&a));
+    assert_int_equal(a.rectangle_count, 2);
+    assert_int_equal(a.rectangles[0].width, CELL);
+    assert_int_equal(a.rectangles[1].x, 20 * CELL);
+    assert_int_equal(a.rectangles[1].width, 5);
+    assert_int_equal(a.rectangles[1].height, 1);
     adaptive_finish(&a);
 }
 
@@ -152,8 +152,8 @@ static void test_evened_sums(void **state)
     assert_non_null(image_add_plane(&image, "b", true));
     for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)
         image_find(&image, "a")[i] = image_find(&image, "b")[i] = 1.0f;
-    adaptive_even(&a, &image, &layer);
-    adaptive_even(&a, &image, &centre);
+    adaptive_rescale(&a, &image, &layer);
+    adaptive_rescale(&a, &image, &centre);
     CHECK_NEAR(image_find(&image, "a")[0], 16.0f, 0.0);
     CHECK_NEAR(image_find(&image, "a")[CELL], 1.0f, 0.0);
     CHECK_NEAR(image_find(&image, "b")[0], 1.0f, 0.0);

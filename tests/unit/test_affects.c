@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "src/app/app.h"
-#include "src/frame/plan.h"
-#include "src/frame/view.h"
+#include "src/frame/frame_plan.h"
+#include "src/frame/frame_uniforms.h"
 #include "src/scene/bump_maps.h"
 #include "tests/support/check.h"
 
@@ -22,14 +22,14 @@ static enum setting_effect affected;
 static void describe_scene(const struct app_scene *o, char text[static TEXT_SIZE])
 {
     struct bump_maps_params maps;
-    const struct scene_params p = app_describe_scene(o, &maps);
-    int length =
-        snprintf(text, TEXT_SIZE, "%u %u %d %u|%u %u %a %a %d|%u %u %a %d %a|%u %u %a %d|%a %a %a",
-                 p.object_triangles, p.landscape_triangles, p.flat, p.mover_count, p.air.count,
-                 p.air.seed, (double)p.air.size, (double)p.air.frequency, p.has_cloud,
-                 p.bubbles.count, p.bubbles.seed, (double)p.bubbles.size, (int)p.bubbles.shape,
-                 (double)p.bubbles.stretch, p.cracks.count, p.cracks.seed, (double)p.cracks.size,
-                 p.cracks.cut, (double)p.pool.size, (double)p.pool.depth, (double)p.pool.ice);
+    const struct scene_params p = app_scene_params(o, &maps);
+    int length = snprintf(
+        text, TEXT_SIZE, "%u %u %d %u|%u %u %a %a %d|%u %u %a %d %a|%u %u %a %d|%a %a %a",
+        p.object_triangles, p.landscape_triangles, p.flat, p.orbiting_ball_count, p.air.count,
+        p.air.seed, (double)p.air.size, (double)p.air.frequency, p.has_scattering_medium,
+        p.bubbles.count, p.bubbles.seed, (double)p.bubbles.size, (int)p.bubbles.shape,
+        (double)p.bubbles.stretch, p.cracks.count, p.cracks.seed, (double)p.cracks.size,
+        p.cracks.cut, (double)p.pool.size, (double)p.pool.depth, (double)p.pool.ice);
     if (p.bump)
         length += snprintf(&text[length], TEXT_SIZE - (size_t)length, "|%a %u", (double)maps.smooth,
                            maps.seed);
@@ -51,7 +51,7 @@ static char *describe_plan(const struct settings *settings, bool has_pool)
     const struct frame_constants constants = frame_view_constants(&scene, settings, NULL);
     const struct frame_request request = {
         .choice = { .settings = settings,
-                    .rung = techniques_find_rung("paper"),
+                    .refraction = techniques_find_refraction("paper"),
                     .has_pool = has_pool },
         .view = { 64, 64 },
         .layers = UINT32_MAX,
@@ -92,7 +92,7 @@ static bool same_plan(const struct start *before, const struct settings *setting
 static void check_change(const struct setting *row, const struct start *before, double value)
 {
     struct app_scene a = { .settings = before->settings }, b = a;
-    settings_put(&b.settings, row, value);
+    settings_set_value(&b.settings, row, value);
     const enum setting_effect said = settings_changed(&a.settings, &b.settings);
     enum setting_effect found = SETTING_AFFECTS_FRAME;
     if (!same_plan(before, &b.settings))

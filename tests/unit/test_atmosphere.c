@@ -2,7 +2,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
-#include "src/scene/atmosphere.h"
+#include "src/scene/environment/atmosphere.h"
 #include "tests/support/check.h"
 
 #define PI 3.14159265358979

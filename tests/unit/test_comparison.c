@@ -4,7 +4,7 @@
 #include <string.h>
 #include "src/metric/comparison.h"
 #include "src/metric/flip_color.h"
-#include "src/metric/heat.h"
+#include "src/metric/heat_map.h"
 #include "src/metric/quantile.h"
 #include "tests/support/check.h"
 
@@ -65,7 +65,7 @@ static void test_angle(void **state)
     assert_int_equal(angle.only_test, 0);
     CHECK_NEAR(angle.mean, 270.001 / 3, 1e-5);
     CHECK_NEAR(angle.median, 90, 1e-5);
-    CHECK_NEAR(angle.most_95, 180, 1e-5);
+    CHECK_NEAR(angle.percentile_95, 180, 1e-5);
     CHECK_NEAR(angle.largest, 180, 1e-5);
     CHECK_NEAR(degrees[2], 1e-3, 1e-8);
     CHECK_NEAR(degrees[3], 0, 0);
@@ -86,17 +86,17 @@ static void test_heat(void **state)
     (void)state;
     for (int i = 0; i <= 64; i++) {
         vec3s v;
-        heat_srgb((float)i / 64.0f, rgb);
+        heat_map_srgb((float)i / 64.0f, rgb);
         for (int c = 0; c < 3; c++) {
             const float x = (float)rgb[c] / 255.0f;
             v.raw[c] = x <= 0.04045f ? x / 12.92f : powf((x + 0.055f) / 1.055f, 2.4f);
         }
         CHECK_NEAR(flip_color_hunt(v).x, 2 + 95 * i / 64.0, 1.5);
     }
-    heat_srgb(7.0f, beyond);
+    heat_map_srgb(7.0f, beyond);
     assert_memory_equal(beyond, rgb, 3);
-    heat_srgb(0.0f, rgb);
-    heat_srgb(-1.0f, beyond);
+    heat_map_srgb(0.0f, rgb);
+    heat_map_srgb(-1.0f, beyond);
     assert_memory_equal(beyond, rgb, 3);
 }
 

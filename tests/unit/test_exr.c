@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/image/exr.h"
-#include "src/image/file.h"
+#include "src/image/file_io.h"
 #include "tests/support/check.h"
 
 static char path[] = "/tmp/firn-test-exr-XXXXXX";
@@ -53,7 +53,7 @@ static struct bytes encode(const struct image *image, const struct exr_header *h
     return bytes;
 }
 
-/* Not by file_write(): thousands of files, and no need to sync them. */
+/* Not by file_io_write(): thousands of files, and no need to sync them. */
 static void save(const void *data, size_t size)
 {
     FILE *file = fopen(path, "wb");
@@ -471,9 +471,9 @@ static struct bytes save_matching(struct image *image)
 /* Whether the file is whole and has this form. */
 static bool file_matches(const struct image *image, const struct exr_header *header)
 {
-    struct picture_head head;
+    struct image_header head;
     const bool matches = exr_check(path, &head) == STATUS_OK && exr_matches(&head, image, header);
-    picture_head_finish(&head);
+    image_header_finish(&head);
     return matches;
 }
 
@@ -505,12 +505,12 @@ static void test_place(void **state)
 {
     (void)state;
     static const char *const names[] = { "R", "N.X" };
-    const struct exr_header header = { .place = { 6, 20, 100, 50 } };
-    const struct exr_header others[] = { { .place = { 8, 20, 100, 50 } },
-                                         { .place = { 6, 20, 100, 51 } },
-                                         { .place = { 0 } } };
+    const struct exr_header header = { .window = { 6, 20, 100, 50 } };
+    const struct exr_header others[] = { { .window = { 8, 20, 100, 50 } },
+                                         { .window = { 6, 20, 100, 51 } },
+                                         { .window = { 0 } } };
     struct image image, read = { 0 };
-    struct picture_head head;
+    struct image_header head;
     make_image(&image, 37, 30, names, 2);
     const struct bytes bytes = encode(&image, &header);
     save(bytes.data, bytes.size);
@@ -519,9 +519,9 @@ static void test_place(void **state)
     check_same(&image, &read);
     image_finish(&read);
     assert_int_equal(exr_check(path, &head), STATUS_OK);
-    assert_true(head.has_place);
-    assert_memory_equal(&head.place, &header.place, sizeof(head.place));
-    picture_head_finish(&head);
+    assert_true(head.has_window);
+    assert_memory_equal(&head.window, &header.window, sizeof(head.window));
+    image_header_finish(&head);
     assert_true(file_matches(&image, &header));
     for (size_t i = 0; i < 3; i++)
         assert_false(file_matches(&image, &others[i]));

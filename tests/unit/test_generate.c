@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "shaders/water.h"
+#include "shaders/water/water.h"
 #include "tests/support/check.h"
 
 typedef bool (*generate_fn)(struct mesh *mesh, uint32_t triangles);
@@ -481,7 +481,7 @@ static void test_floe(void **state)
     (void)state;
     struct mesh mesh;
     const struct generate_pool pool = { .size = 4, .depth = 2, .ice = 1.25F };
-    assert_true(generate_floe(&mesh, &pool, 300));
+    assert_true(generate_floating_ice(&mesh, &pool, 300));
     const struct box box = mesh_box(&mesh);
     CHECK_NEAR(box.max.x - box.min.x, 1.25, 1e-5);
     CHECK_NEAR(-box.min.y / (box.max.y - box.min.y), 0.917, 1e-4);

@@ -166,7 +166,7 @@ static void planes_end_near_the_object(void **state)
         const struct box around = mesh_box(&object);
         assert_true(generate_air_planes(&squares, around, &usual));
         assert_true(generate_air_planes(&cut, around, &usual));
-        assert_true(generate_air_cut(&cut, &object));
+        assert_true(generate_air_clip(&cut, &object));
         for (uint32_t i = 0; i < usual.count; i++)
             crossings += check_section(&object, &squares.vertices[(size_t)4 * i], &cut);
         const double left = area(&cut) / area(&squares);
@@ -189,13 +189,13 @@ static void planes_without_object(void **state)
         object.vertices[i].position = glms_vec3_scale(object.vertices[i].position, 100);
     assert_true(generate_air_planes(&mesh, box, &usual));
     const double before = area(&mesh);
-    assert_true(generate_air_cut(&mesh, &object));
+    assert_true(generate_air_clip(&mesh, &object));
     CHECK_NEAR(area(&mesh), before, 1e-3 * before);
     for (uint32_t i = 0; i < object.vertex_count; i++)
         object.vertices[i].position.y += 1000;
     mesh_finish(&mesh);
     assert_true(generate_air_planes(&mesh, box, &usual));
-    assert_true(generate_air_cut(&mesh, &object));
+    assert_true(generate_air_clip(&mesh, &object));
     assert_int_equal(mesh.vertex_count, 0);
     assert_int_equal(mesh.index_count, 0);
     mesh_finish(&mesh);

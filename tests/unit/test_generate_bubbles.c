@@ -229,7 +229,7 @@ static void grown(void **state)
             const vec3s at = glms_vec3_muladds(a->axis, along, a->center);
             assert_true(fabsf(at.x) < 0.8F && fabsf(at.y) < 0.8F && fabsf(at.z) < 0.8F);
             for (uint32_t k = 0; k < i; k++)
-                assert_false(bubble_holds(&bubbles.all[k], at));
+                assert_false(bubble_contains(&bubbles.all[k], at));
         }
         worms += a->is_capsule;
         inwards += glms_vec3_dot(a->axis, glms_vec3_normalize(a->center)) < -0.7F;
@@ -270,26 +270,26 @@ static void rays_and_points(void **state)
         if (i % 11 < 4) /* some along the axis */
             dir = glms_vec3_scale(bubble.axis, 2);
         double at[2] = { 2, 2 };
-        const bool is_met = bubble_cross(&bubble, origin, dir, at);
+        const bool is_hit = bubble_intersect(&bubble, origin, dir, at);
         for (int k = 0; k <= 400; k++) {
             const double t = -2 + k * 0.01;
             const vec3s point = glms_vec3_muladds(dir, (float)t, origin);
             if (fabs(t - at[0]) > 1e-4 && fabs(t - at[1]) > 1e-4)
-                assert_int_equal(bubble_holds(&bubble, point), is_met && t > at[0] && t < at[1]);
+                assert_int_equal(bubble_contains(&bubble, point), is_hit && t > at[0] && t < at[1]);
         }
-        for (int k = 0; k < 2 && is_met; k++) {
+        for (int k = 0; k < 2 && is_hit; k++) {
             const struct bubble_face face = bubble_face_at(&bubble, origin, dir, at[k]);
             const vec3s in = glms_vec3_muladds(face.normal, -1e-4F, face.position);
             const vec3s beside = glms_vec3_muladds(face.normal, 1e-4F, face.position);
             const vec3s met = glms_vec3_muladds(dir, (float)at[k], origin);
             assert_true(glms_vec3_distance(met, face.position) < 1e-5F);
-            assert_true(bubble_holds(&bubble, in) && !bubble_holds(&bubble, beside));
+            assert_true(bubble_contains(&bubble, in) && !bubble_contains(&bubble, beside));
             assert_int_equal(k, glms_vec3_dot(face.normal, dir) > 0);
             for (int axis = 0; axis < 3; axis++)
                 assert_true(face.position.raw[axis] > box.min.raw[axis] - 1e-5F &&
                             face.position.raw[axis] < box.max.raw[axis] + 1e-5F);
         }
-        crossed += is_met;
+        crossed += is_hit;
     }
     assert_in_range(crossed, 800, 3200);
 }
@@ -313,7 +313,7 @@ static void boxes(void **state)
                                     ((float)(row % COUNT) + 0.5F) / COUNT,
                                     ((float)layer + 0.5F) / COUNT } };
             const vec3s point = glms_vec3_add(box.min, glms_vec3_mul(size, share));
-            if (!bubble_holds(&bubble, point))
+            if (!bubble_contains(&bubble, point))
                 continue;
             found.min = glms_vec3_minv(found.min, point);
             found.max = glms_vec3_maxv(found.max, point);

@@ -2,7 +2,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-#include "shaders/cracks.h"
+#include "shaders/inclusions/cracks.h"
 #include "src/scene/generate/generate.h"
 #include "tests/support/check.h"
 

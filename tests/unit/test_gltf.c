@@ -318,7 +318,7 @@ static void materials(void **state)
     const struct material *m = &model.materials[0];
     assert_string_equal(m->name, "paint");
     assert_int_equal(m->flags, MATERIAL_IS_CUTOUT | MATERIAL_IS_TWO_SIDED | MATERIAL_HAS_IOR |
-                                   MATERIAL_HAS_PRIORITY | MATERIAL_IS_FILM);
+                                   MATERIAL_HAS_PRIORITY | MATERIAL_IS_WATER_LAYER);
     assert_int_equal(m->priority, -7);
     const float numbers[][2] = {
         { m->base_color.x, 0.5F },
@@ -481,7 +481,7 @@ static void colors_of_ice(void **state)
     gltf_file_write("'nodes':[{'mesh':0}],'meshes':[{'primitives':[{'attributes':{'POSITION':0,"
                     "'COLOR_0':0}}]}]");
     for (int is_asked_for = 0; is_asked_for < 2; is_asked_for++) {
-        const enum model_part part = is_asked_for ? MODEL_OBJECT : MODEL_BY_MATERIALS;
+        const enum model_role part = is_asked_for ? MODEL_OBJECT : MODEL_BY_MATERIALS;
         assert_int_equal(model_load(&model, "m.gltf", part), STATUS_OK);
         assert_int_equal(model.undrawn == 0, is_asked_for);
         model_finish(&model);

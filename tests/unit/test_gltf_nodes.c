@@ -3,7 +3,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
-#include "src/scene/place.h"
+#include "src/scene/model_transform.h"
 #include "tests/support/check.h"
 #include "tests/support/folder.h"
 #include "tests/support/gltf_file.h"
@@ -49,8 +49,8 @@ static void cameras_are_listed(void **state)
     assert_true(model.cameras[2].camera.target.z > 0.1F); /* turned by half a turn about +Y */
     assert_true(model.has_camera);
     assert_memory_equal(&model.camera, &model.cameras[1].camera, sizeof(model.camera));
-    const struct place place = { .is_z_up = true, .scale = 2 };
-    assert_int_equal(place_model(&model, &place, "m.gltf"), STATUS_OK);
+    const struct model_transform model_transform = { .is_z_up = true, .scale = 2 };
+    assert_int_equal(model_transform_apply(&model, &model_transform, "m.gltf"), STATUS_OK);
     assert_true(glms_vec3_distance(model.cameras[2].camera.eye, (vec3s){ { 14, 0, -2 } }) < 1e-5F);
     CHECK_NEAR(model.cameras[0].height, 12, 1e-5);
     model_finish(&model);
@@ -142,8 +142,8 @@ static void lights_are_listed(void **state)
     assert_int_equal(bulb->kind, LIGHT_POINT);
     CHECK_NEAR(bulb->intensity, 1, 0);
     CHECK_NEAR(bulb->color.z, 1, 0);
-    const struct place place = { .is_z_up = true, .scale = 2 };
-    assert_int_equal(place_model(&model, &place, "m.gltf"), STATUS_OK);
+    const struct model_transform model_transform = { .is_z_up = true, .scale = 2 };
+    assert_int_equal(model_transform_apply(&model, &model_transform, "m.gltf"), STATUS_OK);
     assert_true(glms_vec3_distance(beam->position, (vec3s){ { 2, 6, -4 } }) < 1e-5F);
     assert_true(glms_vec3_distance(beam->direction, (vec3s){ { 0, -1, 0 } }) < 1e-5F);
     CHECK_NEAR(beam->range, 18, 1e-5);

@@ -36,8 +36,8 @@ static void fill_rgba(uint8_t rgba[static 4 * PNG_COUNT])
 static enum status encode_png(const uint8_t *rgba, uint32_t width, uint32_t height, void **data,
                               size_t *size)
 {
-    return png_encode(&(struct png_picture){ .rgba = rgba, .width = width, .height = height }, data,
-                      size);
+    return png_encode(&(struct png_image_source){ .rgba = rgba, .width = width, .height = height },
+                      data, size);
 }
 
 static void test_png_round_trip(void **state)

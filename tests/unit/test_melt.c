@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "src/scene/generate/generate.h"
-#include "src/scene/melt.h"
-#include "src/scene/melt_flow.h"
-#include "src/scene/weld.h"
+#include "src/scene/geometry/vertex_weld.h"
+#include "src/scene/melt/melt.h"
+#include "src/scene/melt/melt_curvature_flow.h"
 #include "tests/support/check.h"
 
 static void check_between(double value, double least, double most)
@@ -18,34 +18,36 @@ static void check_between(double value, double least, double most)
 /* A flow's surface, and the mesh that it is of. */
 struct shell {
     struct mesh mesh;
-    struct weld weld;
-    struct melt_flow flow;
+    struct vertex_weld vertex_weld;
+    struct melt_curvature_flow flow;
 };
 
 static void shell_start(struct shell *s)
 {
-    assert_true(weld_init(&s->weld, &s->mesh, 0, s->mesh.index_count));
-    s->flow = (struct melt_flow){ .points = calloc(s->weld.count, sizeof(*s->flow.points)),
-                                  .count = s->weld.count,
-                                  .corners = s->weld.corners,
-                                  .corner_count = s->weld.corner_count };
+    assert_true(vertex_weld_init(&s->vertex_weld, &s->mesh, 0, s->mesh.index_count));
+    s->flow = (struct melt_curvature_flow){ .points = calloc(s->vertex_weld.count,
+                                                             sizeof(*s->flow.points)),
+                                            .count = s->vertex_weld.count,
+                                            .corners = s->vertex_weld.corners,
+                                            .corner_count = s->vertex_weld.corner_count };
     assert_non_null(s->flow.points);
     for (uint32_t i = 0; i < s->mesh.vertex_count; i++) {
         for (int k = 0; k < 3; k++)
-            s->flow.points[s->weld.points[i]][k] = (double)s->mesh.vertices[i].position.raw[k];
+            s->flow.points[s->vertex_weld.points[i]][k] =
+                (double)s->mesh.vertices[i].position.raw[k];
     }
 }
 
 static void shell_finish(struct shell *s)
 {
     free(s->flow.points);
-    weld_finish(&s->weld);
+    vertex_weld_finish(&s->vertex_weld);
     mesh_finish(&s->mesh);
 }
 
-static double volume_of(const struct melt_flow *flow)
+static double volume_of(const struct melt_curvature_flow *flow)
 {
-    const double half = melt_flow_half(flow);
+    const double half = melt_curvature_flow_half_width(flow);
     return 8 * half * half * half;
 }
 
@@ -66,7 +68,7 @@ static struct shell block(float half, float rounding)
 }
 
 /* The mean half width along the axes. */
-static double half_width(const struct melt_flow *flow)
+static double half_width(const struct melt_curvature_flow *flow)
 {
     double most = 0;
     for (uint32_t i = 0; i < flow->count; i++) {
@@ -77,7 +79,7 @@ static double half_width(const struct melt_flow *flow)
 }
 
 /* Returns the radius of the edges along z that makes them reach as far as they do. */
-static double edge_radius(const struct melt_flow *flow)
+static double edge_radius(const struct melt_curvature_flow *flow)
 {
     const double half = half_width(flow);
     double most = 0;
@@ -101,7 +103,7 @@ static void a_block_grows_round(void **state)
         struct shell s = block(15, 2.7f);
         const double first = volume_of(&s.flow);
         double lost;
-        assert_true(melt_flow_run(&s.flow, 1 - law[i].volume, 0, &lost));
+        assert_true(melt_curvature_flow_run(&s.flow, 1 - law[i].volume, 0, &lost));
         CHECK_NEAR(lost, 1 - law[i].volume, 1e-4);
         CHECK_NEAR(volume_of(&s.flow) / first, law[i].volume, 1e-4);
         CHECK_NEAR(half_width(&s.flow) / 15, law[i].width, 0.02);
@@ -118,8 +120,8 @@ static void a_ball_stays_one(void **state)
     (void)state;
     assert_true(generate_sphere(&s.mesh, 4000));
     shell_start(&s);
-    const double half = melt_flow_half(&s.flow), layer = 0.118 * half;
-    assert_true(melt_flow_run(&s.flow, 0, 0.5, &lost));
+    const double half = melt_curvature_flow_half_width(&s.flow), layer = 0.118 * half;
+    assert_true(melt_curvature_flow_run(&s.flow, 0, 0.5, &lost));
     for (uint32_t i = 0; i < s.flow.count; i++) {
         const double *p = s.flow.points[i];
         const double radius = sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
@@ -143,10 +145,10 @@ static double way(bool (*generate)(struct mesh *, uint32_t), uint32_t triangles,
     assert_true(generate(&a.mesh, triangles) && generate(&b.mesh, triangles));
     shell_start(&a);
     shell_start(&b);
-    const double half = melt_flow_half(&a.flow);
-    assert_true(melt_flow_run(&a.flow, share, 0, &lost));
+    const double half = melt_curvature_flow_half_width(&a.flow);
+    assert_true(melt_curvature_flow_run(&a.flow, share, 0, &lost));
     CHECK_NEAR(lost, share, 1e-4);
-    assert_true(melt_flow_run(&b.flow, more, 0, &lost));
+    assert_true(melt_curvature_flow_run(&b.flow, more, 0, &lost));
     for (uint32_t i = 0; i < a.flow.count; i++) {
         for (int k = 0; k < 3; k++)
             longest = fmax(longest, fabs(a.flow.points[i][k] - b.flow.points[i][k]));
@@ -173,7 +175,7 @@ static struct model bare(bool (*generate)(struct mesh *, uint32_t))
     };
     assert_true(generate(&model.object, 1200));
     material = material_make("ice");
-    material.flags = MATERIAL_IS_BARE;
+    material.flags = MATERIAL_FROM_SETTINGS;
     object = (struct object){ .index_count = model.object.index_count };
     object.box = object_box(&object, &model.object);
     return model;
@@ -198,7 +200,7 @@ static void ice_stands_where_it_stood(void **state)
     CHECK_NEAR(left.min.y, whole.min.y, 1e-5);
     const double height = (double)whole.max.y - (double)whole.min.y;
     check_between((double)left.max.y - (double)left.min.y, 0.6 * height, 0.95 * height);
-    CHECK_NEAR(melted_frost(&melted), 0, 1e-6);
+    CHECK_NEAR(melted_frost_factor(&melted), 0, 1e-6);
     CHECK_NEAR(melted.box.max.y - melted.box.min.y, whole.max.y - whole.min.y, 1e-5);
     melted_finish(&melted);
     mesh_finish(&model.object);
@@ -270,7 +272,7 @@ static void films_spread(void **state)
     const struct box box = mesh_box(&model.object);
     materials[0].ior = 1.31f;
     materials[0].transmission = 1;
-    materials[1].flags |= MATERIAL_IS_FILM;
+    materials[1].flags |= MATERIAL_IS_WATER_LAYER;
     ice.index_count = model.object.index_count;
     ice.box = box;
     model.objects = &ice;
@@ -327,7 +329,7 @@ static void grow_rings(const float radii[3], float grown[3][2])
     struct mesh *mesh = &model.surroundings;
     struct melted melted;
     const struct box box = mesh_box(&model.object);
-    film.flags |= MATERIAL_IS_FILM;
+    film.flags |= MATERIAL_IS_WATER_LAYER;
     model.materials = (struct material[]){ model.materials[0], film };
     model.material_count = 2;
     assert_true(mesh_init(mesh, 3 * AROUND, 2 * AROUND * 6));

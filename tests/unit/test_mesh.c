@@ -1,5 +1,5 @@
 /* test_mesh.c: storage, appending, boxes, normals. */
-#include "src/scene/mesh.h"
+#include "src/scene/geometry/mesh.h"
 
 #include <cglm/struct.h>
 #include <math.h>

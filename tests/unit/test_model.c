@@ -112,10 +112,10 @@ static const char *write_glb(const char *name, const char *tail, const struct sq
     return write_bytes(name, bytes, head[2]);
 }
 
-static struct model load(const char *path, enum model_part everything_is)
+static struct model load(const char *path, enum model_role default_role)
 {
     struct model model;
-    assert_int_equal(model_load(&model, path, everything_is), STATUS_OK);
+    assert_int_equal(model_load(&model, path, default_role), STATUS_OK);
     for (uint32_t i = 0; i < model.object.index_count; i++)
         assert_true(model.object.indices[i] < model.object.vertex_count);
     return model;
@@ -251,7 +251,7 @@ static void transmission_splits(void **state)
                  "{'extensions':{'KHR_materials_ior':{'ior':9}}}," GLASS(IOR("1.31")) "]",
         &unit_square);
     for (int part = MODEL_OBJECT; part <= MODEL_SURROUNDINGS; part++) {
-        struct model model = load(path, (enum model_part)part);
+        struct model model = load(path, (enum model_role)part);
         assert_int_equal(model.object.index_count, 6);
         assert_int_equal(model.surroundings.index_count, 12);
         CHECK_NEAR(mesh_box(&model.object).min.x, 5, 0);

@@ -136,7 +136,7 @@ static void transmissive_materials_are_objects(void **state)
     static const char *const opaque[] = { "illum 2", "Ni 1.5", "Tf .5 .5 .5", "d 1\nillum 5" };
     for (size_t i = 0; i < sizeof(opaque) / sizeof(opaque[0]); i++) {
         assert_false(load_material(opaque[i], &found));
-        assert_true(found.flags & MATERIAL_IS_BARE);
+        assert_true(found.flags & MATERIAL_FROM_SETTINGS);
     }
 }
 

@@ -9,12 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/frame/plan.h"
-#include "src/tech/air.h"
-#include "src/tech/bubbles.h"
-#include "src/tech/caustics.h"
-#include "src/tech/refract.h"
-#include "src/tech/refract_trace.h"
+#include "src/frame/frame_plan.h"
+#include "src/tech/inclusions/air.h"
+#include "src/tech/inclusions/bubbles.h"
+#include "src/tech/refract/refract.h"
+#include "src/tech/trace/refract_trace.h"
+#include "src/tech/water/caustics.h"
 #include "tests/support/check.h"
 #include "tests/support/feature.h"
 
@@ -27,7 +27,7 @@ enum list_kind {
 struct golden {
     const char *name;
     enum list_kind list;
-    const char *rung;
+    const char *refraction;
     bool layers;                   /* all of them */
     bool static_cube;              /* that comes from outside */
     bool pool;                     /* the scene is one */
@@ -39,18 +39,18 @@ struct golden {
 };
 
 static const struct golden goldens[] = {
-    { .name = "plan_paper", .rung = "paper" },
-    { .name = "plan_paper_layers", .rung = "paper", .layers = true },
-    { .name = "plan_paper_static_cube", .rung = "paper", .static_cube = true },
-    { .name = "plan_one_sided", .rung = "one-sided" },
-    { .name = "plan_one_sided_layers", .rung = "one-sided", .layers = true },
-    { .name = "plan_bounce", .rung = "bounce" },
-    { .name = "plan_objects_layers", .rung = "bounce", .objects = 2, .layers = true },
-    { .name = "plan_trace_layers", .rung = "trace", .objects = 2, .layers = true },
-    { .name = "plan_pool", .rung = "paper", .pool = true },
-    { .name = "plan_pool_layers", .rung = "paper", .pool = true, .layers = true },
+    { .name = "plan_paper", .refraction = "paper" },
+    { .name = "plan_paper_layers", .refraction = "paper", .layers = true },
+    { .name = "plan_paper_static_cube", .refraction = "paper", .static_cube = true },
+    { .name = "plan_one_sided", .refraction = "one-sided" },
+    { .name = "plan_one_sided_layers", .refraction = "one-sided", .layers = true },
+    { .name = "plan_bounce", .refraction = "bounce" },
+    { .name = "plan_objects_layers", .refraction = "bounce", .objects = 2, .layers = true },
+    { .name = "plan_trace_layers", .refraction = "trace", .objects = 2, .layers = true },
+    { .name = "plan_pool", .refraction = "paper", .pool = true },
+    { .name = "plan_pool_layers", .refraction = "paper", .pool = true, .layers = true },
     { .name = "plan_shine_layers",
-      .rung = "paper",
+      .refraction = "paper",
       .setting = "ice_caustics.light=sun",
       .layers = true },
     { .name = "plan_capture", .list = LIST_CAPTURE },
@@ -67,7 +67,7 @@ enum {
 static struct frame_request request_of(const struct golden *golden, struct settings *settings)
 {
     static const enum technique_purpose purposes[] = {
-        [LIST_FRAME] = TECHNIQUE_PICTURE,
+        [LIST_FRAME] = TECHNIQUE_IMAGE,
         [LIST_CAPTURE] = TECHNIQUE_CAPTURE,
         [LIST_RESOLVE] = TECHNIQUE_RESOLVE,
     };
@@ -82,7 +82,8 @@ static struct frame_request request_of(const struct golden *golden, struct setti
         .choice = {
             .settings = settings,
             .purpose = purposes[golden->list],
-            .rung = golden->rung ? techniques_find_rung(golden->rung) : NULL,
+            .refraction =
+                golden->refraction ? techniques_find_refraction(golden->refraction) : NULL,
             .has_pool = golden->pool,
             .object_count = golden->objects,
         },
@@ -196,9 +197,9 @@ static bool is_culled(const struct rg_plan *plan, const char *pass)
 static void test_one_sided_draws_no_back_normals(void **state)
 {
     (void)state;
-    const struct golden one_sided = { .rung = "one-sided" };
-    const struct golden paper = { .rung = "paper" };
-    const char *pass = "ice_normal.no_back";
+    const struct golden one_sided = { .refraction = "one-sided" };
+    const struct golden paper = { .refraction = "paper" };
+    const char *pass = "ice_normal.clear_back";
     struct settings settings;
     struct frame_request request = request_of(&one_sided, &settings);
     struct frame_plan plan;
@@ -233,13 +234,13 @@ static void check_surface(const char *const *assignments, bool lights, bool fros
         assert_int_equal(settings_set(&settings, nothing[i]), STATUS_OK);
     for (; *assignments; assignments++)
         assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
-    const struct technique *rung;
-    for (size_t r = 0; (rung = techniques_rung(r)); r++) {
-        if (!rung->rung.rows->bump_frag && !rung->rung.by_pixel)
+    const struct technique *refraction;
+    for (size_t r = 0; (refraction = techniques_refraction(r)); r++) {
+        if (!refraction->refraction.rows->bump_frag && !refraction->refraction.by_pixel)
             continue;
         struct settings defaults;
         struct frame_request request =
-            request_of(&(struct golden){ .rung = rung->rung.name }, &defaults);
+            request_of(&(struct golden){ .refraction = refraction->refraction.name }, &defaults);
         request.choice.settings = &settings;
         struct frame_plan plan;
         assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
@@ -258,7 +259,7 @@ static void test_surface_is_switched_off(void **state)
     check_surface((const char *const[]){ NULL }, true, false, 1);
     check_surface((const char *const[]){ "bump.strength=0", NULL }, true, false, 0);
     check_surface((const char *const[]){ "light.count=0", NULL }, false, false, 1);
-    check_surface((const char *const[]){ "surface.strength=0", NULL }, false, false, 1);
+    check_surface((const char *const[]){ "highlight.strength=0", NULL }, false, false, 1);
     check_surface((const char *const[]){ "frost.amount=0.5", NULL }, true, true, 1);
     check_surface((const char *const[]){ "bump.strength=0", "light.strength=0", NULL }, false,
                   false, 0);
@@ -279,7 +280,7 @@ static bool has_image(const struct rg_plan *plan, const char *name)
 /* A picture with all layers has the passes and layers of what is on. Returns how many passes. */
 static uint32_t check_inside(const char *setting, bool air_is_on, bool bubbles_are_on)
 {
-    const struct golden paper = { .rung = "paper", .layers = true };
+    const struct golden paper = { .refraction = "paper", .layers = true };
     struct settings settings;
     struct frame_request request = request_of(&paper, &settings);
     struct frame_plan plan;
@@ -294,8 +295,8 @@ static uint32_t check_inside(const char *setting, bool air_is_on, bool bubbles_a
         const struct rg_image *image = techniques_layer(i)->image;
         const bool is_off = !image || (image == &air_color && !air_is_on) ||
                             (image == &bubbles_color && !bubbles_are_on) ||
-                            image == &caustics_seen || image == &trace_media ||
-                            image == &trace_last;
+                            image == &caustics_layer || image == &trace_media ||
+                            image == &trace_last_object;
         assert_true(!frame_plan_buffer(&plan, image) == is_off);
     }
     const uint32_t count = plan.plan->pass_count;
@@ -317,9 +318,9 @@ struct objects_cost {
     VkDeviceSize memory;
 };
 
-static struct objects_cost cost_of(const char *rung, uint32_t objects)
+static struct objects_cost cost_of(const char *refraction, uint32_t objects)
 {
-    const struct golden golden = { .rung = rung, .objects = objects };
+    const struct golden golden = { .refraction = refraction, .objects = objects };
     struct settings settings;
     struct frame_request request = request_of(&golden, &settings);
     struct frame_plan plan;
@@ -338,13 +339,13 @@ static struct objects_cost cost_of(const char *rung, uint32_t objects)
 static void test_objects_draw_where_they_are(void **state)
 {
     (void)state;
-    const struct technique *rung;
-    for (size_t r = 0; (rung = techniques_rung(r)); r++) {
-        const struct objects_cost two = cost_of(rung->rung.name, 2);
+    const struct technique *refraction;
+    for (size_t r = 0; (refraction = techniques_refraction(r)); r++) {
+        const struct objects_cost two = cost_of(refraction->refraction.name, 2);
         const uint32_t each = two.limited;
-        assert_true(each || rung->rung.is_whole);
+        assert_true(each || refraction->refraction.is_whole);
         for (uint32_t count = 5; count <= 50; count *= 10) {
-            const struct objects_cost more = cost_of(rung->rung.name, count);
+            const struct objects_cost more = cost_of(refraction->refraction.name, count);
             assert_int_equal(more.whole, two.whole);
             assert_int_equal(more.limited, (count - 1) * each);
             assert_int_equal(more.memory, two.memory);
@@ -363,7 +364,9 @@ static void test_no_cracks_no_passes(void **state)
         struct frame_plan plan;
         assert_int_equal(settings_set(&settings, switches[i]), STATUS_OK);
         const struct frame_request request = {
-            .choice = { .settings = &settings, .rung = techniques_rung(0), .is_convex = i == 2 },
+            .choice = { .settings = &settings,
+                        .refraction = techniques_refraction(0),
+                        .is_convex = i == 2 },
             .view = { 64, 64 },
             .display = true,
         };
@@ -395,9 +398,9 @@ static void test_small_targets(void **state)
     static const char *const whole[] = { "ice_depth.front", "ice_depth.back", "ice_interval.near",
                                          "air.cover",       "bubbles.color",  "cracks.color" };
     for (size_t layers = 0; layers < 2; layers++) {
-        const struct golden paper = { .rung = "paper",
+        const struct golden paper = { .refraction = "paper",
                                       .layers = layers,
-                                      .setting = "target.scale=0.25" };
+                                      .setting = "inclusions.scale=0.25" };
         struct settings settings;
         struct frame_request request = request_of(&paper, &settings);
         struct frame_plan plan;

@@ -41,13 +41,13 @@ static int leave_folder(void **state)
     return result;
 }
 
-static struct png_picture make_picture(void)
+static struct png_image_source make_picture(void)
 {
     static const uint8_t rgba[4 * TEXEL_COUNT] = { 1, 2, 3, 4, 50, 60, 70, 80 };
-    return (struct png_picture){ rgba, WIDTH, HEIGHT, texts, TEXT_COUNT };
+    return (struct png_image_source){ rgba, WIDTH, HEIGHT, texts, TEXT_COUNT };
 }
 
-static uint8_t *encode(const struct png_picture *picture, size_t *size)
+static uint8_t *encode(const struct png_image_source *picture, size_t *size)
 {
     void *data;
     assert_int_equal(png_encode(picture, &data, size), STATUS_OK);
@@ -88,7 +88,7 @@ static void check_texts_by_libpng(FILE *file)
 
 static void test_texts(void **state)
 {
-    const struct png_picture picture = make_picture();
+    const struct png_image_source picture = make_picture();
     size_t size;
     uint8_t *data = encode(&picture, &size);
 
@@ -102,7 +102,7 @@ static void test_texts(void **state)
 
 static void test_texts_leave_the_texels(void **state)
 {
-    const struct png_picture picture = make_picture();
+    const struct png_image_source picture = make_picture();
     png_image png = { .version = PNG_IMAGE_VERSION };
     uint8_t rgb[3 * TEXEL_COUNT];
     size_t size;
@@ -118,17 +118,17 @@ static void test_texts_leave_the_texels(void **state)
 }
 
 /* Whether the file is whole and that of the picture. */
-static bool file_matches(const struct png_picture *picture)
+static bool file_matches(const struct png_image_source *picture)
 {
-    struct picture_head head;
+    struct image_header head;
     const bool matches = png_check(path, &head) == STATUS_OK && png_matches(&head, picture);
-    picture_head_finish(&head);
+    image_header_finish(&head);
     return matches;
 }
 
 static void test_matches(void **state)
 {
-    struct png_picture picture = make_picture();
+    struct png_image_source picture = make_picture();
     size_t size;
     uint8_t *data = encode(&picture, &size);
 
@@ -160,7 +160,7 @@ static void test_other_texts(void **state)
         { "firn", "version" },
         { "firn/settings", "scene=Gletscher o env=*.exr" },
     };
-    struct png_picture picture = make_picture();
+    struct png_image_source picture = make_picture();
     size_t size;
     uint8_t *data = encode(&picture, &size);
 
@@ -176,7 +176,7 @@ static void test_other_texts(void **state)
 
 static void test_cut_short(void **state)
 {
-    const struct png_picture picture = make_picture();
+    const struct png_image_source picture = make_picture();
     size_t size;
     uint8_t *data = encode(&picture, &size);
 
@@ -195,7 +195,7 @@ static void test_cut_short(void **state)
 
 static void test_damaged(void **state)
 {
-    const struct png_picture picture = make_picture();
+    const struct png_image_source picture = make_picture();
     size_t size;
     uint8_t *data = encode(&picture, &size);
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/profile/sweep.h"
-#include "src/profile/text.h"
+#include "src/profile/text_format.h"
 #include "tests/support/check.h"
 #include "tests/support/printed.h"
 #include "tests/support/profile_sample.h"

@@ -5,7 +5,7 @@
 #include "src/profile/compare.h"
 #include "src/profile/table.h"
 #include "src/profile/table_rows.h"
-#include "src/profile/text.h"
+#include "src/profile/text_format.h"
 #include "tests/support/check.h"
 #include "tests/support/printed.h"
 #include "tests/support/profile_sample.h"
@@ -141,7 +141,7 @@ static void test_words(void **state)
     memset(text, 'a', sizeof(text));
     text[60] = text[61] = ' ';
     text[259] = '\0';
-    profile_print_words(text, 4, printed_begin(&printed));
+    profile_print_wrapped(text, 4, printed_begin(&printed));
     printed_end(&printed, PROFILE_COLUMNS);
     assert_memory_equal(printed.text + 59, "a\n    a", 7);
     assert_int_equal(printed.size, 259 - 2 + 3 * 5 + 1);

@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "src/profile/chrome_trace.h"
 #include "src/profile/csv.h"
-#include "src/profile/trace.h"
 #include "tests/support/check.h"
 #include "tests/support/profile_sample.h"
 

@@ -388,8 +388,9 @@ static void test_roulette(void **state)
     enum {
         SIDE = 24,
     };
-    const struct settings settings = SETTINGS("reference.roulette=on", "reference.cutoff=0.05",
-                                              "reference.bounces=6", "refract.dispersion=2");
+    const struct settings settings =
+        SETTINGS("reference.russian_roulette=on", "reference.cutoff=0.05", "reference.bounces=6",
+                 "refract.dispersion=2");
     struct scene scene = { .background = SCENE_COLOR, .background_color = glms_vec3_one() };
     (void)state;
     assert_true(generate_ice_cube(&scene.model.object, 4800));

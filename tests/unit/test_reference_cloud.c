@@ -6,10 +6,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "shaders/cloud.h"
-#include "src/reference/cloud.h"
+#include "shaders/inclusions/medium.h"
 #include "src/reference/microfacet.h"
-#include "src/scene/depth_field.h"
+#include "src/reference/volume_scattering.h"
+#include "src/scene/geometry/distance_field.h"
 #include "tests/support/check.h"
 #include "tests/support/picture.h"
 #include "tests/support/seen.h"
@@ -26,20 +26,20 @@ static struct clouds ball_clouds;
 static void test_depth_in_ball(void **state)
 {
     struct scene scene = picture_sphere_scene((vec3s){ { 3, -1, 2 } }, 2000);
-    struct depth_field field;
+    struct distance_field field;
     (void)state;
-    assert_true(depth_field_init(&field, &scene.model.object));
+    assert_true(distance_field_init(&field, &scene.model.object));
     CHECK_NEAR(field.most, 1, 0.005);
     for (int i = 0; i < 500; i++) {
         const double r = 0.9 * fmod(0.618 * i, 1), up = cos(0.7 * i), turn = 2.4 * i;
         const double flat = r * sqrt(1 - up * up);
         const vec3s at = { { (float)(3 + flat * cos(turn)), (float)(r * up - 1),
                              (float)(2 + flat * sin(turn)) } };
-        CHECK_NEAR(depth_field_at(&field, at) * field.most, 1 - r, 0.03);
+        CHECK_NEAR(distance_field_at(&field, at) * field.most, 1 - r, 0.03);
     }
-    CHECK_NEAR(depth_field_at(&field, (vec3s){ { 2.1F, -1.9F, 1.1F } }), 0,
+    CHECK_NEAR(distance_field_at(&field, (vec3s){ { 2.1F, -1.9F, 1.1F } }), 0,
                0); /* the box's corner */
-    depth_field_finish(&field);
+    distance_field_finish(&field);
     scene_finish(&scene);
 }
 
@@ -51,7 +51,7 @@ static void test_depth_in_ring(void **state)
         SIDES = 24
     };
     struct mesh ring;
-    struct depth_field field;
+    struct distance_field field;
     (void)state;
     assert_true(mesh_init(&ring, AROUND * SIDES, AROUND * SIDES * 6));
     const double turn = 2 * SEEN_PI;
@@ -67,11 +67,11 @@ static void test_depth_in_ring(void **state)
         for (uint32_t c = 0; c < 6; c++)
             ring.indices[i * 6 + c] = corners[c];
     }
-    assert_true(depth_field_init(&field, &ring));
+    assert_true(distance_field_init(&field, &ring));
     CHECK_NEAR(field.most, 0.3, 0.008);
-    CHECK_NEAR(depth_field_at(&field, glms_vec3_zero()), 0, 0);
-    CHECK_NEAR(depth_field_at(&field, (vec3s){ { 0, 0, 1 } }), 1, 0.1);
-    depth_field_finish(&field);
+    CHECK_NEAR(distance_field_at(&field, glms_vec3_zero()), 0, 0);
+    CHECK_NEAR(distance_field_at(&field, (vec3s){ { 0, 0, 1 } }), 1, 0.1);
+    distance_field_finish(&field);
     mesh_finish(&ring);
 }
 
@@ -95,8 +95,8 @@ static int make_clouds(void **state)
 {
     struct scene scene = picture_sphere_scene(glms_vec3_zero(), 8000);
     (void)state;
-    ball_clouds = clouds_find(&scene.model, true);
-    const bool done = clouds_fill(&ball_clouds, &scene.model);
+    ball_clouds = scattering_media_find(&scene.model, true);
+    const bool done = scattering_media_fill(&ball_clouds, &scene.model);
     scene_finish(&scene);
     return done ? 0 : -1;
 }
@@ -104,7 +104,7 @@ static int make_clouds(void **state)
 static int finish_clouds(void **state)
 {
     (void)state;
-    clouds_finish(&ball_clouds);
+    scattering_media_finish(&ball_clouds);
     return 0;
 }
 
@@ -113,18 +113,19 @@ static void test_densities(void **state)
 {
     double least = 1, most = 0;
     (void)state;
-    CHECK_NEAR(clouds_at(&ball_clouds, 0, glms_vec3_zero()), 1, 0.03);
-    CHECK_NEAR(clouds_at(&ball_clouds, 0, (vec3s){ { 2, 0, 0 } }), 0, 0);
+    CHECK_NEAR(scattering_media_at(&ball_clouds, 0, glms_vec3_zero()), 1, 0.03);
+    CHECK_NEAR(scattering_media_at(&ball_clouds, 0, (vec3s){ { 2, 0, 0 } }), 0, 0);
     for (int i = 0; i < 300; i++) {
         const double up = 2 * (i + 0.5) / 300 - 1, turn = 2.4 * i, flat = sqrt(1 - up * up);
         const vec3s dir = { { (float)(flat * cos(turn)), (float)up, (float)(flat * sin(turn)) } };
-        const double there = (double)clouds_at(&ball_clouds, 0, glms_vec3_scale(dir, 0.5F));
-        CHECK_NEAR(clouds_at(&ball_clouds, 0, glms_vec3_scale(dir, 0.9F)), 0, 0);
+        const double there =
+            (double)scattering_media_at(&ball_clouds, 0, glms_vec3_scale(dir, 0.5F));
+        CHECK_NEAR(scattering_media_at(&ball_clouds, 0, glms_vec3_scale(dir, 0.9F)), 0, 0);
         least = fmin(least, there);
         most = fmax(most, there);
     }
     CHECK_NEAR(least, 0, 0.01);
-    CHECK_NEAR(most, CLOUD_VEIL_SHARE, 0.03);
+    CHECK_NEAR(most, MEDIUM_VEIL_DENSITY, 0.03);
 }
 
 /* The share of light that crosses a ball in `object_from_world` along z, from a point on: exp of
@@ -134,8 +135,9 @@ static double passing(double density, mat4s object_from_world, vec3s from)
     double sum = 0;
     for (int i = 0; i < 2000; i++) {
         const vec3s to = { { from.x, from.y, from.z - 4 * ((float)i + 0.5F) / 2000 } };
-        sum += (double)clouds_at(&ball_clouds, 0, glms_mat4_mulv3(object_from_world, to, 1)) * 4 /
-               2000;
+        sum += (double)scattering_media_at(&ball_clouds, 0,
+                                           glms_mat4_mulv3(object_from_world, to, 1)) *
+               4 / 2000;
     }
     return exp(-density * sum);
 }
@@ -151,15 +153,18 @@ static void test_passing(void **state)
             glms_rotate(glms_translate_make((vec3s){ { 5, 0, 0 } }), 1.2F, (vec3s){ { 0, 1, 0 } }),
     };
     const struct radiance radiance = radiance_of(&scene, &globals);
-    const struct cloud cloud = cloud_of(&radiance, &settings, 0);
+    const struct volume_scattering volume_scattering =
+        volume_scattering_of(&radiance, &settings, 0);
     for (int i = 0; i < 4; i++) {
         const float besides = 0.22F * (float)i;
-        const struct cloud_way way = { { { 5 + besides, 0, 2 } }, { { 0, 0, -1 } }, 4 };
-        const double expected = passing(1.5, cloud.object_from_world, way.from);
+        const struct volume_scattering_segment way = { { { 5 + besides, 0, 2 } },
+                                                       { { 0, 0, -1 } },
+                                                       4 };
+        const double expected = passing(1.5, volume_scattering.object_from_world, way.from);
         int count = 0;
         float distance;
         for (uint32_t s = 0; s < SAMPLES; s++)
-            count += !cloud_scatters(&cloud, &way, s, 7, &distance);
+            count += !volume_scattering_sample_distance(&volume_scattering, &way, s, 7, &distance);
         CHECK_NEAR((double)count / SAMPLES, expected,
                    0.005 + 3 * sqrt(expected * (1 - expected) / SAMPLES));
     }
@@ -173,10 +178,11 @@ static void test_turning(void **state)
     const vec3s dir = { { 0.36F, -0.48F, 0.8F } };
     (void)state;
     for (int i = 0; i < 3; i++) {
-        const struct cloud cloud = { .anisotropy = means[i] };
+        const struct volume_scattering volume_scattering = { .anisotropy = means[i] };
         vec3s sum = glms_vec3_zero();
         for (uint32_t s = 0; s < SAMPLES; s++) {
-            const vec3s turned = cloud_turned(&cloud, dir, microfacet_point(s, 1));
+            const vec3s turned =
+                volume_scattering_sample_direction(&volume_scattering, dir, microfacet_point(s, 1));
             CHECK_NEAR(glms_vec3_norm(turned), 1, 1e-5);
             sum = glms_vec3_muladds(turned, 1.0F / SAMPLES, sum);
         }

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "shaders/bump_normal.h"
+#include "shaders/lighting/bump_normal.h"
 #include "src/reference/inclusions.h"
 #include "src/scene/generate/generate.h"
 #include "tests/support/bumps.h"
@@ -356,7 +356,7 @@ static void test_bumps_on_planes(void **state)
         const struct radiance radiance = radiance_of(&scene, &globals);
         const struct inclusions inclusions = inclusions_of(&radiance, &settings);
         const vec3s normal = { { (float)n.x, (float)n.y, (float)n.z } };
-        const struct bvh_hit hit = { .surface = { .position = normal } };
+        const struct embree_scene_hit hit = { .surface = { .position = normal } };
         const struct inclusions_surface found =
             inclusions_surface_at(&inclusions, NULL, &hit, normal);
         assert_true(vec_difference(world_normal(&found, n, e), bumps_normal(&bumps, n, e)) < 1e-3);
@@ -383,13 +383,14 @@ static void test_bumps_by_uv(void **state)
         const struct globals globals = globals_of_turn(0);
         const struct radiance radiance = radiance_of(&scene, &globals);
         const struct inclusions inclusions = inclusions_of(&radiance, &settings);
-        const struct bvh bvh = { .parts[BVH_OBJECT] = { box, positions } };
+        const struct embree_scene embree_scene = { .parts[EMBREE_SCENE_OBJECT] = { box,
+                                                                                   positions } };
         for (uint32_t triangle = 10; triangle < 12; triangle++) { /* of the side at z = 50 */
             const float out = triangle == 10 ? 1 : -1;
             const struct vec n = { 0, 0, (double)out }, e = { 0, 0, -(double)out };
-            const struct bvh_hit hit = { .triangle = triangle };
+            const struct embree_scene_hit hit = { .triangle = triangle };
             const struct inclusions_surface found =
-                inclusions_surface_at(&inclusions, &bvh, &hit, (vec3s){ { 0, 0, out } });
+                inclusions_surface_at(&inclusions, &embree_scene, &hit, (vec3s){ { 0, 0, out } });
             const struct vec gradient = { 0.4 * sign, -0.2, 0 };
             assert_true(vec_difference(world_normal(&found, n, e), bumps_bend(gradient, n, e)) <
                         1e-3);

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "src/reference/media.h"
 #include "src/reference/microfacet.h"
+#include "src/reference/nested_media.h"
 #include "src/scene/generate/generate.h"
-#include "src/tech/refract.h"
+#include "src/tech/refract/refract.h"
 #include "tests/support/check.h"
 #include "tests/support/picture.h"
 #include "tests/support/seen.h"
@@ -87,12 +87,12 @@ static struct scene white_scene(void)
 
 static void rank(struct scene *scene)
 {
-    assert_int_equal(object_rank_all(scene->model.objects, scene->model.object_count,
-                                     &scene->model.object, scene->model.materials),
+    assert_int_equal(object_assign_ranks(scene->model.objects, scene->model.object_count,
+                                         &scene->model.object, scene->model.materials),
                      STATUS_OK);
     const struct settings settings = settings_default();
     const struct refract_params *refract = settings_of(&settings, &refract_settings);
-    scene->settled_ior = refract->ior; /* so the materials' own indices count */
+    scene->model_ior = refract->ior; /* so the materials' own indices count */
 }
 
 /* ---- order ---- */

@@ -6,7 +6,7 @@
 
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
-#include "src/reference/reference_sums.h"
+#include "src/reference/reference_sample_sums.h"
 #include "tests/support/check.h"
 #include "tests/support/picture.h"
 
@@ -23,7 +23,7 @@ static uint32_t traced_layers(void)
 {
     uint32_t layers = 0;
     for (uint32_t i = 0; techniques_layer(i); i++)
-        layers |= reference_makes(techniques_layer(i)) ? 1u << i : 0;
+        layers |= reference_has_layer(techniques_layer(i)) ? 1u << i : 0;
     return layers;
 }
 
@@ -257,14 +257,14 @@ static void test_layers(void **state)
         const struct frame_layer *layer = techniques_layer(i);
         for (uint32_t p = 0; p < 4 && layer->planes[p]; p++) {
             const float *texels = image_find(&result.image, layer->planes[p]);
-            assert_true(!texels == !reference_makes(layer));
+            assert_true(!texels == !reference_has_layer(layer));
             planes += texels != NULL;
             bool differs = false;
             for (size_t k = 1; texels && k < count; k++)
                 differs = differs || texels[k] != texels[0];
             /* a convex, smooth body reflects nothing totally, and nothing is in it */
             const bool is_dull = !strcmp(layer->name, "tir") || !strcmp(layer->name, "bounces") ||
-                                 !strcmp(layer->name, "met");
+                                 !strcmp(layer->name, "inclusions");
             assert_true(!texels || differs || is_dull);
         }
     }
@@ -413,10 +413,10 @@ static void test_what_is_left_out(void **state)
     struct settings settings = settings_default();
     char names[REFERENCE_NAMES_SIZE];
     assert_int_equal(settings_set(&settings, "frost.amount=0.5"), STATUS_OK);
-    assert_true(reference_leaves_out(&settings, names, sizeof(names)));
+    assert_true(reference_unsupported(&settings, names, sizeof(names)));
     assert_string_equal(names, "highlights");
     assert_int_equal(settings_set(&settings, "light.count=0"), STATUS_OK);
-    assert_false(reference_leaves_out(&settings, names, sizeof(names)));
+    assert_false(reference_unsupported(&settings, names, sizeof(names)));
 }
 
 int main(void)

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "src/frame/layers.h"
+#include "src/frame/output_layers.h"
 #include "src/settings/quality.h"
 #include "src/settings/settings.h"
 #include "tests/support/check.h"
@@ -173,9 +173,9 @@ static void check_round_trip(const struct setting *row, double value)
     char text[32], assignment[128];
     struct settings before = settings_default();
     struct settings after = settings_default();
-    settings_put(&before, row, value);
+    settings_set_value(&before, row, value);
     print(&before, row, text, sizeof(text));
-    settings_put(&after, row, value > row->min ? row->min : row->max);
+    settings_set_value(&after, row, value > row->min ? row->min : row->max);
     snprintf(assignment, sizeof(assignment), "%s=%s", row->name, text);
     assert_int_equal(settings_set(&after, assignment), STATUS_OK);
     assert_memory_equal(&before, &after, sizeof(before)); /* and no other value has changed */
@@ -218,8 +218,8 @@ static void check_printed(const char *name, const char *value)
 static void test_prints_as_people_write(void **state)
 {
     (void)state;
-    check_printed("refract_paper.a", "0.33");
-    check_printed("refract_paper.a", "0.1");
+    check_printed("refract_paper.back_weight", "0.33");
+    check_printed("refract_paper.back_weight", "0.1");
     check_printed("refract.ior", "1.3091");
     check_printed("tonemap.exposure", "-2.5");
     check_printed("tonemap.exposure", "0");
@@ -267,7 +267,7 @@ static void test_unknown_names(void **state)
 {
     (void)state;
     check_refused("refract.iro=1.5", "did you mean 'refract.ior'?");
-    check_refused("refact_paper.a=0.5", "did you mean 'refract_paper.a'?");
+    check_refused("refact_paper.a=0.5", "did you mean 'refract_paper.back_weight'?");
     check_refused("sky.sun_elevatoin=10", "did you mean 'sky.sun_elevation'?");
     check_refused(" refract.ior=1.5", "did you mean 'refract.ior'?");
     check_refused("refract.ior =1.5", "did you mean 'refract.ior'?");
@@ -345,8 +345,8 @@ static void test_unusual_numbers(void **state)
         { "refract.ior=15e-1", "refract.ior", 1.5 },
         { "refract.ior=1", "refract.ior", 1.0 },
         { "refract.ior=4", "refract.ior", 4.0 },
-        { "refract_paper.a=1e-999", "refract_paper.a", 0.0 },
-        { "refract_paper.a=.5", "refract_paper.a", 0.5 },
+        { "refract_paper.back_weight=1e-999", "refract_paper.back_weight", 0.0 },
+        { "refract_paper.back_weight=.5", "refract_paper.back_weight", 0.5 },
         { "tonemap.exposure=-16", "tonemap.exposure", -16.0 },
     };
 
@@ -380,13 +380,13 @@ static void test_levels_of_quality(void **state)
         struct settings settings = settings_default();
         assert_int_equal(settings_set(&settings, "refract.ior=1.5"), STATUS_OK);
         for (const struct quality_row *row = quality_rows; row->setting; row++)
-            quality_put(&settings, row, level);
-        assert_int_equal(quality_of(&settings), level);
-        assert_int_equal(settings_set(&settings, "trace.branch=0.123"), STATUS_OK);
-        assert_int_equal(quality_of(&settings), QUALITY_COUNT);
+            quality_apply_row(&settings, row, level);
+        assert_int_equal(quality_find(&settings), level);
+        assert_int_equal(settings_set(&settings, "trace.min_branch=0.123"), STATUS_OK);
+        assert_int_equal(quality_find(&settings), QUALITY_COUNT);
     }
     const struct settings defaults = settings_default();
-    assert_string_equal(qualities[quality_of(&defaults)].name, "normal");
+    assert_string_equal(qualities[quality_find(&defaults)].name, "normal");
 }
 
 int main(void)

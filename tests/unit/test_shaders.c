@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "graph/compile/spirv.h"
-#include "src/frame/list.h"
+#include "graph/compile/spirv_reflection.h"
+#include "src/frame/pass_list.h"
 #include "src/tech/techniques.h"
 #include "tests/support/check.h"
 #include "tests/unit/shared_headers.inc"
@@ -173,13 +173,13 @@ static void check_table(const struct rg_technique *technique, struct checked *ch
 }
 
 /* With and without a pool, for objects of any shape. */
-static void check_settings(const struct settings *settings, const struct technique *rung,
+static void check_settings(const struct settings *settings, const struct technique *refraction,
                            struct checked *checked)
 {
     static const struct technique_choice choices[] = {
         { 0 },
         { .is_convex = true },
-        { .meets_surroundings = true },
+        { .hits_surroundings = true },
         { .has_pool = true },
         { .purpose = TECHNIQUE_CAPTURE },
         { .purpose = TECHNIQUE_BAKE },
@@ -189,7 +189,7 @@ static void check_settings(const struct settings *settings, const struct techniq
         struct technique_choice choice = choices[i];
         struct frame_list list;
         choice.settings = settings;
-        choice.rung = rung;
+        choice.refraction = refraction;
         assert_int_equal(frame_list_init(&list, &choice), STATUS_OK);
         for (size_t t = 0; t < list.count; t++)
             check_table(&list.parts[t], checked);
@@ -245,19 +245,19 @@ static void test_rows_and_shaders_agree(void **state)
     (void)state;
     struct change changes[CHANGE_MAX];
     struct checked checked = { 0 };
-    const struct technique *rung;
+    const struct technique *refraction;
     const size_t count = find_changes(changes);
     for (size_t i = 0; i < count; i++) {
         for (size_t k = 0; k <= i; k++) {
             struct settings settings = settings_default();
-            settings_put(&settings, changes[i].row, changes[i].value);
-            settings_put(&settings, changes[k].row, changes[k].value);
-            check_settings(&settings, techniques_rung(0), &checked);
+            settings_set_value(&settings, changes[i].row, changes[i].value);
+            settings_set_value(&settings, changes[k].row, changes[k].value);
+            check_settings(&settings, techniques_refraction(0), &checked);
         }
         struct settings settings = settings_default();
-        settings_put(&settings, changes[i].row, changes[i].value);
-        for (size_t r = 1; (rung = techniques_rung(r)); r++)
-            check_settings(&settings, rung, &checked);
+        settings_set_value(&settings, changes[i].row, changes[i].value);
+        for (size_t r = 1; (refraction = techniques_refraction(r)); r++)
+            check_settings(&settings, refraction, &checked);
     }
     static const struct technique *const windows[] = { VIEW_TECHNIQUES };
     for (size_t t = 0; t < sizeof(windows) / sizeof(windows[0]); t++) {

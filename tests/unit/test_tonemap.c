@@ -1,5 +1,5 @@
 /* test_tonemap.c: tone curves, against values that were computed from the published formulas. */
-#include "shaders/tonemap.h"
+#include "shaders/output/tonemap.h"
 #include "tests/support/check.h"
 
 static const struct {

@@ -1,8 +1,8 @@
 /* Every row gets a widget that can show it. */
 #include <string.h>
-#include "src/view/keys.h"
+#include "src/view/key_bindings.h"
+#include "src/view/ui/ui_search_synonyms.h"
 #include "src/view/ui/ui_settings.h"
-#include "src/view/ui/ui_synonyms.h"
 #include "tests/support/check.h"
 
 static enum ui_widget widget_of(const char *name)
@@ -15,7 +15,7 @@ static enum ui_widget widget_of(const char *name)
 static void test_widgets(void **state)
 {
     (void)state;
-    assert_int_equal(widget_of("cracks.surface"), UI_CHECKBOX);
+    assert_int_equal(widget_of("cracks.debug"), UI_CHECKBOX);
     assert_int_equal(widget_of("cracks.clip"), UI_LIST);
     assert_int_equal(widget_of("cracks.count"), UI_SLIDER);
     assert_int_equal(widget_of("bubbles.count"), UI_LOGARITHMIC);
@@ -55,8 +55,8 @@ static void test_search(void **state)
 
 static bool is_label(const char *name)
 {
-    for (enum view_action a = VIEW_NOTHING + 1; a < VIEW_ACTION_COUNT; a++) {
-        if (!strcmp(keys_label(a), name))
+    for (enum view_action a = VIEW_ACTION_NONE + 1; a < VIEW_ACTION_COUNT; a++) {
+        if (!strcmp(key_bindings_label(a), name))
             return true;
     }
     return false;
@@ -66,11 +66,11 @@ static void test_synonyms(void **state)
 {
     (void)state;
     const char *name;
-    for (uint32_t i = 0; (name = ui_synonyms_name(i)); i++)
+    for (uint32_t i = 0; (name = ui_search_synonyms_name(i)); i++)
         assert_true(settings_find(name) || is_label(name));
     assert_true(ui_settings_fit(settings_find("tonemap.exposure"), "brightness"));
     assert_false(ui_settings_fit(settings_find("cracks.seed"), "brightness"));
-    assert_string_equal(ui_synonyms("cracks.seed"), "");
+    assert_string_equal(ui_search_synonyms("cracks.seed"), "");
 }
 
 int main(void)

@@ -40,7 +40,7 @@ enum status option_only(const struct option *option, void *at, const char *value
     return diff->only_heat ? STATUS_OK : option_refuse(option, value, "heat");
 }
 
-enum status option_error_picture(const struct option *option, void *at, const char *value)
+enum status option_error_image(const struct option *option, void *at, const char *value)
 {
     if (!path_ends_in(value, ".exr") && !path_ends_in(value, ".png"))
         return option_refuse(option, value, "a file name that ends in .exr or .png");

@@ -4,8 +4,8 @@
 #include "src/app/options/option_values.h"
 #include "src/base/path.h"
 #include "src/settings/scene_settings.h"
-#include "src/tech/cracks.h"
-#include "src/tech/refract.h"
+#include "src/tech/inclusions/cracks.h"
+#include "src/tech/refract/refract.h"
 #include "src/tech/techniques.h"
 
 enum status option_ladder_output(const struct option *option, void *at, const char *value)
@@ -21,10 +21,11 @@ enum status option_ladder_output(const struct option *option, void *at, const ch
 
 static bool add_rung(struct app_ladder *ladder, const char *name, size_t length)
 {
-    const struct technique *rung;
-    for (uint32_t i = 0; (rung = techniques_rung(i)); i++) {
-        if (strlen(rung->rung.name) == length && !strncmp(rung->rung.name, name, length)) {
-            ladder->rungs |= 1u << i;
+    const struct technique *refraction;
+    for (uint32_t i = 0; (refraction = techniques_refraction(i)); i++) {
+        if (strlen(refraction->refraction.name) == length &&
+            !strncmp(refraction->refraction.name, name, length)) {
+            ladder->refraction_models |= 1u << i;
             return true;
         }
     }
@@ -46,30 +47,30 @@ enum status option_rungs(const struct option *option, void *at, const char *valu
 void option_ladder_settings(struct settings *s)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
-        if ((*t)->is_on && (!(*t)->is_traced || (*t)->is_of_ice))
+        if ((*t)->is_on && (!(*t)->is_traced || (*t)->is_ice_only))
             techniques_switch_off(s, *t);
     }
-    settings_put(s, settings_row(&light_settings, offsetof(struct light_params, count)), 0.0);
-    settings_put(s, settings_row(&env_cube_settings, offsetof(struct env_cube_params, dynamic)),
-                 0.0);
-    settings_put(s, settings_row(&refract_settings, offsetof(struct refract_params, fresnel)),
-                 REFRACT_FRESNEL_EXACT);
-    settings_put(s, settings_row(&refract_settings, offsetof(struct refract_params, lookup)),
-                 REFRACT_LOOKUP_DISTANCE);
+    settings_set_value(s, settings_row(&light_settings, offsetof(struct light_params, count)), 0.0);
+    settings_set_value(
+        s, settings_row(&env_cube_settings, offsetof(struct env_cube_params, dynamic)), 0.0);
+    settings_set_value(s, settings_row(&refract_settings, offsetof(struct refract_params, fresnel)),
+                       REFRACT_FRESNEL_EXACT);
+    settings_set_value(s, settings_row(&refract_settings, offsetof(struct refract_params, lookup)),
+                       REFRACT_LOOKUP_DISTANCE);
 }
 
 static void set_unless_given(struct app_scene *scene, const struct setting *row, double value)
 {
     const size_t index = settings_index(row);
     if (!scene->is_set[index] && !scene->is_preset[index])
-        settings_put(&scene->settings, row, value);
+        settings_set_value(&scene->settings, row, value);
 }
 
 void option_ladder_whole(struct app_scene *scene)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
         const struct setting *row = (*t)->settings[0] ? &(*t)->settings[0]->rows[0] : NULL;
-        if ((*t)->is_of_ice && (*t)->is_traced && row)
+        if ((*t)->is_ice_only && (*t)->is_traced && row)
             set_unless_given(scene, row, row->initial);
     }
     set_unless_given(scene, settings_row(&cracks_settings, offsetof(struct cracks_params, refract)),

@@ -6,13 +6,10 @@
 
 /* Name of the built-in preset: an object in the paper's surroundings and lighting. */
 static const char paper[] = "paper";
-static const char *const paper_lines[] = { "ice_caustics.light=none",
-                                           "ground.light=open",
-                                           "mirror.steps=0",
-                                           "contact.strength=0",
-                                           "tonemap.exposure=0",
-                                           "tonemap.dither=off",
-                                           NULL };
+static const char *const paper_lines[] = {
+    "ice_caustics.light=none", "ground.light=open",  "ssr.steps=0", "ao.strength=0",
+    "tonemap.exposure=0",      "tonemap.dither=off", NULL
+};
 
 static enum status apply_line(struct app_scene *scene, const char *assignment, uint32_t number)
 {

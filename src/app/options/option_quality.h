@@ -4,10 +4,10 @@
 
 #include "src/app/options/option.h"
 
-/* Sets the quality level of a struct app_picture; --set and --preset take precedence. */
+/* Sets the quality level of a struct app_image; --set and --preset take precedence. */
 option_fn option_quality;
 
 /* Applies firn render's default quality, unless level, samples, preset or a limit is given. */
-void option_quality_of_files(struct app_options *o);
+void option_default_quality(struct app_options *o);
 
 #endif

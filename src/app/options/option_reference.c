@@ -6,7 +6,7 @@
 #include "src/app/options/option_values.h"
 #include "src/base/log.h"
 #include "src/base/path.h"
-#include "src/tech/refract_reference.h"
+#include "src/tech/refract/refract_reference.h"
 
 enum {
     SAMPLES_MAX = 65536 /* default if a noise or time limit is given */
@@ -32,7 +32,7 @@ enum status option_seconds(const struct option *option, void *at, const char *va
     return set_number(option, at, value, 1e-3f, 1e9f, "seconds from 0.001 to 1e9");
 }
 
-const char *option_sums_picture(const struct app_options *o)
+const char *option_sums_image(const struct app_options *o)
 {
     for (uint32_t i = 0; i < o->run.outputs.count; i++) {
         if (path_ends_in(o->run.outputs.paths[i], ".exr"))
@@ -52,24 +52,24 @@ char *option_sums_file(const char *picture)
     return name;
 }
 
-enum status option_settle_reference(struct app_options *o)
+enum status option_check_reference(struct app_options *o)
 {
     const struct app_render *render = &o->render;
     const char *limit = render->noise > 0.0 ? "noise" : render->seconds > 0.0 ? "time" : NULL;
-    const bool is_named = o->picture.is_rung_named;
+    const bool is_named = o->picture.is_refraction_named;
     const uint32_t usual = o->picture.level_samples ? o->picture.level_samples : 1;
-    if (o->picture.level_is_smooth && !o->picture.is_filter_named)
+    if (o->picture.level_has_smooth_filter && !o->picture.is_filter_named)
         o->picture.filter = PIXEL_FILTER_BLACKMAN_HARRIS;
     if (!o->picture.samples)
         o->picture.samples = limit ? SAMPLES_MAX : usual;
-    if (o->picture.rung != &refract_reference && (limit || render->keep_sums)) {
+    if (o->picture.refraction != &refract_reference && (limit || render->keep_sums)) {
         log_error("--%s: only available with --refraction reference%s%s%s; %s",
                   limit ? limit : "keep-sums", is_named ? ", not '" : "",
-                  is_named ? o->picture.rung->rung.name : "", is_named ? "'" : "",
+                  is_named ? o->picture.refraction->refraction.name : "", is_named ? "'" : "",
                   limit ? "give --samples instead" : "leave it out");
         return STATUS_USAGE;
     }
-    if (render->keep_sums && !option_sums_picture(o)) {
+    if (render->keep_sums && !option_sums_image(o)) {
         log_error(
             "--keep-sums: expected an .exr file as --output, beside which the sums are stored");
         return STATUS_USAGE;

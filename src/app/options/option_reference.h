@@ -7,7 +7,7 @@
 option_fn option_noise, option_seconds; /* of a double */
 
 /* Returns the first EXR output, beside which --keep-sums stores the sums, or NULL. */
-const char *option_sums_picture(const struct app_options *options);
+const char *option_sums_image(const struct app_options *options);
 
 /* Returns the name of the file with an image's sample sums, "a.sums.exr" for "a.exr", to be freed
  * by the caller; NULL when out of memory. */
@@ -15,6 +15,6 @@ char *option_sums_file(const char *picture);
 
 /* Checks that options for the reference are used only with it, and sets the default sample count
  * and pixel filter. On failure logs and returns STATUS_USAGE. */
-MUST_USE enum status option_settle_reference(struct app_options *options);
+MUST_USE enum status option_check_reference(struct app_options *options);
 
 #endif

@@ -9,7 +9,7 @@
 #include "src/base/log.h"
 #include "src/base/suggest.h"
 #include "src/scene/material.h"
-#include "src/tech/refract_reference.h"
+#include "src/tech/refract/refract_reference.h"
 #include "src/tech/techniques.h"
 
 bool option_is_optional(const struct option *option)
@@ -33,10 +33,10 @@ enum status option_refuse_more(const struct option *option, const char *value, u
 static void offer_names(struct suggest *suggest, enum option_names names)
 {
     const bool has_reference = names == OPTION_RUNGS_AND_REFERENCE;
-    for (size_t i = 0; (names == OPTION_RUNGS || has_reference) && techniques_rung(i); i++)
-        suggest_offer(suggest, techniques_rung(i)->rung.name);
+    for (size_t i = 0; (names == OPTION_RUNGS || has_reference) && techniques_refraction(i); i++)
+        suggest_offer(suggest, techniques_refraction(i)->refraction.name);
     if (has_reference)
-        suggest_offer(suggest, refract_reference.rung.name);
+        suggest_offer(suggest, refract_reference.refraction.name);
     for (const struct material_preset *m = material_presets; names == OPTION_MATERIALS && m->name;
          m++)
         suggest_offer(suggest, m->name);
@@ -59,7 +59,7 @@ enum status option_refuse_name(const struct option *option, enum option_names na
     snprintf(name, sizeof(name), "%.*s", (int)(length < sizeof(name) ? length : sizeof(name)),
              word);
     offer_names(&suggest, names);
-    if (names == OPTION_RUNGS && !strcmp(name, refract_reference.rung.name))
+    if (names == OPTION_RUNGS && !strcmp(name, refract_reference.refraction.name))
         log_error("--%s: refraction model '%s' is ray traced, which only firn render --refraction "
                   "supports",
                   option->name, name);

@@ -15,8 +15,8 @@ enum status option_present(const struct option *option, void *at, const char *va
 
 enum status option_split(const struct option *option, void *at, const char *value)
 {
-    struct app_picture *picture = at;
-    picture->split = techniques_find_rung(value);
+    struct app_image *picture = at;
+    picture->split = techniques_find_refraction(value);
     return picture->split ? STATUS_OK
                           : option_refuse_name(option, OPTION_RUNGS, value, strlen(value));
 }

@@ -7,6 +7,6 @@
 /* sets a field of struct app_view */
 option_fn option_present, option_overlay, option_theme, option_ui_scale;
 option_fn option_watch; /* sets a field of struct app_view */
-option_fn option_split; /* of struct app_picture */
+option_fn option_split; /* of struct app_image */
 
 #endif

@@ -4,28 +4,28 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/app/app.h"
-#include "src/app/layer_picture.h"
+#include "src/app/layer_image.h"
 #include "src/app/options/option_diff.h"
 #include "src/app/options/option_farm.h"
-#include "src/app/options/option_files.h"
+#include "src/app/options/option_file_conflicts.h"
 #include "src/app/options/option_help.h"
+#include "src/app/options/option_image.h"
 #include "src/app/options/option_ladder.h"
-#include "src/app/options/option_picture.h"
 #include "src/app/options/option_preset.h"
 #include "src/app/options/option_profile.h"
 #include "src/app/options/option_quality.h"
 #include "src/app/options/option_reference.h"
 #include "src/app/options/option_values.h"
 #include "src/app/options/option_view.h"
-#include "src/app/shell_words.h"
+#include "src/app/shell_quote.h"
 #include "src/base/log.h"
 #include "src/base/suggest.h"
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
 #include "src/scene/material.h"
-#include "src/tech/refract.h"
-#include "src/tech/refract_bounce.h"
-#include "src/tech/refract_reference.h"
+#include "src/tech/refract/refract.h"
+#include "src/tech/refract/refract_bounce.h"
+#include "src/tech/refract/refract_reference.h"
 
 /* ---- the table ---- */
 
@@ -50,7 +50,7 @@ enum {
 #define INPUT(field)       AT(const char *, field, option_input)
 #define REPORT(field)      AT(const char *, field, option_report)
 #define COUNT(field)       AT(uint32_t, field, option_count)
-#define PICTURE(set)       AT(struct app_picture, picture, set)
+#define PICTURE(set)       AT(struct app_image, picture, set)
 #define SCENE(set)         AT(struct app_scene, picture.scene, set)
 #define VECTOR(field, set) AT(struct app_vector, picture.field, set)
 #define OUTPUTS(set)       AT(struct app_outputs, run.outputs, set)
@@ -94,7 +94,7 @@ static const struct option options[] = {
     { "Output", "samples", 'n', "N", APP_VIEW, COUNT(picture.samples),
       "samples per pixel at rest and in screenshots, 1 to 65536 (64; 1 with --frames)", 1, 65536 },
     { "Output", "pixel-filter", 0, "FILTER", FILES | APP_LADDER | APP_SHEET,
-      AT(struct app_picture, picture, option_pixel_filter),
+      AT(struct app_image, picture, option_pixel_filter),
       "pixel reconstruction filter: box, point (pixel centre) or blackman-harris (box)" },
     { "Output", "aov", 0, "LIST", FILES, PICTURE(option_aov),
       "additional EXR layers (AOVs), separated by commas, or all: firn list layers" },
@@ -226,9 +226,9 @@ static const struct option options[] = {
       "camera of the model file, name or number from 0: firn info FILE (the first)" },
     { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, VECTOR(orbit, option_orbit),
       "orbit camera: azimuth and elevation, degrees; distance to the target, metres" },
-    { "Camera", "eye", 0, "X,Y,Z", PICTURES, VECTOR(eye, option_place),
+    { "Camera", "eye", 0, "X,Y,Z", PICTURES, VECTOR(eye, option_position),
       "position of the camera, metres" },
-    { "Camera", "target", 0, "X,Y,Z", PICTURES, VECTOR(target, option_place),
+    { "Camera", "target", 0, "X,Y,Z", PICTURES, VECTOR(target, option_position),
       "point that the camera looks at, metres (the object's centre)" },
     { "Camera", "fov", 0, "DEGREES", PICTURES, PICTURE(option_fov),
       "vertical field of view, degrees, 1 to 170 (45)" },
@@ -256,7 +256,7 @@ static const struct option options[] = {
       "tone curve of HDR-FLIP: aces, hable or reinhard (aces)" },
     { "Comparison", "ppd", 0, "N", APP_DIFF, DIFF(option_ppd),
       "pixels per degree of the viewer's field of view, 1 to 400 (67)" },
-    { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS(option_error_picture),
+    { "Result", "output", 'o', "FILE", APP_DIFF, OUTPUTS(option_error_image),
       "error image, .png in colours or .exr as numbers; repeatable" },
     { "Result", "only", 0, "heat", APP_DIFF, DIFF(option_only),
       "PNG files show only the errors (default: both images, errors and scale)" },
@@ -388,9 +388,9 @@ static enum status add_positional(struct app_options *o, enum app_command comman
     return STATUS_USAGE;
 }
 
-static enum status refuse_traced(const struct app_picture *picture)
+static enum status refuse_traced(const struct app_image *picture)
 {
-    if (picture->rung != &refract_reference)
+    if (picture->refraction != &refract_reference)
         return STATUS_OK;
     log_error("--refraction: 'reference' is ray traced, which only firn render supports; choose "
               "another refraction model");
@@ -398,19 +398,19 @@ static enum status refuse_traced(const struct app_picture *picture)
 }
 
 /* Checks that the selected renderer draws all requested layers; needs all options to be parsed. */
-static enum status settle_layers(struct app_picture *picture)
+static enum status settle_layers(struct app_image *picture)
 {
     uint32_t made = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const struct frame_layer *layer = techniques_layer(i);
-        const bool is_made =
-            picture->rung == &refract_reference ? reference_makes(layer) : layer->image != NULL;
+        const bool is_made = picture->refraction == &refract_reference ? reference_has_layer(layer)
+                                                                       : layer->image != NULL;
         const bool is_shown = picture->show == layer;
         made |= is_made ? 1u << i : 0;
         if (is_made || !(picture->layers & 1u << i || is_shown))
             continue;
         log_error("--%s: layer '%s' is not available with --refraction %s (firn list layers)",
-                  is_shown ? "show" : "aov", layer->name, picture->rung->rung.name);
+                  is_shown ? "show" : "aov", layer->name, picture->refraction->refraction.name);
         return STATUS_USAGE;
     }
     if (picture->all_layers)
@@ -418,7 +418,7 @@ static enum status settle_layers(struct app_picture *picture)
     return STATUS_OK;
 }
 
-void app_name_output(struct app_options *o, enum app_command command)
+void app_default_output(struct app_options *o, enum app_command command)
 {
     const struct {
         unsigned commands;
@@ -440,7 +440,7 @@ void app_name_output(struct app_options *o, enum app_command command)
 static enum status check_files(const struct app_options *o, enum app_command command)
 {
     struct option_file files[OPTION_COUNT + APP_OUTPUT_COUNT + APP_POSITIONAL_COUNT + 2];
-    char *sums = o->render.keep_sums ? option_sums_file(option_sums_picture(o)) : NULL;
+    char *sums = o->render.keep_sums ? option_sums_file(option_sums_image(o)) : NULL;
     size_t count = 0;
     for (size_t i = 0; i < OPTION_COUNT; i++) {
         const bool is_input = options[i].set == option_input;
@@ -472,7 +472,7 @@ static void init_defaults(struct app_options *o, enum app_command command)
                 .reader = { .program = "/proc/self/exe" },
                 .settings = settings_default(),
             },
-            .rung = &refract_bounce,
+            .refraction = &refract_bounce,
             .width = 1024,
             .height = 768,
             .samples = 1,
@@ -482,7 +482,7 @@ static void init_defaults(struct app_options *o, enum app_command command)
         .ladder = { .run_count = 10 },
     };
     if (command & (APP_RENDER | APP_FARM))
-        o->picture.samples = 0; /* option_settle_reference() sets the default */
+        o->picture.samples = 0; /* option_check_reference() sets the default */
     if (command == APP_VIEW)
         o->picture.samples = 0; /* the viewer sets the default */
     if (command == APP_LADDER)
@@ -525,18 +525,19 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
     if (o->ladder.whole)
         option_ladder_whole(&o->picture.scene);
     if (command != APP_FARM) /* firn farm sets its outputs later: a positional word may be one */
-        app_name_output(o, command);
+        app_default_output(o, command);
     enum status status = settle_layers(&o->picture);
     if (command & (APP_RENDER | APP_FARM))
-        option_quality_of_files(o);
+        option_default_quality(o);
     if (status == STATUS_OK && command & (APP_RENDER | APP_FARM))
-        status = option_settle_reference(o);
+        status = option_check_reference(o);
     if (status == STATUS_OK)
         status = check_files(o, command);
     return status == STATUS_OK ? option_preset_read(&o->picture.scene) : status;
 }
 
-void app_print_render_words(char *const *words, enum app_command command, uint32_t skip, FILE *out)
+void app_print_render_arguments(char *const *words, enum app_command command, uint32_t skip,
+                                FILE *out)
 {
     bool only_words = false;
     for (; *words; words++) {
@@ -550,10 +551,10 @@ void app_print_render_words(char *const *words, enum app_command command, uint32
         skip -= skipped;
         if (!skipped && (!option || option->commands & APP_RENDER)) {
             putc(' ', out);
-            shell_words_quote(*words, out);
+            shell_quote_word(*words, out);
             if (has_next) {
                 putc(' ', out);
-                shell_words_quote(words[1], out);
+                shell_quote_word(words[1], out);
             }
         }
         words += has_next;
@@ -561,7 +562,7 @@ void app_print_render_words(char *const *words, enum app_command command, uint32
 }
 
 /* Sets an option of a picture; only its offsets are valid here. */
-enum status app_set(struct app_picture *picture, const char *name, const char *value)
+enum status app_set_option(struct app_image *picture, const char *name, const char *value)
 {
     const struct option *option = find_long(name, strlen(name), APP_GRAPH);
     char assignment[256];

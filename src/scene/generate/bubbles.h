@@ -1,4 +1,4 @@
-/* bubbles.h: declarations shared by bubbles.c and bubbles_grown.c. */
+/* bubbles.h: declarations shared by bubble_placement.c and frozen_bubbles.c. */
 #ifndef FIRN_SCENE_GENERATE_BUBBLES_H
 #define FIRN_SCENE_GENERATE_BUBBLES_H
 
@@ -8,7 +8,7 @@
 float bubbles_clearance(const struct mesh *mesh, vec3s point);
 
 /* Generates up to params->count bubbles of trapped air; `bubbles` is empty, with room for them. */
-void bubbles_grow(struct bubbles *bubbles, const struct mesh *mesh,
-                  const struct generate_bubbles *params);
+void bubbles_generate_frozen(struct bubbles *bubbles, const struct mesh *mesh,
+                             const struct generate_bubbles *params);
 
 #endif

@@ -13,9 +13,9 @@
 #ifndef FIRN_SCENE_GENERATE_GENERATE_H
 #define FIRN_SCENE_GENERATE_GENERATE_H
 
-#include "shaders/bubbles.h"
+#include "shaders/inclusions/bubbles.h"
 #include "src/scene/bubble.h"
-#include "src/scene/mesh.h"
+#include "src/scene/geometry/mesh.h"
 
 enum {
     GENERATE_SPHERE_TRIANGLES = 960,
@@ -23,7 +23,7 @@ enum {
     GENERATE_TEAPOT_TRIANGLES = 14400,
     GENERATE_LANDSCAPE_TRIANGLES = 2340,
     GENERATE_TRIANGLES_MAX = 1 << 20, /* some 200 MB */
-    GENERATE_MOVERS_MAX = 64,
+    GENERATE_ORBITING_BALLS_MAX = 64,
     GENERATE_AIR_MAX = 64,
 };
 
@@ -61,10 +61,11 @@ bool generate_floor(struct mesh *mesh, struct box object);
 bool generate_room(struct mesh *mesh, struct box object);
 
 /*
- * Generates coloured balls (MESH_MOVES) in a ring around a box; `count` is 1 to
- * GENERATE_MOVERS_MAX. They stay outside the box's bounding sphere if that rotates about +Y.
+ * Generates coloured balls (MESH_ORBITS) in a ring around a box; `count` is 1 to
+ * GENERATE_ORBITING_BALLS_MAX. They stay outside the box's bounding sphere if that rotates about
+ * +Y.
  */
-bool generate_movers(struct mesh *mesh, struct box box, uint32_t count);
+bool generate_orbiting_balls(struct mesh *mesh, struct box box, uint32_t count);
 
 struct generate_pool {
     float size, depth; /* size of the water, metres */
@@ -76,7 +77,7 @@ struct generate_pool {
 bool generate_pool(struct mesh *mesh, const struct generate_pool *pool);
 
 /* Generates floating ice in the pool's centre: an ice cube of width pool->ice, partly submerged. */
-bool generate_floe(struct mesh *mesh, const struct generate_pool *pool, uint32_t triangles);
+bool generate_floating_ice(struct mesh *mesh, const struct generate_pool *pool, uint32_t triangles);
 
 struct generate_air {
     uint32_t count, seed; /* number of planes, 1 to GENERATE_AIR_MAX */
@@ -94,7 +95,7 @@ enum {
 
 /* Array texture with two bytes per texel: opacity of bubbles, opacity of haze. */
 struct air_layers {
-    uint8_t *texels;      /* all mip levels, in the layout of mips.h; the caller frees it */
+    uint8_t *texels;      /* all mip levels, in the layout of mip_levels.h; the caller frees it */
     uint32_t size, count; /* texels per side, a power of two; layers; both 0 for none */
 };
 
@@ -106,7 +107,7 @@ bool generate_air_planes(struct mesh *mesh, struct box box, const struct generat
 
 /* Clips air planes to a k-DOP of the object. Returns false, *planes unchanged, when out of memory.
  */
-bool generate_air_cut(struct mesh *planes, const struct mesh *object);
+bool generate_air_clip(struct mesh *planes, const struct mesh *object);
 
 /* Generates the textures: bubbles of three sizes, each half as large and twice as frequent as the
  * previous one, and haze, fading towards the edges. Returns false when out of memory; *layers is
@@ -156,8 +157,8 @@ struct generate_cracks {
  * Generates crack sheets for an object that fills a box: `count` of them (at most CRACKS_MAX),
  * about as large as the box times `size`, near its centre, open, curved, irregular, partly outside.
  * For a given seed, a smaller count is a prefix of a larger one. If `own` is not empty, all are
- * copies of it, which fills the unit ball. Vertex colours are defined in shaders/cracks.h; copies
- * of `own` have a constant gap.
+ * copies of it, which fills the unit ball. Vertex colours are defined in
+ * shaders/inclusions/cracks.h; copies of `own` have a constant gap.
  */
 bool generate_cracks(struct mesh *mesh, struct box box, const struct generate_cracks *params,
                      const struct mesh *own);

@@ -39,7 +39,7 @@ static enum status refuse_names(const char *path, const char *animation)
     return STATUS_DATA;
 }
 
-enum status model_load_posed(struct model *model, const char *path, enum model_part everything_is,
+enum status model_load_posed(struct model *model, const char *path, enum model_role default_role,
                              const struct model_pose *pose)
 {
     struct model_import import = { .path = path };
@@ -51,11 +51,11 @@ enum status model_load_posed(struct model *model, const char *path, enum model_p
     if (status != STATUS_OK)
         return status;
     if (format->is_gltf)
-        status = model_load_gltf(&import, model, everything_is, pose);
+        status = model_load_gltf(&import, model, default_role, pose);
     else if (pose->animation || (pose->objects && pose->objects[0]))
         status = refuse_names(path, pose->animation);
     else
-        status = model_load_plain(&import, format->suffix, model, everything_is);
+        status = model_load_obj_ply(&import, format->suffix, model, default_role);
     if (status == STATUS_OK)
         model_color_warn(&import);
     else
@@ -63,9 +63,9 @@ enum status model_load_posed(struct model *model, const char *path, enum model_p
     return status;
 }
 
-enum status model_load(struct model *model, const char *path, enum model_part everything_is)
+enum status model_load(struct model *model, const char *path, enum model_role default_role)
 {
-    return model_load_posed(model, path, everything_is, &(struct model_pose){ 0 });
+    return model_load_posed(model, path, default_role, &(struct model_pose){ 0 });
 }
 
 static void offset_materials(struct mesh *mesh, uint32_t first_layer, uint32_t first_material)
@@ -129,21 +129,22 @@ static bool add_opaque(struct model *model, const struct model *other)
             if (other->object.indices[index] >= next)
                 next = other->object.indices[index] + 1;
         }
-        done = model_opaque_add(model, other->objects[i].name, first + next);
+        done = model_surroundings_add_object(model, other->objects[i].name, first + next);
     }
     first += other->object.vertex_count;
-    for (uint32_t i = 0; i < other->opaque_count && done; i++)
-        done = model_opaque_add(model, other->opaque_names[i], first + other->opaque_starts[i]);
+    for (uint32_t i = 0; i < other->surroundings_object_count && done; i++)
+        done = model_surroundings_add_object(model, other->surroundings_names[i],
+                                             first + other->surroundings_starts[i]);
     return done;
 }
 
 enum status model_add_surroundings(struct model *model, struct model *other)
 {
-    const uint32_t opaque_count = model->opaque_count;
+    const uint32_t surroundings_object_count = model->surroundings_object_count;
     struct texture_layers textures = { 0 }, numbers = { 0 };
-    enum status status = model_picture_merge(&textures, &model->textures, &other->textures, false);
+    enum status status = model_texture_merge(&textures, &model->textures, &other->textures, false);
     if (status == STATUS_OK)
-        status = model_picture_merge(&numbers, &model->numbers, &other->numbers, true);
+        status = model_texture_merge(&numbers, &model->numbers, &other->numbers, true);
     if (status != STATUS_OK)
         goto fail;
     status = add_materials(model, other);
@@ -155,7 +156,7 @@ enum status model_add_surroundings(struct model *model, struct model *other)
     offset_materials(&other->surroundings, model->textures.count, model->material_count);
     if (!add_opaque(model, other) || !mesh_append(&other->object, &other->surroundings) ||
         !mesh_append(&model->surroundings, &other->object)) {
-        model->opaque_count = opaque_count;
+        model->surroundings_object_count = surroundings_object_count;
         status = log_out_of_memory("surroundings");
         goto fail;
     }
@@ -184,8 +185,8 @@ void model_finish(struct model *model)
     mesh_finish(&model->surroundings);
     free(model->objects);
     free(model->materials);
-    free(model->opaque_starts);
-    free(model->opaque_names);
+    free(model->surroundings_starts);
+    free(model->surroundings_names);
     free(model->cameras);
     free(model->extensions);
     free(model->lights);

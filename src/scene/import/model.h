@@ -1,11 +1,11 @@
 /*
  * model.h: model file loader and the imported model: meshes, objects, materials, cameras, lights.
  *
- * Reads .gltf and .glb (gltf.h), and .obj and .ply (model_plain.h). All meshes are transformed and
+ * Reads .gltf and .glb (gltf.h), and .obj and .ply (obj_ply.h). All meshes are transformed and
  * merged into two: the refractive objects and the surroundings. If any mesh of a glTF file has a
  * material with KHR_materials_transmission (factor > 0), or an OBJ file's MTL file has a
  * transmissive material (docs/models.md), meshes with such a material are the objects and all
- * others the surroundings; in any other file `everything_is` decides. Coordinates are those of the
+ * others the surroundings; in any other file `default_role` decides. Coordinates are those of the
  * file. Each instance of a mesh in a node is one object; a file without materials has a single
  * object. Points and lines are left out; polygons are triangulated; identical vertices are welded.
  *
@@ -16,7 +16,7 @@
  * are taken as linear, texture colours as sRGB. Colours are clamped to 0 to 1, and unlit vertex
  * colours, which are radiances, to 0 to 65504, with a warning. KHR_texture_transform is applied to
  * .uv. Warnings list the features of a glTF file that are not drawn and its unsupported extensions.
- * Files that a model refers to must be within its folder. decode.h reads untrusted models.
+ * Files that a model refers to must be within its folder. sandboxed_load.h reads untrusted models.
  *
  * The extras of a glTF node may define a box, { "firn": { "box": [[x,y,z],[x,y,z]] } }, minimum
  * corner first, in metres of the file's space, regardless of the node's transform. The first such
@@ -35,8 +35,8 @@
 
 #include "src/base/status.h"
 #include "src/scene/camera.h"
-#include "src/scene/light.h"
 #include "src/scene/object.h"
+#include "src/scene/punctual_light.h"
 
 /*
  * Array of square RGBA8 textures of one size, rows from the top: at most 4096 layers of at most
@@ -67,8 +67,8 @@ struct model_animation {
     float seconds;                 /* time of the last keyframe; playback starts at 0 */
 };
 
-#define MODEL_OPAQUE_WIDTH 2048
-#define MODEL_UNDRAWN_SIZE 1024
+#define MODEL_SURROUNDINGS_ROW 2048
+#define MODEL_UNDRAWN_SIZE     1024
 
 enum model_support {
     MODEL_DRAWN,
@@ -91,10 +91,10 @@ struct model {
     struct material *materials; /* referenced by objects and vertices */
     uint32_t material_count;
     /* First vertex of each surroundings object, ascending; vertices before the first start belong
-     * to none. Whole rows of MODEL_OPAQUE_WIDTH, zero filled, to be uploaded as an image. */
-    uint32_t *opaque_starts;
-    char (*opaque_names)[MATERIAL_NAME_SIZE]; /* names of the objects' nodes; "" if unnamed */
-    uint32_t opaque_count;
+     * to none. Whole rows of MODEL_SURROUNDINGS_ROW, zero filled, to be uploaded as an image. */
+    uint32_t *surroundings_starts;
+    char (*surroundings_names)[MATERIAL_NAME_SIZE]; /* names of the objects' nodes; "" if unnamed */
+    uint32_t surroundings_object_count;
     struct texture_layers textures; /* sRGB colour textures of both meshes */
     struct texture_layers numbers;  /* linear (non-colour) textures (material.h) */
     struct model_camera *cameras;   /* of the file, in node order */
@@ -104,7 +104,7 @@ struct model {
     struct model_extension *extensions;
     uint32_t extension_count;
     uint32_t undrawn; /* bit i: the file has the feature model_undrawn_name(i) */
-    char undrawn_words[MODEL_UNDRAWN_SIZE]; /* OBJ or PLY features, one per line */
+    char undrawn_text[MODEL_UNDRAWN_SIZE]; /* OBJ or PLY features, one per line */
     struct model_animation *animations;
     uint32_t animation_count;
     uint32_t animation;   /* index + 1 of the animation that poses the model; 0 if at rest */
@@ -116,7 +116,7 @@ struct model {
     bool has_ior;
 };
 
-enum model_part {
+enum model_role {
     MODEL_OBJECT,
     MODEL_SURROUNDINGS,
     MODEL_BY_MATERIALS, /* surroundings if the file has materials, else an object */
@@ -132,14 +132,14 @@ struct model_pose {
     const char *objects;
 };
 
-/* Loads a file; `everything_is` is the role of all meshes if no material is transmissive. */
+/* Loads a file; `default_role` is the role of all meshes if no material is transmissive. */
 MUST_USE enum status model_load(struct model *model, const char *path,
-                                enum model_part everything_is);
+                                enum model_role default_role);
 
 /* Loads a file like model_load(), with nodes, skins and morph targets posed by `pose`. Also returns
  * STATUS_DATA if the file has no such animation. */
 MUST_USE enum status model_load_posed(struct model *model, const char *path,
-                                      enum model_part everything_is, const struct model_pose *pose);
+                                      enum model_role default_role, const struct model_pose *pose);
 
 /*
  * Appends both meshes of `other` to the surroundings of *model, renumbers textures and resamples
@@ -151,10 +151,10 @@ MUST_USE enum status model_add_surroundings(struct model *model, struct model *o
 
 /* Adds an object of the surroundings whose first vertex is `start`, at or after the previous
  * object's. Returns false when out of memory. */
-MUST_USE bool model_opaque_add(struct model *model, const char *name, uint32_t start);
+MUST_USE bool model_surroundings_add_object(struct model *model, const char *name, uint32_t start);
 
 /* Returns the number, from 1, of the surroundings object of a vertex; 0 if there is none. */
-uint32_t model_opaque_find(const struct model *model, uint32_t vertex);
+uint32_t model_surroundings_find_object(const struct model *model, uint32_t vertex);
 
 /* Returns the name of an undrawn feature, such as "thickness textures"; NULL past the last one. */
 const char *model_undrawn_name(uint32_t index);

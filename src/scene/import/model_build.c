@@ -56,7 +56,7 @@ void model_build_init(struct model_build *build, struct model_import *import, st
     };
 }
 
-enum status model_build_count(struct model_build *build, enum model_part part,
+enum status model_build_count(struct model_build *build, enum model_role part,
                               uint64_t vertex_count, uint64_t index_count)
 {
     build->vertex_count[part] += vertex_count;
@@ -71,7 +71,7 @@ enum status model_build_count(struct model_build *build, enum model_part part,
 enum status model_build_allocate(struct model_build *build)
 {
     uint64_t index_count = 0;
-    for (int i = 0; i < MODEL_PART_COUNT; i++) {
+    for (int i = 0; i < MODEL_ROLE_COUNT; i++) {
         index_count += build->index_count[i];
         if (!mesh_init(build->meshes[i], (uint32_t)build->vertex_count[i],
                        (uint32_t)build->index_count[i]))
@@ -154,7 +154,7 @@ static void fill_extra(struct mesh_extra *extra, const struct model_shape *shape
     extra->side = (t[3] < 0) == is_mirrored ? 1 : -1;
 }
 
-enum status model_build_add(struct model_build *build, enum model_part part,
+enum status model_build_add(struct model_build *build, enum model_role part,
                             const struct model_shape *shape, mat4s model_from_shape)
 {
     struct mesh *mesh = build->meshes[part];
@@ -164,7 +164,7 @@ enum status model_build_add(struct model_build *build, enum model_part part,
     const uint32_t base = (uint32_t)build->vertex_count[part];
     uint32_t *indices = &mesh->indices[build->index_count[part]];
     if (part == MODEL_SURROUNDINGS && build->opaque) {
-        if (!model_opaque_add(build->model, build->opaque, base))
+        if (!model_surroundings_add_object(build->model, build->opaque, base))
             return log_out_of_memory(build->import->path);
         build->opaque = NULL;
     }
@@ -185,7 +185,7 @@ enum status model_build_add(struct model_build *build, enum model_part part,
     return STATUS_OK;
 }
 
-enum status model_build_bare_object(struct model_build *build)
+enum status model_build_default_object(struct model_build *build)
 {
     struct model *model = build->model;
     if (model->object.index_count == 0)
@@ -199,7 +199,7 @@ enum status model_build_bare_object(struct model_build *build)
         return log_out_of_memory(build->import->path);
     struct material *bare = &grown[model->material_count];
     *bare = material_make("ice");
-    bare->flags = MATERIAL_IS_BARE;
+    bare->flags = MATERIAL_FROM_SETTINGS;
     bare->transmission = 1;
     bare->roughness = 0;
     model->objects[0].index_count = model->object.index_count;
@@ -211,8 +211,9 @@ enum status model_build_bare_object(struct model_build *build)
 enum status model_build_end(struct model_build *build)
 {
     struct model *model = build->model;
-    if (!model_join_vertices(&model->object, NULL, 0) ||
-        !model_join_vertices(&model->surroundings, model->opaque_starts, model->opaque_count))
+    if (!model_weld_vertices(&model->object, NULL, 0) ||
+        !model_weld_vertices(&model->surroundings, model->surroundings_starts,
+                             model->surroundings_object_count))
         return log_out_of_memory(build->import->path);
     return STATUS_OK;
 }

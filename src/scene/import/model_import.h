@@ -23,7 +23,7 @@ enum {
     MODEL_TEXTURE_SIDE_MAX = 2048,       /* texels */
     MODEL_TEXTURES_SIZE_MAX = 512 << 20, /* bytes of all textures together */
     MODEL_RADIANCE_MAX = 65504,          /* of unlit colours: the largest half */
-    MODEL_PART_COUNT = 2,                /* meshes of a model: MODEL_OBJECT, MODEL_SURROUNDINGS */
+    MODEL_ROLE_COUNT = 2,                /* meshes of a model: MODEL_OBJECT, MODEL_SURROUNDINGS */
 };
 
 struct model_import {
@@ -47,9 +47,9 @@ MUST_USE enum status model_format_find(const char *path, const struct model_form
 
 /* Read a glTF file; or another format, given its suffix in lower case: "obj" or "ply". */
 MUST_USE enum status model_load_gltf(struct model_import *import, struct model *model,
-                                     enum model_part everything_is, const struct model_pose *pose);
-MUST_USE enum status model_load_plain(struct model_import *import, const char *suffix,
-                                      struct model *model, enum model_part everything_is);
+                                     enum model_role default_role, const struct model_pose *pose);
+MUST_USE enum status model_load_obj_ply(struct model_import *import, const char *suffix,
+                                        struct model *model, enum model_role default_role);
 
 /* ---- files ---- */
 
@@ -70,46 +70,46 @@ char *model_file_join(const char *model, const char *name);
 /* ---- textures ---- */
 
 /* Conversion of an image referenced by an MTL file to the texel layout of a glTF texture. */
-enum model_picture_change {
-    MODEL_PICTURE_SAME,
-    MODEL_PICTURE_TO_ALPHA,  /* alpha from the image's alpha or grey; the colour becomes white */
-    MODEL_PICTURE_ROUGHNESS, /* roughness in G; B is 1, so that the metallic factor applies */
-    MODEL_PICTURE_NS_TO_ROUGHNESS, /* as MODEL_PICTURE_ROUGHNESS, converted from factors on Ns */
-    MODEL_PICTURE_METALLIC,        /* metallic in B; G is 1, so that the roughness factor applies */
-    MODEL_PICTURE_TO_NORMALS, /* height map to normal map; bluish images are normal maps already */
+enum model_texture_conversion {
+    MODEL_TEXTURE_SAME,
+    MODEL_TEXTURE_TO_ALPHA,  /* alpha from the image's alpha or grey; the colour becomes white */
+    MODEL_TEXTURE_ROUGHNESS, /* roughness in G; B is 1, so that the metallic factor applies */
+    MODEL_TEXTURE_NS_TO_ROUGHNESS, /* as MODEL_TEXTURE_ROUGHNESS, converted from factors on Ns */
+    MODEL_TEXTURE_METALLIC,        /* metallic in B; G is 1, so that the roughness factor applies */
+    MODEL_TEXTURE_TO_NORMALS, /* height map to normal map; bluish images are normal maps already */
 };
 
 /* An image that becomes a texture layer: encoded bytes, or a file if they are NULL. */
-struct model_picture {
+struct model_texture {
     const char *name; /* for messages */
     const uint8_t *bytes;
     size_t size;
     char *file;
-    enum model_picture_change change;
-    float exponent; /* Ns for MODEL_PICTURE_NS_TO_ROUGHNESS */
-    /* File of a second image that replaces one channel: alpha after MODEL_PICTURE_TO_ALPHA, or blue
-     * after MODEL_PICTURE_METALLIC; NULL if there is none. */
+    enum model_texture_conversion change;
+    float exponent; /* Ns for MODEL_TEXTURE_NS_TO_ROUGHNESS */
+    /* File of a second image that replaces one channel: alpha after MODEL_TEXTURE_TO_ALPHA, or blue
+     * after MODEL_TEXTURE_METALLIC; NULL if there is none. */
     char *other;
-    enum model_picture_change other_change;
+    enum model_texture_conversion other_change;
 };
 
 /* Decodes images and resamples them to layers of one size, as sRGB colours or linear numbers. */
-MUST_USE enum status model_picture_load(const char *path, const struct model_picture *pictures,
+MUST_USE enum status model_texture_load(const char *path, const struct model_texture *pictures,
                                         uint32_t count, bool are_numbers,
                                         struct texture_layers *layers);
 
 /* Returns the name of an image's format, such as "KTX2", if it is not supported; else NULL. */
-const char *model_picture_unread(const struct model_picture *picture);
+const char *model_texture_unsupported_format(const struct model_texture *picture);
 
 /* Converts RGBA texels as picture->change specifies. Returns false when out of memory. */
-MUST_USE bool model_picture_convert(uint8_t *texels, int width, int height,
-                                    const struct model_picture *picture);
+MUST_USE bool model_texture_convert(uint8_t *texels, int width, int height,
+                                    const struct model_texture *picture);
 
 /* Returns the GGX roughness that matches a Phong exponent Ns. */
-float model_roughness_of(float exponent);
+float mtl_roughness_from_exponent(float exponent);
 
 /* Copies two texture arrays into one of the larger size; both->texels is freed by the caller. */
-MUST_USE enum status model_picture_merge(struct texture_layers *both,
+MUST_USE enum status model_texture_merge(struct texture_layers *both,
                                          const struct texture_layers *first,
                                          const struct texture_layers *second, bool are_numbers);
 
@@ -136,9 +136,9 @@ struct model_shape {
 struct model_build {
     struct model_import *import;
     struct model *model;
-    struct mesh *meshes[MODEL_PART_COUNT];
-    uint64_t vertex_count[MODEL_PART_COUNT], index_count[MODEL_PART_COUNT];
-    bool has_extras[MODEL_PART_COUNT]; /* set this before the meshes are allocated */
+    struct mesh *meshes[MODEL_ROLE_COUNT];
+    uint64_t vertex_count[MODEL_ROLE_COUNT], index_count[MODEL_ROLE_COUNT];
+    bool has_extras[MODEL_ROLE_COUNT]; /* set this before the meshes are allocated */
     const char *opaque;                /* name of the next object; NULL to continue the last one */
 };
 
@@ -150,20 +150,20 @@ void model_build_init(struct model_build *build, struct model_import *import, st
 
 /* Count every shape that model_build_add() will add, then allocate the meshes, then add the shapes
  * in the counted order, then end: missing normals are computed and identical vertices welded. */
-MUST_USE enum status model_build_count(struct model_build *build, enum model_part part,
+MUST_USE enum status model_build_count(struct model_build *build, enum model_role part,
                                        uint64_t vertex_count, uint64_t index_count);
 MUST_USE enum status model_build_allocate(struct model_build *build);
-MUST_USE enum status model_build_add(struct model_build *build, enum model_part part,
+MUST_USE enum status model_build_add(struct model_build *build, enum model_role part,
                                      const struct model_shape *shape, mat4s model_from_shape);
 MUST_USE enum status model_build_end(struct model_build *build);
 
 /* Adds the only object and material of a file that is one object as a whole; its material has
- * MATERIAL_IS_BARE, so settings define it. */
-MUST_USE enum status model_build_bare_object(struct model_build *build);
+ * MATERIAL_FROM_SETTINGS, so settings define it. */
+MUST_USE enum status model_build_default_object(struct model_build *build);
 
 /* Computes missing ({0}) normals and welds identical vertices, except across surroundings objects,
  * whose first vertices are in `starts`, which is updated. Returns false when out of memory. */
-MUST_USE bool model_join_vertices(struct mesh *mesh, uint32_t *starts, uint32_t start_count);
+MUST_USE bool model_weld_vertices(struct mesh *mesh, uint32_t *starts, uint32_t start_count);
 
 /* Clamps a finite colour to 0 to 1, or to MODEL_RADIANCE_MAX if it is unlit. Returns true if that
  * changes it. Non-finite colours are left unchanged. */

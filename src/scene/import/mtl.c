@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/scene/import/model_plain.h"
+#include "src/scene/import/obj_ply.h"
 
 enum {
     EXPONENT_OF_MAPS = 1000, /* Ns that map_Ns scales without Ns: MTL's largest */
@@ -18,15 +18,15 @@ struct mtl;
 struct statement {
     const char *word;
     enum status (*read)(struct mtl *mtl, struct text_scan *line, const struct statement *statement);
-    uint32_t which; /* offset of a member of struct mtl, or enum plain_map_use */
+    uint32_t which; /* offset of a member of struct mtl, or enum mtl_map_use */
 };
 
 /* An MTL file being read, and the values of its current material. */
 struct mtl {
-    struct plain *plain;
+    struct obj_ply *obj_ply;
     const char *path;
-    uint32_t line;                   /* from 1 */
-    struct plain_material *material; /* NULL before the first newmtl */
+    uint32_t line;                 /* from 1 */
+    struct mtl_material *material; /* NULL before the first newmtl */
     vec3s diffuse, specular, emission, filter;
     float exponent, opacity, transparency, ior, illum, roughness, metallic;
 };
@@ -49,7 +49,7 @@ static void note_undrawn(struct mtl *mtl, const struct text_scan *text)
 {
     char word[40];
     text_show(word, sizeof(word), text);
-    plain_note(mtl->plain->undrawn_materials, word);
+    obj_ply_note_undrawn(mtl->obj_ply->undrawn_materials, word);
 }
 
 /* ---- values ---- */
@@ -96,7 +96,7 @@ static enum status read_number(struct mtl *mtl, struct text_scan *line,
 /* ---- pictures ---- */
 
 /* Reads a texture option such as -s or -bm. Returns false if its values are invalid. */
-static bool read_option(struct mtl *mtl, struct text_scan *line, struct plain_map *map)
+static bool read_option(struct mtl *mtl, struct text_scan *line, struct mtl_map *map)
 {
     float numbers[3] = { 0 };
     struct text_scan word = text_word(line);
@@ -126,7 +126,7 @@ static bool read_option(struct mtl *mtl, struct text_scan *line, struct plain_ma
 static enum status read_map(struct mtl *mtl, struct text_scan *line,
                             const struct statement *statement)
 {
-    struct plain_map map = { .scale = { 1, 1 }, .strength = 1 };
+    struct mtl_map map = { .scale = { 1, 1 }, .strength = 1 };
     const struct text_scan all = text_rest(line);
     while (text_skip(line) && *line->at == '-') {
         if (!read_option(mtl, line, &map))
@@ -135,7 +135,7 @@ static enum status read_map(struct mtl *mtl, struct text_scan *line,
     const struct text_scan name = text_rest(line);
     if (name.at == name.end)
         return fault(mtl, "expected the name of a texture file", &all);
-    struct plain_map *to = &mtl->material->maps[statement->which];
+    struct mtl_map *to = &mtl->material->maps[statement->which];
     map.file = malloc((size_t)(name.end - name.at) + 1);
     if (!map.file)
         return no_memory(mtl);
@@ -167,13 +167,14 @@ static bool is_meshlab(const struct mtl *mtl)
  */
 static void set_transmission(struct mtl *mtl, struct material *m)
 {
-    const bool is_alpha = mtl->material->maps[PLAIN_ALPHA].file;
+    const bool is_alpha = mtl->material->maps[MTL_MAP_ALPHA].file;
     const float opacity = is_alpha || is_meshlab(mtl) ? 1
                           : mtl->transparency > 0     ? 1 - mtl->transparency
                                                       : mtl->opacity;
     const bool is_filter = mtl->filter.x < 1 || mtl->filter.y < 1 || mtl->filter.z < 1;
     if (is_meshlab(mtl) && !is_alpha)
-        plain_note(mtl->plain->undrawn_materials, "Tr 1 (taken as opaque, as MeshLab writes it)");
+        obj_ply_note_undrawn(mtl->obj_ply->undrawn_materials,
+                             "Tr 1 (taken as opaque, as MeshLab writes it)");
     if (!(is_refracting(mtl) || opacity < 1 || (is_filter && mtl->ior > 1)))
         return;
     m->base_color = mtl->filter;
@@ -194,7 +195,8 @@ static void set_surface(const struct mtl *mtl, struct material *m)
     m->metallic = mtl->metallic;
     m->emission = mtl->emission;
     m->alpha = mtl->opacity;
-    m->roughness = mtl->roughness >= 0 ? mtl->roughness : model_roughness_of(mtl->exponent);
+    m->roughness =
+        mtl->roughness >= 0 ? mtl->roughness : mtl_roughness_from_exponent(mtl->exponent);
     if (mtl->specular.x >= 0)
         m->specular_color = glms_vec3_scale(mtl->specular, 2);
     if (mtl->illum < 2 && mtl->illum >= 0)
@@ -202,7 +204,7 @@ static void set_surface(const struct mtl *mtl, struct material *m)
 }
 
 /* Returns true if two maps that are merged into one texture differ in their coordinates. */
-static bool have_different_coordinates(const struct plain_map *a, const struct plain_map *b)
+static bool have_different_coordinates(const struct mtl_map *a, const struct mtl_map *b)
 {
     bool is_different = a->is_clamped != b->is_clamped;
     for (int k = 0; k < 2; k++)
@@ -212,33 +214,34 @@ static bool have_different_coordinates(const struct plain_map *a, const struct p
 }
 
 /* Records maps that only opaque surfaces use, and options that are lost when maps are merged. */
-static void check_maps(struct mtl *mtl, const struct plain_material *material)
+static void check_maps(struct mtl *mtl, const struct mtl_material *material)
 {
-    static const char *const clear[PLAIN_MAP_COUNT] = {
-        [PLAIN_COLOR] = "map_Kd of fully transmissive materials",
-        [PLAIN_ALPHA] = "map_d of transmissive materials",
-        [PLAIN_SPECULAR] = "map_Ks of transmissive materials",
-        [PLAIN_EMISSION] = "map_Ke of transmissive materials",
-        [PLAIN_METALLIC] = "map_Pm of transmissive materials",
+    static const char *const clear[MTL_MAP_COUNT] = {
+        [MTL_MAP_COLOR] = "map_Kd of fully transmissive materials",
+        [MTL_MAP_ALPHA] = "map_d of transmissive materials",
+        [MTL_MAP_SPECULAR] = "map_Ks of transmissive materials",
+        [MTL_MAP_EMISSION] = "map_Ke of transmissive materials",
+        [MTL_MAP_METALLIC] = "map_Pm of transmissive materials",
     };
-    const struct plain_map *maps = material->maps;
+    const struct mtl_map *maps = material->maps;
     const float transmission = material->material.transmission;
-    for (int i = 0; i < PLAIN_MAP_COUNT; i++) {
-        const bool is_shown = i == PLAIN_COLOR ? transmission < 1 : !(transmission > 0);
+    for (int i = 0; i < MTL_MAP_COUNT; i++) {
+        const bool is_shown = i == MTL_MAP_COLOR ? transmission < 1 : !(transmission > 0);
         if (maps[i].file && clear[i] && !is_shown)
-            plain_note(mtl->plain->undrawn_materials, clear[i]);
+            obj_ply_note_undrawn(mtl->obj_ply->undrawn_materials, clear[i]);
     }
-    const enum plain_map_use rough = maps[PLAIN_ROUGHNESS].file ? PLAIN_ROUGHNESS : PLAIN_SHININESS;
-    if (have_different_coordinates(&maps[PLAIN_COLOR], &maps[PLAIN_ALPHA]))
-        plain_note(mtl->plain->undrawn_materials, "options of map_d");
-    if (have_different_coordinates(&maps[rough], &maps[PLAIN_METALLIC]) && !(transmission > 0))
-        plain_note(mtl->plain->undrawn_materials, "options of map_Pm");
+    const enum mtl_map_use rough =
+        maps[MTL_MAP_ROUGHNESS].file ? MTL_MAP_ROUGHNESS : MTL_MAP_SHININESS;
+    if (have_different_coordinates(&maps[MTL_MAP_COLOR], &maps[MTL_MAP_ALPHA]))
+        obj_ply_note_undrawn(mtl->obj_ply->undrawn_materials, "options of map_d");
+    if (have_different_coordinates(&maps[rough], &maps[MTL_MAP_METALLIC]) && !(transmission > 0))
+        obj_ply_note_undrawn(mtl->obj_ply->undrawn_materials, "options of map_Pm");
 }
 
 /* Completes the current material from the statements read so far. */
 static void end_material(struct mtl *mtl)
 {
-    struct plain_material *material = mtl->material;
+    struct mtl_material *material = mtl->material;
     if (!material)
         return;
     struct material *m = &material->material;
@@ -246,19 +249,19 @@ static void end_material(struct mtl *mtl)
     material->exponent = mtl->exponent;
     set_surface(mtl, m);
     set_transmission(mtl, m);
-    m->normal_scale = material->maps[PLAIN_BUMP].file ? material->maps[PLAIN_BUMP].strength : 1;
+    m->normal_scale = material->maps[MTL_MAP_BUMP].file ? material->maps[MTL_MAP_BUMP].strength : 1;
     if (mtl->roughness >= 0) { /* Pr takes precedence over map_Ns */
-        free(material->maps[PLAIN_SHININESS].file);
-        material->maps[PLAIN_SHININESS].file = NULL;
-    } else if (material->maps[PLAIN_SHININESS].file && !(mtl->exponent > 0)) {
+        free(material->maps[MTL_MAP_SHININESS].file);
+        material->maps[MTL_MAP_SHININESS].file = NULL;
+    } else if (material->maps[MTL_MAP_SHININESS].file && !(mtl->exponent > 0)) {
         material->exponent = EXPONENT_OF_MAPS;
     }
-    if (material->maps[PLAIN_ALPHA].file && !(m->transmission > 0))
+    if (material->maps[MTL_MAP_ALPHA].file && !(m->transmission > 0))
         m->flags |= MATERIAL_IS_BLENDED;
     else
         m->alpha = 1;
     check_maps(mtl, material);
-    mtl->plain->import->clamped_materials += model_color_clamp(&material->color, false);
+    mtl->obj_ply->import->clamped_materials += model_color_clamp(&material->color, false);
     (void)model_color_clamp(&m->base_color, false);
     (void)material_clamp(m);
 }
@@ -267,25 +270,25 @@ static void end_material(struct mtl *mtl)
 static enum status begin_material(struct mtl *mtl, struct text_scan *line,
                                   const struct statement *statement)
 {
-    struct plain *plain = mtl->plain;
+    struct obj_ply *obj_ply = mtl->obj_ply;
     const struct text_scan text = text_rest(line);
     const size_t size = (size_t)(text.end - text.at) + 1;
     (void)statement;
     end_material(mtl);
-    if (plain->material_count == MESH_SURFACE_MAX)
+    if (obj_ply->material_count == MESH_SURFACE_MAX)
         return fault(mtl, "expected at most 8191 materials", &text);
-    struct plain_material *grown =
-        realloc(plain->materials, (plain->material_count + (size_t)1) * sizeof(*grown));
+    struct mtl_material *grown =
+        realloc(obj_ply->materials, (obj_ply->material_count + (size_t)1) * sizeof(*grown));
     if (!grown)
         return no_memory(mtl);
-    plain->materials = grown;
-    mtl->material = &grown[plain->material_count];
-    *mtl->material = (struct plain_material){ .name = malloc(size) };
+    obj_ply->materials = grown;
+    mtl->material = &grown[obj_ply->material_count];
+    *mtl->material = (struct mtl_material){ .name = malloc(size) };
     if (!mtl->material->name)
         return no_memory(mtl);
     text_copy(mtl->material->name, size, &text);
     mtl->material->material = material_make(mtl->material->name);
-    plain->material_count++;
+    obj_ply->material_count++;
     mtl->diffuse = glms_vec3_one();
     mtl->filter = glms_vec3_one();
     mtl->emission = glms_vec3_zero();
@@ -321,16 +324,16 @@ static const struct statement statements[] = {
     { "illum", read_number, offsetof(struct mtl, illum) },
     { "Pr", read_number, offsetof(struct mtl, roughness) },
     { "Pm", read_number, offsetof(struct mtl, metallic) },
-    { "map_Kd", read_map, PLAIN_COLOR },
-    { "map_d", read_map, PLAIN_ALPHA },
-    { "map_Ks", read_map, PLAIN_SPECULAR },
-    { "map_Ke", read_map, PLAIN_EMISSION },
-    { "map_Ns", read_map, PLAIN_SHININESS },
-    { "map_Pr", read_map, PLAIN_ROUGHNESS },
-    { "map_Pm", read_map, PLAIN_METALLIC },
-    { "map_bump", read_map, PLAIN_BUMP },
-    { "bump", read_map, PLAIN_BUMP },
-    { "norm", read_map, PLAIN_BUMP },
+    { "map_Kd", read_map, MTL_MAP_COLOR },
+    { "map_d", read_map, MTL_MAP_ALPHA },
+    { "map_Ks", read_map, MTL_MAP_SPECULAR },
+    { "map_Ke", read_map, MTL_MAP_EMISSION },
+    { "map_Ns", read_map, MTL_MAP_SHININESS },
+    { "map_Pr", read_map, MTL_MAP_ROUGHNESS },
+    { "map_Pm", read_map, MTL_MAP_METALLIC },
+    { "map_bump", read_map, MTL_MAP_BUMP },
+    { "bump", read_map, MTL_MAP_BUMP },
+    { "norm", read_map, MTL_MAP_BUMP },
     { "Ka", skip, 0 }, /* ambient light comes from the environment */
     { "map_Ka", skip, 0 },
     { "map_aat", skip, 0 }, /* texture antialiasing */
@@ -355,7 +358,7 @@ static enum status read_line(struct mtl *mtl, struct text_scan *line)
 }
 
 /* Reads an MTL file. If it does not exist, *is_found is false and nothing is logged. */
-static enum status read_file(struct plain *plain, const struct text_scan *name, bool *is_found)
+static enum status read_file(struct obj_ply *obj_ply, const struct text_scan *name, bool *is_found)
 {
     size_t size = 0;
     enum status status = STATUS_OK;
@@ -366,15 +369,15 @@ static enum status read_file(struct plain *plain, const struct text_scan *name, 
         text_copy(word, length, name);
         for (char *c = word; *c; c++)
             *c = (char)(*c == '\\' ? '/' : *c);
-        path = model_file_join(plain->import->path, word);
+        path = model_file_join(obj_ply->import->path, word);
     }
     free(word);
     if (!path)
-        return log_out_of_memory(plain->import->path);
-    char *text = plain_read_file(plain->import, path, &size, is_found);
+        return log_out_of_memory(obj_ply->import->path);
+    char *text = obj_ply_read_file(obj_ply->import, path, &size, is_found);
     if (!text && *is_found)
         status = STATUS_TRY_AGAIN;
-    struct mtl mtl = { .plain = plain, .path = path };
+    struct mtl mtl = { .obj_ply = obj_ply, .path = path };
     struct text_scan file = { text, text ? text + size : NULL };
     if (size >= 3 && text && !memcmp(text, "\xef\xbb\xbf", 3))
         file.at += 3; /* UTF-8 byte order mark */
@@ -389,9 +392,9 @@ static enum status read_file(struct plain *plain, const struct text_scan *name, 
     return status;
 }
 
-enum status mtl_read(struct plain *plain, const struct text_scan *name)
+enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *name)
 {
-    struct model_import *import = plain->import;
+    struct model_import *import = obj_ply->import;
     struct text_scan rest = *name;
     struct text_scan word = text_word(&rest);
     bool is_found = false;
@@ -400,14 +403,14 @@ enum status mtl_read(struct plain *plain, const struct text_scan *name)
     /* A file name may contain blanks; if there is no such file, it is a list of names. */
     const bool is_list = text_skip(&rest);
     const bool has_missed = import->missed[0] != '\0';
-    enum status status = read_file(plain, name, &is_found);
+    enum status status = read_file(obj_ply, name, &is_found);
     if (is_found || !is_list || status != STATUS_OK || import->refused[0])
         return status;
     if (!has_missed)
         import->missed[0] = '\0';
     for (rest = *name; status == STATUS_OK && text_skip(&rest);) {
         word = text_word(&rest);
-        status = read_file(plain, &word, &is_found);
+        status = read_file(obj_ply, &word, &is_found);
     }
     return status;
 }

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/scene/import/model_plain.h"
-#include "src/scene/import/polygon.h"
+#include "src/scene/import/obj_ply.h"
+#include "src/scene/import/polygon_triangulate.h"
 
 static const uint32_t none = UINT32_MAX;
 
@@ -29,17 +29,17 @@ struct run {
 };
 
 struct obj_part {
-    struct plain_part part;
+    struct obj_ply_part part;
     uint32_t next; /* next part in its hash bucket, or `none` */
 };
 
 struct obj {
-    struct plain *plain;
+    struct obj_ply *obj_ply;
     uint32_t line; /* from 1 */
     uint32_t last_index;
-    struct plain_array positions, colors, uvs, normals; /* of 3, 4, 2 and 3 floats per item */
-    struct plain_array first; /* uint32_t: head of each position's chain of corners, or `none` */
-    struct plain_array corners, indices, runs, polygons, parts;
+    struct obj_ply_array positions, colors, uvs, normals; /* of 3, 4, 2 and 3 floats per item */
+    struct obj_ply_array first; /* uint32_t: head of each position's chain of corners, or `none` */
+    struct obj_ply_array corners, indices, runs, polygons, parts;
     uint32_t buckets[BUCKET_COUNT];
     char group[MATERIAL_NAME_SIZE]; /* group name in the last o or g statement */
     uint32_t material;              /* index + 1; 0 if there is none */
@@ -50,13 +50,13 @@ static enum status fault(const struct obj *obj, const char *what, const struct t
 {
     char word[32];
     text_show(word, sizeof(word), got);
-    log_error("%s: line %u: %s, got '%s'", obj->plain->import->path, obj->line, what, word);
+    log_error("%s: line %u: %s, got '%s'", obj->obj_ply->import->path, obj->line, what, word);
     return STATUS_DATA;
 }
 
 static enum status no_memory(const struct obj *obj)
 {
-    return log_out_of_memory(obj->plain->import->path);
+    return log_out_of_memory(obj->obj_ply->import->path);
 }
 
 /* ---- lists ---- */
@@ -65,7 +65,7 @@ static enum status no_memory(const struct obj *obj)
 static bool add_color(struct obj *obj, const float *color)
 {
     const size_t missing = obj->positions.count - obj->colors.count;
-    float(*colors)[4] = plain_array_add(&obj->colors, missing, sizeof(*colors));
+    float(*colors)[4] = obj_ply_array_add(&obj->colors, missing, sizeof(*colors));
     for (size_t i = 0; colors && i < missing; i++) {
         for (int k = 0; k < 4; k++)
             colors[i][k] = i + 1 < missing || k == 3 ? 1 : color[k];
@@ -83,7 +83,7 @@ static enum status read_position(struct obj *obj, struct text_scan *line)
         return fault(obj, "expected three coordinates", &all);
     if (obj->positions.count == MODEL_ELEMENT_MAX)
         return fault(obj, "expected at most 268435456 vertices", &all);
-    position = plain_array_add(&obj->positions, 1, sizeof(*position));
+    position = obj_ply_array_add(&obj->positions, 1, sizeof(*position));
     if (!position)
         return no_memory(obj);
     /* After x y z there may be a weight w and, as a common extension, a colour. */
@@ -95,7 +95,7 @@ static enum status read_position(struct obj *obj, struct text_scan *line)
     return STATUS_OK;
 }
 
-static enum status read_vector(struct obj *obj, struct text_scan *line, struct plain_array *array,
+static enum status read_vector(struct obj *obj, struct text_scan *line, struct obj_ply_array *array,
                                uint32_t size, const char *what)
 {
     float numbers[3] = { 0 };
@@ -104,7 +104,7 @@ static enum status read_vector(struct obj *obj, struct text_scan *line, struct p
     if (count < size && !(size == 2 && count == 1))
         return fault(obj, what, &all);
     float *to =
-        array->count < MODEL_ELEMENT_MAX ? plain_array_add(array, 1, size * sizeof(float)) : NULL;
+        array->count < MODEL_ELEMENT_MAX ? obj_ply_array_add(array, 1, size * sizeof(float)) : NULL;
     if (!to)
         return no_memory(obj);
     memcpy(to, numbers, size * sizeof(float));
@@ -160,7 +160,7 @@ static uint32_t find_corner(struct obj *obj, const struct corner *wanted)
         missing = missing < obj->positions.count && obj->positions.count > wanted->position
                       ? obj->positions.count - obj->first.count
                       : missing;
-        void *added = plain_array_add(&obj->first, missing, sizeof(uint32_t));
+        void *added = obj_ply_array_add(&obj->first, missing, sizeof(uint32_t));
         if (!added)
             return none;
         memset(added, 0xff, missing * sizeof(uint32_t));
@@ -174,7 +174,7 @@ static uint32_t find_corner(struct obj *obj, const struct corner *wanted)
     }
     if (obj->corners.count >= MODEL_ELEMENT_MAX)
         return none;
-    struct corner *added = plain_array_add(&obj->corners, 1, sizeof(*added));
+    struct corner *added = obj_ply_array_add(&obj->corners, 1, sizeof(*added));
     if (!added)
         return none;
     *added = *wanted;
@@ -197,7 +197,7 @@ static uint32_t find_part(struct obj *obj)
     }
     if (obj->parts.count >= MODEL_NODE_MAX)
         return none;
-    struct obj_part *added = plain_array_add(&obj->parts, 1, sizeof(*added));
+    struct obj_part *added = obj_ply_array_add(&obj->parts, 1, sizeof(*added));
     if (!added)
         return none;
     *added = (struct obj_part){ { .material = obj->material }, *first };
@@ -209,7 +209,7 @@ static uint32_t find_part(struct obj *obj)
 static bool begin_run(struct obj *obj)
 {
     obj->part = find_part(obj);
-    struct run *run = obj->part == none ? NULL : plain_array_add(&obj->runs, 1, sizeof(*run));
+    struct run *run = obj->part == none ? NULL : obj_ply_array_add(&obj->runs, 1, sizeof(*run));
     if (run)
         *run = (struct run){ obj->part, (uint32_t)obj->indices.count };
     return run;
@@ -234,7 +234,7 @@ static enum status read_face(struct obj *obj, struct text_scan *line)
         if (index == none || obj->indices.count + 3 > MODEL_ELEMENT_MAX)
             return no_memory(obj);
         if (count >= 2) {
-            uint32_t *triangle = plain_array_add(&obj->indices, 3, sizeof(uint32_t));
+            uint32_t *triangle = obj_ply_array_add(&obj->indices, 3, sizeof(uint32_t));
             if (!triangle)
                 return no_memory(obj);
             triangle[0] = first;
@@ -245,10 +245,10 @@ static enum status read_face(struct obj *obj, struct text_scan *line)
         last = index;
     }
     if (count > 3) {
-        struct polygon_at *polygon = plain_array_add(&obj->polygons, 1, sizeof(*polygon));
+        struct polygon_range *polygon = obj_ply_array_add(&obj->polygons, 1, sizeof(*polygon));
         if (!polygon)
             return no_memory(obj);
-        *polygon = (struct polygon_at){ first_index, count };
+        *polygon = (struct polygon_range){ first_index, count };
     }
     return STATUS_OK;
 }
@@ -260,8 +260,8 @@ static void use_material(struct obj *obj, const struct text_scan *line)
     const struct text_scan name = text_rest(line);
     const size_t length = (size_t)(name.end - name.at);
     obj->material = 0;
-    for (uint32_t i = 0; i < obj->plain->material_count && obj->material == 0; i++) {
-        const char *other = obj->plain->materials[i].name;
+    for (uint32_t i = 0; i < obj->obj_ply->material_count && obj->material == 0; i++) {
+        const char *other = obj->obj_ply->materials[i].name;
         if (strlen(other) == length && !strncmp(other, name.at, length))
             obj->material = i + 1;
     }
@@ -281,12 +281,12 @@ static enum status read_other(struct obj *obj, struct text_scan *line)
         use_material(obj, line);
     } else if (text_take_word(line, "mtllib")) {
         const struct text_scan name = text_rest(line);
-        return mtl_read(obj->plain, &name);
+        return mtl_read(obj->obj_ply, &name);
     } else if (text_take_word(line, "l") || text_take_word(line, "p")) {
-        plain_note(obj->plain->undrawn, "points and lines");
+        obj_ply_note_undrawn(obj->obj_ply->undrawn, "points and lines");
     } else if (text_take_word(line, "curv") || text_take_word(line, "curv2") ||
                text_take_word(line, "surf")) {
-        plain_note(obj->plain->undrawn, "free-form curves and surfaces");
+        obj_ply_note_undrawn(obj->obj_ply->undrawn, "free-form curves and surfaces");
     }
     return STATUS_OK;
 }
@@ -339,7 +339,7 @@ static enum status check_index(const struct obj *obj, uint32_t index, size_t cou
     if (index < count)
         return STATUS_OK;
     log_error("%s: a face refers to a %s that does not exist: %llu of %zu",
-              obj->plain->import->path, what, index + 1ull, count);
+              obj->obj_ply->import->path, what, index + 1ull, count);
     return STATUS_DATA;
 }
 
@@ -360,20 +360,20 @@ static enum status check_corners(const struct obj *obj)
 
 static bool allocate(struct obj *obj)
 {
-    struct plain *plain = obj->plain;
+    struct obj_ply *obj_ply = obj->obj_ply;
     const size_t count = obj->corners.count + 1;
-    plain->positions = malloc(3 * sizeof(float) * count);
-    plain->indices = malloc(sizeof(uint32_t) * (obj->indices.count + 1));
-    plain->parts = calloc(obj->parts.count + 1, sizeof(*plain->parts));
+    obj_ply->positions = malloc(3 * sizeof(float) * count);
+    obj_ply->indices = malloc(sizeof(uint32_t) * (obj->indices.count + 1));
+    obj_ply->parts = calloc(obj->parts.count + 1, sizeof(*obj_ply->parts));
     if (obj->normals.count > 0)
-        plain->normals = malloc(3 * sizeof(float) * count);
+        obj_ply->normals = malloc(3 * sizeof(float) * count);
     if (obj->colors.count > 0)
-        plain->colors = malloc(4 * sizeof(float) * count);
+        obj_ply->colors = malloc(4 * sizeof(float) * count);
     if (obj->uvs.count > 0)
-        plain->uvs = malloc(2 * sizeof(float) * count);
-    return plain->positions && plain->indices && plain->parts &&
-           (plain->normals || obj->normals.count == 0) &&
-           (plain->colors || obj->colors.count == 0) && (plain->uvs || obj->uvs.count == 0);
+        obj_ply->uvs = malloc(2 * sizeof(float) * count);
+    return obj_ply->positions && obj_ply->indices && obj_ply->parts &&
+           (obj_ply->normals || obj->normals.count == 0) &&
+           (obj_ply->colors || obj->colors.count == 0) && (obj_ply->uvs || obj->uvs.count == 0);
 }
 
 /* Copies the attributes that a corner refers to. */
@@ -382,19 +382,20 @@ static void copy_vertex(const struct obj *obj, const struct corner *corner, uint
     static const float nothing[3] = { 0 }, white[4] = { 1, 1, 1, 1 };
     const float *positions = obj->positions.items, *normals = obj->normals.items;
     const float *colors = obj->colors.items, *uvs = obj->uvs.items;
-    const struct plain *plain = obj->plain;
+    const struct obj_ply *obj_ply = obj->obj_ply;
     const size_t at = vertex;
-    memcpy(&plain->positions[3 * at], &positions[3 * (size_t)corner->position], 3 * sizeof(float));
-    if (plain->normals)
-        memcpy(&plain->normals[3 * at],
+    memcpy(&obj_ply->positions[3 * at], &positions[3 * (size_t)corner->position],
+           3 * sizeof(float));
+    if (obj_ply->normals)
+        memcpy(&obj_ply->normals[3 * at],
                corner->normal == none ? nothing : &normals[3 * (size_t)corner->normal],
                3 * sizeof(float));
-    if (plain->colors)
-        memcpy(&plain->colors[4 * at],
+    if (obj_ply->colors)
+        memcpy(&obj_ply->colors[4 * at],
                corner->position < obj->colors.count ? &colors[4 * (size_t)corner->position] : white,
                4 * sizeof(float));
-    if (plain->uvs)
-        memcpy(&plain->uvs[2 * at], corner->uv == none ? nothing : &uvs[2 * (size_t)corner->uv],
+    if (obj_ply->uvs)
+        memcpy(&obj_ply->uvs[2 * at], corner->uv == none ? nothing : &uvs[2 * (size_t)corner->uv],
                2 * sizeof(float));
 }
 
@@ -404,7 +405,7 @@ static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, ui
     const struct run *runs = obj->runs.items;
     const uint32_t *indices = obj->indices.items;
     struct corner *corners = obj->corners.items;
-    struct plain_part *part = &obj->plain->parts[runs[index].part];
+    struct obj_ply_part *part = &obj->obj_ply->parts[runs[index].part];
     const size_t end =
         index + 1 < obj->runs.count ? runs[index + 1].first_index : obj->indices.count;
     for (size_t i = runs[index].first_index; i < end; i++) {
@@ -414,14 +415,14 @@ static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, ui
             part->has_uvs |= corner->uv != none;
             copy_vertex(obj, corner, corner->next);
         }
-        obj->plain->indices[(*index_count)++] = corner->next - part->first_vertex;
+        obj->obj_ply->indices[(*index_count)++] = corner->next - part->first_vertex;
     }
 }
 
 /* Sorts triangles and vertices by part. From here on corner.next is the corner's vertex. */
 static enum status sort_by_part(struct obj *obj)
 {
-    struct plain *plain = obj->plain;
+    struct obj_ply *obj_ply = obj->obj_ply;
     const struct obj_part *parts = obj->parts.items;
     const struct run *runs = obj->runs.items;
     struct corner *corners = obj->corners.items;
@@ -438,7 +439,7 @@ static enum status sort_by_part(struct obj *obj)
     for (size_t i = 0; is_done && i < obj->runs.count; i++)
         sorted[first[runs[i].part + 1]++] = (uint32_t)i;
     for (size_t i = 0; is_done && i < obj->parts.count; i++) {
-        struct plain_part *part = &plain->parts[i];
+        struct obj_ply_part *part = &obj_ply->parts[i];
         *part = parts[i].part;
         part->first_vertex = vertex_count;
         part->first_index = index_count;
@@ -447,7 +448,7 @@ static enum status sort_by_part(struct obj *obj)
         part->vertex_count = vertex_count - part->first_vertex;
         part->index_count = index_count - part->first_index;
     }
-    plain->part_count = is_done ? (uint32_t)obj->parts.count : 0;
+    obj_ply->part_count = is_done ? (uint32_t)obj->parts.count : 0;
     free(first);
     free(sorted);
     return is_done ? STATUS_OK : no_memory(obj);
@@ -486,15 +487,15 @@ static void finish(struct obj *obj)
     free(obj);
 }
 
-enum status obj_read(struct plain *plain)
+enum status obj_read(struct obj_ply *obj_ply)
 {
     size_t size;
     bool is_found;
     struct obj *obj = calloc(1, sizeof(*obj));
-    char *text = plain_read_file(plain->import, plain->import->path, &size, &is_found);
+    char *text = obj_ply_read_file(obj_ply->import, obj_ply->import->path, &size, &is_found);
     enum status status = STATUS_TRY_AGAIN;
     if (obj && text) {
-        obj->plain = plain;
+        obj->obj_ply = obj_ply;
         status = read_text(obj, text, size);
     }
     free(text);
@@ -505,8 +506,8 @@ enum status obj_read(struct plain *plain)
         .vertex_of = corners ? &corners->position : NULL,
         .vertex_stride = sizeof(*corners) / sizeof(uint32_t),
     };
-    if (status == STATUS_OK &&
-        !polygon_divide_all(&polygon, obj->polygons.items, obj->polygons.count, obj->indices.items))
+    if (status == STATUS_OK && !polygon_triangulate_all(&polygon, obj->polygons.items,
+                                                        obj->polygons.count, obj->indices.items))
         status = no_memory(obj);
     if (status == STATUS_OK)
         status = sort_by_part(obj);

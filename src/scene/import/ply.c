@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/scene/import/model_plain.h"
-#include "src/scene/import/polygon.h"
+#include "src/scene/import/obj_ply.h"
+#include "src/scene/import/polygon_triangulate.h"
 
 enum format {
     FORMAT_TEXT,
@@ -65,14 +65,14 @@ struct element {
 };
 
 struct ply {
-    struct plain *plain;
+    struct obj_ply *obj_ply;
     uint32_t format;
     struct element elements[ELEMENT_MAX];
     uint32_t element_count;
     struct property properties[PROPERTY_MAX];
     uint32_t property_count;
     uint32_t vertex_count;
-    struct plain_array indices, polygons;
+    struct obj_ply_array indices, polygons;
     const struct element *element; /* element that is being read, and the row in it; for messages */
     uint64_t row;
 };
@@ -81,20 +81,20 @@ static enum status fault(const struct ply *ply, const char *what, const struct t
 {
     char word[32];
     text_show(word, sizeof(word), got);
-    log_error("%s: header: %s, got '%s'", ply->plain->import->path, what, word);
+    log_error("%s: header: %s, got '%s'", ply->obj_ply->import->path, what, word);
     return STATUS_DATA;
 }
 
 static enum status bad_row(const struct ply *ply, const char *what)
 {
-    log_error("%s: %s %llu: %s", ply->plain->import->path, ply->element->name,
+    log_error("%s: %s %llu: %s", ply->obj_ply->import->path, ply->element->name,
               (unsigned long long)ply->row, what);
     return STATUS_DATA;
 }
 
 static enum status no_memory(const struct ply *ply)
 {
-    return log_out_of_memory(ply->plain->import->path);
+    return log_out_of_memory(ply->obj_ply->import->path);
 }
 
 /* ---- header ---- */
@@ -115,12 +115,12 @@ static enum status read_format(struct ply *ply, struct text_scan *line)
 }
 
 /* Records an element that is not drawn. */
-static void note_element(struct plain *plain, const char *name)
+static void note_element(struct obj_ply *obj_ply, const char *name)
 {
     char words[48];
     const bool is_edge = !strcmp(name, "edge");
     (void)snprintf(words, sizeof(words), is_edge ? "points and lines" : "elements '%s'", name);
-    plain_note(plain->undrawn, words);
+    obj_ply_note_undrawn(obj_ply->undrawn, words);
 }
 
 static enum status read_element(struct ply *ply, struct text_scan *line)
@@ -142,7 +142,7 @@ static enum status read_element(struct ply *ply, struct text_scan *line)
     else if (!strcmp(element->name, "tristrips"))
         element->kind = KIND_STRIPS;
     else if (count > 0)
-        note_element(ply->plain, element->name);
+        note_element(ply->obj_ply, element->name);
     ply->element_count++;
     return STATUS_OK;
 }
@@ -198,7 +198,7 @@ static const struct type *read_type(struct text_scan *line)
 }
 
 /* Records a property that is not drawn. Unknown elements are recorded by note_element() instead. */
-static void note_property(struct plain *plain, const struct element *element,
+static void note_property(struct obj_ply *obj_ply, const struct element *element,
                           struct text_scan *name)
 {
     static const char *const owners[] = {
@@ -218,7 +218,7 @@ static void note_property(struct plain *plain, const struct element *element,
     if (element->kind == KIND_FACE && !strcmp(word, "texcoord"))
         description = "texture coordinates";
     (void)snprintf(words, sizeof(words), "%s of %s", description, owners[element->kind]);
-    plain_note(plain->undrawn, words);
+    obj_ply_note_undrawn(obj_ply->undrawn, words);
 }
 
 static enum status read_property(struct ply *ply, struct text_scan *line)
@@ -236,7 +236,7 @@ static enum status read_property(struct ply *ply, struct text_scan *line)
     struct element *element = &ply->elements[ply->element_count - 1];
     property.slot = slot_of(element->kind, is_list, line);
     if (property.slot == SLOT_OTHER)
-        note_property(ply->plain, element, line);
+        note_property(ply->obj_ply, element, line);
     ply->properties[ply->property_count++] = property;
     element->property_count++;
     return STATUS_OK;
@@ -245,23 +245,23 @@ static enum status read_property(struct ply *ply, struct text_scan *line)
 /* Handles "comment TextureFile NAME", by which MeshLab names the file's texture. */
 static enum status read_comment(struct ply *ply, struct text_scan *line)
 {
-    struct plain *plain = ply->plain;
-    if (!text_take_word(line, "TextureFile") || plain->material_count > 0)
+    struct obj_ply *obj_ply = ply->obj_ply;
+    if (!text_take_word(line, "TextureFile") || obj_ply->material_count > 0)
         return STATUS_OK;
     const struct text_scan name = text_rest(line);
     const size_t size = (size_t)(name.end - name.at) + 1;
-    plain->materials = calloc(1, sizeof(*plain->materials));
-    if (!plain->materials)
+    obj_ply->materials = calloc(1, sizeof(*obj_ply->materials));
+    if (!obj_ply->materials)
         return no_memory(ply);
-    struct plain_material *material = plain->materials;
-    plain->material_count = 1;
+    struct mtl_material *material = obj_ply->materials;
+    obj_ply->material_count = 1;
     material->color = glms_vec3_one();
     material->material = material_make("");
-    material->maps[PLAIN_COLOR] = (struct plain_map){ .scale = { 1, 1 }, .strength = 1 };
-    material->maps[PLAIN_COLOR].file = malloc(size);
-    if (!material->maps[PLAIN_COLOR].file)
+    material->maps[MTL_MAP_COLOR] = (struct mtl_map){ .scale = { 1, 1 }, .strength = 1 };
+    material->maps[MTL_MAP_COLOR].file = malloc(size);
+    if (!material->maps[MTL_MAP_COLOR].file)
         return no_memory(ply);
-    text_copy(material->maps[PLAIN_COLOR].file, size, &name);
+    text_copy(material->maps[MTL_MAP_COLOR].file, size, &name);
     return STATUS_OK;
 }
 
@@ -360,46 +360,46 @@ static bool has_slot(const struct ply *ply, const struct element *element, enum 
 
 static enum status allocate_vertices(struct ply *ply, const struct element *element)
 {
-    struct plain *plain = ply->plain;
+    struct obj_ply *obj_ply = ply->obj_ply;
     const size_t count = (size_t)element->count + 1;
     ply->element = element;
-    if (plain->positions)
+    if (obj_ply->positions)
         return bad_row(ply, "expected only one element with vertices");
     if (!has_slot(ply, element, SLOT_X) || !has_slot(ply, element, SLOT_X + 1) ||
         !has_slot(ply, element, SLOT_X + 2))
         return bad_row(ply, "expected the properties x, y and z");
-    plain->positions = calloc(count, 3 * sizeof(float));
+    obj_ply->positions = calloc(count, 3 * sizeof(float));
     if (has_slot(ply, element, SLOT_NX))
-        plain->normals = calloc(count, 3 * sizeof(float));
+        obj_ply->normals = calloc(count, 3 * sizeof(float));
     if (has_slot(ply, element, SLOT_RED))
-        plain->colors = calloc(count, 4 * sizeof(float));
+        obj_ply->colors = calloc(count, 4 * sizeof(float));
     if (has_slot(ply, element, SLOT_U))
-        plain->uvs = calloc(count, 2 * sizeof(float));
+        obj_ply->uvs = calloc(count, 2 * sizeof(float));
     ply->vertex_count = (uint32_t)element->count;
-    return plain->positions && (plain->normals || !has_slot(ply, element, SLOT_NX)) &&
-                   (plain->colors || !has_slot(ply, element, SLOT_RED)) &&
-                   (plain->uvs || !has_slot(ply, element, SLOT_U))
+    return obj_ply->positions && (obj_ply->normals || !has_slot(ply, element, SLOT_NX)) &&
+                   (obj_ply->colors || !has_slot(ply, element, SLOT_RED)) &&
+                   (obj_ply->uvs || !has_slot(ply, element, SLOT_U))
                ? STATUS_OK
                : no_memory(ply);
 }
 
 static void store_value(const struct ply *ply, const struct property *property, double value)
 {
-    const struct plain *plain = ply->plain;
+    const struct obj_ply *obj_ply = ply->obj_ply;
     const struct type *type = property->type;
     const size_t row = (size_t)ply->row;
     const enum slot slot = property->slot;
     if (slot < SLOT_NX)
-        plain->positions[3 * row + slot] = (float)value;
-    else if (slot < SLOT_RED && plain->normals)
-        plain->normals[3 * row + slot - SLOT_NX] = (float)value;
-    else if (slot >= SLOT_RED && slot < SLOT_U && plain->colors)
-        plain->colors[4 * row + slot - SLOT_RED] =
+        obj_ply->positions[3 * row + slot] = (float)value;
+    else if (slot < SLOT_RED && obj_ply->normals)
+        obj_ply->normals[3 * row + slot - SLOT_NX] = (float)value;
+    else if (slot >= SLOT_RED && slot < SLOT_U && obj_ply->colors)
+        obj_ply->colors[4 * row + slot - SLOT_RED] =
             (float)(type->is_float
                         ? value
                         : value / (double)((1ull << (8 * type->size - type->is_signed)) - 1));
-    else if (slot >= SLOT_U && slot < SLOT_CORNERS && plain->uvs)
-        plain->uvs[2 * row + slot - SLOT_U] = (float)value;
+    else if (slot >= SLOT_U && slot < SLOT_CORNERS && obj_ply->uvs)
+        obj_ply->uvs[2 * row + slot - SLOT_U] = (float)value;
 }
 
 /* ---- triangles ---- */
@@ -407,7 +407,7 @@ static void store_value(const struct ply *ply, const struct property *property, 
 static enum status add_corners(struct ply *ply, uint32_t a, uint32_t b, uint32_t c)
 {
     uint32_t *triangle = ply->indices.count + 3 <= MODEL_ELEMENT_MAX
-                             ? plain_array_add(&ply->indices, 3, sizeof(*triangle))
+                             ? obj_ply_array_add(&ply->indices, 3, sizeof(*triangle))
                              : NULL;
     if (!triangle)
         return no_memory(ply);
@@ -451,10 +451,10 @@ static enum status read_corners(struct ply *ply, struct text_scan *body,
         count++;
     }
     if (status == STATUS_OK && is_face && count > 3) {
-        struct polygon_at *polygon = plain_array_add(&ply->polygons, 1, sizeof(*polygon));
+        struct polygon_range *polygon = obj_ply_array_add(&ply->polygons, 1, sizeof(*polygon));
         if (!polygon)
             return no_memory(ply);
-        *polygon = (struct polygon_at){ first_index, (uint32_t)count };
+        *polygon = (struct polygon_range){ first_index, (uint32_t)count };
     }
     return status;
 }
@@ -512,30 +512,30 @@ static enum status read_elements(struct ply *ply, struct text_scan *body)
 
 static enum status finish_triangles(struct ply *ply)
 {
-    const struct polygon polygon = { .positions = ply->plain->positions };
+    const struct polygon polygon = { .positions = ply->obj_ply->positions };
     uint32_t *indices = ply->indices.items;
     for (size_t i = 0; i < ply->indices.count; i++) {
         if (indices[i] >= ply->vertex_count) {
             log_error("%s: a face refers to a vertex that does not exist",
-                      ply->plain->import->path);
+                      ply->obj_ply->import->path);
             return STATUS_DATA;
         }
     }
-    if (!polygon_divide_all(&polygon, ply->polygons.items, ply->polygons.count, indices))
+    if (!polygon_triangulate_all(&polygon, ply->polygons.items, ply->polygons.count, indices))
         return no_memory(ply);
-    ply->plain->parts = calloc(1, sizeof(*ply->plain->parts));
-    if (!ply->plain->parts)
+    ply->obj_ply->parts = calloc(1, sizeof(*ply->obj_ply->parts));
+    if (!ply->obj_ply->parts)
         return no_memory(ply);
-    ply->plain->part_count = 1;
-    ply->plain->indices = indices;
-    ply->plain->parts[0] = (struct plain_part){
-        .material = ply->plain->material_count,
+    ply->obj_ply->part_count = 1;
+    ply->obj_ply->indices = indices;
+    ply->obj_ply->parts[0] = (struct obj_ply_part){
+        .material = ply->obj_ply->material_count,
         .vertex_count = ply->vertex_count,
         .index_count = (uint32_t)ply->indices.count,
-        .has_uvs = ply->plain->uvs,
+        .has_uvs = ply->obj_ply->uvs,
     };
-    for (size_t i = 0; ply->plain->colors && i < ply->vertex_count; i++)
-        ply->plain->colors[4 * i + 3] = 1;
+    for (size_t i = 0; ply->obj_ply->colors && i < ply->vertex_count; i++)
+        ply->obj_ply->colors[4 * i + 3] = 1;
     ply->indices.items = NULL; /* moved to ply->plain */
     return STATUS_OK;
 }
@@ -549,16 +549,16 @@ static void join_lines(const struct ply *ply, char *text, const struct text_scan
         *c = (char)(text_is_break(*c) ? ' ' : *c);
 }
 
-enum status ply_read(struct plain *plain)
+enum status ply_read(struct obj_ply *obj_ply)
 {
     size_t size = 0;
     bool is_found;
     struct ply *ply = calloc(1, sizeof(*ply));
-    char *text = plain_read_file(plain->import, plain->import->path, &size, &is_found);
+    char *text = obj_ply_read_file(obj_ply->import, obj_ply->import->path, &size, &is_found);
     enum status status = STATUS_TRY_AGAIN;
     if (ply && text) {
         struct text_scan file = { text, text + size };
-        ply->plain = plain;
+        ply->obj_ply = obj_ply;
         status = read_header(ply, &file);
         if (status == STATUS_OK) {
             join_lines(ply, text, &file);

@@ -25,7 +25,7 @@ constexpr ImGuiKey keys[IMGUI_KEY_COUNT] = {
     ImGuiKey_V,         ImGuiKey_X,         ImGuiKey_Z,
 };
 
-bool contains(const imgui_place &place, float x, float y)
+bool contains(const imgui_rect &place, float x, float y)
 {
     return x >= place.x && y >= place.y && x < place.x + place.width && y < place.y + place.height;
 }
@@ -68,7 +68,7 @@ static void set_colors(const theme &t)
         ImGui::GetStyle().Colors[row.which] = imgui_state_color(row.rgb);
 }
 
-static void set_look(float scale, const theme &theme)
+static void set_theme(float scale, const theme &theme)
 {
     ImGuiStyle &style = ImGui::GetStyle();
     style = ImGuiStyle();
@@ -104,24 +104,24 @@ static bool add_font(const imgui *ui)
 {
     ImGuiIO &io = ImGui::GetIO();
     ImFontConfig config;
-    config.FontNo = ui->system.index;
+    config.FontNo = ui->font.index;
     const float size = static_cast<float>(static_cast<int>(text_size * ui->scale));
 #ifdef IMGUI_FREETYPE
     io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
     io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
 #endif
-    return *ui->system.path &&
-           io.Fonts->AddFontFromFileTTF(ui->system.path, size, &config, characters) &&
+    return *ui->font.path &&
+           io.Fonts->AddFontFromFileTTF(ui->font.path, size, &config, characters) &&
            io.Fonts->Build();
 }
 
 /* Reserves a rectangle for each thumbnail in the font atlas, before the atlas is built. */
 static void add_pictures(imgui *ui)
 {
-    const imgui_pictures &p = ui->pictures;
+    const imgui_thumbnails &p = ui->thumbnails;
     for (uint32_t i = 0; i < p.count; i++)
-        ui->places[i] = ImGui::GetIO().Fonts->AddCustomRectRegular(static_cast<int>(p.width),
-                                                                   static_cast<int>(p.height));
+        ui->rects[i] = ImGui::GetIO().Fonts->AddCustomRectRegular(static_cast<int>(p.width),
+                                                                  static_cast<int>(p.height));
 }
 
 static void add_bitmap_font(imgui *ui, float scale)
@@ -138,29 +138,29 @@ static void add_bitmap_font(imgui *ui, float scale)
 static void copy_pictures(const imgui *ui)
 {
     ImFontAtlas *fonts = ImGui::GetIO().Fonts;
-    const imgui_pictures &p = ui->pictures;
+    const imgui_thumbnails &p = ui->thumbnails;
     const size_t row = 4 * static_cast<size_t>(p.width);
     unsigned char *texels;
     int width;
     fonts->GetTexDataAsRGBA32(&texels, &width, nullptr);
     for (uint32_t i = 0; i < p.count; i++) {
-        const ImFontAtlasCustomRect *place = fonts->GetCustomRectByIndex(ui->places[i]);
+        const ImFontAtlasCustomRect *rect = fonts->GetCustomRectByIndex(ui->rects[i]);
         for (size_t y = 0; y < p.height; y++)
-            memcpy(&texels[4 * (static_cast<size_t>(width) * (place->Y + y) + place->X)],
+            memcpy(&texels[4 * (static_cast<size_t>(width) * (rect->Y + y) + rect->X)],
                    &p.rgba[row * (static_cast<size_t>(p.height) * i + y)], row);
     }
 }
 
-void imgui_use_pictures(struct imgui *ui, const struct imgui_pictures *pictures)
+void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *pictures)
 {
-    ui->pictures = *pictures;
+    ui->thumbnails = *pictures;
 }
 
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme)
 {
     ui->scale = scale;
-    ui->look = theme;
-    set_look(scale, *theme);
+    ui->colors = theme;
+    set_theme(scale, *theme);
     ImGui::GetIO().Fonts->Clear();
     add_pictures(ui);
     const bool found = add_font(ui);
@@ -170,7 +170,7 @@ bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme)
     return found;
 }
 
-struct imgui *imgui_create(const struct font *font)
+struct imgui *imgui_create(const struct system_font *font)
 {
     struct imgui *ui = new (std::nothrow) imgui();
     if (!ui)
@@ -185,15 +185,15 @@ struct imgui *imgui_create(const struct font *font)
     for (int k = 0; k < IMGUI_KEY_COUNT; k++)
         io.KeyMap[keys[k]] = k;
     io.UserData = ui;
-    ui->system = *font;
+    ui->font = *font;
     add_bitmap_font(ui, 1.0f);
     lose_first_focus();
     return ui;
 }
 
-void imgui_look(struct imgui *ui, const struct theme *theme)
+void imgui_set_theme(struct imgui *ui, const struct theme *theme)
 {
-    ui->look = theme;
+    ui->colors = theme;
     set_colors(*theme);
 }
 
@@ -247,7 +247,7 @@ void imgui_end(struct imgui *ui)
 }
 
 /* Clips a draw command's scissor rectangle to the window. */
-static overlay_part clip(const ImDrawCmd &command, const ImDrawData *data)
+static overlay_draw_command clip(const ImDrawCmd &command, const ImDrawData *data)
 {
     const float left = command.ClipRect.x > 0.0f ? command.ClipRect.x : 0.0f;
     const float top = command.ClipRect.y > 0.0f ? command.ClipRect.y : 0.0f;
@@ -255,7 +255,7 @@ static overlay_part clip(const ImDrawCmd &command, const ImDrawData *data)
         command.ClipRect.z < data->DisplaySize.x ? command.ClipRect.z : data->DisplaySize.x;
     const float bottom =
         command.ClipRect.w < data->DisplaySize.y ? command.ClipRect.w : data->DisplaySize.y;
-    overlay_part part = {};
+    overlay_draw_command part = {};
     if (right <= left || bottom <= top)
         return part;
     part.left = static_cast<int32_t>(left);
@@ -267,14 +267,14 @@ static overlay_part clip(const ImDrawCmd &command, const ImDrawData *data)
 
 /* Appends the commands of a draw list; `base` is added to its vertex indices. */
 static bool take_commands(const ImDrawList *from, uint32_t base, uint32_t *index_count,
-                          uint32_t *indices, overlay_list *list)
+                          uint32_t *indices, overlay_draw_list *list)
 {
     const ImDrawData *data = ImGui::GetDrawData();
     for (const ImDrawCmd &command : from->CmdBuffer) {
-        overlay_part part = clip(command, data);
+        overlay_draw_command part = clip(command, data);
         if (!part.width || !part.height || !command.ElemCount)
             continue;
-        if (list->part_count == OVERLAY_PART_COUNT ||
+        if (list->part_count == OVERLAY_COMMAND_COUNT ||
             *index_count + command.ElemCount > OVERLAY_INDEX_COUNT)
             return false;
         part.first_index = *index_count;
@@ -287,8 +287,8 @@ static bool take_commands(const ImDrawList *from, uint32_t base, uint32_t *index
     return true;
 }
 
-bool imgui_take(const struct imgui *, struct overlay_vertex *vertices, uint32_t *indices,
-                struct overlay_list *list)
+bool imgui_copy_draw_list(const struct imgui *, struct overlay_vertex *vertices, uint32_t *indices,
+                          struct overlay_draw_list *list)
 {
     static_assert(sizeof(ImDrawVert) == sizeof(overlay_vertex),
                   "the layouts must be equal for memcpy");
@@ -314,7 +314,7 @@ bool imgui_take(const struct imgui *, struct overlay_vertex *vertices, uint32_t 
     return true;
 }
 
-bool imgui_covers(const struct imgui *ui, float x, float y)
+bool imgui_wants_mouse(const struct imgui *ui, float x, float y)
 {
     for (int p = 0; p < ui->panel_count; p++) {
         if (contains(ui->panels[p], x, y))
@@ -323,12 +323,12 @@ bool imgui_covers(const struct imgui *ui, float x, float y)
     return ui->popup;
 }
 
-bool imgui_has_keys(const struct imgui *)
+bool imgui_wants_keyboard(const struct imgui *)
 {
     return ImGui::GetIO().WantCaptureKeyboard;
 }
 
-bool imgui_has_text(const struct imgui *)
+bool imgui_wants_text(const struct imgui *)
 {
     return ImGui::GetIO().WantTextInput;
 }

@@ -4,7 +4,7 @@
  *     imgui_begin(ui, &input)
  *     ... panels and their items ...
  *     imgui_end(ui)
- *     imgui_take(ui, vertices, indices, &list)    if it is drawn
+ *     imgui_copy_draw_list(ui, vertices, indices, &list)    if it is drawn
  *
  * Lengths are pixels. Labels identify items within their panel; the part after "##" is not shown.
  * All functions between begin and end use the one context of imgui_create().
@@ -15,8 +15,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "src/view/overlay_list.h"
-#include "src/view/ui/font.h"
+#include "src/view/overlay_draw_list.h"
+#include "src/view/ui/system_font.h"
 #include "src/view/ui/theme.h"
 
 #ifdef __cplusplus
@@ -49,7 +49,7 @@ enum imgui_key {
 enum {
     IMGUI_BUTTON_COUNT = 3,     /* left, right, middle mouse button */
     IMGUI_CHARACTER_COUNT = 16, /* maximum typed characters per frame */
-    IMGUI_PICTURE_MAX = 64,
+    IMGUI_THUMBNAIL_MAX = 64,
 };
 
 /* State of the input devices at the start of a frame. */
@@ -69,23 +69,23 @@ struct imgui;
 
 /* Creates the only Dear ImGui context. An empty font path selects the built-in bitmap font. Call
  * imgui_rescale() next. Returns NULL when out of memory. */
-struct imgui *imgui_create(const struct font *font);
+struct imgui *imgui_create(const struct system_font *font);
 
-/* Thumbnails for imgui_picture() buttons. */
-struct imgui_pictures {
+/* Thumbnails for imgui_thumbnail_button() buttons. */
+struct imgui_thumbnails {
     const uint8_t *rgba;    /* images one after another, top row first; sRGB-encoded RGBA */
     uint32_t width, height; /* size of each image, texels */
-    uint32_t count;         /* at most IMGUI_PICTURE_MAX */
+    uint32_t count;         /* at most IMGUI_THUMBNAIL_MAX */
 };
 
 /* Sets the thumbnails. Each imgui_rescale() copies them into the font atlas. */
-void imgui_use_pictures(struct imgui *ui, const struct imgui_pictures *pictures);
+void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *pictures);
 
 /* Multiplies all sizes by `scale`, applies the theme and rebuilds the font atlas. Not within a
  * frame. Returns false if the font cannot be read; the built-in font is then used. */
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme);
-void imgui_look(struct imgui *ui, const struct theme *theme); /* not within a frame */
-void imgui_destroy(struct imgui *ui);                         /* may be NULL */
+void imgui_set_theme(struct imgui *ui, const struct theme *theme); /* not within a frame */
+void imgui_destroy(struct imgui *ui);                              /* may be NULL */
 
 /* Returns the font atlas, RGBA: white letters with coverage in alpha, and opaque thumbnails. Valid
  * until imgui_rescale() or imgui_destroy(). */
@@ -96,29 +96,30 @@ void imgui_end(struct imgui *ui);
 
 /* Writes the draw list of the last frame to buffers of OVERLAY_*_COUNT elements. Returns false if
  * they are too small; the rest is then omitted. */
-bool imgui_take(const struct imgui *ui, struct overlay_vertex *vertices, uint32_t *indices,
-                struct overlay_list *list);
+bool imgui_copy_draw_list(const struct imgui *ui, struct overlay_vertex *vertices,
+                          uint32_t *indices, struct overlay_draw_list *list);
 
 /* ---- between frames ---- */
 
-bool imgui_covers(const struct imgui *ui, float x, float y); /* true if a panel covers this point */
-bool imgui_has_keys(const struct imgui *ui); /* true if a panel has the keyboard focus */
-bool imgui_has_text(const struct imgui *ui); /* true if a text field has the keyboard focus */
+bool imgui_wants_mouse(const struct imgui *ui, float x,
+                       float y);                   /* true if a panel covers this point */
+bool imgui_wants_keyboard(const struct imgui *ui); /* true if a panel has the keyboard focus */
+bool imgui_wants_text(const struct imgui *ui);     /* true if a text field has the keyboard focus */
 
 /* ---- panels, between begin and end ---- */
 
-struct imgui_place {
+struct imgui_rect {
     float x, y, width, height;
 };
 
 enum imgui_panel {
     IMGUI_DOCKED, /* beside the image */
     IMGUI_LABEL,  /* label over the image */
-    IMGUI_OVER,   /* popup above all other panels, with a border */
+    IMGUI_POPUP,  /* popup above all other panels, with a border */
 };
 
 /* Begins a panel at `place`. It must be ended even if it is completely hidden. */
-void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_place place,
+void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_rect place,
                        enum imgui_panel kind);
 void imgui_panel_end(void);
 
@@ -135,7 +136,7 @@ float imgui_scale(void);                   /* scale set by imgui_rescale() */
 const struct theme *imgui_theme(void);     /* current theme */
 float imgui_line_height(void);             /* height of a line of text */
 float imgui_row_height(void);              /* height of a button or slider */
-float imgui_room(void);                    /* remaining width in the current row */
+float imgui_available_width(void);         /* remaining width in the current row */
 
 /* ---- items ---- */
 
@@ -145,7 +146,7 @@ void imgui_next_width(float width);
 void imgui_next_focus(void);         /* gives the next item the keyboard focus */
 void imgui_id_begin(const void *id); /* scope in which labels may be used again */
 void imgui_id_end(void);
-void imgui_tip(const char *text);         /* tooltip of the last item */
+void imgui_tooltip(const char *text);     /* tooltip of the last item */
 float imgui_width(const char *text);      /* width of a button with this label */
 void imgui_disabled_begin(bool disabled); /* greyed out until imgui_disabled_end() */
 void imgui_disabled_end(void);
@@ -154,40 +155,41 @@ void imgui_text(const char *text);
 void imgui_text_dim(const char *text);
 void imgui_value(const char *text); /* listed in imgui_items() */
 void imgui_name(const char *text);  /* lists the last item in imgui_items() under this name */
-void imgui_text_in(const char *text, uint32_t rgb); /* colour 0xRRGGBB */
-void imgui_text_cut(const char *text, float width); /* shortened by "..." in the middle */
-void imgui_text_cut_in(const char *text, float width, uint32_t rgb);
+void imgui_text_in(const char *text, uint32_t rgb);    /* colour 0xRRGGBB */
+void imgui_text_elided(const char *text, float width); /* shortened by "..." in the middle */
+void imgui_text_elided_in(const char *text, float width, uint32_t rgb);
 void imgui_align(void);               /* aligns the text in this row with that of buttons */
 void imgui_warning(const char *text); /* red, wrapped */
 void imgui_separator(void);
 void imgui_text_wrapped(const char *text); /* wrapped; listed in imgui_items() */
 bool imgui_button(const char *label);
 bool imgui_small_button(const char *label);
-bool imgui_choice(const char *label, bool chosen); /* one of a group of exclusive buttons */
-bool imgui_line(const char *label, bool chosen);   /* selectable row, as wide as the panel */
+bool imgui_choice_button(const char *label, bool chosen); /* one of a group of exclusive buttons */
+bool imgui_selectable(const char *label, bool chosen);    /* selectable row, as wide as the panel */
 
 /* Draws a button with a thumbnail above its label, one of a group. `width` in pixels. */
-bool imgui_picture(const char *label, uint32_t picture, float width, bool chosen);
-bool imgui_group(const char *label, bool *open); /* collapsible heading; toggles *open */
+bool imgui_thumbnail_button(const char *label, uint32_t picture, float width, bool chosen);
+bool imgui_collapsing_header(const char *label,
+                             bool *open); /* collapsible heading; toggles *open */
 
 /* Widgets that edit a value: return true if the user has changed it. `format` is a printf format
  * for one float or unsigned. */
 bool imgui_checkbox(const char *label, bool *value);
-bool imgui_list(const char *label, const char *const *names, uint32_t count, uint32_t *index);
-bool imgui_line_of_text(const char *label, const char *hint, char *text, size_t size);
-bool imgui_entered(void); /* true if Enter finished the last text field */
+bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index);
+bool imgui_text_field(const char *label, const char *hint, char *text, size_t size);
+bool imgui_is_enter_pressed(void); /* true if Enter finished the last text field */
 
-struct imgui_slide {
+struct imgui_slider_range {
     float min, max;
     const char *format;
     bool logarithmic;
 };
 
-bool imgui_slider(const char *label, float *value, const struct imgui_slide *slide);
-bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_slide *slide);
+bool imgui_slider(const char *label, float *value, const struct imgui_slider_range *slide);
+bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_slider_range *slide);
 
 /* Draws a number field with - and + buttons. Returns true when the input is complete. */
-bool imgui_number(const char *label, uint32_t *value);
+bool imgui_number_field(const char *label, uint32_t *value);
 
 /* ---- items of the last frame ---- */
 
@@ -198,7 +200,7 @@ enum {
 /* An interactive item. */
 struct imgui_item {
     char label[64]; /* label without the text before "##" */
-    struct imgui_place place;
+    struct imgui_rect place;
 };
 
 /* Returns the visible items of the last frame. */
@@ -214,12 +216,12 @@ uint32_t imgui_gesture(const struct imgui *ui);
     ((uint32_t)(a) << 24 | (uint32_t)(b) << 16 | (uint32_t)(g) << 8 | (uint32_t)(r))
 
 /* Reserves an area of the panel for drawing, and returns its position. */
-struct imgui_place imgui_canvas(float width, float height);
-struct imgui_place imgui_cursor(void); /* position of the next item; the size is 0x0 */
-uint32_t imgui_rgba(uint32_t rgb);     /* converts 0xRRGGBB to packed RGBA */
-void imgui_rectangle(struct imgui_place place, uint32_t color);
-void imgui_hint(const char *text);            /* tooltip at the cursor */
-bool imgui_is_over(struct imgui_place place); /* true if the cursor is in the rectangle */
+struct imgui_rect imgui_reserve(float width, float height);
+struct imgui_rect imgui_cursor(void); /* position of the next item; the size is 0x0 */
+uint32_t imgui_rgba(uint32_t rgb);    /* converts 0xRRGGBB to packed RGBA */
+void imgui_rectangle(struct imgui_rect place, uint32_t color);
+void imgui_cursor_tooltip(const char *text);    /* tooltip at the cursor */
+bool imgui_is_hovered(struct imgui_rect place); /* true if the cursor is in the rectangle */
 
 #ifdef __cplusplus
 }

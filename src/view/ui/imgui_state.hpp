@@ -10,19 +10,19 @@ constexpr int panel_count_max = 8;
 
 struct imgui {
     ImGuiContext *context;
-    imgui_place panels[panel_count_max]; /* panels of the current frame */
+    imgui_rect panels[panel_count_max]; /* panels of the current frame */
     int panel_count;
     bool popup;   /* a popup such as a drop-down list is open */
     bool focuses; /* the next text field gets the keyboard focus */
     float scale;
-    const theme *look;
+    const theme *colors;
     imgui_item items[IMGUI_ITEM_COUNT];
     uint32_t item_count;
     unsigned active; /* ID of the active item; 0 if none */
     uint32_t gesture;
-    font system; /* system font; path "" for the built-in one */
-    imgui_pictures pictures;
-    int places[IMGUI_PICTURE_MAX]; /* atlas rectangles of the thumbnails */
+    system_font font; /* system font; path "" for the built-in one */
+    imgui_thumbnails thumbnails;
+    int rects[IMGUI_THUMBNAIL_MAX]; /* atlas rectangles of the thumbnails */
 };
 
 inline ImVec4 imgui_state_color(uint32_t rgb)

@@ -8,12 +8,12 @@ namespace
 
 constexpr float picture_width = 64.0f; /* width of a thumbnail on a button, pixels at scale 1 */
 
-ImVec2 position(const imgui_place &place)
+ImVec2 position(const imgui_rect &place)
 {
     return { place.x, place.y };
 }
 
-ImVec2 corner(const imgui_place &place)
+ImVec2 corner(const imgui_rect &place)
 {
     return { place.x + place.width, place.y + place.height };
 }
@@ -22,19 +22,19 @@ ImVec2 corner(const imgui_place &place)
 
 /* ---- panels ---- */
 
-void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_place place,
+void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_rect place,
                        enum imgui_panel kind)
 {
     ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
-    if (kind != IMGUI_OVER)
+    if (kind != IMGUI_POPUP)
         flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
     ImGui::SetNextWindowPos(position(place));
     ImGui::SetNextWindowSize(ImVec2(place.width, place.height));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, kind == IMGUI_OVER ? 1.0f : 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, kind == IMGUI_POPUP ? 1.0f : 0.0f);
     ImGui::Begin(title, nullptr, flags);
     ImGui::PopStyleVar();
-    if (kind == IMGUI_OVER)
+    if (kind == IMGUI_POPUP)
         ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     if (ui->panel_count < panel_count_max)
         ui->panels[ui->panel_count++] = place;
@@ -111,7 +111,7 @@ float imgui_scale(void)
 
 const struct theme *imgui_theme(void)
 {
-    return static_cast<const imgui *>(ImGui::GetIO().UserData)->look;
+    return static_cast<const imgui *>(ImGui::GetIO().UserData)->colors;
 }
 
 float imgui_line_height(void)
@@ -124,7 +124,7 @@ float imgui_row_height(void)
     return ImGui::GetFrameHeight();
 }
 
-float imgui_room(void)
+float imgui_available_width(void)
 {
     return ImGui::GetContentRegionAvail().x;
 }
@@ -182,7 +182,7 @@ void imgui_id_end(void)
     ImGui::PopID();
 }
 
-void imgui_tip(const char *text)
+void imgui_tooltip(const char *text)
 {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         return;
@@ -249,7 +249,7 @@ static bool is_within_character(const char *at)
 }
 
 /* Shortens a text in the middle, because names differ mostly at their ends. */
-void imgui_text_cut(const char *text, float width)
+void imgui_text_elided(const char *text, float width)
 {
     const char *end = text + strlen(text);
     const char *head = end;
@@ -267,10 +267,10 @@ void imgui_text_cut(const char *text, float width)
     ImGui::Text("%.*s...%s", static_cast<int>(head - text), text, tail);
 }
 
-void imgui_text_cut_in(const char *text, float width, uint32_t rgb)
+void imgui_text_elided_in(const char *text, float width, uint32_t rgb)
 {
     ImGui::PushStyleColor(ImGuiCol_Text, imgui_state_color(rgb));
-    imgui_text_cut(text, width);
+    imgui_text_elided(text, width);
     ImGui::PopStyleColor();
 }
 
@@ -315,11 +315,11 @@ bool imgui_small_button(const char *label)
     return pressed;
 }
 
-bool imgui_choice(const char *label, bool chosen)
+bool imgui_choice_button(const char *label, bool chosen)
 {
-    const theme *look = imgui_theme();
+    const theme *colors = imgui_theme();
     ImGui::PushStyleColor(ImGuiCol_Button,
-                          imgui_state_color(chosen ? look->pressed : look->raised));
+                          imgui_state_color(chosen ? colors->pressed : colors->raised));
     const bool pressed = imgui_button(label);
     ImGui::PopStyleColor();
     return pressed;
@@ -334,25 +334,25 @@ static void draw_thumbnail(const imgui *ui, uint32_t picture, const ImVec2 &size
     const float left = corner.x + (ImGui::GetItemRectSize().x - size.x) / 2.0f;
     ImVec2 from;
     ImVec2 to;
-    fonts->CalcCustomRectUV(&fonts->CustomRects[ui->places[picture]], &from, &to);
+    fonts->CalcCustomRectUV(&fonts->CustomRects[ui->rects[picture]], &from, &to);
     ImGui::GetWindowDrawList()->AddImage(fonts->TexID, ImVec2(left, corner.y + padding),
                                          ImVec2(left + size.x, corner.y + padding + size.y), from,
                                          to);
 }
 
-bool imgui_picture(const char *label, uint32_t picture, float width, bool chosen)
+bool imgui_thumbnail_button(const char *label, uint32_t picture, float width, bool chosen)
 {
     const imgui *ui = static_cast<const imgui *>(ImGui::GetIO().UserData);
-    const theme *look = imgui_theme();
+    const theme *colors = imgui_theme();
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
-    const imgui_pictures &all = ui->pictures;
+    const imgui_thumbnails &all = ui->thumbnails;
     const float across = ImMin(picture_width * ui->scale, width - 2.0f * padding.x);
     const ImVec2 size(across,
                       across * static_cast<float>(all.height) / static_cast<float>(all.width));
     const ImVec2 whole(width, size.y + 3.0f * padding.y + ImGui::GetTextLineHeight());
     ImGui::PushID(label);
     ImGui::PushStyleColor(ImGuiCol_Button,
-                          imgui_state_color(chosen ? look->pressed : look->raised));
+                          imgui_state_color(chosen ? colors->pressed : colors->raised));
     const bool pressed = ImGui::Button("##picture", whole);
     ImGui::PopStyleColor();
     ImGui::PopID();
@@ -364,22 +364,22 @@ bool imgui_picture(const char *label, uint32_t picture, float width, bool chosen
     ImGui::RenderTextClipped(from, ImVec2(end.x - 1.0f, end.y), label, nullptr, nullptr,
                              ImVec2(0.5f, 0.0f));
     if (chosen) /* the frame marks the choice independently of colour */
-        ImGui::GetWindowDrawList()->AddRect(corner, end, imgui_rgba(look->accent),
+        ImGui::GetWindowDrawList()->AddRect(corner, end, imgui_rgba(colors->accent),
                                             ImGui::GetStyle().FrameRounding, 0, 2.0f * ui->scale);
     return pressed;
 }
 
-bool imgui_line(const char *label, bool chosen)
+bool imgui_selectable(const char *label, bool chosen)
 {
-    const theme *look = imgui_theme();
-    ImGui::PushStyleColor(ImGuiCol_Header, imgui_state_color(look->pressed));
+    const theme *colors = imgui_theme();
+    ImGui::PushStyleColor(ImGuiCol_Header, imgui_state_color(colors->pressed));
     const bool pressed = ImGui::Selectable(label, chosen);
     note(label);
     ImGui::PopStyleColor();
     return pressed;
 }
 
-bool imgui_group(const char *label, bool *open)
+bool imgui_collapsing_header(const char *label, bool *open)
 {
     ImGui::SetNextItemOpen(*open);
     *open = ImGui::CollapsingHeader(label, ImGuiTreeNodeFlags_AllowItemOverlap);
@@ -394,13 +394,13 @@ bool imgui_checkbox(const char *label, bool *value)
     return changed;
 }
 
-bool imgui_list(const char *label, const char *const *names, uint32_t count, uint32_t *index)
+bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index)
 {
     bool changed = false;
     const bool open = ImGui::BeginCombo(label, *index < count ? names[*index] : "");
     note(label);
     for (uint32_t i = 0; i < count && open; i++) {
-        if (imgui_line(names[i], i == *index)) {
+        if (imgui_selectable(names[i], i == *index)) {
             changed = i != *index;
             *index = i;
         }
@@ -410,7 +410,7 @@ bool imgui_list(const char *label, const char *const *names, uint32_t count, uin
     return changed;
 }
 
-bool imgui_line_of_text(const char *label, const char *hint, char *text, size_t size)
+bool imgui_text_field(const char *label, const char *hint, char *text, size_t size)
 {
     const bool changed = ImGui::InputTextWithHint(label, hint, text, size);
     note(label);
@@ -418,18 +418,18 @@ bool imgui_line_of_text(const char *label, const char *hint, char *text, size_t 
     return changed;
 }
 
-bool imgui_entered(void)
+bool imgui_is_enter_pressed(void)
 {
     return ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
 }
 
-static ImGuiSliderFlags slider_flags(const struct imgui_slide *slide)
+static ImGuiSliderFlags slider_flags(const struct imgui_slider_range *slide)
 {
     return ImGuiSliderFlags_AlwaysClamp |
            (slide->logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
 }
 
-bool imgui_slider(const char *label, float *value, const struct imgui_slide *slide)
+bool imgui_slider(const char *label, float *value, const struct imgui_slider_range *slide)
 {
     const bool changed = ImGui::SliderFloat(label, value, slide->min, slide->max, slide->format,
                                             slider_flags(slide));
@@ -437,7 +437,7 @@ bool imgui_slider(const char *label, float *value, const struct imgui_slide *sli
     return changed;
 }
 
-bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_slide *slide)
+bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_slider_range *slide)
 {
     const uint32_t min = static_cast<uint32_t>(slide->min);
     const uint32_t max = static_cast<uint32_t>(slide->max);
@@ -447,7 +447,7 @@ bool imgui_count_slider(const char *label, uint32_t *value, const struct imgui_s
     return changed;
 }
 
-bool imgui_number(const char *label, uint32_t *value)
+bool imgui_number_field(const char *label, uint32_t *value)
 {
     const uint32_t step = 1;
     const bool changed = ImGui::InputScalar(label, ImGuiDataType_U32, value, &step, nullptr, "%u",
@@ -458,14 +458,14 @@ bool imgui_number(const char *label, uint32_t *value)
 
 /* ---- drawing ---- */
 
-struct imgui_place imgui_canvas(float width, float height)
+struct imgui_rect imgui_reserve(float width, float height)
 {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::Dummy(ImVec2(width, height));
     return { at.x, at.y, width, height };
 }
 
-struct imgui_place imgui_cursor(void)
+struct imgui_rect imgui_cursor(void)
 {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     return { at.x, at.y, 0.0f, 0.0f };
@@ -476,17 +476,17 @@ uint32_t imgui_rgba(uint32_t rgb)
     return 0xff000000u | (rgb & 255) << 16 | (rgb & 0xff00) | (rgb >> 16 & 255);
 }
 
-void imgui_rectangle(struct imgui_place place, uint32_t color)
+void imgui_rectangle(struct imgui_rect place, uint32_t color)
 {
     ImGui::GetWindowDrawList()->AddRectFilled(position(place), corner(place), color);
 }
 
-void imgui_hint(const char *text)
+void imgui_cursor_tooltip(const char *text)
 {
     ImGui::SetTooltip("%s", text);
 }
 
-bool imgui_is_over(struct imgui_place place)
+bool imgui_is_hovered(struct imgui_rect place)
 {
     return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(position(place), corner(place));
 }

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
-#include "src/frame/list.h"
+#include "src/frame/pass_list.h"
 #include "src/view/ui/ui_internal.h"
 
 enum {
@@ -18,7 +18,7 @@ static const float click_reach = 3.0f;   /* pixels; a longer movement is a drag 
 
 /* ---- dump for scripts ---- */
 
-void ui_count(struct ui *ui, enum view_action action)
+void ui_count_action(struct ui *ui, enum view_action action)
 {
     ui->done[action]++;
 }
@@ -31,17 +31,17 @@ void ui_dump(struct ui *ui, const char *path)
 /* Replaces the file by renaming, so that readers see the old list or the new one. */
 static void replace_dump(const struct ui *ui, const struct imgui_item *items, uint32_t count)
 {
-    char path[FONT_PATH_SIZE];
+    char path[SYSTEM_FONT_PATH_SIZE];
     const int length = snprintf(path, sizeof(path), "%s.new", ui->dump);
-    FILE *file = length > 0 && length < FONT_PATH_SIZE ? fopen(path, "w") : NULL;
+    FILE *file = length > 0 && length < SYSTEM_FONT_PATH_SIZE ? fopen(path, "w") : NULL;
     if (!file)
         return;
     for (uint32_t i = 0; i < count; i++)
         fprintf(file, "%.0f %.0f %.0f %.0f %s\n", (double)items[i].place.x,
                 (double)items[i].place.y, (double)items[i].place.width,
                 (double)items[i].place.height, items[i].label);
-    for (enum view_action a = VIEW_NOTHING + 1; a < VIEW_DEED_COUNT; a++)
-        fprintf(file, "0 0 0 0 done %u: %s\n", ui->done[a], keys_label(a));
+    for (enum view_action a = VIEW_ACTION_NONE + 1; a < VIEW_INPUT_COUNT; a++)
+        fprintf(file, "0 0 0 0 done %u: %s\n", ui->done[a], key_bindings_label(a));
     if (fclose(file) == 0)
         (void)!rename(path, ui->dump);
 }
@@ -79,12 +79,12 @@ static enum status make_font(struct ui *ui)
 }
 
 enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct theme *theme,
-                      const struct ui_pictures *pictures, bool quiet)
+                      const struct ui_thumbnails *pictures, bool quiet)
 {
     struct ui *u = calloc(1, sizeof(*u));
-    struct font font;
+    struct system_font font;
     *ui = u;
-    const bool found = font_find(&font, "sans");
+    const bool found = system_font_find(&font, "sans");
     if (u) {
         u->gpu = gpu;
         u->theme = theme;
@@ -95,7 +95,7 @@ enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct
         u->imgui = imgui_create(&font);
     if (!u || !u->imgui)
         return log_out_of_memory(NULL);
-    imgui_use_pictures(u->imgui, &pictures->list);
+    imgui_set_thumbnails(u->imgui, &pictures->list);
     const enum status status = ui_rescale(u, scale);
     if (!u->has_font && !quiet)
         log_warning("%s%s: using the built-in bitmap font",
@@ -113,11 +113,11 @@ enum status ui_rescale(struct ui *ui, float scale)
     return make_font(ui);
 }
 
-void ui_look(struct ui *ui, const struct theme *theme)
+void ui_set_theme(struct ui *ui, const struct theme *theme)
 {
     ui->theme = theme;
     ui->settle = SETTLE_COUNT;
-    imgui_look(ui->imgui, theme);
+    imgui_set_theme(ui->imgui, theme);
 }
 
 float ui_scale(const struct ui *ui)
@@ -157,7 +157,7 @@ bool ui_drags_picture(const struct ui *ui)
     return ui->shown && ui->buttons && !ui->grabbed;
 }
 
-bool ui_may_wait(const struct ui *ui, double now)
+bool ui_can_skip_frame(const struct ui *ui, double now)
 {
     return ui_drags_picture(ui) && !ui_is_busy(ui) && now - ui->last < drag_seconds;
 }
@@ -172,16 +172,16 @@ const struct gpu_image *ui_font(const struct ui *ui)
     return &ui->font;
 }
 
-void ui_say(struct ui *ui, const char *words)
+void ui_show_message(struct ui *ui, const char *words)
 {
     snprintf(ui->words, sizeof(ui->words), "%s", words);
     ui->failed = false;
     ui->settle = SETTLE_COUNT;
 }
 
-void ui_fail(struct ui *ui, const char *words)
+void ui_show_failure(struct ui *ui, const char *words)
 {
-    ui_say(ui, words);
+    ui_show_message(ui, words);
     ui->failed = true;
 }
 
@@ -190,13 +190,13 @@ void ui_wake(struct ui *ui)
     ui->settle = SETTLE_COUNT;
 }
 
-void ui_close_look(struct ui *ui)
+void ui_close_inspector(struct ui *ui)
 {
-    ui->tab = ui->tab == UI_LOOK ? UI_SETTINGS : ui->tab;
+    ui->tab = ui->tab == UI_INSPECT ? UI_SETTINGS : ui->tab;
     ui_wake(ui);
 }
 
-void ui_complain(struct ui *ui, const char *words)
+void ui_set_error(struct ui *ui, const char *words)
 {
     if (strncmp(ui->fault, words, sizeof(ui->fault) - 1) == 0)
         return;
@@ -206,9 +206,9 @@ void ui_complain(struct ui *ui, const char *words)
 
 bool ui_toggle(struct ui *ui, enum view_action action)
 {
-    const enum ui_tab tab = action == VIEW_TIMES  ? UI_TIMES
-                            : action == VIEW_LOOK ? UI_LOOK
-                                                  : UI_PLAN;
+    const enum ui_tab tab = action == VIEW_TIMES     ? UI_TIMES
+                            : action == VIEW_INSPECT ? UI_INSPECT
+                                                     : UI_PLAN;
     if (action == VIEW_HELP) {
         ui->keys_open = !ui->keys_open || !ui->shown;
     } else if (action == VIEW_PALETTE) {
@@ -233,7 +233,7 @@ static void handle_click(struct ui *ui, bool down)
     if (down) {
         ui->press_x = ui->x;
         ui->press_y = ui->y;
-    } else if (ui->tab == UI_LOOK && moved <= click_reach)
+    } else if (ui->tab == UI_INSPECT && moved <= click_reach)
         ui->pinned = !ui->pinned;
 }
 
@@ -241,7 +241,7 @@ static bool handle_button(struct ui *ui, const struct window_event *event)
 {
     const unsigned bit = 1u << (event->code & 31);
     if (event->down && !ui->buttons)
-        ui->grabbed = imgui_covers(ui->imgui, ui->x, ui->y);
+        ui->grabbed = imgui_wants_mouse(ui->imgui, ui->x, ui->y);
     ui->buttons = event->down ? ui->buttons | bit : ui->buttons & ~bit;
     if (event->code == GLFW_MOUSE_BUTTON_LEFT && !ui->grabbed)
         handle_click(ui, event->down);
@@ -250,7 +250,7 @@ static bool handle_button(struct ui *ui, const struct window_event *event)
 
 static bool has_keys(const struct ui *ui)
 {
-    return imgui_has_keys(ui->imgui) && !ui->released;
+    return imgui_wants_keyboard(ui->imgui) && !ui->released;
 }
 
 /* Handles the palette's navigation keys. Returns true if the event was one. */
@@ -288,10 +288,11 @@ static bool is_for_text(const struct window_event *event)
 static bool handle_key(struct ui *ui, const struct window_event *event)
 {
     const bool function = event->code >= GLFW_KEY_F1 && event->code <= GLFW_KEY_F25;
-    const bool kept = !function && (event->control ? imgui_has_text(ui->imgui) && is_for_text(event)
-                                                   : ui->held || has_keys(ui));
+    const bool kept =
+        !function && (event->control ? imgui_wants_text(ui->imgui) && is_for_text(event)
+                                     : ui->held || has_keys(ui));
     if (event->down && event->code == GLFW_KEY_F6) {
-        ui_count(ui, VIEW_PANEL_KEYS);
+        ui_count_action(ui, VIEW_PANEL_KEYS);
         ui->focus_panel = true;
         ui->searches = false;
         ui->held = HOLD_COUNT;
@@ -303,18 +304,18 @@ static bool handle_key(struct ui *ui, const struct window_event *event)
         ui->released = true;
         return true;
     }
-    ui_input_add(&ui->input, event);
+    ui_input_queue_add(&ui->input, event);
     return kept;
 }
 
 static bool handle_character(struct ui *ui, const struct window_event *event)
 {
-    if (imgui_has_text(ui->imgui) || ui->held) {
-        ui_input_add(&ui->input, event);
+    if (imgui_wants_text(ui->imgui) || ui->held) {
+        ui_input_queue_add(&ui->input, event);
         return true;
     }
     if (event->code == '/') {
-        ui_count(ui, VIEW_SEARCH);
+        ui_count_action(ui, VIEW_SEARCH);
         ui->focus_search = ui->searches = true;
         ui->held = HOLD_COUNT;
         return true;
@@ -322,7 +323,7 @@ static bool handle_character(struct ui *ui, const struct window_event *event)
     return event->code == ' ' && has_keys(ui);
 }
 
-bool ui_hear(void *user, const struct window_event *event)
+bool ui_handle_event(void *user, const struct window_event *event)
 {
     struct ui *ui = user;
     if (event->kind == WINDOW_CURSOR) {
@@ -339,33 +340,33 @@ bool ui_hear(void *user, const struct window_event *event)
     if (event->kind == WINDOW_CHARACTER)
         return handle_character(ui, event);
     if (ui_drags_picture(ui))
-        ui_input_add(&ui->input, &(struct window_event){ .kind = WINDOW_CURSOR,
-                                                         .x = (double)ui->x,
-                                                         .y = (double)ui->y });
-    ui_input_add(&ui->input, event);
+        ui_input_queue_add(&ui->input, &(struct window_event){ .kind = WINDOW_CURSOR,
+                                                               .x = (double)ui->x,
+                                                               .y = (double)ui->y });
+    ui_input_queue_add(&ui->input, event);
     if (event->kind == WINDOW_BUTTON)
         return handle_button(ui, event);
-    return event->kind == WINDOW_WHEEL ? imgui_covers(ui->imgui, ui->x, ui->y) : ui->grabbed;
+    return event->kind == WINDOW_WHEEL ? imgui_wants_mouse(ui->imgui, ui->x, ui->y) : ui->grabbed;
 }
 
 /* ---- a frame ---- */
 
-static void add_times(struct ui_times *sums, const struct renderer *renderer)
+static void add_times(struct ui_pass_times *sums, const struct renderer *renderer)
 {
     if (!renderer)
         return;
     const struct rg_times times = renderer_times(renderer);
-    ui_times_add(sums, renderer_frame(renderer), &times);
+    ui_pass_times_add(sums, renderer_frame(renderer), &times);
 }
 
 static void measure(struct ui *ui, const struct ui_view *view)
 {
-    ui_pace_add(&ui->pace, &view->pace);
-    add_times(&ui->frame_times, picture_renderer(view->picture, false));
-    add_times(&ui->right_times, picture_renderer(view->picture, true));
+    ui_frame_pacing_add(&ui->pace, &view->pace);
+    add_times(&ui->frame_times, viewport_renderer(view->picture, false));
+    add_times(&ui->right_times, viewport_renderer(view->picture, true));
     if (view->screen->exec) {
         const struct rg_times times = rg_exec_times(view->screen->exec);
-        ui_times_add(&ui->window_times, view->screen->plan, &times);
+        ui_pass_times_add(&ui->window_times, view->screen->plan, &times);
     }
 }
 
@@ -373,7 +374,7 @@ static void measure(struct ui *ui, const struct ui_view *view)
  * has the focus. */
 static void take_input(struct ui *ui)
 {
-    const bool there = ui->searches ? imgui_has_text(ui->imgui) : imgui_has_keys(ui->imgui);
+    const bool there = ui->searches ? imgui_wants_text(ui->imgui) : imgui_wants_keyboard(ui->imgui);
     ui->released = false;
     if (ui->held && !there) {
         ui->held--;
@@ -381,24 +382,24 @@ static void take_input(struct ui *ui)
     }
     const bool escaped = ui->input.now.keys[IMGUI_ESCAPE];
     ui->held = 0;
-    ui_input_step(&ui->input);
+    ui_input_queue_step(&ui->input);
     if (escaped || !ui->input.now.keys[IMGUI_ESCAPE])
         return;
     if (!imgui_is_active())
         imgui_focus_panel(NULL); /* the Escape key was queued before */
-    else if (ui->searches && imgui_has_text(ui->imgui))
+    else if (ui->searches && imgui_wants_text(ui->imgui))
         ui->release = true; /* a single Escape leaves the search field */
 }
 
-void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
+void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *wish)
 {
     struct imgui_input *input = &ui->input.now;
-    *wish = (struct ui_wish){
+    *wish = (struct ui_request){
         .settings = frame_settings(&view->picture->state.scene.settings, &view->picture->scene),
-        .rung = view->picture->state.rung,
+        .refraction = view->picture->state.refraction,
         .other = view->other,
         .split = view->picture->state.split,
-        .look = view->look_wanted,
+        .look = view->inspector_wanted,
     };
     take_input(ui);
     if (ui->input.event_count)
@@ -415,13 +416,13 @@ void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish)
     imgui_begin(ui->imgui, input);
     ui_panels(ui, view, wish);
     imgui_end(ui->imgui);
-    wish->looks = ui->tab == UI_LOOK;
+    wish->looks = ui->tab == UI_INSPECT;
     wish->gesture = imgui_gesture(ui->imgui);
     write_dump(ui);
 }
 
 /* Returns true if a draw command lies completely outside the image; panels are axis-aligned. */
-static bool is_beside(const struct ui *ui, const struct overlay_part *part,
+static bool is_beside(const struct ui *ui, const struct overlay_draw_command *part,
                       const struct overlay_vertex *vertices, const uint32_t *indices)
 {
     float left = INFINITY, top = INFINITY, right = -INFINITY, bottom = -INFINITY;
@@ -442,14 +443,14 @@ static bool is_beside(const struct ui *ui, const struct overlay_part *part,
            top >= (float)p->offset.y + (float)p->extent.height;
 }
 
-const struct overlay_list *ui_take(struct ui *ui, struct overlay_vertex *vertices,
-                                   uint32_t *indices)
+const struct overlay_draw_list *ui_copy_draw_list(struct ui *ui, struct overlay_vertex *vertices,
+                                                  uint32_t *indices)
 {
-    struct overlay_list *list = &ui->list;
+    struct overlay_draw_list *list = &ui->list;
     list->docked_count = 0;
     if (!ui->shown)
         list->part_count = 0;
-    const bool whole = !ui->shown || imgui_take(ui->imgui, vertices, indices, list);
+    const bool whole = !ui->shown || imgui_copy_draw_list(ui->imgui, vertices, indices, list);
     while (list->docked_count < list->part_count &&
            is_beside(ui, &list->parts[list->docked_count], vertices, indices))
         list->docked_count++;

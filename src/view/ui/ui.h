@@ -2,34 +2,34 @@
  * ui.h: user interface of the viewer: panels for settings, inspection, pass times, plan and
  * shortcuts.
  *
- * It receives input events first (ui_hear) and consumes those meant for panels. While hidden, it
- * costs no time and consumes no events.
+ * It receives input events first (ui_handle_event) and consumes those meant for panels. While
+ * hidden, it costs no time and consumes no events.
  */
 #ifndef FIRN_VIEW_UI_UI_H
 #define FIRN_VIEW_UI_UI_H
 
-#include "src/view/history.h"
-#include "src/view/layout.h"
-#include "src/view/look.h"
-#include "src/view/overlay_list.h"
-#include "src/view/picture.h"
-#include "src/view/reloads.h"
-#include "src/view/screen.h"
+#include "src/view/overlay_draw_list.h"
+#include "src/view/pixel_inspector.h"
+#include "src/view/presenter.h"
+#include "src/view/rebuild_log.h"
 #include "src/view/ui/theme.h"
-#include "src/view/ui/ui_pace.h"
-#include "src/view/ui/ui_pictures.h"
+#include "src/view/ui/ui_frame_pacing.h"
+#include "src/view/ui/ui_thumbnails.h"
+#include "src/view/undo_stack.h"
+#include "src/view/viewport.h"
 #include "src/view/window.h"
+#include "src/view/window_layout.h"
 
 struct ui;
 
 /* Creates the user interface. `scale` multiplies all sizes; `pictures` must outlive it. Logs errors
  * and, unless `quiet`, that only the built-in font is available. */
 MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale,
-                               const struct theme *theme, const struct ui_pictures *pictures,
+                               const struct theme *theme, const struct ui_thumbnails *pictures,
                                bool quiet);
 void ui_destroy(struct ui *ui); /* may be NULL */
 
-window_listen_fn ui_hear; /* `user` is the ui */
+window_listen_fn ui_handle_event; /* `user` is the ui */
 
 void ui_show(struct ui *ui, bool shown);
 bool ui_is_shown(const struct ui *ui);
@@ -38,43 +38,43 @@ bool ui_is_shown(const struct ui *ui);
 bool ui_is_busy(const struct ui *ui);
 
 /* ui_drags_picture() returns true while the user drags the image rather than a panel. The panels
- * then change only in their frame time, so ui_may_wait() returns true if their next update can be
- * skipped. */
+ * then change only in their frame time, so ui_can_skip_frame() returns true if their next update
+ * can be skipped. */
 bool ui_drags_picture(const struct ui *ui);
-bool ui_may_wait(const struct ui *ui, double now);
+bool ui_can_skip_frame(const struct ui *ui, double now);
 
 /* Changes the scale. ui_font() is replaced, so no frame may still use it. */
 MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 
-void ui_look(struct ui *ui, const struct theme *theme); /* from the next frame on */
+void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
 /* Lets a file be rewritten on each change, with one line per usable item: left, top, width, height
  * in pixels, label; and lines at 0 0 0 0 with the count of each action. For scripts that drive the
  * window. */
 void ui_dump(struct ui *ui, const char *path);
-void ui_count(struct ui *ui, enum view_action action); /* counts an executed action */
+void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 
 float ui_scale(const struct ui *ui);
 
-/* Returns the font atlas for screen_lay_over(). */
+/* Returns the font atlas for presenter_set_font(). */
 const struct gpu_image *ui_font(const struct ui *ui);
 
 /* Viewer state that the panels display. */
 struct ui_view {
-    const struct picture *picture;
-    const struct screen *screen;
-    struct ui_pace pace; /* timing of the last frame */
-    double now;          /* seconds */
-    VkExtent2D size;     /* size of the window, pixels */
-    const struct history *history;
-    const struct reloads *reloads;
-    const struct layout *layout; /* layout of the window */
-    const struct look *look;
-    struct look_choice look_wanted;
-    const struct present_place *place; /* position of the image in the window */
-    enum view_other other;
+    const struct viewport *picture;
+    const struct presenter *screen;
+    struct ui_frame_pacing pace; /* timing of the last frame */
+    double now;                  /* seconds */
+    VkExtent2D size;             /* size of the window, pixels */
+    const struct undo_stack *history;
+    const struct rebuild_log *reloads;
+    const struct window_layout *layout; /* layout of the window */
+    const struct pixel_inspector *look;
+    struct pixel_inspector_choice inspector_wanted;
+    const struct present_area *place; /* position of the image in the window */
+    enum view_side_b other;
     const char *left, *right; /* labels of side A and side B */
-    bool has_stored;          /* VIEW_OTHER_STATE is available */
+    bool has_stored;          /* VIEW_SIDE_B_STATE is available */
     bool differs;             /* the error map is shown */
     bool paused;
     float time;                         /* scene time, seconds */
@@ -85,19 +85,19 @@ struct ui_view {
 };
 
 /* What the user requested in the panels during a frame. */
-struct ui_wish {
-    enum view_action action; /* VIEW_NOTHING if none */
+struct ui_request {
+    enum view_action action; /* VIEW_ACTION_NONE if none */
     char *open;              /* file or scene to open, malloc'd; NULL if none */
     bool changed;            /* `settings` or `rung` were changed */
     struct settings settings;
-    const struct technique *rung;
+    const struct technique *refraction;
     uint32_t gesture; /* equal for all changes of one drag; see imgui_gesture() */
     bool seeks;       /* set the scene time to `time` */
     float time;
     VkExtent2D shot; /* save an image of this size; 0x0 if none */
-    struct look_choice look;
+    struct pixel_inspector_choice look;
     bool looks;                    /* the inspector panel is open */
-    enum view_other other;         /* side B, changed independently of `changed` */
+    enum view_side_b other;        /* side B, changed independently of `changed` */
     const struct technique *split; /* refraction model of side B; NULL if there is none */
 };
 
@@ -108,23 +108,23 @@ bool ui_toggle(struct ui *ui, enum view_action action);
 /* Requests a frame although there was no input. */
 void ui_wake(struct ui *ui);
 
-void ui_close_look(struct ui *ui);
+void ui_close_inspector(struct ui *ui);
 
 /* Shows a message in the status bar until the next one; too long messages are shortened. */
-void ui_say(struct ui *ui, const char *words);
+void ui_show_message(struct ui *ui, const char *words);
 
 /* Shows an error message in the status bar, with a hint what to do. */
-void ui_fail(struct ui *ui, const char *words);
+void ui_show_failure(struct ui *ui, const char *words);
 
 /* Shows a persistent error in red until it is cleared by "". */
-void ui_complain(struct ui *ui, const char *words);
+void ui_set_error(struct ui *ui, const char *words);
 
 /* Runs the panels for one frame; call it before drawing that frame. */
-void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_wish *wish);
+void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *wish);
 
 /* Writes vertices and indices, of OVERLAY_*_COUNT elements, and returns the draw list, which the ui
  * owns. The list is empty while hidden. */
-const struct overlay_list *ui_take(struct ui *ui, struct overlay_vertex *vertices,
-                                   uint32_t *indices);
+const struct overlay_draw_list *ui_copy_draw_list(struct ui *ui, struct overlay_vertex *vertices,
+                                                  uint32_t *indices);
 
 #endif

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 #include "src/view/ui/imgui.h"
-#include "src/view/ui/ui_synonyms.h"
-#include "src/view/ui/ui_words.h"
+#include "src/view/ui/ui_fuzzy_match.h"
+#include "src/view/ui/ui_search_synonyms.h"
 
 enum {
     ROWS_FIRST = 8, /* rows shown per group before "more" */
@@ -48,7 +48,7 @@ enum ui_widget ui_settings_widget(const struct setting *row)
 
 static void reset(const struct ui_settings *settings, const struct setting *row)
 {
-    settings_put(settings->now, row, settings_get(settings->usual, row));
+    settings_set_value(settings->now, row, settings_get(settings->usual, row));
 }
 
 static bool is_scene_value(const struct ui_settings *settings, const struct setting *row)
@@ -73,17 +73,20 @@ static bool slider(const char *label, const struct setting *row, float *value, b
     const char *unit = sign_of(row->unit);
     snprintf(format, sizeof(format), "%%.4g%s%s", isalnum((unsigned char)*unit) ? " " : "", unit);
     const double low = row->has_auto ? row->min - 0.05 * (row->max - row->min) : row->min;
-    const struct imgui_slide slide = { (float)low, (float)row->max,
-                                       setting_is_auto(row, (double)*value) ? "auto" : format,
-                                       logarithmic };
+    const struct imgui_slider_range slide = { (float)low, (float)row->max,
+                                              setting_is_auto(row, (double)*value) ? "auto"
+                                                                                   : format,
+                                              logarithmic };
     return imgui_slider(label, value, &slide);
 }
 
 static bool count_slider(const char *label, const struct setting *row, uint32_t *value,
                          bool logarithmic)
 {
-    const struct imgui_slide slide = { row->has_auto ? 0.0f : (float)row->min, (float)row->max,
-                                       row->has_auto && *value == 0 ? "auto" : "%u", logarithmic };
+    const struct imgui_slider_range slide = { row->has_auto ? 0.0f : (float)row->min,
+                                              (float)row->max,
+                                              row->has_auto && *value == 0 ? "auto" : "%u",
+                                              logarithmic };
     return imgui_count_slider(label, value, &slide);
 }
 
@@ -109,11 +112,11 @@ static bool widget(const struct setting *row, const char *label, double *value)
         count = on;
         break;
     case UI_LIST:
-        changed = imgui_list(label, row->choice_labels ? row->choice_labels : row->choices,
-                             choice_count(row), &count);
+        changed = imgui_combo(label, row->choice_labels ? row->choice_labels : row->choices,
+                              choice_count(row), &count);
         break;
     case UI_NUMBER:
-        changed = imgui_number(label, &count);
+        changed = imgui_number_field(label, &count);
         break;
     case UI_SLIDER:
     case UI_LOGARITHMIC:
@@ -151,7 +154,7 @@ static void describe(const struct setting *row, char *text, size_t size)
 static void head(const struct setting *row, bool changed, float x)
 {
     const struct theme *theme = imgui_theme();
-    struct imgui_place mark = imgui_cursor();
+    struct imgui_rect mark = imgui_cursor();
     const float scale = imgui_scale();
     mark.width = 3.0f * scale;
     mark.height = imgui_row_height();
@@ -159,10 +162,10 @@ static void head(const struct setting *row, bool changed, float x)
         imgui_rectangle(mark, imgui_rgba(theme->changed));
     imgui_indent(8.0f * scale);
     imgui_align();
-    imgui_text_cut(row->label, x - 14.0f * scale);
+    imgui_text_elided(row->label, x - 14.0f * scale);
     char text[400];
     describe(row, text, sizeof(text));
-    imgui_tip(text);
+    imgui_tooltip(text);
     imgui_same_line(x);
 }
 
@@ -171,18 +174,18 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
     const double before = settings_get(settings->now, row);
     const bool usual = is_scene_value(settings, row);
     const float button = imgui_width("\xc3\x97");
-    const float x = imgui_room() * label_share;
+    const float x = imgui_available_width() * label_share;
     double value = before;
     char id[LABEL_SIZE + 16];
     char text[400];
     head(row, !usual, x);
-    imgui_next_width(imgui_room() - button - 6.0f * imgui_scale());
+    imgui_next_width(imgui_available_width() - button - 6.0f * imgui_scale());
     snprintf(id, sizeof(id), "##%s", row->name);
     bool changed = widget(row, id, &value);
     describe(row, text, sizeof(text));
-    imgui_tip(text);
+    imgui_tooltip(text);
     if (changed)
-        settings_put(settings->now, row, value);
+        settings_set_value(settings->now, row, value);
     if (!usual) {
         imgui_same_line(0.0f);
         snprintf(id, sizeof(id), "\xc3\x97##reset %s", row->name);
@@ -195,54 +198,56 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
             snprintf(text, sizeof(text), "reset %s to auto", row->label);
         else
             snprintf(text, sizeof(text), "reset %s to %g", row->label, usually);
-        imgui_tip(row->type == SETTING_CHOICE ? "reset to the scene's value" : text);
+        imgui_tooltip(row->type == SETTING_CHOICE ? "reset to the scene's value" : text);
     }
     return changed;
 }
 
 bool ui_settings_fit(const struct setting *row, const char *words)
 {
-    const char *const texts[] = { row->name, row->label, row->help, ui_group_name(ui_group_of(row)),
-                                  ui_synonyms(row->name) };
-    return ui_words_fit(words, texts, sizeof(texts) / sizeof(texts[0]));
+    const char *const texts[] = { row->name, row->label, row->help,
+                                  ui_setting_groups_name(ui_setting_groups_of(row)),
+                                  ui_search_synonyms(row->name) };
+    return ui_fuzzy_match_contains(words, texts, sizeof(texts) / sizeof(texts[0]));
 }
 
-static bool reset_button(const struct ui_settings *settings, enum ui_group group, float x)
+static bool reset_button(const struct ui_settings *settings, enum ui_setting_group group, float x)
 {
     const struct setting *row;
     bool usual = true;
     char id[LABEL_SIZE];
-    for (uint32_t i = 0; (row = ui_group_row(group, i)); i++)
+    for (uint32_t i = 0; (row = ui_setting_groups_row(group, i)); i++)
         usual = usual && is_scene_value(settings, row);
     if (usual)
         return false;
     imgui_same_line(x);
-    snprintf(id, sizeof(id), "\xc3\x97##reset %s", ui_group_name(group));
+    snprintf(id, sizeof(id), "\xc3\x97##reset %s", ui_setting_groups_name(group));
     const bool pressed = imgui_small_button(id);
-    imgui_tip("reset this group to the scene's values");
-    for (uint32_t i = 0; pressed && (row = ui_group_row(group, i)); i++)
+    imgui_tooltip("reset this group to the scene's values");
+    for (uint32_t i = 0; pressed && (row = ui_setting_groups_row(group, i)); i++)
         reset(settings, row);
     return pressed;
 }
 
-bool ui_settings_heading(const struct ui_settings *settings, enum ui_group group, bool *open)
+bool ui_settings_heading(const struct ui_settings *settings, enum ui_setting_group group,
+                         bool *open)
 {
-    const float x = imgui_room() - imgui_width("\xc3\x97");
-    imgui_group(ui_group_name(group), open);
+    const float x = imgui_available_width() - imgui_width("\xc3\x97");
+    imgui_collapsing_header(ui_setting_groups_name(group), open);
     return reset_button(settings, group, x);
 }
 
-bool ui_settings_group(const struct ui_settings *settings, enum ui_group group, bool *more)
+bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group group, bool *more)
 {
     const struct setting *row;
     bool changed = false;
     char id[LABEL_SIZE];
     uint32_t i = 0;
-    for (; (row = ui_group_row(group, i)) && (*more || i < ROWS_FIRST); i++)
+    for (; (row = ui_setting_groups_row(group, i)) && (*more || i < ROWS_FIRST); i++)
         changed = ui_settings_row(settings, row) || changed;
     if (!row && !*more)
         return changed;
-    snprintf(id, sizeof(id), "%s##%s", *more ? "fewer" : "more ...", ui_group_name(group));
+    snprintf(id, sizeof(id), "%s##%s", *more ? "fewer" : "more ...", ui_setting_groups_name(group));
     if (i >= ROWS_FIRST && imgui_small_button(id))
         *more = !*more;
     return changed;
@@ -259,11 +264,12 @@ enum fit {
 static enum fit fit_of(const struct setting *row, const char *words)
 {
     const char *const names[] = { row->name, row->label };
-    if (ui_words_fit(words, names, 2))
+    if (ui_fuzzy_match_contains(words, names, 2))
         return FIT_NAME;
     if (ui_settings_fit(row, words))
         return FIT_HELP;
-    return ui_words_distance(words, row->name, true) != UI_WORDS_NONE ? FIT_LETTERS : FIT_NOTHING;
+    return ui_fuzzy_match_distance(words, row->name, true) != UI_FUZZY_MATCH_NONE ? FIT_LETTERS
+                                                                                  : FIT_NOTHING;
 }
 
 static uint32_t show_found(const struct ui_settings *settings, const char *words, enum fit fit,
@@ -271,8 +277,8 @@ static uint32_t show_found(const struct ui_settings *settings, const char *words
 {
     const struct setting *row;
     uint32_t count = 0;
-    for (enum ui_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
-        for (uint32_t i = 0; (row = ui_group_row(g, i)); i++) {
+    for (enum ui_setting_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
+        for (uint32_t i = 0; (row = ui_setting_groups_row(g, i)); i++) {
             if (fit_of(row, words) != fit)
                 continue;
             *changed = ui_settings_row(settings, row) || *changed;

@@ -7,7 +7,7 @@
 #define FIRN_VIEW_UI_UI_SETTINGS_H
 
 #include "src/settings/settings.h"
-#include "src/view/ui/ui_groups.h"
+#include "src/view/ui/ui_setting_groups.h"
 
 enum ui_widget {
     UI_CHECKBOX,
@@ -30,10 +30,11 @@ struct ui_settings {
 bool ui_settings_row(const struct ui_settings *settings, const struct setting *row);
 
 /* Draws the collapsible heading of a group, with a button that resets the group. */
-bool ui_settings_heading(const struct ui_settings *settings, enum ui_group group, bool *open);
+bool ui_settings_heading(const struct ui_settings *settings, enum ui_setting_group group,
+                         bool *open);
 
 /* Draws the rows of a group; less useful ones only if *more, which a button toggles. */
-bool ui_settings_group(const struct ui_settings *settings, enum ui_group group, bool *more);
+bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group group, bool *more);
 
 /* Returns true if each word, separated by blanks, occurs in name, help, group or synonyms. */
 bool ui_settings_fit(const struct setting *row, const char *words);

@@ -117,7 +117,7 @@ static double bench_scene(struct gpu *gpu, const char *name)
         .scene = &scene,
         .uploaded = &uploaded,
         .settings = &settings,
-        .rung = techniques_find_rung("paper"),
+        .refraction = techniques_find_refraction("paper"),
         .width = WIDTH,
         .height = HEIGHT,
         .keep = true,

@@ -8,12 +8,12 @@
 
 #include "shaders/embedded.h"
 #include "shaders/globals.h"
-#include "shaders/refract_paper.h"
-#include "shaders/tonemap.h"
-#include "src/frame/view.h"
+#include "shaders/output/tonemap.h"
+#include "shaders/refract/refract_paper.h"
+#include "src/frame/frame_uniforms.h"
 #include "src/tech/frame.h"
-#include "src/tech/refract_paper.h"
-#include "src/tech/tonemap.h"
+#include "src/tech/output/tonemap.h"
+#include "src/tech/refract/refract_paper.h"
 
 #define GLOBALS \
     { \
@@ -24,19 +24,19 @@
 
 #define AROUND_ROW(stem, compare_op, image) \
     { \
-        .vert = &stem##_vert, .frag = &stem##_frag, .push_size = sizeof(struct background_push), \
+        .vert = &stem##_vert, .frag = &stem##_frag, .push_size = sizeof(struct surroundings_push), \
         .compare = (compare_op), .colors = { COLOR }, .bindings = { GLOBALS, image }, \
         .binding_count = 2, \
     }
 
 static void fill_rows(const struct by_hand *h, struct pipeline_row rows[static PIPELINE_COUNT])
 {
-    const struct binding environment = { BACKGROUND_ENVIRONMENT, AROUND, h->imported[0] };
-    const struct binding textures = { BACKGROUND_TEXTURES, TEXTURES, h->imported[1] };
+    const struct binding environment = { SURROUNDINGS_ENVIRONMENT, AROUND, h->imported[0] };
+    const struct binding textures = { SURROUNDINGS_TEXTURES, TEXTURES, h->imported[1] };
     rows[SURROUNDINGS] =
-        (struct pipeline_row)AROUND_ROW(background, VK_COMPARE_OP_GREATER, textures);
+        (struct pipeline_row)AROUND_ROW(surroundings, VK_COMPARE_OP_GREATER, textures);
     rows[SURROUNDINGS].mesh = true;
-    rows[SKY] = (struct pipeline_row)AROUND_ROW(background_sky, VK_COMPARE_OP_GREATER_OR_EQUAL,
+    rows[SKY] = (struct pipeline_row)AROUND_ROW(surroundings_sky, VK_COMPARE_OP_GREATER_OR_EQUAL,
                                                 environment);
     rows[SKY].reads_depth = true;
     rows[BACK_NORMAL] = (struct pipeline_row){
@@ -63,7 +63,7 @@ static void fill_rows(const struct by_hand *h, struct pipeline_row rows[static P
         .binding_count = 3,
     };
     rows[TONEMAP] = (struct pipeline_row){
-        .vert = &screen_vert,
+        .vert = &fullscreen_vert,
         .frag = &tonemap_frag,
         .push_size = sizeof(struct tonemap_push),
         .colors = { SCREEN },
@@ -293,7 +293,7 @@ static void draw_around(struct by_hand *h, struct pass pass, bool sky, bool onto
     pass.pipeline = sky ? SKY : SURROUNDINGS;
     pass.color_load = onto ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
     pass.depth_load = onto ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
-    pass.push_size = sizeof(struct background_push);
+    pass.push_size = sizeof(struct surroundings_push);
     pass.vertices = sky ? NULL : &h->params.uploaded->surroundings.vertices;
     pass.indices = &h->params.uploaded->surroundings.indices;
     draw_pass(h, &pass);
@@ -303,7 +303,7 @@ static void draw_cube(struct by_hand *h, const struct frame_view *view)
 {
     for (uint32_t i = 0; i < 2 * FACE_COUNT; i++) {
         const uint32_t face = i % FACE_COUNT;
-        const struct background_push push = frame_view_face(view, face);
+        const struct surroundings_push push = frame_view_face(view, face);
         if (i == FACE_COUNT)
             after_drawing(h, NULL, 0);
         draw_around(h,
@@ -315,7 +315,7 @@ static void draw_cube(struct by_hand *h, const struct frame_view *view)
     }
 }
 
-static void draw_view(struct by_hand *h, const struct background_push *push)
+static void draw_view(struct by_hand *h, const struct surroundings_push *push)
 {
     const struct pass pass = { .size = by_hand_size(h, COLOR),
                                .colors = { h->views[COLOR] },
@@ -401,7 +401,7 @@ void by_hand_draw(struct by_hand *h)
         .height = h->params.height,
         .face_size = frame_env_cube.width,
     };
-    const struct background_push push = frame_view_push(&view);
+    const struct surroundings_push push = frame_view_push(&view);
     const struct globals globals = frame_view_globals(&view, &push);
     memcpy(h->mapped[0], &globals, sizeof(globals));
     begin(h);

@@ -12,7 +12,7 @@
 #include "tests/support/check.h"
 
 #include "shaders/embedded.h"
-#include "shaders/timestamp_check.h"
+#include "shaders/output/timestamp_check.h"
 #include "src/profile/timestamp_check.h"
 #include "tests/support/run_graph.h"
 
@@ -51,7 +51,7 @@ static void record_light(struct rg_cmd *cmd, const struct rg_frame *frame)
 #define SCREEN(target, record_function) \
     { \
         .name = #target, .color = RG_TARGETS({ &(target), RG_LOAD_DISCARD }), \
-        .vert = &screen_vert, .frag = &timestamp_check_frag, \
+        .vert = &fullscreen_vert, .frag = &timestamp_check_frag, \
         .push_size = sizeof(struct timestamp_check_push), .record = (record_function), \
     }
 

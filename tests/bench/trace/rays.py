@@ -29,8 +29,8 @@ BOUNCE = ('-r', 'bounce', '--set', 'refract_bounce.exits=1')
 TRACE = ('-r', 'trace')
 CUBE = ('--set', 'trace.surroundings=cube')
 RAYS = ('--set', 'trace.surroundings=rays')
-EXACT = ('--set', 'trace.branch=0')
-KINDS = {'default': CUBE, 'trace.branch=0': CUBE + EXACT, 'trace.surroundings=rays': RAYS,
+EXACT = ('--set', 'trace.min_branch=0')
+KINDS = {'default': CUBE, 'trace.min_branch=0': CUBE + EXACT, 'trace.surroundings=rays': RAYS,
          'both': RAYS + EXACT}
 VIEWS = {'ice cube that fills a fifth': ('valley',),
          'ice cube that fills the picture': ('valley', '--fov', '20'), 'teapot': ('teapot',)}

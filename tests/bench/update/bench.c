@@ -10,7 +10,7 @@
 
 #include "graph/rg_exec.h"
 #include "src/base/clock.h"
-#include "src/frame/plan.h"
+#include "src/frame/frame_plan.h"
 #include "src/gpu/gpu.h"
 #include "tests/support/check.h"
 
@@ -20,7 +20,7 @@ enum {
 
 struct change {
     const char *name;
-    const char *rungs[2]; /* before and after */
+    const char *refraction_models[2]; /* before and after */
     VkExtent2D views[2];
     VkExtent2D max_view; /* 0x0: none */
     double most;         /* ratio */
@@ -59,7 +59,7 @@ static void init_side(struct side *side, const struct change *change, int which,
         assert_int_equal(settings_set(&side->settings, change->setting), STATUS_OK);
     const struct frame_request request = {
         .choice = { .settings = &side->settings,
-                    .rung = techniques_find_rung(change->rungs[which]) },
+                    .refraction = techniques_find_refraction(change->refraction_models[which]) },
         .view = change->views[which],
         .beauty = true,
         .display = true,

@@ -1,10 +1,10 @@
-/* optics.comp: asks all that lib/optics, bubble and local_cube.glsl and wave.h know. */
+/* optics.comp: asks all that lib/optics, bubble and box_projection.glsl and wave.h know. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/lib/bubble.glsl"
-#include "shaders/lib/local_cube.glsl"
+#include "shaders/lib/box_projection.glsl"
+#include "shaders/lib/bubble_deflection.glsl"
 #include "shaders/lib/optics.glsl"
-#include "shaders/wave.h"
+#include "shaders/water/wave.h"
 #include "tests/gpu/shaders/optics.h"
 
 layout(binding = OPTICS_QUESTIONS, scalar) readonly buffer Questions
@@ -31,7 +31,7 @@ void main()
     r.composed = optics_compose(r.reflected, r.refracted, r.fresnel);
     r.bubble_transmitted = bubble_transmitted(q.b, q.eta);
     r.bubble_reflected = bubble_reflected(q.b);
-    r.local = local_cube_dir(q.point, q.e, q.low, q.high, q.captured);
+    r.local = box_projection_dir(q.point, q.e, q.low, q.high, q.captured);
     r.wave = wave_at(q.water, q.at, q.time);
     r.wave_normal = wave_normal(r.wave);
     r.up_ray = optics_refract(vec3(0.0, 0.0, 1.0), -r.wave_normal, q.water.ior);

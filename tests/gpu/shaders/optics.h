@@ -1,7 +1,7 @@
 /* optics.h: what optics.comp is asked, and what it answers: one of each a case. */
 #ifndef OPTICS_H
 #define OPTICS_H
-#include "shaders/water.h"
+#include "shaders/water/water.h"
 
 #define OPTICS_QUESTIONS 0
 #define OPTICS_ANSWERS   1

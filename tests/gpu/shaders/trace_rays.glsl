@@ -1,6 +1,6 @@
-/* trace_rays.glsl: main() of shaders that tell what rays meet, by trace_tree.glsl. */
-#include "shaders/lib/constants.glsl"
-#include "shaders/trace_tree.glsl"
+/* trace_rays.glsl: main() of shaders that tell what rays meet, by trace_bvh.glsl. */
+#include "shaders/lib/specialization_constants.glsl"
+#include "shaders/trace/trace_bvh.glsl"
 #include "tests/gpu/shaders/trace_rays.h"
 
 layout(set = 0, binding = TRACE_RAYS_BINDING) uniform samplerBuffer rays;
@@ -13,6 +13,6 @@ void main()
     vec4 to = texelFetch(rays, TRACE_RAYS_TEXELS * at + 1);
     trace_start start = trace_start(from.xyz, to.xyz, to.w, 1e30, -1, false, ~0u);
     trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
-    trace_meet_posed(start, TREE_OBJECTS, hit);
+    trace_hit_in_world(start, BVH_OBJECTS, hit);
     found = vec4(hit.t, hit.u, hit.v, float(hit.triangle));
 }

@@ -1,0 +1,239 @@
+/* access_table.c: table that maps each rg_access to Vulkan stages, accesses, layout and usage. */
+#include "graph/compile/compiler.h"
+
+#define STAGE(name)   VK_PIPELINE_STAGE_2_##name##_BIT
+#define ACCESS(name)  VK_ACCESS_2_##name##_BIT
+#define LAYOUT(name)  VK_IMAGE_LAYOUT_##name
+#define IMAGE(name)   VK_IMAGE_USAGE_##name##_BIT
+#define BUFFER(name)  VK_BUFFER_USAGE_##name##_BIT
+#define FEATURE(name) VK_FORMAT_FEATURE_##name##_BIT
+#define DESCRIPTORS(image, buffer) \
+    .image_descriptor = VK_DESCRIPTOR_TYPE_##image, .buffer_descriptor = VK_DESCRIPTOR_TYPE_##buffer
+#define NO_DESCRIPTOR DESCRIPTORS(MAX_ENUM, MAX_ENUM)
+#define DEPTH_STAGES  (STAGE(EARLY_FRAGMENT_TESTS) | STAGE(LATE_FRAGMENT_TESTS))
+#define COLOR_IMAGE   IMAGE(COLOR_ATTACHMENT), 0, FEATURE(COLOR_ATTACHMENT)
+#define DEPTH_IMAGE   IMAGE(DEPTH_STENCIL_ATTACHMENT), 0, FEATURE(DEPTH_STENCIL_ATTACHMENT)
+#define STORAGE \
+    LAYOUT(GENERAL), IMAGE(STORAGE), BUFFER(STORAGE_BUFFER), FEATURE(STORAGE_IMAGE), \
+        DESCRIPTORS(STORAGE_IMAGE, STORAGE_BUFFER)
+
+#define BUILD_STAGE     VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR
+#define STRUCTURE_READ  VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR
+#define STRUCTURE_WRITE VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR
+#define ADDRESSED(usage) \
+    .buffer_usage = (VK_BUFFER_USAGE_##usage | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT)
+#define STRUCTURE ADDRESSED(ACCELERATION_STRUCTURE_STORAGE_BIT_KHR)
+
+/* Columns: name, stages, reads, writes, layout, image and buffer usage, features, descriptors. */
+/* clang-format off */
+const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
+    [RG_ACCESS_NONE] = { "none", NO_DESCRIPTOR },
+    [RG_COLOR] = { "color", STAGE(COLOR_ATTACHMENT_OUTPUT), ACCESS(COLOR_ATTACHMENT_READ),
+                   ACCESS(COLOR_ATTACHMENT_WRITE), LAYOUT(COLOR_ATTACHMENT_OPTIMAL),
+                   COLOR_IMAGE, NO_DESCRIPTOR, .writes_content = true },
+    [RG_DEPTH] = { "depth", DEPTH_STAGES, ACCESS(DEPTH_STENCIL_ATTACHMENT_READ),
+                   ACCESS(DEPTH_STENCIL_ATTACHMENT_WRITE),
+                   LAYOUT(DEPTH_STENCIL_ATTACHMENT_OPTIMAL), DEPTH_IMAGE, NO_DESCRIPTOR,
+                   .writes_content = true },
+    [RG_DEPTH_READ] = { "depth read", DEPTH_STAGES, ACCESS(DEPTH_STENCIL_ATTACHMENT_READ), 0,
+                        LAYOUT(DEPTH_STENCIL_READ_ONLY_OPTIMAL), DEPTH_IMAGE, NO_DESCRIPTOR,
+                        .reads_content = true },
+    [RG_RESOLVE] = { "resolve", STAGE(COLOR_ATTACHMENT_OUTPUT), 0, ACCESS(COLOR_ATTACHMENT_WRITE),
+                     LAYOUT(COLOR_ATTACHMENT_OPTIMAL), COLOR_IMAGE, NO_DESCRIPTOR,
+                     .writes_content = true },
+    [RG_SAMPLED] = { "sampled", 0, ACCESS(SHADER_SAMPLED_READ), 0,
+                     LAYOUT(SHADER_READ_ONLY_OPTIMAL), IMAGE(SAMPLED), BUFFER(UNIFORM_TEXEL_BUFFER),
+                     FEATURE(SAMPLED_IMAGE),
+                     DESCRIPTORS(COMBINED_IMAGE_SAMPLER, UNIFORM_TEXEL_BUFFER),
+                     .reads_content = true },
+    [RG_STORAGE_READ] = { "storage read", 0, ACCESS(SHADER_STORAGE_READ), 0, STORAGE,
+                          .reads_content = true },
+    [RG_STORAGE_WRITE] = { "storage write", 0, 0, ACCESS(SHADER_STORAGE_WRITE), STORAGE,
+                           .writes_content = true },
+    [RG_STORAGE_READ_WRITE] = { "storage read write", 0, ACCESS(SHADER_STORAGE_READ),
+                                ACCESS(SHADER_STORAGE_WRITE), STORAGE, .reads_content = true,
+                                .writes_content = true },
+    [RG_UNIFORM] = { "uniform", 0, ACCESS(UNIFORM_READ), .buffer_usage = BUFFER(UNIFORM_BUFFER),
+                     DESCRIPTORS(MAX_ENUM, UNIFORM_BUFFER), .reads_content = true },
+    [RG_TRACE] = { "trace", 0, STRUCTURE_READ, STRUCTURE,
+                   DESCRIPTORS(MAX_ENUM, ACCELERATION_STRUCTURE_KHR), .reads_content = true },
+    [RG_VERTEX] = { "vertex", STAGE(VERTEX_ATTRIBUTE_INPUT), ACCESS(VERTEX_ATTRIBUTE_READ),
+                    .buffer_usage = BUFFER(VERTEX_BUFFER), NO_DESCRIPTOR, .reads_content = true },
+    [RG_INDEX] = { "index", STAGE(INDEX_INPUT), ACCESS(INDEX_READ),
+                   .buffer_usage = BUFFER(INDEX_BUFFER), NO_DESCRIPTOR, .reads_content = true },
+    [RG_INDIRECT] = { "indirect", STAGE(DRAW_INDIRECT), ACCESS(INDIRECT_COMMAND_READ),
+                      .buffer_usage = BUFFER(INDIRECT_BUFFER), NO_DESCRIPTOR,
+                      .reads_content = true },
+    [RG_COPY_SRC] = { "copy source", STAGE(ALL_TRANSFER), ACCESS(TRANSFER_READ), 0,
+                      LAYOUT(TRANSFER_SRC_OPTIMAL), IMAGE(TRANSFER_SRC), BUFFER(TRANSFER_SRC),
+                      FEATURE(TRANSFER_SRC), NO_DESCRIPTOR, .reads_content = true },
+    [RG_COPY_DST] = { "copy destination", STAGE(ALL_TRANSFER), 0, ACCESS(TRANSFER_WRITE),
+                      LAYOUT(TRANSFER_DST_OPTIMAL), IMAGE(TRANSFER_DST), BUFFER(TRANSFER_DST),
+                      FEATURE(TRANSFER_DST), NO_DESCRIPTOR, .writes_content = true },
+    [RG_BUILD] = { "build", BUILD_STAGE, 0, STRUCTURE_WRITE, STRUCTURE, NO_DESCRIPTOR,
+                   .writes_content = true },
+    [RG_BUILD_SOURCE] = { "build source", BUILD_STAGE, STRUCTURE_READ, STRUCTURE, NO_DESCRIPTOR,
+                          .reads_content = true },
+    [RG_BUILD_INPUT] = { "build input", BUILD_STAGE, ACCESS(SHADER_READ),
+                         ADDRESSED(ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR),
+                         NO_DESCRIPTOR, .reads_content = true },
+    [RG_BUILD_SCRATCH] = { "build scratch", BUILD_STAGE, STRUCTURE_READ, STRUCTURE_WRITE,
+                           ADDRESSED(STORAGE_BUFFER_BIT), NO_DESCRIPTOR, .writes_content = true },
+    [RG_HOST_READ] = { "host read", STAGE(HOST), ACCESS(HOST_READ), 0, LAYOUT(GENERAL),
+                       NO_DESCRIPTOR, .reads_content = true },
+    /* All stages, so that a semaphore signal after all commands covers the layout transition. */
+    [RG_PRESENT] = { "present", STAGE(ALL_COMMANDS), 0, 0, LAYOUT(PRESENT_SRC_KHR), NO_DESCRIPTOR,
+                     .reads_content = true },
+};
+
+/* clang-format on */
+
+const struct rg_access_info *rg_access_info(enum rg_access access)
+{
+    return &rg_access_table[(unsigned)access < RG_ACCESS_COUNT ? access : RG_ACCESS_NONE];
+}
+
+VkDescriptorType rg_use_descriptor(const struct rg_use *use)
+{
+    const struct rg_access_info *info = rg_access_info(use->access);
+    if (use->image)
+        return info->image_descriptor;
+    return use->texels ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER : info->buffer_descriptor;
+}
+
+/* For shader accesses the lowest of three bits of access.visibility (vertex, fragment, compute);
+ * for fixed-function accesses their only bit. */
+static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
+    [RG_SAMPLED] = 1 << 0,       [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
+    [RG_COLOR] = 1 << 9,         [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
+    [RG_VERTEX] = 1 << 11,       [RG_INDEX] = 1 << 12,       [RG_INDIRECT] = 1 << 13,
+    [RG_COPY_SRC] = 1 << 14,     [RG_HOST_READ] = 1 << 15,   [RG_TRACE] = 1 << 16,
+    [RG_BUILD_SOURCE] = 1 << 19, [RG_BUILD_INPUT] = 1 << 20,
+};
+
+static uint32_t visibility_of(enum rg_access kind, VkPipelineStageFlags2 stages)
+{
+    uint32_t bit = visibility_bits[kind];
+    if (!rg_is_shader_access(kind))
+        return bit;
+    uint32_t visibility = stages & ~RG_ANY_SHADER ? ~RG_VISIBLE_TO_ALL : 0;
+    visibility |= stages & STAGE(VERTEX_SHADER) ? bit : 0;
+    visibility |= stages & STAGE(FRAGMENT_SHADER) ? bit << 1 : 0;
+    visibility |= stages & STAGE(COMPUTE_SHADER) ? bit << 2 : 0;
+    return visibility;
+}
+
+struct access *rg_access_init(struct access *a, struct resource *r, enum rg_access kind,
+                              VkPipelineStageFlags2 stages)
+{
+    const struct rg_access_info *info = &rg_access_table[kind];
+    a->resource = r;
+    a->declared = NULL;
+    a->cells = r->cells;
+    a->cell_count = r->cell_count;
+    a->range = r->all;
+    a->kind = kind;
+    a->flags = info->reads_content * (uint32_t)ACCESS_READS |
+               info->writes_content * (uint32_t)ACCESS_WRITES;
+    a->visibility = info->writes_content ? 0 : visibility_of(kind, stages);
+    a->layout = r->image ? info->layout : VK_IMAGE_LAYOUT_UNDEFINED;
+    a->stages = stages;
+    a->mask = info->reads | info->writes;
+    return a;
+}
+
+struct access rg_boundary_access(struct resource *r, enum rg_access kind)
+{
+    const struct rg_access_info *info = &rg_access_table[kind];
+    bool shader = !info->stages && (info->reads || info->writes);
+    struct access a;
+    rg_access_init(&a, r, kind, shader ? RG_ANY_SHADER : info->stages);
+    a.flags |= ACCESS_READS;
+    return a;
+}
+
+#define KIND_BIT(kind) (1u << (kind))
+#define BY_SHADERS     (KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE))
+
+/* Bit masks: the kinds of pass that may have a use with each access. */
+static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
+    [RG_SAMPLED] = BY_SHADERS,
+    [RG_STORAGE_READ] = BY_SHADERS,
+    [RG_STORAGE_WRITE] = BY_SHADERS,
+    [RG_STORAGE_READ_WRITE] = BY_SHADERS,
+    [RG_UNIFORM] = BY_SHADERS,
+    [RG_TRACE] = BY_SHADERS,
+    [RG_VERTEX] = KIND_BIT(RG_RASTER),
+    [RG_INDEX] = KIND_BIT(RG_RASTER),
+    [RG_INDIRECT] = BY_SHADERS,
+    [RG_COPY_SRC] = KIND_BIT(RG_TRANSFER),
+    [RG_COPY_DST] = KIND_BIT(RG_TRANSFER),
+    [RG_BUILD] = KIND_BIT(RG_TRANSFER),
+    [RG_BUILD_SOURCE] = KIND_BIT(RG_TRANSFER),
+    [RG_BUILD_INPUT] = KIND_BIT(RG_TRANSFER),
+    [RG_BUILD_SCRATCH] = KIND_BIT(RG_TRANSFER),
+};
+
+static const VkPipelineStageFlags2 stages_of_kind[] = {
+    [RG_RASTER] = STAGE(VERTEX_SHADER) | STAGE(FRAGMENT_SHADER),
+    [RG_COMPUTE] = STAGE(COMPUTE_SHADER),
+    [RG_TRANSFER] = VK_PIPELINE_STAGE_2_NONE,
+};
+
+/* Returns the kind of a pass; an invalid value counts as compute. */
+static enum rg_kind kind_of(const struct rg_pass *pass)
+{
+    return (unsigned)pass->kind <= RG_TRANSFER ? pass->kind : RG_COMPUTE;
+}
+
+VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use)
+{
+    VkPipelineStageFlags2 fixed = rg_access_table[use->access].stages;
+    if (fixed)
+        return fixed;
+    if (use->stages)
+        return use->stages;
+    if (kind_of(pass) == RG_RASTER && use->access != RG_UNIFORM)
+        return STAGE(FRAGMENT_SHADER);
+    return stages_of_kind[kind_of(pass)];
+}
+
+static const char texels_problem[] = "texels: expected a storage buffer access";
+
+static const char *buffer_problem(const struct rg_use *use, const struct rg_access_info *info)
+{
+    if (!info->buffer_usage)
+        return "this access is for images only";
+    if (use->buffer->memory == RG_MEMORY_UPLOAD && info->writes_content)
+        return "the CPU writes this buffer; a pass may only read it";
+    if (use->buffer->memory != RG_MEMORY_DEVICE &&
+        (rg_is_structure_access(use->access) || use->access == RG_BUILD_SCRATCH))
+        return "acceleration structures and scratch must be RG_MEMORY_DEVICE";
+    if (use->texels && !(info->buffer_usage & BUFFER(STORAGE_BUFFER)))
+        return texels_problem;
+    if ((use->access == RG_SAMPLED || use->texels) && !rg_format_info(use->buffer->format))
+        return "set the buffer's texel format (graph/compile/format_table.c)";
+    if (use->sampler)
+        return "remove the sampler: a texel buffer is read by texelFetch";
+    return NULL;
+}
+
+const char *rg_use_problem(const struct rg_pass *pass, const struct rg_use *use)
+{
+    const struct rg_access_info *info = &rg_access_table[use->access];
+    const char *problem;
+    if (!(kinds_of_use[use->access] & KIND_BIT(kind_of(pass))))
+        return "this kind of pass cannot have this access; targets go into .color and .depth";
+    if (use->stages & ~stages_of_kind[kind_of(pass)])
+        return "stages: expected only those of the pass's shaders";
+    if (use->image && !info->image_usage)
+        return "this access is for buffers only";
+    if (use->image && use->texels)
+        return texels_problem;
+    if (use->buffer && (problem = buffer_problem(use, info)))
+        return problem;
+    if (use->fallback && (use->access != RG_SAMPLED || !use->image || use->image->samples > 1 ||
+                          !rg_format_info(use->image->format)))
+        return "fallback: expected a sampled image of a known format with one sample per texel";
+    return NULL;
+}

@@ -1,0 +1,175 @@
+/*
+ * alias_dependencies.c: finds the accesses that must end before an item may reuse its memory.
+ *
+ * Within a frame these are accesses of items that had some of its bytes before; across frames, of
+ * all items that share bytes with it, including itself. Barriers in between do not count, since a
+ * barrier only covers the memory of its own resource.
+ */
+#include <string.h>
+#include "graph/compile/compiler.h"
+
+enum {
+    /* beyond it, items count as covering whole segments: barriers wait for more than necessary, but
+     * the cost stays linear */
+    MAX_SEGMENTS = 256
+};
+
+/* Bytes of a block from `begin` to the next segment, with the last accesses to them. */
+struct segment {
+    VkDeviceSize begin;
+    struct previous_owner pending;
+};
+
+struct segments {
+    struct segment items[MAX_SEGMENTS]; /* ascending; the first begins at 0 */
+    uint32_t count;
+};
+
+static void split(struct segments *s, uint32_t i, VkDeviceSize offset)
+{
+    memmove(&s->items[i + 1], &s->items[i], (s->count++ - i) * sizeof(*s->items));
+    s->items[i + 1].begin = offset;
+}
+
+/* Returns the index of the last segment that begins at or before an offset. */
+static uint32_t find(const struct segments *s, VkDeviceSize offset)
+{
+    uint32_t first = 0;
+    for (uint32_t count = s->count; count > 1;) {
+        uint32_t half = count / 2;
+        first += s->items[first + half].begin <= offset ? half : 0;
+        count -= half;
+    }
+    return first;
+}
+
+static void add(struct previous_owner *to, const struct previous_owner *pending)
+{
+    to->stages |= pending->stages;
+    to->writes |= pending->writes;
+    to->end = to->end < pending->end ? pending->end : to->end;
+}
+
+static bool covers(const struct previous_owner *a, const struct previous_owner *b)
+{
+    return !(b->stages & ~a->stages) && !(b->writes & ~a->writes) && b->end <= a->end;
+}
+
+/* Merges an item's last accesses into the segments of its bytes. A segment that is only partly the
+ * item's is split, unless the merge changes nothing or there is no room. */
+static void record_accesses(struct segments *s, const struct pack_item *item,
+                            const struct previous_owner *pending)
+{
+    VkDeviceSize stop = item->offset + item->size;
+    uint32_t i = find(s, item->offset);
+    if (s->items[i].begin != item->offset && !covers(&s->items[i].pending, pending) &&
+        s->count < MAX_SEGMENTS)
+        split(s, i++, item->offset);
+    for (; i < s->count && s->items[i].begin < stop; i++) {
+        if (covers(&s->items[i].pending, pending))
+            continue;
+        if ((i + 1 == s->count || s->items[i + 1].begin > stop) && s->count < MAX_SEGMENTS)
+            split(s, i, stop);
+        add(&s->items[i].pending, pending);
+    }
+}
+
+/* Merges the last accesses to all bytes of an item into `all`. */
+static void merge_owners(const struct segments *s, const struct pack_item *item,
+                         struct previous_owner *all)
+{
+    for (uint32_t i = find(s, item->offset);
+         i < s->count && s->items[i].begin < item->offset + item->size; i++)
+        add(all, &s->items[i].pending);
+}
+
+static struct previous_owner *owner_of(const struct compiler *c, const struct pack_item *item)
+{
+    return &c->owners[item->resource->item];
+}
+
+/* Finds for each item of a block the last pass that used its bytes before. */
+static void find_ends(struct compiler *c, struct segments *s, const struct pack_item *items,
+                      uint32_t count)
+{
+    for (const struct pack_item *item = items; item < items + count; item++) {
+        const struct previous_owner pending = { .end = item->last + 1 };
+        struct previous_owner *owner = owner_of(c, item);
+        merge_owners(s, item, owner);
+        if (owner->end > item->first) /* the owner may end too late if its segment was not split */
+            owner->end = item->first;
+        record_accesses(s, item, &pending);
+    }
+}
+
+/* Merges the last accesses to a resource, and its writes unavailable after the frame. */
+static void find_pending(const struct resource *r, struct previous_owner *pending)
+{
+    for (uint32_t k = 0; k < r->cell_count; k++) {
+        const struct cell *cell = &r->cells[k];
+        bool awaited = cell->flags & CELL_AWAITED;
+        pending->stages |= cell->read_stages | (awaited ? 0 : cell->write_stages);
+        pending->writes |= awaited ? 0 : cell->write_access;
+    }
+}
+
+/* Finds the previous owners of a block's items. Accesses common to all items split no segments. */
+static void find_owners(struct compiler *c, struct segments *s, const struct pack_item *items,
+                        uint32_t count)
+{
+    const struct pack_item *end = items + count;
+    struct previous_owner common = { UINT64_MAX, UINT64_MAX, 0 };
+    for (const struct pack_item *item = items; item < end; item++) {
+        struct previous_owner *owner = owner_of(c, item);
+        owner->end = 0;
+        find_pending(item->resource, owner);
+        common.stages &= owner->stages;
+        common.writes &= owner->writes;
+    }
+    /* without aliasing each item is its own previous owner */
+    if (c->params->sharing == RG_SHARE_NOTHING)
+        return;
+    s->items[0].pending = common;
+    for (const struct pack_item *item = items; item < end; item++) {
+        if (!covers(&common, owner_of(c, item)))
+            record_accesses(s, item, owner_of(c, item));
+    }
+    for (const struct pack_item *item = items; item < end; item++)
+        merge_owners(s, item, owner_of(c, item));
+}
+
+typedef void find_fn(struct compiler *c, struct segments *s, const struct pack_item *items,
+                     uint32_t count);
+
+static void each_block(struct compiler *c, find_fn *find_in_block)
+{
+    struct segments *segments = ARENA_ARRAY(c->arena, struct segments, 1);
+    if (!c->owners)
+        c->owners = ARENA_ZEROED(c->arena, struct previous_owner, c->item_count);
+    for (uint32_t done = 0, end; done < c->item_count && !c->arena->failed; done = end) {
+        for (end = done + 1; end < c->item_count && c->items[end].block == c->items[done].block;)
+            end++;
+        segments->items[0] = (struct segment){ 0 };
+        segments->count = 1;
+        find_in_block(c, segments, &c->items[done], end - done);
+    }
+}
+
+void rg_find_release_passes(struct compiler *c)
+{
+    each_block(c, find_ends);
+}
+
+void rg_complete_alias_barriers(struct compiler *c)
+{
+    each_block(c, find_owners);
+    for (uint32_t i = 0; i < c->plan->barrier_count && !c->arena->failed; i++) {
+        struct rg_barrier *b = &c->barriers[i];
+        if (b->src_stages)
+            continue;
+        /* index stored by barriers.c */
+        const struct previous_owner *owner = &c->owners[b->src_access];
+        b->src_stages = owner->stages;
+        b->src_access = owner->writes;
+    }
+}

@@ -1,0 +1,105 @@
+/* compile_plan.c: rg_compile(): runs the stages of the compiler in order. */
+#include "graph/compile/compiler.h"
+
+/* A plan together with the arena that holds it. */
+struct owned_plan {
+    struct rg_plan plan; /* must be the first member: callers see only this */
+    struct arena arena;
+};
+
+/* Reserves about as many entries as the tables need, to avoid copying as they grow. */
+static void reserve(struct compiler *c)
+{
+    rg_map_reserve(c->arena, &c->by_address, c->row_count + c->row_count / 2);
+    rg_string_set_reserve(c->arena, &c->resource_names, c->row_count + c->row_count / 2);
+    rg_string_set_reserve(c->arena, &c->pass_names, c->row_count);
+}
+
+static bool failed(const struct compiler *c)
+{
+    return c->arena->failed || c->fault_count;
+}
+
+/* Runs all stages; stops at the first that finds a fault or runs out of memory. */
+static void run(struct compiler *c)
+{
+    bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
+    if (!rg_check_params(c))
+        return;
+    reserve(c);
+    if (c->arena->failed)
+        return;
+    rg_add_boundary(c);
+    rg_expand(c);
+    if (failed(c))
+        return;
+    rg_cull(c);
+    rg_find_lifetimes(c);
+    rg_check_formats(c);
+    rg_list_resources(c);
+    if (failed(c))
+        return;
+    if (place_first) { /* barriers then wait for the previous owners of memory */
+        rg_pack_blocks(c);
+        rg_find_release_passes(c);
+    }
+    if (!failed(c))
+        rg_write_plan_passes(c);
+    if (!failed(c) && !place_first) /* aliases memory only where existing barriers permit it */
+        rg_pack_blocks(c);
+    if (!failed(c))
+        rg_complete_alias_barriers(c);
+}
+
+static uint32_t limit(uint32_t of_device, uint32_t most)
+{
+    return of_device && of_device < most ? of_device : most;
+}
+
+struct rg_plan *rg_compile(const struct rg_compile_params *params)
+{
+    static const struct rg_compile_params none = { 0 };
+    struct arena arena;
+    bool given = params != NULL;
+    params = given ? params : &none;
+    rg_arena_init(&arena, params->memory, params->memory_size);
+    struct owned_plan *owned = ARENA_ZEROED(&arena, struct owned_plan, 1);
+    if (!owned)
+        return NULL;
+    const struct rg_device *device = params->device;
+    struct compiler c = {
+        .params = params,
+        .plan = &owned->plan,
+        .arena = &arena,
+        .row = RG_NONE,
+        .max_image_size = limit(device ? device->max_image_size : 0, 1u << 16),
+        .max_layers = limit(device ? device->max_layers : 0, 1u << 14),
+        .max_volume_size = limit(device ? device->max_volume_size : 0, 1u << 14),
+    };
+    c.max_view = params->max_view.width ? params->max_view : params->view;
+    owned->plan.view = params->view;
+    owned->plan.max_region = params->max_region.width ? params->max_region : params->view;
+    rg_fault_if(&c, !given, RG_ERROR_TABLE, NULL, "rg_compile(): expected params, got NULL");
+    if (given)
+        run(&c);
+    owned->arena = arena;
+    if (arena.failed) {
+        rg_plan_destroy(&owned->plan);
+        return NULL;
+    }
+    if (c.fault_count) /* do not expose a half-built plan */
+        owned->plan =
+            (struct rg_plan){ .view = params->view, .max_region = owned->plan.max_region };
+    owned->plan.faults = c.faults;
+    owned->plan.fault_count = c.fault_count;
+    owned->plan.arena_size = arena.used + _Alignof(max_align_t);
+    return &owned->plan;
+}
+
+void rg_plan_destroy(struct rg_plan *plan)
+{
+    if (!plan)
+        return;
+    struct arena arena = ((struct owned_plan *)plan)->arena;
+    rg_arena_finish(&arena); /* also frees the plan itself */
+}

@@ -1,0 +1,103 @@
+/*
+ * cull_passes.c: removes passes whose results no output needs.
+ *
+ * Liveness analysis from the last pass back: a pass is alive if a later live pass or an output
+ * needs its result. The next frame needs the content of a persistent resource if the frame reads it
+ * before writing it, which is only known after the first pass has been visited, so the walk is
+ * repeated until nothing changes.
+ */
+#include "graph/compile/compiler.h"
+
+enum {
+    MAX_ROUNDS = 4 /* limit of the iteration, after which all persistent content counts as needed */
+};
+
+/* Resets the needed content: in the first round only outputs, later persistent resources too. */
+static void begin_round(struct compiler *c, uint32_t round)
+{
+    uint32_t count = round ? c->resource_count : c->boundary_count;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct resource *r = c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count; k++) {
+            struct cell *cell = &r->cells[k];
+            cell->is_needed_next_frame =
+                r->persistent && (cell->is_needed_next_frame || round == MAX_ROUNDS);
+            cell->is_needed = r->output != RG_NONE || cell->is_needed_next_frame;
+        }
+    }
+}
+
+/* Returns true if an access writes anything that later passes or outputs need. */
+static bool is_wanted(const struct access *a)
+{
+    if (!(a->flags & ACCESS_WRITES))
+        return false;
+    for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
+        if (w.cell->is_needed)
+            return true;
+    }
+    return false;
+}
+
+/* Marks the accesses of a pass whose result is needed. Returns true if there is any. */
+static bool find_needed(struct access *first, const struct access *end)
+{
+    bool any = false;
+    for (struct access *a = first; a < end; a++) {
+        bool needed = is_wanted(a);
+        a->flags = needed ? a->flags | ACCESS_NEEDED : a->flags & ~(uint32_t)ACCESS_NEEDED;
+        any = any || needed;
+    }
+    return any;
+}
+
+/* Propagates the accesses of a live pass to earlier passes: reads need content, overwrites do not.
+ * No access of a pass reads what another access of the same pass overwrites. */
+static void mark_wanted(const struct access *first, const struct access *end)
+{
+    for (const struct access *a = first; a < end; a++) {
+        if (!(a->flags & (ACCESS_OVERWRITES | ACCESS_READS)))
+            continue;
+        for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w))
+            w.cell->is_needed = a->flags & ACCESS_READS;
+    }
+}
+
+static void cull_round(struct compiler *c)
+{
+    c->plan->pass_count = 0;
+    for (uint32_t p = c->pass_count; p-- > 0;) {
+        struct pass *pass = &c->passes[p];
+        struct access *first = &c->accesses[pass->first_access];
+        const struct access *end = first + pass->access_count;
+        pass->alive = find_needed(first, end);
+        if (!pass->alive)
+            continue;
+        mark_wanted(first, end);
+        c->plan->pass_count++;
+    }
+}
+
+/* Returns true if the next frame needs more persistent content than this round assumed. */
+static bool needs_another_round(const struct compiler *c)
+{
+    bool more = false;
+    for (uint32_t i = 0; i < c->resource_count && c->persistent_count; i++) {
+        const struct resource *r = c->resources[i];
+        for (uint32_t k = 0; k < r->cell_count && r->persistent; k++) {
+            struct cell *cell = &r->cells[k];
+            more = more || (cell->is_needed && !cell->is_needed_next_frame);
+            cell->is_needed_next_frame = cell->is_needed_next_frame || cell->is_needed;
+        }
+    }
+    return more;
+}
+
+void rg_cull(struct compiler *c)
+{
+    uint32_t round = 0;
+    do {
+        begin_round(c, round++);
+        cull_round(c);
+    } while (round <= MAX_ROUNDS && needs_another_round(c));
+}

@@ -1,0 +1,339 @@
+/*
+ * expand_rows.c: expands rows to passes (one per repetition), and targets and uses to accesses.
+ *
+ * Reports the faults of a row by itself first, then those in combination with other rows.
+ */
+#include "graph/compile/compiler.h"
+
+/* ---- subresources that an access reads and writes ---- */
+
+static bool is_filled(const struct compiler *c, const struct cell *cell, rg_when_fn *when)
+{
+    return cell->filled == CELL_FILLED ||
+           (cell->filled >= CELL_FILLED_BY &&
+            c->plan_passes[cell->filled - CELL_FILLED_BY].pass->when == when);
+}
+
+/* Returns true if an access conflicts with an earlier one in the pass to the same subresource. */
+static bool is_conflict(const struct compiler *c, const struct cell *cell, const struct access *a)
+{
+    const struct access *before = &c->accesses[cell->last_access - 1];
+    return ((a->flags | before->flags) & ACCESS_WRITES) || a->layout != before->layout;
+}
+
+static bool is_in_range(const struct resource *r, const VkImageSubresourceRange *range)
+{
+    return range->aspectMask && !(range->aspectMask & ~r->all.aspectMask) && range->levelCount &&
+           range->layerCount && range->baseMipLevel < r->all.levelCount &&
+           range->levelCount <= r->all.levelCount - range->baseMipLevel &&
+           range->baseArrayLayer < r->all.layerCount &&
+           range->layerCount <= r->all.layerCount - range->baseArrayLayer;
+}
+
+static bool is_all(const struct resource *r, const VkImageSubresourceRange *range)
+{
+    return r->cell_count == 1 && range->aspectMask == r->all.aspectMask && !range->baseMipLevel &&
+           !range->baseArrayLayer && range->levelCount == 1 && range->layerCount == 1;
+}
+
+/* Prepares the next access; keep_access() adds it. Returns NULL if out of memory. */
+static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
+                                  VkPipelineStageFlags2 stages)
+{
+    if (!r || !ARENA_ROOM(c->arena, c->accesses, c->access_count, c->access_room, c->row_count * 8))
+        return NULL;
+    return rg_access_init(&c->accesses[c->access_count], r, kind, stages);
+}
+
+/* Restricts an access, initially to the whole resource, to the cells of its range. Reports a fault
+ * and returns false if the range is not within the resource. */
+static bool find_cells(struct compiler *c, struct access *a)
+{
+    const VkImageSubresourceRange *range = &a->range;
+    if (is_all(a->resource, range))
+        return true;
+    bool fits = is_in_range(a->resource, range);
+    rg_fault_if(c, !fits, RG_ERROR_RANGE, a->resource->name,
+                "name a mip, layer and aspect that the image has");
+    if (!fits)
+        return false;
+    a->cells =
+        rg_find_cell(a->resource, range->aspectMask, range->baseMipLevel, range->baseArrayLayer);
+    a->cell_count = (range->aspectMask & (range->aspectMask - 1) ? 2 : 1) * range->levelCount *
+                    range->layerCount;
+    return true;
+}
+
+/* Adds the prepared access to the pass. A conditional pass may not run, so it never overwrites. */
+static void keep_access(struct compiler *c, struct access *a, const char *unfilled_hint)
+{
+    const char *name = a->resource->name;
+    VkImageAspectFlags aspects = a->range.aspectMask;
+    rg_when_fn *when = c->pass->pass->when;
+    uint32_t first = c->passes[c->pass_count].first_access;
+    uint32_t filled_now = when ? CELL_FILLED_BY + c->pass_count : CELL_FILLED;
+    bool conflict = false;
+    bool all_filled = true;
+    if (when)
+        a->flags = (a->flags & ~(uint32_t)ACCESS_OVERWRITES) | ACCESS_CONDITIONAL;
+    rg_fault_if(c, (aspects & (aspects - 1)) && rg_is_shader_access(a->kind), RG_ERROR_RANGE, name,
+                "range: expected depth or stencil, since a shader reads only one aspect");
+    for (struct cell_walk w = rg_cells(a); w.cell; rg_next_cell(&w)) {
+        bool filled = is_filled(c, w.cell, when);
+        all_filled = all_filled && filled;
+        conflict = conflict || (w.cell->last_access > first && is_conflict(c, w.cell, a));
+        if (a->flags & ACCESS_WRITES && !(when && filled))
+            w.cell->filled = filled_now;
+        w.cell->last_access = c->access_count + 1;
+    }
+    rg_fault_if(c, conflict, RG_ERROR_CONFLICT, name,
+                "split the pass in two, or read another mip, layer or image");
+    rg_fault_if(c, !all_filled && a->flags & ACCESS_READS, RG_ERROR_READ_BEFORE_WRITE, name,
+                unfilled_hint);
+    c->access_count++;
+}
+
+static void check_extent(struct compiler *c, const struct resource *r, uint32_t mip)
+{
+    VkExtent2D *pass = &c->pass->extent;
+    VkExtent2D extent = r->extent;
+    if (mip)
+        extent = (VkExtent2D){ rg_mip_side(extent.width, mip), rg_mip_side(extent.height, mip) };
+    if (c->access_count == c->passes[c->pass_count].first_access && !c->target_samples)
+        *pass = extent;
+    rg_fault_if(c, extent.width != pass->width || extent.height != pass->height,
+                RG_ERROR_TARGET_SIZE, r->name, "all targets of a pass must have the same size");
+}
+
+static void check_target(struct compiler *c, const struct rg_target *target,
+                         const struct resource *r, uint32_t mip)
+{
+    const struct rg_pass *row = c->pass->pass;
+    bool is_depth = target == &row->depth;
+    bool has_depth = !(r->all.aspectMask & VK_IMAGE_ASPECT_COLOR_BIT);
+    uint32_t samples = r->image->samples ? r->image->samples : 1;
+    if (mip < r->all.levelCount)
+        check_extent(c, r, mip);
+    rg_fault_if(c, is_depth && !has_depth, RG_ERROR_FORMAT, r->name,
+                "a depth target needs a depth format");
+    rg_fault_if(c, !is_depth && has_depth, RG_ERROR_FORMAT, r->name,
+                "a colour target needs a colour format");
+    rg_fault_if(c, is_depth && row->depth_read_only && target->load != RG_LOAD_KEEP,
+                RG_ERROR_ACCESS, r->name, "a read-only depth target must be RG_LOAD_KEEP");
+    rg_fault_if(c, is_depth && row->stencil && !(r->all.aspectMask & VK_IMAGE_ASPECT_STENCIL_BIT),
+                RG_ERROR_FORMAT, r->name, "a stencil test needs a format with a stencil");
+    rg_fault_if(c, r->image->depth, RG_ERROR_ACCESS, r->name,
+                "a 3D image cannot be a target: write it as a storage image");
+    rg_fault_if(c, is_depth && target->resolve, RG_ERROR_SAMPLES, r->name,
+                "only colour can be resolved; read depth by texelFetch");
+    rg_fault_if(c, c->target_samples && samples != c->target_samples, RG_ERROR_SAMPLES, r->name,
+                "all targets of a pass must have the same number of samples");
+    c->target_samples = samples;
+}
+
+static VkImageSubresourceRange target_range(const struct rg_plan_pass *pass,
+                                            const struct resource *r, uint32_t mip, uint32_t layer)
+{
+    if (pass->pass->repeat == RG_PER_LAYER && r->all.layerCount > 1)
+        layer += pass->repetition;
+    if (pass->pass->repeat == RG_PER_MIP && r->all.levelCount > 1)
+        mip += pass->repetition;
+    return (VkImageSubresourceRange){ r->all.aspectMask, mip, 1, layer, 1 };
+}
+
+static void add_resolve(struct compiler *c, const struct rg_target *target)
+{
+    struct resource *r = rg_resource_of(c, target->resolve, NULL);
+    struct access *a = next_access(c, r, RG_RESOLVE, rg_access_table[RG_RESOLVE].stages);
+    if (!a)
+        return;
+    a->declared = target;
+    a->range = target_range(c->pass, r, target->resolve_mip, target->resolve_layer);
+    a->flags |= ACCESS_OVERWRITES;
+    rg_fault_if(c, r->image->samples > 1 || r->image->depth, RG_ERROR_SAMPLES, r->name,
+                "resolve to a 2D image with one sample per texel");
+    rg_fault_if(c, target->image->samples <= 1, RG_ERROR_SAMPLES, r->name,
+                "resolve from a multisampled image");
+    rg_fault_if(c, r->image->format != target->image->format, RG_ERROR_FORMAT, r->name,
+                "resolve to an image of the same format");
+    check_extent(c, r, a->range.baseMipLevel);
+    if (find_cells(c, a))
+        keep_access(c, a, NULL);
+}
+
+static void add_target(struct compiler *c, const struct rg_target *target)
+{
+    const struct rg_pass *row = c->pass->pass;
+    enum rg_access kind = target != &row->depth  ? RG_COLOR
+                          : row->depth_read_only ? RG_DEPTH_READ
+                                                 : RG_DEPTH;
+    bool keeps = target->load == RG_LOAD_KEEP;
+    struct resource *r = rg_resource_of(c, target->image, NULL);
+    struct access *a = next_access(c, r, kind, rg_access_table[kind].stages);
+    if (!a)
+        return;
+    a->declared = target;
+    a->range = target_range(c->pass, r, target->mip, target->layer);
+    if (keeps)
+        a->flags |= ACCESS_READS;
+    else if (a->flags & ACCESS_WRITES)
+        a->flags |= ACCESS_OVERWRITES;
+    if (kind == RG_COLOR && !keeps && !rg_keeps_color(target))
+        a->mask = rg_access_table[kind].writes;
+    check_target(c, target, r, a->range.baseMipLevel);
+    if (find_cells(c, a))
+        keep_access(c, a, "clear it, or move the pass that writes it before this one");
+    if (target->resolve && kind == RG_COLOR)
+        add_resolve(c, target);
+}
+
+static VkImageSubresourceRange use_range(const struct resource *r, const struct rg_range *range,
+                                         const struct rg_plan_pass *pass)
+{
+    VkImageSubresourceRange out = {
+        .aspectMask = range->aspect ? range->aspect : r->all.aspectMask,
+        .baseMipLevel = range->mip,
+        .levelCount = range->mip_count,
+        .baseArrayLayer = range->layer,
+        .layerCount = range->layer_count,
+    };
+    if (range->each && pass->pass->repeat == RG_PER_LAYER) {
+        out.baseArrayLayer += pass->repetition;
+        out.layerCount = 1;
+    } else if (range->each && pass->pass->repeat == RG_PER_MIP) {
+        out.baseMipLevel += pass->repetition;
+        out.levelCount = 1;
+    }
+    if (!out.levelCount && out.baseMipLevel < r->all.levelCount)
+        out.levelCount = r->all.levelCount - out.baseMipLevel;
+    if (!out.layerCount && out.baseArrayLayer < r->all.layerCount)
+        out.layerCount = r->all.layerCount - out.baseArrayLayer;
+    return out;
+}
+
+static bool is_whole(const struct rg_range *r)
+{
+    return !(r->aspect | r->mip | r->mip_count | r->layer | r->layer_count | r->each);
+}
+
+static void add_use(struct compiler *c, const struct rg_use *use)
+{
+    struct resource *r = rg_resource_of(c, use->image, use->buffer);
+    VkPipelineStageFlags2 stages = rg_use_stages(c->pass->pass, use);
+    struct access *a = next_access(c, r, use->access, stages);
+    if (!a)
+        return;
+    a->declared = use;
+    if (use->texels || (use->buffer && use->access == RG_SAMPLED))
+        a->flags |= ACCESS_TEXELS;
+    if ((a->flags & ACCESS_WRITES) && !(a->flags & ACCESS_READS) && !use->partial)
+        a->flags |= ACCESS_OVERWRITES;
+    if (use->image && !is_whole(&use->range)) {
+        a->range = use_range(r, &use->range, c->pass);
+        if (!find_cells(c, a))
+            return;
+    }
+    keep_access(c, a, "move the pass that writes it before this one, or import it");
+}
+
+static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t repetition)
+{
+    uint32_t color_count = rg_color_count(row);
+    if (!ARENA_ROOM(c->arena, c->passes, c->pass_count, c->pass_room, c->row_count * 2) ||
+        !ARENA_ROOM(c->arena, c->plan_passes, c->pass_count, c->plan_pass_room, c->row_count * 2))
+        return;
+    struct pass *pass = &c->passes[c->pass_count];
+    struct rg_plan_pass *out = c->pass = &c->plan_passes[c->pass_count];
+    pass->first_access = c->access_count;
+    out->pass = row;
+    out->technique = c->technique;
+    out->row = c->row;
+    out->repetition = repetition;
+    out->extent = c->params->view;
+    out->first_fallback = c->fallback_count;
+    c->color_count += color_count;
+    c->target_samples = 0;
+    for (uint32_t i = 0; i < color_count; i++)
+        add_target(c, &row->color[i]);
+    if (row->depth.image)
+        add_target(c, &row->depth);
+    for (const struct rg_use *use = row->uses; use && rg_is_use(use); use++) {
+        if (rg_is_good_use(use) && !(use->fallback && rg_use_fallback(c, use)))
+            add_use(c, use);
+    }
+    pass->access_count = c->access_count - pass->first_access;
+    out->fallback_count = c->fallback_count - out->first_fallback;
+    c->pass_count++;
+}
+
+/* Returns the number of layers or mip levels of the first image that a row writes, from the first
+ * one used; at least 1, so that an index out of range becomes a range fault. 0 if it writes no
+ * image. */
+static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
+{
+    if (pass->repeat == RG_ONCE)
+        return 1;
+    const struct rg_target *target = rg_color_count(pass) ? pass->color : &pass->depth;
+    const struct rg_image *image = target->image;
+    uint32_t mip = target->mip;
+    uint32_t layer = target->layer;
+    for (const struct rg_use *use = pass->uses; use && rg_is_use(use) && !image; use++) {
+        if (rg_is_good_use(use) && rg_access_table[use->access].writes_content) {
+            image = use->image;
+            mip = use->range.mip;
+            layer = use->range.layer;
+        }
+    }
+    const struct resource *r = image ? rg_resource_of(c, image, NULL) : NULL;
+    if (!r)
+        return 0;
+    if (pass->repeat == RG_PER_LAYER)
+        return r->all.layerCount > layer ? r->all.layerCount - layer : 1;
+    return r->all.levelCount > mip ? r->all.levelCount - mip : 1;
+}
+
+static void expand_row(struct compiler *c, const struct rg_pass *row)
+{
+    c->row_first_fault = c->fault_count;
+    rg_fault_if(c, !row->name, RG_ERROR_NO_NAME, NULL, "give the pass a name");
+    rg_fault_if(c, row->name && rg_string_set_add(c->arena, &c->pass_names, row->name),
+                RG_ERROR_DUPLICATE_NAME, NULL, "give each pass a unique name");
+    rg_check_row(c, row);
+    if (c->fault_count == c->row_first_fault)
+        rg_check_shaders(c, row);
+    uint32_t count = repetition_count(c, row);
+    rg_fault_if(c, !count, RG_ERROR_REPEAT, NULL,
+                "a repeated row must write an image, whose layers or mips define the repetitions");
+    for (uint32_t i = 0; i < count && !c->arena->failed; i++)
+        add_pass(c, row, i);
+}
+
+static void check_output(struct compiler *c, const struct resource *r)
+{
+    bool complete = true;
+    for (uint32_t k = 0; k < r->cell_count; k++)
+        complete = complete && r->cells[k].filled == CELL_FILLED;
+    if (!complete)
+        rg_fault_of(c, RG_ERROR_OUTPUT_NOT_WRITTEN, r->name,
+                    "list a technique whose passes write all of it in every frame");
+}
+
+void rg_expand(struct compiler *c)
+{
+    rg_begin_constants(c);
+    for (uint32_t t = 0; t < c->params->technique_count; t++) {
+        c->technique = c->params->techniques[t];
+        c->row = RG_NONE;
+        rg_fault_if(c, !c->technique->name, RG_ERROR_NO_NAME, NULL, "give the technique a name");
+        for (c->row = 0; c->row < c->technique->pass_count && !c->arena->failed; c->row++)
+            expand_row(c, &c->technique->passes[c->row]);
+    }
+    c->technique = NULL;
+    c->row = RG_NONE;
+    c->row_first_fault = c->fault_count;
+    rg_end_constants(c);
+    for (uint32_t i = 0; i < c->boundary_count; i++) {
+        if (c->resources[i]->output != RG_NONE)
+            check_output(c, c->resources[i]);
+    }
+}

@@ -1,0 +1,286 @@
+/* memory_requirements.c: lifetimes and memory requirements of the plan's images and buffers. */
+#include "graph/compile/compiler.h"
+
+VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
+{
+    return (VkImageCreateInfo){
+        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+        .flags = image->flags,
+        .imageType = image->image->depth ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
+        .format = image->image->format,
+        .extent = { image->extent.width, image->extent.height, image->depth },
+        .mipLevels = image->mips,
+        .arrayLayers = image->layers,
+        .samples = (VkSampleCountFlagBits)image->samples,
+        .tiling = VK_IMAGE_TILING_OPTIMAL,
+        .usage = image->usage,
+        .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
+        .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+    };
+}
+
+/* Assigns indices to a resource when the first live pass accesses it. */
+static void add_to_plan(struct compiler *c, struct resource *r, uint32_t pass)
+{
+    if (r->image)
+        r->plan_image = c->plan->image_count++;
+    else
+        r->plan_buffer = c->plan->buffer_count++;
+    if (r->persistent)
+        r->usage |= r->image ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    if (r->shared)
+        r->item = c->item_count++;
+    r->first = r->acquired_before = pass;
+}
+
+static void extend_lifetime(struct compiler *c, struct resource *r, VkFlags usage, uint32_t pass)
+{
+    if (r->first == RG_NONE)
+        add_to_plan(c, r, pass);
+    r->last = pass;
+    r->usage |= usage;
+}
+
+static VkFlags usage_of(const struct access *a)
+{
+    return a->flags & ACCESS_TEXELS && a->kind != RG_SAMPLED
+               ? VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT
+               : rg_usage(a->resource, a->kind);
+}
+
+void rg_find_lifetimes(struct compiler *c)
+{
+    uint32_t index = 0;
+    for (uint32_t p = 0; p < c->pass_count; p++) {
+        const struct pass *pass = &c->passes[p];
+        const struct access *a = &c->accesses[pass->first_access];
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++)
+            extend_lifetime(c, a[i].resource, usage_of(&a[i]), index);
+        index += pass->alive;
+    }
+    for (size_t i = 0; i < c->params->output_count; i++) {
+        const struct rg_output *output = &c->params->outputs[i];
+        struct resource *r = rg_resource_of(c, output->image, output->buffer);
+        extend_lifetime(c, r, rg_usage(r, output->access), index);
+    }
+}
+
+static void check_texels(struct compiler *c, const struct access *a)
+{
+    const struct rg_device *device = c->params->device;
+    VkFormatFeatureFlags needed = a->kind == RG_SAMPLED
+                                      ? VK_FORMAT_FEATURE_UNIFORM_TEXEL_BUFFER_BIT
+                                      : VK_FORMAT_FEATURE_STORAGE_TEXEL_BUFFER_BIT;
+    if (device->buffer_features &&
+        needed & ~device->buffer_features(device->user, a->resource->buffer->format))
+        rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
+                 "this device does not support texel buffers of this format; choose another");
+}
+
+static void check_format(struct compiler *c, const struct access *a)
+{
+    const struct rg_device *device = c->params->device;
+    const struct rg_sampler *sampler =
+        a->kind == RG_SAMPLED ? ((const struct rg_use *)a->declared)->sampler : NULL;
+    VkFormatFeatureFlags needed = rg_access_table[a->kind].format_features;
+    if (!device->format_features)
+        return;
+    if (sampler && sampler->linear)
+        needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    if (a->kind == RG_COLOR && rg_is_blended(a->declared))
+        needed |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
+    if (needed & ~device->format_features(device->user, a->resource->image->format))
+        rg_fault(c, RG_ERROR_FORMAT, a->resource->name,
+                 "this device does not support this use of the format; choose another");
+}
+
+void rg_check_formats(struct compiler *c)
+{
+    const struct rg_device *device = c->params->device;
+    for (uint32_t p = 0; p < c->pass_count && device; p++) {
+        const struct pass *pass = &c->passes[p];
+        const struct access *a = &c->accesses[pass->first_access];
+        c->technique = c->plan_passes[p].technique;
+        c->row = c->plan_passes[p].row;
+        if (pass->alive && !c->plan_passes[p].repetition)
+            c->row_first_fault = c->fault_count;
+        for (uint32_t i = 0; i < pass->access_count && pass->alive; i++) {
+            if (a[i].resource->image)
+                check_format(c, &a[i]);
+            else if (a[i].flags & ACCESS_TEXELS)
+                check_texels(c, &a[i]);
+        }
+    }
+}
+
+static void check_samples(struct compiler *c, const struct rg_plan_image *image)
+{
+    const struct rg_device *device = c->params->device;
+    if (image->samples == 1 || !device || !device->sample_counts)
+        return;
+    VkImageCreateInfo info = rg_image_create_info(image);
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    if (!(device->sample_counts(device->user, &info) & image->samples))
+        rg_fault_of(c, RG_ERROR_SAMPLES, image->image->name,
+                    "this device does not support this sample count for such images; use fewer");
+}
+
+/* Returns a tightly packed size for compiling without a device, so that plans are portable. */
+static VkDeviceSize estimate_image(const struct rg_plan_image *image)
+{
+    VkDeviceSize texels = 0;
+    for (uint32_t mip = 0; mip < image->mips; mip++)
+        texels += (VkDeviceSize)rg_mip_side(image->extent.width, mip) *
+                  rg_mip_side(image->extent.height, mip) * rg_mip_side(image->depth, mip);
+    return texels * image->layers * image->samples * rg_format_info(image->image->format)->size;
+}
+
+static struct rg_memory_requirements image_memory(const struct compiler *c,
+                                                  const struct rg_plan_image *image)
+{
+    const struct rg_device *device = c->params->device;
+    if (!device || !device->image_memory)
+        return (struct rg_memory_requirements){ estimate_image(image), 256, 1 };
+    const VkImageCreateInfo info = rg_image_create_info(image);
+    return device->image_memory(device->user, &info);
+}
+
+static struct rg_memory_requirements buffer_memory(const struct compiler *c, VkDeviceSize size,
+                                                   VkBufferUsageFlags usage)
+{
+    const struct rg_device *device = c->params->device;
+    const VkBufferCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+        .size = size,
+        .usage = usage,
+    };
+    if (!device || !device->buffer_memory)
+        return (struct rg_memory_requirements){ size, 256, 1 };
+    return device->buffer_memory(device->user, &info);
+}
+
+/* Returns requirements that satisfy both the current and the largest view. */
+static struct rg_memory_requirements combine_requirements(struct rg_memory_requirements a,
+                                                          const struct rg_memory_requirements *b)
+{
+    a.size = a.size > b->size ? a.size : b->size;
+    a.alignment = a.alignment > b->alignment ? a.alignment : b->alignment;
+    a.type_bits &= b->type_bits;
+    return a;
+}
+
+/* Records the memory requirements of a transient item or an unaliased persistent resource. */
+static void add_memory(struct compiler *c, struct resource *r,
+                       const struct rg_memory_requirements *required)
+{
+    c->memory_needed += required->size + required->alignment;
+    if (r->item == RG_NONE)
+        c->plan->memory_persistent += required->size;
+    else
+        c->items[r->item] = (struct pack_item){
+            .size = required->size,
+            .alignment = required->alignment ? required->alignment : 1,
+            .last = r->last,
+            .first_use = r->first,
+            .type_bits = required->type_bits,
+            .resource = r,
+        };
+    if (!required->size || !required->type_bits || required->alignment & (required->alignment - 1))
+        rg_fault_of(c, RG_ERROR_DEVICE, r->name,
+                    "memory: expected a size, a memory type and a power-of-two alignment");
+    /* so that no sum overflows */
+    else if ((required->size | required->alignment | c->memory_needed) >> 62)
+        rg_fault_of(c, RG_ERROR_TOO_LARGE, r->name,
+                    "make it smaller: the resources so far exceed any memory");
+}
+
+static void list_image(struct compiler *c, struct resource *r)
+{
+    struct rg_plan_image *image = &c->images[r->plan_image];
+    *image = (struct rg_plan_image){
+        .image = r->image,
+        .extent = r->extent,
+        .depth = r->depth,
+        .layers = r->all.layerCount,
+        .mips = r->all.levelCount,
+        .aspects = r->all.aspectMask,
+        .usage = r->usage,
+        .flags = r->image->cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
+        .samples = r->image->samples ? r->image->samples : 1,
+        .imported = r->import != RG_NONE,
+        .persistent = r->persistent,
+        .import = r->import,
+        .first = r->first,
+        .last = r->last,
+        .block = RG_NONE,
+    };
+    if (image->imported)
+        return;
+    check_samples(c, image);
+    struct rg_memory_requirements required = image_memory(c, image);
+    if (r->max_extent.width != r->extent.width || r->max_extent.height != r->extent.height) {
+        struct rg_plan_image largest = *image;
+        largest.extent = r->max_extent;
+        if (r->image->mips == RG_ALL_MIPS)
+            largest.mips = rg_full_chain(r->max_extent, r->depth);
+        const struct rg_memory_requirements most = image_memory(c, &largest);
+        required = combine_requirements(required, &most);
+    }
+    image->size = required.size;
+    add_memory(c, r, &required);
+}
+
+/* Checks that a buffer with an acceleration structure has no other usage. */
+static void check_structure(struct compiler *c, const struct resource *r)
+{
+    const VkFlags structure = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
+    const VkFlags allowed = structure | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
+                            (r->persistent ? VK_BUFFER_USAGE_TRANSFER_DST_BIT : 0u);
+    if (r->usage & structure && r->usage & ~allowed)
+        rg_fault_of(c, RG_ERROR_ACCESS, r->name,
+                    "a buffer with an acceleration structure holds nothing else");
+}
+
+static void list_buffer(struct compiler *c, struct resource *r)
+{
+    struct rg_plan_buffer *buffer = &c->buffers[r->plan_buffer];
+    *buffer = (struct rg_plan_buffer){
+        .buffer = r->buffer,
+        .size = r->size,
+        .usage = r->usage,
+        .imported = r->import != RG_NONE,
+        .persistent = r->persistent,
+        .import = r->import,
+        .first = r->first,
+        .last = r->last,
+        .block = RG_NONE,
+    };
+    buffer->max_size = r->max_size;
+    check_structure(c, r);
+    if (buffer->imported || r->buffer->memory != RG_MEMORY_DEVICE)
+        return;
+    struct rg_memory_requirements required = buffer_memory(c, buffer->size, buffer->usage);
+    if (r->max_size != r->size) {
+        const struct rg_memory_requirements most = buffer_memory(c, r->max_size, buffer->usage);
+        required = combine_requirements(required, &most);
+    }
+    buffer->memory_size = required.size;
+    add_memory(c, r, &required);
+}
+
+void rg_list_resources(struct compiler *c)
+{
+    struct rg_plan *plan = c->plan;
+    plan->images = c->images = ARENA_ARRAY(c->arena, struct rg_plan_image, plan->image_count);
+    plan->buffers = c->buffers = ARENA_ARRAY(c->arena, struct rg_plan_buffer, plan->buffer_count);
+    c->items = ARENA_ARRAY(c->arena, struct pack_item, c->item_count);
+    for (uint32_t i = 0; i < c->resource_count && !c->arena->failed; i++) {
+        struct resource *r = c->resources[i];
+        if (r->first == RG_NONE)
+            continue;
+        if (r->image)
+            list_image(c, r);
+        else
+            list_buffer(c, r);
+    }
+}

@@ -1,0 +1,407 @@
+/*
+ * pack_memory.c: packs transient resources into a memory block; only those with disjoint lifetimes
+ * alias.
+ *
+ * This is dynamic storage allocation, which is NP-hard. Several orders are tried and the smallest
+ * block wins. Each places items first-fit: at the lowest offset free during the whole lifetime. A
+ * try ends once it cannot win; the search ends at the lower bound, the peak of live bytes. The
+ * first orders are greedy; each later one moves the item that ends highest forward (squeaky wheel
+ * optimization, Joslin and Clements, JAIR 10, 1999).
+ */
+#include <string.h>
+#include "graph/compile/compiler.h"
+
+enum {
+    PROMOTIONS = 8,          /* orders tried in addition to those of the greedy rules */
+    MANY_ITEMS = 512,        /* with more items, only RULES_OF_MANY_ITEMS rules are tried */
+    RULES_OF_MANY_ITEMS = 2, /* number of greedy rules tried for many items */
+    FEW_ITEMS = 256,         /* up to this many items, Shell sort is faster than radix sort */
+    /* if on average more items begin during a lifetime, only the time order is tried */
+    LONG_LIFE = 32,
+};
+
+/* Greedy rules: items are sorted by descending size^size_power * lifetime^life_power. */
+static const struct rule {
+    unsigned size_power; /* 0, 1 or 4 */
+    unsigned life_power; /* 0 or 1 */
+} rules[] = {
+    { 4, 1 },
+    { 1, 0 },
+    { 1, 1 },
+    { 0, 1 },
+};
+
+enum {
+    RULE_COUNT = sizeof(rules) / sizeof(rules[0])
+};
+
+/* Allocated bytes. Lists of spans are ascending and never touch; the first begins at 0 and may be
+ * empty, and a sentinel at UINT64_MAX ends the list. */
+struct span {
+    VkDeviceSize begin, end;
+};
+
+/*
+ * A set of items that are alive at the same pass (a maximal clique of the interval graph). Items
+ * that overlap in time do so at the pass where the last of them begins, so no other passes count.
+ * Of several such passes between which no item ends, only the last one counts.
+ */
+struct live_set {
+    struct span *spans;
+    struct span *next; /* the span above the gap that fits the current item */
+    uint32_t alive;    /* number of items */
+};
+
+/* Changes at a pass relative to the previous one; unsigned, so decreases wrap around. */
+struct change {
+    VkDeviceSize taken;      /* live bytes */
+    VkDeviceSize used;       /* live bytes if lifetimes began at the first use */
+    struct live_set *newest; /* the newest live set at this pass */
+    uint32_t begun, ended;   /* items that begin at this pass, and items that ended before it */
+};
+
+struct packing {
+    struct pack_item *items; /* hold the offsets of the current order */
+    uint32_t count;
+    struct change *changes;     /* one per pass */
+    struct live_set *live_sets; /* in ascending order of time */
+    struct live_set *live_sets_end;
+    struct span *spans;    /* storage for the span lists of all live sets */
+    VkDeviceSize *offsets; /* best offsets so far, one per item */
+    uint64_t *order;       /* sort key in the upper half, item index in the lower half */
+    uint64_t *sorted;      /* buffer for the next order */
+    uint32_t placed;       /* number of items that the current order placed before it ended */
+};
+
+static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)
+{
+    return (value + alignment - 1) & ~(alignment - 1);
+}
+
+static VkDeviceSize end_of(const struct pack_item *item)
+{
+    return item->offset + item->size;
+}
+
+/* ---- live sets ---- */
+
+/* Fills `changes`, and `offsets` with a packing without aliasing. */
+static void find_changes(const struct packing *p, struct pack_result *result)
+{
+    struct change *changes = p->changes;
+    for (uint32_t i = 0; i < p->count; i++) {
+        const struct pack_item *item = &p->items[i];
+        struct change *after = &changes[item->last + 1];
+        p->offsets[i] = align_up(result->apart, item->alignment);
+        result->apart = p->offsets[i] + item->size;
+        if (result->alignment < item->alignment)
+            result->alignment = item->alignment;
+        changes[item->first].taken += item->size;
+        changes[item->first].begun++;
+        changes[item->first_use].used += item->size;
+        after->taken -= item->size;
+        after->used -= item->size;
+        after->ended++;
+    }
+}
+
+/* Fills the live sets and the bounds. Returns the number of live items, summed over all passes at
+ * which some begin: an upper bound of the spans needed. */
+static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_result *result)
+{
+    VkDeviceSize taken = 0;
+    VkDeviceSize used = 0;
+    struct live_set *newest = p->live_sets;
+    struct live_set *next = newest;
+    uint32_t alive = 0;
+    uint32_t ended = 1; /* items ended since the newest live set; 1 so that the first set is new */
+    uint64_t live_sum = 0;
+    for (struct change *pass = p->changes; pass <= &p->changes[end]; pass++) {
+        taken += pass->taken;
+        used += pass->used;
+        alive += pass->begun - pass->ended;
+        ended += pass->ended;
+        result->bound = result->bound < taken ? taken : result->bound;
+        result->least = result->least < used ? used : result->least;
+        if (pass->begun) {
+            newest = ended ? next++ : newest;
+            newest->alive = alive;
+            ended = 0;
+            live_sum += alive;
+        }
+        pass->newest = newest;
+    }
+    p->live_sets_end = next;
+    return live_sum;
+}
+
+/* ---- lists of spans ---- */
+
+static void begin_spans(struct span *spans)
+{
+    spans[0] = (struct span){ 0 };
+    spans[1].begin = UINT64_MAX;
+}
+
+/* Inserts a span before `next`. A loop beats memmove() because few spans follow. */
+static void insert_span(struct span *next, struct span span)
+{
+    while (span.begin != UINT64_MAX) {
+        struct span moved = *next;
+        *next++ = span;
+        span = moved;
+    }
+    *next = span;
+}
+
+static void remove_span(struct span *span)
+{
+    do
+        *span = span[1];
+    while ((span++)->begin != UINT64_MAX);
+}
+
+/* Allocates a span in the gap below `next`. */
+static void take_span(struct span *next, struct span span)
+{
+    bool joins_next = next->begin == span.end;
+    if (next[-1].end != span.begin) {
+        if (joins_next)
+            next->begin = span.begin;
+        else
+            insert_span(next, span);
+    } else if (joins_next) {
+        next[-1].end = next->end;
+        remove_span(next);
+    } else {
+        next[-1].end = span.end;
+    }
+}
+
+/* Frees the bytes of an item. */
+static void free_item(struct span *spans, const struct pack_item *item)
+{
+    struct span *span = spans;
+    while (span->end < end_of(item))
+        span++;
+    struct span above = { end_of(item), span->end };
+    span->end = item->offset;
+    if (above.begin < above.end)
+        insert_span(span + 1, above);
+    if (span != spans && span->begin == span->end)
+        remove_span(span);
+}
+
+/* Returns the lowest offset from `begin` on that is free in a live set, and sets set->next. */
+static VkDeviceSize find_free(struct live_set *set, const struct pack_item *item,
+                              VkDeviceSize begin)
+{
+    struct span *next = set->spans + 1;
+    VkDeviceSize lowest = align_up(set->spans->end, item->alignment);
+    begin = begin < lowest ? lowest : begin;
+    for (; next->begin < begin + item->size; next++) {
+        VkDeviceSize above = align_up(next->end, item->alignment);
+        begin = begin < above ? above : begin;
+    }
+    set->next = next;
+    return begin;
+}
+
+/* ---- orders of placement ---- */
+
+/* Returns the sort key of an item: the bits of a positive double sort like its value. */
+static uint64_t product_of(const struct rule *rule, const struct pack_item *item)
+{
+    double product = rule->life_power ? (double)(int32_t)(item->last - item->first + 1) : 1;
+    double size = (double)(int64_t)item->size;
+    uint64_t bits;
+    if (rule->size_power)
+        product *= size;
+    if (rule->size_power == 4)
+        product = product * size * size * size;
+    memcpy(&bits, &product, sizeof(bits));
+    return bits;
+}
+
+/* Sorts p->order by the byte at bit `shift`; stable (one pass of a radix sort). */
+static void sort_by_byte(struct packing *p, unsigned shift)
+{
+    uint32_t places[256] = { 0 };
+    uint32_t sum = 0;
+    uint64_t *from = p->order;
+    for (uint32_t i = 0; i < p->count; i++)
+        places[from[i] >> shift & 255]++;
+    for (uint32_t i = 0; i < 256; i++) {
+        uint32_t count = places[i];
+        places[i] = sum;
+        sum += count;
+    }
+    for (uint32_t i = 0; i < p->count; i++)
+        p->sorted[places[from[i] >> shift & 255]++] = from[i];
+    p->order = p->sorted;
+    p->sorted = from;
+}
+
+/* Shell sort in ascending order. */
+static void sort_few(uint64_t *order, uint32_t count)
+{
+    uint32_t gap = 1;
+    while (gap < count / 3)
+        gap = gap * 3 + 1;
+    for (; gap; gap /= 3) {
+        for (uint32_t i = gap; i < count; i++) {
+            const uint64_t moved = order[i];
+            uint32_t k = i;
+            for (; k >= gap && order[k - gap] > moved; k -= gap)
+                order[k] = order[k - gap];
+            order[k] = moved;
+        }
+    }
+}
+
+/* Fills p->order with items by descending keys (upper halves). No qsort(), which may allocate. */
+static void sort(struct packing *p, const struct rule *rule)
+{
+    for (uint32_t i = 0; i < p->count; i++)
+        p->order[i] = (~product_of(rule, &p->items[i]) & UINT64_MAX << 32) | i;
+    if (p->count <= FEW_ITEMS) {
+        sort_few(p->order, p->count);
+        return;
+    }
+    for (unsigned shift = 32; shift < 64; shift += 8)
+        sort_by_byte(p, shift);
+}
+
+/* Moves the item with the highest end to half its position in the order. */
+static void promote_highest(struct packing *p)
+{
+    uint64_t *order = p->order;
+    uint32_t highest = 0;
+    for (uint32_t i = 1; i < p->placed; i++) {
+        if (end_of(&p->items[(uint32_t)order[i]]) > end_of(&p->items[(uint32_t)order[highest]]))
+            highest = i;
+    }
+    const uint64_t key = order[highest];
+    memmove(&order[highest / 2 + 1], &order[highest / 2], (highest - highest / 2) * sizeof(*order));
+    order[highest / 2] = key;
+}
+
+/* Assigns an item the lowest offset free in all its live sets: cycles until none raises it. */
+static void place_item(const struct packing *p, struct pack_item *item)
+{
+    struct live_set *first = p->changes[item->first].newest;
+    struct live_set *last = p->changes[item->last].newest;
+    /* last live set to check: the one before the set that last raised `begin` */
+    const struct live_set *end = last;
+    VkDeviceSize begin = 0;
+    for (struct live_set *set = first;; set = set == last ? first : set + 1) {
+        VkDeviceSize before = begin;
+        begin = find_free(set, item, begin);
+        if (begin != before)
+            end = set == first ? last : set - 1;
+        if (set == end)
+            break;
+    }
+    item->offset = begin;
+    for (const struct live_set *set = first; set <= last; set++)
+        take_span(set->next, (struct span){ begin, begin + item->size });
+}
+
+/* Places items in the current order. Returns the block size; UINT64_MAX if not below `limit`. */
+static VkDeviceSize apply_order(struct packing *p, VkDeviceSize limit)
+{
+    VkDeviceSize size = 0;
+    struct span *spans = p->spans;
+    for (struct live_set *set = p->live_sets; set < p->live_sets_end; set++) {
+        set->spans = spans;
+        begin_spans(spans);
+        spans += set->alive + 2; /* at most alive + 2 spans */
+    }
+    for (p->placed = 0; p->placed < p->count && size < limit; p->placed++) {
+        struct pack_item *item = &p->items[(uint32_t)p->order[p->placed]];
+        place_item(p, item);
+        size = size < end_of(item) ? end_of(item) : size;
+    }
+    return size < limit ? size : UINT64_MAX;
+}
+
+/* Tries all orders. Returns the smallest block size; p->offsets has its offsets if below `size`. */
+static VkDeviceSize apply_orders(struct packing *p, VkDeviceSize size, VkDeviceSize bound)
+{
+    uint32_t rule_count = p->count > MANY_ITEMS ? RULES_OF_MANY_ITEMS : RULE_COUNT;
+    uint32_t order_count = p->count > MANY_ITEMS ? RULES_OF_MANY_ITEMS : RULE_COUNT + PROMOTIONS;
+    for (uint32_t i = 0; i < order_count && size > bound; i++) {
+        if (i < rule_count)
+            sort(p, &rules[i]);
+        else
+            promote_highest(p);
+        VkDeviceSize found = apply_order(p, size);
+        if (found >= size)
+            continue;
+        size = found;
+        for (uint32_t k = 0; k < p->count; k++)
+            p->offsets[k] = p->items[k].offset;
+    }
+    return size;
+}
+
+/* Places items in the order of first use, each at the lowest offset free at that time, so that the
+ * cost does not grow with lifetimes. Returns the size of the block. */
+static VkDeviceSize apply_time_order(const struct packing *p, struct arena *arena, uint32_t end)
+{
+    struct live_set set = { .spans = ARENA_ARRAY(arena, struct span, (size_t)p->count + 2) };
+    /* for each pass: index plus 1 of the first item that ends there */
+    uint32_t *ending = ARENA_ZEROED(arena, uint32_t, (size_t)end + 1);
+    uint32_t *next = ARENA_ARRAY(arena, uint32_t, p->count);
+    uint32_t now = 0;
+    VkDeviceSize size = 0;
+    if (arena->failed)
+        return 0;
+    begin_spans(set.spans);
+    for (uint32_t i = 0; i < p->count; i++) {
+        struct pack_item *item = &p->items[i];
+        for (; now < item->first; now++) {
+            for (uint32_t dead = ending[now]; dead; dead = next[dead - 1])
+                free_item(set.spans, &p->items[dead - 1]);
+        }
+        item->offset = find_free(&set, item, 0);
+        take_span(set.next, (struct span){ item->offset, end_of(item) });
+        next[i] = ending[item->last];
+        ending[item->last] = i + 1;
+        size = size < end_of(item) ? end_of(item) : size;
+        p->offsets[i] = item->offset;
+    }
+    return size;
+}
+
+struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
+                           uint32_t end, bool apart)
+{
+    struct pack_result result = { .alignment = 1 };
+    struct packing p = {
+        .items = items,
+        .count = count,
+        .changes = ARENA_ZEROED(arena, struct change, (size_t)end + 2),
+        .live_sets = ARENA_ARRAY(arena, struct live_set, count),
+        .offsets = ARENA_ARRAY(arena, VkDeviceSize, count),
+        .order = ARENA_ARRAY(arena, uint64_t, count),
+        .sorted = ARENA_ARRAY(arena, uint64_t, count),
+    };
+    if (arena->failed)
+        return result;
+    find_changes(&p, &result);
+    uint64_t live_sum = find_live_sets(&p, end, &result);
+    size_t live_set_count = (size_t)(p.live_sets_end - p.live_sets);
+    result.size = result.apart;
+    bool shared = !apart && result.apart > result.bound;
+    if (shared && live_sum > MANY_ITEMS * MANY_ITEMS / 2 + (uint64_t)count * LONG_LIFE) {
+        result.size = apply_time_order(&p, arena, end);
+    } else if (shared) {
+        p.spans = ARENA_ARRAY(arena, struct span, live_sum + 2 * live_set_count);
+        if (p.spans)
+            result.size = apply_orders(&p, result.apart, result.bound);
+    }
+    for (uint32_t i = 0; i < count; i++)
+        items[i].offset = p.offsets[i];
+    return result;
+}

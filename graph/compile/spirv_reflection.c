@@ -1,0 +1,490 @@
+/* spirv_reflection.c: SPIR-V parser: records what each id defines, and derives the shader's
+ * interface. */
+#include "graph/compile/spirv_reflection.h"
+#include <string.h>
+
+enum {
+    OP_NAME = 5,
+    OP_MEMBER_NAME = 6,
+    OP_ENTRY_POINT = 15,
+    OP_TYPE_BOOL = 20,
+    OP_TYPE_INT = 21,
+    OP_TYPE_FLOAT = 22,
+    OP_TYPE_VECTOR = 23,
+    OP_TYPE_MATRIX = 24,
+    OP_TYPE_IMAGE = 25,
+    OP_TYPE_SAMPLER = 26,
+    OP_TYPE_SAMPLED_IMAGE = 27,
+    OP_TYPE_ARRAY = 28,
+    OP_TYPE_RUNTIME_ARRAY = 29,
+    OP_TYPE_STRUCT = 30,
+    OP_TYPE_POINTER = 32,
+    OP_CONSTANT = 43,
+    OP_SPEC_CONSTANT_TRUE = 48,
+    OP_SPEC_CONSTANT_FALSE = 49,
+    OP_SPEC_CONSTANT = 50,
+    OP_FUNCTION = 54,
+    OP_FUNCTION_CALL = 57,
+    OP_VARIABLE = 59,
+    OP_IMAGE_TEXEL_POINTER = 60,
+    OP_LOAD = 61,
+    OP_STORE = 62,
+    OP_COPY_MEMORY = 63,
+    OP_ACCESS_CHAIN = 65,
+    OP_PTR_ACCESS_CHAIN = 67,
+    OP_ARRAY_LENGTH = 68,
+    OP_DECORATE = 71,
+    OP_MEMBER_DECORATE = 72,
+    OP_COPY_OBJECT = 83,
+    OP_TYPE_ACCELERATION_STRUCTURE = 5341,
+    DECORATION_SPEC_ID = 1,
+    DECORATION_BUFFER_BLOCK = 3,
+    DECORATION_ROW_MAJOR = 4,
+    DECORATION_ARRAY_STRIDE = 6,
+    DECORATION_MATRIX_STRIDE = 7,
+    DECORATION_LOCATION = 30,
+    DECORATION_BINDING = 33,
+    DECORATION_SET = 34,
+    DECORATION_OFFSET = 35,
+    DIM_SUBPASS = 6,
+    HEADER_WORDS = 5,
+    MAGIC = 0x07230203,
+    VERSION_1_4 = 0x00010400, /* since SPIR-V 1.4, entry points list all global variables */
+    MAX_DEPTH = 16,           /* nesting of types */
+};
+
+/* What is known about an id. References to instructions and names are word indices; 0: none. */
+struct spirv_id {
+    uint32_t definition; /* word index of the instruction that defines the id, if listed above */
+    uint32_t name;
+    uint32_t stride;                       /* of an array in bytes */
+    uint32_t binding, set, location, spec; /* decoration values plus 1; 0: not decorated */
+    uint32_t variable;                     /* index in `variables` plus 1; 0: no variable */
+    bool buffer_block, in_interface;
+};
+
+/* An instruction; its first word holds the opcode and the word count. */
+struct instruction {
+    uint32_t op, count;
+    const uint32_t *words;
+};
+
+/* Advances to the next instruction, starting from {0}. Returns false at the end or if malformed. */
+static bool next(const struct rg_shader *shader, struct instruction *in)
+{
+    const uint32_t *end = shader->words + shader->word_count;
+    in->words = in->words ? in->words + in->count : shader->words + HEADER_WORDS;
+    if (in->words >= end)
+        return false;
+    in->op = in->words[0] & 0xffff;
+    in->count = in->words[0] >> 16;
+    return in->count && in->count <= (size_t)(end - in->words);
+}
+
+static struct spirv_id *find_id(const struct spirv *s, uint32_t id)
+{
+    return id < s->shader->words[3] ? &s->ids[id] : NULL;
+}
+
+/* Returns the string at a word of an instruction; NULL if it is not terminated within it. */
+static const char *text_of(const struct instruction *in, uint32_t word)
+{
+    if (in->count <= word || !memchr(&in->words[word], 0, (in->count - word) * sizeof(uint32_t)))
+        return NULL;
+    return (const char *)&in->words[word];
+}
+
+/* ---- types ---- */
+
+/* Returns the defining instruction of an id if it is `op` with `count` or more words, else NULL. */
+static const uint32_t *definition(const struct spirv *s, uint32_t id, uint32_t op, uint32_t count)
+{
+    const struct spirv_id *i = find_id(s, id);
+    const uint32_t *words = i && i->definition ? &s->shader->words[i->definition] : NULL;
+    return words && (words[0] & 0xffff) == op && words[0] >> 16 >= count ? words : NULL;
+}
+
+const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count)
+{
+    const uint32_t *words = definition(s, type, OP_TYPE_STRUCT, 2);
+    *member_count = words ? (words[0] >> 16) - 2 : 0;
+    if (!words)
+        return NULL;
+    return s->ids[type].name ? (const char *)&s->shader->words[s->ids[type].name] : "";
+}
+
+/* Returns the length and element type of an array type; 0 if it is no array, or unsized. */
+static uint32_t array_length(const struct spirv *s, uint32_t type, uint32_t *element)
+{
+    const uint32_t *array = definition(s, type, OP_TYPE_ARRAY, 4);
+    const uint32_t *length = array ? definition(s, array[3], OP_CONSTANT, 4) : NULL;
+    if (array && !length)
+        length = definition(s, array[3], OP_SPEC_CONSTANT, 4);
+    *element = array ? array[2] : SPIRV_NONE;
+    return length ? length[3] : 0;
+}
+
+/* Memory layout of a struct member. */
+struct member_layout {
+    uint32_t offset, stride; /* bytes; `stride` is that of a matrix's columns or rows */
+    bool row_major;
+    const char *name;
+};
+
+static struct member_layout window_layout_of(const struct spirv *s, uint32_t type, uint32_t index)
+{
+    struct member_layout layout = { .offset = SPIRV_NONE, .name = "" };
+    struct instruction in = { 0 };
+    while (next(s->shader, &in) && in.op != OP_FUNCTION) {
+        if (in.count < 4 || in.words[1] != type || in.words[2] != index)
+            continue;
+        if (in.op == OP_MEMBER_NAME && text_of(&in, 3))
+            layout.name = text_of(&in, 3);
+        if (in.op != OP_MEMBER_DECORATE)
+            continue;
+        if (in.words[3] == DECORATION_ROW_MAJOR)
+            layout.row_major = true;
+        if (in.words[3] == DECORATION_OFFSET && in.count > 4)
+            layout.offset = in.words[4];
+        if (in.words[3] == DECORATION_MATRIX_STRIDE && in.count > 4)
+            layout.stride = in.words[4];
+    }
+    return layout;
+}
+
+static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth);
+
+/* Returns the size in bytes without trailing padding. May wrap around for malformed modules. */
+static uint32_t size_of(const struct spirv *s, uint32_t type, const struct member_layout *layout,
+                        uint32_t depth)
+{
+    uint32_t count, element;
+    const uint32_t *words = definition(s, type, OP_TYPE_MATRIX, 4);
+    if (depth == MAX_DEPTH)
+        return 0;
+    if (words) {
+        rg_spirv_component(s, words[2], &count);
+        return (layout->row_major ? count : words[3]) * layout->stride;
+    }
+    if ((words = definition(s, type, OP_TYPE_VECTOR, 4)))
+        return words[3] * size_of(s, words[2], layout, depth + 1);
+    count = array_length(s, type, &element);
+    if (count)
+        return count *
+               (s->ids[type].stride ? s->ids[type].stride : size_of(s, element, layout, depth + 1));
+    if ((words = definition(s, type, OP_TYPE_INT, 4)) ||
+        (words = definition(s, type, OP_TYPE_FLOAT, 3)))
+        return words[2] / 8;
+    return struct_size(s, type, depth + 1);
+}
+
+/* Returns the index of the struct member with the largest offset, which ends the struct. */
+static uint32_t last_member(const struct spirv *s, uint32_t type)
+{
+    uint32_t last = 0;
+    uint32_t most = 0;
+    struct instruction in = { 0 };
+    while (next(s->shader, &in) && in.op != OP_FUNCTION) {
+        if (in.op == OP_MEMBER_DECORATE && in.count > 4 && in.words[1] == type &&
+            in.words[3] == DECORATION_OFFSET && in.words[4] >= most) {
+            last = in.words[2];
+            most = in.words[4];
+        }
+    }
+    return last;
+}
+
+static uint32_t struct_size(const struct spirv *s, uint32_t type, uint32_t depth)
+{
+    const uint32_t *words = definition(s, type, OP_TYPE_STRUCT, 3);
+    uint32_t last = words ? last_member(s, type) : 0;
+    if (!words || last >= (words[0] >> 16) - 2)
+        return 0;
+    const struct member_layout layout = window_layout_of(s, type, last);
+    return (layout.offset == SPIRV_NONE ? 0 : layout.offset) +
+           size_of(s, words[2 + last], &layout, depth);
+}
+
+/* Returns the element type of an array type; any other type unchanged. */
+static uint32_t element_of(const struct spirv *s, uint32_t type)
+{
+    const uint32_t *array = definition(s, type, OP_TYPE_RUNTIME_ARRAY, 3);
+    if (!array)
+        array = definition(s, type, OP_TYPE_ARRAY, 4);
+    return array ? array[2] : type;
+}
+
+uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type)
+{
+    return struct_size(s, element_of(s, type), 0);
+}
+
+struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index)
+{
+    const uint32_t *words = definition(s, type, OP_TYPE_STRUCT, 3 + index);
+    if (!words)
+        return (struct spirv_member){ .name = "", .offset = SPIRV_NONE };
+    const struct member_layout layout = window_layout_of(s, type, index);
+    return (struct spirv_member){ layout.name, words[2 + index], layout.offset,
+                                  size_of(s, words[2 + index], &layout, 0) };
+}
+
+bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image)
+{
+    type = element_of(s, type);
+    const uint32_t *sampled = definition(s, type, OP_TYPE_SAMPLED_IMAGE, 3);
+    const uint32_t *words = definition(s, sampled ? sampled[2] : type, OP_TYPE_IMAGE, 9);
+    if (!words)
+        return false;
+    *image = (struct spirv_image){
+        .dim = words[3],
+        .format = words[8],
+        .component = rg_spirv_component(s, words[2], NULL),
+        .arrayed = words[5],
+        .multisampled = words[6],
+    };
+    return true;
+}
+
+char rg_spirv_component(const struct spirv *s, uint32_t type, uint32_t *count)
+{
+    const uint32_t *vector = definition(s, type, OP_TYPE_VECTOR, 4);
+    uint32_t scalar = vector ? vector[2] : type;
+    const uint32_t *integer = definition(s, scalar, OP_TYPE_INT, 4);
+    const uint32_t *real = definition(s, scalar, OP_TYPE_FLOAT, 3);
+    if (count)
+        *count = vector ? vector[3] : 1;
+    if (integer && integer[2] <= 32)
+        return integer[3] ? 'i' : 'u';
+    return real && real[2] <= 32 ? 'f' : '?';
+}
+
+static uint32_t locations(const struct spirv *s, uint32_t type, uint32_t depth)
+{
+    uint32_t element, count;
+    const uint32_t *words = definition(s, type, OP_TYPE_MATRIX, 4);
+    if (words || depth == MAX_DEPTH)
+        return words ? words[3] : 1;
+    count = array_length(s, type, &element);
+    if (count)
+        return count * locations(s, element, depth + 1);
+    if (!(words = definition(s, type, OP_TYPE_STRUCT, 3)))
+        return 1;
+    for (uint32_t i = 0; i < (words[0] >> 16) - 2 && i < 64; i++)
+        /* limits recursion: nested structs are rare */
+        count += locations(s, words[2 + i], depth + 8);
+    return count;
+}
+
+uint32_t rg_spirv_locations(const struct spirv *s, uint32_t type)
+{
+    return locations(s, type, 0);
+}
+
+VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
+                                     uint32_t *count)
+{
+    uint32_t type = element_of(s, v->type);
+    const uint32_t *fixed = definition(s, v->type, OP_TYPE_ARRAY, 4);
+    const uint32_t *length = fixed ? definition(s, fixed[3], OP_CONSTANT, 4) : NULL;
+    *count = length ? length[3] : type == v->type ? 1 : 0;
+    if (v->storage == SPIRV_STORAGE_BUFFER)
+        return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    if (v->storage == SPIRV_UNIFORM)
+        return type < s->shader->words[3] && s->ids[type].buffer_block
+                   ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+                   : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    if (v->storage != SPIRV_UNIFORM_CONSTANT)
+        return VK_DESCRIPTOR_TYPE_MAX_ENUM;
+    if (definition(s, type, OP_TYPE_SAMPLER, 2))
+        return VK_DESCRIPTOR_TYPE_SAMPLER;
+    if (definition(s, type, OP_TYPE_ACCELERATION_STRUCTURE, 2))
+        return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+    struct spirv_image image;
+    if (!rg_spirv_image(s, type, &image))
+        return VK_DESCRIPTOR_TYPE_MAX_ENUM;
+    const uint32_t *plain = definition(s, type, OP_TYPE_IMAGE, 9);
+    bool storage = plain && plain[7] == 2;
+    if (image.dim == SPIRV_DIM_BUFFER)
+        return storage ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER
+                       : VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    if (image.dim == DIM_SUBPASS)
+        return VK_DESCRIPTOR_TYPE_INPUT_ATTACHMENT;
+    return storage ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
+           : plain ? VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE
+                   : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+}
+
+const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v)
+{
+    uint32_t count;
+    const char *block = v->name[0] ? v->name : rg_spirv_struct(s, element_of(s, v->type), &count);
+    return block && block[0] ? block : "?";
+}
+
+/* ---- parsing ---- */
+
+/* Parses an entry point. Returns true if it is `main` of the stage. */
+static bool is_main(struct spirv *s, const struct instruction *in, uint32_t model)
+{
+    const char *name = text_of(in, 3);
+    if (!name || in->words[1] != model || strcmp(name, "main") != 0)
+        return false;
+    for (uint32_t i = 3 + (uint32_t)strlen(name) / 4 + 1; i < in->count; i++) {
+        struct spirv_id *id = find_id(s, in->words[i]);
+        if (id)
+            id->in_interface = true;
+    }
+    return true;
+}
+
+static void decorate(struct spirv *s, const struct instruction *in)
+{
+    struct spirv_id *id = in->count > 2 ? find_id(s, in->words[1]) : NULL;
+    uint32_t value = in->count > 3 ? in->words[3] : 0;
+    if (!id)
+        return;
+    switch (in->words[2]) {
+    case DECORATION_BUFFER_BLOCK:
+        id->buffer_block = true;
+        break;
+    case DECORATION_ARRAY_STRIDE:
+        id->stride = value;
+        break;
+    case DECORATION_BINDING:
+        id->binding = value + 1;
+        break;
+    case DECORATION_SET:
+        id->set = value + 1;
+        break;
+    case DECORATION_LOCATION:
+        id->location = value + 1;
+        break;
+    case DECORATION_SPEC_ID:
+        id->spec = value + 1;
+        break;
+    default:
+        break;
+    }
+}
+
+/* Returns which word of an instruction is its result id; 0 if it has none, or an irrelevant one. */
+static uint32_t result_word(uint32_t op)
+{
+    if (op == OP_VARIABLE || op == OP_CONSTANT ||
+        (op >= OP_SPEC_CONSTANT_TRUE && op <= OP_SPEC_CONSTANT))
+        return 2;
+    bool type = (op >= OP_TYPE_BOOL && op <= OP_TYPE_STRUCT) || op == OP_TYPE_POINTER ||
+                op == OP_TYPE_ACCELERATION_STRUCTURE;
+    return type ? 1 : 0;
+}
+
+static void add_variable(struct spirv *s, struct arena *arena, const struct instruction *in,
+                         struct spirv_id *id)
+{
+    const uint32_t *pointer = definition(s, in->words[1], OP_TYPE_POINTER, 4);
+    if (in->count < 4 || !pointer || id->variable ||
+        !ARENA_ROOM(arena, s->variables, s->variable_count, s->variable_room, 32))
+        return;
+    s->variables[s->variable_count] = (struct spirv_variable){
+        .name = id->name ? (const char *)&s->shader->words[id->name] : "",
+        .storage = in->words[3],
+        .type = pointer[3],
+        .binding = id->binding - 1, /* 0 becomes SPIRV_NONE */
+        .set = id->set - 1,
+        .location = id->location - 1,
+        .in_interface = id->in_interface,
+    };
+    id->variable = ++s->variable_count;
+}
+
+static void add_constant(struct spirv *s, struct arena *arena, const struct instruction *in,
+                         const struct spirv_id *id)
+{
+    const uint32_t *number = definition(s, in->words[1], OP_TYPE_INT, 4);
+    if (!number)
+        number = definition(s, in->words[1], OP_TYPE_FLOAT, 3);
+    if (id->spec && ARENA_ROOM(arena, s->constants, s->constant_count, s->constant_room, 16))
+        s->constants[s->constant_count++] = (struct spirv_constant){
+            id->spec - 1,
+            number ? number[2] / 8 : (uint32_t)sizeof(VkBool32),
+        };
+}
+
+/* Parses an instruction of the module scope. */
+static void declare(struct spirv *s, struct arena *arena, const struct instruction *in)
+{
+    uint32_t result = result_word(in->op);
+    struct spirv_id *id;
+    if (in->op == OP_DECORATE)
+        decorate(s, in);
+    if (in->op == OP_NAME && text_of(in, 2) && (id = find_id(s, in->words[1])))
+        id->name = (uint32_t)(&in->words[2] - s->shader->words);
+    if (!result || in->count <= result || !(id = find_id(s, in->words[result])))
+        return;
+    id->definition = (uint32_t)(in->words - s->shader->words);
+    if (in->op == OP_VARIABLE)
+        add_variable(s, arena, in, id);
+    if (in->op >= OP_SPEC_CONSTANT_TRUE && in->op <= OP_SPEC_CONSTANT)
+        add_constant(s, arena, in, id);
+}
+
+/* Marks the variables that an instruction of a function refers to as used. */
+static void mark_used(struct spirv *s, const struct instruction *in, bool all_listed)
+{
+    uint32_t first = 3, count = 1;
+    if (in->op == OP_STORE || in->op == OP_COPY_MEMORY) {
+        first = 1;
+        count = in->op == OP_STORE ? 1 : 2;
+    } else if (in->op == OP_FUNCTION_CALL) {
+        first = 4;
+        count = in->count;
+    } else if (in->op != OP_LOAD && in->op != OP_ARRAY_LENGTH && in->op != OP_COPY_OBJECT &&
+               in->op != OP_IMAGE_TEXEL_POINTER &&
+               (in->op < OP_ACCESS_CHAIN || in->op > OP_PTR_ACCESS_CHAIN)) {
+        return;
+    }
+    for (uint32_t i = first; i < in->count && i < first + count; i++) {
+        const struct spirv_id *id = find_id(s, in->words[i]);
+        if (id && id->variable && (!all_listed || id->in_interface))
+            s->variables[id->variable - 1].used = true;
+    }
+}
+
+const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
+                          VkShaderStageFlagBits stage)
+{
+    const uint32_t model = stage == VK_SHADER_STAGE_VERTEX_BIT     ? 0
+                           : stage == VK_SHADER_STAGE_FRAGMENT_BIT ? 4
+                                                                   /* execution model GLCompute */
+                                                                   : 5;
+    bool found = false;
+    bool in_function = false;
+    s->shader = shader;
+    s->variable_count = s->constant_count = 0;
+    if (shader->word_count <= HEADER_WORDS || shader->words[0] != MAGIC ||
+        shader->words[3] > shader->word_count)
+        return "expected a SPIR-V module in native byte order";
+    const uint32_t bound = shader->words[3];
+    if (bound > s->id_room) {
+        s->ids = ARENA_ARRAY(arena, struct spirv_id, bound);
+        s->id_room = bound;
+    }
+    if (arena->failed)
+        return NULL;
+    if (bound)
+        memset(s->ids, 0, bound * sizeof(*s->ids));
+    struct instruction in = { 0 };
+    while (next(shader, &in)) {
+        in_function = in_function || in.op == OP_FUNCTION;
+        if (in_function)
+            mark_used(s, &in, shader->words[1] >= VERSION_1_4);
+        else if (in.op == OP_ENTRY_POINT)
+            found = is_main(s, &in, model) || found;
+        else
+            declare(s, arena, &in);
+    }
+    if (in.words != shader->words + shader->word_count)
+        return "expected complete SPIR-V instructions up to the end";
+    return found ? NULL : "expected an entry point 'main' of this stage";
+}

@@ -1,0 +1,95 @@
+/*
+ * spirv_reflection.h: SPIR-V reflection of a shader's interface. Private to graph/ and its tests.
+ * (Khronos, "SPIR-V Specification" 1.6, sections 2.3 and 3, which define the numbers below.)
+ *
+ * Modules are untrusted: for any content, reads stay in bounds and all loops terminate.
+ */
+#ifndef RG_COMPILE_SPIRV_REFLECTION_H
+#define RG_COMPILE_SPIRV_REFLECTION_H
+
+#include "graph/compile/arena.h"
+#include "graph/rg.h"
+
+enum {
+    SPIRV_UNIFORM_CONSTANT = 0, /* storage classes */
+    SPIRV_INPUT = 1,
+    SPIRV_UNIFORM = 2,
+    SPIRV_OUTPUT = 3,
+    SPIRV_PUSH_CONSTANT = 9,
+    SPIRV_STORAGE_BUFFER = 12,
+    SPIRV_DIM_2D = 1, /* dimensions of images */
+    SPIRV_DIM_3D = 2,
+    SPIRV_DIM_CUBE = 3,
+    SPIRV_DIM_BUFFER = 5,
+};
+
+#define SPIRV_NONE UINT32_MAX
+
+/* A global variable of the module. */
+struct spirv_variable {
+    const char *name; /* "" if it has none; borrowed from the module */
+    uint32_t storage;
+    uint32_t type;                   /* id of the type pointed to */
+    uint32_t binding, set, location; /* SPIRV_NONE if there is none */
+    bool used;                       /* used by the entry point, as far as its instructions show */
+    bool in_interface;               /* listed by the entry point */
+};
+
+struct spirv_constant {
+    uint32_t id;   /* as in VkSpecializationMapEntry */
+    uint32_t size; /* bytes */
+};
+
+struct spirv_member {
+    const char *name;
+    uint32_t type;
+    uint32_t offset, size; /* bytes; the offset is SPIRV_NONE without an Offset decoration */
+};
+
+struct spirv_image {
+    uint32_t dim, format; /* the format is a SPIR-V Image Format number; 0: unknown */
+    char component;       /* as rg_spirv_component() returns */
+    bool arrayed, multisampled;
+};
+
+/* A parsed module. Initialise with {0}; reading another module reuses its arrays. */
+struct spirv {
+    const struct rg_shader *shader;
+    struct spirv_variable *variables;
+    struct spirv_constant *constants; /* specialization constants */
+    uint32_t variable_count, constant_count;
+    struct spirv_id *ids; /* opaque, as is the rest */
+    uint32_t id_room, variable_room, constant_room;
+};
+
+/* Parses a module's entry point `main` of a stage and the variables that it reaches. Returns NULL,
+ * or an error message; after an error, or if out of memory, no other function may be called. */
+const char *rg_spirv_read(struct spirv *s, struct arena *arena, const struct rg_shader *shader,
+                          VkShaderStageFlagBits stage);
+
+/* Returns the descriptor type of a variable, VK_DESCRIPTOR_TYPE_MAX_ENUM if it is no descriptor.
+ * *count gets the size of a descriptor array, 0 if the code does not define it. */
+VkDescriptorType rg_spirv_descriptor(const struct spirv *s, const struct spirv_variable *v,
+                                     uint32_t *count);
+
+/* Returns the name of a variable, or of its block type if it is anonymous; "?" if stripped. */
+const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v);
+
+/* Returns the name of a struct type and its number of members; NULL for other types. */
+const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count);
+struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index);
+
+/* Returns the bytes of a struct or array's struct element, without trailing padding; else 0. */
+uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type);
+
+/* Returns false for types that are neither images, sampled images, nor arrays of them. */
+bool rg_spirv_image(const struct spirv *s, uint32_t type, struct spirv_image *image);
+
+/* Returns the component type of a scalar or vector: 'f' float, 'i' or 'u' integer of at most 32
+ * bits, else '?'. *count gets the number of components; it may be NULL. */
+char rg_spirv_component(const struct spirv *s, uint32_t type, uint32_t *count);
+
+/* Returns the number of locations that an input or output of this type occupies. */
+uint32_t rg_spirv_locations(const struct spirv *s, uint32_t type);
+
+#endif

@@ -1,0 +1,76 @@
+/*
+ * subresource_state.h: tracks the synchronisation state of a subresource and decides on its
+ * barriers.
+ *
+ * A cell (compiler.h) has the layout, the last write, the stages that have read it since, and the
+ * stages and accesses to which the write was made visible. From these follow (Vulkan 1.3, chapter
+ * 7): a read needs a barrier unless an earlier barrier covers it; a write always needs one; a
+ * layout transition is a write between the barrier's two scopes, and later barriers chain to the
+ * stages in the second one.
+ *
+ * Consecutive frames overlap on one queue, so the first use of any memory waits for its last use in
+ * the previous frame, and for the resources that it aliases.
+ *
+ * Private to graph/compile/.
+ */
+#ifndef RG_COMPILE_SUBRESOURCE_STATE_H
+#define RG_COMPILE_SUBRESOURCE_STATE_H
+
+#include "graph/compile/compiler.h"
+
+/* Returns true if an access writes the subresource; a layout transition counts as a write. */
+static inline bool rg_changes_cell(const struct cell *s, const struct access *a)
+{
+    return a->flags & ACCESS_WRITES || s->layout != a->layout;
+}
+
+/* Fills `b` except resource and range, and sets *release to the first pass before which the barrier
+ * may be placed. Returns false if the access needs no barrier. */
+static inline bool rg_needs_barrier(const struct cell *s, const struct access *a,
+                                    struct rg_barrier *b, uint32_t *release)
+{
+    bool changes = rg_changes_cell(s, a);
+    if (!changes && !(a->visibility & ~s->visible))
+        return false;
+    VkPipelineStageFlags2 readers = changes ? s->read_stages : VK_PIPELINE_STAGE_2_NONE;
+    /* readers have already waited for the write, and a barrier has made it available */
+    bool awaited = readers && s->flags & CELL_AWAITED;
+    b->src_stages = awaited ? readers : readers | s->write_stages;
+    b->src_access = awaited ? VK_ACCESS_2_NONE : s->write_access;
+    b->dst_stages = a->stages;
+    b->dst_access = a->mask;
+    b->old_layout = a->flags & ACCESS_OVERWRITES ? VK_IMAGE_LAYOUT_UNDEFINED : s->layout;
+    b->new_layout = a->layout;
+    *release = changes ? s->touched : s->written;
+    return s->layout != a->layout || b->src_stages || s->flags & CELL_FRESH;
+}
+
+/* Updates the state for an access of a pass; `made_visible`: it was just given a barrier. */
+static inline void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass,
+                                   bool made_visible)
+{
+    bool conditional = a->flags & ACCESS_CONDITIONAL;
+    s->touched = pass + 1;
+    if (rg_changes_cell(s, a)) {
+        s->write_stages = a->stages;
+        s->write_access = rg_access_table[a->kind].writes;
+        s->read_stages = VK_PIPELINE_STAGE_2_NONE;
+        s->visible = 0;
+        s->barrier_end = 0;
+        s->layout = a->layout;
+        s->flags = conditional ? CELL_CHANGED : CELL_CHANGED | CELL_CERTAIN;
+        s->written = pass + 1;
+    }
+    if (a->flags & ACCESS_WRITES)
+        return;
+    s->flags &= ~(uint32_t)CELL_FRESH;
+    s->read_stages |= a->stages;
+    /* Some releases of the synchronization validation layer track that a read waited for the write
+     * only within the frame of the write, so such a read does not count across frames. */
+    if (s->flags & CELL_CERTAIN && !conditional)
+        s->flags |= CELL_AWAITED;
+    if (made_visible)
+        s->visible |= a->visibility & RG_VISIBLE_TO_ALL;
+}
+
+#endif

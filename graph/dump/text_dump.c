@@ -1,0 +1,203 @@
+/* text_dump.c: dumps a plan as text. */
+#include "graph/dump/dump.h"
+
+static void print_span(FILE *out, const char *what, uint32_t first, uint32_t count, uint32_t all)
+{
+    if (count == all)
+        return;
+    if (count == 1)
+        fprintf(out, " %s %u", what, first);
+    else
+        fprintf(out, " %ss %u-%u", what, first, first + count - 1);
+}
+
+static void print_range(FILE *out, const struct rg_plan_image *image,
+                        const VkImageSubresourceRange *range)
+{
+    if (range->aspectMask != image->aspects)
+        fprintf(out, " %s", range->aspectMask & VK_IMAGE_ASPECT_STENCIL_BIT ? "stencil" : "depth");
+    print_span(out, "mip", range->baseMipLevel, range->levelCount, image->mips);
+    print_span(out, "layer", range->baseArrayLayer, range->layerCount, image->layers);
+}
+
+/* Prints the memory of a resource and its lifetime in passes. */
+static void print_placement(const struct rg_dump *d, uint32_t index)
+{
+    const struct rg_dump_resource r = rg_dump_resource(d->plan, index);
+    if (r.imported)
+        rg_dump_print(d, "imported");
+    else if (r.persistent)
+        rg_dump_print(d, "persistent size %z", r.size);
+    else if (r.block == RG_NONE)
+        rg_dump_print(d, "host");
+    else
+        rg_dump_print(d, "block %u offset %z size %z", r.block, r.offset, r.size);
+    rg_dump_print(d, ", passes %u-", r.first);
+    rg_dump_print(d, r.last == d->plan->pass_count ? "end\n" : "%u\n", r.last);
+}
+
+void rg_dump_image(const struct rg_dump *d, uint32_t index)
+{
+    const struct rg_plan_image *image = &d->plan->images[index];
+    rg_dump_print(d, "image %n %s %ux%u", image->image->name,
+                  rg_format_info(image->image->format)->name, image->extent.width,
+                  image->extent.height);
+    if (image->image->depth)
+        rg_dump_print(d, "x%u", image->depth);
+    if (image->layers > 1)
+        rg_dump_print(d, " layers %u", image->layers);
+    if (image->mips > 1)
+        rg_dump_print(d, " mips %u", image->mips);
+    if (image->samples > 1)
+        rg_dump_print(d, " samples %u", image->samples);
+    rg_dump_print(d, image->image->cube ? " cube, " : ", ");
+    print_placement(d, index);
+}
+
+void rg_dump_buffer(const struct rg_dump *d, uint32_t index)
+{
+    const struct rg_plan_buffer *buffer = &d->plan->buffers[index];
+    rg_dump_print(d, "buffer %n %z bytes, ", buffer->buffer->name, buffer->size);
+    print_placement(d, d->plan->image_count + index);
+}
+
+static void print_memory(const struct rg_dump *d)
+{
+    const struct rg_plan *plan = d->plan;
+    for (uint32_t i = 0; i < plan->block_count; i++)
+        rg_dump_print(d, "block %u %s size %z\n", i, plan->blocks[i].buffers ? "buffers" : "images",
+                      plan->blocks[i].size);
+    rg_dump_print(d, "transient memory: used %z, without aliasing %z, bound %z", plan->memory_used,
+                  plan->memory_without_aliasing, plan->memory_bound);
+    if (plan->memory_least != plan->memory_bound)
+        rg_dump_print(d, ", least %z if batches did not count", plan->memory_least);
+    if (plan->memory_persistent)
+        rg_dump_print(d, "\npersistent memory: %z", plan->memory_persistent);
+    rg_dump_print(d, "\nbarriers: %u in %u batches\n", plan->barrier_count, plan->batch_count);
+}
+
+static void print_scope(FILE *out, VkPipelineStageFlags2 stages, VkAccessFlags2 accesses)
+{
+    if (!stages)
+        fputs("none", out);
+    rg_dump_flags(out, rg_dump_stages, stages, "|");
+    fputs(accesses ? "/" : "/none", out);
+    rg_dump_flags(out, rg_dump_accesses, accesses, "|");
+}
+
+void rg_dump_barriers(const struct rg_dump *d, const char *what, uint32_t first, uint32_t count)
+{
+    for (uint32_t i = first; i < first + count; i++) {
+        const struct rg_barrier *b = &d->plan->barriers[i];
+        if (b->image != RG_NONE) {
+            const struct rg_plan_image *image = &d->plan->images[b->image];
+            rg_dump_print(d, "  %s %n", what, image->image->name);
+            print_range(d->out, image, &b->range);
+            rg_dump_print(d, ": %s -> %s  ", rg_dump_flag_name(rg_dump_layouts, b->old_layout),
+                          rg_dump_flag_name(rg_dump_layouts, b->new_layout));
+        } else {
+            rg_dump_print(d, "  %s %n:  ", what, d->plan->buffers[b->buffer].buffer->name);
+        }
+        print_scope(d->out, b->src_stages, b->src_access);
+        rg_dump_print(d, " -> ");
+        print_scope(d->out, b->dst_stages, b->dst_access);
+        rg_dump_print(d, "\n");
+    }
+}
+
+static void print_texels(const struct rg_dump *d, uint32_t index, uint32_t mip, uint32_t layer)
+{
+    const struct rg_plan_image *image = &d->plan->images[index];
+    rg_dump_print(d, " %n", image->image->name);
+    print_span(d->out, "mip", mip, 1, image->mips);
+    print_span(d->out, "layer", layer, 1, image->layers);
+}
+
+static void print_target(const struct rg_dump *d, const struct rg_plan_target *target,
+                         const char *what)
+{
+    rg_dump_print(d, "  %s", what);
+    print_texels(d, target->image, target->mip, target->layer);
+    rg_dump_print(d, " %s %s", rg_dump_flag_name(rg_dump_loads, target->load),
+                  rg_dump_flag_name(rg_dump_stores, target->store));
+    if (target->resolve != RG_NONE) {
+        rg_dump_print(d, " resolve");
+        print_texels(d, target->resolve, target->resolve_mip, target->resolve_layer);
+    }
+    rg_dump_print(d, "\n");
+}
+
+void rg_dump_pass_name(const struct rg_dump *d, const struct rg_pass *pass, uint32_t repetition)
+{
+    rg_dump_print(d, pass->repeat != RG_ONCE ? "%n[%u]" : "%n", pass->name, repetition);
+}
+
+static void print_use(const struct rg_dump *d, const struct rg_plan_use *use)
+{
+    bool of_image = use->image != RG_NONE;
+    rg_dump_print(d, "  %s %n", rg_access_info(use->use->access)->name,
+                  of_image ? d->plan->images[use->image].image->name
+                           : d->plan->buffers[use->buffer].buffer->name);
+    if (of_image)
+        print_range(d->out, &d->plan->images[use->image], &use->range);
+    rg_dump_print(d, use->use->texels ? " texels" : "");
+    rg_dump_print(d, rg_dump_binding(use) != RG_NONE ? " binding %u" : "", rg_dump_binding(use));
+    rg_dump_print(d, use->use->element ? "[%u]\n" : "\n", (uint32_t)use->use->element);
+}
+
+void rg_dump_pass(const struct rg_dump *d, uint32_t index)
+{
+    const struct rg_plan_pass *pass = &d->plan->passes[index];
+    rg_dump_print(d, "pass %u ", index);
+    rg_dump_pass_name(d, pass->pass, pass->repetition);
+    rg_dump_print(d, " %s %ux%u%s\n", rg_dump_flag_name(rg_dump_kinds, pass->pass->kind),
+                  pass->extent.width, pass->extent.height, pass->pass->when ? " conditional" : "");
+    for (uint32_t i = 0; i < pass->color_count; i++)
+        print_target(d, &pass->color[i], "color");
+    if (pass->depth.image != RG_NONE)
+        print_target(d, &pass->depth, rg_dump_depth(pass->pass));
+    for (uint32_t i = 0; i < pass->use_count; i++)
+        print_use(d, &d->plan->uses[pass->first_use + i]);
+    if (pass->pass->set)
+        rg_dump_print(d, "  set %n\n", pass->pass->set->name);
+}
+
+void rg_dump_text(const struct rg_dump *d)
+{
+    const struct rg_plan *plan = d->plan;
+    rg_dump_print(d, "view %ux%u\n", plan->view.width, plan->view.height);
+    for (uint32_t i = 0; i < plan->image_count; i++)
+        rg_dump_image(d, i);
+    for (uint32_t i = 0; i < plan->buffer_count; i++)
+        rg_dump_buffer(d, i);
+    print_memory(d);
+    rg_dump_barriers(d, "initial barrier", plan->first_initial_barrier,
+                     plan->initial_barrier_count);
+    for (uint32_t p = 0; p < plan->pass_count; p++) {
+        rg_dump_barriers(d, "barrier", plan->passes[p].first_barrier,
+                         plan->passes[p].barrier_count);
+        rg_dump_pass(d, p);
+    }
+    rg_dump_barriers(d, "barrier", plan->first_final_barrier, plan->final_barrier_count);
+    for (uint32_t i = 0; i < plan->culled_count; i++) {
+        rg_dump_print(d, "culled ");
+        rg_dump_pass_name(d, plan->culled[i].pass, plan->culled[i].repetition);
+        rg_dump_print(d, "\n");
+    }
+}
+
+static void plain_name(FILE *out, const char *name)
+{
+    fputs(name, out);
+}
+
+void rg_dump(const struct rg_plan *plan, FILE *out)
+{
+    for (uint32_t i = 0; i < plan->fault_count; i++) {
+        char text[512];
+        rg_fault_text(&plan->faults[i], text, sizeof(text));
+        fprintf(out, "fault: %s\n", text);
+    }
+    if (!plan->fault_count)
+        rg_dump_text(&(struct rg_dump){ plan, out, plain_name });
+}

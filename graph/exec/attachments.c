@@ -1,0 +1,139 @@
+/*
+ * attachments.c: creates attachment views, and VkRenderPass objects if rg_exec_params requests
+ * them.
+ *
+ * The plan's barriers do all synchronisation; a render pass here has one subpass, no dependency and
+ * no layout transition, so that it is equivalent to dynamic rendering.
+ */
+#include "graph/exec/executor.h"
+
+uint32_t rg_exec_attachments(const struct rg_plan_pass *pass,
+                             struct rg_plan_target attachments[RG_ATTACHMENT_COUNT])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < pass->color_count; i++)
+        attachments[count++] = pass->color[i];
+    if (pass->depth.image != RG_NONE)
+        attachments[count++] = pass->depth;
+    for (uint32_t i = 0; i < pass->color_count; i++) {
+        const struct rg_plan_target *target = &pass->color[i];
+        if (target->resolve != RG_NONE)
+            attachments[count++] = (struct rg_plan_target){
+                .image = target->resolve,
+                .mip = target->resolve_mip,
+                .layer = target->resolve_layer,
+                .load = VK_ATTACHMENT_LOAD_OP_DONT_CARE, /* fully overwritten */
+                .store = VK_ATTACHMENT_STORE_OP_STORE,
+                .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                .resolve = RG_NONE,
+            };
+    }
+    return count;
+}
+
+VkSampleCountFlagBits rg_exec_samples(const struct rg_exec *exec, const struct rg_plan_pass *pass)
+{
+    const struct rg_plan_target *target = pass->color_count ? &pass->color[0] : &pass->depth;
+    return (VkSampleCountFlagBits)exec->plan->images[target->image].samples;
+}
+
+static VkResult make_render_pass(struct rg_exec *exec, const struct rg_plan_pass *plan,
+                                 struct exec_pass *pass)
+{
+    struct rg_plan_target targets[RG_ATTACHMENT_COUNT];
+    VkAttachmentDescription attachments[RG_ATTACHMENT_COUNT];
+    VkAttachmentReference references[RG_ATTACHMENT_COUNT];
+    VkAttachmentReference resolves[RG_COLOR_COUNT];
+    bool has_depth = plan->depth.image != RG_NONE;
+    uint32_t count = rg_exec_attachments(plan, targets);
+    uint32_t resolve = plan->color_count + has_depth;
+    VkResult result;
+    uint64_t key = rg_exec_key(RG_NO_KEY, &plan->color_count, sizeof(plan->color_count));
+    for (uint32_t i = 0; i < count; i++) {
+        const struct rg_plan_image *image = &exec->plan->images[targets[i].image];
+        const uint32_t fields[] = { (uint32_t)image->image->format, image->samples,
+                                    (uint32_t)targets[i].load,      (uint32_t)targets[i].store,
+                                    (uint32_t)targets[i].layout,    targets[i].resolve != RG_NONE };
+        key = rg_exec_key(key, fields, sizeof(fields));
+        attachments[i] = (VkAttachmentDescription){
+            .format = image->image->format,
+            .samples = (VkSampleCountFlagBits)image->samples,
+            .loadOp = targets[i].load,
+            .storeOp = targets[i].store,
+            .stencilLoadOp = targets[i].load,
+            .stencilStoreOp = targets[i].store,
+            .initialLayout = targets[i].layout,
+            .finalLayout = targets[i].layout,
+        };
+        references[i] = (VkAttachmentReference){ i, targets[i].layout };
+    }
+    for (uint32_t i = 0; i < plan->color_count; i++)
+        resolves[i] = plan->color[i].resolve != RG_NONE
+                          ? references[resolve++]
+                          : (VkAttachmentReference){ .attachment = VK_ATTACHMENT_UNUSED };
+    const VkSubpassDescription subpass = {
+        .pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS,
+        .colorAttachmentCount = plan->color_count,
+        .pColorAttachments = references,
+        .pResolveAttachments = resolves,
+        .pDepthStencilAttachment = has_depth ? &references[plan->color_count] : NULL,
+    };
+    RG_MAKE_KEYED(exec, plan->pass->name, key, RENDER_PASS, CreateRenderPass, &pass->render_pass,
+                  &(VkRenderPassCreateInfo){
+                      .sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO,
+                      .attachmentCount = count,
+                      .pAttachments = attachments,
+                      .subpassCount = 1,
+                      .pSubpasses = &subpass,
+                  });
+fail:
+    return result;
+}
+
+/* Creates the views and the framebuffer of a pass for an image set. */
+static VkResult make_targets(struct rg_exec *exec, const struct exec_image_set *set, uint32_t index)
+{
+    const struct rg_plan_pass *plan = &exec->plan->passes[index];
+    struct rg_plan_target attachments[RG_ATTACHMENT_COUNT];
+    struct exec_targets *targets = &set->targets[index];
+    uint32_t count = rg_exec_attachments(plan, attachments);
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct rg_plan_target *target = &attachments[i];
+        const struct rg_plan_image *image = &exec->plan->images[target->image];
+        const VkImageSubresourceRange range = { image->aspects, target->mip, 1, target->layer, 1 };
+        RG_TRY(rg_exec_make_view(exec, image, set->images[target->image], VK_IMAGE_VIEW_TYPE_2D,
+                                 &range, &targets->views[i]));
+    }
+    uint64_t key = rg_exec_key(RG_NO_KEY, targets->views, count * sizeof(targets->views[0]));
+    RG_KEY(key, exec->passes[index].render_pass);
+    RG_KEY(key, (uint64_t)plan->extent.width << 32 | plan->extent.height);
+    if (exec->passes[index].render_pass)
+        RG_MAKE_KEYED(exec, plan->pass->name, key, FRAMEBUFFER, CreateFramebuffer,
+                      &targets->framebuffer,
+                      &(VkFramebufferCreateInfo){
+                          .sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO,
+                          .renderPass = exec->passes[index].render_pass,
+                          .attachmentCount = count,
+                          .pAttachments = targets->views,
+                          .width = plan->extent.width,
+                          .height = plan->extent.height,
+                          .layers = 1,
+                      });
+fail:
+    return result;
+}
+
+VkResult rg_exec_make_targets(struct rg_exec *exec)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
+        const struct rg_plan_pass *plan = &exec->plan->passes[p];
+        if (exec->params.render_passes && plan->pass->kind == RG_RASTER)
+            RG_TRY(make_render_pass(exec, plan, &exec->passes[p]));
+        for (uint32_t i = 0; i < exec->image_set_count; i++)
+            RG_TRY(make_targets(exec, &exec->image_sets[i], p));
+    }
+fail:
+    return result;
+}

@@ -1,0 +1,346 @@
+/* device_memory.c: allocates memory blocks, and creates the images and buffers of a plan. */
+#include <string.h>
+#include "graph/exec/executor.h"
+
+/* Returns the first memory type with `needed` and preferably `wanted` properties, or RG_NONE. */
+static uint32_t find_type(const struct rg_exec *exec, uint32_t bits, VkMemoryPropertyFlags wanted,
+                          VkMemoryPropertyFlags needed)
+{
+    const VkPhysicalDeviceMemoryProperties *p = &exec->memory_properties;
+    const VkMemoryPropertyFlags choices[] = { wanted | needed, needed };
+    for (size_t c = 0; c < 2; c++) {
+        for (uint32_t i = 0; i < p->memoryTypeCount; i++) {
+            if ((bits & 1u << i) && !(choices[c] & ~p->memoryTypes[i].propertyFlags))
+                return i;
+        }
+    }
+    return RG_NONE;
+}
+
+/* Begins the cache key of an object that is identified by its name. */
+static uint64_t name_key(const char *name, uint64_t salt)
+{
+    uint64_t key = rg_exec_key(RG_NO_KEY, name, strlen(name));
+    return RG_KEY(key, salt);
+}
+
+static VkResult allocate(struct rg_exec *exec, VkDeviceSize size, uint32_t type, const char *name,
+                         uint64_t salt, VkDeviceMemory *memory)
+{
+    uint64_t key = name_key(name, salt);
+    VkResult result;
+    if (type == RG_NONE)
+        return rg_exec_check(exec, VK_ERROR_FEATURE_NOT_PRESENT, "the memory type", name);
+    const VkMemoryAllocateFlagsInfo addressed = {
+        .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
+        .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT,
+    };
+    RG_KEY(key, size);
+    RG_KEY(key, (uint64_t)exec->has_addresses << 32 | type);
+    RG_MAKE_KEYED(exec, name, key, DEVICE_MEMORY, AllocateMemory, memory,
+                  &(VkMemoryAllocateInfo){
+                      .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                      .pNext = exec->has_addresses ? &addressed : NULL,
+                      .allocationSize = size,
+                      .memoryTypeIndex = type,
+                  });
+fail:
+    return result;
+}
+
+static VkResult allocate_local(struct rg_exec *exec, VkDeviceSize size, uint32_t type_bits,
+                               const char *name, uint64_t salt, VkDeviceMemory *memory)
+{
+    uint32_t type = find_type(exec, type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0);
+    return allocate(exec, size, type, name, salt, memory);
+}
+
+static VkResult make_blocks(struct rg_exec *exec)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < exec->plan->block_count && result == VK_SUCCESS; i++) {
+        const struct rg_block *block = &exec->plan->blocks[i];
+        const char *name = block->buffers ? "transient buffers" : "transient images";
+        result = allocate_local(exec, block->size, block->type_bits, name, 0, &exec->blocks[i]);
+    }
+    return result;
+}
+
+/* Placement of a resource by the plan. */
+struct place {
+    const char *name; /* of the resource */
+    uint32_t block;   /* RG_NONE: dedicated memory */
+    VkDeviceSize offset, size;
+    uint64_t salt; /* distinguishes keys of equal names */
+};
+
+/* Finds or allocates the memory of a resource. Fails if the plan was compiled for another device,
+ * or without one, and gives the resource too little memory. */
+static VkResult find_memory(struct rg_exec *exec, const struct place *place,
+                            const VkMemoryRequirements *needs, VkDeviceMemory *memory)
+{
+    VkDeviceSize size = needs->size > place->size ? needs->size : place->size;
+    if (place->block == RG_NONE)
+        return allocate_local(exec, size, needs->memoryTypeBits, place->name, place->salt, memory);
+    const struct rg_block *block = &exec->plan->blocks[place->block];
+    *memory = exec->blocks[place->block];
+    if (needs->size > place->size || place->offset % needs->alignment ||
+        block->type_bits & ~needs->memoryTypeBits)
+        return rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER,
+                             "a plan for another device: the memory", place->name);
+    return VK_SUCCESS;
+}
+
+/* Returns the program's object for an imported resource; logs and returns NULL if it is missing. */
+static const struct rg_exec_import *find_import(const struct rg_exec *exec, uint32_t import,
+                                                const char *name)
+{
+    if (import < exec->params.import_count)
+        return &exec->params.imports[import];
+    rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "the imported object", name);
+    return NULL;
+}
+
+/* Returns true if the program owns an object; with `warm_up_only` the executor owns imports too. */
+bool rg_exec_is_external(const struct rg_exec *exec, bool imported)
+{
+    return imported && !exec->params.warm_up_only;
+}
+
+VkImageSubresourceRange rg_exec_whole(const struct rg_plan_image *image)
+{
+    return (VkImageSubresourceRange){ image->aspects, 0, image->mips, 0, image->layers };
+}
+
+/* Returns the cache key of an image, which includes the memory that it is bound to. */
+static uint64_t image_key(const struct rg_exec *exec, const struct rg_plan_image *plan,
+                          uint64_t salt)
+{
+    const uint32_t fields[] = { plan->flags,        (uint32_t)plan->image->format,
+                                plan->extent.width, plan->extent.height,
+                                plan->depth,        plan->layers,
+                                plan->mips,         plan->samples,
+                                plan->usage };
+    uint64_t key = rg_exec_key(name_key(plan->image->name, salt), fields, sizeof(fields));
+    RG_KEY(key, plan->size);
+    RG_KEY(key, plan->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[plan->block]);
+    return RG_KEY(key, plan->offset);
+}
+
+VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan, uint64_t salt,
+                            VkImage *image)
+{
+    const struct place place = { plan->image->name, plan->block, plan->offset, plan->size, salt };
+    const VkImageCreateInfo info = rg_image_create_info(plan);
+    VkMemoryRequirements needs;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkResult result;
+    RG_MAKE_KEYED(exec, place.name, image_key(exec, plan, salt), IMAGE, CreateImage, image, &info);
+    const bool is_bound = exec->found;
+    exec->vk.GetImageMemoryRequirements(exec->device, *image, &needs);
+    RG_TRY(find_memory(exec, &place, &needs, &memory));
+    if (!is_bound)
+        RG_CALL(exec, place.name, BindImageMemory, exec->device, *image, memory, place.offset);
+    exec->found = is_bound ? RG_FOUND_FORMER : RG_NOT_FOUND;
+fail:
+    return result;
+}
+
+VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
+                           VkImageViewType type, const VkImageSubresourceRange *range,
+                           VkImageView *view)
+{
+    VkResult result;
+    uint64_t key = rg_exec_key(RG_NO_KEY, range, sizeof(*range));
+    RG_KEY(key, image);
+    RG_KEY(key, type);
+    if (rg_exec_is_external(exec, plan->imported))
+        key = RG_NO_KEY;
+    RG_MAKE_KEYED(exec, plan->image->name, key, IMAGE_VIEW, CreateImageView, view,
+                  &(VkImageViewCreateInfo){
+                      .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                      .image = image,
+                      .viewType = type,
+                      .format = plan->image->format,
+                      .subresourceRange = *range,
+                  });
+fail:
+    return result;
+}
+
+/* Finds or creates an image of the plan and stores it in every image set. */
+static VkResult find_images(struct rg_exec *exec, uint32_t index)
+{
+    const struct rg_plan_image *plan = &exec->plan->images[index];
+    const struct rg_exec_import own = { 0 };
+    const struct rg_exec_import *import = &own;
+    VkImage image = VK_NULL_HANDLE;
+    VkResult result = VK_SUCCESS;
+    if (rg_exec_is_external(exec, plan->imported))
+        import = find_import(exec, plan->import, plan->image->name);
+    else
+        result = rg_exec_make_image(exec, plan, 0, &image);
+    exec->has_content[index] = image && plan->persistent && exec->found;
+    if (!import)
+        return VK_ERROR_INITIALIZATION_FAILED;
+    for (uint32_t i = 0; i < exec->image_set_count; i++)
+        exec->image_sets[i].images[index] = import->image_count ? import->images[i]
+                                            : image             ? image
+                                                                : import->image;
+    return result;
+}
+
+VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
+                                  VkMemoryPropertyFlags wanted, const char *name, uint32_t slot,
+                                  struct exec_buffer *buffer)
+{
+    uint64_t key = name_key(name, slot);
+    VkMemoryRequirements needs;
+    struct exec_buffer *known;
+    VkResult result;
+    RG_KEY(key, info->size);
+    RG_KEY(key, info->usage);
+    RG_KEY(key, wanted);
+    if (!RG_MAKE_KEYED_ARRAY(exec, key, known, 1))
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    *buffer = *known;
+    RG_MAKE_KEYED(exec, name, key, BUFFER, CreateBuffer, &buffer->buffer, info);
+    exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffer, &needs);
+    uint32_t type =
+        find_type(exec, needs.memoryTypeBits, wanted, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
+    RG_TRY(allocate(exec, needs.size, type, name, key, &buffer->host));
+    if (known->mapped)
+        return VK_SUCCESS;
+    buffer->coherent = exec->memory_properties.memoryTypes[type].propertyFlags &
+                       VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    RG_CALL(exec, name, BindBufferMemory, exec->device, buffer->buffer, buffer->host, 0);
+    RG_CALL(exec, name, MapMemory, exec->device, buffer->host, 0, VK_WHOLE_SIZE, 0,
+            &buffer->mapped); /* unmapped when the memory is freed */
+    *known = *buffer;
+fail:
+    return result;
+}
+
+static VkResult make_device_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
+                                   const struct place *place, VkBuffer *buffer)
+{
+    VkMemoryRequirements needs;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkResult result;
+    uint64_t key = name_key(place->name, info->usage);
+    RG_KEY(key, info->size);
+    RG_KEY(key, place->size);
+    RG_KEY(key, place->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[place->block]);
+    RG_KEY(key, place->offset);
+    RG_MAKE_KEYED(exec, place->name, key, BUFFER, CreateBuffer, buffer, info);
+    const bool is_bound = exec->found;
+    exec->vk.GetBufferMemoryRequirements(exec->device, *buffer, &needs);
+    RG_TRY(find_memory(exec, place, &needs, &memory));
+    if (!is_bound)
+        RG_CALL(exec, place->name, BindBufferMemory, exec->device, *buffer, memory, place->offset);
+    exec->found = is_bound ? RG_FOUND_FORMER : RG_NOT_FOUND;
+fail:
+    return result;
+}
+
+/* Creates the acceleration structure in a buffer. Its type is generic: the first build decides. */
+static VkResult make_structure(struct rg_exec *exec, const struct rg_plan_buffer *plan,
+                               struct exec_buffer *buffer)
+{
+    VkResult result;
+    uint64_t key = rg_exec_key(RG_NO_KEY, &buffer->buffer, sizeof(buffer->buffer));
+    RG_MAKE_KEYED(exec, plan->buffer->name, key, ACCELERATION_STRUCTURE_KHR,
+                  CreateAccelerationStructureKHR, &buffer->acceleration,
+                  &(VkAccelerationStructureCreateInfoKHR){
+                      .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR,
+                      .buffer = buffer->buffer,
+                      .size = plan->size,
+                      .type = VK_ACCELERATION_STRUCTURE_TYPE_GENERIC_KHR,
+                  });
+fail:
+    return result;
+}
+
+/* Finds or creates a buffer of the plan for every slot. */
+static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
+{
+    const struct rg_plan_buffer *plan = &exec->plan->buffers[index];
+    const struct place place = { plan->buffer->name, plan->block, plan->offset, plan->memory_size,
+                                 0 };
+    bool is_host = !plan->imported && plan->buffer->memory != RG_MEMORY_DEVICE;
+    const VkBufferCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+        /* vkCmdFillBuffer() writes multiples of 4 bytes */
+        .size = is_host            ? plan->max_size
+                : plan->persistent ? (plan->size + 3) / 4 * 4
+                                   : plan->size,
+        .usage = plan->usage,
+    };
+    VkMemoryPropertyFlags wanted = plan->buffer->memory == RG_MEMORY_READBACK
+                                       ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
+                                       : VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    VkResult result = VK_SUCCESS;
+    for (uint32_t slot = 0; slot < exec->slot_count && result == VK_SUCCESS; slot++) {
+        struct exec_buffer *buffer = rg_exec_buffer(exec, index, slot);
+        const struct rg_exec_import *import;
+        if (is_host) {
+            result = rg_exec_make_host_buffer(exec, &info, wanted, place.name, slot, buffer);
+        } else if (slot > 0) {
+            *buffer = *rg_exec_buffer(exec, index, 0);
+        } else if (!rg_exec_is_external(exec, plan->imported)) {
+            result = make_device_buffer(exec, &info, &place, &buffer->buffer);
+            exec->has_content[exec->plan->image_count + index] = plan->persistent && exec->found;
+            if (result == VK_SUCCESS && rg_exec_is_structure(plan))
+                result = make_structure(exec, plan, buffer);
+        } else {
+            import = find_import(exec, plan->import, place.name);
+            buffer->buffer = import ? import->buffer : VK_NULL_HANDLE;
+            buffer->acceleration = import ? import->acceleration : VK_NULL_HANDLE;
+            result = import ? VK_SUCCESS : VK_ERROR_INITIALIZATION_FAILED;
+        }
+    }
+    return result;
+}
+
+VkResult rg_exec_make_memory(struct rg_exec *exec)
+{
+    VkResult result = make_blocks(exec);
+    for (uint32_t i = 0; i < exec->plan->image_count && result == VK_SUCCESS; i++)
+        result = find_images(exec, i);
+    for (uint32_t i = 0; i < exec->plan->buffer_count && result == VK_SUCCESS; i++)
+        result = find_buffers(exec, i);
+    return result;
+}
+
+VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block)
+{
+    return exec->blocks[block];
+}
+
+struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot)
+{
+    return &exec->buffers[(size_t)slot * exec->plan->buffer_count + buffer];
+}
+
+/* Flushes what the CPU wrote, or invalidates what it will read; coherent memory needs neither. */
+VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory memory)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < exec->plan->buffer_count; i++) {
+        const struct rg_buffer *declared = exec->plan->buffers[i].buffer;
+        const struct exec_buffer *buffer = rg_exec_buffer(exec, i, slot);
+        const VkMappedMemoryRange range = {
+            .sType = VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE,
+            .memory = buffer->host,
+            .size = VK_WHOLE_SIZE,
+        };
+        if (!buffer->host || buffer->coherent || declared->memory != memory)
+            continue;
+        if (memory == RG_MEMORY_UPLOAD)
+            RG_CALL(exec, declared->name, FlushMappedMemoryRanges, exec->device, 1, &range);
+        else
+            RG_CALL(exec, declared->name, InvalidateMappedMemoryRanges, exec->device, 1, &range);
+    }
+fail:
+    return result;
+}

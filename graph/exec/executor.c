@@ -1,0 +1,336 @@
+/* executor.c: creates, updates and destroys an executor; begins, submits and waits for frames. */
+#include "graph/exec/executor.h"
+#include <assert.h>
+#include <stdlib.h>
+
+/* Creates fences and command buffers, which are kept when the plan changes. */
+static VkResult make_slots(struct rg_exec *exec)
+{
+    VkResult result;
+    RG_MAKE_KEYED(exec, NULL, 1, COMMAND_POOL, CreateCommandPool, &exec->command_pool,
+                  &(VkCommandPoolCreateInfo){
+                      .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                      .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                      .queueFamilyIndex = exec->params.queue_family,
+                  });
+    for (uint32_t i = 0; i < exec->slot_count; i++) {
+        struct exec_slot *slot = &exec->slots[i];
+        slot->passes = NULL; /* they belonged to the previous plan */
+        RG_MAKE_KEYED(exec, NULL, i + 1, FENCE, CreateFence, &slot->fence,
+                      &(VkFenceCreateInfo){ .sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO });
+        if (exec->found)
+            continue;
+        RG_CALL(exec, NULL, AllocateCommandBuffers, exec->device,
+                &(VkCommandBufferAllocateInfo){
+                    .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                    .commandPool = exec->command_pool,
+                    .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                    .commandBufferCount = 1,
+                },
+                &slot->commands);
+    }
+fail:
+    return result;
+}
+
+static VkResult count_image_sets(struct rg_exec *exec)
+{
+    exec->image_set_count = 1;
+    for (size_t i = 0; i < exec->params.import_count; i++) {
+        uint32_t count = exec->params.imports[i].image_count;
+        if (count && exec->image_set_count > 1 && count != exec->image_set_count)
+            return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_import.image_count",
+                                 "imports, which differs between them");
+        if (count)
+            exec->image_set_count = count;
+    }
+    return VK_SUCCESS;
+}
+
+static VkResult make_arrays(struct rg_exec *exec)
+{
+    const struct rg_plan *plan = exec->plan;
+    size_t slot_count = exec->slot_count;
+    size_t barrier_count = (size_t)plan->barrier_count + plan->initial_barrier_count;
+    size_t resource_count = (size_t)plan->image_count + plan->buffer_count;
+    bool done = RG_MAKE_ARRAY(exec, exec->blocks, plan->block_count) &&
+                RG_MAKE_ARRAY(exec, exec->buffers, plan->buffer_count * slot_count) &&
+                RG_MAKE_ARRAY(exec, exec->fallbacks, plan->fallback_count) &&
+                RG_MAKE_ARRAY(exec, exec->has_content, resource_count) &&
+                RG_MAKE_ARRAY(exec, exec->passes, plan->pass_count) &&
+                RG_MAKE_KEYED_ARRAY(exec, 1, exec->slots, slot_count) &&
+                RG_MAKE_ARRAY(exec, exec->batch.images, barrier_count) &&
+                RG_MAKE_ARRAY(exec, exec->batch.buffers, barrier_count) &&
+                RG_MAKE_ARRAY(exec, exec->image_sets, exec->image_set_count);
+    for (uint32_t i = 0; done && i < exec->image_set_count; i++) {
+        struct exec_image_set *set = &exec->image_sets[i];
+        done = RG_MAKE_ARRAY(exec, set->images, plan->image_count) &&
+               RG_MAKE_ARRAY(exec, set->targets, plan->pass_count) &&
+               RG_MAKE_ARRAY(exec, set->descriptors, plan->pass_count);
+    }
+    exec->image_set = exec->image_sets;
+    return done ? VK_SUCCESS : VK_ERROR_OUT_OF_HOST_MEMORY;
+}
+
+static VkResult make_all(struct rg_exec *exec)
+{
+    VkResult (*const steps[])(struct rg_exec *) = {
+        rg_exec_check_features,   count_image_sets,       make_arrays,
+        rg_exec_make_memory,      rg_exec_make_fallbacks, rg_exec_make_targets,
+        rg_exec_make_descriptors, rg_exec_make_pipelines, make_slots,
+        rg_exec_make_time,        rg_exec_make_coverage,  rg_exec_make_warm_up,
+    };
+    VkResult result = VK_SUCCESS;
+    exec->vk.GetPhysicalDeviceMemoryProperties(exec->params.physical, &exec->memory_properties);
+    for (size_t i = 0; i < sizeof(steps) / sizeof(steps[0]) && result == VK_SUCCESS; i++)
+        result = steps[i](exec);
+    return result;
+}
+
+/* Returns a message if the parameters are invalid, otherwise NULL. */
+static const char *params_problem(const struct rg_exec_params *p)
+{
+    const VkSpecializationInfo *k = p->constants;
+    if (!p->plan || p->plan->fault_count || !p->get_proc_addr)
+        return "params without a plan free of faults, or without get_proc_addr";
+    if (p->set_count && !p->sets)
+        return "params with a set_count but no sets";
+    if (p->import_count && !p->imports)
+        return "params with an import_count but no imports";
+    for (size_t i = 0; i < p->import_count; i++) {
+        if (p->imports[i].image_count && !p->imports[i].images)
+            return "params with an import that has an image_count but no images";
+    }
+    if (k && ((k->mapEntryCount && !k->pMapEntries) || (k->dataSize && !k->pData)))
+        return "params with constants whose entries or data are NULL";
+    for (uint32_t i = 0; k && i < k->mapEntryCount; i++) {
+        const VkSpecializationMapEntry *entry = &k->pMapEntries[i];
+        if (entry->size > k->dataSize || entry->offset > k->dataSize - entry->size)
+            return "params with a constant that exceeds its data";
+    }
+    return NULL;
+}
+
+struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result)
+{
+    static const struct rg_exec_params none = { 0 };
+    params = params ? params : &none;
+    struct rg_exec start = {
+        .params = *params,
+        .plan = params->plan,
+        .device = params->device,
+        .slot_count = params->frames_in_flight ? params->frames_in_flight : 2,
+    };
+    start.slot = start.slot_count - 1;
+    if (params->warm_up_only)
+        start.params.import_count = 0;
+    const char *wrong = params_problem(&start.params);
+    const char *missing =
+        wrong ? NULL : rg_functions_find(&start.vk, params->get_proc_addr, params->instance);
+    VkResult outcome = wrong     ? VK_ERROR_INITIALIZATION_FAILED
+                       : missing ? VK_ERROR_INCOMPATIBLE_DRIVER
+                                 : VK_SUCCESS;
+    rg_exec_check(&start, outcome, wrong ? "rg_exec_create" : "vkGetInstanceProcAddr",
+                  wrong ? wrong : missing);
+    struct rg_exec *exec = outcome == VK_SUCCESS ? calloc(1, sizeof(*exec)) : NULL;
+    if (exec) {
+        *exec = start;
+        rg_exec_adopt_pipelines(exec);
+        outcome = make_all(exec);
+        rg_exec_free_former(exec);
+    } else if (outcome == VK_SUCCESS) {
+        outcome = rg_exec_check(&start, VK_ERROR_OUT_OF_HOST_MEMORY, "calloc", NULL);
+    }
+    if (result)
+        *result = outcome;
+    if (outcome == VK_SUCCESS)
+        return exec;
+    rg_exec_destroy(exec);
+    return NULL;
+}
+
+VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params)
+{
+    VkResult result = VK_SUCCESS;
+    for (uint32_t slot = 0; slot < exec->slot_count; slot++)
+        RG_TRY(rg_exec_wait(exec, slot));
+    const struct rg_exec former = *exec;
+    struct rg_exec next = {
+        .params = former.params,
+        .vk = former.vk,
+        .plan = params->plan,
+        .device = former.device,
+        .slot_count = former.slot_count,
+        .slot = former.slot,
+        .former = former.objects,
+    };
+    next.params.plan = params->plan;
+    next.params.imports = params->imports;
+    next.params.import_count = former.params.warm_up_only ? 0 : params->import_count;
+    next.params.max_anisotropy = params->max_anisotropy;
+    next.params.constants = params->constants;
+    next.params.replace_shader = params->replace_shader;
+    next.params.user = params->user;
+    const char *wrong = params_problem(&next.params);
+    if (wrong)
+        return rg_exec_check(exec, VK_ERROR_INITIALIZATION_FAILED, "rg_exec_update", wrong);
+    *exec = next;
+    RG_TRY(make_all(exec));
+    RG_TRY(rg_exec_keep_content(exec, &former));
+    rg_time_keep(exec, &former);
+    rg_exec_free_former(exec);
+fail:
+    return result;
+}
+
+static VkResult wait_fence(const struct rg_exec *exec, const struct exec_slot *slot)
+{
+    return exec->vk.WaitForFences(exec->device, 1, &slot->fence, VK_TRUE, UINT64_MAX);
+}
+
+void rg_exec_destroy(struct rg_exec *exec)
+{
+    if (!exec)
+        return;
+    for (uint32_t i = 0; exec->slots && i < exec->slot_count; i++) {
+        if (exec->slots[i].submitted) /* destroys even if the device is lost */
+            (void)wait_fence(exec, &exec->slots[i]);
+    }
+    rg_exec_free_objects(exec);
+    free(exec);
+}
+
+VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot)
+{
+    const uint64_t start = rg_time_now();
+    exec->slot = (exec->slot + 1) % exec->slot_count;
+    *slot = exec->slot;
+    VkResult result = rg_exec_wait(exec, exec->slot);
+    rg_time_begin(exec, start);
+    return result;
+}
+
+static VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, VkPipelineStageFlags2 stages)
+{
+    return (VkSemaphoreSubmitInfo){
+        .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+        .semaphore = semaphore,
+        .stageMask = stages ? stages : VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+    };
+}
+
+/* Returns the name of the pass if `count` is 1, otherwise NULL. */
+static const char *pass_name(const struct rg_exec *exec, uint32_t first, uint32_t count)
+{
+    return count == 1 ? exec->plan->passes[first].pass->name : NULL;
+}
+
+/* Records `count` passes from `first` on into the slot begun last, and submits them. */
+static VkResult submit(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
+                       uint32_t count)
+{
+    const struct rg_exec_external_sync *sync = &exec->external_sync;
+    VkResult result;
+    struct exec_slot *slot = &exec->slots[exec->slot];
+    const VkCommandBufferSubmitInfo commands = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+        .commandBuffer = slot->commands,
+    };
+    const VkSemaphoreSubmitInfo wait = semaphore_info(sync->wait, sync->wait_stages);
+    const VkSemaphoreSubmitInfo signal = semaphore_info(sync->signal, 0);
+    const bool is_last = first + count == exec->plan->pass_count;
+    const char *of = pass_name(exec, first, count);
+    const VkSubmitInfo2 info = {
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+        .waitSemaphoreInfoCount = first == 0 && sync->wait,
+        .pWaitSemaphoreInfos = &wait,
+        .commandBufferInfoCount = 1,
+        .pCommandBufferInfos = &commands,
+        .signalSemaphoreInfoCount = is_last && sync->signal,
+        .pSignalSemaphoreInfos = &signal,
+    };
+    const uint64_t start = rg_time_now();
+    RG_TRY(rg_exec_record(exec, frame, first, count));
+    RG_CALL(exec, of, ResetFences, exec->device, 1, &slot->fence);
+    const uint64_t recorded = rg_time_now();
+    RG_CALL(exec, of, QueueSubmit2, exec->params.queue, 1, &info, slot->fence);
+    slot->submitted = true;
+    slot->times.record += recorded - start;
+    slot->times.submit += rg_time_now() - recorded;
+fail:
+    return result;
+}
+
+/* Submits each pass separately and waits for it, to time passes with the host's clock. */
+static VkResult submit_alone(struct rg_exec *exec, const struct rg_frame *frame)
+{
+    VkResult result = VK_SUCCESS;
+    struct exec_slot *slot = &exec->slots[exec->slot];
+    uint64_t begin = 0;
+    for (uint32_t p = 0; p < exec->plan->pass_count; p++) {
+        RG_TRY(submit(exec, frame, p, 1));
+        const uint64_t submitted = rg_time_now();
+        RG_TRY(
+            rg_exec_check(exec, wait_fence(exec, slot), "vkWaitForFences", pass_name(exec, p, 1)));
+        slot->passes[p].begin = begin;
+        begin += slot->times.submit + rg_time_now() - submitted;
+        slot->passes[p].end = begin;
+        slot->times.submit = 0; /* already counted as time of the pass */
+    }
+fail:
+    return result;
+}
+
+VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame)
+{
+    return rg_exec_submit_synced(exec, frame, &(struct rg_exec_external_sync){ 0 });
+}
+
+VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *frame,
+                               const struct rg_exec_external_sync *sync)
+{
+    VkResult result;
+    assert(sync->image_index < exec->image_set_count);
+    exec->external_sync = *sync;
+    exec->image_set = &exec->image_sets[sync->image_index];
+    RG_TRY(rg_exec_sync_host(exec, exec->slot, RG_MEMORY_UPLOAD));
+    if (exec->slots[exec->slot].times.measure.clock == RG_CLOCK_SUBMITS)
+        RG_TRY(submit_alone(exec, frame));
+    else
+        RG_TRY(submit(exec, frame, 0, exec->plan->pass_count));
+    exec->filled = true;
+fail:
+    return result;
+}
+
+VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot)
+{
+    VkResult result;
+    const uint64_t start = rg_time_now();
+    if (!exec->slots[slot].submitted)
+        return VK_SUCCESS;
+    RG_TRY(rg_exec_check(exec, wait_fence(exec, &exec->slots[slot]), "vkWaitForFences", NULL));
+    exec->slots[slot].submitted = false;
+    RG_TRY(rg_exec_sync_host(exec, slot, RG_MEMORY_READBACK));
+    RG_TRY(rg_time_finish(exec, slot, start));
+fail:
+    return result;
+}
+
+void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot)
+{
+    for (uint32_t i = 0; i < exec->plan->buffer_count; i++) {
+        if (exec->plan->buffers[i].buffer == buffer)
+            return rg_exec_buffer(exec, i, slot)->mapped;
+    }
+    return NULL;
+}
+
+VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image)
+{
+    for (uint32_t i = 0; i < exec->plan->image_count; i++) {
+        if (exec->plan->images[i].image == image)
+            return exec->image_set->images[i];
+    }
+    return VK_NULL_HANDLE;
+}

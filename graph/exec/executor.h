@@ -1,0 +1,309 @@
+/* executor.h: data and functions shared by the executor's files. Private to graph/exec/. */
+#ifndef RG_EXEC_EXECUTOR_H
+#define RG_EXEC_EXECUTOR_H
+
+#include "graph/exec/vulkan_functions.h"
+#include "graph/rg_exec.h"
+#include "graph/rg_time.h"
+
+/* A buffer in one slot. Only buffers in host memory have a separate object per slot. */
+struct exec_buffer {
+    VkBuffer buffer;
+    /* acceleration structure in the buffer; null for other buffers */
+    VkAccelerationStructureKHR acceleration;
+    /* null for device memory, as are `mapped` and `coherent` */
+    VkDeviceMemory host;
+    void *mapped;
+    bool coherent; /* host-coherent memory, which needs no flush or invalidate */
+};
+
+enum {
+    /* maximum attachments of a pass: colours, depth, resolves */
+    RG_ATTACHMENT_COUNT = 2 * RG_COLOR_COUNT + 1
+};
+
+struct exec_targets {
+    VkImageView views[RG_ATTACHMENT_COUNT]; /* in the order of rg_exec_attachments() */
+    VkFramebuffer framebuffer;
+};
+
+/* Objects that depend on which image of a multi-image import (swapchain) a frame uses. One set per
+ * image index is created beforehand, so that a frame allocates nothing. */
+struct exec_image_set {
+    VkImage *images;               /* indexed by plan image */
+    struct exec_targets *targets;  /* indexed by pass */
+    VkDescriptorSet **descriptors; /* indexed by pass, then slot */
+};
+
+struct exec_pass {
+    VkDescriptorSetLayout set_layout; /* shared by a row's repetitions */
+    VkPipelineLayout layout;          /* shared by equal rows, as is `pipeline` */
+    VkPipeline pipeline;
+    /* this pass created the pipeline; neither another pass nor the previous plan had it */
+    bool first;
+    VkRenderPass render_pass;
+    uint32_t coverage; /* which parts of a region the pass draws (render_region.c) */
+};
+
+/* The placeholder image of a use that is bound to its fallback. */
+struct exec_fallback {
+    bool first; /* first use of a shared image */
+    struct rg_plan_image described;
+    VkImage image;
+    VkImageView view;
+};
+
+/* A descriptor of a pass: the use and what it binds. */
+struct exec_descriptor {
+    const struct rg_use *use;
+    VkDescriptorType type; /* VK_DESCRIPTOR_TYPE_MAX_ENUM: no descriptor */
+    uint32_t buffer;       /* index into the plan's buffers, or RG_NONE */
+    VkDescriptorImageInfo image;
+};
+
+/* Returns true if a buffer of a plan holds an acceleration structure. */
+static inline bool rg_exec_is_structure(const struct rg_plan_buffer *buffer)
+{
+    return buffer->usage & VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
+}
+
+struct exec_slot {
+    VkCommandBuffer commands;
+    VkFence fence;
+    bool submitted;
+    /* timings of the slot's current frame, incomplete until it is finished */
+    struct rg_times times;
+    /* times of passes in the slot's current frame; NULL: not measured */
+    struct rg_pass_time *passes;
+    uint32_t stamp_count; /* timestamps written in its current frame */
+};
+
+/* List of the objects that are freed with an executor. */
+struct exec_objects {
+    struct exec_object *entries;
+    uint32_t count, room;
+    uint32_t next; /* start of the next search */
+};
+
+/* Layout in which the previous plan left a persistent image that is kept. */
+struct exec_transition {
+    VkImage image;
+    VkImageSubresourceRange range;
+    VkImageLayout from;
+};
+
+/* Barriers recorded in one call: those of a pass that runs and of the skipped passes before it. */
+struct exec_batch {
+    VkImageMemoryBarrier2 *images; /* capacity for all barriers of the plan */
+    VkBufferMemoryBarrier2 *buffers;
+    uint32_t image_count, buffer_count;
+    VkMemoryBarrier2 all; /* union of the stages and accesses of all barriers */
+    bool is_merged;       /* contains barriers of several passes */
+};
+
+struct rg_exec {
+    struct rg_exec_params params;
+    struct rg_functions vk;
+    const struct rg_plan *plan;
+    VkDevice device;
+    struct exec_objects objects; /* of the current plan (object_cache.c) */
+    struct exec_objects former;  /* objects of previous plans, while a new plan is being created */
+
+    enum {
+        RG_NOT_FOUND,
+        RG_FOUND_HERE,   /* also used by the current plan */
+        RG_FOUND_FORMER, /* left by the previous plan */
+    } found;             /* where the object looked up last was found */
+
+    uint32_t slot_count, slot;                     /* `slot` is the one begun last */
+    uint32_t image_set_count;                      /* 1 unless imports have several images */
+    struct exec_image_set *image_sets, *image_set; /* all sets, and the current one */
+    VkPhysicalDeviceMemoryProperties memory_properties;
+    VkDeviceMemory *blocks;
+    struct exec_buffer *buffers;     /* indexed by slot, then plan buffer */
+    struct exec_fallback *fallbacks; /* indexed by the plan's fallbacks */
+    struct exec_pass *passes;
+    struct exec_descriptor *descriptors; /* scratch: descriptors of the pass being created */
+    VkDescriptorSetLayoutBinding *bindings;
+    VkCommandPool command_pool;
+    struct exec_slot *slots;
+    struct rg_exec_region region;               /* {0}: the whole view */
+    struct rg_exec_external_sync external_sync; /* of the frame submitted last */
+    struct exec_time *time;                     /* NULL if created without `measured` */
+    bool filled; /* the first frame has initialised persistent resources and placeholders */
+    /* of persistent images, then buffers: true if content of the previous plan is kept */
+    bool *has_content;
+    struct exec_transition *transitions;
+    uint32_t transition_count;
+    VkResult record_result;  /* error that a record function caused; the submit returns it */
+    bool has_indirect_count; /* the device has drawIndirectCount */
+    bool has_addresses;      /* the plan has buffers with device addresses */
+    VkBuffer triangle;       /* with `warm_up_only`: a zero-filled vertex and index buffer */
+    struct exec_batch batch;
+};
+
+/* The pass being recorded. */
+struct rg_cmd {
+    struct rg_exec *exec;
+    uint32_t index;
+    const struct rg_plan_pass *plan_pass;
+    const struct exec_pass *pass;
+    VkCommandBuffer commands;
+    VkRect2D area; /* render area of a raster pass */
+    bool warm_up;  /* each draw becomes one triangle that the empty scissor rejects */
+};
+
+/* ---- object_cache.c: error handling, and creation and caching of Vulkan objects ---- */
+
+/* Logs a failed call with the name of its object (NULL: the whole frame). Returns `result`. */
+VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
+                       const char *of);
+
+/* Calls a function that logs its own failure, and jumps to `fail` if it fails. Like the macros
+ * below, it needs a variable `result` and a label `fail`. */
+#define RG_TRY(call) \
+    do { \
+        result = (call); \
+        if (result != VK_SUCCESS) \
+            goto fail; \
+    } while (0)
+
+/* Calls a Vulkan function, logs a failure and jumps to `fail`. */
+#define RG_CALL(exec, of, function, ...) \
+    RG_TRY(rg_exec_check((exec), (exec)->vk.function(__VA_ARGS__), "vk" #function, (of)))
+
+#define RG_NO_KEY 0
+
+/* Hashes data into a cache key, which starts as RG_NO_KEY; the data must not contain padding. */
+uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
+
+/* Hashes a number, enum or handle into a cache key. */
+#define RG_KEY(key, value) \
+    ((key) = rg_exec_key((key), &(uint64_t){ (uint64_t)(value) }, sizeof(uint64_t)))
+
+/* Looks up an object by its key, or creates *handle by a Vulkan function and names it. The object
+ * is freed with the plan. */
+#define RG_MAKE_KEYED(exec, of, key, type, function, handle, ...) \
+    do { \
+        RG_TRY(rg_exec_reserve_object(exec)); \
+        if (rg_exec_find((exec), VK_OBJECT_TYPE_##type, (key), (handle), sizeof(*(handle)))) \
+            break; \
+        RG_CALL(exec, of, function, (exec)->device, __VA_ARGS__, NULL, handle); \
+        rg_exec_add_object((exec), VK_OBJECT_TYPE_##type, (key), (uint64_t) * (handle), (of)); \
+    } while (0)
+
+#define RG_MAKE(exec, of, type, function, handle, ...) \
+    RG_MAKE_KEYED(exec, of, RG_NO_KEY, type, function, handle, __VA_ARGS__)
+
+/* Creates a zeroed array that is freed with the plan; false if out of memory. With a key, it may
+ * return the previous plan's array with its content. */
+#define RG_MAKE_KEYED_ARRAY(exec, key, array, count) \
+    ((array) = rg_exec_make_array((exec), (key), (count), sizeof(*(array))), (array) != NULL)
+#define RG_MAKE_ARRAY(exec, array, count) RG_MAKE_KEYED_ARRAY(exec, RG_NO_KEY, array, count)
+
+void *rg_exec_make_array(struct rg_exec *exec, uint64_t key, size_t count, size_t size);
+VkResult
+rg_exec_reserve_object(struct rg_exec *exec); /* ensures a free entry in the list of objects */
+bool rg_exec_find(struct rg_exec *exec, VkObjectType type, uint64_t key, void *handle, size_t size);
+void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t key, uint64_t handle,
+                        const char *name);
+/* Frees objects of the previous plan that this plan does not use, except pipelines, which are kept
+ * for one more plan, since programs often switch back and forth. */
+void rg_exec_free_former(struct rg_exec *exec);
+/* Makes rg_exec_params.pipelines available as if the pipelines were of a previous plan. */
+void rg_exec_adopt_pipelines(struct rg_exec *exec);
+/* Frees all objects, except pipelines that go to rg_exec_params.pipelines. */
+void rg_exec_free_objects(struct rg_exec *exec);
+
+/* ---- the other files, in the order in which an executor is created ---- */
+
+/* device_memory.c */
+VkResult rg_exec_make_memory(struct rg_exec *exec);
+/* Creates an image and binds its memory. `salt` distinguishes images of equal name. */
+VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan, uint64_t salt,
+                            VkImage *image);
+VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
+                           VkImageViewType type, const VkImageSubresourceRange *range,
+                           VkImageView *view);
+/* Creates a slot's buffer in host memory. `wanted` are optional properties of its memory. */
+VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
+                                  VkMemoryPropertyFlags wanted, const char *name, uint32_t slot,
+                                  struct exec_buffer *buffer);
+/* Returns true for a program's own object, whose handle is no cache key: it may be reused. */
+bool rg_exec_is_external(const struct rg_exec *exec, bool imported);
+VkImageSubresourceRange rg_exec_whole(const struct rg_plan_image *image);
+struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);
+VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory memory);
+
+/* placeholder_images.c */
+VkResult rg_exec_make_fallbacks(struct rg_exec *exec);
+void rg_exec_record_fallbacks(struct rg_exec *exec, VkCommandBuffer commands);
+
+/* attachments.c: views of attachments, and VkRenderPass objects if requested */
+VkResult rg_exec_make_targets(struct rg_exec *exec);
+/* Lists the attachments of a pass: colours, depth, then resolve targets. Returns their number. */
+uint32_t rg_exec_attachments(const struct rg_plan_pass *pass,
+                             struct rg_plan_target attachments[RG_ATTACHMENT_COUNT]);
+VkSampleCountFlagBits rg_exec_samples(const struct rg_exec *exec, const struct rg_plan_pass *pass);
+
+/* descriptors.c */
+VkResult rg_exec_make_descriptors(struct rg_exec *exec);
+
+/* pipelines.c */
+VkResult rg_exec_make_pipelines(struct rg_exec *exec);
+VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
+/* Returns the code of a shader, or of the one that replaces it. */
+const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg_shader *shader);
+
+/* pass_timing.c */
+VkResult rg_exec_make_time(struct rg_exec *exec);
+void rg_time_keep(struct rg_exec *exec, const struct rg_exec *former); /* keeps rg_measure */
+uint64_t rg_time_now(void); /* nanoseconds of CLOCK_MONOTONIC */
+void rg_time_begin(struct rg_exec *exec, uint64_t start);
+void rg_time_begin_frame(struct rg_exec *exec, VkCommandBuffer commands);
+void rg_time_begin_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass);
+void rg_time_end_pass(struct rg_exec *exec, VkCommandBuffer commands, uint32_t pass, bool drawn);
+VkResult rg_time_finish(struct rg_exec *exec, uint32_t index, uint64_t wait_start);
+
+/* render_region.c */
+VkResult rg_exec_make_coverage(struct rg_exec *exec);
+/* Returns true if the current region restricts what a pass draws or copies. */
+bool rg_exec_is_limited(const struct rg_cmd *cmd);
+VkRect2D rg_exec_area(const struct rg_cmd *cmd); /* render area of a pass within the region */
+VkRect2D rg_exec_intersect(VkRect2D inner, VkRect2D outer); /* intersection */
+
+/* pipeline_warm_up.c: buffer of the triangle that an executor created with `warm_up_only` draws */
+VkResult rg_exec_make_warm_up(struct rg_exec *exec);
+
+/* check_features.c: checks that the device has the features that the plan needs */
+VkResult rg_exec_check_features(struct rg_exec *exec);
+
+/* initial_content.c: initialisation before the first frame of a plan */
+/* Finds the persistent resources that keep the content of the previous plan. */
+VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former);
+void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands);
+/* Records a layout transition that synchronises with all commands before and after. */
+void rg_exec_record_transition(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
+                               const VkImageSubresourceRange *range, VkImageLayout from,
+                               VkImageLayout to);
+/* Clears a new image and leaves it in TRANSFER_DST_OPTIMAL; depth is cleared to the first float. */
+void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
+                                const VkImageSubresourceRange *range,
+                                const VkClearColorValue *color);
+
+/* barrier_batch.c: merges barriers of skipped passes */
+/* Adds barriers of the plan to the pending batch. */
+void rg_exec_add_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
+                       uint32_t count);
+/* Records the pending barriers. */
+void rg_exec_record_batch(struct rg_exec *exec, VkCommandBuffer commands);
+
+/* record_commands.c */
+extern const VkCommandBufferBeginInfo rg_exec_commands_once; /* for one-time submission */
+/* Records passes `first` to `first + count - 1`; after the last pass also the final barriers. */
+VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
+                        uint32_t count);
+/* Records the work of a pass between its barriers. */
+void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame);
+
+#endif

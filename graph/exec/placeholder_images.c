@@ -1,0 +1,104 @@
+/*
+ * placeholder_images.c: creates the 1x1 placeholder images of uses that are bound to their
+ * fallback.
+ *
+ * Each has the format and view type of the image that nothing provides. It is cleared before the
+ * first frame and only sampled from then on.
+ */
+#include "graph/exec/executor.h"
+
+static bool is_cube(const struct rg_use *use)
+{
+    const struct rg_range *range = &use->range;
+    uint32_t layers = use->image->layers ? use->image->layers : 6;
+    uint32_t named = range->layer_count ? range->layer_count : layers - range->layer;
+    return use->image->cube && !range->each && named == 6;
+}
+
+static bool has_same_placeholder(const struct rg_use *a, const struct rg_use *b)
+{
+    return a->image == b->image && a->fallback == b->fallback &&
+           a->range.aspect == b->range.aspect && is_cube(a) == is_cube(b);
+}
+
+static VkResult make_fallback(struct rg_exec *exec, const struct rg_use *use,
+                              struct exec_fallback *fallback)
+{
+    const struct rg_format_info *format = rg_format_info(use->image->format);
+    bool cube = is_cube(use);
+    bool array = use->image->layers > 1 || use->image->cube || use->image->array;
+    VkResult result;
+    fallback->described = (struct rg_plan_image){
+        .image = use->image,
+        .extent = { 1, 1 },
+        .depth = 1,
+        .layers = cube ? 6 : 1,
+        .mips = 1,
+        .aspects = format->aspects,
+        .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+        .flags = cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0,
+        .samples = 1,
+        .block = RG_NONE,
+    };
+    VkImageSubresourceRange subresource = rg_exec_whole(&fallback->described);
+    if (use->range.aspect)
+        subresource.aspectMask = use->range.aspect;
+    uint64_t salt = rg_exec_key(RG_NO_KEY, use->fallback, sizeof(*use->fallback));
+    RG_KEY(salt, use->range.aspect);
+    RG_TRY(rg_exec_make_image(exec, &fallback->described, salt, &fallback->image));
+    RG_TRY(rg_exec_make_view(exec, &fallback->described, fallback->image,
+                             use->image->depth ? VK_IMAGE_VIEW_TYPE_3D
+                             : cube            ? VK_IMAGE_VIEW_TYPE_CUBE
+                             : array           ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
+                                               : VK_IMAGE_VIEW_TYPE_2D,
+                             &subresource, &fallback->view));
+fail:
+    return result;
+}
+
+VkResult rg_exec_make_fallbacks(struct rg_exec *exec)
+{
+    const struct rg_use *const *uses = exec->plan->fallbacks;
+    VkResult result = VK_SUCCESS;
+    for (uint32_t i = 0; i < exec->plan->fallback_count && result == VK_SUCCESS; i++) {
+        uint32_t same = 0;
+        while (!has_same_placeholder(uses[same], uses[i]))
+            same++;
+        exec->fallbacks[i] = exec->fallbacks[same];
+        exec->fallbacks[i].first = same == i;
+        if (same == i)
+            result = make_fallback(exec, uses[i], &exec->fallbacks[i]);
+    }
+    return result;
+}
+
+static VkClearColorValue color_of(const struct rg_use *use)
+{
+    const float *color = use->fallback->color;
+    const struct rg_format_info *format = rg_format_info(use->image->format);
+    VkClearColorValue value;
+    for (uint32_t i = 0; i < 4; i++) {
+        if (format->is_uint)
+            value.uint32[i] = (uint32_t)color[i];
+        else if (format->is_sint)
+            value.int32[i] = (int32_t)color[i];
+        else
+            value.float32[i] = color[i];
+    }
+    return value;
+}
+
+void rg_exec_record_fallbacks(struct rg_exec *exec, VkCommandBuffer commands)
+{
+    for (uint32_t i = 0; i < exec->plan->fallback_count; i++) {
+        const struct exec_fallback *fallback = &exec->fallbacks[i];
+        const VkImageSubresourceRange all = rg_exec_whole(&fallback->described);
+        const VkClearColorValue color = color_of(exec->plan->fallbacks[i]);
+        if (!fallback->first)
+            continue;
+        rg_exec_record_clear_image(exec, commands, fallback->image, &all, &color);
+        rg_exec_record_transition(exec, commands, fallback->image, &all,
+                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    }
+}

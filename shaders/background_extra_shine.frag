@@ -1,5 +1,0 @@
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#define BACKGROUND_EXTRA
-#define BACKGROUND_SHINE
-#include "background_materials.glsl"

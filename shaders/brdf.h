@@ -1,0 +1,151 @@
+/*
+ * brdf.h: BRDF of opaque surfaces, shared by shaders and the CPU reference.
+ *
+ * GGX microfacets (Trowbridge and Reitz 1975) on a diffuse base, as in glTF 2.0, appendix B. Light
+ * is given as the radiance of a white diffuse surface. Environment light is prefiltered (Karis
+ * 2013, "split sum"), with compensation for multiple scattering (Fdez-Aguera 2019).
+ */
+#ifndef SHADERS_BRDF_H
+#define SHADERS_BRDF_H
+#include "abi_math.h"
+
+/* The prefiltered environment, an array of equirectangular images: the first layers are specular,
+ * for roughness 1/7 to 1; the last one is diffuse irradiance. */
+#define LIT_WIDTH         128
+#define LIT_HEIGHT        64
+#define LIT_ROUGH_LAYERS  7
+#define LIT_DIFFUSE_LAYER 7
+#define LIT_LAYERS        8
+
+/* Directional albedo table of the split-sum approximation: factors of f0 and f90. Rows have equal
+ * roughness, 0 to 1; columns are square roots of cosines, 0 to 1. */
+#define LIT_SPLIT_SIDE 16
+
+#define LIT_LIGHT_SPREAD 0.001f /* lobe width for punctual lights: mirrors stay finite */
+#define LIT_SUN_SPREAD   0.065f /* specular lobe width for the built-in sky's sun */
+
+/* Texture of the punctual lights in scene files, one row per light, four floats per texel; written
+ * by src/scene/punctual_light.c. */
+#define LIT_LIGHT_POSITION  0 /* world, metres; w: 1, or 0 for directional lights */
+#define LIT_LIGHT_DIRECTION 1 /* unit; w: range in metres, 0 if unlimited */
+#define LIT_LIGHT_COLOR     2 /* illuminance in lux or intensity in candela */
+#define LIT_LIGHT_CONE      3 /* cosines of the inner and outer cone angles */
+#define LIT_LIGHT_WIDTH     4
+
+struct lit_surface {
+    vec3s diffuse;   /* albedo of the diffuse base */
+    vec3s f0;        /* reflectance at normal incidence */
+    float f90;       /* reflectance at grazing incidence */
+    float roughness; /* perceptual roughness; its square is GGX's alpha */
+};
+
+/* Returns the BRDF of KHR_materials_specular: a dielectric with `dielectric_f0`, or a metal. */
+ABI_FUNCTION ABI_STRUCT(lit_surface) lit_surface_of(vec3s albedo, float metallic, float roughness,
+                                                    vec3s dielectric_f0, float specular)
+{
+    vec3s one = ABI_VEC3(1.0f, 1.0f, 1.0f);
+    ABI_STRUCT(lit_surface) s;
+    s.diffuse = glms_vec3_scale(albedo, 1.0f - metallic);
+    s.f0 = glms_vec3_lerp(glms_vec3_scale(glms_vec3_minv(dielectric_f0, one), specular), albedo,
+                          metallic);
+    s.f90 = specular + (1.0f - specular) * metallic;
+    s.roughness = roughness;
+    return s;
+}
+
+/* Returns texel coordinates in the table of LIT_SPLIT_SIDE by LIT_SPLIT_SIDE entries, relative to
+ * the first texel's centre. `n_dot_v` is the cosine between normal and view direction. */
+ABI_FUNCTION vec2s lit_split_at(float roughness, float n_dot_v)
+{
+    float last = LIT_SPLIT_SIDE - 1.0f;
+    return ABI_VEC2(sqrtf(glm_clamp(n_dot_v, 0.0f, 1.0f)) * last,
+                    glm_clamp(roughness, 0.0f, 1.0f) * last);
+}
+
+/* Factors of a surface on environment light: `glossy` on the prefiltered specular radiance, `matt`
+ * on the radiance of a white diffuse surface. */
+struct lit_environment_factors {
+    vec3s glossy, matt;
+};
+
+/* Returns the environment factors of a surface; `split` is its entry in the table. */
+ABI_FUNCTION ABI_STRUCT(lit_environment_factors)
+    lit_environment_factors_of(ABI_STRUCT(lit_surface) s, vec2s split)
+{
+    vec3s one = ABI_VEC3(1.0f, 1.0f, 1.0f);
+    vec3s f90 = glms_vec3_scale(one, s.f90);
+    float missing = 1.0f - split.x - split.y;
+    vec3s once = glms_vec3_add(glms_vec3_scale(s.f0, split.x), glms_vec3_scale(f90, split.y));
+    vec3s mean = glms_vec3_lerp(s.f0, f90, 1.0f / 21.0f);
+    vec3s again = glms_vec3_scale(mean, missing);
+    vec3s more = glms_vec3_div(glms_vec3_mul(once, again), glms_vec3_sub(one, again));
+    float kept = 1.0f - glms_vec3_max(glms_vec3_add(once, more));
+    ABI_STRUCT(lit_environment_factors) shares;
+    shares.glossy = once;
+    shares.matt = glms_vec3_add(more, glms_vec3_scale(s.diffuse, kept));
+    return shares;
+}
+
+/* Returns a surface's radiance in an environment. `split` is its table entry, `glossy` and `matt`
+ * the prefiltered specular and diffuse light. */
+ABI_FUNCTION vec3s lit_by_environment(ABI_STRUCT(lit_surface) s, vec2s split, vec3s glossy,
+                                      vec3s matt)
+{
+    ABI_STRUCT(lit_environment_factors) shares = lit_environment_factors_of(s, split);
+    return glms_vec3_add(glms_vec3_mul(shares.glossy, glossy), glms_vec3_mul(shares.matt, matt));
+}
+
+/* Returns the ratio of a surface's Fresnel reflectance in a medium to that in air. `f0`:
+ * reflectance at normal incidence in air; `ior`: of the medium, relative to air. */
+ABI_FUNCTION float lit_reflectance_in_medium(float f0, float ior)
+{
+    float root = sqrtf(glm_clamp(f0, 1e-6f, 0.99f));
+    float own = (1.0f + root) / (1.0f - root);
+    float in_medium = (own - ior) / (own + ior);
+    return fminf(in_medium * in_medium / (root * root), 1.0f);
+}
+
+/* Returns a surface's radiance by light from direction `l`, whose strength is the radiance of a
+ * white diffuse surface that faces it. `n`, `v` (towards the viewer) and `l` are unit; `base` is
+ * the normal of the diffuse base, which differs from `n` below a water layer
+ * (MATERIAL_IS_WATER_LAYER). GGX's alpha is at least `spread`, half the light's angular radius. */
+ABI_FUNCTION vec3s lit_by_light_on(ABI_STRUCT(lit_surface) s, vec3s n, vec3s base, vec3s v, vec3s l,
+                                   float spread)
+{
+    float n_dot_l = glms_vec3_dot(n, l);
+    if (n_dot_l <= 0.0f)
+        return ABI_VEC3(0.0f, 0.0f, 0.0f);
+    float n_dot_v = fmaxf(glms_vec3_dot(n, v), 1e-4f);
+    vec3s h = glms_vec3_normalize(glms_vec3_add(v, l));
+    float n_dot_h = glms_vec3_dot(n, h);
+    float grazing = powf(1.0f - glm_clamp(glms_vec3_dot(v, h), 0.0f, 1.0f), 5.0f);
+    float width = fmaxf(s.roughness * s.roughness, spread);
+    float square = width * width;
+    float d = n_dot_h * n_dot_h * (square - 1.0f) + 1.0f;
+    float distribution = square / (d * d); /* GGX normal distribution, times pi */
+    float visibility = 0.5f / (n_dot_l * sqrtf(n_dot_v * n_dot_v * (1.0f - square) + square) +
+                               n_dot_v * sqrtf(n_dot_l * n_dot_l * (1.0f - square) + square));
+    vec3s f90 = ABI_VEC3(s.f90, s.f90, s.f90);
+    vec3s fresnel = glms_vec3_lerp(s.f0, f90, grazing);
+    vec3s matt = glms_vec3_scale(s.diffuse, 1.0f - glms_vec3_max(fresnel));
+    vec3s glossy = glms_vec3_scale(fresnel, distribution * visibility * n_dot_l);
+    return glms_vec3_add(glms_vec3_scale(matt, fmaxf(glms_vec3_dot(base, l), 0.0f)), glossy);
+}
+
+/* Returns a surface's radiance by light from `l`, without a water layer. */
+ABI_FUNCTION vec3s lit_by_light(ABI_STRUCT(lit_surface) s, vec3s n, vec3s v, vec3s l, float spread)
+{
+    return lit_by_light_on(s, n, n, v, l, spread);
+}
+
+/* Returns the attenuation of a punctual light at a distance in metres, by KHR_lights_punctual:
+ * inverse square, range and cone. `c` is the cosine between the light's axis and the ray. */
+ABI_FUNCTION float lit_attenuation(float distance, float range, float c, vec2s cone)
+{
+    float near = range > 0.0f ? distance / range : 0.0f;
+    float window = glm_clamp(1.0f - near * near * near * near, 0.0f, 1.0f);
+    float edge = glm_clamp((c - cone.y) / (cone.x - cone.y), 0.0f, 1.0f);
+    return window * edge * edge / fmaxf(distance * distance, 1e-8f);
+}
+
+#endif

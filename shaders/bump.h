@@ -1,8 +1,0 @@
-/* bump.h: binding of the ice's bump map, shared by C and bump*.glsl. */
-#ifndef SHADERS_BUMP_H
-#define SHADERS_BUMP_H
-
-/* rg: slopes along u and v; b: smoothness; a: thickness of the frost layer */
-#define BUMP_MAP 14
-
-#endif

@@ -1,0 +1,29 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "ice/ice_depth.h"
+#include "lib/fitted_depth.glsl"
+#include "lib/primary_ray.glsl"
+
+layout(set = 0, binding = ICE_DEPTH_FRONT) uniform sampler2D front;
+layout(set = 0, binding = ICE_DEPTH_BACK) uniform sampler2D back;
+
+layout(location = 0) out vec4 layers; /* metres: depth of front and back, thickness */
+
+/* Returns the ratio of distance along this pixel's ray to view-space depth. */
+float slant()
+{
+    return primary_ray_slant(
+        primary_ray(gl_FragCoord.xy / vec2(textureSize(front, 0)) * 2.0 - 1.0));
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float depth_front = texelFetch(front, pixel, 0).r;
+    float depth_back = texelFetch(back, pixel, 0).r;
+    if (depth_back == 0.0)
+        discard;
+    layers.x = depth_front == 1.0 ? 0.0 : fitted_view_depth(depth_front);
+    layers.y = fitted_view_depth(depth_back);
+    layers.z = max(layers.y - layers.x, 0.0) * slant();
+}

@@ -1,0 +1,16 @@
+/* ice_front.frag: G-buffer of the ice's front faces; bump-mapped shading normals with REFRACT_BUMP.
+ */
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "refract/refract_front_face.glsl"
+
+layout(location = 0) out vec4 front; /* xyz: outward unit normal, world; w: 1 */
+layout(location = 1) out float depth;
+layout(location = 2) out vec4 shading; /* xyz: shading normal, world; w: Fresnel reflectance */
+
+void main()
+{
+    front = vec4(normalize(normal), 1.0);
+    depth = gl_FragCoord.z;
+    shading = vec4(refract_front_normal(), fresnel_paper);
+}

@@ -1,0 +1,35 @@
+/* ice_material.glsl: surface parameters of textured ice in the G-buffer pass; uses the first uv
+ * set. */
+#ifndef ICE_MATERIAL_GLSL
+#define ICE_MATERIAL_GLSL
+#include "ice/ice_material.h"
+#include "lib/brdf_shading.glsl"
+#include "lib/primary_ray.glsl"
+#include "lighting/bump_normal.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    ice_material_push push;
+};
+
+layout(location = ICE_MATERIAL_EYE_TO_POINT) in vec3 eye_to_point;
+layout(location = ICE_MATERIAL_NORMAL) in vec3 normal;
+layout(location = ICE_MATERIAL_FRESNEL) in float fresnel_paper; /* eq. 4, per vertex */
+layout(location = ICE_MATERIAL_COLOR) in vec3 color;
+layout(location = ICE_MATERIAL_UV) in vec2 uv;
+
+/* Returns the textured surface parameters; `bent` becomes the normal-mapped outward normal. */
+object_material ice_material_at(out vec3 bent)
+{
+    vec3 base = lit_texel(textures, push.row, MATERIAL_USE_BASE_COLOR, uv, 1.0).rgb;
+    float rough = lit_texel(numbers, push.row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, 1.0).g;
+    float through = lit_texel(numbers, push.row, MATERIAL_USE_TRANSMISSION, uv, 1.0).r;
+    vec4 texel = lit_texel(numbers, push.row, MATERIAL_USE_NORMAL, uv, 1.0);
+    vec4 scales = material_texel(push.row, MATERIAL_ROW_SCALES);
+    bent = normalize(normal);
+    if (texel != vec4(1.0))
+        bent = normal_map_by_derivatives(bent, texel.rgb, scales.xy, eye_to_point, uv);
+    return object_material_of(push.own, base, rough, through);
+}
+
+#endif

@@ -1,0 +1,21 @@
+/* ice_material.h: varyings and push constants of the pass that draws textured ice (ice_normal.c).
+ */
+#ifndef SHADERS_ICE_ICE_MATERIAL_H
+#define SHADERS_ICE_ICE_MATERIAL_H
+#include "object_material.h"
+
+/* Varyings written by ice_material.vert. */
+#define ICE_MATERIAL_EYE_TO_POINT 0
+#define ICE_MATERIAL_NORMAL       1
+#define ICE_MATERIAL_FRESNEL      2 /* Fresnel reflectance by eq. 4 */
+#define ICE_MATERIAL_COLOR        3
+#define ICE_MATERIAL_UV           4
+
+/* Material parameters of an object before texturing. */
+struct ice_material_push {
+    ABI_STRUCT(object_material) own;
+    uint32_t row;   /* row in the material texture */
+    uint32_t layer; /* texture layer of the base colour + 1, as in the vertices */
+};
+
+#endif

@@ -1,0 +1,39 @@
+/* cracks.h: bindings, varyings and push constants of cracks.c and cracks*.{glsl,vert,frag}. */
+#ifndef SHADERS_INCLUSIONS_CRACKS_H
+#define SHADERS_INCLUSIONS_CRACKS_H
+#include "abi.h"
+
+/* Bindings of crack passes. FRONT and BACK clip to a convex object, NEAR and FAR to intervals. */
+#define CRACKS_FRONT    1
+#define CRACKS_BACK     2
+#define CRACKS_NEAR     3
+#define CRACKS_FAR      4
+#define CRACKS_ENV_CUBE 5 /* used with cracks.refract=gap */
+
+/* Outputs of the vertex shader, in object space. */
+#define CRACKS_POSITION     0 /* divided by the radius of the object's bounding sphere */
+#define CRACKS_NORMAL       1
+#define CRACKS_EYE_TO_POINT 2
+#define CRACKS_OPEN         3 /* CRACKS_SQUARED_GAP the vertex */
+/* array; xyz: from the camera to a light; w: strength of its highlight */
+#define CRACKS_LIGHTS  4
+#define CRACKS_SHADING 8 /* struct cracks_shading */
+
+/* Reflectance along the straight ray above which a gap hides weaker gaps in cracks.hits. */
+#define CRACKS_HIT_REFLECTANCE 0.2f
+
+#define CRACKS_MAX 64 /* maximum of cracks.count */
+
+/* Squared gap width at a vertex, relative to cracks_shading.gap. Interpolated from the middle to
+ * the rim, its root is the elliptic opening profile of a crack under tension (Sneddon 1946). */
+#define CRACKS_SQUARED_GAP(color) ((color).r)
+
+struct cracks_shading {
+    float strength;   /* factor on the highlights */
+    float shininess;  /* Blinn-Phong exponent */
+    float bump;       /* slope of the bump noise; 0 for smooth */
+    float gap;        /* width of the gap in the middle of a crack, micrometres */
+    uint32_t surface; /* 1 to draw cracks in flat opaque red */
+};
+
+#endif

@@ -1,0 +1,41 @@
+/*
+ * cracks_clip.glsl: crack_is_inside(), which confines cracks to the ice, by one of three methods.
+ *
+ * CRACKS_CONVEX: between the nearest front face and the farthest back face. The depth test rejects
+ * fragments behind the latter, or this code does with CRACKS_BEFORE_BACK. CRACKS_INTERVAL: in the
+ * intervals in which a pixel's ray is inside the ice. CRACKS_UNCLIPPED: everywhere.
+ */
+#include "inclusions/cracks.h"
+#if defined CRACKS_CONVEX
+
+layout(set = 0, binding = CRACKS_FRONT) uniform sampler2D front;
+#ifdef CRACKS_BEFORE_BACK
+layout(set = 0, binding = CRACKS_BACK) uniform sampler2D back;
+#endif
+
+bool crack_is_inside()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float depth = gl_FragCoord.z;
+#ifdef CRACKS_BEFORE_BACK
+    if (depth > texelFetch(back, pixel, 0).r)
+        return false;
+#endif
+    return texelFetch(front, pixel, 0).r <= depth;
+}
+#elif defined CRACKS_INTERVAL
+#include "ice/ice_interval.glsl"
+
+layout(set = 0, binding = CRACKS_NEAR) uniform sampler2DArray near;
+layout(set = 0, binding = CRACKS_FAR) uniform sampler2DArray far;
+
+bool crack_is_inside()
+{
+    return ice_interval_contains(near, far, gl_FragCoord.z);
+}
+#else
+bool crack_is_inside()
+{
+    return true;
+}
+#endif

@@ -1,0 +1,19 @@
+/* cracks_color.frag: main() of highlights on cracks; clipping defines crack_is_inside(). */
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "inclusions/cracks.glsl"
+#include "inclusions/cracks_clip.glsl"
+
+layout(location = 0) out vec4 color; /* premultiplied alpha */
+
+void main()
+{
+    if (!crack_is_inside())
+        discard;
+    if (shading.surface != 0u) {
+        color = crack_red;
+        return;
+    }
+    float shine = crack_highlight(crack_here());
+    color = vec4(vec3(shine), min(shine, 1.0));
+}

@@ -1,0 +1,15 @@
+/* cracks_normal.frag: main() of cracks' normals; clipping defines crack_is_inside(). */
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "inclusions/cracks.glsl"
+#include "inclusions/cracks_clip.glsl"
+
+layout(location = 0) out vec4
+    out_normal; /* points away from the camera, like normals of the ice's back faces */
+
+void main()
+{
+    if (!crack_is_inside())
+        discard;
+    out_normal = vec4(pose_object_normal(-crack_here().n), 1.0);
+}

@@ -1,0 +1,45 @@
+/*
+ * medium.h: density field of cloudy ice, a scattering medium of microscopic bubbles.
+ *
+ * Ice freezes from its surface inwards and pushes dissolved air ahead: the rim is clear, and what
+ * freezes last is white. The density depends on the depth below the surface relative to the maximum
+ * depth in the object; it is stored in 3D grids of MEDIUM_SIZE texels a side
+ * (src/scene/scattering_media.h).
+ */
+#ifndef SHADERS_INCLUSIONS_MEDIUM_H
+#define SHADERS_INCLUSIONS_MEDIUM_H
+#include "abi.h"
+#include "abi_math.h"
+
+#define MEDIUM_SIZE 64
+
+/* Binding of the density grids, MEDIUM_SIZE array layers each. A texel holds the density of its own
+ * layer and of the next one, so that one bilinear lookup gives both for interpolation along z. */
+#define MEDIUM_TEXELS 16
+#define MEDIUM_AROUND 17 /* binding of LIT_ENVIRONMENT_BINDING in refract_in_scatter.glsl */
+
+#define MEDIUM_RIM        0.18f /* relative depth down to which the ice is clear */
+#define MEDIUM_VEIL       0.42f /* relative depth at which the thin veil reaches its full density */
+#define MEDIUM_CORE_BEGIN 0.55f /* relative depth at which the white core begins */
+#define MEDIUM_CORE_FULL  0.9f  /* relative depth at which the core reaches its full density */
+
+#define MEDIUM_VEIL_DENSITY 0.25f /* density of the veil relative to the core's */
+
+/* Density field of one object and its bounds, in object space. */
+struct medium_field {
+    vec3s min_corner;       /* minimum corner of the grid's box */
+    float extinction;       /* extinction coefficient at the maximum density, 1 / metre */
+    vec3s texels_per_metre; /* texels per metre along each axis */
+    float first_layer;
+    vec3s from, to; /* box of the non-zero densities, inside the grid's box */
+};
+
+/* Returns the density relative to its maximum at a relative depth from 0 to 1. */
+ABI_FUNCTION float medium_relative_density(float depth)
+{
+    float core = glm_smoothstep(MEDIUM_CORE_BEGIN, MEDIUM_CORE_FULL, depth);
+    return glm_smoothstep(MEDIUM_RIM, MEDIUM_VEIL, depth) *
+           (MEDIUM_VEIL_DENSITY + (1.0f - MEDIUM_VEIL_DENSITY) * core);
+}
+
+#endif

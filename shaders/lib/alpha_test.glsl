@@ -1,0 +1,25 @@
+/* alpha_test.glsl: alpha test and stochastic transparency of surfaces with materials. */
+#ifndef ALPHA_TEST_GLSL
+#define ALPHA_TEST_GLSL
+#include "lib/globals.glsl"
+#include "lib/specialization_constants.glsl"
+#include "material_layout.h"
+
+/* Returns true if a blended surface is skipped in this sample; a fraction alpha of a pixel's
+ * samples keep it (Enderton et al. 2010, "Stochastic transparency"). */
+bool is_alpha_skipped(float alpha, uint row)
+{
+    float of_pixel = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float of_row = 0.7548777 * float(row);
+    return alpha <= fract(of_pixel + of_row + frame.sample_random);
+}
+
+bool is_hole(float alpha, float kind, float cutoff, uint row)
+{
+    if ((constant_textured & CONSTANT_TEXTURED_HOLES) == 0u)
+        return false;
+    if (kind == float(MATERIAL_KIND_CUTOUT))
+        return alpha < cutoff;
+    return kind == float(MATERIAL_KIND_BLENDED) && is_alpha_skipped(alpha, row);
+}
+#endif

@@ -1,0 +1,24 @@
+/*
+ * box_projection.glsl: box-projected cube map lookup, for rays that start off the capture point.
+ *
+ * ARM 2014, Guide to Unity (ARM 100140), 6.4: the lookup direction goes from the capture point to
+ * the ray's intersection with the box. Exact for surroundings on the box's sides.
+ */
+#ifndef BOX_PROJECTION_GLSL
+#define BOX_PROJECTION_GLSL
+
+/* Returns the lookup direction. `dir` may have any length. Returns `dir`, as for an infinitely far
+ * environment, if the point is outside, the box is inverted or the length is 0. */
+vec3 box_projection_dir(vec3 point, vec3 dir, vec3 low, vec3 high, vec3 captured)
+{
+    bool inside = all(greaterThanEqual(point, low)) && all(lessThanEqual(point, high));
+    bvec3 flat_dir = equal(dir, vec3(0.0));
+    vec3 sides = mix(low, high, greaterThan(dir, vec3(0.0)));
+    vec3 reach = (sides - point) / mix(dir, vec3(1.0), flat_dir);
+    reach = mix(reach, vec3(1e30), flat_dir); /* parallel to a side: no intersection */
+    float t = min(min(reach.x, reach.y), reach.z);
+    vec3 found = point + t * dir - captured;
+    return inside && t >= 0.0 && t < 1e30 && found != vec3(0.0) ? found : dir;
+}
+
+#endif

@@ -1,0 +1,130 @@
+/* brdf_shading.glsl: shading of surface materials: normal map, environment, punctual lights (BRDF:
+ * brdf.h). */
+#ifndef BRDF_SHADING_GLSL
+#define BRDF_SHADING_GLSL
+#include "lib/environment_radiance.glsl"
+#include "surroundings/surroundings.h"
+#define LIT_ENVIRONMENT_BINDING SURROUNDINGS_ENVIRONMENT_LIGHT
+#include "brdf.h"
+#include "lib/environment_diffuse.glsl"
+#include "lib/material_textures.glsl"
+
+layout(set = 0, binding = SURROUNDINGS_ENVIRONMENT) uniform sampler2D environment;
+layout(set = 0, binding = SURROUNDINGS_DATA_TEXTURES) uniform sampler2DArray numbers;
+layout(set = 0, binding = SURROUNDINGS_BRDF_TABLE) uniform sampler2D splits;
+layout(set = 0, binding = SURROUNDINGS_LIGHTS) uniform sampler2D lights;
+
+/* Returns `n` perturbed by a normal map with tangent `u_dir`; `minus_v_dir` is the direction of -v.
+ */
+vec3 normal_map_by_axes(vec3 n, vec3 texel, vec2 scales, vec3 u_dir, vec3 minus_v_dir)
+{
+    vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
+    vec3 tangent = u_dir - n * dot(n, u_dir);
+    if (dot(tangent, tangent) == 0.0)
+        return n;
+    tangent = normalize(tangent);
+    vec3 bitangent = cross(n, tangent);
+    bitangent *= dot(bitangent, minus_v_dir) < 0.0 ? -1.0 : 1.0;
+    return normalize(slope.x * tangent + slope.y * bitangent + slope.z * n);
+}
+
+#if !defined LIT_NO_DERIVATIVES && !defined LIT_PER_VERTEX
+/* Returns normal `n` perturbed by a normal map, with a tangent from screen-space derivatives. */
+vec3 normal_map_by_derivatives(vec3 n, vec3 texel, vec2 scales, vec3 point, vec2 uv)
+{
+    vec3 point_x = dFdx(point), point_y = dFdy(point);
+    vec2 uv_x = dFdx(uv), uv_y = dFdy(uv);
+    float side = sign(uv_x.x * uv_y.y - uv_y.x * uv_x.y);
+    vec3 u_dir = side * (point_x * uv_y.y - point_y * uv_x.y);
+    vec3 minus_v_dir = side * (point_x * uv_y.x - point_y * uv_x.x);
+    return normal_map_by_axes(n, texel, scales, u_dir, minus_v_dir);
+}
+
+/* Perturbs a normal by the normal map of a material row; `outward` is the vertex normal. */
+#ifdef SURROUNDINGS_EXTRA
+#define NORMAL_MAP(row, n, outward, texel, scales, point, uv) \
+    normal_map_by_tangent(row, n, outward, texel, scales, point, uv)
+
+vec3 normal_map_by_tangent(uint row, vec3 n, vec3 outward, vec3 texel, vec2 scales, vec3 point,
+                           vec2 uv)
+{
+    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * MATERIAL_USE_NORMAL + 1);
+    vec2 own = v.w >= float(MATERIAL_OTHER_SET) ? lit_second_uv : uv;
+    vec3 tangent = lit_tangent.xyz - n * dot(n, lit_tangent.xyz);
+    if (lit_tangent.w == 0.0 || dot(tangent, tangent) == 0.0)
+        return normal_map_by_derivatives(n, texel, scales, point, own);
+    vec3 slope = vec3((2.0 * texel.xy - 1.0) * scales.x, 2.0 * texel.z - 1.0);
+    float side = sign(lit_tangent.w) * (dot(n, outward) < 0.0 ? -1.0 : 1.0);
+    tangent = normalize(tangent);
+    vec3 bitangent = side * cross(n, tangent);
+    return normalize(slope.x * tangent + slope.y * bitangent + slope.z * n);
+}
+#else
+#define NORMAL_MAP(row, n, outward, texel, scales, point, uv) \
+    normal_map_by_derivatives(n, texel, scales, point, uv)
+#endif
+#endif
+
+/* ---- light ---- */
+
+/* Returns the prefiltered specular environment light from a direction; `lod` is the mip level of
+ * the environment map for roughness 0. */
+vec3 lit_specular(vec3 dir, float roughness, float lod)
+{
+    if (constant_background == GLOBALS_COLOR)
+        return frame.background_color;
+    if (constant_background != GLOBALS_ENVIRONMENT)
+        return frame.sky_strength * sky_glossy(dir, roughness, frame.sun_dir, frame.sun_strength);
+    vec2 at = surroundings_equirect_uv(dir, constant_environment_turn);
+    float layer = roughness * float(LIT_ROUGH_LAYERS);
+    float first = min(floor(layer), float(LIT_ROUGH_LAYERS - 1));
+    vec3 sharper = textureLod(environment_light, vec3(at, max(first - 1.0, 0.0)), 0.0).rgb;
+    vec3 blurred = textureLod(environment_light, vec3(at, first), 0.0).rgb;
+    if (first == 0.0)
+        sharper = textureLod(environment, at, lod).rgb;
+    return mix(sharper, blurred, layer - first);
+}
+
+/* Returns a surface's radiance by the punctual lights of scene files, without shadows; `base` as in
+ * lit_by_light_on(). */
+vec3 lit_by_lights_on(lit_surface s, vec3 point, vec3 n, vec3 base, vec3 to_eye)
+{
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; i < constant_scene_lights; i++) {
+        vec4 position = texelFetch(lights, ivec2(LIT_LIGHT_POSITION, i), 0);
+        vec4 direction = texelFetch(lights, ivec2(LIT_LIGHT_DIRECTION, i), 0);
+        vec4 cone = texelFetch(lights, ivec2(LIT_LIGHT_CONE, i), 0);
+        vec3 way = position.w > 0.0 ? position.xyz - point : -direction.xyz;
+        float far = length(way);
+        vec3 l = way / max(far, 1e-6);
+        float arriving = lit_attenuation(far, direction.w, dot(-l, direction.xyz), cone.xy);
+        vec3 light = texelFetch(lights, ivec2(LIT_LIGHT_COLOR, i), 0).rgb * arriving;
+        sum += light / 3.14159265 * lit_by_light_on(s, n, base, to_eye, l, LIT_LIGHT_SPREAD);
+    }
+    return sum;
+}
+
+/* Returns a surface's radiance by punctual lights, without a water layer. */
+vec3 lit_by_lights(lit_surface s, vec3 point, vec3 n, vec3 to_eye)
+{
+    return lit_by_lights_on(s, point, n, n, to_eye);
+}
+
+/* Returns the split-sum factors of f0 and f90. */
+vec2 lit_split(float roughness, float n_dot_v)
+{
+    vec2 at = lit_split_at(roughness, n_dot_v) + 0.5;
+    return textureLod(splits, at / float(LIT_SPLIT_SIDE), 0.0).rg;
+}
+
+#if !defined LIT_NO_DERIVATIVES && !defined LIT_PER_VERTEX
+/* Returns the environment map's mip level for a pixel's reflected cone, at least `least`. */
+float lit_mirror_lod(vec3 dir, float least)
+{
+    float width = float(textureSize(environment, 0).x);
+    float apart = max(length(dFdx(dir)), length(dFdy(dir))) * width / 6.2831853;
+    return max(least, log2(max(apart, 1e-6)));
+}
+#endif
+
+#endif

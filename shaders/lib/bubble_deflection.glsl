@@ -1,0 +1,48 @@
+/*
+ * bubble_deflection.glsl: deflection of light by a sphere of lower refractive index, as an air
+ * bubble in ice.
+ *
+ * b: impact parameter in the sphere's radii, 0 to 1, the sine of the angle of incidence; eta:
+ * refractive index around the sphere over the one inside, above 1.
+ *
+ * Light stays in the plane of the ray and the sphere's centre and is deflected away from the
+ * centre. Deflection angles are stored as cosine and sine.
+ */
+#ifndef BUBBLE_DEFLECTION_GLSL
+#define BUBBLE_DEFLECTION_GLSL
+
+vec2 bubble_double(vec2 turn)
+{
+    return vec2(turn.x * turn.x - turn.y * turn.y, 2.0 * turn.x * turn.y);
+}
+
+/* Returns the deflection of transmitted light, 2 (theta_t - theta_i). eta b must be at most 1;
+ * above that, reflection is total. */
+vec2 bubble_transmitted(float b, float eta)
+{
+    vec2 incident = vec2(sqrt(1.0 - b * b), b);
+    vec2 inside = vec2(sqrt(max(1.0 - eta * eta * b * b, 0.0)), eta * b);
+    return bubble_double(vec2(inside.x * incident.x + inside.y * incident.y,
+                              inside.y * incident.x - inside.x * incident.y));
+}
+
+/* Returns the deflection of reflected light, pi - 2 theta_i. */
+vec2 bubble_reflected(float b)
+{
+    return bubble_double(vec2(b, sqrt(1.0 - b * b)));
+}
+
+/* Rotates direction e towards `outward`, which is unit and perpendicular to e. */
+vec3 bubble_rotate(vec3 e, vec3 outward, vec2 turn)
+{
+    return turn.x * e + turn.y * outward;
+}
+
+/* Returns the opacity with which transmitted light is composited: 0 for undeflected light, 1 at the
+ * critical angle. This is an approximation: see bubbles.c. */
+float bubble_opacity(float b, float eta)
+{
+    return min(eta * eta * b * b, 1.0);
+}
+
+#endif

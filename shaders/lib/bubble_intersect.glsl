@@ -1,0 +1,64 @@
+/* bubble_intersect.glsl: ray intersection with elongated bubbles: ellipsoids of revolution and
+ * capsules (C version: src/scene/bubble.c). Points are relative to the bubble's centre; axes are
+ * unit. */
+#ifndef BUBBLE_INTERSECT_GLSL
+#define BUBBLE_INTERSECT_GLSL
+
+/* Returns the distances at which a ray enters and leaves a sphere or, if `dir` is perpendicular to
+ * an axis, a cylinder; x > y if it misses. `square` is the squared length of `dir`. */
+vec2 bubble_intersect_sphere(vec3 from, vec3 dir, float square, float radius)
+{
+    float along = dot(from, dir) / square;
+    vec3 aside = from - along * dir;
+    float root2 = (radius * radius - dot(aside, aside)) / square;
+    float root = sqrt(max(root2, 0.0));
+    return root2 > 0.0 ? vec2(-along - root, -along + root) : vec2(1e30, -1e30);
+}
+
+/* Returns entry and exit distances for a sphere or cylinder and any length of `dir`. */
+vec2 bubble_intersect_ball(vec3 from, vec3 dir, float radius)
+{
+    return bubble_intersect_sphere(from, dir, max(dot(dir, dir), 1e-20), radius);
+}
+
+/* Returns entry and exit distances for a capsule: two spheres connected by a cylinder. */
+vec2 bubble_intersect_capsule(vec3 from, vec3 dir, vec3 axis, float half_length, float radius)
+{
+    float at = dot(from, axis), pace = dot(dir, axis);
+    pace = abs(pace) < 1e-10 ? 1e-10 : pace;
+    vec2 sides = (vec2(-half_length, half_length) - at) / pace;
+    vec2 cut = bubble_intersect_ball(from - at * axis, dir - pace * axis, radius);
+    cut = vec2(max(cut.x, min(sides.x, sides.y)), min(cut.y, max(sides.x, sides.y)));
+    cut = cut.x <= cut.y ? cut : vec2(1e30, -1e30);
+    vec2 low = bubble_intersect_ball(from + half_length * axis, dir, radius);
+    vec2 high = bubble_intersect_ball(from - half_length * axis, dir, radius);
+    return vec2(min(cut.x, min(low.x, high.x)), max(cut.y, max(low.y, high.y)));
+}
+
+/* Scales an ellipsoid around the origin to a sphere. */
+vec3 bubble_to_sphere(vec3 v, vec3 axis, float stretch, float radius)
+{
+    return v + (radius / (radius + stretch) - 1.0) * dot(v, axis) * axis;
+}
+
+/* Returns the distances at which a ray enters and leaves a bubble; x > y if it misses. */
+vec2 bubble_intersect(vec3 from, vec3 dir, vec3 axis, float stretch, float radius, bool is_capsule)
+{
+    if (is_capsule)
+        return bubble_intersect_capsule(from, dir, axis, stretch, radius);
+    return bubble_intersect_ball(bubble_to_sphere(from, axis, stretch, radius),
+                                 bubble_to_sphere(dir, axis, stretch, radius), radius);
+}
+
+/* Returns the outward normal at a surface point of a bubble. */
+vec3 bubble_normal(vec3 from, vec3 axis, float stretch, float radius, bool is_capsule)
+{
+    if (is_capsule)
+        from -= clamp(dot(from, axis), -stretch, stretch) * axis;
+    else
+        from =
+            bubble_to_sphere(bubble_to_sphere(from, axis, stretch, radius), axis, stretch, radius);
+    return normalize(from);
+}
+
+#endif

@@ -1,0 +1,120 @@
+/* material_textures.glsl: access to the material texture and to textures of materials. */
+#ifndef MATERIAL_TEXTURES_GLSL
+#define MATERIAL_TEXTURES_GLSL
+#include "lib/specialization_constants.glsl"
+#include "material_layout.h"
+#include "mesh_layout.h"
+#include "surroundings/surroundings.h"
+
+layout(set = 0, binding = SURROUNDINGS_TEXTURES) uniform sampler2DArray textures;
+layout(set = 0, binding = SURROUNDINGS_MATERIALS) uniform sampler2D materials;
+
+vec4 material_texel(uint row, int column)
+{
+    return texelFetch(materials, ivec2(column, int(row)), 0);
+}
+
+/* ---- textures ---- */
+
+#if defined(SURROUNDINGS_EXTRA) || defined(LIT_NO_DERIVATIVES)
+/* Optional attributes (struct mesh_extra) at the shaded point; set by main() or the ray tracer. */
+vec2 lit_second_uv;
+vec4 lit_tangent;
+#endif
+
+/* Returns a texture coordinate wrapped in the shader, for modes that the sampler does not provide.
+ */
+float lit_wrap(float x, float wrap, float size)
+{
+    if (wrap == float(MATERIAL_WRAPS_REPEAT))
+        return x;
+    if (wrap == float(MATERIAL_WRAPS_MIRROR))
+        x = 1.0 - abs(1.0 - 2.0 * fract(0.5 * x));
+    return clamp(x, 0.5 / size, 1.0 - 0.5 / size);
+}
+
+/* Returns wrapped texture coordinates; `wraps` is encoded as in the material row. */
+vec2 lit_wrapped(sampler2DArray of, vec2 at, float wraps)
+{
+    vec2 size = vec2(textureSize(of, 0).xy);
+    float wrap_v = floor(wraps / float(MATERIAL_WRAPS_COUNT));
+    return vec2(lit_wrap(at.x, wraps - wrap_v * float(MATERIAL_WRAPS_COUNT), size.x),
+                lit_wrap(at.y, wrap_v, size.y));
+}
+
+/* Rays have no screen-space derivatives and read mip level 0 (LIT_NO_DERIVATIVES). Vertices read a
+ * level of about 64 texels, the density of vertices (LIT_PER_VERTEX). */
+vec4 lit_fetch(sampler2DArray of, vec3 at, vec2 uv, float blur)
+{
+#ifdef LIT_NO_DERIVATIVES
+    return textureLod(of, at, 0.0);
+#elif defined LIT_PER_VERTEX
+    return textureLod(of, at, log2(float(textureSize(of, 0).x) / 64.0));
+#else
+    return textureGrad(of, at, blur * dFdx(uv), blur * dFdy(uv));
+#endif
+}
+
+/* Returns a texel of a material's texture; white if it has none. `blur` scales the pixel footprint.
+ */
+vec4 lit_texel(sampler2DArray of, uint row, int use, vec2 uv, float blur)
+{
+    vec4 u = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use);
+    vec4 v = material_texel(row, MATERIAL_ROW_TEXTURES + 2 * use + 1);
+    if ((constant_textured & 1u << use) == 0u || u.w == 0.0)
+        return vec4(1.0);
+#if defined(SURROUNDINGS_EXTRA) || defined(LIT_NO_DERIVATIVES)
+    if (v.w >= float(MATERIAL_OTHER_SET)) {
+        v.w -= float(MATERIAL_OTHER_SET);
+        uv = lit_second_uv;
+    }
+#else
+    v.w -= v.w >= float(MATERIAL_OTHER_SET) ? float(MATERIAL_OTHER_SET) : 0.0;
+#endif
+    vec2 at = vec2(dot(u.xyz, vec3(uv, 1.0)), dot(v.xyz, vec3(uv, 1.0)));
+    return lit_fetch(of, vec3(lit_wrapped(of, at, v.w), u.w - 1.0), at, blur);
+}
+
+/* Returns the base colour of a material row or, without a material's texture, of texture layer
+ * `layer` - 1. */
+vec4 lit_base(uint row, uint layer, vec2 uv, float blur)
+{
+    bool is_of_row = material_texel(row, MATERIAL_ROW_TEXTURES).w > 0.0;
+    if (constant_textured == 0u || is_of_row || layer == 0u)
+        return lit_texel(textures, row, MATERIAL_USE_BASE_COLOR, uv, blur);
+    return lit_fetch(textures, vec3(uv, float(layer - 1u)), uv, blur);
+}
+
+#ifndef LIT_PER_VERTEX
+/* Returns the base colour and alpha of a surface for layers, without vertex colour; also works in
+ * scenes without a material texture. */
+vec4 material_base_color(uint material, vec2 uv)
+{
+    uint layer = material & MESH_TEXTURE_MASK;
+    uint row = material >> MESH_SURFACE_SHIFT;
+    if (textureSize(materials, 0).x == MATERIAL_ROW_WIDTH) {
+        vec4 base = lit_base(row, layer, uv, 1.0);
+        return vec4(base.rgb, base.a * material_texel(row, MATERIAL_ROW_FACTORS).w);
+    }
+    if (constant_textured == 0u || layer == 0u)
+        return vec4(1.0);
+    return textureGrad(textures, vec3(uv, float(layer - 1u)), dFdx(uv), dFdy(uv));
+}
+#endif
+
+/* Returns true if layers ignore a point: alpha-tested holes, and blended surfaces below half alpha.
+ */
+bool material_is_hole(uint material, float alpha)
+{
+    uint row = material >> MESH_SURFACE_SHIFT;
+    if (textureSize(materials, 0).x != MATERIAL_ROW_WIDTH)
+        return (material & MESH_CUTOUT) != 0u && alpha < 0.5;
+    float kind = material_texel(row, MATERIAL_ROW_F0).w;
+    if (kind == float(MATERIAL_KIND_CUTOUT))
+        return alpha < material_texel(row, MATERIAL_ROW_EMISSION).w;
+    if (kind == float(MATERIAL_KIND_BLENDED))
+        return alpha < 0.5;
+    return (material & MESH_CUTOUT) != 0u && alpha < 0.5;
+}
+
+#endif

@@ -1,0 +1,29 @@
+/* procedural_sky.glsl: the sky functions of sky.h with the parameters of globals. */
+#ifndef PROCEDURAL_SKY_GLSL
+#define PROCEDURAL_SKY_GLSL
+#include "lib/globals.glsl"
+#include "surroundings/sky.h"
+
+vec3 sky_radiance(vec3 dir)
+{
+    return frame.sky_strength * sky_radiance_with_sun(dir, frame.sun_dir, frame.sun_strength);
+}
+
+/* Returns the sky's light on a white diffuse surface. */
+vec3 sky_ambient(vec3 normal)
+{
+    return frame.sky_strength * sky_diffuse(normal);
+}
+
+/* Returns the sun's light on a white diffuse surface that faces it. */
+vec3 sky_sun()
+{
+    return frame.sun_light;
+}
+
+vec3 sky_light(vec3 normal)
+{
+    return frame.sky_strength * sky_reflected(normal, frame.sun_dir, frame.sun_strength);
+}
+
+#endif

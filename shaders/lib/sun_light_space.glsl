@@ -1,0 +1,72 @@
+/* sun_light_space.glsl: light space of the sun for shadow and caustic maps (ice_caustics_light), as
+ * `light`. Depth is reversed: near plane over distance, 0 if there is no surface. */
+#ifndef SUN_LIGHT_SPACE_GLSL
+#define SUN_LIGHT_SPACE_GLSL
+#include "lib/globals.glsl"
+#include "lighting/ice_caustics.h"
+
+layout(set = 0, binding = ICE_CAUSTICS_LIGHT, scalar) uniform Light
+{
+    ice_caustics_light light;
+};
+
+vec4 ice_light_clip(vec3 point)
+{
+    return light.clip_from_world * vec4(point, 1.0);
+}
+
+vec2 ice_light_uv(vec4 clip)
+{
+    return clip.xy / clip.w * 0.5 + 0.5;
+}
+
+/* Returns a point offset along `n` towards the sun by the shadow bias, against self-shadowing; `n`
+ * is either normal of the surface. */
+vec3 ice_light_biased(vec3 point, vec3 n)
+{
+    return point + (dot(n, frame.sun_dir) < 0.0 ? -light.lift : light.lift) * n;
+}
+
+/* Converts a position of the caustic map to the shadow map of all surroundings. */
+vec4 ice_light_shadow_map_clip(vec4 clip)
+{
+    return vec4(clip.xy * (light.reach / ICE_CAUSTICS_SHADOW_MAP_REACH), clip.zw);
+}
+
+/* Samples a light-space image of the ice at a position of the caustic map; 0 outside the image. */
+vec4 ice_light_sample(sampler2D picture, vec2 uv)
+{
+    vec2 at = (uv - 0.5) * light.reach + 0.5;
+    bool beside = any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)));
+    return beside ? vec4(0.0) : textureLod(picture, at, 0.0);
+}
+
+/* Returns true if a light-space position is in front of the ice's front faces. */
+bool ice_light_is_before(sampler2D front, vec4 clip)
+{
+    float depth = ice_light_sample(front, ice_light_uv(clip)).r;
+    return depth > 0.0 && clip.z / clip.w > depth;
+}
+
+/* Returns true if a point is in shadow: behind the farthest of the four nearest texels of the
+ * ground's light-space depth, plus a tolerance. */
+bool ice_light_is_hidden(sampler2D ground, vec4 clip)
+{
+    const float slack = 0.02 / ICE_CAUSTICS_DISTANCE;
+    vec4 d = textureGather(ground, ice_light_uv(clip));
+    float farthest = min(min(d.x, d.y), min(d.z, d.w));
+    return clip.z / clip.w < farthest * (1.0 - slack);
+}
+
+/* Returns the lit fraction by percentage-closer filtering of four texels, bilinearly weighted. */
+float ice_light_pcf(sampler2D shade, vec2 uv, float depth)
+{
+    vec2 at = uv * float(ICE_CAUSTICS_SHADOW_MAP_SIZE) - 0.5;
+    vec2 part = at - floor(at);
+    uv = (floor(at) + 1.0) / float(ICE_CAUSTICS_SHADOW_MAP_SIZE);
+    vec4 open = vec4(lessThanEqual(textureGather(shade, uv), vec4(depth)));
+    vec2 across = mix(open.wx, open.zy, part.x); /* interpolated in u, at lower and higher v */
+    return mix(across.x, across.y, part.y);
+}
+
+#endif

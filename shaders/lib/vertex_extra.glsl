@@ -1,0 +1,16 @@
+/* vertex_extra.glsl: optional vertex attributes of surroundings, tangent and second uv
+ * (mesh_extra). */
+#ifndef VERTEX_EXTRA_GLSL
+#define VERTEX_EXTRA_GLSL
+#include "mesh_layout.h"
+#include "surroundings/surroundings.h"
+
+layout(set = 0, binding = SURROUNDINGS_EXTRAS) uniform sampler2D extras;
+
+/* Returns texel `index` of the current vertex. */
+vec4 vertex_extra_texel(int index)
+{
+    int at = gl_VertexIndex * MESH_EXTRA_TEXELS + index;
+    return texelFetch(extras, ivec2(at % MESH_EXTRA_WIDTH, at / MESH_EXTRA_WIDTH), 0);
+}
+#endif

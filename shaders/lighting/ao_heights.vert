@@ -1,0 +1,21 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/pose.glsl"
+#include "lighting/ao.h"
+
+layout(set = 0, binding = AO_BINDING, scalar) uniform Contact
+{
+    ao_occluders ao;
+};
+
+layout(location = MESH_POSITION) in vec3 position;
+layout(location = MESH_MATERIAL) in uint material;
+
+/* Projects the surroundings orthographically from above, over the square of the map. Heights are
+ * clamped to the maximum; what lies below the plane of the objects' base is clipped. */
+void main()
+{
+    vec3 off = pose_surroundings(position, material) - ao.middle;
+    float depth = off.y / (AO_HEIGHTS_RANGE * ao.height) - AO_HEIGHTS_GAP;
+    gl_Position = vec4(off.xz / ao.half_side, min(depth, 1.0), 1.0);
+}

@@ -1,0 +1,145 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+/* ao_map.frag: ambient occlusion map of box occluders, from above (src/tech/lighting/ao.c). */
+#include "lib/specialization_constants.glsl"
+#include "lighting/ao.h"
+#include "surroundings/surroundings.h"
+#define LIT_ENVIRONMENT_BINDING SURROUNDINGS_ENVIRONMENT_LIGHT
+#include "lib/environment_diffuse.glsl"
+#include "lib/pose.glsl"
+
+layout(set = 0, binding = AO_BINDING, scalar) uniform Contact
+{
+    ao_occluders ao;
+};
+
+layout(set = 0, binding = AO_HEIGHTS) uniform sampler2D heights;
+layout(set = 0, binding = AO_UNDERSIDES) uniform sampler2D undersides;
+
+/* rgb: change of the irradiance of a level white diffuse surface; a: reflected light of the ground
+ * that is added, relative to the ground's own */
+layout(location = 0) out vec4 map;
+
+const float wide_sine = 0.6;    /* sine of the half-angle; wider bodies do not bend light aside */
+const float blur_width = 0.65;  /* lobe width whose blur matches a disc of sine 1 */
+const float inner_limit = 0.15; /* relative depth inside a box at which it stops occluding */
+const float reflected = 0.3;    /* reflectance of occluding surroundings */
+const int directions = 12;      /* azimuths of the horizon search */
+const int directed_steps = 10;  /* samples per azimuth; distances grow by 1.6 */
+const float first_step = 1.5 / float(AO_HEIGHTS_SIZE); /* in sides of the map */
+const float full_radius = 0.6; /* radius, relative to the map's, from which on the effect fades */
+
+/* Returns the contribution of an edge between unit directions to the polygon form factor: half the
+ * angle between them divided by pi, along the normal of their plane. */
+vec3 edge(vec3 a, vec3 b)
+{
+    vec3 normal = cross(a, b);
+    float sine = length(normal);
+    return sine > 1e-6 ? normal * (atan(sine, dot(a, b)) / (6.2831853 * sine)) : vec3(0.0);
+}
+
+/* Returns the vector irradiance of a box, divided by pi, as a sum over its silhouette edges
+ * (Lambert 1760). `low` and `high` are the box corners relative to the point. */
+vec3 outline(vec3 low, vec3 high)
+{
+    vec3 front = vec3(greaterThan(low, vec3(0.0))), back = vec3(lessThan(high, vec3(0.0)));
+    vec3 lll = normalize(low), hhh = normalize(high);
+    vec3 hll = normalize(vec3(high.x, low.yz)), lhh = normalize(vec3(low.x, high.yz));
+    vec3 lhl = normalize(vec3(low.x, high.y, low.z)), hlh = normalize(vec3(high.x, low.y, high.z));
+    vec3 llh = normalize(vec3(low.xy, high.z)), hhl = normalize(vec3(high.xy, low.z));
+    vec3 sum = (front.z - front.y) * edge(lll, hll);
+    sum += (back.y - front.z) * edge(lhl, hhl);
+    sum += (front.y - back.z) * edge(llh, hlh);
+    sum += (back.z - back.y) * edge(lhh, hhh);
+    sum += (front.x - front.z) * edge(lll, lhl);
+    sum += (front.z - back.x) * edge(hll, hhl);
+    sum += (back.z - front.x) * edge(llh, lhh);
+    sum += (back.x - back.z) * edge(hlh, hhh);
+    sum += (front.y - front.x) * edge(lll, llh);
+    sum += (back.x - front.y) * edge(hll, hlh);
+    sum += (front.x - back.y) * edge(lhl, lhh);
+    sum += (back.y - back.x) * edge(hhl, hhh);
+    return sum;
+}
+
+/* Returns the fraction of uniform environment light that box occluder `i` blocks, as a vector
+ * towards it, for a point and a normal in object space. */
+vec3 blocked_by(uint i, vec3 point, vec3 n)
+{
+    vec3 low = ao.all[i].min - point, high = ao.all[i].max - point;
+    vec3 off = max(low, -high), sides = high - low;
+    float outside = max(off.x, max(off.y, off.z));
+    float inner_depth = -outside / (inner_limit * max(sides.x, max(sides.y, sides.z)));
+    return outside > 0.0 ? outline(low, high) : max(1.0 - inner_depth, 0.0) * n;
+}
+
+/* Returns the environment light behind an occluder, prefiltered over its solid angle; `sine` is
+ * that of the half-angle it subtends. */
+vec3 light_behind(vec3 dir, vec3 around, float sine)
+{
+    if (constant_background != GLOBALS_ENVIRONMENT)
+        return around;
+    vec2 at = surroundings_equirect_uv(dir, constant_environment_turn);
+    float layer = sqrt(min(blur_width * sine, 1.0)) * float(LIT_ROUGH_LAYERS);
+    float first = clamp(floor(layer), 1.0, float(LIT_ROUGH_LAYERS - 1));
+    return mix(textureLod(environment_light, vec3(at, first - 1.0), 0.0).rgb,
+               textureLod(environment_light, vec3(at, first), 0.0).rgb, max(layer - first, 0.0));
+}
+
+/* Returns the height of the surroundings above the plane, metres; 0 where the free space below them
+ * is higher than their own thickness, as below a table. */
+float height_at(vec2 uv)
+{
+    float top = textureLod(heights, uv, 0.0).r, below = textureLod(undersides, uv, 0.0).r;
+    bool is_solid = below >= 1.0 || below < top - below;
+    return is_solid ? AO_HEIGHTS_RANGE * ao.height * top : 0.0;
+}
+
+/* Returns the fraction of a uniform sky that surroundings occlude at their top (Max 1988). */
+float occluded_by_surroundings(vec2 uv)
+{
+    float own = height_at(uv);
+    float sum = 0.0;
+    for (int i = 0; i < directions; i++) {
+        float azimuth = 6.2831853 * (float(i) + 0.5) / float(directions);
+        vec2 along = vec2(cos(azimuth), sin(azimuth));
+        float steepest = 0.0;
+        for (int k = 0; k < directed_steps; k++) {
+            float form_factor = first_step * pow(1.6, float(k));
+            float rise = height_at(uv + form_factor * along) - own;
+            steepest = max(steepest, rise / (2.0 * ao.half_side * form_factor));
+        }
+        sum += steepest * steepest / (1.0 + steepest * steepest);
+    }
+    return sum / float(directions);
+}
+
+/* Adds up the occluders' effect on a point of the plane. Light that passes an occluder nearly
+ * straight shows what is behind it, except small bright sources, which are refracted aside. */
+void main()
+{
+    const vec3 up = vec3(0.0, 1.0, 0.0);
+    vec2 at = 2.0 * gl_FragCoord.xy / float(AO_MAP_SIZE) - 1.0;
+    vec3 point = ao.middle + ao.half_side * vec3(at.x, 0.0, at.y);
+    vec3 own = pose_to_object(point), own_up = transpose(mat3(frame.world_from_object)) * up;
+    vec3 around = lit_diffuse(up), light = around;
+    float of_ground = 0.0;
+    for (uint i = 0u; i < ao.count; i++) {
+        vec3 cover = mat3(frame.world_from_object) * blocked_by(i, own, own_up);
+        float form_factor = clamp(length(cover), 1e-6, 1.0);
+        float sine = sqrt(form_factor); /* sine of the half-angle, if the occluder is a disc */
+        /* Form factor of a sphere clipped at the horizon (Hill and Heitz 2017). */
+        float blocked =
+            form_factor *
+            max((form_factor * form_factor + cover.y / form_factor) / (form_factor + 1.0), 0.0);
+        vec3 behind = light_behind(cover / form_factor, around, sine);
+        vec3 refracted = min(behind, mix(around, behind, min(sine / wide_sine, 1.0)));
+        vec3 sky = ao.all[i].sky * mix(around, refracted, ao.all[i].straight);
+        light = max(light - blocked * behind, 0.0) + blocked * sky;
+        of_ground += blocked * dot(ao.all[i].ground, vec3(1.0 / 3.0));
+    }
+    float occluded = ao.count > 0u ? occluded_by_surroundings(0.5 + 0.5 * at) : 0.0;
+    light *= 1.0 - (1.0 - reflected) * occluded;
+    float fade = ao.strength * (1.0 - smoothstep(full_radius, 1.0, length(at)));
+    map = fade * vec4(light - around, of_ground);
+}

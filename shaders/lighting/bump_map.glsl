@@ -1,0 +1,68 @@
+/*
+ * bump_map.glsl: samples the ice's bump map at a surface point.
+ *
+ * The map is projected along the three axes of object space and blended (triplanar mapping), or
+ * sampled at the mesh's uv.
+ */
+#ifndef BUMP_MAP_GLSL
+#define BUMP_MAP_GLSL
+#include "lib/globals.glsl"
+#include "lib/specialization_constants.glsl"
+#include "lighting/bump.h"
+#include "lighting/bump_normal.h"
+#include "refract/refract.h"
+
+/* Passed as varyings: lavapipe's fragment shaders fetch each float of a uniform separately. */
+layout(location = REFRACT_BUMP_AT) in vec3 bump_at; /* texture coordinates: object space, or uv */
+layout(location = REFRACT_BUMP_WORLD_FROM_OBJECT) flat in mat3
+    bump_world_from_object; /* world from object space */
+
+layout(set = 0, binding = BUMP_MAP) uniform sampler2D bump_map;
+
+vec4 bump_read(vec2 at)
+{
+    return constant_tiled != 0u ? texture(bump_map, at, frame.lod_bias) : texture(bump_map, at);
+}
+
+struct bump_planes {
+    vec4 texels[3]; /* samples on the planes perpendicular to x, y and z: yz, zx, xy */
+    vec3 weights;   /* blend weights of the planes; their sum is 1 */
+};
+
+/* Samples the map on the three planes; `normal` is in world space. */
+bump_planes bump_read_planes(vec3 normal)
+{
+    vec3 p = bump_at;
+    vec3 n = transpose(bump_world_from_object) * normal;
+    bump_planes planes;
+    planes.texels[0] = bump_read(p.yz);
+    planes.texels[1] = bump_read(p.zx + BUMP_OFFSET_Y);
+    planes.texels[2] = bump_read(p.xy + BUMP_OFFSET_Z);
+    planes.weights = bump_weights(n);
+    return planes;
+}
+
+/* Samples the map at the mesh's uv. Without uv the derivatives are 0, for which lavapipe's
+ * anisotropic filter (Mesa 25) returns NaN, so mip level 0 is sampled instead. */
+vec4 bump_read_uv()
+{
+    vec2 at = bump_at.xy;
+    bool is_point = fwidth(at) == vec2(0.0);
+    return mix(bump_read(at), textureLod(bump_map, at, 0.0), bvec4(is_point));
+}
+
+/* Returns the smoothness of the surface and the thickness of the frost, blended over the planes. */
+vec2 bump_mask_on(bump_planes planes)
+{
+    return planes.texels[0].ba * planes.weights.x + planes.texels[1].ba * planes.weights.y +
+           planes.texels[2].ba * planes.weights.z;
+}
+
+vec2 bump_mask_here(vec3 normal)
+{
+    if (constant_bump_uv != 0u)
+        return bump_read_uv().ba;
+    return bump_mask_on(bump_read_planes(normal));
+}
+
+#endif

@@ -1,0 +1,43 @@
+/*
+ * bump_normal.h: bump-mapped normal of the ice's surface, for shaders and C.
+ *
+ * A surface gradient perturbs the normal independently of the parametrisation (Mikkelsen 2010, Bump
+ * Mapping Unparametrized Surfaces on the GPU), so that the gradients of the three planes can be
+ * added and no tangents are needed.
+ */
+#ifndef SHADERS_LIGHTING_BUMP_NORMAL_H
+#define SHADERS_LIGHTING_BUMP_NORMAL_H
+#include "abi_math.h"
+
+/* Texture offsets of the planes perpendicular to y and z, so that the planes' centres differ. */
+#define BUMP_OFFSET_Y ABI_VEC2(0.37f, 0.61f)
+#define BUMP_OFFSET_Z ABI_VEC2(0.71f, 0.23f)
+
+/* Returns the triplanar blend weights, whose sum is 1, for an object-space normal. */
+ABI_FUNCTION vec3s bump_weights(vec3s n)
+{
+    float x = n.x * n.x * n.x * n.x;
+    float y = n.y * n.y * n.y * n.y;
+    float z = n.z * n.z * n.z * n.z;
+    float all = x + y + z;
+    return ABI_VEC3(x / all, y / all, z / all);
+}
+
+/* Returns the normal perturbed by a height gradient, tilted away from rising height. */
+ABI_FUNCTION vec3s bump_perturbed(vec3s normal, vec3s gradient)
+{
+    vec3s aside = glms_vec3_sub(normal, gradient);
+    return glms_vec3_normalize(
+        glms_vec3_add(aside, glms_vec3_scale(normal, glms_vec3_dot(normal, gradient))));
+}
+
+/* Returns a perturbed normal that still faces the camera; one that would face away is tilted back
+ * until it is nearly perpendicular to the view direction e. */
+ABI_FUNCTION vec3s bump_facing(vec3s bent, vec3s normal, vec3s e)
+{
+    float beyond = glms_vec3_dot(bent, e) - fmaxf(glms_vec3_dot(normal, e), -0.02f);
+    if (beyond > 0.0f)
+        return glms_vec3_normalize(glms_vec3_sub(bent, glms_vec3_scale(e, beyond)));
+    return bent;
+}
+#endif

@@ -1,0 +1,46 @@
+/*
+ * highlight.glsl: Blinn-Phong highlights of the light sources on the ice's front faces.
+ *
+ * HIGHLIGHT_VERTEX selects the vertex shader's part, which passes per-draw constants as flat
+ * varyings, because lavapipe's fragment shaders fetch each float of a uniform separately.
+ */
+#ifndef HIGHLIGHT_GLSL
+#define HIGHLIGHT_GLSL
+#include "lib/globals.glsl"
+#include "lib/specialization_constants.glsl"
+#include "refract/refract.h"
+
+#ifdef HIGHLIGHT_VERTEX
+#define HIGHLIGHT_IO out
+#else
+#define HIGHLIGHT_IO in
+#endif
+
+/* xyz: from the camera to a light, world, metres; w: radiance of its highlight */
+layout(location = REFRACT_LIGHTS) flat HIGHLIGHT_IO vec4 highlight_lights[GLOBALS_LIGHT_COUNT];
+layout(location = REFRACT_SHININESS) flat HIGHLIGHT_IO float highlight_shininess;
+
+#ifdef HIGHLIGHT_VERTEX
+void highlight_write_varyings()
+{
+    for (int i = 0; i < GLOBALS_LIGHT_COUNT; i++)
+        highlight_lights[i] =
+            vec4(frame.lights[i].xyz - frame.eye, frame.highlight.strength * frame.lights[i].w);
+    highlight_shininess = frame.highlight.shininess;
+}
+#else
+/* Returns the radiance of the highlights towards the camera; e is the view direction. */
+float highlight_radiance(vec3 e, vec3 eye_to_point, vec3 n_f)
+{
+    float highlight = 0.0;
+    for (uint i = 0u; i < constant_lights; i++) {
+        vec3 light_dir = normalize(highlight_lights[i].xyz - eye_to_point);
+        vec3 half_dir = normalize(light_dir - e);
+        float c = dot(n_f, light_dir) > 0.0 ? max(dot(n_f, half_dir), 0.0) : 0.0;
+        highlight += highlight_lights[i].w * pow(c, highlight_shininess);
+    }
+    return highlight;
+}
+#endif
+
+#endif

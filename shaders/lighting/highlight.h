@@ -1,0 +1,13 @@
+/* highlight.h: parameters of the light sources' highlights, shared by highlight.c and
+ * highlight.glsl. */
+#ifndef SHADERS_LIGHTING_HIGHLIGHT_H
+#define SHADERS_LIGHTING_HIGHLIGHT_H
+#include "abi.h"
+
+/* member of struct globals */
+struct highlight_params {
+    float strength;  /* peak radiance of the highlight of a light of strength 1 */
+    float shininess; /* Blinn-Phong exponent */
+};
+
+#endif

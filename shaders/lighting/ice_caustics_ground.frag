@@ -1,0 +1,15 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/sun_light_space.glsl"
+
+layout(set = 0, binding = ICE_CAUSTICS_FRONT) uniform sampler2D front;
+
+layout(location = 0) in vec3 point;
+
+/* Keeps surfaces behind the ice's front faces, so that roofs above it do not count as ground. */
+void main()
+{
+    vec4 clip = ice_light_clip(point);
+    if (clip.w < light.front || ice_light_is_before(front, clip))
+        discard;
+}

@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/sun_shadow_caustics.glsl"
+#include "surroundings/surroundings.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    surroundings_push push;
+};
+
+layout(location = 0) in vec3 eye_to_point;
+layout(location = 1) in vec3 normal;
+layout(location = 0) out float seen;
+
+void main()
+{
+    sun_shadow shine = sun_shadow_at(push.eye + eye_to_point, normalize(normal));
+    seen = shine.own * shine.open + shine.through.g;
+}

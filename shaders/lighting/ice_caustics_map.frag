@@ -1,0 +1,38 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/sun_light_space.glsl"
+
+layout(set = 0, binding = ICE_CAUSTICS_COUNTS) uniform usampler2D counts;
+layout(set = 0, binding = ICE_CAUSTICS_NORMAL) uniform sampler2D normal_front;
+
+layout(
+    location = 0) out vec4 map; /* rgb: light relative to direct sunlight; a: coverage by the ice */
+
+/* Returns the accumulated photon weights in rgb and the coverage in a. */
+vec4 counted(ivec2 texel)
+{
+    ivec2 at = clamp(texel, ivec2(0), ivec2(ICE_CAUSTICS_SIZE - 1));
+    vec4 found;
+    for (int channel = 0; channel < 3; channel++)
+        found[channel] = float(texelFetch(counts, at + ivec2(channel * ICE_CAUSTICS_SIZE, 0), 0).r);
+    vec2 uv = (vec2(texel) + 0.5) / float(ICE_CAUSTICS_SIZE);
+    found.a = ice_light_sample(normal_front, uv).w;
+    return found;
+}
+
+/* Filters the counts with a 3 x 3 tent, which reduces photon noise and softens the shadow's edge,
+ * and scales them by the area of a photon in texels. */
+void main()
+{
+    const float weights[3] = { 0.25, 0.5, 0.25 };
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    vec4 sum = vec4(0.0);
+    for (int y = 0; y < 3; y++) {
+        for (int x = 0; x < 3; x++)
+            sum += weights[x] * weights[y] * counted(texel + ivec2(x - 1, y - 1));
+    }
+    float photon = float(ICE_CAUSTICS_SIZE) / (float(ICE_CAUSTICS_PHOTONS) * light.reach);
+    map.rgb = sum.rgb * (photon * photon / ICE_CAUSTICS_WEIGHT);
+    map.rgb = min(map.rgb, vec3(65504.0)); /* focused light may exceed the range of a half float */
+    map.a = sum.a;
+}

@@ -1,0 +1,154 @@
+/*
+ * ice_caustics_photons.frag: main() of the photon pass, one photon for each texel of the ice's
+ * front faces in the sun's view; writes its landing point in the caustic map and its energy. The
+ * faces are read from their depth and normal maps; with REFRACT_BUMP they are rasterised again,
+ * with bumps.
+ */
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#ifndef REFRACT_BUMP
+#define REFRACT_PHOTONS
+#endif
+#define REFRACT_BOUNCE
+#define REFRACT_MARCH push.march
+#define MARCH_GROUND
+#include "lib/specialization_constants.glsl"
+#include "lib/sun_light_space.glsl"
+
+layout(push_constant, scalar) uniform Push
+{
+    ice_caustics_push push;
+};
+
+#include "refract/refract_march_path.glsl"
+
+layout(set = 0, binding = ICE_CAUSTICS_GROUND) uniform sampler2D ground;
+#ifdef REFRACT_PHOTONS
+layout(location = 0) in vec3 ray; /* from the camera, of length 1 along the view axis */
+#endif
+
+/* xy: position in the map; z: fraction of the photon's energy that arrives */
+layout(location = 0) out vec4 landing_red;
+layout(location = 1) out vec4 landing_green;
+layout(location = 2) out vec4 landing_blue;
+
+const int ground_steps = 24;
+const int ground_halvings = 12;
+const float ground_first = 0.02; /* length of the first step, radii of the ice's sphere */
+const float ground_last = 64.0;  /* maximum length of a ray, radii of the ice's sphere */
+
+/* Returns two random numbers from 0 to 1 for a texel: pcg2d of Jarzynski and Olano 2020. */
+vec2 random(uvec2 v)
+{
+    v = v * 1664525u + 1013904223u;
+    v.x += v.y * 1664525u;
+    v.y += v.x * 1664525u;
+    v ^= v >> 16u;
+    v.x += v.y * 1664525u;
+    v.y += v.x * 1664525u;
+    v ^= v >> 16u;
+    return vec2(v >> 8u) / 16777216.0;
+}
+
+/* Returns a random direction of light from the sun's disc for each texel and sample. */
+vec3 sun_ray(vec3 e)
+{
+    vec2 u = fract(random(uvec2(gl_FragCoord.xy)) + vec2(push.sun_x, push.sun_y));
+    vec3 a = normalize(cross(e, abs(e.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+    vec3 b = cross(e, a);
+    float away = tan(0.5 * radians(push.sun)) * sqrt(u.x);
+    float angle = 6.28318530718 * u.y;
+    return normalize(e + away * (cos(angle) * a + sin(angle) * b));
+}
+
+/* Returns the length of a ray up to the edge of the map, where |x| or |y| equals w. */
+float length_to_map_edge(vec4 clip, vec4 dir_clip)
+{
+    float limit = ground_last * frame.radius;
+    for (int axis = 0; axis < 2; axis++) {
+        for (float side = -1.0; side < 2.0; side += 2.0) {
+            float gap = clip.w - side * clip[axis];
+            float closing = side * dir_clip[axis] - dir_clip.w;
+            if (closing > 0.0)
+                limit = min(limit, gap / closing);
+        }
+    }
+    return limit;
+}
+
+bool is_below(vec4 clip)
+{
+    float depth = refract_depth_at_uv(ground, ice_light_uv(clip));
+    return depth > 0.0 && clip.z / clip.w <= depth;
+}
+
+bool march_is_in_ground(vec3 point)
+{
+    return is_below(ice_light_clip(point));
+}
+
+/* Intersects a ray with the depth map of the ground: steps of growing length, then bisection.
+ * Returns the map coordinates in xy, and in z 1 for a hit or 0. The depth map is treated as solid:
+ * a ray that passes behind a surface hits it. */
+vec3 land(vec3 point, vec3 dir)
+{
+    vec4 clip = ice_light_clip(point);
+    vec4 dir_clip = light.clip_from_world * vec4(dir, 0.0);
+    float first = ground_first * frame.radius;
+    float growth = max(length_to_map_edge(clip, dir_clip), first) / first;
+    float above = 0.0;
+    float below = 0.0;
+    bool found = is_below(clip);
+    for (int i = 0; i <= ground_steps && !found; i++) {
+        above = below;
+        below = first * pow(growth, float(i) / float(ground_steps));
+        found = is_below(clip + below * dir_clip);
+    }
+    for (int i = 0; i < ground_halvings; i++) {
+        float t = 0.5 * (above + below);
+        if (is_below(clip + t * dir_clip))
+            below = t;
+        else
+            above = t;
+    }
+    return vec3(ice_light_uv(clip + below * dir_clip), found ? 1.0 : 0.0);
+}
+
+#ifdef REFRACT_PHOTONS
+/* Reads the front face at this texel. Returns false if there is none. */
+bool find_front()
+{
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    float depth = texelFetch(depth_front, texel, 0).r;
+    eye_to_point = frame.clip_from_world[3][2] / depth * ray;
+    normal = normalize(texelFetch(normal_front, texel, 0).xyz);
+    return depth > 0.0;
+}
+#endif
+
+void main()
+{
+#ifdef REFRACT_PHOTONS
+    if (!find_front())
+        discard;
+#endif
+    vec3 e = sun_ray(normalize(eye_to_point));
+    vec3 n_f = refract_front_normal();
+    vec4 landed[3];
+    refract_path exit_ray;
+    float leaving;
+    vec3 landing;
+    for (uint i = 0u; i < 3u; i++) {
+        int channel = int(i + 1u) % 3;
+        if (i < constant_refract_colors) {
+            exit_ray = march_path(e, n_f, channel, leaving);
+            landing = land(exit_ray.point, exit_ray.dir);
+            leaving *= 1.0 - optics_fresnel(e, n_f, frame.etas[channel]);
+        }
+        float energy = leaving * exp(-frame.absorb[channel] * exit_ray.path);
+        landed[channel] = vec4(landing.xy, landing.z * energy, 0.0);
+    }
+    landing_red = landed[0];
+    landing_green = landed[1];
+    landing_blue = landed[2];
+}

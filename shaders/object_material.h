@@ -1,0 +1,27 @@
+/*
+ * object_material.h: textured surface parameters of transmissive materials, for shaders and CPU.
+ *
+ * As in glTF 2.0 and KHR_materials_transmission, transmitted light is multiplied by the base
+ * colour; light that is neither reflected nor transmitted reaches the diffuse base.
+ */
+#ifndef SHADERS_OBJECT_MATERIAL_H
+#define SHADERS_OBJECT_MATERIAL_H
+#include "abi_math.h"
+
+struct object_material {
+    vec3s tint;      /* colour factor on transmitted light */
+    float roughness; /* perceptual roughness, 0 to 1 */
+    float opacity;   /* opacity: fraction of unreflected light that reaches the diffuse base */
+};
+
+/* Multiplies a material's parameters by its texels: base colour, roughness and transmission. */
+ABI_FUNCTION ABI_STRUCT(object_material)
+    object_material_of(ABI_STRUCT(object_material) own, vec3s base, float rough, float through)
+{
+    own.tint = glms_vec3_mul(own.tint, base);
+    own.roughness *= rough;
+    own.opacity = 1.0f - (1.0f - own.opacity) * through;
+    return own;
+}
+
+#endif

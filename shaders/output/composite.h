@@ -1,0 +1,31 @@
+/* composite.h: bindings of the compositing of inclusions, over*.{vert,frag} and
+ * low_res_inclusions.c. */
+#ifndef SHADERS_OUTPUT_COMPOSITE_H
+#define SHADERS_OUTPUT_COMPOSITE_H
+#include "abi.h"
+
+#define COMPOSITE_HIGHLIGHT   1 /* highlight_radiance: negative in pixels without ice */
+#define COMPOSITE_AIR         2
+#define COMPOSITE_BUBBLES     3
+#define COMPOSITE_CRACKS      4
+#define COMPOSITE_ENVIRONMENT 5 /* equirectangular environment map */
+
+/* With BUBBLES_REFRACTED: front faces' depth and normal, bubbles' depth (inclusion_march.glsl). */
+#define COMPOSITE_FRONT_DEPTH  6
+#define COMPOSITE_SHADING      7
+#define COMPOSITE_BUBBLE_DEPTH 8
+
+#define COMPOSITE_REFRACTED \
+    1 /* first of the locations 1 to 8 that composite.vert passes to composite_refracted.glsl */
+
+#define COMPOSITE_LOW_RES 1 /* low-resolution image that composite_upsample.frag upsamples */
+
+/* CONSTANT_COMPOSITE: a bit for each image to composite. IS_SMALL: all but the highlights have a
+ * lower resolution than the final image. */
+#define COMPOSITE_HAS_HIGHLIGHT (1u << COMPOSITE_HIGHLIGHT)
+#define COMPOSITE_HAS_AIR       (1u << COMPOSITE_AIR)
+#define COMPOSITE_HAS_BUBBLES   (1u << COMPOSITE_BUBBLES)
+#define COMPOSITE_HAS_CRACKS    (1u << COMPOSITE_CRACKS)
+#define COMPOSITE_IS_LOW_RES    (1u << 5)
+
+#endif

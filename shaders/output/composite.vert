@@ -1,0 +1,23 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/air_light.glsl"
+#include "output/composite.h"
+#ifdef BUBBLES_REFRACTED
+#define COMPOSITE_VERTEX
+#include "output/composite_refracted.glsl"
+#endif
+
+layout(set = 0, binding = COMPOSITE_ENVIRONMENT) uniform sampler2D environment;
+
+layout(location = 0) flat out vec3 out_light;
+
+/* Draws a full-screen triangle. */
+void main()
+{
+    vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+    out_light = (constant_composite & COMPOSITE_HAS_AIR) != 0u ? air_light(environment) : vec3(0.0);
+#ifdef BUBBLES_REFRACTED
+    bend_write_varyings(corner);
+#endif
+}

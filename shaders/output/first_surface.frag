@@ -1,0 +1,37 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/material_textures.glsl"
+#include "output/first_surface.h"
+
+layout(set = 0, binding = FIRST_SURFACE_PREVIOUS, scalar) uniform Earlier
+{
+    first_surface_previous earlier;
+};
+
+layout(push_constant, scalar) uniform Push
+{
+    first_surface_push push;
+};
+
+layout(location = 0) in vec3 color;
+layout(location = 1) in vec2 uv;
+layout(location = 2) flat in uint material;
+layout(location = 3) in vec4 now;
+layout(location = 4) in vec4 before;
+layout(location = 5) flat in uint number;
+
+layout(location = 0) out vec4 out_albedo;
+layout(location = 1) out float out_object;
+layout(location = 2) out vec4 out_motion; /* screen-space motion in pixels */
+
+void main()
+{
+    vec4 base = material_base_color(material, uv);
+    bool object = push.object != 0u;
+    if (!object && material_is_hole(material, base.a))
+        discard;
+    out_albedo = vec4(color * base.rgb, 1.0);
+    out_object = float(number);
+    vec2 moved = (now.xy / now.w - before.xy / before.w) * earlier.half_size;
+    out_motion = before.w > 0.0 ? vec4(moved, 0.0, 0.0) : vec4(0.0);
+}

@@ -1,0 +1,26 @@
+/* first_surface.h: bindings and uniforms of the first-surface layers (albedo, object, motion). */
+#ifndef SHADERS_OUTPUT_FIRST_SURFACE_H
+#define SHADERS_OUTPUT_FIRST_SURFACE_H
+#include "abi.h"
+
+#define FIRST_SURFACE_PREVIOUS  12 /* uniforms of the previous frame */
+#define FIRST_SURFACE_POSITIONS 13 /* vertex positions of the previous frame, in texture rows */
+#define FIRST_SURFACE_STARTS    14 /* first vertex of each object of the surroundings */
+#define FIRST_SURFACE_WIDTH     2048
+
+/* Transformations of the previous frame. */
+struct first_surface_previous {
+    mat4s clip_from_world;
+    mat4s world_from_object;
+    mat4s world_from_movers;
+    vec2s half_size; /* half the image size, pixels */
+};
+
+struct first_surface_push {
+    uint32_t id;     /* number of the object, or of surroundings without one; 0 means no surface */
+    uint32_t first;  /* the mesh's first vertex in FIRST_SURFACE_POSITIONS */
+    uint32_t object; /* 1 for refractive objects, 0 for surroundings */
+    uint32_t count;  /* number of objects in FIRST_SURFACE_STARTS */
+};
+
+#endif

@@ -1,0 +1,74 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/pose.glsl"
+#include "output/first_surface.h"
+
+layout(location = MESH_POSITION) in vec3 position;
+layout(location = MESH_COLOR) in vec3 color;
+layout(location = MESH_UV) in vec2 uv;
+layout(location = MESH_MATERIAL) in uint material;
+
+layout(set = 0, binding = FIRST_SURFACE_PREVIOUS, scalar) uniform Earlier
+{
+    first_surface_previous earlier;
+};
+
+layout(set = 0, binding = FIRST_SURFACE_POSITIONS) uniform sampler2D positions;
+
+layout(set = 0, binding = FIRST_SURFACE_STARTS) uniform sampler2D starts;
+
+layout(push_constant, scalar) uniform Push
+{
+    first_surface_push push;
+};
+
+layout(location = 0) out vec3 out_color;
+layout(location = 1) out vec2 out_uv;
+layout(location = 2) flat out uint out_material;
+layout(location = 3) out vec4 out_now;
+layout(location = 4) out vec4 out_earlier;
+layout(location = 5) flat out uint out_number;
+
+vec3 position_earlier()
+{
+    int at = int(push.first) + gl_VertexIndex;
+    if (textureSize(positions, 0).x != FIRST_SURFACE_WIDTH)
+        return position;
+    ivec2 texel = ivec2(at % FIRST_SURFACE_WIDTH, at / FIRST_SURFACE_WIDTH);
+    return texelFetch(positions, texel, 0).xyz;
+}
+
+/* Returns the vertex's object by binary search, as model_surroundings_find_object() of
+ * src/scene/import/model.h. */
+uint find_number()
+{
+    uint low = 0u, high = push.count;
+    while (low < high) {
+        uint middle = (low + high) / 2u;
+        ivec2 texel = ivec2(middle % FIRST_SURFACE_WIDTH, middle / FIRST_SURFACE_WIDTH);
+        if (packUnorm4x8(texelFetch(starts, texel, 0)) <= uint(gl_VertexIndex))
+            low = middle + 1u;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+void main()
+{
+    bool object = push.object != 0u;
+    bool moves = (material & MESH_ORBITS) != 0u;
+    vec4 before = vec4(position_earlier(), 1.0);
+    if (object)
+        before = earlier.world_from_object * before;
+    else if (moves)
+        before = earlier.world_from_movers * before;
+    vec3 point = object ? pose_object(position) : pose_surroundings(position, material);
+    out_color = color;
+    out_uv = uv;
+    out_material = material;
+    out_number = push.id + find_number();
+    out_now = frame.clip_from_world * vec4(point, 1.0);
+    out_earlier = earlier.clip_from_world * before;
+    gl_Position = out_now;
+}

@@ -1,0 +1,26 @@
+/* present.h: bindings and push constants for presenting the image in the window; shared by
+ * present.c, its shaders, overlay.frag and viewport_save.c. */
+#ifndef SHADERS_OUTPUT_PRESENT_H
+#define SHADERS_OUTPUT_PRESENT_H
+#include "abi.h"
+
+#define PRESENT_PICTURE 0
+
+/* Specialization constant id: 1 if the swapchain's format converts shader output to sRGB. As a push
+ * constant, lavapipe would execute the decoding for every pixel even where it is off. */
+#define PRESENT_ENCODES 0
+
+/* Two images side by side are separated by a bright and a dark column, visible on any content. */
+#define PRESENT_IS_BRIGHT(column, line) ((column) == (line))
+#define PRESENT_IS_DARK(column, line)   ((column) == (line) + 1u)
+#define PRESENT_NO_LINE                 0xfffffff0u
+
+/* Placement of the image in the window. The vertex shader computes the texture coordinates, which
+ * saves a third of the scaling pass's time on lavapipe. */
+struct present_push {
+    vec2s uv_from_clip; /* scale of the image's texture coordinates, (0, 0) to (1, 1) */
+    vec2s uv_of_middle; /* texture coordinates at the centre of the window */
+    uint32_t x, y;      /* position of the image's first pixel in the window */
+};
+
+#endif

@@ -1,0 +1,18 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "output/present.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    present_push push;
+};
+
+layout(location = 0) out vec2 uv;
+
+/* Draws a full-screen triangle. */
+void main()
+{
+    vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
+    uv = corner * push.uv_from_clip + push.uv_of_middle;
+    gl_Position = vec4(corner, 0.0, 1.0);
+}

@@ -1,0 +1,16 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/gpu_load.glsl"
+#include "output/timestamp_check.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    timestamp_check_push push;
+};
+
+layout(location = 0) out vec4 color;
+
+void main()
+{
+    color = vec4(busy(fract(gl_FragCoord.x * 0.37 + gl_FragCoord.y * 0.11) + 0.01, push.rounds));
+}

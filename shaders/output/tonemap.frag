@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/specialization_constants.glsl"
+#include "output/tonemap.h"
+
+layout(set = 0, binding = TONEMAP_COLOR) uniform sampler2D linear_color;
+
+layout(push_constant, scalar) uniform Push
+{
+    tonemap_push push;
+};
+
+layout(location = 0) out vec4 encoded;
+
+void main()
+{
+    vec3 c = texelFetch(linear_color, ivec2(gl_FragCoord.xy), 0).rgb;
+    encoded = vec4(tonemap_encode(c, push.gain, constant_tonemap_curve), 1.0);
+}

@@ -1,0 +1,70 @@
+/* refract.h: bindings, varyings and render targets of the refraction models (refract_*.c). */
+#ifndef SHADERS_REFRACT_REFRACT_H
+#define SHADERS_REFRACT_REFRACT_H
+#include "abi.h"
+
+#define REFRACT_ENV_CUBE 1 /* cube map of the radiance around the object */
+/* G-buffers of the ice: outward normals; depth by globals.clip_from_world, 0 without face. */
+#define REFRACT_NORMAL_BACK  2
+#define REFRACT_DEPTH_BACK   3
+#define REFRACT_NORMAL_FRONT 4
+#define REFRACT_DEPTH_FRONT  5
+/* shading normal of the visible front face (refract_fullscreen.glsl) */
+#define REFRACT_SHADING     7
+#define REFRACT_DEPTH_SCENE 8 /* depth of the surroundings (refract_fullscreen.glsl) */
+/* Front depth as ray-marched by models with REFRACT_FULLSCREEN; may be wider than the image. */
+#define REFRACT_DEPTH_FRONT_MAP 12
+
+/* Material images written by ice_normal.c, with REFRACT_MATERIAL. */
+#define REFRACT_MATERIAL_FRONT 9
+#define REFRACT_MATERIAL_BACK  10
+#define REFRACT_MATERIAL_BASE  11
+/* Image of cracks for models that intersect refracted rays with them (cracks_hits.glsl). */
+#define REFRACT_CRACKS    6
+#define REFRACT_COMPOSITE 1 /* image that refract_composite.frag composites */
+
+/* Varyings written by the vertex shaders of the front faces. */
+#define REFRACT_EYE_TO_POINT           0
+#define REFRACT_NORMAL                 1
+#define REFRACT_FRESNEL                2
+#define REFRACT_BUMP_AT                3 /* position for bump_map.glsl, from refract_bump.vert */
+#define REFRACT_BUMP_WORLD_FROM_OBJECT 4 /* matrix, locations 4 to 6, from refract_bump.vert */
+#define REFRACT_BUMP_SLOPE             7 /* bump strength, from refract_bump.vert */
+#define REFRACT_REFLECTED              3 /* reflected direction, from refract_per_vertex.vert */
+/* refracted directions, from refract_per_vertex.vert: 4 to 6 */
+#define REFRACT_REFRACTED 4
+
+/* Varyings written by refract_fullscreen.vert. */
+#define REFRACT_VIEW_RAY         0
+#define REFRACT_FULLSCREEN_FRAME 1 /* locations 1 to 8 (refract_uniforms.glsl) */
+/* mean radiance, 1 / nearest distance (refract_seen_mean.vert) */
+#define REFRACT_FULLSCREEN_MEAN 9
+
+/* Varyings of all these vertex shaders for highlight.glsl. */
+#define REFRACT_LIGHTS    11 /* locations 11 to 14 */
+#define REFRACT_SHININESS 15
+
+/* Colour targets of the pass that draws a refraction model's image. */
+#define REFRACT_OUT_COLOR     0
+#define REFRACT_OUT_HIGHLIGHT 1
+
+/* Colour targets of the pass that writes a refraction model's layers. */
+#define REFRACT_OUT_EXIT       0
+#define REFRACT_OUT_REFRACTION 1
+#define REFRACT_OUT_REFLECTION 2
+#define REFRACT_OUT_FRESNEL    3
+#define REFRACT_OUT_PATH       4
+
+/* values of the specialisation constant CONSTANT_REFRACT_FRESNEL */
+#define REFRACT_FRESNEL_PAPER     0 /* the paper's approximation, eq. 4, per vertex */
+#define REFRACT_FRESNEL_EXACT     1 /* exact Fresnel equations per pixel */
+#define REFRACT_FRESNEL_CROSSFADE 2 /* one constant reflectance for all pixels */
+#define REFRACT_FRESNEL_AUTO      3 /* the refraction model's default; only as a setting */
+
+/* values of the specialisation constant CONSTANT_REFRACT_LOOKUP */
+#define REFRACT_LOOKUP_INFINITE 0 /* environment infinitely far away */
+#define REFRACT_LOOKUP_DISTANCE 1 /* rays march the distances in the environment cube */
+#define REFRACT_LOOKUP_BOX      2 /* box projection: rays end on the box of env_box_settings */
+#define REFRACT_LOOKUP_AUTO     3 /* the refraction model's default; only as a setting */
+
+#endif

@@ -1,0 +1,21 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "refract/refract_blend.h"
+#include "refract/refract_main.glsl"
+
+layout(set = 0, binding = REFRACT_NORMAL_BACK) uniform sampler2D normal_back;
+
+layout(push_constant, scalar) uniform Push
+{
+    refract_blend_params params;
+};
+
+/* Without back face, or if the blended normal faces away, only the front face refracts. */
+refract_path refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    vec4 n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0);
+    vec3 n_r = optics_blend_normals(n_f, -n_b.xyz, params.a);
+    if (n_b.w < 0.5 || dot(n_r, e) >= 0.0)
+        n_r = n_f;
+    return refract_leave_at_front(optics_refract(e, normalize(n_r), frame.etas[channel]));
+}

@@ -1,0 +1,12 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "refract/refract.h"
+
+layout(set = 0, binding = REFRACT_COMPOSITE) uniform sampler2D over;
+
+layout(location = 0) out vec4 color; /* premultiplied alpha */
+
+void main()
+{
+    color = texelFetch(over, ivec2(gl_FragCoord.xy), 0);
+}

@@ -1,0 +1,136 @@
+/*
+ * refract_environment.glsl: environment lookup for rays that leave the ice.
+ *
+ * The cube map was rendered from the objects' centre. REFRACT_LOOKUP_INFINITE uses the direction
+ * alone, as if everything were infinitely far away. REFRACT_LOOKUP_DISTANCE marches the ray through
+ * the cube's distances to the first hit (after Szirmay-Kalos et al. 2005, Approximate Ray-Tracing
+ * on the GPU with Distance Impostors); it fails for surfaces hidden from the centre.
+ * REFRACT_LOOKUP_BOX projects onto a box (lib/local_cube.glsl).
+ */
+#ifndef REFRACT_ENVIRONMENT_GLSL
+#define REFRACT_ENVIRONMENT_GLSL
+#include "lib/box_projection.glsl"
+#include "lib/specialization_constants.glsl"
+#include "refract/refract_uniforms.glsl"
+
+layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube; /* a: 1 / metres */
+#ifdef REFRACT_ENV_CUBE_POINTS
+/* the cube map with nearest filtering, which lavapipe reads in half the time */
+layout(set = 0, binding = REFRACT_ENV_CUBE_POINTS) uniform samplerCube env_cube_points;
+#else
+#define env_cube_points env_cube
+#endif
+
+#ifdef REFRACT_NEAREST
+layout(location = REFRACT_FULLSCREEN_MEAN, component = 3) flat in
+    float cube_nearest; /* 1 / metres */
+#else
+const float cube_nearest = 0.0;
+#endif
+
+const int cube_refinements = 3; /* root search iterations in the step that passed a surface */
+
+/* Distance behind a surface, relative to the ray's own, beyond which the ray has passed behind the
+ * surface's edge; what it hits is then hidden from the centre. */
+const float cube_occluded_min = 0.15;
+
+/* Returns how far a point is behind the surface in the cube map, negative if in front. `place` is
+ * homogeneous, relative to the cube's centre. Linear along a line for flat surfaces. */
+float cube_depth_behind(vec4 place)
+{
+    return length(place.xyz) * textureLod(env_cube_points, place.xyz, 0.0).a - place.w;
+}
+
+/* Bracket of a ray's hit: two parameters in 0 to 1 on either side of the surface. */
+struct cube_bracket {
+    float before, behind;
+    float at_before, at_behind; /* cube_depth_behind() at both ends */
+};
+
+/* Returns the root of the linearly interpolated distance behind the surface. */
+float cube_root(cube_bracket ends)
+{
+    float share = ends.at_before / min(ends.at_before - ends.at_behind, -1e-9);
+    return mix(ends.before, ends.behind, share);
+}
+
+/* Returns the bracket of the first step that passes a surface; both ends are 1 if there is none. */
+cube_bracket cube_find_bracket(vec4 from, vec4 to)
+{
+    cube_bracket ends = cube_bracket(0.0, 1.0, -1.0, 0.0);
+    for (uint i = 1u; i <= constant_refract_steps; i++) {
+        float u = float(i) / float(constant_refract_steps);
+        float at = cube_depth_behind(mix(from, to, u));
+        if (at > 0.0) {
+            ends.behind = u;
+            ends.at_behind = at;
+            break;
+        }
+        ends.before = u;
+        ends.at_before = at;
+    }
+    return ends;
+}
+
+/* Returns the first point of a ray that is as far from the centre as the nearest surface; steps
+ * before it cannot hit anything and would coarsen the others. */
+vec3 cube_first_point(vec3 from_center, vec3 dir)
+{
+    if (cube_nearest <= 0.0)
+        return from_center;
+    float middle = dot(from_center, dir);
+    float room = 1.0 / (cube_nearest * cube_nearest) - dot(from_center, from_center);
+    return room > 0.0 ? from_center + (sqrt(middle * middle + room) - middle) * dir : from_center;
+}
+
+/*
+ * Returns the direction in which a ray hits the cube map. A ray that passes behind a surface uses
+ * the direction beside the surface's edge.
+ *
+ * Steps are even between the ray's origin and its end at infinity in homogeneous coordinates, so
+ * that the sampled directions are about evenly spaced.
+ */
+vec3 refract_cube_dir(vec3 point, vec3 dir)
+{
+    vec3 begin = cube_first_point(point - frame.cube_center, dir);
+    float scale = max(length(begin), 0.01 * refract_frame.radius);
+    vec4 from = vec4(begin, 1.0);
+    vec4 to = vec4(scale * dir, 0.0);
+    cube_bracket ends = cube_find_bracket(from, to);
+    if (ends.at_behind <= 0.0) /* no hit: the ray reaches the sky */
+        return to.xyz;
+    for (int i = 0; i < cube_refinements; i++) {
+        float u = i % 2 == 0 ? cube_root(ends) : 0.5 * (ends.before + ends.behind);
+        float at = cube_depth_behind(mix(from, to, u));
+        if (at > 0.0) {
+            ends.behind = u;
+            ends.at_behind = at;
+        } else {
+            ends.before = u;
+            ends.at_before = at;
+        }
+    }
+    bool is_past = ends.at_behind > cube_occluded_min * (1.0 - ends.behind);
+    return mix(from, to, is_past ? ends.before : cube_root(ends)).xyz;
+}
+
+/* Returns true if a point is behind the surfaces in the cube map, that is in the ground. Where ice
+ * stands in wet ground, no air is below its base and total internal reflection does not occur. */
+bool refract_is_below_ground(vec3 point)
+{
+    vec3 from_center = point - frame.cube_center;
+    return constant_refract_lookup == REFRACT_LOOKUP_DISTANCE &&
+           cube_depth_behind(vec4(from_center, 1.0)) > 0.0;
+}
+
+vec3 refract_environment(vec3 point, vec3 dir)
+{
+    vec3 found = dir;
+    if (constant_refract_lookup == REFRACT_LOOKUP_BOX)
+        found = box_projection_dir(point, dir, frame.local_min, frame.local_max, frame.cube_center);
+    else if (constant_refract_lookup == REFRACT_LOOKUP_DISTANCE)
+        found = refract_cube_dir(point, normalize(dir));
+    return textureLod(env_cube, found, 0.0).rgb;
+}
+
+#endif

@@ -1,0 +1,240 @@
+/*
+ * refract_exits.glsl: gathers the light that leaves an object through several faces.
+ *
+ * At each face a ray inside transmits the fraction 1 - F of its light (F: Fresnel reflectance) and
+ * continues with F. The path inside never branches: it is one chain of faces, and each face without
+ * total internal reflection is an exit. What remains after the last exit or reflection is given the
+ * mean radiance of the surroundings. With a single exit, that exit gets everything.
+ *
+ * Rays are tested for cracks before the first face and, with REFRACT_BOUNCE_INCLUSIONS_ALL, before
+ * every face. There paths do branch: the stronger branch is followed, and once per pixel the weaker
+ * one, to a single exit, if its throughput exceeds params.branch. Others look up the environment.
+ *
+ * Both loops test their limit at the beginning and have another exit at the end. With a single exit
+ * at the end, lavapipe gives finished rays values of later iterations (Mesa 22.3).
+ */
+#ifndef REFRACT_EXITS_GLSL
+#define REFRACT_EXITS_GLSL
+#include "refract/refract_bounce.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    refract_bounce_params params;
+};
+
+layout(
+    location = REFRACT_FULLSCREEN_MEAN) flat in vec3 mean; /* mean radiance of the surroundings */
+
+#ifdef REFRACT_SSR /* reflections are faint: one exit is enough */
+#define EXITS        1u
+#define EXITS_BRANCH 1.0
+#else
+#define EXITS        constant_refract_exits
+#define EXITS_BRANCH params.branch
+#endif
+
+#define REFRACT_MARCH params.march
+#include "refract/refract_march_path.glsl"
+
+#include "refract/refract_cracks.glsl"
+
+/* Maximum number of times that a ray is continued after a false exit. */
+const uint exits_false_max = 2u;
+
+/* Maximum number of reflections by cracks between two exits. */
+const uint exits_crack_reflections = 3u;
+
+/* Cosine between normals above which a crack hit counts as the crack that the ray just left: the
+ * image shows that one beside the ray's origin. */
+const float exits_same_crack = 0.9;
+
+/* Throughput below which a ray gets at most one more reflection. Chains of total internal
+ * reflection are long in a cube, and all rays of a SIMD unit wait for the longest. */
+const float exits_weak_throughput = 0.1;
+
+/* State of a path inside the object. */
+struct exits_ray {
+    vec3 weight;  /* path throughput, relative to the pixel */
+    float crack;  /* distance to a crack that reflects the ray; inclusion_none if there is none */
+    vec3 crack_n; /* unit normal of the last crack before the next face; 0 if there is none */
+    refract_path path; /* its direction points to the next face */
+    vec3 n;            /* outward normal of the face; 0 if none was found */
+    float share;       /* Fresnel reflectance of the face */
+    uint faces;        /* number of reflections at faces so far */
+#ifdef REFRACT_MEDIUM
+    float straight; /* transmittance of the scattering medium */
+#endif
+#ifdef REFRACT_MATERIAL
+    vec3 tint; /* tint of the light transmitted by the face */
+#endif
+};
+
+/* Radiance of a pixel, and the branch that is still to be followed. */
+struct exits_pixel {
+    vec3 light;
+    exits_ray other; /* weight below 0: no branch yet; weight 0: already followed */
+};
+
+float exits_mean(vec3 weight)
+{
+    return dot(weight, vec3(1.0 / 3.0));
+}
+
+/* Intersects a path with a crack in front of its next face. The path keeps the stronger branch; the
+ * weaker one is stored in `pixel`, or sees the environment at once. */
+void exits_hit_crack(march_space space, inout exits_ray ray, inout exits_pixel pixel)
+{
+    cracks_hit hit = cracks_find(space, ray.path.point, ray.path.dir);
+    if (hit.t >= inclusion_none || abs(dot(hit.n, ray.crack_n)) > exits_same_crack)
+        return;
+    float c = -dot(hit.n, ray.path.dir);
+    vec3 shares = cracks_reflectance(c, frame.outside_in_air / refract_frame.eta, hit.width);
+    bool is_mirrored = exits_mean(shares) > 0.5;
+    vec3 lesser = (is_mirrored ? 1.0 - shares : shares) * ray.weight;
+    ray.crack_n = hit.n;
+    if (exits_mean(pixel.other.weight) < 0.0 && exits_mean(lesser) > EXITS_BRANCH) {
+        pixel.other = ray;
+        pixel.other.weight = lesser;
+        pixel.other.crack = is_mirrored ? inclusion_none : hit.t;
+    } else {
+        vec3 dir = is_mirrored ? ray.path.dir : optics_reflect(ray.path.dir, hit.n);
+        pixel.light += lesser * textureLod(env_cube, dir, 0.0).rgb;
+    }
+    ray.weight -= lesser;
+    ray.crack = is_mirrored ? hit.t : inclusion_none;
+}
+
+void exits_reflect(inout exits_ray ray, vec3 n)
+{
+    ray.faces++;
+    ray.path.dir = reflect(ray.path.dir, n);
+    ray.crack_n = vec3(0.0);
+}
+
+/*
+ * Follows a path to the next face that transmits light, at most to its last reflection.
+ *
+ * Some exits are false: where another part of the object hides the path, and next to the surface
+ * that the ray just left, because texels are coarse. There the depth is discontinuous or the face's
+ * normal points the wrong way; the ray then continues behind the occluding face.
+ */
+void exits_next(march_space space, float inverse_eta, inout exits_ray ray, inout exits_pixel pixel)
+{
+    const bool is_weak = exits_mean(ray.weight) < exits_weak_throughput;
+    const uint bounces = space.march.bounces;
+    const uint last = is_weak ? min(ray.faces + 1u, bounces) : bounces;
+    const bool meets = constant_cracks_traced != 0u && !is_weak;
+    const bool meets_all = params.inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL;
+    const uint most =
+        space.march.bounces + exits_false_max + exits_crack_reflections * constant_cracks_traced;
+    uint mistakes = 0u;
+    bool hidden = false;
+    ray.share = 0.0;
+#ifdef REFRACT_MATERIAL
+    ray.tint = vec3(1.0);
+#endif
+    ray.n = vec3(0.0);
+    for (uint i = 0u; ray.faces <= last && i <= most; i++) {
+        bool near_front, jumps;
+        if (meets && !hidden && (meets_all || ray.faces == 0u))
+            exits_hit_crack(space, ray, pixel);
+        float t = march_find_exit(space, ray.path.point, ray.path.dir, hidden, near_front, jumps);
+        bool is_mirrored = ray.crack < t;
+        t = min(t, ray.crack);
+#ifdef REFRACT_MEDIUM
+        pixel.light +=
+            ray.weight * exp(-refract_frame.absorb * ray.path.path) *
+            refract_in_scatter(frame.cloud, ray.path.point, ray.path.dir, t, ray.straight);
+#endif
+        ray.path.point += t * ray.path.dir;
+        ray.path.path += t;
+        ray.crack = inclusion_none;
+        if (is_mirrored) {
+            ray.path.dir = reflect(ray.path.dir, ray.crack_n);
+            continue;
+        }
+        vec3 n = march_nearer_normal(space, ray.path.point, near_front);
+        bool is_found = dot(n, ray.path.dir) > 0.0;
+        hidden = (!is_found || jumps) && mistakes < exits_false_max;
+        mistakes += hidden ? 1u : 0u;
+        if (hidden)
+            continue;
+        float share = is_found ? optics_fresnel(ray.path.dir, n, inverse_eta) : 0.0;
+        if (refract_is_below_ground(ray.path.point)) {
+            n = normalize(ray.path.point - frame.cube_center);
+            ray.path.dir = n;
+            is_found = true;
+            share = 0.0;
+        }
+        if (share < 1.0) {
+            ray.share = share;
+            ray.n = is_found ? n : ray.n;
+#ifdef REFRACT_MATERIAL
+            ray.tint = march_transmittance(space, ray.path.point, near_front);
+#endif
+            break;
+        }
+        ray.path.tir = ray.faces == 0u ? 1.0 : ray.path.tir;
+        ray.path.bounces += 1.0;
+        exits_reflect(ray, n);
+    }
+}
+
+vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
+{
+    float eta = refract_frame.etas[channel];
+    march_space space = march_space_of_frame();
+    exits_ray ray;
+    ray.weight = vec3(1.0);
+    ray.crack = inclusion_none;
+    ray.crack_n = vec3(0.0);
+    ray.path = refract_leave_at_front(optics_refract(e, n_f, eta));
+    ray.faces = 0u;
+#ifdef REFRACT_MEDIUM
+    ray.straight = 1.0;
+#endif
+    exits_pixel pixel;
+    pixel.light = vec3(0.0);
+    pixel.other = ray;
+    pixel.other.weight = vec3(-1.0);
+    path = ray.path;
+    bool is_first = true;
+    for (uint i = 1u; i <= EXITS; i++) {
+        exits_next(space, 1.0 / eta, ray, pixel);
+        refract_path leaving = ray.path;
+        leaving.dir = optics_refract(ray.path.dir, -ray.n, 1.0 / eta);
+        if (is_first)
+            path = leaving;
+        is_first = false;
+        bool is_trapped = ray.faces > space.march.bounces;
+        bool is_last = i == EXITS || ray.faces >= space.march.bounces ||
+                       exits_mean(ray.weight) * ray.share < params.least;
+        vec3 seen = refract_transmitted(leaving);
+        /* fraction that leaves through the face */
+        float share = is_trapped ? 0.0 : 1.0 - ray.share;
+        if (EXITS == 1u)
+            share = 1.0;
+        float rest = is_last ? 1.0 - share : 0.0;
+        seen = share * seen + rest * mean * exp(-refract_frame.absorb * ray.path.path);
+#ifdef REFRACT_MATERIAL
+        seen *= ray.tint;
+#endif
+#ifdef REFRACT_MEDIUM
+        seen *= ray.straight;
+#endif
+        pixel.light += ray.weight * seen;
+        if (is_last && exits_mean(pixel.other.weight) <= 0.0)
+            break;
+        if (is_last) { /* the weaker branch gets one exit */
+            ray = pixel.other;
+            pixel.other.weight = vec3(0.0);
+            i = EXITS - 1u;
+            continue;
+        }
+        ray.weight *= ray.share;
+        exits_reflect(ray, ray.n);
+    }
+    return pixel.light;
+}
+
+#endif

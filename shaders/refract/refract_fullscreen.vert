@@ -1,0 +1,51 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define REFRACT_FULLSCREEN_VERTEX
+#define HIGHLIGHT_VERTEX
+#include "lib/primary_ray.glsl"
+#include "lighting/highlight.glsl"
+#include "refract/refract_uniforms.glsl"
+
+layout(location = REFRACT_VIEW_RAY) out vec3 out_view_ray;
+
+#ifdef REFRACT_FULLSCREEN_WITH_MEAN
+layout(set = 0, binding = REFRACT_ENV_CUBE) uniform samplerCube env_cube;
+layout(location = REFRACT_FULLSCREEN_MEAN) flat out vec3 out_mean;
+layout(location = REFRACT_FULLSCREEN_MEAN, component = 3) flat out
+    float out_nearest; /* 1 / metres */
+
+const uint mean_count = 256u;
+const float mean_golden = 2.39996323; /* golden angle, radians */
+const float mean_brightest = 16.0;    /* clamps the sun, which most directions miss */
+
+/* Computes the mean radiance of the environment cube and its nearest distance over a spherical
+ * spiral. */
+void mean_compute()
+{
+    vec3 sum = vec3(0.0);
+    float nearest = 0.0;
+    for (uint i = 0u; i < mean_count; i++) {
+        float y = 1.0 - (2.0 * float(i) + 1.0) / float(mean_count);
+        float turn = mean_golden * float(i);
+        vec2 xz = sqrt(1.0 - y * y) * vec2(cos(turn), sin(turn));
+        vec4 seen = textureLod(env_cube, vec3(xz.x, y, xz.y), 0.0);
+        sum += min(seen.rgb, vec3(mean_brightest));
+        nearest = max(nearest, seen.a);
+    }
+    out_mean = sum / float(mean_count);
+    out_nearest = nearest;
+}
+#endif
+
+/* Draws a full-screen triangle at depth 0, behind all faces, for a depth test against them. */
+void main()
+{
+    vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+    out_view_ray = primary_ray(corner);
+    highlight_write_varyings();
+    refract_frame_write();
+#ifdef REFRACT_FULLSCREEN_WITH_MEAN
+    mean_compute();
+#endif
+}

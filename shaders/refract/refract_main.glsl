@@ -1,0 +1,136 @@
+/*
+ * refract_main.glsl: shared main() of the raster refraction models: writes layers with
+ * REFRACT_LAYERS, otherwise the image (Seipel and Nivfors 2006, eq. 6).
+ *
+ * Each model defines refract_follow(), the path of light through the ice. This file adds what all
+ * share: environment lookup, absorption, dispersion and reflection.
+ */
+#ifndef REFRACT_MAIN_GLSL
+#define REFRACT_MAIN_GLSL
+#include "lib/specialization_constants.glsl"
+#include "refract/refract_environment.glsl"
+#ifdef REFRACT_MATERIAL
+#include "refract/refract_material.glsl"
+#endif
+#include "refract/refract_path.glsl"
+#ifdef REFRACT_MEDIUM
+#include "refract/refract_medium.glsl"
+#endif
+#include "lighting/highlight.glsl"
+
+struct refract_result {
+    refract_path path;
+    vec3 refraction; /* refracted radiance, including the opaque base's */
+    vec3 reflection; /* radiance along the reflected direction */
+    float fresnel;   /* fraction of light that is reflected */
+};
+
+#ifdef REFRACT_PER_VERTEX
+layout(location = REFRACT_REFLECTED) in vec3 reflected;
+#endif
+
+vec3 refract_reflected_dir(vec3 e, vec3 n_f)
+{
+#ifdef REFRACT_PER_VERTEX
+    return reflected;
+#else
+    return optics_reflect(e, n_f);
+#endif
+}
+
+/* Returns the edge, in metres, of a cube with the object's diagonal; the size of spheres that
+ * replace it. */
+float refract_width()
+{
+    return 2.0 * refract_frame.radius * inversesqrt(3.0);
+}
+
+vec3 refract_transmitted(refract_path path)
+{
+    return refract_environment(path.point, path.dir) * exp(-refract_frame.absorb * path.path);
+}
+
+float refract_reflectance(vec3 e, vec3 n_f)
+{
+    if (constant_refract_fresnel == REFRACT_FRESNEL_EXACT)
+        return optics_fresnel(e, n_f, refract_frame.eta);
+    if (constant_refract_fresnel == REFRACT_FRESNEL_CROSSFADE)
+        return 1.0 - frame.refract_crossfade;
+    return clamp(fresnel_paper, 0.0, 1.0);
+}
+
+#ifndef REFRACT_EXITS
+/* Returns the refracted radiance of one colour channel; `path` becomes its path. */
+vec3 refract_radiance(vec3 e, vec3 n_f, int channel, out refract_path path)
+{
+    path = refract_follow(e, n_f, channel);
+    vec3 light = refract_transmitted(path);
+#ifdef REFRACT_MATERIAL
+    light *= refract_back_transmittance();
+#endif
+#ifdef REFRACT_MEDIUM
+    float straight = 1.0;
+    vec3 scattered =
+        refract_in_scatter(frame.cloud, path.point, normalize(path.dir), 1e30, straight);
+    light = straight * light + scattered;
+#endif
+    return light;
+}
+#elif defined(REFRACT_NESTED)
+#include "refract/refract_nested.glsl"
+#else
+#include "refract/refract_exits.glsl"
+#endif
+
+/* Shades a visible point of the ice. The returned path is that of green. */
+refract_result refract_shade(vec3 e, vec3 n_f)
+{
+    refract_result r;
+    r.refraction = refract_radiance(e, n_f, 1, r.path);
+    if (constant_refract_colors > 1u) {
+        refract_path other;
+        for (int channel = 0; channel < 3; channel += 2)
+            r.refraction[channel] = refract_radiance(e, n_f, channel, other)[channel];
+    }
+    r.reflection = refract_environment(refract_front_point(), refract_reflected_dir(e, n_f));
+    r.fresnel = refract_reflectance(e, n_f);
+#ifdef REFRACT_MATERIAL
+    r.refraction = r.refraction * refract_front_transmittance() + refract_base_radiance();
+#endif
+    return r;
+}
+
+#ifdef REFRACT_SSR /* the file that includes this one defines main() */
+#elif defined(REFRACT_LAYERS)
+layout(location = REFRACT_OUT_EXIT) out vec4 out_exit;
+layout(location = REFRACT_OUT_REFRACTION) out vec4 out_refraction;
+layout(location = REFRACT_OUT_REFLECTION) out vec4 out_reflection;
+layout(location = REFRACT_OUT_FRESNEL) out float out_fresnel;
+layout(location = REFRACT_OUT_PATH) out vec4 out_path;
+
+void main()
+{
+    refract_front_read();
+    refract_result r = refract_shade(primary_ray_dir(eye_to_point), refract_front_normal());
+    out_exit = vec4(normalize(r.path.dir), 0.0);
+    out_refraction = vec4(r.refraction, 0.0);
+    out_reflection = vec4(r.reflection, 0.0);
+    out_fresnel = r.fresnel;
+    out_path = vec4(r.path.path, r.path.bounces, r.path.tir, 0.0);
+}
+#else
+layout(location = REFRACT_OUT_COLOR) out vec4 color;
+layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;
+
+void main()
+{
+    refract_front_read();
+    vec3 e = primary_ray_dir(eye_to_point);
+    vec3 n_f = refract_front_normal();
+    refract_result r = refract_shade(e, n_f);
+    color = vec4(optics_compose(r.reflection, r.refraction, r.fresnel), 1.0);
+    highlight = highlight_radiance(e, eye_to_point, n_f);
+}
+#endif
+
+#endif

@@ -1,0 +1,69 @@
+/* refract_march_path.glsl: refraction by image-space ray marching to the exit point; with
+ * REFRACT_BOUNCE also after total internal reflections. */
+#ifndef REFRACT_MARCH_PATH_GLSL
+#define REFRACT_MARCH_PATH_GLSL
+#include "refract/refract_march_ray.glsl"
+#include "refract/refract_path.glsl"
+
+#ifdef MARCH_GROUND
+/* Returns true if a point is in the ground, where no air is below the ice's base. */
+bool march_is_in_ground(vec3 point);
+#endif
+
+#ifdef REFRACT_MEDIUM
+#include "refract/refract_medium.glsl"
+
+vec3 march_scattered;            /* radiance scattered into the path that was traced last */
+float march_transmittance_media; /* transmittance of media on that path; callers initialise both */
+#endif
+
+/* Traces a path inside to its exit. `leaving` becomes the transmittance of the last surface; 0 if
+ * no light leaves. */
+void march_continue(march_space space, float eta, inout refract_path path, out float leaving)
+{
+    leaving = 0.0;
+    for (uint i = 0u;; i++) {
+        bool near_front;
+        float t = march_length(space, path.point, path.dir, near_front);
+#ifdef REFRACT_MEDIUM
+        march_scattered +=
+            exp(-refract_frame.absorb * path.path) *
+            refract_in_scatter(frame.cloud, path.point, path.dir, t, march_transmittance_media);
+#endif
+        path.point += t * path.dir;
+        path.path += t;
+        vec3 n = march_normal(space, path.point, path.dir, near_front);
+        if (dot(n, path.dir) <= 0.0) /* no face was found: the ray continues straight */
+            break;
+#ifdef MARCH_GROUND
+        if (march_is_in_ground(path.point)) {
+            leaving = 1.0;
+            break;
+        }
+#endif
+        bool total = optics_refract_k(path.dir, n, 1.0 / eta) < 0.0;
+        leaving = 1.0 - optics_fresnel(path.dir, n, 1.0 / eta);
+        path.dir = optics_refract(path.dir, -n, 1.0 / eta);
+        path.tir = total && i == 0u ? 1.0 : path.tir;
+        path.bounces += total ? 1.0 : 0.0;
+        if (!total || i == space.march.bounces)
+            break;
+    }
+}
+
+/* Traces the path of a ray that enters through the front face. */
+refract_path march_path(vec3 e, vec3 n_f, int channel, out float leaving)
+{
+    float eta = refract_frame.etas[channel];
+    refract_path path = refract_leave_at_front(optics_refract(e, n_f, eta));
+    march_continue(march_space_of_frame(), eta, path, leaving);
+    return path;
+}
+
+refract_path refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    float leaving;
+    return march_path(e, n_f, channel, leaving);
+}
+
+#endif

@@ -1,0 +1,20 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "refract/refract_main.glsl"
+#include "refract/refract_paper.h"
+
+layout(set = 0, binding = REFRACT_NORMAL_BACK) uniform sampler2D normal_back;
+
+layout(push_constant, scalar) uniform Push
+{
+    refract_paper_params params;
+};
+
+/* Pixels without a back face, in meshes that are not closed, are refracted at the front face only.
+ */
+refract_path refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    vec4 n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0);
+    vec3 n_r = n_b.w > 0.5 ? optics_blend_normals(n_f, n_b.xyz, params.a) : n_f;
+    return refract_leave_at_front(optics_refract(e, n_r, frame.etas[channel]));
+}

@@ -1,0 +1,31 @@
+/* refract_path.glsl: result of a refraction model: the path of light through the ice. */
+#ifndef REFRACT_PATH_GLSL
+#define REFRACT_PATH_GLSL
+#include "lib/optics.glsl"
+#include "refract/refract_front_face.glsl"
+
+/* Path of light through the ice, traced from the camera. */
+struct refract_path {
+    vec3 dir;      /* direction in which the path leaves the ice */
+    vec3 point;    /* exit point in world space */
+    float path;    /* length inside, metres; 0 if the refraction model does not compute it */
+    float bounces; /* number of total internal reflections */
+    float tir;     /* 1 if the first inner face reflects totally, otherwise 0 */
+};
+
+/* Returns the path of a colour channel, with index refract_frame.etas[channel]; each refraction
+ * model defines this function. */
+refract_path refract_follow(vec3 e, vec3 n_f, int channel);
+
+vec3 refract_front_point()
+{
+    return refract_frame.eye + eye_to_point;
+}
+
+/* Returns a path that is refracted at the front face only. */
+refract_path refract_leave_at_front(vec3 dir)
+{
+    return refract_path(dir, refract_front_point(), 0.0, 0.0, 0.0);
+}
+
+#endif

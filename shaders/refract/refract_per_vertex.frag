@@ -1,0 +1,11 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define REFRACT_PER_VERTEX
+#include "refract/refract_main.glsl"
+
+layout(location = REFRACT_REFRACTED) in vec3 refracted[3];
+
+refract_path refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    return refract_leave_at_front(refracted[channel]);
+}

@@ -1,0 +1,13 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "refract/refract_main.glsl"
+#include "refract/refract_thickness.glsl"
+
+/* Refracts as a slab of two parallel faces: light leaves in its original direction, displaced. The
+ * slab is as thick as the ice along the unrefracted ray. */
+refract_path refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    vec3 inside = optics_refract(e, n_f, frame.etas[channel]);
+    float path_length = refract_thickness() * abs(dot(n_f, e)) / max(-dot(n_f, inside), 1e-3);
+    return refract_path(e, refract_front_point() + path_length * inside, path_length, 0.0, 0.0);
+}

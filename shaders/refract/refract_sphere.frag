@@ -1,0 +1,16 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "refract/refract_main.glsl"
+
+/* Refracts as a sphere of the object's size: its back deflects as much as its front and never
+ * reflects totally. */
+refract_path refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    float eta = frame.etas[channel];
+    vec3 inside = optics_refract(e, n_f, eta);
+    float half_chord = max(-dot(n_f, inside), 0.0); /* in radii of the sphere */
+    vec3 n_b = n_f + 2.0 * half_chord * inside;
+    float path_length = half_chord * refract_width();
+    vec3 point = refract_front_point() + path_length * inside;
+    return refract_path(optics_refract(inside, -n_b, 1.0 / eta), point, path_length, 0.0, 0.0);
+}

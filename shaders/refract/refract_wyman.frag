@@ -1,0 +1,49 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "refract/refract_main.glsl"
+#include "refract/refract_thickness.glsl"
+
+/* Returns the thickness along the front normal: the distance to the back face where a sphere of the
+ * object's size would end, or nearer if there is no ice in that pixel. */
+float thickness_along(vec3 point, vec3 n_f)
+{
+    float guess = refract_width();
+    for (int i = 0; i < 4; i++) {
+        vec3 end = point - guess * n_f;
+        vec4 clip = refract_clip(end);
+        float back = texelFetch(depth_back, refract_texel(clip), 0).r;
+        if (back > 0.0 && clip.w > 0.0) {
+            if (constant_orthographic != 0u)
+                end += frame.forward * (view_depth(frame.clip_from_world, back) -
+                                        view_depth(frame.clip_from_world, clip.z));
+            else
+                end = frame.eye + (end - frame.eye) * (clip.z / clip.w / back);
+            return max(dot(point - end, n_f), 0.0);
+        }
+        guess *= 0.5;
+    }
+    return guess;
+}
+
+/* Refracts as in Wyman 2005, eq. 2: the ratio of the angles interpolates between both thicknesses.
+ */
+refract_path refract_follow(vec3 e, vec3 n_f, int channel)
+{
+    float eta = frame.etas[channel];
+    vec3 point = refract_front_point();
+    vec3 inside = optics_refract(e, n_f, eta);
+    float ci = clamp(-dot(n_f, e), 0.0, 1.0);
+    float si = sqrt(1.0 - ci * ci);
+    /* eta exceeds 1 if the ice's index is below that of its outside */
+    float ratio = si > 1e-3 ? asin(min(eta * si, 1.0)) / asin(si) : eta;
+    float straight = refract_thickness();
+    float path_length = mix(thickness_along(point, n_f), straight, ratio);
+    point += path_length * inside;
+    vec3 n_b = refract_normal_at(normal_back, refract_uv(refract_clip(point)));
+    if (n_b == vec3(0.0)) /* the path ends outside the silhouette */
+        n_b = texelFetch(normal_back, ivec2(gl_FragCoord.xy), 0).xyz;
+    if (dot(n_b, inside) <= 0.0)
+        return refract_path(inside, point, path_length, 0.0, 0.0);
+    float tir = optics_refract_k(inside, n_b, 1.0 / eta) < 0.0 ? 1.0 : 0.0;
+    return refract_path(optics_refract(inside, -n_b, 1.0 / eta), point, path_length, 0.0, tir);
+}

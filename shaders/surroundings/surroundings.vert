@@ -1,0 +1,34 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/pose.glsl"
+#include "surroundings/surroundings.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    surroundings_push push;
+};
+
+layout(location = MESH_POSITION) in vec3 position;
+layout(location = MESH_NORMAL) in vec3 normal;
+layout(location = MESH_COLOR) in vec3 color;
+layout(location = MESH_UV) in vec2 uv;
+layout(location = MESH_MATERIAL) in uint material;
+
+layout(location = 0) out vec3 out_eye_to_point;
+layout(location = 1) out vec3 out_normal;
+layout(location = 2) out vec3 out_color;
+layout(location = 3) out vec2 out_uv;
+layout(location = 4) flat out uint out_material;
+
+void main()
+{
+    /* `precise`, because the layers' passes test for depth equality with this pass. */
+    precise vec3 point = pose_surroundings(position, material);
+    precise vec4 clip = push.clip_from_world * vec4(point, 1.0);
+    gl_Position = clip;
+    out_eye_to_point = point - push.eye;
+    out_normal = pose_surroundings_normal(normal, material);
+    out_color = color;
+    out_uv = uv;
+    out_material = material;
+}

@@ -1,0 +1,125 @@
+/* surroundings_materials.frag: main() of the fragment shader for surroundings with materials.
+ * SURROUNDINGS_CAUSTICS adds the ice's caustics and shadow, SURROUNDINGS_EXTRA the vertex
+ * attributes of struct mesh_extra, SURROUNDINGS_SSR the outputs for screen-space reflections. */
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/alpha_test.glsl"
+#include "lib/ao.glsl"
+#include "lib/brdf_shading.glsl"
+#include "lib/octahedral_encoding.glsl"
+#include "mesh_layout.h"
+#include "surroundings/surroundings.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    surroundings_push push;
+};
+
+layout(location = 0) in vec3 eye_to_point;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 base_color;
+layout(location = 3) in vec2 uv;
+layout(location = 4) flat in uint material;
+#ifdef SURROUNDINGS_EXTRA
+layout(location = 5) in vec2 other_uv;
+layout(location = 6) in vec4 tangent;
+#endif
+layout(location = 0) out vec4 color;
+#ifdef SURROUNDINGS_SSR
+layout(location = SURROUNDINGS_OUT_SURFACE) out vec4 out_surface;
+layout(location = SURROUNDINGS_OUT_SPECULAR) out vec4 out_glossy;
+#endif
+
+/* Returns the view vector, from the camera to the shaded point; not normalised. */
+vec3 view_vector()
+{
+    return constant_orthographic != 0u && push.inverse == 0u ? push.forward : eye_to_point;
+}
+
+#ifdef SURROUNDINGS_CAUSTICS
+#include "lib/sun_shadow_caustics.glsl"
+#endif
+
+/* Returns the factor, from 1/2 to 1, that turns an elongated texture footprint into a square one of
+ * equal area; it replaces anisotropic filtering in cube maps. */
+float footprint_blur()
+{
+    vec2 x = dFdx(uv), y = dFdy(uv);
+    float longer = max(dot(x, x), dot(y, y));
+    float area = abs(x.x * y.y - x.y * y.x);
+    return longer > 0.0 ? clamp(sqrt(area / longer), 0.5, 1.0) : 1.0;
+}
+
+/* Returns the sunlight on the surface in the units of brdf.h, and the part of it due to caustics.
+ */
+vec3 sun_light(out vec3 caustics)
+{
+    caustics = vec3(0.0);
+#ifdef SURROUNDINGS_CAUSTICS
+    sun_shadow shine = sun_shadow_at(push.eye + eye_to_point, normalize(normal));
+    caustics = sky_sun() * shine.through;
+    return sky_sun() * (shine.own * shine.open) + caustics;
+#else
+    return sky_sun();
+#endif
+}
+
+void main()
+{
+#ifdef SURROUNDINGS_EXTRA
+    lit_second_uv = other_uv;
+    lit_tangent = tangent;
+#endif
+    uint row = material >> MESH_SURFACE_SHIFT;
+    float tiled = constant_tiled != 0u ? exp2(frame.lod_bias) : 1.0;
+    float blur = push.inverse != 0u ? footprint_blur() : tiled;
+    vec4 factors = material_texel(row, MATERIAL_ROW_FACTORS);
+    vec4 reflectance = material_texel(row, MATERIAL_ROW_F0);
+    vec4 emission = material_texel(row, MATERIAL_ROW_EMISSION);
+    vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
+    vec4 base = lit_base(row, material & MESH_TEXTURE_MASK, uv, blur);
+    vec4 rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, uv, blur);
+    vec4 normal_texel = lit_texel(numbers, row, MATERIAL_USE_NORMAL, uv, blur);
+    float occlusion = lit_texel(numbers, row, MATERIAL_USE_OCCLUSION, uv, blur).r;
+    vec3 emitted = lit_texel(textures, row, MATERIAL_USE_EMISSION, uv, blur).rgb * emission.rgb;
+    float specular = lit_texel(numbers, row, MATERIAL_USE_SPECULAR, uv, blur).a * factors.z;
+    vec3 f0 = lit_texel(textures, row, MATERIAL_USE_SPECULAR_COLOR, uv, blur).rgb * reflectance.rgb;
+
+    vec3 albedo = base_color * base.rgb;
+    float alpha = push.inverse != 0u ? 1.0 / length(eye_to_point) : 1.0;
+    vec3 to_eye = -normalize(view_vector());
+    vec3 n = normalize(normal);
+    n = dot(n, to_eye) < 0.0 ? -n : n;
+    vec3 top = n; /* normal of the reflecting layer (clear coat); n is that of the diffuse base */
+    if (normal_texel != vec4(1.0))
+        n = NORMAL_MAP(row, n, normal, normal_texel.rgb, scales.xy, eye_to_point, uv);
+    top = scales.w > 0.0 ? top : n;
+    vec3 reflected_dir = reflect(-to_eye, top);
+    float lod = lit_mirror_lod(reflected_dir, push.environment_lod);
+    if (is_hole(base.a * factors.w, reflectance.w, emission.w, row))
+        discard;
+    vec3 caustics;
+    vec3 sun = sun_light(caustics);
+#ifdef SURROUNDINGS_SSR
+    out_surface = out_glossy = vec4(0.0);
+#endif
+    if ((material & MESH_UNLIT) != 0u) {
+        color = vec4(albedo * (1.0 + caustics * max(dot(n, frame.sun_dir), 0.0)), alpha);
+        return;
+    }
+    lit_surface s = lit_surface_of(albedo, factors.x * rough.b, factors.y * rough.g, f0, specular);
+    float n_dot_v = clamp(dot(top, to_eye), 0.0, 1.0);
+    lit_environment_factors shares = lit_environment_factors_of(s, lit_split(s.roughness, n_dot_v));
+    vec3 glossy = shares.glossy * lit_specular(reflected_dir, s.roughness, lod);
+    vec3 unoccluded_diffuse = lit_diffuse(n), matt = shares.matt * unoccluded_diffuse;
+    ao_shade(s, shares, push.eye + eye_to_point, n, unoccluded_diffuse, matt, glossy);
+    sun *= lit_by_light_on(s, top, n, to_eye, frame.sun_dir, frame.sun_spread);
+    vec3 lit = lit_by_lights_on(s, push.eye + eye_to_point, top, n, to_eye);
+    occlusion = mix(1.0, occlusion, scales.y);
+    color = vec4((glossy + matt) * occlusion + sun + lit + emitted, alpha);
+#ifdef SURROUNDINGS_SSR
+    float reflectance_mean = dot(shares.glossy, vec3(1.0 / 3.0));
+    out_surface = vec4(octahedral_encode(top), s.roughness, reflectance_mean * occlusion);
+    out_glossy = vec4(glossy * occlusion, 0.0);
+#endif
+}

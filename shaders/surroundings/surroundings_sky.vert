@@ -1,0 +1,21 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/specialization_constants.glsl"
+#include "surroundings/surroundings.h"
+
+layout(push_constant, scalar) uniform Push
+{
+    surroundings_push push;
+};
+
+layout(location = 0) out vec3 dir; /* not normalised; linearly interpolated over the screen */
+
+/* Draws a full-screen triangle at depth 0, which is infinitely far away. */
+void main()
+{
+    vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+    dir = push.forward;
+    if (constant_orthographic == 0u || push.inverse != 0u)
+        dir += corner.x * push.right - corner.y * push.up;
+}

@@ -1,0 +1,66 @@
+/* surroundings_vertices.frag: main() of the fragment shader for surroundings lit per vertex
+ * (surroundings_vertices_vert.glsl); SURROUNDINGS_CAUSTICS adds the ice's caustics and shadow. */
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/alpha_test.glsl"
+#include "lib/brdf_shading.glsl"
+#include "surroundings/surroundings.h"
+#ifdef SURROUNDINGS_CAUSTICS
+#include "lib/sun_shadow_caustics.glsl"
+#endif
+
+layout(location = 0) flat in uint material;
+layout(
+    location = 1) in vec3 matt; /* diffuse irradiance; without the sun's if SURROUNDINGS_CAUSTICS */
+layout(location = 2) in vec3 glossy;
+layout(location = 3) in vec2 uv;
+layout(location = 4) in vec2 glow_uv;
+layout(location = 5) flat in vec4 lookups; /* layer and wrap of colour and emission */
+#ifdef SURROUNDINGS_CAUSTICS
+layout(location = 6) in vec3 sun; /* sunlight on the diffuse base, without shadow and caustics */
+layout(location = 7) in vec4 shadow_clip;  /* position in the shadow map: ice_light_clip() */
+layout(location = 8) flat in float direct; /* factor on direct sunlight: 0 if unlit, otherwise 1 */
+layout(location = 9) in vec4
+    shadow_clip_lifted; /* shadow map position of the point after ice_light_biased() */
+#endif
+layout(location = 0) out vec4 color;
+
+/* Samples a texture array; `lookup` holds the layer, or -1 for white, and the wrap mode. */
+vec4 texel_at(sampler2DArray of, vec2 at, vec2 lookup)
+{
+    vec3 wrapped = vec3(lit_wrapped(of, at, lookup.y), lookup.x);
+    vec4 texel = texture(of, wrapped);
+    if (constant_tiled != 0u)
+        texel = texture(of, wrapped, frame.lod_bias);
+    return lookup.x < 0.0 ? vec4(1.0) : texel;
+}
+
+/* Returns the emitted radiance if it has a texture; otherwise the vertex shader has added it. */
+vec3 emitted()
+{
+    if ((constant_textured & 1u << MATERIAL_USE_EMISSION) == 0u)
+        return vec3(0.0);
+    vec3 emission = material_texel(material >> MESH_SURFACE_SHIFT, MATERIAL_ROW_EMISSION).rgb;
+    return emission * texel_at(textures, glow_uv, lookups.zw).rgb;
+}
+
+bool is_cut_out(float alpha)
+{
+    uint row = material >> MESH_SURFACE_SHIFT;
+    float opacity = material_texel(row, MATERIAL_ROW_FACTORS).w;
+    float kind = material_texel(row, MATERIAL_ROW_F0).w;
+    return is_hole(alpha * opacity, kind, material_texel(row, MATERIAL_ROW_EMISSION).w, row);
+}
+
+void main()
+{
+    vec4 base = constant_textured != 0u ? texel_at(textures, uv, lookups.xy) : vec4(1.0);
+    vec3 on_base = matt;
+#ifdef SURROUNDINGS_CAUSTICS
+    sun_shadow shine = sun_shadow_lookup(shadow_clip, shadow_clip_lifted);
+    on_base += sun * (direct * shine.own * shine.open + shine.through);
+#endif
+    color = vec4(on_base * base.rgb + glossy + emitted(), 1.0);
+    if (is_cut_out(base.a)) /* after all texture lookups, which need derivatives */
+        discard;
+}

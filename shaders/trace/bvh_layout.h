@@ -1,0 +1,76 @@
+/*
+ * bvh_layout.h: memory layout of the BVH that shaders traverse, built by src/scene/bvh/bvh.c. Every
+ * buffer is an array of words of four 32-bit numbers.
+ *
+ * A node has two children, one word each. The first three numbers hold the child's bounding box:
+ * for each axis the lower plane and, shifted left by the number of bits of a plane, the upper one,
+ * quantised to the grid of the BVH. If planes have fewer than BVH_PLANE_BITS bits, the bits from
+ * BVH_CONE_SHIFT on hold a cone that bounds the triangles' normals: its axis, signed, times
+ * BVH_CONE_AXIS. The fourth number is the child's index: that of a node or, with BVH_LEAF, first
+ * triangle << 3 | number of triangles. Its bits from BVH_CONE_SINE_SHIFT on hold the sine of the
+ * cone's half angle times 2 * BVH_CONE_AXIS, or BVH_CONE_OPEN if the cone has all directions.
+ *
+ * Two words before the root describe the grid: its origin and the number of bits of a plane, then
+ * grid steps per metre along each axis.
+ *
+ * A triangle has three words, the rows of an affine map to (u, v, w): u and v are the barycentric
+ * weights of the second and third corner, w is the distance in front of the plane (Woop 2004,
+ * DynRT). Three more words in the buffer of corners hold the corners' normals. Their fourth numbers
+ * are: (1) the object's medium priority, or 0, plus BVH_OBJECT_NUMBER times its number in the layer
+ * `object`; (2) the material as in mesh_layout.h; (3) the index of BVH_SURFACE_WORDS additional
+ * words, or 0. These hold three vertex colours, the texture coordinates u and v of the corners, and
+ * the number of the surroundings' object times 2, which is odd if BVH_EXTRA_WORDS more words
+ * follow: three tangents with handedness, and the second set of texture coordinates. The bits of
+ * (3) from BVH_HORIZON_SHIFT on are the triangle's horizon, an occlusion cone: BVH_HORIZON_STEPS
+ * times the sine of the elevation above its outer side beyond which rays hit no object, or
+ * BVH_HORIZON_UNKNOWN (src/scene/bvh/bvh_horizon.h).
+ *
+ * Corners of a crack store the opening there (cracks.h) as a half float in the upper half of the
+ * fourth number; the lower half is 0. A bubble is stored as a triangle whose rows are: centre and
+ * `stretch` (src/scene/bubble.h); axis and 1 for a capsule; (0, 0, 0, radius).
+ *
+ * For a single object with horizons, BVH_HORIZON_GRID_WORDS words after the corners divide its
+ * bounding box into BVH_HORIZON_GRID cells per axis, x first, 8 cells in a number. A cell holds the
+ * greatest horizon of its triangles, valid for every interpolated normal.
+ *
+ * If a scene has more than BVH_MASK_OBJECTS_MAX objects, one word per medium priority follows the
+ * corners, starting with priority 0, the outside. Its first number is the object's medium, from 1.
+ */
+#ifndef SHADERS_TRACE_BVH_LAYOUT_H
+#define SHADERS_TRACE_BVH_LAYOUT_H
+
+#define BVH_NODE_WORDS         2
+#define BVH_TRIANGLE_WORDS     3
+#define BVH_CORNER_WORDS       3
+#define BVH_SURFACE_WORDS      4
+#define BVH_EXTRA_WORDS        5
+#define BVH_OBJECT_NUMBER      0x10000u
+#define BVH_LEAF               0x80000000u
+#define BVH_NONE               0xffffffffu
+#define BVH_CHILD_MASK         0x87ffffffu
+#define BVH_PLANE_BITS         16
+#define BVH_CONE_SHIFT         28
+#define BVH_CONE_AXIS          7
+#define BVH_CONE_SINE_SHIFT    27
+#define BVH_CONE_OPEN          15
+#define BVH_SURFACE_MASK       0x0fffffffu
+#define BVH_HORIZON_SHIFT      28
+#define BVH_HORIZON_STEPS      14
+#define BVH_HORIZON_UNKNOWN    15
+#define BVH_HORIZON_GRID       16
+#define BVH_HORIZON_GRID_WORDS (BVH_HORIZON_GRID * BVH_HORIZON_GRID * BVH_HORIZON_GRID / 32)
+#define BVH_DEPTH_MAX          30
+#define BVH_TRIANGLES_MAX      (1u << 24)
+#define BVH_MASK_OBJECTS_MAX   32    /* maximum for sets as 32-bit masks */
+#define BVH_OBJECTS_MAX        65535 /* maximum number of objects; priorities have 16 bits */
+#define BVH_INTERIOR_LIST_MAX  8     /* overlapping objects at a point, with many objects */
+#define BVH_MEDIA_MAX          255   /* maximum number of materials in scenes of many objects */
+
+/* the BVHs of a scene */
+#define BVH_OBJECTS      0
+#define BVH_SURROUNDINGS 1
+#define BVH_MOVERS       2 /* surroundings that orbit the object */
+#define BVH_INCLUSIONS   3 /* cracks and bubbles of the first object, in object space */
+#define BVH_PART_COUNT   4
+
+#endif

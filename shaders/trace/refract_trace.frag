@@ -1,0 +1,597 @@
+/*
+ * refract_trace.frag: GPU ray tracer for nested dielectrics, main loop (refract_trace.c).
+ *
+ * At surfaces a pixel's path splits by Fresnel reflectance: the refracted path is followed,
+ * reflected paths with enough throughput are pushed onto a stack of pending paths. One loop over
+ * path segments serves all paths. With TRACE_RAYS, rays also hit the triangles of the surroundings;
+ * otherwise paths that leave the objects end with a lookup in the environment cube.
+ *
+ * Code for rare cases is in loops that run at most once: lavapipe (Mesa 22.3) skips a loop that no
+ * pixel of a group enters, but executes both sides of a branch.
+ */
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#ifdef TRACE_QUERY
+#extension GL_EXT_ray_query : require
+#endif
+#define REFRACT_FULLSCREEN
+#include "lib/microfacet.glsl"
+#include "lib/primary_ray.glsl"
+#include "lib/specialization_constants.glsl"
+#include "lighting/bump_normal.h"
+#include "lighting/highlight.glsl"
+#include "refract/refract_uniforms.glsl"
+#include "trace/trace_fresnel.glsl"
+#ifdef TRACE_RAYS
+#include "trace/trace_material.glsl"
+#else
+#include "object_material.h"
+#include "trace/refract_trace.h"
+#define REFRACT_NEAREST
+#define REFRACT_ENV_CUBE_POINTS TRACE_CUBE_POINTS
+#include "refract/refract_environment.glsl"
+#endif
+#include "trace/trace_medium_stack.glsl"
+#ifdef TRACE_DENOISE
+#include "trace/trace_denoise.glsl"
+#endif
+
+layout(location = REFRACT_VIEW_RAY) in vec3 ray;
+#ifndef TRACE_RAYS
+layout(set = 0, binding = REFRACT_SHADING) uniform sampler2D shading;
+layout(set = 0, binding = REFRACT_DEPTH_FRONT) uniform sampler2D depth_front;
+#endif
+
+#ifdef TRACE_RAYS
+const int trace_pending_max = 6; /* maximum number of pending paths */
+#else
+const int trace_pending_max = 2;
+const int trace_ends_max = 3; /* maximum number of paths per pixel */
+#endif
+const int trace_segments_max = 40; /* maximum number of segments of a path */
+/* Number of segments of a pixel after which paths are no longer split. llvmpipe terminates loops
+ * after 65 535 iterations, which would lose the light of pending paths. */
+const int trace_split_segments_max = 256;
+const float trace_side_escaped = -2.0; /* trace_path.side of a path that cannot hit objects again */
+const float trace_rough_min = 1e-3;
+const float trace_branch_min = 1e-3;
+const float trace_lighting_branch = 0.1; /* minimum throughput of lighting rays */
+
+/* State of a path, traced from the camera towards the light. */
+struct trace_path {
+    vec3 origin, dir, throughput;
+    uvec4 medium_stack; /* medium stack: the objects that contain the path's origin */
+    int from;           /* triangle on which the segment starts; below 0 if there is none */
+    float side, reach;  /* as in trace_ray; side may also be trace_side_escaped */
+    uint seed;
+    float kind; /* 1: reflected by the first surface; 2: diffuse light, to denoise; else 0 */
+    int left;   /* number of segments that the path may still have */
+    bool is_in_bubble;
+    bool is_lighting_ray; /* samples the lighting of surroundings (trace_diffuse_light.glsl) */
+    /* factor for sky radiance if the ray reaches the sky without a hit; 0 after refraction by an
+     * object; below 0 if the ray started inside an object */
+    float open;
+    vec3 shift, turn; /* ray differentials of origin and direction (trace_ray_differentials.glsl) */
+};
+
+struct trace_result {
+    vec3 refraction, reflection; /* radiance, times the throughput */
+    vec3 normal;                 /* of the first surface, on the camera's side */
+    float distance, fresnel;
+    bool is_object;
+    bool is_ground; /* the primary ray hits surroundings */
+    vec3 exit;
+    float path_length, bounces, segments; /* of the main path, refracted where possible */
+    /* number of the last object that the main path hits after the first surface; 0 if there is none
+     */
+    uint last;
+};
+
+/* Per-pixel state in global variables: lavapipe compiles arrays in function arguments slowly. */
+
+trace_path path;                       /* the path that is being followed */
+trace_path pending[trace_pending_max]; /* stack of pending paths, the latest one first */
+int pending_count;
+int segment_count; /* number of segments of all paths of the pixel so far */
+trace_result seen;
+vec3 start;       /* origin of the primary ray */
+bool is_first;    /* the path has not hit a surface yet */
+bool is_main;     /* the main path is followed (seen.path_length) */
+bool is_straight; /* the followed path may set seen.last */
+
+#ifndef TRACE_RAYS
+/* End of a path that leaves the objects. The environment is looked up after all paths of the pixel
+ * have ended, so that all pixels of a group perform the lookups together. */
+struct trace_ray_end {
+    vec3 origin, dir, throughput;
+    float kind;
+};
+
+trace_ray_end ends[trace_ends_max];
+int end_count, ends_left;
+trace_path escaped_end; /* end of the path of seen.last; zero throughput if it has not left */
+#endif
+
+/* Returns the untextured surface parameters of a medium. */
+object_material trace_untextured(uint rank)
+{
+    return object_material(trace_medium(rank, TRACE_TINT).rgb, trace_medium(rank, TRACE_IOR).w,
+                           trace_medium(rank, TRACE_ABSORB).w);
+}
+
+/* Returns true if a path is inside an object. For a single closed object the ray's side is enough,
+ * which saves updating the medium stack. */
+bool trace_is_in(trace_path path)
+{
+    bool has_side =
+        trace_has(TRACE_HAS_CULLING) && !trace_has(TRACE_HAS_HOLES | TRACE_HAS_DIFFUSE_LIGHT);
+    return has_side ? path.side > 0.0 : trace_is_inside(path.medium_stack);
+}
+
+/* Intersection of a path with an object's surface. */
+struct trace_crossing {
+    vec3 n, facet; /* shading normal and geometric normal, both on the side of the incoming ray */
+    uint rank;
+    bool is_hit; /* the ray hits a surface */
+    bool is_entering, is_thin, is_real;
+    bool is_inclusion;
+    float eta;
+    float horizon;       /* sine of the elevation above which outgoing rays hit no object */
+    bool is_bumpy;       /* `n` comes from a normal map */
+    object_material own; /* textured surface parameters, with TRACE_HAS_TEXTURED_OBJECTS */
+    vec3 shift, bend; /* differentials of the hit point and of `n` (trace_ray_differentials.glsl) */
+};
+
+#include "trace/trace_bvh_mask.glsl"
+#include "trace/trace_inclusions.glsl"
+#include "trace/trace_ray_differentials.glsl"
+
+trace_crossing trace_crossing_at(trace_path path, trace_hit hit, int channel)
+{
+    trace_crossing c;
+    int triangle = max(hit.triangle, 0);
+    int at = BVH_CORNER_WORDS * triangle;
+    vec4 n0 = uintBitsToFloat(trace_corner(at));
+    vec4 n1 = uintBitsToFloat(trace_corner(at + 1));
+    vec4 n2 = uintBitsToFloat(trace_corner(at + 2));
+    c.facet = uintBitsToFloat(trace_row(BVH_TRIANGLE_WORDS * triangle + 2)).xyz;
+    c.facet = trace_posed(c.facet, hit.part);
+    c.n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
+    c.n = normalize(trace_posed(c.n, hit.part));
+    c.rank = hit.triangle >= 0 ? floatBitsToUint(n0.w) % BVH_OBJECT_NUMBER : 0u;
+    c.is_entering = dot(c.facet, path.dir) < 0.0;
+    c.facet *= c.is_entering ? 1.0 : -1.0;
+    c.n *= c.is_entering ? 1.0 : -1.0;
+    c.n = dot(c.n, path.dir) < 0.0 ? c.n : c.facet;
+    differential_transfer(path, hit, c);
+    c.is_hit = c.rank != 0u;
+    c.is_thin = false;
+    c.is_real = true;
+    c.is_inclusion = false;
+    c.horizon = float(floatBitsToUint(n2.w) >> BVH_HORIZON_SHIFT) / float(BVH_HORIZON_STEPS);
+    if (trace_has(TRACE_HAS_MEDIA)) {
+        uint below = trace_current_medium_without(path.medium_stack, c.rank);
+        uint above = max(below, c.rank);
+        c.is_thin = trace_medium(c.rank, TRACE_TINT).w > 0.0;
+        c.is_real = c.is_thin || below != above;
+        float ior_below = trace_medium(below, TRACE_IOR)[channel];
+        float ior_above = trace_medium(c.is_thin ? c.rank : above, TRACE_IOR)[channel];
+        c.eta = c.is_entering || c.is_thin ? ior_below / ior_above : ior_above / ior_below;
+    } else {
+        c.eta = refract_frame.etas[channel];
+        c.eta = c.is_entering ? c.eta : 1.0 / c.eta;
+    }
+    c.is_bumpy = false;
+#ifdef TRACE_RAYS
+    if (trace_has(TRACE_HAS_TEXTURED_OBJECTS)) {
+        c.own = trace_untextured(c.rank);
+        vec3 bent =
+            trace_object_material(hit, path.origin, path.dir, c.rank != 0u, c.own, c.is_bumpy);
+        bent = bump_facing(c.is_entering ? bent : -bent, c.n, path.dir);
+        c.n = !c.is_bumpy ? c.n : dot(bent, path.dir) < 0.0 ? bent : c.facet;
+    }
+#endif
+    if (trace_has(TRACE_HAS_INCLUSIONS)) {
+        c.is_real = c.is_real && !path.is_in_bubble;
+        if (hit.triangle >= 0 && hit.part == BVH_INCLUSIONS) {
+            vec3 n = n0.xyz + hit.u * (n1.xyz - n0.xyz) + hit.v * (n2.xyz - n0.xyz);
+            float eta = 1.0 / refract_frame.etas[channel];
+            if (trace_has(TRACE_HAS_MEDIA))
+                eta = trace_medium(trace.ice, TRACE_IOR)[channel] /
+                      trace_medium(0u, TRACE_IOR)[channel];
+            c = trace_inclusion_crossing(path, hit, n, frame.outside_in_air * eta);
+        }
+    }
+    return c;
+}
+
+/* Returns the state of a path that continues from a surface in direction `dir`. */
+trace_path trace_continue(trace_path path, trace_hit hit, trace_crossing c, vec3 dir,
+                          bool is_through)
+{
+    trace_path next = path;
+    bool is_inside = is_through == c.is_entering;
+    float outward = dot(dir, c.facet) * (c.is_entering ? 1.0 : -1.0);
+    bool is_on_wrong_side = is_inside ? outward >= 0.0 : outward <= 0.0;
+    next.origin = path.origin + hit.t * path.dir;
+    next.dir = dir;
+    differential_scatter(path, c, dir, is_through, next);
+    next.from = hit.triangle;
+    next.side = is_inside ? 1.0 : outward > c.horizon ? trace_side_escaped : -1.0;
+    next.reach = is_on_wrong_side || trace_has(TRACE_HAS_CULLING) ? 1e30 : trace.epsilon;
+    if (trace_has(TRACE_HAS_INCLUSIONS) && c.is_inclusion) {
+        next.side = trace_has(TRACE_HAS_CULLING) ? path.side : 0.0;
+        next.is_in_bubble = !c.is_thin && is_inside;
+    }
+    if (!c.is_thin && !c.is_inclusion)
+        next.medium_stack = is_inside ? trace_stack_push(path.medium_stack, c.rank)
+                                      : trace_stack_remove(path.medium_stack, c.rank);
+    if (trace_has(TRACE_HAS_ROUGH | TRACE_HAS_DIFFUSE_LIGHT))
+        next.seed = microfacet_hash(path.seed, is_through ? 1u : 0u);
+    return next;
+}
+
+/* Reads the primary hit from the rasterised front faces instead of tracing it. Returns false if the
+ * primary ray must be traced: at grazing angles, as rasterised points are not exactly on triangles.
+ */
+bool trace_rasterised_hit(vec3 e, float scale, inout trace_hit hit, inout trace_crossing c)
+{
+#ifdef TRACE_RAYS
+    return false;
+#else
+    if (!trace_has(TRACE_HAS_CULLING) || trace_camera_is_inside())
+        return false;
+    float depth = texelFetch(depth_front, ivec2(gl_FragCoord.xy), 0).r;
+    hit.t = view_depth(refract_frame.clip_from_world, depth) * scale;
+    hit.triangle = -1;
+    c.n = texelFetch(shading, ivec2(gl_FragCoord.xy), 0).xyz;
+    c.facet = c.n;
+    c.rank = depth > 0.0 ? 1u : 0u;
+    c.is_hit = depth > 0.0;
+    c.is_entering = true;
+    c.horizon = trace_grid_horizon(start + hit.t * e);
+    return depth == 0.0 || dot(c.n, e) < -0.05;
+#endif
+}
+
+void trace_begin(vec3 eye, vec3 e)
+{
+    float side = trace_has(TRACE_HAS_CULLING) ? (trace_camera_is_inside() ? 1.0 : -1.0) : 0.0;
+    uint seed = microfacet_hash(uint(gl_FragCoord.x), uint(gl_FragCoord.y));
+    bool is_in_bubble = trace_has(TRACE_HAS_INCLUSIONS) && trace.is_in_bubble != 0u;
+    path = trace_path(eye, e, vec3(1.0), trace_camera_stack(), -1, side, 1e30, seed, 0.0,
+                      trace_segments_max, is_in_bubble, false, 1.0, differential_origin,
+                      differential_dir);
+    for (int i = 0; i < trace_pending_max; i++)
+        pending[i] = path;
+    pending_count = 0;
+    segment_count = 0;
+    start = eye;
+    seen = trace_result(vec3(0.0), vec3(0.0), -e, 0.0, 0.0, false, false, e, 0.0, 0.0, 0.0, 0u);
+    is_first = true;
+    is_main = true;
+    is_straight = true;
+#ifdef TRACE_DENOISE
+    denoise_begin();
+#endif
+#ifndef TRACE_RAYS
+    for (int i = 0; i < trace_ends_max; i++)
+        ends[i] = trace_ray_end(eye, e, vec3(0.0), 0.0);
+    end_count = 0;
+    escaped_end = path;
+    escaped_end.throughput = vec3(0.0);
+    ends_left = trace_ends_max - 1;
+#endif
+}
+
+void trace_add(vec3 light, float kind)
+{
+#ifdef TRACE_DENOISE
+    matt.gathered += kind > 1.5 ? light : vec3(0.0);
+    light = kind > 1.5 ? vec3(0.0) : light;
+#endif
+    seen.refraction += kind > 0.5 ? vec3(0.0) : light;
+    seen.reflection += kind > 0.5 ? light : vec3(0.0);
+}
+
+#ifndef TRACE_RAYS
+/* Compares all indices instead of indexing: a variable index moves the array to memory. */
+void trace_push_end(trace_path at)
+{
+    for (int k = 0; k < trace_ends_max; k++)
+        if (k == end_count)
+            ends[k] = trace_ray_end(at.origin, at.dir, at.throughput, at.kind);
+    end_count++;
+}
+#endif
+
+/* Pushes a pending path; a path that has left the objects is stored as ended. */
+void trace_push_pending(trace_path other)
+{
+#ifndef TRACE_RAYS
+    ends_left--;
+    if (trace_has_escaped(other)) {
+        trace_push_end(other);
+        return;
+    }
+#endif
+    for (int i = trace_pending_max - 1; i > 0; i--)
+        pending[i] = pending[i - 1];
+    pending[0] = other;
+    pending_count++;
+}
+
+/* Returns true if a reflection with throughput `throughput` becomes a path of its own. */
+bool trace_is_split(vec3 throughput)
+{
+    float most = max(throughput.r, max(throughput.g, throughput.b));
+    bool has_room = pending_count < trace_pending_max && segment_count < trace_split_segments_max;
+#ifndef TRACE_RAYS
+    has_room = has_room && ends_left > 0;
+#endif
+    float least = max(trace.branch, trace_branch_min);
+    if (trace_has(TRACE_HAS_DIFFUSE_LIGHT) && path.is_lighting_ray)
+        least = max(least, trace_lighting_branch);
+    return has_room && most > 0.0 && (is_first || most > least);
+}
+
+#include "trace/trace_media.glsl"
+#ifdef TRACE_RAYS
+#include "trace/trace_diffuse_light.glsl"
+#endif
+
+/* Returns the surface parameters at a hit, textured if there are textures. */
+object_material trace_material_at(trace_crossing c)
+{
+#ifdef TRACE_RAYS
+    if (trace_has(TRACE_HAS_TEXTURED_OBJECTS))
+        return c.own;
+#endif
+    return trace_untextured(c.rank);
+}
+
+/* Computes Fresnel reflection and refraction at a hit; a rough surface reflects and refracts at a
+ * microfacet sampled from its distribution of visible normals. */
+trace_fresnel_split trace_fresnel_at(trace_crossing c)
+{
+    trace_fresnel_split p;
+    vec3 m = c.n;
+    float roughness = trace_has(TRACE_HAS_ROUGH) ? trace_material_at(c).roughness : 0.0;
+    bool is_rough = roughness > trace_rough_min;
+    p.reflected_share = 1.0;
+    p.refracted_share = 1.0;
+    if (trace_has(TRACE_HAS_ROUGH) && is_rough) {
+        vec2 at = microfacet_point(trace.sample_index, path.seed);
+        m = microfacet_sample(c.n, path.dir, roughness, at);
+    }
+    p.fresnel = trace_fresnel(path.dir, m, c.eta, c.is_thin, p.reflected, p.refracted);
+    if (trace_has(TRACE_HAS_ROUGH) && is_rough) {
+        vec3 mirrored, bent;
+        bool is_refracted = p.fresnel < 1.0 && dot(p.refracted, c.n) < 0.0;
+        bool is_reflected = dot(p.reflected, c.n) > 0.0;
+        p.fresnel = trace_fresnel(path.dir, c.n, c.eta, c.is_thin, mirrored, bent);
+        p.reflected_share = is_reflected ? microfacet_masking(c.n, p.reflected, roughness) : 0.0;
+        p.refracted_share = is_refracted ? microfacet_masking(c.n, p.refracted, roughness) : 0.0;
+    } else if ((!c.is_entering || c.is_inclusion) && dot(p.reflected, c.facet) <= 0.0) {
+        p.reflected = reflect(path.dir, c.facet);
+    }
+    if (trace_has(TRACE_HAS_TEXTURED_OBJECTS) && c.is_bumpy)
+        trace_correct_sides(p, path.dir, c.facet, c.eta, is_rough);
+    return p;
+}
+
+/* Returns the path throughput that a surface transmits, apart from Fresnel reflectance. Adds the
+ * radiance of the opaque base of surfaces that are not fully transmissive. */
+vec3 trace_transmitted(trace_hit hit, trace_crossing c, trace_fresnel_split p)
+{
+    vec3 through = path.throughput * p.refracted_share;
+    if (trace_has(TRACE_HAS_MEDIA | TRACE_HAS_TINT | TRACE_HAS_TEXTURED_OBJECTS))
+        through *= trace_material_at(c).tint;
+#ifdef TRACE_RAYS
+    if (trace_has(TRACE_HAS_OPACITY)) {
+        float opacity = trace_material_at(c).opacity;
+        int turns = opacity > 0.0 ? int(trace.one) : 0;
+        while (turns > 0) {
+            float passing;
+            turns -= int(trace.one);
+            trace_surface_point point = trace_surface_point_at(hit, path.origin, path.dir);
+            point.normal = c.is_bumpy ? c.n : point.normal;
+            vec3 light = trace_shade(point, path.dir, true, passing);
+            trace_add(path.throughput * light * opacity * (1.0 - p.fresnel), path.kind);
+        }
+        through *= 1.0 - opacity;
+    }
+#endif
+    return through;
+}
+
+void trace_record(trace_hit hit, trace_crossing c, float fresnel, bool is_total)
+{
+    if (!is_first && is_straight && !c.is_inclusion)
+        seen.last = trace_object_number(hit.triangle);
+    if (is_first) {
+        seen.is_object = true;
+        seen.normal = c.n;
+        seen.distance = distance(start, path.origin) + hit.t;
+        seen.fresnel = fresnel;
+    } else if (is_main && trace_is_in(path)) {
+        seen.bounces += is_total ? 1.0 : 0.0;
+        seen.segments += 1.0;
+    }
+}
+
+/* Continues the path at a surface by refraction or reflection, and pushes the other direction if
+ * its throughput is high enough. Returns false if no throughput is left. */
+bool trace_scatter(trace_hit hit, trace_crossing c)
+{
+    trace_fresnel_split p = trace_fresnel_at(c);
+    vec3 shares = trace_reflectance(hit, c, path.dir, p.fresnel);
+    vec3 through = trace_transmitted(hit, c, p);
+    vec3 back = path.throughput * shares * p.reflected_share;
+    bool is_total = p.fresnel >= 1.0 || through == vec3(0.0);
+    if (trace_has(TRACE_HAS_DIFFUSE_LIGHT))
+        path.open = path.open > 0.0 && trace_is_in(path) ? -1.0 : min(path.open, 0.0);
+    trace_record(hit, c, p.fresnel, is_total);
+    if (!is_total && trace_is_split(back)) {
+        trace_path other = trace_continue(path, hit, c, p.reflected, false);
+        other.throughput = back;
+        other.kind = is_first ? 1.0 : path.kind;
+        trace_push_pending(other);
+        through *= 1.0 - shares;
+    } else if (trace_is_crack(c) && p.fresnel > 0.5) { /* the stronger path gets all */
+        is_total = true;
+        back = path.throughput;
+    }
+    bool is_mirror = is_first && is_total;
+    path = trace_continue(path, hit, c, is_total ? p.reflected : p.refracted, !is_total);
+    path.throughput = is_total ? back : through;
+    path.kind = is_mirror ? 1.0 : path.kind;
+    seen.exit = is_main ? path.dir : seen.exit;
+    is_main = is_main && trace_is_in(path) && !is_mirror;
+    is_first = false;
+    return max(path.throughput.r, max(path.throughput.g, path.throughput.b)) > 1e-5;
+}
+
+/* Ends a path that hits no object. Returns true if it continues through a blended surface. */
+bool trace_end_path(trace_hit hit)
+{
+    bool goes_on = false;
+#ifdef TRACE_RAYS
+    int turns = is_first && !trace_camera_is_inside() ? 0 : int(trace.one);
+    bool is_holed = trace_has(TRACE_HAS_HOLES) && hit.triangle >= 0 && path.left > 0;
+    bool is_shaded = trace_has(TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle >= 0;
+#ifdef REFRACT_LAYERS
+    is_shaded = is_shaded && !is_first;
+#endif
+    if (is_holed || is_shaded)
+        turns = int(trace.one);
+    while (turns > 0) {
+        float passing;
+        turns -= int(trace.one);
+        vec3 light = trace_radiance_at_end(path, hit, passing) * (1.0 - passing);
+        bool is_around = hit.part == BVH_SURROUNDINGS || hit.part == BVH_MOVERS;
+        if (is_straight && is_around && passing <= 0.5) /* long paths may end in bubbles */
+            seen.last = trace_object_number(hit.triangle);
+        if (is_shaded && is_first && !trace_camera_is_inside() && shares.is_lit && passing == 0.0) {
+            lighting_begin(hit);
+            trace_add(light, 0.0);
+        } else if (is_first && !trace_camera_is_inside()) {
+            /* the background is composited later, so a pane in front of objects hides nothing */
+            passing = passing > 0.0 ? 1.0 : 0.0;
+        } else {
+            float open = 1.0;
+            if (trace_has(TRACE_HAS_DIFFUSE_LIGHT) && hit.triangle < 0 && path.open > 0.0)
+                open = path.open;
+            trace_add(open * path.throughput * light, path.kind);
+            seen.is_object = true;
+        }
+        if (is_shaded && !is_first)
+            light_gather_at(hit, path.throughput * (1.0 - passing));
+        goes_on = is_holed && passing > 0.0;
+        if (goes_on) {
+            path.throughput *= passing;
+            path.origin += hit.t * path.dir;
+            path.from = hit.triangle;
+            path.side = 0.0;
+        }
+    }
+#else
+    if ((!is_first || trace_camera_is_inside()) && end_count < trace_ends_max) {
+        trace_push_end(path);
+        seen.is_object = true;
+        escaped_end = is_straight ? path : escaped_end;
+    }
+#endif
+    return goes_on;
+}
+
+/* Pops the next pending path. Returns false if there is none. */
+bool trace_pop_pending()
+{
+    path = pending[0];
+    for (int i = 0; i + 1 < trace_pending_max; i++)
+        pending[i] = pending[i + 1];
+    is_main = false;
+    is_straight = false;
+    pending_count--;
+    return pending_count >= 0;
+}
+
+/* Applies one segment and its hit to the path. Returns true if the path has ended. */
+bool trace_step(trace_hit hit, trace_crossing c)
+{
+    if (hit.t < 1e30) {
+        path.throughput = trace_absorb(path, hit.t);
+        path.throughput *= trace_medium_transmittance(hit.t);
+        seen.path_length += is_main && trace_is_in(path) && !is_first ? hit.t : 0.0;
+    }
+    path.left--;
+    segment_count++;
+    bool crosses = c.is_hit && path.left >= 0;
+    bool is_over = false;
+    if (crosses && !c.is_real) {
+        path = trace_continue(path, hit, c, path.dir, true);
+    } else if (crosses) {
+        is_over = !trace_scatter(hit, c);
+#ifndef TRACE_RAYS
+        if (trace_has_escaped(path) && !is_over) {
+            is_over = true;
+            crosses = false;
+        }
+#endif
+    }
+    if (!crosses)
+        is_over = !trace_end_path(hit);
+    return is_over;
+}
+
+void trace_pixel(vec3 eye, vec3 e, int channel)
+{
+    trace_hit given;
+    trace_crossing given_cross;
+    trace_begin(eye, e);
+    bool is_given = trace_rasterised_hit(e, primary_ray_slant(ray), given, given_cross);
+    /* pixel groups without rasterised objects skip tracing */
+    bool is_going = !is_given || given_cross.is_hit;
+    while (is_going) {
+        trace_hit hit = trace_nearest_hit(trace_start_of(path), !(is_first && is_given));
+        trace_crossing c = trace_crossing_at(path, hit, channel);
+        if (is_given && is_first) {
+            hit = given;
+            c.n = given_cross.n;
+            c.facet = c.n;
+            c.rank = given_cross.rank;
+            c.is_hit = given_cross.is_hit;
+            c.is_entering = true;
+            c.horizon = given_cross.horizon;
+            c.eta = refract_frame.etas[channel];
+        }
+        if (trace_step(hit, c))
+            is_going = trace_pop_pending();
+    }
+#ifndef TRACE_RAYS
+    for (int i = 0; i < end_count; i++) {
+        trace_ray_end end = ends[0];
+        for (int k = 1; k < trace_ends_max; k++)
+            end = k == i ? ends[k] : end;
+        trace_add(end.throughput * refract_environment(end.origin, end.dir), end.kind);
+    }
+#endif
+}
+
+#include "trace/trace_dispersion.glsl"
+
+/* Returns the depth-buffer value of a world-space point. */
+float trace_depth(vec3 point)
+{
+    vec4 clip = refract_frame.clip_from_world * vec4(point, 1.0);
+    return clamp(clip.z / clip.w, 0.0, 1.0);
+}
+
+#if defined(REFRACT_LAYERS)
+#include "trace/trace_layers.glsl"
+#elif defined(TRACE_PHOTONS)
+#include "trace/trace_photons.glsl"
+#else
+#include "trace/trace_image.glsl"
+#endif

@@ -1,0 +1,301 @@
+/*
+ * trace_bvh.glsl: BVH traversal; intersection of triangles, cracks and bubbles (see bvh_layout.h).
+ *
+ * Stack-based and front to back: descend until a leaf is found, then intersect its triangles (Aila
+ * and Laine 2009, "while-while"). Finished lanes must leave the loops: otherwise Mesa 22.3 loses
+ * hits.
+ */
+#ifndef TRACE_BVH_GLSL
+#define TRACE_BVH_GLSL
+#include "lib/bubble_intersect.glsl"
+#include "trace/refract_trace.h"
+#include "trace/trace_bvh_stack.glsl"
+
+layout(set = 0, binding = TRACE_FRAME, scalar) uniform Trace
+{
+    trace_frame trace;
+};
+
+/* The BVH is in texel buffers, which lavapipe reads in a third of the time of storage buffers.
+ * These are used only if a device limits texel buffers to fewer texels. */
+layout(set = 0, binding = TRACE_NODES) uniform usamplerBuffer nodes;
+layout(set = 0, binding = TRACE_TRIANGLES) uniform usamplerBuffer triangles;
+layout(set = 0, binding = TRACE_CORNERS) uniform usamplerBuffer corners;
+
+layout(set = 0, binding = TRACE_STORED_NODES, std430) readonly buffer StoredNodes
+{
+    uvec4 stored_nodes[];
+};
+
+layout(set = 0, binding = TRACE_STORED_TRIANGLES, std430) readonly buffer StoredTriangles
+{
+    uvec4 stored_triangles[];
+};
+
+layout(set = 0, binding = TRACE_STORED_CORNERS, std430) readonly buffer StoredCorners
+{
+    uvec4 stored_corners[];
+};
+
+bool trace_has(uint bit)
+{
+    return (constant_trace & bit) != 0u;
+}
+
+uvec4 trace_node(int word)
+{
+    if (trace_has(TRACE_HAS_STORAGE_BUFFERS))
+        return stored_nodes[word];
+    return texelFetch(nodes, word);
+}
+
+uvec4 trace_row(int word)
+{
+    if (trace_has(TRACE_HAS_STORAGE_BUFFERS))
+        return stored_triangles[word];
+    return texelFetch(triangles, word);
+}
+
+uvec4 trace_corner(int word)
+{
+    if (trace_has(TRACE_HAS_STORAGE_BUFFERS))
+        return stored_corners[word];
+    return texelFetch(corners, word);
+}
+
+struct trace_ray {
+    vec3 origin, dir;
+    float side;  /* where a ray starts on a surface: 1 inside, -1 outside; else 0 */
+    float reach; /* distance within which back faces, seen from `side`, are ignored */
+    bool is_in_bubble;
+    int from; /* index of the triangle at the origin, which is not hit again */
+};
+
+/* A ray in world space. */
+struct trace_start {
+    vec3 origin, dir;
+    float side, reach;
+    int from; /* triangle at the origin, as in trace_ray */
+    bool is_in_bubble;
+    uint parts; /* bit mask of the BVHs to traverse */
+};
+
+struct trace_hit {
+    float t, u, v; /* t is 1e30 if nothing is hit */
+    int triangle;  /* index of the triangle; below 0 if nothing is hit */
+    int part;
+};
+
+const float trace_edge = 1e-6;
+const uint trace_surroundings_mask = 1u << BVH_SURROUNDINGS | 1u << BVH_MOVERS; /* surroundings */
+
+/* A ray prepared for slab tests, in the grid coordinates of a BVH. */
+struct trace_slabs {
+    vec3 inverse, minus_origin; /* 1 / dir and -origin / dir */
+    vec3 cull;                  /* 2 * side * dir of the ray; 0 if normal cones are not tested */
+    int mask, shift;            /* bit mask of the lower plane, and shift to the upper one */
+};
+
+trace_slabs trace_slabs_for(trace_ray ray, int root)
+{
+    uvec4 grid = trace_node(BVH_NODE_WORDS * (root - 1));
+    vec3 scale = uintBitsToFloat(trace_node(BVH_NODE_WORDS * (root - 1) + 1).xyz);
+    vec3 safe = mix(ray.dir, vec3(1e-20), lessThan(abs(ray.dir), vec3(1e-20)));
+    vec3 inverse = 1.0 / (scale * safe);
+    vec3 origin = (ray.origin - uintBitsToFloat(grid.xyz)) * scale;
+    int shift = int(grid.w);
+    bool has_cones = trace_has(TRACE_HAS_CULLING) && shift < BVH_PLANE_BITS;
+    vec3 cull = (has_cones ? 2.0 * ray.side : 0.0) * ray.dir;
+    return trace_slabs(inverse, -origin * inverse, cull, (1 << shift) - 1, shift);
+}
+
+/* Returns true if the ray hits the bounding box of a child before `far`, and sets its entry
+ * distance. The bit patterns of non-negative floats sort like the numbers, and negative bounds mean
+ * no hit in any order, so integers are compared: lavapipe needs four instructions for a NaN-safe
+ * minimum of floats. */
+bool trace_hits_box(trace_slabs slabs, uvec4 child, float far, out float enter)
+{
+    ivec3 low = ivec3(child.xyz) & slabs.mask;
+    ivec3 high = ivec3(child.xyz) >> slabs.shift & slabs.mask;
+    vec3 a = vec3(low) * slabs.inverse + slabs.minus_origin;
+    vec3 b = vec3(high) * slabs.inverse + slabs.minus_origin;
+    ivec3 near_sides = min(floatBitsToInt(a), floatBitsToInt(b));
+    ivec3 far_sides = max(floatBitsToInt(a), floatBitsToInt(b));
+    int first = max(max(near_sides.x, near_sides.y), max(near_sides.z, 0));
+    int last = min(min(far_sides.x, far_sides.y), min(far_sides.z, floatBitsToInt(far)));
+    enter = intBitsToFloat(first);
+    return first <= last;
+}
+
+/* Returns true if the child's normal cone contains a normal that faces the ray. */
+bool trace_cone_faces(trace_slabs slabs, uvec4 child)
+{
+    if (!trace_has(TRACE_HAS_CULLING))
+        return true;
+    vec3 axis = vec3(ivec3(child.xyz) >> BVH_CONE_SHIFT);
+    int sine = int(child.w) >> BVH_CONE_SINE_SHIFT & BVH_CONE_OPEN;
+    return dot(axis, slabs.cull) + float(sine) >= 0.0;
+}
+
+/* Returns the distances at which a ray enters and leaves a bubble; x > y if it misses. */
+vec2 trace_cross_bubble(trace_ray ray, vec4 first, vec4 second, float radius)
+{
+    vec3 from = ray.origin - first.xyz;
+    if (!trace_has(TRACE_HAS_SHAPES))
+        return bubble_intersect_sphere(from, ray.dir, 1.0, radius);
+    return bubble_intersect(from, ray.dir, second.xyz, first.w, radius, second.w > 0.0);
+}
+
+/* Intersects a crack or a bubble. A ray inside a bubble can hit only bubbles, where it leaves them.
+ * Cracks nearer than the epsilon are ignored, because the ray may start on one. */
+bool trace_hits_inclusion(trace_ray ray, int i, vec4 first, vec4 second, vec4 last, inout float t,
+                          inout float u, inout float v)
+{
+    if (last.xyz != vec3(0.0))
+        return i != ray.from && t > trace.epsilon && !ray.is_in_bubble;
+    vec2 at = trace_cross_bubble(ray, first, second, last.w);
+    t = i == ray.from || at.x <= 0.0 ? at.y : at.x;
+    u = 0.0;
+    v = 0.0;
+    return at.x <= at.y && (i != ray.from || ray.is_in_bubble);
+}
+
+void trace_hit_triangle(trace_ray ray, int i, int part, bool counts, inout trace_hit hit)
+{
+    vec4 w = uintBitsToFloat(trace_row(3 * i + 2));
+    float towards = dot(w.xyz, ray.dir);
+    float t = -(dot(w.xyz, ray.origin) + w.w) / towards;
+    vec3 p = ray.origin + t * ray.dir;
+    vec4 first = uintBitsToFloat(trace_row(3 * i));
+    float u = dot(first.xyz, p) + first.w;
+    vec4 row = uintBitsToFloat(trace_row(3 * i + 1));
+    float v = dot(row.xyz, p) + row.w;
+    bool is_seen = i != ray.from &&
+                   (towards * ray.side >= 0.0 || (!trace_has(TRACE_HAS_CULLING) && t >= ray.reach));
+    if (trace_has(TRACE_HAS_INCLUSIONS) && part == BVH_INCLUSIONS)
+        is_seen = trace_hits_inclusion(ray, i, first, row, w, t, u, v);
+    if (counts && is_seen && t > 0.0 && t < hit.t && u >= -trace_edge && v >= -trace_edge &&
+        u + v <= 1.0 + trace_edge) {
+        hit.t = t;
+        hit.u = u;
+        hit.v = v;
+        hit.triangle = i;
+        hit.part = part;
+    }
+}
+
+void trace_hit_bvh(trace_ray ray, int root, int part, inout trace_hit hit)
+{
+    trace_slabs slabs = trace_slabs_for(ray, root);
+    int node = root;
+    stack_begin();
+    do {
+        while (node >= 0 && stack_has_room()) {
+            uvec4 child_0 = trace_node(BVH_NODE_WORDS * node);
+            uvec4 child_1 = trace_node(BVH_NODE_WORDS * node + 1);
+            float enter_0, enter_1;
+            bool meets_0 = trace_hits_box(slabs, child_0, hit.t, enter_0);
+            bool faces_0 = trace_cone_faces(slabs, child_0);
+            meets_0 = meets_0 && faces_0;
+            bool meets_1 = trace_hits_box(slabs, child_1, hit.t, enter_1);
+            bool faces_1 = trace_cone_faces(slabs, child_1);
+            meets_1 = meets_1 && faces_1;
+            bool second = meets_1 && (!meets_0 || enter_1 < enter_0);
+            int near = int((second ? child_1.w : child_0.w) & BVH_CHILD_MASK);
+            int far = int((second ? child_0.w : child_1.w) & BVH_CHILD_MASK);
+            node = stack_next(meets_0 && meets_1, !meets_0 && !meets_1, near, far);
+        }
+        int leaf = node < 0 ? node & 0x7fffffff : 0;
+        int k = leaf >> 3, end = k + (leaf & 7);
+        do {
+            trace_hit_triangle(ray, k, part, k < end, hit);
+            k++;
+            if (k >= end && node < 0 && node != trace_nothing) {
+                node = stack_pop();
+                leaf = node >= 0 ? 0 : node & 0x7fffffff;
+                k = leaf >> 3;
+                end = k + (leaf & 7);
+            }
+        } while (k < end);
+        node = stack_settle(node);
+    } while (node != trace_nothing);
+}
+
+/* Returns the rotation of a BVH's contents about the vertical axis: cosine, sine, x and z of the
+ * translation. Rays would take a sixth longer with matrices. */
+vec4 trace_bvh_pose(int part)
+{
+    vec4 around = part == BVH_MOVERS ? trace.movers_rotation : vec4(1.0, 0.0, 0.0, 0.0);
+    return part == BVH_OBJECTS || part == BVH_INCLUSIONS ? trace.objects_rotation : around;
+}
+
+vec3 trace_rotated(vec3 v, float cosine, float sine)
+{
+    return vec3(cosine * v.x + sine * v.z, v.y, cosine * v.z - sine * v.x);
+}
+
+#ifdef TRACE_QUERY
+#include "trace/trace_ray_query.glsl"
+#endif
+
+void trace_hit_in_world(trace_start start, int part, inout trace_hit hit)
+{
+    vec3 own_origin = start.origin, own_dir = start.dir;
+    if (trace_has(TRACE_HAS_MOTION)) {
+        vec4 pose = trace_bvh_pose(part);
+        own_origin = trace_rotated(start.origin - vec3(pose.z, 0.0, pose.w), pose.x, -pose.y);
+        own_dir = trace_rotated(start.dir, pose.x, -pose.y);
+    }
+    float own_side = part == BVH_OBJECTS ? start.side : 0.0;
+    trace_ray ray =
+        trace_ray(own_origin, own_dir, own_side, start.reach, start.is_in_bubble, start.from);
+#ifdef TRACE_QUERY
+    if (part != BVH_INCLUSIONS) {
+        trace_query_bvh(ray, part, hit);
+        return;
+    }
+#endif
+    trace_hit_bvh(ray, int(trace.roots[part]), part, hit);
+}
+
+/* Returns the nearest hit of a ray among its BVHs; inactive rays hit nothing. BVHs are traversed in
+ * the ray's own order, so that lanes in surroundings and lanes in objects run at the same time. A
+ * ray inside an object skips surroundings if these are outside its bounding box. */
+trace_hit trace_nearest_hit(trace_start start, bool is_active)
+{
+    trace_hit hit = trace_hit(1e30, 0.0, 0.0, -1, 0);
+    bool surroundings_are_apart = trace.surroundings_are_apart != 0u && start.side > 0.0;
+    uint left = is_active ? start.parts & trace.parts : 0u;
+    while (left != 0u) {
+        trace_hit_in_world(start, findLSB(left), hit);
+        left &= left - 1u;
+        left &= surroundings_are_apart && hit.triangle >= 0 ? ~trace_surroundings_mask : ~0u;
+    }
+    return hit;
+}
+
+/* Returns the number of a triangle's object in the layer `object`. */
+uint trace_object_number(int triangle)
+{
+    int at = BVH_CORNER_WORDS * max(triangle, 0);
+    uint number = trace_corner(at).w / BVH_OBJECT_NUMBER;
+    uint surface = trace_corner(at + 2).w & BVH_SURFACE_MASK;
+    return number != 0u ? number : trace_corner(int(surface) + 3).w / 2u;
+}
+
+/* Transforms a world-space point to the space of a BVH. */
+vec3 trace_unposed_point(vec3 point, int part)
+{
+    vec4 pose = trace_bvh_pose(part);
+    vec3 own = trace_rotated(point - vec3(pose.z, 0.0, pose.w), pose.x, -pose.y);
+    return trace_has(TRACE_HAS_MOTION) ? own : point;
+}
+
+/* Transforms a vector from the space of a BVH to world space. */
+vec3 trace_posed(vec3 v, int part)
+{
+    vec4 pose = trace_bvh_pose(part);
+    return trace_has(TRACE_HAS_MOTION) ? trace_rotated(v, pose.x, pose.y) : v;
+}
+
+#endif

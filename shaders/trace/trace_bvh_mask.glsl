@@ -1,0 +1,56 @@
+/* trace_pop_pending.glsl: selects the BVHs that a path segment may hit, to skip other traversals.
+ */
+#ifndef TRACE_BVH_MASK_GLSL
+#define TRACE_BVH_MASK_GLSL
+
+/* Returns true if a path that has left a surface cannot hit an object again. */
+bool trace_has_escaped(trace_path path)
+{
+    return trace_has(TRACE_IS_CONVEX) ? !trace_is_in(path) : path.side == trace_side_escaped;
+}
+
+/* Returns a bit mask of the BVHs that the next segment may hit. */
+uint trace_bvh_mask(trace_path path)
+{
+    bool is_in_ice = trace_is_in(path) && trace_current_medium(path.medium_stack) == trace.ice;
+    bool meets_inclusions = trace_has(TRACE_HAS_INCLUSIONS) && (is_in_ice || path.is_in_bubble);
+#ifdef TRACE_RAYS
+    uint around = trace_surroundings_mask;
+#else
+    uint around = 0u;
+#endif
+#ifndef REFRACT_LAYERS
+    /* surroundings in front of the objects are composited by rasterisation */
+    if (!trace_has(TRACE_HAS_HOLES | TRACE_HAS_DIFFUSE_LIGHT) && is_first &&
+        !trace_camera_is_inside())
+        around = 0u;
+#endif
+    bool has_left =
+        trace_has(TRACE_IS_CONVEX) ? path.side < 0.0 && !is_first : path.side == trace_side_escaped;
+    uint objects = has_left ? 0u : 1u << BVH_OBJECTS;
+    return objects | around | (meets_inclusions ? 1u << BVH_INCLUSIONS : 0u);
+}
+
+trace_start trace_start_of(trace_path path)
+{
+    float reach = trace_has(TRACE_HAS_CULLING) ? 1e30 : path.reach;
+    return trace_start(path.origin, path.dir, path.side, reach, path.from, path.is_in_bubble,
+                       trace_bvh_mask(path));
+}
+
+#ifndef TRACE_RAYS
+/* Returns the horizon, a sine, at a rasterised point of an object's outer side, whose triangle is
+ * not known. Rays above that elevation hit no object. */
+float trace_grid_horizon(vec3 point)
+{
+    vec3 own = trace_unposed_point(point, BVH_OBJECTS);
+    vec3 cells = (own - trace.grid_low.xyz) * trace.grid_scale.xyz;
+    uvec3 cell = uvec3(clamp(cells, vec3(0.0), vec3(float(BVH_HORIZON_GRID - 1))));
+    uint at = cell.x + uint(BVH_HORIZON_GRID) * (cell.y + uint(BVH_HORIZON_GRID) * cell.z);
+    uvec4 word = trace_corner(int(trace.grid_at + at / 32u));
+    uint steps = word[at / 8u % 4u] >> 4u * (at % 8u) & 15u;
+    return trace.grid_at == 0u ? 2.0 : float(steps) / float(BVH_HORIZON_STEPS);
+}
+#endif
+
+#endif

@@ -1,0 +1,46 @@
+/* trace_fresnel.glsl: Fresnel reflection and refraction at a surface (in C:
+ * src/reference/dielectric_split.c). */
+#ifndef TRACE_FRESNEL_GLSL
+#define TRACE_FRESNEL_GLSL
+
+/* Directions, reflectance and sampling weights of the two paths at a surface. */
+struct trace_fresnel_split {
+    vec3 reflected, refracted;
+    float fresnel, reflected_share, refracted_share;
+};
+
+/* Computes the reflected and refracted directions and returns the Fresnel reflectance. `n` is on
+ * the incident side; `eta` is the incident index over the transmitted one. Thin walls include
+ * interreflections: 2F / (1 + F). */
+float trace_fresnel(vec3 d, vec3 n, float eta, bool is_thin, out vec3 reflected, out vec3 refracted)
+{
+    float ci = min(-dot(d, n), 1.0);
+    float sin2 = eta * eta * (1.0 - ci * ci);
+    float ct = sqrt(max(1.0 - sin2, 0.0));
+    float rs = (eta * ci - ct) / (eta * ci + ct);
+    float rp = (ci - eta * ct) / (ci + eta * ct);
+    float fresnel = sin2 < 1.0 ? 0.5 * (rs * rs + rp * rp) : 1.0;
+    reflected = normalize(d + 2.0 * ci * n);
+    refracted = is_thin ? d : normalize(eta * d + (eta * ci - ct) * n);
+    return is_thin ? 2.0 * fresnel / (1.0 + fresnel) : fresnel;
+}
+
+/* Corrects directions that a normal map sends to the wrong side of the triangle. Rough surfaces
+ * drop such samples; smooth ones use the direction given by the geometric normal. */
+void trace_correct_sides(inout trace_fresnel_split p, vec3 d, vec3 facet, float eta, bool is_rough)
+{
+    vec3 mirrored, straight;
+    float even = trace_fresnel(d, facet, eta, false, mirrored, straight);
+    bool is_lost = p.fresnel < 1.0 && dot(p.refracted, facet) >= 0.0;
+    p.refracted_share = is_lost && is_rough ? 0.0 : p.refracted_share;
+    if (is_lost && !is_rough) {
+        p.refracted = straight;
+        p.fresnel = even < 1.0 ? p.fresnel : 1.0;
+    }
+    if (dot(p.reflected, facet) <= 0.0 || (p.fresnel >= 1.0 && is_lost)) {
+        p.reflected_share = is_rough ? 0.0 : p.reflected_share;
+        p.reflected = mirrored;
+    }
+}
+
+#endif

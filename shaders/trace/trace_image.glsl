@@ -1,0 +1,35 @@
+/* trace_image.glsl: main() of the pass that writes the ray-traced image. */
+#ifndef TRACE_IMAGE_GLSL
+#define TRACE_IMAGE_GLSL
+
+layout(location = REFRACT_OUT_COLOR) out vec4 color;
+layout(location = REFRACT_OUT_HIGHLIGHT) out float highlight;
+#ifdef TRACE_DENOISE
+layout(location = TRACE_OUT_LIGHT) out vec4 gathered;
+layout(location = TRACE_OUT_THROUGHPUT) out vec4 share;
+layout(location = TRACE_OUT_POSITION) out vec4 place;
+#endif
+
+void main()
+{
+    vec3 from = primary_ray_at(ray, 0.0);
+    vec3 e = normalize(primary_ray_at(ray, 1.0) - from);
+    differential_of_pixel(from, e);
+    trace_all_channels(refract_frame.eye + from, e);
+    if (!seen.is_object)
+        discard;
+    vec3 eye_to_point = from + seen.distance * e;
+#ifdef TRACE_DENOISE
+    float is_due = denoise_is_sampled() ? 1.0 : 0.0;
+    gathered = vec4(matt.gathered, is_due * dot(matt.share, vec3(1.0 / 3.0)));
+    share = vec4(matt.share, 0.0);
+    place = matt.place;
+#endif
+    color = vec4(seen.refraction + seen.reflection, 1.0);
+    highlight = seen.is_ground ? -1.0 : highlight_radiance(e, eye_to_point, seen.normal);
+    gl_FragDepth = seen.distance > 0.0 ? trace_depth(start + seen.distance * e) : 1.0;
+    if (seen.is_ground) /* keeps the rasterised background from drawing over it */
+        gl_FragDepth = min(gl_FragDepth * 1.0001, 1.0);
+}
+
+#endif

@@ -1,0 +1,68 @@
+/* trace_layers.glsl: main() of the pass that writes the ray tracer's layers (AOVs). */
+#ifndef TRACE_LAYERS_GLSL
+#define TRACE_LAYERS_GLSL
+
+layout(set = 0, binding = TRACE_FIRST_OBJECT) uniform sampler2D first_object;
+#ifndef TRACE_RAYS
+layout(set = 0, binding = REFRACT_DEPTH_SCENE) uniform sampler2D depth_scene;
+#endif
+
+/* Returns true if surroundings hide a point; with TRACE_RAYS the rays resolve this themselves. */
+bool trace_is_hidden(vec3 point)
+{
+#ifdef TRACE_RAYS
+    return false;
+#else
+    float scene = texelFetch(depth_scene, ivec2(gl_FragCoord.xy), 0).r;
+    return trace_depth(point) * 1.00001 < scene;
+#endif
+}
+
+/* Returns the number of the last object on the refracted path; 0 if it is the first object. */
+uint trace_last_object()
+{
+#ifndef TRACE_RAYS
+    trace_start from = trace_start(escaped_end.origin, escaped_end.dir, 0.0, 1e30, -1, false,
+                                   trace_surroundings_mask);
+    trace_hit hit = trace_nearest_hit(from, escaped_end.throughput != vec3(0.0));
+    if (hit.triangle >= 0)
+        return trace_object_number(hit.triangle);
+#endif
+    return seen.last;
+}
+
+layout(location = REFRACT_OUT_EXIT) out vec4 out_exit;
+layout(location = REFRACT_OUT_REFRACTION) out vec4 out_refraction;
+layout(location = REFRACT_OUT_REFLECTION) out vec4 out_reflection;
+layout(location = REFRACT_OUT_FRESNEL) out float out_fresnel;
+layout(location = REFRACT_OUT_PATH) out vec4 out_path;
+layout(location = TRACE_OUT_MEDIA) out float out_media;
+layout(location = TRACE_OUT_LAST) out float out_last;
+
+void main()
+{
+    vec3 from = primary_ray_at(ray, 0.0);
+    vec3 e = normalize(primary_ray_at(ray, 1.0) - from);
+    differential_of_pixel(from, e);
+    trace_all_channels(refract_frame.eye + from, e);
+    out_exit = vec4(0.0);
+    out_refraction = vec4(0.0);
+    out_reflection = vec4(0.0);
+    out_fresnel = 0.0;
+    out_path = vec4(0.0);
+    out_media = 0.0;
+    out_last = texelFetch(first_object, ivec2(gl_FragCoord.xy), 0).r;
+    if (!seen.is_object || trace_is_hidden(start + seen.distance * e))
+        return;
+    float through = 1.0 - seen.fresnel;
+    out_exit = vec4(seen.exit, 0.0);
+    out_refraction = vec4(through > 0.0 ? seen.refraction / through : vec3(0.0), 0.0);
+    out_reflection = vec4(seen.fresnel > 0.0 ? seen.reflection / seen.fresnel : vec3(0.0), 0.0);
+    out_fresnel = seen.fresnel;
+    out_path = vec4(seen.path_length, seen.bounces, seen.bounces > 0.0 ? 1.0 : 0.0, 0.0);
+    out_media = seen.segments;
+    uint last = trace_last_object();
+    out_last = last != 0u ? float(last) : out_last;
+}
+
+#endif

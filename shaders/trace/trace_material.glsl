@@ -1,0 +1,34 @@
+/* trace_object_material.glsl: textured surface parameters at ray hits (in C:
+ * src/reference/radiance.c). */
+#ifndef TRACE_MATERIAL_GLSL
+#define TRACE_MATERIAL_GLSL
+#include "object_material.h"
+#include "trace/trace_shading.glsl"
+
+/* Multiplies surface parameters by their textures. Returns the outward normal from the normal map;
+ * only valid if `is_bumpy` is set. */
+vec3 trace_object_material(trace_hit hit, vec3 origin, vec3 dir, bool is_object,
+                           inout object_material own, out bool is_bumpy)
+{
+    uint material = trace_corner(BVH_CORNER_WORDS * max(hit.triangle, 0) + 1).w;
+    uint row = material >> MESH_SURFACE_SHIFT;
+    vec4 scales = material_texel(row, MATERIAL_ROW_SCALES);
+    int turns = is_object && scales.z > 0.0 ? int(trace.one) : 0;
+    vec3 bent = vec3(0.0);
+    is_bumpy = false;
+    while (turns > 0) {
+        turns -= int(trace.one);
+        trace_surface_point p = trace_surface_point_at(hit, origin, dir);
+        lit_second_uv = p.other_uv;
+        vec3 base = lit_texel(textures, row, MATERIAL_USE_BASE_COLOR, p.uv, 1.0).rgb;
+        float rough = lit_texel(numbers, row, MATERIAL_USE_METALLIC_ROUGHNESS, p.uv, 1.0).g;
+        float through = lit_texel(numbers, row, MATERIAL_USE_TRANSMISSION, p.uv, 1.0).r;
+        vec4 texel = lit_texel(numbers, row, MATERIAL_USE_NORMAL, p.uv, 1.0);
+        own = object_material_of(own, base, rough, through);
+        is_bumpy = texel != vec4(1.0);
+        bent = trace_normal_mapped(p, p.outward, texel.rgb, scales.xy);
+    }
+    return bent;
+}
+
+#endif

@@ -1,0 +1,337 @@
+/* choose_refraction.c: chooses the refraction model of a scene, and warns of what it does not draw.
+ */
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "shaders/trace/bvh_layout.h"
+#include "src/app/app.h"
+#include "src/base/log.h"
+#include "src/frame/frame_uniforms.h"
+#include "src/scene/material.h"
+#include "src/scene/material_table.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/frame_media.h"
+#include "src/tech/ice/ice_nested.h"
+#include "src/tech/inclusions/air.h"
+#include "src/tech/inclusions/cracks.h"
+#include "src/tech/lighting/bump.h"
+#include "src/tech/lighting/highlight.h"
+#include "src/tech/refract/refract.h"
+#include "src/tech/refract/refract_bounce.h"
+#include "src/tech/trace/refract_trace.h"
+
+/* Fraction of half a box that counts as inside, so that touching surroundings do not. */
+#define INNER_FRACTION 0.9f
+
+static bool is_rough(const struct material *material)
+{
+    return material->roughness > 0.0f;
+}
+
+static bool is_thin(const struct material *material)
+{
+    return !(material->thickness > 0.0f);
+}
+
+/* Returns true if a texture that rasterised models use needs the second set of coordinates. */
+static bool has_second_set(const struct material *material)
+{
+    static const enum material_texture_use uses[] = { MATERIAL_BASE_COLOR, MATERIAL_TRANSMISSION,
+                                                      MATERIAL_NORMAL };
+
+    for (size_t i = 0; i < sizeof(uses) / sizeof(uses[0]); i++) {
+        const struct material_texture *texture = &material->textures[uses[i]];
+        if (texture->layer > 0 && texture->uv_set > 0)
+            return true;
+    }
+    return false;
+}
+
+/* Returns the number of nested objects that `bounce` draws wrongly, as seen without the outer ones:
+ * several inside the same object, or nested deeper than it follows light. */
+static uint32_t count_hidden(const struct model *model)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        uint32_t depth = 0, beside = 0;
+        for (uint32_t k = i; model->objects[k].within; k = model->objects[k].within - 1)
+            depth++;
+        for (uint32_t k = 0; k < model->object_count && object->within; k++)
+            beside += k != i && model->objects[k].within == object->within;
+        count += beside || depth >= ICE_NESTED_LEVELS;
+    }
+    return count;
+}
+
+/* Returns the number of objects in another object's box; rasterised models do not draw them. */
+static uint32_t count_inside(const struct model *model)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct box *box = &model->objects[i].box;
+        bool is_inside = false;
+        for (uint32_t k = 0; k < model->object_count && !is_inside; k++)
+            is_inside = k != i && box_contains(&model->objects[k].box, box);
+        count += is_inside;
+    }
+    return count;
+}
+
+static void add_count(char *words, size_t size, uint32_t count, const char *name)
+{
+    const size_t used = strlen(words);
+    if (count)
+        snprintf(&words[used], size - used, "%s%u %s", used ? ", " : "", count, name);
+}
+
+/* Writes which of a scene's materials only `trace` and the reference draw correctly: "1 rough". */
+static void name_undrawn(const struct scene *scene, bool is_nested, char *words, size_t size)
+{
+    static const struct {
+        const char *name;
+        bool (*is_present)(const struct material *material);
+    } kinds[] = { { "rough", is_rough },
+                  { "thin-walled", is_thin },
+                  { "with a second set of texture coordinates", has_second_set } };
+    const struct model *model = &scene->model;
+    words[0] = '\0';
+    if (frame_media_are_from_settings(scene))
+        return;
+    for (size_t k = 0; k < sizeof(kinds) / sizeof(kinds[0]); k++) {
+        uint32_t count = 0;
+        for (uint32_t i = 0; i < model->object_count; i++)
+            count += kinds[k].is_present(&model->materials[model->objects[i].material]);
+        add_count(words, size, count, kinds[k].name);
+    }
+    if (is_nested)
+        add_count(words, size, count_hidden(model), "inside others that may hide each other");
+    else
+        add_count(words, size, count_inside(model), "inside others");
+}
+
+static void warn_of_materials(const struct app_image *picture, const struct scene *scene)
+{
+    char words[160];
+    if (!picture->refraction->refraction.rows || picture->refraction->refraction.traces_bvh)
+        return;
+    const bool is_nested = picture->refraction == &refract_bounce &&
+                           refract_bounce_is_nested(&picture->scene.settings, scene);
+    name_undrawn(scene, is_nested, words, sizeof(words));
+    if (words[0])
+        log_warning("%s: approximated as separate smooth solids: of %u objects %s; "
+                    "--refraction trace draws them exactly",
+                    picture->scene.name, scene->model.object_count, words);
+}
+
+/* Returns true if a vertex of the surroundings is well inside the box of the first object. */
+static bool holds_surroundings(const struct model *model)
+{
+    const struct box *box = &model->objects[0].box;
+    const vec3s center = box_center(*box);
+    const vec3s half = glms_vec3_scale(glms_vec3_sub(box->max, box->min), 0.5f * INNER_FRACTION);
+    for (uint32_t i = 0; i < model->surroundings.vertex_count; i++) {
+        const vec3s at = glms_vec3_sub(model->surroundings.vertices[i].position, center);
+        if (fabsf(at.x) < half.x && fabsf(at.y) < half.y && fabsf(at.z) < half.z)
+            return true;
+    }
+    return false;
+}
+
+/* Returns true if the camera is inside an object, rotated as at motion.time. */
+static bool is_camera_inside(const struct scene *scene, const struct settings *settings,
+                             const struct camera *camera)
+{
+    const struct motion_params *motion = settings_of(settings, &motion_settings);
+    const struct model *model = &scene->model;
+    mat4s world_from_object, world_from_movers;
+    if (!camera || scene->has_pool || camera->height > 0.0f)
+        return false;
+    frame_rotations(&(struct frame_view){ .settings = settings }, box_center(scene->box),
+                    motion->time, &world_from_object, &world_from_movers);
+    const vec3s eye = glms_mat4_mulv3(glms_mat4_inv(world_from_object), camera->eye, 1.0f);
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        if (object_contains(&model->objects[i], &model->object, eye))
+            return true;
+    }
+    return false;
+}
+
+/* Writes why front and back faces of one object do not suffice for this scene; "" if they do. */
+static void name_reason(const struct scene *scene, bool is_inside, char *words, size_t size)
+{
+    const struct model *model = &scene->model;
+    char undrawn[160] = "";
+    words[0] = '\0';
+    if (!model->object_count || scene->has_pool)
+        return;
+    if (model->object_count > 1)
+        snprintf(words, size, "it has %u refractive objects", model->object_count);
+    else if (!object_is_closed(&model->objects[0], &model->object))
+        snprintf(words, size, "its object is not closed");
+    else if (is_inside)
+        snprintf(words, size, "the camera is inside its object");
+    else if (holds_surroundings(model))
+        snprintf(words, size, "something is inside its object");
+    else
+        name_undrawn(scene, false, undrawn, sizeof(undrawn));
+    if (undrawn[0])
+        snprintf(words, size, "bounce does not draw all of it: %s", undrawn);
+}
+
+static bool can_trace(const struct model *model)
+{
+    const uint64_t indices = (uint64_t)model->object.index_count + model->surroundings.index_count;
+    const bool is_few =
+        model->object_count <= BVH_MASK_OBJECTS_MAX || model->material_count <= BVH_MEDIA_MAX;
+    return is_few && model->object_count <= BVH_OBJECTS_MAX && indices / 3 <= BVH_TRIANGLES_MAX;
+}
+
+/* Returns true if a refraction model draws bumps. Ray tracing on the device uses smooth surfaces;
+ * the reference, which has no passes, draws them. */
+static bool draws_bumps(const struct refraction_model *refraction)
+{
+    return !refraction->rows ||
+           (!refraction->traces_bvh && (refraction->by_pixel || refraction->rows->bump_frag));
+}
+
+/* Warns of explicitly set settings that have no effect on the refraction model: bumps, and for the
+ * ray traced one all properties of cracks other than gaps. */
+static void warn_of_settings(const struct app_image *picture)
+{
+    static const struct {
+        const char *name;
+        const struct technique *of;
+    } unknown[] = {
+        { "bump.strength", &bump }, { "cracks.strength", &cracks }, { "cracks.refract", &cracks },
+        { "cracks.clip", &cracks }, { "cracks.debug", &cracks },
+    };
+    const struct app_scene *given = &picture->scene;
+    char words[120] = "";
+    for (size_t i = 0; i < sizeof(unknown) / sizeof(unknown[0]); i++) {
+        const size_t used = strlen(words);
+        const bool is_left_out = unknown[i].of == &bump
+                                     ? !draws_bumps(&picture->refraction->refraction)
+                                     : picture->refraction->refraction.traces_bvh;
+        if (given->is_set[settings_index(settings_find(unknown[i].name))] &&
+            unknown[i].of->is_on(&given->settings) && is_left_out)
+            snprintf(&words[used], sizeof(words) - used, "%s%s", used ? ", " : "", unknown[i].name);
+    }
+    if (words[0] && !given->quiet)
+        log_warning("%s: no effect with --refraction %s", words,
+                    picture->refraction->refraction.name);
+}
+
+/* Warns of input files and a target scale that have no effect on this image. */
+static void warn_of_files(const struct app_image *picture, const struct scene *scene)
+{
+    const struct app_scene *given = &picture->scene;
+    const bool traces_bvh = picture->refraction->refraction.traces_bvh;
+    const bool has_bumps =
+        bump.is_on(&given->settings) && draws_bumps(&picture->refraction->refraction);
+    const bool has_more = (scene->bubbles.count || scene->cracks.index_count) && !traces_bvh;
+    const bool is_scaled = given->is_set[settings_index(settings_find("inclusions.scale"))];
+
+    const struct {
+        const char *option, *file;
+        bool has_effect;
+    } files[] = {
+        { "--cracks", given->cracks, scene->cracks.index_count > 0 },
+        { "--air", given->air, scene->air.index_count > 0 },
+        { "inclusions.scale", is_scaled ? given->name : NULL,
+          picture->refraction->refraction.rows && (scene->air.index_count || has_more) },
+        { "--bump", given->bump, has_bumps && !scene->has_pool },
+        { "--bump-mask", given->bump_mask, has_bumps && !scene->has_pool },
+    };
+
+    for (size_t i = 0; i < sizeof(files) / sizeof(files[0]) && !given->quiet; i++) {
+        if (files[i].file && !files[i].has_effect)
+            log_warning("%s: no effect, since this image has nothing of the kind", files[i].option);
+    }
+}
+
+static void warn_of_outside(const struct app_scene *given, const struct scene *scene)
+{
+    if (scene->has_pool && given->is_set[settings_index(settings_find("refract.ior_outside"))] &&
+        !given->quiet)
+        log_warning(
+            "refract.ior_outside: no effect in a pool, where water and air are around the ice");
+}
+
+/* Notes shadows of ground.light=traced that the refraction model leaves out. */
+static void warn_of_ground(const struct app_image *picture, const struct scene *scene)
+{
+    const struct ground_params *ground = settings_of(&picture->scene.settings, &ground_settings);
+    const struct refraction_model *refraction = &picture->refraction->refraction;
+    const size_t index = settings_index(settings_find("ground.light"));
+    if (ground->light == GROUND_TRACED && picture->scene.is_set[index] && refraction->rows &&
+        !refraction->traces_bvh && scene->material_table &&
+        material_table_has_lit(&scene->model.surroundings) && !picture->scene.quiet)
+        log_note("ground.light=traced: not drawn by this refraction model, so surroundings are lit "
+                 "without occlusion; "
+                 "--refraction trace draws it");
+    if (ground->light == GROUND_TRACED && ground->denoise && picture->columns &&
+        refraction->traces_bvh && scene->material_table &&
+        material_table_has_lit(&scene->model.surroundings) && !picture->scene.quiet)
+        log_note("ground.denoise: off with tiles, which cannot be filtered across their edges");
+}
+
+/* Warns of scattering media that the refraction model draws differently. */
+static void warn_of_clouds(const struct app_image *picture, const struct scene *scene)
+{
+    const struct settings *settings = &picture->scene.settings;
+    const struct refraction_model *refraction = &picture->refraction->refraction;
+    struct technique_choice choice = { .settings = settings, .refraction = picture->refraction };
+    if (!scene->clouds.count)
+        return;
+    if (refraction->traces_bvh)
+        refraction->choose(&choice, scene);
+    if (refract_has_medium(picture->refraction, scene, settings))
+        choice.renders_media = true;
+    else if (air_is_medium(settings) && !refraction->traces_bvh && refraction->rows)
+        log_warning("air.model=medium: drawn as planes; --refraction bounce, one-sided, trace and "
+                    "reference draw a medium");
+    else if (refraction->rows && !choice.hits_surroundings && !picture->scene.quiet)
+        log_note(
+            "%s: its cloudy ice is drawn clear; --refraction trace and bounce draw scattering%s",
+            picture->scene.name,
+            refraction->traces_bvh ? ", but not with trace.surroundings=cube" : "");
+    if (scene->clouds.left_out)
+        log_warning("%s: more than %d objects are cloudy; %u of them are drawn clear",
+                    picture->scene.name, SCATTERING_MEDIA_MAX, scene->clouds.left_out);
+}
+
+void app_choose_refraction(struct app_image *picture, const struct scene *scene,
+                           const struct camera *camera)
+{
+    const bool is_inside = is_camera_inside(scene, &picture->scene.settings, camera);
+    char reason[200] = "";
+    if (!picture->is_refraction_named)
+        name_reason(scene, is_inside, reason, sizeof(reason));
+    if (!picture->is_refraction_named)
+        picture->refraction =
+            reason[0] && can_trace(&scene->model) ? &refract_trace : &refract_bounce;
+    if (reason[0] && picture->refraction == &refract_trace && !picture->scene.quiet)
+        log_note("%s: drawn with --refraction trace, because %s", picture->scene.name, reason);
+    warn_of_materials(picture, scene);
+    if (is_inside && picture->refraction->refraction.rows &&
+        !picture->refraction->refraction.traces_bvh)
+        log_warning("%s: the camera is inside an object, which %s draws as seen from outside, so "
+                    "it is missing; --refraction trace draws this view",
+                    picture->scene.name, picture->refraction->refraction.name);
+    warn_of_ground(picture, scene);
+    warn_of_clouds(picture, scene);
+    warn_of_settings(picture);
+    warn_of_files(picture, scene);
+    warn_of_outside(&picture->scene, scene);
+}
+
+void app_check_rays(const struct settings *settings, const struct gpu *gpu)
+{
+    const struct trace_params *trace = settings_of(settings, &trace_settings);
+    if (trace->rays == TRACE_BY_QUERY && !gpu->has_rays)
+        log_warning(
+            "trace.traversal=query: %s has no ray queries, so rays are traced in firn's BVH",
+            gpu->properties.deviceName);
+}

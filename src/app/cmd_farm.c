@@ -1,0 +1,208 @@
+/* cmd_farm.c: command firn farm: distributes a sequence over machines with Slurm or GNU parallel.
+ */
+#include <ctype.h>
+#include <errno.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "src/app/app.h"
+#include "src/app/farm_script.h"
+#include "src/app/farm_status.h"
+#include "src/app/sequence.h"
+#include "src/base/log.h"
+#include "src/base/path.h"
+
+enum {
+    NAME_SIZE = 64,
+    PATH_SIZE = 4096,
+    FARM_TASKS = 100 /* default of --tasks */
+};
+
+/* ---- checks of the arguments ---- */
+
+static bool is_picture(const char *word)
+{
+    return word && (path_ends_in(word, ".exr") || path_ends_in(word, ".png"));
+}
+
+/* Finds SCENE among the arguments; for "status" it may be missing, and an output file given. */
+static enum status parse_arguments(struct app_options *o, bool is_status)
+{
+    struct app_outputs *outputs = &o->run.outputs;
+    const char *scene = o->positionals[1];
+    if (is_status && is_picture(scene)) {
+        if (outputs->count) {
+            log_error("--output: not available with farm status %s; name a SCENE or only files",
+                      scene);
+            return STATUS_USAGE;
+        }
+        outputs->paths[outputs->count++] = scene;
+        return STATUS_OK;
+    }
+    o->picture.scene.name = scene;
+    return app_require_scene(&o->picture.scene);
+}
+
+static enum status check_files(const struct app_options *o)
+{
+    for (uint32_t i = 0; i < o->run.outputs.count; i++) {
+        if (!strcmp(o->run.outputs.paths[i], "-")) {
+            log_error(
+                "--output: expected a file name, got '-': the stdout of a task is not collected");
+            return STATUS_USAGE;
+        }
+    }
+    if (o->render.frames)
+        return STATUS_OK;
+    log_error("--frames is missing: expected the frames to draw (see --help)");
+    return STATUS_USAGE;
+}
+
+/* ---- scripts ---- */
+
+/* Makes a job name from the leading letters and digits of the first output file's name. */
+static void name_job(char name[static NAME_SIZE], const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    size_t length = 0;
+    for (const char *c = slash ? slash + 1 : path; *c && length + 1 < NAME_SIZE; c++) {
+        if (!isalnum((unsigned char)*c) && !strchr("-_", *c))
+            break;
+        name[length++] = *c;
+    }
+    if (!length || name[0] == '-')
+        snprintf(name, NAME_SIZE, "firn");
+    else
+        name[length] = '\0';
+}
+
+/* Returns the program's path: as called if found through PATH, else the absolute path. */
+static const char *find_program(char path[static PATH_SIZE], const char *called)
+{
+    const ssize_t length =
+        strchr(called, '/') ? readlink("/proc/self/exe", path, PATH_SIZE - 1) : -1;
+    if (length <= 0)
+        return called;
+    path[length] = '\0';
+    return path;
+}
+
+static enum status run_script(char *text)
+{
+    char shell[] = "sh", option[] = "-c";
+    char *const words[] = { shell, option, text, NULL };
+    posix_spawnattr_t attributes;
+    sigset_t signals;
+    pid_t process;
+    int result = 0;
+    extern char **environ;
+
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGPIPE); /* main() ignores it */
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setsigdefault(&attributes, &signals);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    const int error = posix_spawn(&process, "/bin/sh", NULL, &attributes, words, environ);
+    posix_spawnattr_destroy(&attributes);
+    if (error) {
+        log_error("cannot run /bin/sh: %s", strerror(error));
+        return STATUS_FAILED;
+    }
+    while (waitpid(process, &result, 0) < 0 && errno == EINTR)
+        ;
+    if (WIFEXITED(result) && WEXITSTATUS(result) == 0)
+        return STATUS_OK;
+    log_error("--submit: the script failed; run without --submit to print it");
+    return STATUS_FAILED;
+}
+
+static enum status make_script(const struct app_options *o, const struct sequence *sequence,
+                               farm_script_fn *print)
+{
+    char name[NAME_SIZE], path[PATH_SIZE];
+    const uint32_t count = sequence->range.count;
+    const uint32_t most = o->farm.task_count ? o->farm.task_count : FARM_TASKS;
+    const struct farm_script script = {
+        .options = o,
+        .frame_count = count,
+        .task_count = most < count ? most : count,
+        .program = find_program(path, o->run.program),
+        .name = name,
+    };
+    char *text = NULL;
+    size_t size;
+    enum status status = STATUS_OK;
+
+    name_job(name, o->run.outputs.paths[0]);
+    FILE *out = open_memstream(&text, &size);
+    if (out)
+        print(&script, out);
+    const bool ok = out && !ferror(out);
+    if (!out || fclose(out) || !ok) {
+        status = log_out_of_memory(NULL);
+    } else if (o->farm.submit) {
+        status = run_script(text);
+    } else {
+        fputs(text, stdout); /* standard_streams_end() checks that it could be written */
+    }
+    free(text);
+    return status;
+}
+
+static enum status make_parallel(const struct app_options *o, const struct sequence *sequence)
+{
+    for (char *const *word = o->run.words; *word; word++) {
+        if (strchr(*word, '{')) {
+            log_error(
+                "farm parallel: '%s' contains '{', which GNU parallel replaces; use another name",
+                *word);
+            return STATUS_USAGE;
+        }
+    }
+    return make_script(o, sequence, farm_script_parallel);
+}
+
+static enum status make_slurm(const struct app_options *o, const struct sequence *sequence)
+{
+    return make_script(o, sequence, farm_script_slurm);
+}
+
+static const struct {
+    const char *name;
+    enum status (*run)(const struct app_options *o, const struct sequence *sequence);
+    bool is_status;
+} kinds[] = {
+    { "slurm", make_slurm, false },
+    { "parallel", make_parallel, false },
+    { "status", farm_status, true },
+};
+
+enum status app_farm(const struct app_options *given)
+{
+    struct app_options o = *given;
+    struct sequence sequence = { 0 };
+    const char *what = o.positionals[0];
+    size_t k = 0;
+    while (k < sizeof(kinds) / sizeof(kinds[0]) && (!what || strcmp(what, kinds[k].name) != 0))
+        k++;
+    if (k == sizeof(kinds) / sizeof(kinds[0])) {
+        log_error("farm: expected slurm, parallel or status, got '%s' (see --help)",
+                  what ? what : "");
+        return STATUS_USAGE;
+    }
+    enum status status = parse_arguments(&o, kinds[k].is_status);
+    if (status == STATUS_OK)
+        status = check_files(&o);
+    if (status == STATUS_OK)
+        status = sequence_parse(&sequence, &o);
+    if (status == STATUS_OK && !kinds[k].is_status)
+        status = sequence_check(&sequence, &o);
+    if (status == STATUS_OK)
+        status = kinds[k].run(&o, &sequence);
+    sequence_finish(&sequence);
+    return status;
+}

@@ -1,0 +1,396 @@
+/* cmd_ladder.c: command firn ladder: compares refraction models with the reference or white
+ * furnace. */
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/app.h"
+#include "src/app/input_image.h"
+#include "src/app/progress.h"
+#include "src/app/shell_quote.h"
+#include "src/base/log.h"
+#include "src/base/path.h"
+#include "src/image/file_io.h"
+#include "src/ladder/comparison_report.h"
+#include "src/ladder/furnace.h"
+#include "src/profile/text_format.h"
+#include "src/reference/reference.h"
+#include "src/reference/reference_layers.h"
+#include "src/scene/material_table.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/inclusions/air.h"
+
+static const char default_scene[] = "valley";
+
+struct job {
+    struct app_options o;
+    struct scene scene;
+    struct gpu gpu;
+    struct image truth; /* image of another program; {0} if there is none */
+    bool *truth_counted;
+    struct ladder ladder;
+    struct ladder_report report;
+    char *command;
+    const char *prefix; /* text printed on stdout before the results */
+    struct progress progress;
+};
+
+/* ---- checks of the arguments ---- */
+
+static enum status refuse_furnace(const struct app_options *o)
+{
+    const struct app_scene *scene = &o->picture.scene;
+
+    const struct {
+        const char *option;
+        bool is_given;
+    } options[] = {
+        { "--env", scene->environment != NULL },
+        { "--surroundings", scene->surroundings != NULL },
+        { "--background", scene->background.is_given || scene->no_background },
+        { "--whole", o->ladder.whole },
+        { "--truth", o->ladder.truth != NULL },
+        { "--output", o->run.outputs.count > 0 },
+    };
+
+    for (size_t i = 0; i < sizeof(options) / sizeof(options[0]); i++) {
+        if (options[i].is_given) {
+            log_error("%s: not available with --furnace, which has a constant environment and "
+                      "prints only numbers",
+                      options[i].option);
+            return STATUS_USAGE;
+        }
+    }
+    return STATUS_OK;
+}
+
+static enum status check(struct job *job)
+{
+    struct app_options *o = &job->o;
+    struct app_scene *scene = &o->picture.scene;
+    enum status status = o->ladder.furnace ? refuse_furnace(o) : STATUS_OK;
+    if (status == STATUS_OK && !reference_is_built()) {
+        log_error("firn ladder: this build has no Embree; rebuild with meson setup --reconfigure "
+                  "-Dreference=enabled");
+        return STATUS_NO_DEVICE;
+    }
+    if (status == STATUS_OK && o->mask.file && !o->ladder.truth) {
+        log_error("--mask %s: --truth is missing; the mask applies to its image", o->mask.file);
+        return STATUS_USAGE;
+    }
+    for (uint32_t i = 0; i < o->run.outputs.count && status == STATUS_OK; i++)
+        status = file_io_check(o->run.outputs.paths[i]);
+    if (!scene->name)
+        scene->name = default_scene;
+    if (o->ladder.furnace) {
+        scene->background = (struct app_vector){ true, { { 1.0f, 1.0f, 1.0f } } };
+        o->ladder.run_count = 0;
+        settings_set_value(&scene->settings, settings_find("motion.count"), 0.0);
+    }
+    return status;
+}
+
+/* Reads the image of --truth, and the mask of pixels to compare. */
+static enum status read_truth(struct job *job)
+{
+    const struct app_options *o = &job->o;
+    const char *path = o->ladder.truth;
+    struct image mask = { 0 };
+    enum status status = input_image_read(path, &o->picture.scene.reader, &job->truth);
+    if (status != STATUS_OK)
+        return status;
+    if (job->truth.width != o->picture.width || job->truth.height != o->picture.height) {
+        log_error("%s has %u x %u pixels: set --size %ux%u", path, job->truth.width,
+                  job->truth.height, job->truth.width, job->truth.height);
+        return STATUS_DATA;
+    }
+    if (!image_find(&job->truth, "R") || !image_find(&job->truth, "G") ||
+        !image_find(&job->truth, "B")) {
+        log_error("%s: expected the channels R, G and B", path);
+        return STATUS_DATA;
+    }
+    if (!o->mask.file)
+        return STATUS_OK;
+    status = input_image_read(o->mask.file, &o->picture.scene.reader, &mask);
+    if (status == STATUS_OK)
+        status = input_image_check_size(&job->truth, path, &mask, o->mask.file);
+    if (status == STATUS_OK)
+        status = input_image_make_mask(&mask, o->mask.file, o->mask.channel ? o->mask.channel : "A",
+                                       &job->truth_counted);
+    image_finish(&mask);
+    return status;
+}
+
+/* ---- images and numbers ---- */
+
+static bool show_progress(void *user, uint32_t stage, uint32_t done, uint32_t all)
+{
+    struct job *job = user;
+    job->progress.frame = stage;
+    progress_show(&job->progress, done, all);
+    return true;
+}
+
+static enum status measure(struct job *job)
+{
+    const struct app_options *o = &job->o;
+    const struct app_image *p = &o->picture;
+    const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
+    struct ladder_params params = {
+        .gpu = &job->gpu,
+        .scene = &job->scene,
+        .settings = &p->scene.settings,
+        .shot = { .time = motion->time },
+        .width = p->width,
+        .height = p->height,
+        .samples = p->samples,
+        .filter = p->filter,
+        .refraction_models = o->ladder.refraction_models,
+        .is_whole = o->ladder.whole,
+        .run_count = o->ladder.run_count,
+        .truth = job->truth.plane_count ? &job->truth : NULL,
+        .truth_counted = job->truth_counted,
+        .sharing = p->sharing,
+    };
+    char names[REFERENCE_NAMES_SIZE];
+    enum status status = app_camera(&params.shot.camera, &job->scene, p);
+    if (status == STATUS_OK)
+        status = gpu_create(&job->gpu, &o->run.gpu);
+    if (status != STATUS_OK)
+        return status;
+    app_check_rays(&p->scene.settings, &job->gpu);
+    if (!o->run.quiet && reference_unsupported(&p->scene.settings, names, sizeof(names)))
+        log_warning("firn ladder: the reference draws the scene without %s", names);
+    if (!o->run.quiet && o->ladder.furnace &&
+        material_table_has_lit(&job->scene.model.surroundings))
+        log_warning("%s: opaque surfaces around its objects absorb light, so pixels that show "
+                    "them are below 1",
+                    p->scene.name);
+    if (!o->run.quiet && air_is_medium(&p->scene.settings))
+        log_warning("air.model=medium: bounce, one-sided, trace and the reference draw a medium, "
+                    "other refraction models draw planes");
+    progress_begin(&job->progress, ladder_stages(&params), "steps", o->run.quiet);
+    status = ladder_run(&job->ladder, &params, show_progress, job);
+    progress_clear(&job->progress);
+    job->report = (struct ladder_report){
+        .ladder = &job->ladder,
+        .scene = p->scene.name,
+        .command = job->command,
+        .device = job->gpu.properties.deviceName,
+        .samples = p->samples,
+    };
+    return status;
+}
+
+/* ---- results ---- */
+
+static enum status encode(const struct job *job, const char *path, void **data, size_t *size)
+{
+    char *text = NULL;
+    enum status status;
+    if (path_ends_in(path, ".png"))
+        return ladder_sheet(&job->report, data, size);
+    if (path_ends_in(path, ".exr"))
+        return ladder_exr(&job->report, data, size);
+    status = path_ends_in(path, ".svg") ? ladder_svg(&job->report, &text, size)
+                                        : ladder_page(&job->report, &text, size);
+    *data = text;
+    return status;
+}
+
+static enum status write_output(const struct job *job, const char *path)
+{
+    void *data = NULL;
+    size_t size = 0;
+    enum status status = encode(job, path, &data, &size);
+    if (status == STATUS_OK)
+        status = file_io_write(path, data, size);
+    free(data);
+    if (status == STATUS_OK && !job->o.run.quiet)
+        fprintf(stderr, "%s\n", path);
+    return status;
+}
+
+static enum status print(const struct job *job)
+{
+    char *text = NULL;
+    size_t size;
+    enum status status = STATUS_OK;
+    if (job->o.run.format != APP_FORMAT_JSON)
+        ladder_table(&job->report, stdout);
+    else
+        status = ladder_json(&job->report, &text, &size);
+    if (text)
+        fputs(text, stdout);
+    free(text);
+    return status;
+}
+
+static void print_scene(const char *name)
+{
+    char words[512];
+    snprintf(words, sizeof(words), "scene      %s", name);
+    profile_print_wrapped(words, 11, stdout);
+}
+
+static enum status report(const struct job *job)
+{
+    struct furnace furnace;
+    enum status status = STATUS_OK;
+    fputs(job->prefix, stdout);
+    if (job->o.ladder.furnace) {
+        furnace = furnace_measure(&job->ladder);
+        if (job->o.positionals[0])
+            print_scene(job->o.picture.scene.name);
+        furnace_print(&furnace, stdout);
+        status = furnace_holds(&furnace) ? STATUS_OK : STATUS_FAILED;
+    } else {
+        for (uint32_t i = 0; i < job->o.run.outputs.count && status == STATUS_OK; i++)
+            status = write_output(job, job->o.run.outputs.paths[i]);
+        if (status == STATUS_OK)
+            status = print(job);
+    }
+    return status;
+}
+
+static enum status run(struct job *job)
+{
+    enum status status = check(job);
+    if (status == STATUS_OK && job->o.ladder.truth)
+        status = read_truth(job);
+    if (status == STATUS_OK)
+        status = app_load_scene(&job->scene, &job->o.picture.scene);
+    if (status == STATUS_OK && job->scene.has_pool) {
+        log_error("firn ladder: expected a scene with a refracting object, got '%s'",
+                  job->o.picture.scene.name);
+        status = STATUS_USAGE;
+    }
+    if (status == STATUS_OK)
+        status = measure(job);
+    if (status == STATUS_OK)
+        status = report(job);
+    if (status == STATUS_OK && job->gpu.message_count)
+        status = STATUS_FAILED; /* the validation layer has logged why */
+    return status;
+}
+
+/* ---- several scenes ---- */
+
+/* FLIP of all scenes, kept until the final table is printed. */
+struct summary {
+    const char *scenes[APP_LADDER_SCENE_COUNT];
+    double flip[APP_LADDER_SCENE_COUNT][LADDER_MODEL_COUNT];
+    const char *refraction_models[LADDER_MODEL_COUNT];
+    uint32_t scene_count, refraction_model_count;
+};
+
+static void record_scene(struct summary *summary, const struct job *job)
+{
+    const struct ladder *ladder = &job->ladder;
+    summary->refraction_model_count = ladder->refraction_model_count;
+    for (uint32_t i = 0; i < ladder->refraction_model_count; i++) {
+        summary->refraction_models[i] = ladder->refraction_models[i].refraction->refraction.name;
+        summary->flip[summary->scene_count][i] = ladder->refraction_models[i].error.flip;
+    }
+    summary->scenes[summary->scene_count++] = job->o.picture.scene.name;
+}
+
+/* Prints the title of a column: the end of a file's path, truncated to the column width. */
+static void print_title(const char *scene)
+{
+    const char *slash = strrchr(scene, '/');
+    char title[11];
+    snprintf(title, sizeof(title), "%s", slash ? slash + 1 : scene);
+    for (char *c = title; *c; c++) {
+        if (iscntrl((unsigned char)*c))
+            *c = '?';
+    }
+    printf(" %10s", title);
+}
+
+static void print_summary(const struct summary *summary)
+{
+    printf("\n%-10s", "FLIP");
+    for (uint32_t s = 0; s < summary->scene_count; s++)
+        print_title(summary->scenes[s]);
+    putchar('\n');
+    for (uint32_t r = 0; r < summary->refraction_model_count; r++) {
+        printf("%-10s", summary->refraction_models[r]);
+        for (uint32_t s = 0; s < summary->scene_count; s++)
+            printf(" %10.4f", summary->flip[s][r]);
+        putchar('\n');
+    }
+}
+
+/* Checks that no option is given that works with a single scene only. */
+static enum status check_several(const struct app_options *o)
+{
+    const char *option = o->run.outputs.count ? "--output" : o->ladder.truth ? "--truth" : NULL;
+    if (!option)
+        return STATUS_OK;
+    log_error("%s: expected one scene, got '%s' and '%s'; give one at a time", option,
+              o->picture.scene.name, o->positionals[0]);
+    return STATUS_USAGE;
+}
+
+static void job_finish(struct job *job)
+{
+    ladder_finish(&job->ladder);
+    image_finish(&job->truth);
+    free(job->truth_counted);
+    gpu_destroy(&job->gpu);
+    scene_finish(&job->scene);
+    free(job->command);
+    free(job);
+}
+
+/* Runs one scene; prints `prefix` before its results. */
+static enum status run_scene(const struct app_options *options, const char *name,
+                             const char *prefix, struct summary *summary)
+{
+    struct job *job = calloc(1, sizeof(*job));
+    if (!job)
+        return log_out_of_memory(NULL);
+    job->o = *options;
+    job->o.picture.scene.name = name;
+    job->prefix = prefix;
+    job->command = shell_quote_join(options->run.words);
+    enum status status = job->command ? run(job) : log_out_of_memory(NULL);
+    if (status == STATUS_OK)
+        record_scene(summary, job);
+    job_finish(job);
+    return status;
+}
+
+/* Runs all scenes up to the first that fails. A furnace test that fails only sets the exit code. */
+static enum status run_scenes(const struct app_options *o)
+{
+    const bool is_json = o->run.format == APP_FORMAT_JSON && !o->ladder.furnace;
+    struct summary summary = { 0 };
+    enum status first = STATUS_OK, status = check_several(o);
+    if (status != STATUS_OK)
+        return status;
+    status = run_scene(o, o->picture.scene.name, is_json ? "{\"scenes\": [\n" : "", &summary);
+    for (uint32_t i = 0; o->positionals[i]; i++) {
+        if (status != STATUS_OK && !(o->ladder.furnace && status == STATUS_FAILED))
+            break;
+        first = first == STATUS_OK ? status : first;
+        status = run_scene(o, o->positionals[i], is_json ? ",\n" : "\n", &summary);
+    }
+    if (status == STATUS_OK && is_json)
+        puts("\n]}");
+    else if (status == STATUS_OK && !o->ladder.furnace)
+        print_summary(&summary);
+    return first == STATUS_OK ? status : first;
+}
+
+enum status app_ladder(const struct app_options *options)
+{
+    struct summary summary = { 0 };
+    if (options->positionals[0])
+        return run_scenes(options);
+    const enum status status = run_scene(options, options->picture.scene.name, "", &summary);
+    if (status == STATUS_OK && options->run.format == APP_FORMAT_JSON && !options->ladder.furnace)
+        putchar('\n');
+    return status;
+}

@@ -1,0 +1,600 @@
+/* cmd_render.c: command firn render: renders an image or a sequence to EXR and PNG files. */
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "src/app/app.h"
+#include "src/app/layer_image.h"
+#include "src/app/options/option_reference.h"
+#include "src/app/output.h"
+#include "src/app/previous_pose.h"
+#include "src/app/progress.h"
+#include "src/app/render_report.h"
+#include "src/app/sample_sums_file.h"
+#include "src/app/sequence.h"
+#include "src/app/signals.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/base/path.h"
+#include "src/base/tile.h"
+#include "src/image/file_io.h"
+#include "src/reader/image_reader.h"
+#include "src/reference/reference.h"
+#include "src/reference/reference_layers.h"
+#include "src/render/cpu_driver.h"
+#include "src/render/renderer.h"
+#include "src/render/renderer_requests.h"
+#include "src/tech/refract/refract_reference.h"
+
+struct job {
+    struct app_options o;
+    struct sequence sequence;
+    struct report report;
+    struct signals stop;
+    struct scene scene;
+    bool is_opened;       /* open_renderer() has logged its warnings */
+    bool is_filled;       /* scene textures and meshes are filled: app_pose_scene() */
+    const char *missing;  /* what there was no memory for when the scene was filled, or NULL */
+    struct camera camera; /* at time 0; the camera of an animated model may move */
+    struct gpu gpu;
+    struct renderer *renderer;      /* draws on the device; NULL if `reference` is used */
+    struct reference *reference;    /* ray tracer; NULL until a frame needs it */
+    bool makes_png;                 /* make_png() makes the pixels of PNG files */
+    uint32_t tile_done, tile_count; /* tiles of the current frame */
+    uint64_t pixels_beyond;         /* total of all frames: reference.h */
+    double remaining;
+    struct progress progress;
+};
+
+/* State of one frame: its files and its rendered image. */
+struct frame {
+    struct output output;
+    char *paths[APP_OUTPUT_COUNT];
+    bool is_current[APP_OUTPUT_COUNT]; /* the file already contains the frame */
+    struct render_result result;
+    struct reference_outcome outcome; /* result of the reference, if it is used */
+};
+
+/* ---- a frame ---- */
+
+static void frame_finish(struct frame *frame)
+{
+    for (uint32_t i = 0; i < APP_OUTPUT_COUNT; i++)
+        free(frame->paths[i]);
+    output_finish(&frame->output);
+    render_result_finish(&frame->result);
+}
+
+/* Returns true if a file contains the frame, drawn with `samples` samples. */
+static bool has_samples(const struct output *output, const char *path,
+                        const struct image_header *head, uint32_t samples)
+{
+    struct output drawn = *output;
+    drawn.samples = samples;
+    drawn.settings = drawn.png_settings = NULL;
+    const bool same = output_describe(&drawn) == STATUS_OK && output_is_current(&drawn, path, head);
+    output_finish(&drawn);
+    return same;
+}
+
+/* Returns true if --resume may keep a file. Logs why a file is unreadable, which is drawn again. */
+static bool is_current(const struct job *job, const struct output *output, const char *path)
+{
+    struct image_header head;
+    if (file_io_is_direct(path) || access(path, R_OK) != 0 ||
+        image_reader_check(&head, path, &job->o.picture.scene.reader) != STATUS_OK)
+        return false;
+    const uint32_t samples =
+        output_enough_samples(&head, job->o.picture.samples, job->o.render.noise);
+    const bool same = output_is_current(output, path, &head) ||
+                      (samples && has_samples(output, path, &head, samples));
+    image_header_finish(&head);
+    return same;
+}
+
+/* Describes a frame, names its files and, with --resume, checks which of them are current. */
+static enum status frame_init(struct frame *frame, const struct job *job, int32_t number)
+{
+    *frame = (struct frame){
+        .output = {
+            .picture = &job->o.picture,
+            .scene = &job->scene,
+            .is_frame = job->o.render.frames != NULL,
+            .shot = {
+                .camera = job->camera,
+                .time = (float)sequence_time(&job->o.picture.scene.settings, number),
+                .tile = job->o.picture.tile ? job->o.picture.tile - 1 : 0,
+            },
+        },
+    };
+    enum status status = output_describe(&frame->output);
+    for (uint32_t i = 0; i < job->o.run.outputs.count && status == STATUS_OK; i++) {
+        frame->paths[i] = frame_name_make(&job->sequence.names[i], number);
+        if (!frame->paths[i])
+            status = log_out_of_memory(NULL);
+        else if (job->o.render.resume)
+            frame->is_current[i] = is_current(job, &frame->output, frame->paths[i]);
+    }
+    return status;
+}
+
+static bool frame_is_current(const struct frame *frame, uint32_t output_count)
+{
+    uint32_t current = 0;
+    for (uint32_t i = 0; i < output_count; i++)
+        current += frame->is_current[i];
+    return current == output_count;
+}
+
+static bool show_progress(void *user, uint32_t done, uint32_t all)
+{
+    const struct job *job = user;
+    const uint32_t tiles = job->tile_count ? job->tile_count : 1;
+    progress_show(&job->progress, job->tile_done * all + done, tiles * all);
+    return true;
+}
+
+/* Allocates the whole image, with the planes of a tile. */
+static bool make_whole(const struct job *job, const struct render_result *tile,
+                       struct render_result *whole)
+{
+    image_init(&whole->image, job->o.picture.width, job->o.picture.height);
+    for (uint32_t p = 0; p < tile->image.plane_count; p++) {
+        const struct image_plane *plane = &tile->image.planes[p];
+        if (!image_add_plane(&whole->image, plane->name, plane->half))
+            return false;
+    }
+    if (tile->rgba)
+        whole->rgba = malloc((size_t)job->o.picture.width * job->o.picture.height * 4);
+    return !tile->rgba || whole->rgba;
+}
+
+/* Copies a tile's pixels to their positions in the whole image. */
+static void copy_tile(const struct job *job, uint32_t index, const struct render_result *tile,
+                      struct render_result *whole)
+{
+    const bool is_interleaved = job->o.picture.interleaved;
+    const struct tiling tiling = { job->o.picture.width, job->o.picture.height,
+                                   job->o.picture.columns, job->o.picture.rows };
+    const struct tile at =
+        is_interleaved ? (struct tile){ index % tiling.columns, index / tiling.columns, 0, 0 }
+                       : tile_at(&tiling, index);
+    const size_t across = is_interleaved ? tiling.columns : 1,
+                 down = is_interleaved ? tiling.rows : 1;
+    for (size_t y = 0; y < tile->image.height; y++) {
+        for (size_t x = 0; x < tile->image.width; x++) {
+            const size_t from = y * tile->image.width + x;
+            const size_t to = (down * y + at.y) * tiling.width + across * x + at.x;
+            for (uint32_t p = 0; p < whole->image.plane_count; p++)
+                whole->image.planes[p].texels[to] = tile->image.planes[p].texels[from];
+            if (whole->rgba)
+                memcpy(&whole->rgba[4 * to], &tile->rgba[4 * from], 4);
+        }
+    }
+}
+
+static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
+                              struct render_result *whole)
+{
+    enum status status = STATUS_OK;
+    job->tile_count = job->o.picture.columns * job->o.picture.rows;
+    for (uint32_t i = 0; i < job->tile_count && status == STATUS_OK; i++) {
+        struct renderer_shot part = *shot;
+        struct render_result tile = { 0 };
+        part.tile = i;
+        job->tile_done = i;
+        status = renderer_render(job->renderer, &part, &tile, show_progress, job);
+        if (status == STATUS_OK && i == 0 && !make_whole(job, &tile, whole))
+            status = log_out_of_memory(NULL);
+        if (status == STATUS_OK)
+            copy_tile(job, i, &tile, whole);
+        render_result_finish(&tile);
+    }
+    return status;
+}
+
+/* Returns the frame's EXR output beside which its sample sums are stored, or NULL. */
+static const char *sums_picture(const struct job *job, const struct frame *frame)
+{
+    for (uint32_t i = 0; i < job->o.run.outputs.count && job->o.render.keep_sums; i++) {
+        if (path_ends_in(frame->paths[i], ".exr"))
+            return frame->paths[i];
+    }
+    return NULL;
+}
+
+/* Renders with the reference, resuming from stored sums, and records the actual sample count. */
+static enum status trace_image(struct job *job, struct frame *frame)
+{
+    const char *picture = sums_picture(job, frame);
+    char *path = picture ? option_sums_file(picture) : NULL;
+    struct output *output = &frame->output;
+    struct sample_sums_file file = {
+        .path = path,
+        .output = output,
+        .device = reference_device(job->reference),
+        .stop = &job->stop,
+    };
+    struct reference_session session = {
+        .load = path && job->o.render.resume ? sample_sums_file_load : NULL,
+        .keep = path ? sample_sums_file_store : NULL,
+        .user = &file,
+    };
+    if (picture && !path)
+        return log_out_of_memory(NULL);
+    enum status status = reference_continue(job->reference, &output->shot, &frame->result, &session,
+                                            show_progress, job);
+    free(path);
+    output->samples = session.outcome.samples;
+    output->noise = session.outcome.noise;
+    frame->outcome = session.outcome;
+    return status == STATUS_OK ? output_describe(output) : status;
+}
+
+/* Warns once for all frames of light that is missing because paths were cut off. */
+static void warn_of_remaining(const struct job *job)
+{
+    const unsigned long long count = job->pixels_beyond;
+    if (count && !job->o.run.quiet)
+        log_warning(
+            "--refraction reference: light paths were cut: up to %.2g of a pixel's light "
+            "is missing, more than %g in %llu pixel%s (layer remaining): raise "
+            "reference.bounces, lower reference.cutoff, or set reference.russian_roulette=on",
+            job->remaining, REFERENCE_REMAINING_MAX, count, count > 1 ? "s" : "");
+}
+
+static enum status draw_image(struct job *job, struct frame *frame)
+{
+    const struct renderer_shot *shot = &frame->output.shot;
+    struct render_result *result = &frame->result;
+    if (job->reference)
+        return trace_image(job, frame);
+    if (job->o.picture.columns && !job->o.picture.tile)
+        return draw_tiles(job, shot, result);
+    return renderer_render(job->renderer, shot, result, show_progress, job);
+}
+
+/* Makes PNG pixels that the renderer does not: layers, 16 bits, alpha, dither. */
+static bool make_png(const struct app_image *p, struct render_result *result)
+{
+    const bool is_16 = p->png_bits == 16;
+    if (!p->show)
+        return layer_image_beauty(&result->image, &p->scene.settings, is_16 ? NULL : &result->rgba,
+                                  is_16 ? &result->rgba_16 : NULL);
+    if (is_16)
+        result->rgba_16 = layer_image_rgba_16(&result->image, p->show);
+    else
+        result->rgba = layer_image_rgba(&result->image, p->show);
+    return result->rgba || result->rgba_16;
+}
+
+static enum status draw(struct job *job, struct frame *frame)
+{
+    struct render_result *result = &frame->result;
+    progress_show(&job->progress, 0, job->o.picture.samples);
+    enum status status = draw_image(job, frame);
+    progress_clear(&job->progress);
+    job->pixels_beyond += frame->outcome.pixels_beyond;
+    job->remaining = fmax(job->remaining, frame->outcome.remaining);
+    if (status == STATUS_OK && job->makes_png && !make_png(&job->o.picture, result))
+        status = STATUS_TRY_AGAIN;
+    return status;
+}
+
+static void *fill_scene(void *user)
+{
+    struct job *job = user;
+    job->missing = app_fill_scene(&job->scene, &job->o.picture.scene);
+    return NULL;
+}
+
+static enum status open_reference(struct job *job, const struct renderer_params *params)
+{
+    const struct reference_request request = {
+        .scene = params->scene,
+        .settings = params->settings,
+        .width = params->width,
+        .height = params->height,
+        .samples = params->samples,
+        .noise = job->o.render.noise,
+        .seconds = job->o.render.seconds,
+        .filter = params->filter,
+        .layers = params->layers,
+        .linear = params->linear,
+        .display = params->display,
+    };
+    char names[REFERENCE_NAMES_SIZE];
+    if (!job->is_filled)
+        fill_scene(job);
+    job->is_filled = true;
+    if (job->missing)
+        return app_log_fill_failure(job->missing);
+    enum status status = reference_create(&job->reference, &request);
+    if (status == STATUS_OK && !job->o.run.quiet && !job->is_opened &&
+        reference_unsupported(params->settings, names, sizeof(names)))
+        log_warning("--refraction reference: draws the scene without %s", names);
+    return status;
+}
+
+/* Returns true if so few pixels are drawn that fast shader compilation in llvmpipe pays off. */
+static bool is_small(const struct job *job)
+{
+    const uint64_t pixels =
+        (uint64_t)job->o.picture.width * job->o.picture.height * job->o.picture.samples;
+    return pixels <= (1u << 17) / job->sequence.range.count;
+}
+
+/* Opens the device, and fills the scene in another thread meanwhile. That thread does not log: if
+ * both fail, message and status are the device's. */
+static enum status open_device(struct job *job)
+{
+    pthread_t thread;
+    if (job->gpu.device)
+        return STATUS_OK;
+    if (is_small(job))
+        cpu_driver_prefer_start();
+    const bool is_beside = !job->is_filled && pthread_create(&thread, NULL, fill_scene, job) == 0;
+    const enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
+    if (is_beside)
+        pthread_join(thread, NULL);
+    else if (status == STATUS_OK && !job->is_filled)
+        fill_scene(job);
+    job->is_filled = true;
+    if (status == STATUS_OK)
+        app_check_rays(&job->o.picture.scene.settings, &job->gpu);
+    return status == STATUS_OK && job->missing ? app_log_fill_failure(job->missing) : status;
+}
+
+/* Opens the device or the reference, with the first frame that has to be drawn. */
+static enum status open_renderer(struct job *job)
+{
+    const struct app_image *p = &job->o.picture;
+    const struct app_outputs *outputs = &job->o.run.outputs;
+    struct renderer_params params = app_renderer_params(p, &job->gpu, &job->scene);
+    params.samples = p->samples;
+    params.warm_up = true;
+    renderer_set_camera(&params, &job->camera);
+    for (uint32_t i = 0; i < outputs->count; i++) {
+        if (!path_ends_in(outputs->paths[i], ".png"))
+            params.linear = true;
+        else if (p->show || p->png_bits == 16 || p->scene.no_background ||
+                 layer_image_is_dithered(&p->scene.settings))
+            job->makes_png = true;
+        else
+            params.display = true;
+    }
+    if (params.linear)
+        params.layers = p->layers;
+    else if (p->layers && !job->is_opened)
+        log_warning("--aov: PNG files have no layers; add an .exr file with --output");
+    params.layers |= layer_image_bit(p->show);
+    params.linear = params.linear || p->is_adaptive || (job->makes_png && !p->show);
+    if (p->refraction == &refract_reference)
+        return open_reference(job, &params);
+    enum status status = open_device(job);
+    if (status == STATUS_OK)
+        status = renderer_create(&job->renderer, &params);
+    return status;
+}
+
+static void print_written(const struct job *job, const struct frame *frame, const char *path)
+{
+    const struct app_image *p = &job->o.picture;
+    const uint32_t samples = frame->output.samples ? frame->output.samples : p->samples;
+    const char *name = strcmp(path, "-") ? path : "stdout";
+    fprintf(stderr, "%s: %ux%u, ", name, p->width, p->height);
+    if (p->is_adaptive)
+        fprintf(stderr, "%.3g samples on average", (double)frame->result.samples);
+    else
+        fprintf(stderr, "%u sample%s", samples, samples > 1 ? "s" : "");
+    if (frame->output.samples > 1)
+        fprintf(stderr, ", noise %.3g", frame->output.noise);
+    fputc('\n', stderr);
+}
+
+static enum status write_output(struct job *job, const struct frame *frame, const char *path)
+{
+    /* a pipe may block forever, so signals are not held */
+    const bool is_straight = file_io_is_direct(path);
+    void *data = NULL;
+    size_t size = 0;
+    const char *device =
+        job->reference ? reference_device(job->reference) : job->gpu.properties.deviceName;
+    enum status status = output_encode(&frame->output, path, &frame->result, device, &data, &size);
+    if (status == STATUS_OK) {
+        if (!is_straight)
+            signals_hold(&job->stop);
+        status = file_io_write(path, data, size);
+        if (!is_straight)
+            signals_release(&job->stop);
+    }
+    free(data);
+    if (status == STATUS_OK && !job->o.run.quiet)
+        print_written(job, frame, path);
+    return status;
+}
+
+static enum status write_outputs(struct job *job, const struct frame *frame)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < job->o.run.outputs.count && status == STATUS_OK; i++) {
+        if (!frame->is_current[i])
+            status = write_output(job, frame, frame->paths[i]);
+        else if (!job->o.run.quiet)
+            fprintf(stderr, "%s: up to date\n", frame->paths[i]);
+    }
+    return status;
+}
+
+static void record_result(struct job *job, uint32_t index, struct render_report_frame outcome)
+{
+    signals_hold(&job->stop);
+    job->report.frames[index] = outcome;
+    signals_release(&job->stop);
+}
+
+/* Poses an animated model for a frame. A changed pose needs a new renderer. */
+static enum status pose(struct job *job, struct frame *frame)
+{
+    struct renderer_shot *shot = &frame->output.shot;
+    struct previous_pose previous;
+    bool is_changed = false;
+    if (!job->scene.is_animated)
+        return STATUS_OK;
+    if (job->scene.time < shot->time || job->scene.time > shot->time) {
+        renderer_destroy(job->renderer);
+        reference_destroy(job->reference);
+        job->renderer = NULL;
+        job->reference = NULL;
+    }
+    enum status status =
+        previous_pose_find(&previous, &shot->earlier, &job->scene, &job->o.picture, shot->time);
+    if (status == STATUS_OK)
+        status = app_pose_scene(&job->scene, &job->o.picture.scene, shot->time, &is_changed);
+    previous_pose_move_to(&previous, &job->scene);
+    job->is_filled = job->is_filled || (status == STATUS_OK && is_changed);
+    return status == STATUS_OK ? app_camera(&shot->camera, &job->scene, &job->o.picture) : status;
+}
+
+static enum status run_frame(struct job *job, uint32_t index)
+{
+    const double begin = clock_seconds();
+    struct render_report_frame outcome = { .state = RENDER_REPORT_CURRENT };
+    struct frame frame;
+    enum status status = frame_init(&frame, job, job->sequence.range.frames[index]);
+    if (status == STATUS_OK)
+        render_report_hash(frame.output.settings, outcome.hash);
+    if (status == STATUS_OK && !frame_is_current(&frame, job->o.run.outputs.count)) {
+        outcome.state = RENDER_REPORT_DRAWN;
+        status = pose(job, &frame);
+        if (status == STATUS_OK && !job->renderer && !job->reference)
+            status = open_renderer(job);
+        job->is_opened = true;
+        if (status == STATUS_OK)
+            status = draw(job, &frame);
+    }
+    if (status == STATUS_OK)
+        status = write_outputs(job, &frame);
+    if (status != STATUS_OK)
+        outcome.state = RENDER_REPORT_FAILED;
+    outcome.seconds = clock_seconds() - begin;
+    record_result(job, index, outcome);
+    frame_finish(&frame);
+    return status;
+}
+
+/*
+ * Renders all frames. Stops at the first failure, since its cause (a full disk, a lost device)
+ * fails the next frame, too, unless only its file cannot be created. If frames were written and
+ * others failed, returns STATUS_FAILED.
+ */
+static enum status run_frames(struct job *job)
+{
+    const uint32_t count = job->sequence.range.count;
+    enum status first = STATUS_OK, status = STATUS_OK;
+    progress_begin(&job->progress, count,
+                   job->o.picture.refraction == &refract_reference ? "tiles" : "samples",
+                   job->o.run.quiet);
+    for (uint32_t i = 0; i < count && (status == STATUS_OK || status == STATUS_CANT_CREATE); i++) {
+        job->progress.frame = i;
+        status = run_frame(job, i);
+        if (first == STATUS_OK)
+            first = status;
+    }
+    warn_of_remaining(job);
+    if (status != STATUS_OK && status != STATUS_CANT_CREATE)
+        return status;
+    return first != STATUS_OK && render_report_is_mixed(&job->report) ? STATUS_FAILED : first;
+}
+
+static enum status write_report(const struct job *job, int code)
+{
+    const char *path = job->o.render.json;
+    size_t size;
+    char *text = render_report_json(&job->report, &job->sequence, &job->o, code, &size);
+    enum status status = text ? file_io_write(path, text, size) : log_out_of_memory(NULL);
+    free(text);
+    return status;
+}
+
+/* Writes the report when a signal ends the program, except to a pipe, which could block forever. */
+static void write_last_report(void *user, int code)
+{
+    const struct job *job = user;
+    if (job->report.count && !file_io_is_direct(job->o.render.json) &&
+        write_report(job, code) != STATUS_OK)
+        return; /* write_report() has logged why */
+}
+
+static enum status begin_report(struct job *job)
+{
+    struct report report;
+    enum status status = render_report_init(&report, job->sequence.range.count);
+    signals_hold(&job->stop);
+    job->report = report;
+    signals_release(&job->stop);
+    return status;
+}
+
+/* Writes the report at the end, unless no frame was started because of invalid arguments. */
+static enum status end_report(struct job *job, enum status status)
+{
+    if (!job->o.render.json || !job->report.frames)
+        return status;
+    const bool is_straight = file_io_is_direct(job->o.render.json);
+    if (!is_straight)
+        signals_hold(&job->stop);
+    const enum status written = write_report(job, (int)status);
+    if (!is_straight)
+        signals_release(&job->stop);
+    return status == STATUS_OK ? written : status;
+}
+
+/* Runs the command. All errors in arguments and files are found before the device is opened. */
+static enum status run(struct job *job)
+{
+    enum status status = sequence_parse(&job->sequence, &job->o);
+    if (status == STATUS_OK)
+        status = sequence_check(&job->sequence, &job->o);
+    if (status == STATUS_OK && job->o.render.json)
+        status = file_io_check(job->o.render.json);
+    if (status == STATUS_OK)
+        status = app_begin_scene(&job->scene, &job->o.picture.scene);
+    if (status == STATUS_OK)
+        status = app_camera(&job->camera, &job->scene, &job->o.picture);
+    if (status == STATUS_OK)
+        app_choose_refraction(&job->o.picture, &job->scene, &job->camera);
+    if (status == STATUS_OK)
+        status = output_check_tiles(&job->o.picture, &job->o.run.outputs);
+    if (status == STATUS_OK)
+        status = begin_report(job);
+    if (status == STATUS_OK)
+        status = run_frames(job);
+    if (status == STATUS_OK && job->gpu.message_count)
+        status = STATUS_FAILED; /* the validation layer has logged why */
+    return end_report(job, status);
+}
+
+enum status app_render(const struct app_options *options)
+{
+    struct job *job = calloc(1, sizeof(*job));
+    if (!job)
+        return log_out_of_memory(NULL);
+    job->o = *options;
+    if (job->o.render.json)
+        job->stop = (struct signals){ .last = write_last_report, .user = job };
+    enum status status = signals_begin(&job->stop);
+    if (status == STATUS_OK)
+        status = run(job);
+    signals_end(&job->stop);
+    renderer_destroy(job->renderer);
+    reference_destroy(job->reference);
+    gpu_destroy(&job->gpu);
+    scene_finish(&job->scene);
+    render_report_finish(&job->report);
+    sequence_finish(&job->sequence);
+    free(job);
+    return status;
+}

@@ -1,0 +1,23 @@
+/* input_image.h: reads input images and masks that options name. All functions log errors. */
+#ifndef FIRN_APP_INPUT_IMAGE_H
+#define FIRN_APP_INPUT_IMAGE_H
+
+#include "src/base/status.h"
+#include "src/image/image.h"
+#include "src/reader/reader.h"
+
+/* Reads an EXR, HDR or PNG file into *image, which must be {0}, like image_reader_read(). Returns
+ * STATUS_USAGE for other file names. */
+MUST_USE enum status input_image_read(const char *path, const struct reader_params *params,
+                                      struct image *image);
+
+/* Checks that both images have the same size, else logs with the paths: STATUS_DATA. */
+MUST_USE enum status input_image_check_size(const struct image *image, const char *path,
+                                            const struct image *other, const char *other_path);
+
+/* Sets *counted to an array, to be freed by the caller, that is true for pixels with the channel
+ * above 0. Returns STATUS_DATA if the channel is missing or nowhere above 0; STATUS_TRY_AGAIN. */
+MUST_USE enum status input_image_make_mask(const struct image *image, const char *path,
+                                           const char *channel, bool **counted);
+
+#endif

@@ -1,0 +1,35 @@
+/*
+ * layer_image.h: converts layers (AOVs) to displayable images, for --show.
+ *
+ * Pixels without a value (0; for Z, 1e10) are black. Amounts and distances are grey, linear in the
+ * 8-bit value: from 1/8 for the minimum to white for the maximum of the image; the nearest distance
+ * is white. Directions are shown as 0.5 + 0.5 v; each axis of positions is scaled to its range.
+ * Colours are sRGB-encoded, premultiplied ones over black.
+ */
+#ifndef FIRN_APP_LAYER_IMAGE_H
+#define FIRN_APP_LAYER_IMAGE_H
+
+#include "src/frame/output_layers.h"
+#include "src/image/image.h"
+
+/* Returns the layer of that name, or NULL; logs nothing. */
+const struct frame_layer *layer_image_find(const char *name);
+
+/* Returns bit i of renderer_params.layers for techniques_layer(i); 0 for NULL. */
+uint32_t layer_image_bit(const struct frame_layer *layer);
+
+/* Return width * height * 4 values, as in png_image_source.rgba and png_image_source.rgba_16, to be
+ * freed by the caller. NULL when out of memory, which is logged. The image must have the layer's
+ * planes. */
+uint8_t *layer_image_rgba(const struct image *image, const struct frame_layer *layer);
+uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_layer *layer);
+
+/* Tone-maps the beauty with the settings and keeps its alpha: to 8-bit pixels, dithered if set so,
+ * or to 16-bit ones; the other pointer is NULL. Logs and returns false when out of memory. */
+bool layer_image_beauty(const struct image *image, const struct settings *settings, uint8_t **rgba,
+                        uint16_t **rgba_16);
+
+/* Returns true if tonemap.dither is on. */
+bool layer_image_is_dithered(const struct settings *settings);
+
+#endif

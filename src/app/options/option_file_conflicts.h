@@ -1,0 +1,24 @@
+/* option_file_conflicts.h: checks that no output file of a command line overwrites another file in
+ * use. */
+#ifndef FIRN_APP_OPTIONS_OPTION_FILE_CONFLICTS_H
+#define FIRN_APP_OPTIONS_OPTION_FILE_CONFLICTS_H
+
+#include "src/app/options/option.h"
+
+/* Set a text as option_text() does. A row with option_input names a file that is read, a row with
+ * option_report a file that is written. */
+option_fn option_input, option_report;
+
+/* A file that a command reads or writes. */
+struct option_file {
+    const char *option; /* option name, without dashes; NULL if the file is an argument */
+    const char *path;   /* "-" is stdout and is not checked */
+    bool is_written;
+};
+
+/* Refuses two outputs to one file, and an output that overwrites an input, even if their paths are
+ * spelt differently. Files that are not regular, such as /dev/null, may be named several times.
+ * Opens no file. Logs a conflict and returns STATUS_USAGE. */
+enum status option_check_files(const struct option_file *files, size_t count);
+
+#endif

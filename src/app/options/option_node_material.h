@@ -1,0 +1,11 @@
+/* option_node_material.h: parser of --material NODE=NAME[,KEY=VALUE...]. */
+#ifndef FIRN_APP_OPTIONS_OPTION_NODE_MATERIAL_H
+#define FIRN_APP_OPTIONS_OPTION_NODE_MATERIAL_H
+
+#include "src/app/options/option.h"
+
+/* Adds a node's material; its name may contain '=' and ','. STATUS_USAGE (logged) on errors. */
+enum status option_node_material(const struct option *option, struct app_scene *scene,
+                                 const char *value);
+
+#endif

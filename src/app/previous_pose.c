@@ -1,0 +1,60 @@
+/* previous_pose.c: vertex positions and camera of an animated model in the previous frame. */
+#include "src/app/previous_pose.h"
+#include <cglm/struct.h>
+#include <stdlib.h>
+#include <string.h>
+#include "shaders/output/first_surface.h"
+#include "src/app/layer_image.h"
+#include "src/base/log.h"
+#include "src/tech/frame.h"
+
+bool previous_pose_is_needed(const struct app_image *picture)
+{
+    const struct frame_layer *motion = layer_image_find("motion");
+    return picture->show == motion || picture->layers & layer_image_bit(motion);
+}
+
+static enum status copy(struct previous_pose *previous, const struct model *model)
+{
+    const struct mesh *const meshes[] = { &model->object, &model->surroundings };
+    const size_t count = (size_t)model->object.vertex_count + model->surroundings.vertex_count;
+    const size_t rows = count / FIRST_SURFACE_WIDTH + 1;
+    vec4s *to = calloc(rows * FIRST_SURFACE_WIDTH, sizeof(*to));
+    *previous = (struct previous_pose){ to, (uint32_t)rows, model->object.vertex_count,
+                                        model->surroundings.vertex_count };
+    if (!to)
+        return log_out_of_memory("the layer motion");
+    for (size_t m = 0; m < 2; m++) {
+        for (uint32_t i = 0; i < meshes[m]->vertex_count; i++)
+            *to++ = glms_vec4(meshes[m]->vertices[i].position, 1.0f);
+    }
+    return STATUS_OK;
+}
+
+enum status previous_pose_find(struct previous_pose *previous, struct camera *camera,
+                               struct scene *scene, const struct app_image *picture, float time)
+{
+    const float before = frame_time_before(&picture->scene.settings, time);
+    bool is_changed;
+    *previous = (struct previous_pose){ 0 };
+    if (!scene->is_animated || !previous_pose_is_needed(picture) || !(before < time))
+        return STATUS_OK;
+    enum status status = app_pose_scene(scene, &picture->scene, before, &is_changed);
+    if (status == STATUS_OK)
+        status = app_camera(camera, scene, picture);
+    return status == STATUS_OK ? copy(previous, &scene->model) : status;
+}
+
+void previous_pose_move_to(struct previous_pose *previous, struct scene *scene)
+{
+    const struct model *model = &scene->model;
+    if (previous->positions && previous->object_count == model->object.vertex_count &&
+        previous->surroundings_count == model->surroundings.vertex_count) {
+        free(scene->earlier);
+        scene->earlier = previous->positions;
+        scene->earlier_rows = previous->rows;
+        previous->positions = NULL;
+    }
+    free(previous->positions);
+    *previous = (struct previous_pose){ 0 };
+}

@@ -1,0 +1,32 @@
+/*
+ * sample_sums_file.h: stores a reference's sample sums in a file, from which --resume continues.
+ *
+ * The file of a.exr is a.sums.exr: planes as described in reference_sample_sums.h, and the metadata
+ * of a.exr. It is parsed by a sandboxed reader process, like all files from outside.
+ */
+#ifndef FIRN_APP_SAMPLE_SUMS_FILE_H
+#define FIRN_APP_SAMPLE_SUMS_FILE_H
+
+#include "src/app/output.h"
+#include "src/app/signals.h"
+#include "src/reference/reference.h"
+
+struct sample_sums_file {
+    const char *path; /* option_sums_file() of the image */
+    const struct output *output;
+    const char *device;
+    struct signals *stop; /* held while the file is written */
+    double written;       /* clock_seconds() at the end of the last write; 0 if there was none */
+    double cost;          /* duration of the last write, seconds */
+};
+
+/* Loads the sums; a reference_load_fn with `user` a struct sample_sums_file. Logs and refuses sums
+ * of another image or version, or of more samples: STATUS_DATA. A missing file means no samples. */
+MUST_USE enum status sample_sums_file_load(void *user, struct reference_sums *sums);
+
+/* Writes the sums; a reference_keep_fn. Skips the write if it would take more than a tenth of the
+ * time, unless it is the last. Logs errors. */
+MUST_USE enum status sample_sums_file_store(void *user, const struct reference_sums *sums,
+                                            bool is_last);
+
+#endif

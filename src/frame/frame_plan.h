@@ -1,0 +1,73 @@
+/* frame_plan.h: compiles a frame's techniques and readback to a render-graph plan. Needs no device.
+ */
+#ifndef FIRN_FRAME_FRAME_PLAN_H
+#define FIRN_FRAME_FRAME_PLAN_H
+
+#include "src/base/status.h"
+#include "src/frame/output_layers.h"
+#include "src/frame/pass_list.h"
+
+enum {
+    FRAME_READBACK_COUNT = FRAME_LAYER_MAX + 2
+}; /* greatest number of images that are read back */
+
+/* Description of a frame: what it imports, draws and reads back. */
+struct frame_request {
+    struct technique_choice choice;
+    const struct scene *scene; /* its images are imported; NULL: each is one texel */
+    VkExtent2D view;           /* pixels */
+    uint32_t face_size;        /* width of a cube face, texels; 0: frame_face_size() of `view` */
+    VkExtent2D max_view;  /* largest view for frame_plan_change_view(), pixels; 0: that of `view` */
+    VkExtent2D part;      /* largest region that is drawn at once, pixels; 0: the whole view */
+    uint32_t layers;      /* bit i: read techniques_layer(i) back, if a pass draws it */
+    bool beauty, display; /* read back the linear image; the 8-bit image */
+    bool cube_back;       /* read frame_env_cube_baked back */
+    bool keep_cube;       /* leave frame_env_cube ready to be sampled by other frames */
+    bool keep_display;    /* leave the 8-bit image ready to be sampled by other frames */
+    enum rg_sharing sharing;
+    const struct rg_device *device; /* may be NULL */
+};
+
+/* An image, and the host-visible buffer to which it is copied. */
+struct frame_readback {
+    const struct rg_image *image;
+    struct rg_buffer buffer;
+    struct rg_use uses[3];
+    char name[64]; /* of the pass and the buffer */
+};
+
+/* Compiled plan and the tables it was made from. Points into itself, so it must not be moved. */
+struct frame_plan {
+    struct rg_plan *plan;
+    struct frame_list list;
+    const struct rg_technique **techniques; /* the parts of `list`, and `readback` */
+    size_t technique_count;
+    struct rg_technique readback;
+    struct rg_pass readback_passes[FRAME_READBACK_COUNT];
+    struct frame_readback readbacks[FRAME_READBACK_COUNT];
+    uint32_t readback_count;
+    struct rg_output outputs[FRAME_READBACK_COUNT + 2];
+    size_t output_count;
+    struct rg_import *imports;
+    size_t import_count;
+};
+
+/*
+ * Compiles the request. Logs every fault of the tables and returns STATUS_FAILED, or logs and
+ * returns STATUS_TRY_AGAIN when out of memory; frame_plan_finish() must be called in any case.
+ */
+MUST_USE enum status frame_plan_init(struct frame_plan *plan, const struct frame_request *request);
+
+/* Recompiles the tables for request->view, which must be within the max_view of both requests. On
+ * success the caller owns *former, the previous plan; on failure nothing changes. */
+MUST_USE enum status frame_plan_change_view(struct frame_plan *plan,
+                                            const struct frame_request *request,
+                                            struct rg_plan **previous);
+
+void frame_plan_finish(struct frame_plan *plan);
+
+/* Returns the buffer into which an image is read back, or NULL. */
+const struct rg_buffer *frame_plan_buffer(const struct frame_plan *plan,
+                                          const struct rg_image *image);
+
+#endif

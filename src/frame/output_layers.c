@@ -1,0 +1,12 @@
+/* output_layers.c: declaration of the beauty layer. */
+#include "src/frame/output_layers.h"
+#include "src/tech/frame.h"
+
+const struct frame_layer frame_beauty = {
+    .name = "beauty",
+    .image = &frame_color,
+    .planes = { "R", "G", "B", "A" },
+    .half = true,
+    .mean = true,
+    .help = "the rendered image",
+};

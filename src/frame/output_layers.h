@@ -1,0 +1,14 @@
+/* output_layers.h: output layers (AOVs) of an image: beauty, and those of techniques_layer(). */
+#ifndef FIRN_FRAME_OUTPUT_LAYERS_H
+#define FIRN_FRAME_OUTPUT_LAYERS_H
+
+#include "src/tech/techniques.h"
+
+extern const struct frame_layer frame_beauty; /* present in every image */
+
+/* Layers are requested by bits: bit i is techniques_layer(i). */
+enum {
+    FRAME_LAYER_MAX = 32
+};
+
+#endif

@@ -1,0 +1,362 @@
+/* file_io.c: writes output files atomically by a locked temporary file and rename(). */
+#define _XOPEN_SOURCE 700 /* realpath() */
+#include "src/image/file_io.h"
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "src/base/log.h"
+
+enum {
+    RANDOM_LENGTH = 6,
+    ATTEMPTS_MAX = 100,
+    STALE_SECONDS = 3600,
+};
+
+static const char suffix[] = ".tmp";
+static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+
+/* Resolved location of an output file. */
+struct target {
+    bool is_direct;          /* the file is written directly: it exists and is not a regular file */
+    int folder;              /* descriptor, or -1 */
+    char name[NAME_MAX + 1]; /* within the folder */
+};
+
+static enum status cannot_create(const char *path, const char *why)
+{
+    log_error("%s: cannot be created: %s", path, why);
+    return STATUS_CANT_CREATE;
+}
+
+static void target_finish(struct target *target)
+{
+    if (target->folder >= 0)
+        close(target->folder);
+    target->folder = -1;
+}
+
+/* Splits a path into folder and name, and opens the folder. Modifies `path`. */
+static bool open_folder(struct target *target, char *path)
+{
+    char *slash = strrchr(path, '/');
+    const char *name = slash ? slash + 1 : path;
+    const char *folder = ".";
+
+    if (strlen(name) > NAME_MAX) {
+        errno = ENAMETOOLONG;
+        return false;
+    }
+    strncpy(target->name, name, NAME_MAX);
+    if (slash) {
+        slash[slash == path] = '\0'; /* the root folder keeps its slash */
+        folder = path;
+    }
+    target->folder = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    return target->folder >= 0;
+}
+
+static enum status target_find(struct target *target, const char *path)
+{
+    struct stat info;
+    char *real = NULL;
+    bool ok;
+
+    *target = (struct target){ .folder = -1 };
+    if (stat(path, &info) == 0) {
+        if (S_ISDIR(info.st_mode))
+            return cannot_create(path, "is a folder");
+        if (!S_ISREG(info.st_mode)) {
+            target->is_direct = true;
+            return STATUS_OK;
+        }
+        real = realpath(path, NULL);
+    } else if (errno != ENOENT) {
+        return cannot_create(path, strerror(errno));
+    } else if (lstat(path, &info) == 0) {
+        return cannot_create(path, "is a dangling symbolic link");
+    } else if (path[0] == '\0' || path[strlen(path) - 1] == '/') {
+        return cannot_create(path, "has no file name");
+    } else {
+        real = strdup(path);
+    }
+    ok = real && open_folder(target, real);
+    free(real);
+    return ok ? STATUS_OK : cannot_create(path, strerror(errno));
+}
+
+/* A temporary file, locked while it is open. */
+struct temporary {
+    int file;                /* descriptor, or -1 */
+    char name[NAME_MAX + 1]; /* within the target's folder */
+};
+
+/* Returns the length of the prefix ".NAME." of a file's temporaries; NAME may be truncated. */
+static int prefix_length(const char *name)
+{
+    const int longest = NAME_MAX - (RANDOM_LENGTH + (int)strlen(suffix));
+    const int length = (int)strlen(name) + 2;
+    return length < longest ? length : longest;
+}
+
+/* Generates a name ".NAME.XXXXXX.tmp" with unpredictable letters. */
+static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1])
+{
+    unsigned char random[RANDOM_LENGTH];
+    char word[RANDOM_LENGTH + 1] = "";
+    if (getrandom(random, sizeof(random), 0) != (ssize_t)sizeof(random))
+        return false;
+    for (int i = 0; i < RANDOM_LENGTH; i++)
+        word[i] = letters[random[i] % strlen(letters)];
+    snprintf(temporary, NAME_MAX + 1, ".%.*s.%s%s", prefix_length(name) - 2, name, word, suffix);
+    return true;
+}
+
+/* Returns true if `entry` is the name of a temporary file of the output file `name`. */
+static bool is_temporary(const char *entry, const char *name)
+{
+    const int length = prefix_length(name);
+    return entry[0] == '.' && !strncmp(entry + 1, name, (size_t)length - 2) &&
+           entry[length - 1] == '.' && strspn(entry + length, letters) == RANDOM_LENGTH &&
+           !strcmp(entry + length + RANDOM_LENGTH, suffix);
+}
+
+static bool is_still_named(int folder, const char *name, int file)
+{
+    struct stat named, opened;
+    return fstatat(folder, name, &named, AT_SYMLINK_NOFOLLOW) == 0 && fstat(file, &opened) == 0 &&
+           named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+}
+
+static void remove_temporary(const struct target *target, struct temporary *temporary)
+{
+    if (is_still_named(target->folder, temporary->name, temporary->file))
+        unlinkat(target->folder, temporary->name, 0);
+    close(temporary->file);
+}
+
+/* Returns the mode of the file to be replaced, or -1 if there is none. */
+static int find_mode(const struct target *target)
+{
+    struct stat old_mode;
+    if (fstatat(target->folder, target->name, &old_mode, 0) != 0 || !S_ISREG(old_mode.st_mode))
+        return -1;
+    return (int)(old_mode.st_mode & 0777);
+}
+
+/* Creates and locks a temporary file, readable only by users who may read the old file, whose mode
+ * is `old_mode` (-1 if there is none). Between these two steps another process may regard it as
+ * abandoned and remove it; then another name is tried. */
+static bool open_temporary(const struct target *target, int old_mode, struct temporary *temporary)
+{
+    const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
+    const mode_t mode = old_mode < 0 ? 0666 : (mode_t)(old_mode & 0666) | 0600;
+    for (int attempt = 0; attempt < ATTEMPTS_MAX; attempt++) {
+        if (!name_temporary(target->name, temporary->name))
+            return false;
+        temporary->file = openat(target->folder, temporary->name, flags, mode);
+        if (temporary->file < 0 && errno != EEXIST)
+            return false;
+        if (temporary->file < 0)
+            continue;
+        const bool is_ours = flock(temporary->file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+        if (is_ours && is_still_named(target->folder, temporary->name, temporary->file))
+            return true;
+        close(temporary->file);
+    }
+    errno = EEXIST;
+    return false;
+}
+
+/*
+ * Returns true if an open temporary is abandoned. A lock ends with its process, on any machine; on
+ * file systems without locks, a file not modified for an hour counts as abandoned.
+ */
+static bool is_stale(int file, time_t now)
+{
+    struct stat info;
+    if (fstat(file, &info) != 0 || !S_ISREG(info.st_mode))
+        return false;
+    if (flock(file, LOCK_EX | LOCK_NB) == 0)
+        return true;
+    return errno != EWOULDBLOCK && now - info.st_mtime > STALE_SECONDS;
+}
+
+static void remove_if_stale(int folder, const char *entry, time_t now)
+{
+    const int flags = O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+    const int file = openat(folder, entry, flags);
+    if (file < 0)
+        return;
+    if (is_stale(file, now) && is_still_named(folder, entry, file))
+        unlinkat(folder, entry, 0);
+    close(file);
+}
+
+/* Removes abandoned temporaries except `own`, whose modification time is taken as now. */
+static void remove_stale(const struct target *target, const struct temporary *own)
+{
+    const int folder_copy = openat(target->folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    DIR *entries = folder_copy >= 0 ? fdopendir(folder_copy) : NULL;
+    struct stat info;
+    if (!entries && folder_copy >= 0)
+        close(folder_copy);
+    if (!entries)
+        return;
+    const time_t now = fstat(own->file, &info) == 0 ? info.st_mtime : 0;
+    for (const struct dirent *entry; (entry = readdir(entries));) {
+        if (is_temporary(entry->d_name, target->name) && strcmp(entry->d_name, own->name) != 0)
+            remove_if_stale(target->folder, entry->d_name, now);
+    }
+    closedir(entries);
+}
+
+static bool write_all(int file, const unsigned char *data, size_t size)
+{
+    while (size > 0) {
+        const ssize_t count = write(file, data, size);
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            return false;
+        data += count;
+        size -= (size_t)count;
+    }
+    return true;
+}
+
+/* Closes a descriptor. On Linux it is closed even if close() fails with EINTR. */
+static bool close_file(int file)
+{
+    return close(file) == 0 || errno == EINTR;
+}
+
+/* Syncs a folder, so that a rename is durable. Some file systems cannot and return EINVAL. */
+static bool sync_folder(int folder)
+{
+    return fsync(folder) == 0 || errno == EINVAL;
+}
+
+static enum status cannot_write(const char *path)
+{
+    log_error("%s: cannot be written: %s", path, strerror(errno));
+    return STATUS_WRITE;
+}
+
+static enum status write_direct(const char *path, const void *data, size_t size)
+{
+    const int file = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    enum status status = STATUS_OK;
+
+    if (file < 0)
+        return cannot_create(path, strerror(errno));
+    if (!write_all(file, data, size))
+        status = cannot_write(path);
+    if (!close_file(file) && status == STATUS_OK)
+        status = cannot_write(path);
+    return status;
+}
+
+/* Replaces a file atomically. The temporary is closed only after the rename, because another
+ * process may remove an unlocked temporary. */
+static enum status replace(const struct target *target, const char *path, const void *data,
+                           size_t size)
+{
+    struct temporary temporary;
+    const int old_mode = find_mode(target);
+    bool ok;
+
+    if (!open_temporary(target, old_mode, &temporary))
+        return cannot_create(path, strerror(errno));
+    remove_stale(target, &temporary);
+    ok = write_all(temporary.file, data, size);
+    if (ok && old_mode >= 0)
+        (void)fchmod(temporary.file, (mode_t)old_mode); /* some file systems have no modes */
+    ok = ok && fsync(temporary.file) == 0;
+    if (ok && !is_still_named(target->folder, temporary.name, temporary.file)) {
+        log_error("%s: cannot be written: another program has replaced its temporary file", path);
+        close(temporary.file);
+        return STATUS_WRITE;
+    }
+    ok = ok && renameat(target->folder, temporary.name, target->folder, target->name) == 0;
+    if (!ok) {
+        const enum status status = cannot_write(path);
+        remove_temporary(target, &temporary);
+        return status;
+    }
+    ok = close_file(temporary.file) && sync_folder(target->folder);
+    return ok ? STATUS_OK : cannot_write(path);
+}
+
+enum status file_io_write(const char *path, const void *data, size_t size)
+{
+    struct target target;
+    enum status status;
+
+    if (strcmp(path, "-") == 0) {
+        const bool ok = fflush(stdout) == 0 && write_all(STDOUT_FILENO, data, size);
+        return ok ? STATUS_OK : cannot_write("standard output");
+    }
+    status = target_find(&target, path);
+    if (status != STATUS_OK)
+        return status;
+    if (target.is_direct)
+        status = write_direct(path, data, size);
+    else
+        status = replace(&target, path, data, size);
+    target_finish(&target);
+    return status;
+}
+
+bool file_io_is_direct(const char *path)
+{
+    struct stat info;
+    return strcmp(path, "-") == 0 ||
+           (stat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode));
+}
+
+enum status file_io_check(const char *path)
+{
+    struct target target;
+    enum status status;
+    bool ok;
+
+    if (strcmp(path, "-") == 0)
+        return STATUS_OK;
+    status = target_find(&target, path);
+    if (status != STATUS_OK)
+        return status;
+    if (target.is_direct)
+        ok = faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) == 0;
+    else
+        ok = faccessat(target.folder, ".", W_OK | X_OK, AT_EACCESS) == 0;
+    if (!ok)
+        status = cannot_create(path, strerror(errno));
+    target_finish(&target);
+    return status;
+}
+
+enum status file_io_open(const char *path, FILE **file, int64_t *size)
+{
+    struct stat info;
+    bool known;
+
+    *size = 0;
+    *file = fopen(path, "rb");
+    known = *file && fstat(fileno(*file), &info) == 0;
+    if (known && S_ISREG(info.st_mode)) {
+        *size = info.st_size;
+        return STATUS_OK;
+    }
+    log_error("%s: cannot be read: %s", path, known ? "not a regular file" : strerror(errno));
+    if (*file)
+        fclose(*file);
+    *file = NULL;
+    return STATUS_NO_INPUT;
+}

@@ -1,0 +1,18 @@
+/*
+ * chrome_trace.h: exports a profile as a Chrome trace for Perfetto, Tracy (tracy-import-chrome)
+ * etc.
+ *
+ * The object form of Google's "Trace Event Format", with events of phase X (complete), C (counter)
+ * and M (metadata) only, in chronological order. Spans of a track nest or follow one another. Runs
+ * follow one another without gaps; the GPU passes of a run start when the CPU has submitted them.
+ */
+#ifndef FIRN_PROFILE_CHROME_TRACE_H
+#define FIRN_PROFILE_CHROME_TRACE_H
+
+#include <stddef.h>
+#include "src/profile/profile.h"
+
+/* Writes the trace. Ownership and errors as for profile_write_json(). */
+MUST_USE enum status profile_write_trace(const struct profile *profile, char **text, size_t *size);
+
+#endif

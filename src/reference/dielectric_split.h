@@ -1,0 +1,36 @@
+/* dielectric_split.h: splits light at a dielectric surface into reflection and refraction. */
+#ifndef FIRN_REFERENCE_DIELECTRIC_SPLIT_H
+#define FIRN_REFERENCE_DIELECTRIC_SPLIT_H
+
+#include "src/reference/tracer.h"
+
+/* Reflected and refracted direction at a surface, with their weights. */
+struct dielectric_split {
+    float fresnel; /* reflectance, 0 to 1; 1 for total internal reflection */
+    vec3s colors;  /* reflectance of red, green and blue light; `fresnel` is their mean */
+    vec3s reflected, refracted;
+    float reflected_masking, refracted_masking; /* masking-shadowing factors, 0 to 1 */
+};
+
+/* A ray's hit on an object, with media and material. */
+struct surface_hit {
+    struct embree_scene_hit hit;
+    struct nested_media_crossing crossing;
+    uint32_t channel; /* colour channel that is traced, for dispersion */
+    uint32_t seed;
+    struct object_material material; /* surface material, textures included */
+    vec3s normal;                    /* outward interpolated normal, perturbed by the normal map */
+    bool is_bent;
+};
+
+/* Computes reflection and refraction of a ray at a hit, at a sampled microfacet if it is rough. */
+struct dielectric_split dielectric_split_at(const struct tracer *tracing, vec3s dir,
+                                            const struct surface_hit *surface_hit);
+
+/* Returns the dot product in double precision. */
+static inline double dielectric_split_dot(vec3s a, vec3s b)
+{
+    return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
+}
+
+#endif

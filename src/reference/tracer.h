@@ -1,0 +1,56 @@
+/* tracer.h: state that all rays of an image share: scene, media, inclusions, photon map, settings.
+ */
+#ifndef FIRN_REFERENCE_TRACER_H
+#define FIRN_REFERENCE_TRACER_H
+
+#include "src/reference/inclusions.h"
+#include "src/reference/nested_media.h"
+#include "src/reference/volume_scattering.h"
+#include "src/tech/refract/refract_reference.h"
+
+enum {
+    TRACER_CHANNEL_COUNT = 3 /* red, green, blue */
+};
+
+struct pool_scene;
+struct photons;
+
+struct tracer {
+    const struct embree_scene *embree_scene;
+    const struct radiance *radiance;
+    const struct nested_media *media;
+    const struct inclusions *inclusions;
+    struct volume_scattering
+        clouds[SCATTERING_MEDIA_MAX]; /* scattering media with an extinction above 0 */
+    uint32_t cloud_count;
+    const struct pool_scene *pool_scene;          /* the pool; NULL if the scene has none */
+    const struct photons *photons;                /* NULL if objects do not affect sunlight */
+    const struct first_surface_previous *earlier; /* previous frame, for `motion`; may be NULL */
+    vec4s guide; /* sampling guide of image_based_lighting_dominant_cone() */
+    struct nested_media_set
+        camera_inside; /* objects that contain the camera, from whitted_find_enclosing() */
+    bool has_layers;   /* compute all layers, else only colour, alpha and `remaining` */
+    uint32_t sample;   /* sample index within a pixel, which selects its random numbers */
+    struct reference_params params;
+};
+
+static inline const struct frame_medium *tracer_medium(const struct tracer *tracing, uint32_t index)
+{
+    return &tracing->media->all[index];
+}
+
+/* Returns the number of paths per camera ray: with dispersion one per colour channel, else one. */
+static inline uint32_t tracer_channel_count(const struct tracer *tracing)
+{
+    return tracing->media->is_dispersive ? TRACER_CHANNEL_COUNT : 1;
+}
+
+/* Returns the colour channels of a path as a mask of 0 and 1. */
+static inline vec3s tracer_channels(const struct tracer *tracing, uint32_t path)
+{
+    const bool all = !tracing->media->is_dispersive;
+    return (vec3s){ { all || path == 0 ? 1.0f : 0.0f, all || path == 1 ? 1.0f : 0.0f,
+                      all || path == 2 ? 1.0f : 0.0f } };
+}
+
+#endif

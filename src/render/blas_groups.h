@@ -1,0 +1,30 @@
+/*
+ * blas_groups.h: groups of the BVH's triangles for acceleration structures
+ * (src/gpu/gpu_acceleration.h).
+ *
+ * A ray query must report every triangle that the shader's own BVH test would hit, whatever
+ * rounding a device has. So vertices are derived from the BVH's encoded triangles, and each
+ * triangle is enlarged on every side by a small fraction of the scene. A part of the scene is a
+ * group; in an animated model each object is one. A group that has only been moved, rotated or
+ * scaled uniformly since its structure was built keeps the structure and gets a new instance
+ * transform.
+ *
+ * Ownership: gpu_blas_groups_finish() frees the content of the groups.
+ */
+#ifndef FIRN_RENDER_BLAS_GROUPS_H
+#define FIRN_RENDER_BLAS_GROUPS_H
+
+#include "src/gpu/gpu_acceleration.h"
+#include "src/scene/bvh/bvh.h"
+
+/* Builds the groups of a BVH, one per object if `by_objects`; none is marked as kept. Logs when out
+ * of memory; *groups is then {0}. */
+MUST_USE enum status blas_groups_init(struct gpu_blas_groups *groups, const struct bvh *bvh,
+                                      bool by_objects);
+
+/* Marks as kept the groups that have only moved since the structures of `built` were made: they get
+ * the vertices of `built` and an instance transform. Returns false if the number of groups or the
+ * size of any group differs. */
+bool blas_groups_keep(struct gpu_blas_groups *groups, const struct gpu_blas_groups *built);
+
+#endif

@@ -1,0 +1,96 @@
+/* renderer_progressive.c: progressive rendering: accumulates full-size samples, tone-maps the mean.
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/image/half.h"
+#include "src/render/accumulate.h"
+#include "src/render/renderer_internal.h"
+#include "src/render/renderer_requests.h"
+
+enum status renderer_set_view(struct renderer *r, VkExtent2D view)
+{
+    struct frame_request request = renderer_image_request(&r->params);
+    if (r->width == view.width && r->height == view.height)
+        return STATUS_OK;
+    struct rg_exec_import *imports = renderer_imports(r, r->picture.frame);
+    if (!imports)
+        return log_out_of_memory(NULL);
+    request.view = view;
+    const enum status status = frame_exec_change_view(&r->picture, &r->params, request, imports);
+    free(imports);
+    if (status == STATUS_OK) {
+        r->width = view.width;
+        r->height = view.height;
+    }
+    return status;
+}
+
+/* Allocates the sums at the image size and fills them with 0. */
+static bool clear_sums(struct renderer *r)
+{
+    image_finish(&r->sums);
+    image_init(&r->sums, r->params.width, r->params.height);
+    return accumulate_add_planes(&r->sums, &frame_beauty);
+}
+
+enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot, uint32_t sample)
+{
+    const VkExtent2D whole = { r->params.width, r->params.height };
+    if (sample == 0 && !clear_sums(r))
+        return log_out_of_memory(NULL);
+    const struct tile all = { .width = whole.width, .height = whole.height };
+    enum status status = renderer_set_view(r, whole);
+    if (status == STATUS_OK)
+        status = renderer_capture_cube(r, shot);
+    r->cube.in_turn = false; /* draw all faces: an image must not depend on earlier ones */
+    r->stays = false;
+    if (status == STATUS_OK)
+        status = renderer_run(r, &r->picture, shot, sample, &r->last_slot);
+    if (status == STATUS_OK)
+        status = renderer_wait(r);
+    if (status == STATUS_OK)
+        accumulate_sample(&r->sums, &all, &frame_beauty,
+                          renderer_read_back(&r->picture, frame_beauty.image, r->last_slot),
+                          sample);
+    r->sum_count = sample + 1;
+    return status;
+}
+
+/* Writes the mean of the samples as half floats, as in accumulate_mean(), and keeps the sums. */
+static void write_mean(const struct image *sums, uint32_t sample_count, uint16_t *texels)
+{
+    const size_t count = (size_t)sums->width * sums->height;
+    for (size_t p = 0; p < 4; p++) {
+        const float *plane = image_find(sums, frame_beauty.planes[p]);
+        for (size_t i = 0; i < count; i++)
+            texels[i * 4 + p] =
+                half_from_float(sample_count > 1 ? plane[i] / (float)sample_count : plane[i]);
+    }
+}
+
+enum status renderer_resolve(struct renderer *r, uint32_t sample_count)
+{
+    uint32_t slot;
+    const struct rg_frame frame = { .settings = r->params.settings };
+    enum status status = gpu_status(rg_exec_begin(r->resolve.exec, &slot));
+    if (status != STATUS_OK)
+        return status;
+    write_mean(&r->sums, sample_count, rg_exec_mapped(r->resolve.exec, &frame_samples, slot));
+    return gpu_status(rg_exec_submit(r->resolve.exec, &frame));
+}
+
+const struct image *renderer_sums(const struct renderer *r)
+{
+    return &r->sums;
+}
+
+uint32_t renderer_sum_count(const struct renderer *r)
+{
+    return r->sum_count;
+}
+
+VkImage renderer_mean(const struct renderer *r)
+{
+    return rg_exec_image(r->resolve.exec, &frame_display);
+}

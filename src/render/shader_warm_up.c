@@ -1,0 +1,136 @@
+/* shader_warm_up.c: parallel shader compilation: threads, each with a logical device and an
+ * executor. */
+#include "src/render/shader_warm_up.h"
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include "src/frame/env_cube_updates.h"
+#include "src/gpu/gpu.h"
+#include "src/render/cpu_driver.h"
+#include "src/settings/settings.h"
+#include "src/tech/frame.h"
+#include "src/tech/techniques.h"
+
+enum {
+    THREAD_COUNT_MAX = 3, /* more threads save no time */
+};
+
+struct warm_up {
+    const struct gpu *gpu;
+    struct frame_exec_params described;
+    struct settings settings;
+    struct rg_frame frame;
+    struct rg_mesh *meshes; /* meshes of the techniques */
+    atomic_int next;        /* index of the next pass to compile; below 0 if all are done */
+    pthread_t threads[THREAD_COUNT_MAX];
+    uint32_t thread_count;
+};
+
+static void compile_passes(struct warm_up *warm_up, const struct gpu_secondary_device *twin)
+{
+    struct rg_exec_params params = warm_up->described.params;
+    VkResult result;
+    params.device = twin->device;
+    params.queue = twin->queue;
+    struct rg_exec *exec = rg_exec_create(&params, &result);
+    for (int pass = 0; result == VK_SUCCESS && pass >= 0;) {
+        pass = atomic_fetch_sub(&warm_up->next, 1);
+        if (pass >= 0)
+            result = rg_exec_warm_up(exec, &warm_up->frame, (uint32_t)pass);
+    }
+    rg_exec_destroy(exec);
+}
+
+/*
+ * Gives this thread, and the threads that the driver starts for it, the lowest priority, so that
+ * they delay neither the renderer nor Mesa's low-priority thread that writes the shader cache.
+ */
+static void lower_priority(void)
+{
+    (void)pthread_setschedparam(pthread_self(), SCHED_OTHER, &(struct sched_param){ 0 });
+    (void)setpriority(PRIO_PROCESS, 0, 19); /* on Linux, 0 is this thread */
+}
+
+static void *run_thread(void *user)
+{
+    struct warm_up *warm_up = user;
+    struct gpu_secondary_device twin;
+    lower_priority();
+    if (!gpu_secondary_device_create(&twin, warm_up->gpu))
+        return NULL;
+    compile_passes(warm_up, &twin);
+    gpu_secondary_device_destroy(&twin);
+    return NULL;
+}
+
+/* Describes a frame in which every mesh is one triangle. */
+static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exec,
+                     const struct renderer_params *params)
+{
+    const struct rg_mesh mesh = { .index_count = 3 };
+    for (size_t i = 0; i < techniques_count; i++)
+        warm_up->meshes[i] = mesh;
+    frame_exec_describe(&warm_up->described, frame_exec, params);
+    warm_up->gpu = params->gpu;
+    warm_up->settings = *params->settings;
+    warm_up->frame = (struct rg_frame){
+        .settings = &warm_up->settings,
+        .scene = params->scene,
+        .object = mesh,
+        .surroundings = mesh,
+        .meshes = warm_up->meshes,
+        .due = { FRAME_CUBE_ALL, true },
+    };
+    struct rg_exec_params *exec = &warm_up->described.params;
+    exec->pipeline_cache = VK_NULL_HANDLE;
+    exec->pipelines = NULL; /* the renderer's pipelines belong to another device and thread */
+    exec->frames_in_flight = 1;
+    exec->measured = false;
+    exec->warm_up_only = true;
+    exec->log = NULL;
+    atomic_init(&warm_up->next, (int)frame_exec->frame->plan->pass_count - 1);
+}
+
+static bool is_enabled(void)
+{
+    const char *value = getenv("FIRN_WARM_UP");
+    return !value || strcmp(value, "off") != 0;
+}
+
+struct warm_up *shader_warm_up_begin(const struct frame_exec *frame_exec,
+                                     const struct renderer_params *params)
+{
+    const struct gpu *gpu = params->gpu;
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    if (!cpu_driver_is(gpu) || gpu->validated || params->replace || !is_enabled())
+        return NULL;
+    struct warm_up *warm_up = cores > 1 ? calloc(1, sizeof(*warm_up)) : NULL;
+    if (!warm_up)
+        return NULL;
+    warm_up->meshes = calloc(techniques_count, sizeof(*warm_up->meshes));
+    if (!warm_up->meshes) {
+        free(warm_up);
+        return NULL;
+    }
+    describe(warm_up, frame_exec, params);
+    const uint32_t most = cores > THREAD_COUNT_MAX ? THREAD_COUNT_MAX : (uint32_t)cores - 1;
+    while (warm_up->thread_count < most &&
+           !pthread_create(&warm_up->threads[warm_up->thread_count], NULL, run_thread, warm_up))
+        warm_up->thread_count++;
+    return warm_up;
+}
+
+void shader_warm_up_end(struct warm_up *warm_up)
+{
+    if (!warm_up)
+        return;
+    atomic_store(&warm_up->next, -1); /* no further pass */
+    for (uint32_t i = 0; i < warm_up->thread_count; i++)
+        pthread_join(warm_up->threads[i], NULL);
+    free(warm_up->meshes);
+    free(warm_up);
+}

@@ -1,0 +1,165 @@
+/* bundled_assets.c: table of bundled assets, and the search for their files. */
+#include "src/scene/bundled_assets.h"
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "src/base/log.h"
+
+const struct asset assets[] = {
+    {
+        .name = "ice-cube",
+        .file = "ice-cube.glb",
+        .kind = ASSET_SCENE,
+        .environment = "alps",
+        .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.radius=1.2",
+                      "tonemap.exposure=0.9", "bubbles.count=300", "bubbles.size=0.11",
+                      "bubbles.shape=grown", "bubbles.aspect=14", "cracks.count=2",
+                      "cracks.seed=15", "cracks.refract=gap", "cracks.bump=0.06",
+                      "cracks.clip=convex", "refract_bounce.min_throughput=0.04" },
+        .help = "cube of ice on wet slate, in front of mountains",
+    },
+    {
+        .name = "drink",
+        .file = "drink.glb",
+        .kind = ASSET_SCENE,
+        .environment = "window",
+        .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.radius=1.5",
+                      "ground.light=traced", "ground.denoise=on", "trace.footprint=on",
+                      "trace.min_branch=0.045", "lens.f_stop=32", "lens.focus=0.24" },
+        .help = "tumbler of water with three ice cubes and a straw",
+    },
+    {
+        .name = "amber",
+        .file = "amber.glb",
+        .kind = ASSET_SCENE,
+        .help = "cherries, a leaf and a ring in a block of ice",
+    },
+    {
+        .name = "hollow",
+        .file = "hollow.glb",
+        .kind = ASSET_SCENE,
+        .help = "coloured knot in the cavity of a glass ball",
+    },
+    {
+        .name = "slate",
+        .file = "slate.glb",
+        .kind = ASSET_SCENE,
+        .environment = "alps",
+        .settings = { "light.count=0", "ice_caustics.light=sun", "ice_caustics.radius=1.2",
+                      "ground.light=traced", "ground.denoise=on", "trace.footprint=on",
+                      "lens.f_stop=120", "tonemap.exposure=0.9" },
+        .help = "melting block of ice on wet slate, in front of mountains",
+    },
+    {
+        .name = "studio",
+        .file = "studio.exr",
+        .kind = ASSET_ENVIRONMENT,
+        .help = "dark studio with soft boxes",
+    },
+    {
+        .name = "window",
+        .file = "window.exr",
+        .kind = ASSET_ENVIRONMENT,
+        .help = "room with warm walls and a window",
+    },
+    {
+        .name = "alps",
+        .file = "alps.exr",
+        .kind = ASSET_ENVIRONMENT,
+        .help = "mountains around a lake, in the morning",
+    },
+    {
+        .name = "materials",
+        .file = "materials.png",
+        .kind = ASSET_SHEET,
+        .help = "a glass ball of each material",
+    },
+    {
+        .name = "rungs",
+        .file = "rungs.png",
+        .kind = ASSET_SHEET,
+        .help = "an ice cube by each refraction model",
+    },
+    { 0 },
+};
+
+const struct asset *asset_find(const char *name, enum asset_kind kind)
+{
+    for (const struct asset *a = assets; a->name; a++) {
+        if (a->kind == kind && !strcmp(a->name, name))
+            return a;
+    }
+    return NULL;
+}
+
+/* Writes the folder of the running program with a trailing slash, or "" if it is unknown. */
+static void find_program_folder(char *folder, size_t size)
+{
+    const ssize_t length = readlink("/proc/self/exe", folder, size - 1);
+    folder[length > 0 ? length : 0] = '\0';
+    char *slash = strrchr(folder, '/');
+    folder[slash ? slash + 1 - folder : 0] = '\0';
+}
+
+/* Returns the path "AB/FILE" if the file exists, else NULL. Sets *lacks_memory if out of memory. */
+static char *join_if_exists(const char *a, const char *b, const char *file, bool *lacks_memory)
+{
+    const size_t size = strlen(a) + strlen(b) + strlen(file) + 2;
+    char *path = malloc(size);
+    if (!path) {
+        *lacks_memory = true;
+        return NULL;
+    }
+    snprintf(path, size, "%s%s/%s", a, b, file);
+    if (access(path, F_OK) == 0)
+        return path;
+    free(path);
+    return NULL;
+}
+
+static const char *const folders[] = { "../share/firn", "assets" };
+
+/* Returns the path, which the caller frees, or NULL. */
+static char *find_path(const struct asset *asset, const char *program, bool *lacks_memory)
+{
+    const char *from_variable = getenv("FIRN_ASSETS");
+    char *path = from_variable && from_variable[0]
+                     ? join_if_exists(from_variable, "", asset->file, lacks_memory)
+                     : NULL;
+    for (size_t i = 0; program[0] && !path && i < sizeof(folders) / sizeof(folders[0]); i++)
+        path = join_if_exists(program, folders[i], asset->file, lacks_memory);
+    return path;
+}
+
+bool asset_exists(const struct asset *asset)
+{
+    char program[4096];
+    bool lacks_memory = false;
+    find_program_folder(program, sizeof(program));
+    char *path = find_path(asset, program, &lacks_memory);
+    free(path);
+    return path != NULL;
+}
+
+bool asset_is_valley(const char *name)
+{
+    return !strcmp(name, "valley") || !strcmp(name, "sky");
+}
+
+enum status asset_locate(const struct asset *asset, char **path)
+{
+    char program[4096];
+    bool lacks_memory = false;
+    find_program_folder(program, sizeof(program));
+    *path = find_path(asset, program, &lacks_memory);
+    if (*path)
+        return STATUS_OK;
+    if (lacks_memory)
+        return log_out_of_memory(asset->name);
+    log_error("'%s': %s is neither in $FIRN_ASSETS nor in %s%s; set FIRN_ASSETS to the folder of "
+              "firn's assets",
+              asset->name, asset->file, program, folders[0]);
+    return STATUS_NO_INPUT;
+}

@@ -1,0 +1,49 @@
+/*
+ * bundled_assets.h: models, environments and images bundled with the program, by name.
+ *
+ * Files are searched in $FIRN_ASSETS, then in ../share/firn relative to the program's folder
+ * (installation), then in assets in the program's folder (build tree).
+ */
+#ifndef FIRN_SCENE_BUNDLED_ASSETS_H
+#define FIRN_SCENE_BUNDLED_ASSETS_H
+
+#include <stdbool.h>
+#include "src/base/status.h"
+
+enum asset_kind {
+    ASSET_SCENE,
+    ASSET_ENVIRONMENT,
+    ASSET_SHEET, /* images made by `firn sheet`, shown in the window's panel */
+};
+
+enum {
+    ASSET_SETTING_COUNT = 16, /* including the terminating NULL */
+};
+
+struct asset {
+    const char *name; /* contains no dot or slash, so that "./NAME" is always a file */
+    const char *file; /* file name in the assets folder */
+    enum asset_kind kind;
+    const char *environment; /* default environment of a scene; NULL for the sky */
+    const char *settings[ASSET_SETTING_COUNT]; /* default settings of a scene, "name=value" */
+    const char *help;
+};
+
+extern const struct asset assets[]; /* terminated by a zero entry */
+
+/* Returns true if the asset's file exists; also false when out of memory. */
+bool asset_exists(const struct asset *asset);
+
+/* Returns the asset of this name and kind, or NULL. */
+const struct asset *asset_find(const char *name, enum asset_kind kind);
+
+/* Returns true if an environment name means the built-in landscape: "valley" or "sky". */
+bool asset_is_valley(const char *name);
+
+/*
+ * Finds an asset's file. The caller frees *path, which is NULL on failure. Logs and returns
+ * STATUS_NO_INPUT if the file does not exist, or STATUS_TRY_AGAIN when out of memory.
+ */
+MUST_USE enum status asset_locate(const struct asset *asset, char **path);
+
+#endif

@@ -1,0 +1,65 @@
+/* bvh_build.h: BVH construction, refitting and SAH cost, before the nodes are encoded. */
+#ifndef FIRN_SCENE_BVH_BVH_BUILD_H
+#define FIRN_SCENE_BVH_BVH_BUILD_H
+
+#include <stdint.h>
+#include "shaders/trace/bvh_layout.h"
+
+enum {
+    BVH_LEAF_MAX = 4,   /* triangles per leaf */
+    BVH_BIN_COUNT = 16, /* split candidates are the bin boundaries along each axis */
+};
+
+/* SAH cost of visiting a node, in ray-triangle tests */
+#define BVH_NODE_COST 1.2f
+
+struct bvh_box {
+    float low[3], high[3];
+};
+
+struct bvh_node {
+    struct bvh_box box;
+    uint32_t first, count; /* range of triangles in `order` */
+    uint32_t children[2];  /* node indices; 0 for a leaf */
+};
+
+struct bvh_builder {
+    struct bvh_box *boxes; /* bounding box of each triangle */
+    uint32_t *order;       /* triangle indices in leaf order */
+    struct bvh_node
+        *nodes; /* nodes; the subtree of n triangles takes at most 2 n - 1 slots from its root on */
+    uint32_t leaf_max; /* triangles per leaf */
+};
+
+/* A range of triangles in `order` with a BVH of its own. */
+struct bvh_range {
+    uint32_t first, count; /* count is above 0 */
+    uint32_t root;
+};
+
+/* BVH of a scene part (bvh_two_level.h). */
+struct bvh_two_level {
+    struct bvh_builder draft; /* without boxes once it is finished */
+    struct bvh_range *groups;
+    uint32_t count, group_count; /* numbers of triangles and groups */
+    uint32_t node_count;         /* size of the node array */
+    uint32_t root;               /* node index of the part's root */
+    uint32_t depth;              /* maximum depth within a group */
+    uint8_t *horizons;           /* per-triangle horizons (bvh_horizon.h); NULL if unknown */
+};
+
+/* Returns the depth of a balanced BVH of `count` triangles. */
+uint32_t bvh_balanced_depth(uint32_t count, uint32_t leaf_max);
+
+/* Builds the BVH of a range. The depth is at most `left`, which must be above bvh_balanced_depth().
+ */
+void bvh_build(struct bvh_builder *draft, const struct bvh_range *range, uint32_t left,
+               uint32_t threads);
+
+/* Refits the boxes of the subtree at node `at` to its triangles (bottom-up). */
+void bvh_refit(struct bvh_builder *draft, uint32_t at);
+
+/* Returns the SAH cost of the subtree at `at`, in ray-triangle tests of a ray that hits its box. */
+double bvh_sah_cost(const struct bvh_builder *draft, uint32_t at);
+
+#endif

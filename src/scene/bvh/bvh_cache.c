@@ -1,0 +1,178 @@
+/* bvh_cache.c: encodes BVH topologies as 32-bit words, and decodes untrusted ones. */
+#include "src/scene/bvh/bvh_cache.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/disk_cache.h"
+
+#define FORMAT 1 /* version: raise it if the encoding or the build algorithm changes */
+
+enum {
+    KEY_WORDS = sizeof(uint64_t) / sizeof(uint32_t), /* 32-bit words of the key, before the data */
+    NAME_SIZE = 32,
+};
+
+static void add(uint64_t *key, uint32_t word)
+{
+    *key = (*key ^ word) * 0xff51afd7ed558ccdu;
+    *key ^= *key >> 29;
+}
+
+static void add_number(uint64_t *key, float x)
+{
+    uint32_t word;
+    memcpy(&word, &x, sizeof(word));
+    add(key, word);
+}
+
+uint64_t bvh_cache_key(const struct bvh_part *part)
+{
+    uint64_t key = 0x9e3779b97f4a7c15u;
+    add(&key, FORMAT);
+    add(&key, BVH_LEAF_MAX);
+    add(&key, BVH_BIN_COUNT);
+    add_number(&key, BVH_NODE_COST);
+    add(&key, BVH_DEPTH_MAX);
+    add(&key, part->count);
+    for (uint32_t i = 0; i <= part->group_count; i++)
+        add(&key, part->firsts[i]);
+    for (uint32_t i = 0; i < part->count; i++) {
+        for (uint32_t k = 0; k < 9; k++)
+            add_number(&key, bvh_corner(part, part->triangles[i], k / 3)->position.raw[k % 3]);
+    }
+    return key * 0xc4ceb9fe1a85ec53u ^ key >> 32;
+}
+
+static void write_name(char name[static NAME_SIZE], uint64_t key)
+{
+    snprintf(name, NAME_SIZE, "tree-%016llx", (unsigned long long)key);
+}
+
+/* Returns the maximum size of an encoding: a BVH of n triangles has at most 2 n - 1 nodes. */
+static size_t words_max(const struct bvh_two_level *shape)
+{
+    return 3 * (size_t)shape->count;
+}
+
+/* Writes a subtree in depth-first order, a word per node: the first child's triangle count, 0 for a
+ * leaf. */
+static void encode_node(uint32_t *words, size_t *next, const struct bvh_node *nodes, uint32_t at)
+{
+    const uint32_t *children = nodes[at].children;
+    words[(*next)++] = children[0] ? nodes[children[0]].count : 0;
+    for (int i = 0; i < 2 && children[0]; i++)
+        encode_node(words, next, nodes, children[i]);
+}
+
+/* Encodes a topology. Returns the number of words written. */
+static size_t encode(uint32_t *words, const struct bvh_two_level *shape)
+{
+    size_t next = shape->count;
+    memcpy(words, shape->draft.order, shape->count * sizeof(*words));
+    for (uint32_t i = 0; i < shape->group_count; i++)
+        encode_node(words, &next, shape->draft.nodes, shape->groups[i].root);
+    return next;
+}
+
+/* Decoder state. */
+struct decoder {
+    struct bvh_node *nodes;
+    const uint32_t *words;
+    size_t next, count;
+};
+
+/* Decodes a subtree over exactly the range that its parent assigned, so that any input yields a
+ * valid BVH in which each triangle is in one leaf. `left` limits the depth. */
+static bool decode_node(struct decoder *decoder, const struct bvh_range *range, uint32_t left)
+{
+    if (!left || decoder->next == decoder->count)
+        return false;
+    const uint32_t cut = decoder->words[decoder->next++];
+    struct bvh_node *node = &decoder->nodes[range->root];
+    *node = (struct bvh_node){ .first = range->first, .count = range->count };
+    if (!cut)
+        return range->count <= BVH_LEAF_MAX;
+    if (cut >= range->count)
+        return false;
+    const struct bvh_range a = { range->first, cut, range->root + 1 };
+    const struct bvh_range b = { range->first + cut, range->count - cut, range->root + 2 * cut };
+    node->children[0] = a.root;
+    node->children[1] = b.root;
+    return decode_node(decoder, &a, left - 1) && decode_node(decoder, &b, left - 1);
+}
+
+/* Returns true if `order` is a permutation of the triangles within each group. */
+static bool is_order(const struct bvh_two_level *shape, const uint32_t *order)
+{
+    bool *seen = calloc(shape->count + (size_t)1, sizeof(*seen));
+    bool is_sound = seen;
+    for (uint32_t i = 0; i < shape->group_count && is_sound; i++) {
+        const struct bvh_range *group = &shape->groups[i];
+        for (uint32_t k = group->first; k < group->first + group->count && is_sound; k++) {
+            is_sound = order[k] >= group->first && order[k] - group->first < group->count &&
+                       !seen[order[k]];
+            if (is_sound)
+                seen[order[k]] = true;
+        }
+    }
+    free(seen);
+    return is_sound;
+}
+
+bool bvh_cache_decode(struct bvh_two_level *shape, const uint32_t *words, size_t count)
+{
+    if (count < shape->count || !is_order(shape, words))
+        return false;
+    struct decoder decoder = { shape->draft.nodes, words, shape->count, count };
+    for (uint32_t i = 0; i < shape->group_count; i++) {
+        if (!decode_node(&decoder, &shape->groups[i], shape->depth))
+            return false;
+    }
+    if (decoder.next != count)
+        return false;
+    memcpy(shape->draft.order, words, shape->count * sizeof(*words));
+    for (uint32_t i = 0; i < shape->group_count; i++)
+        bvh_refit(&shape->draft, shape->groups[i].root);
+    return true;
+}
+
+static bool is_sound(const void *key, const void *data, size_t size)
+{
+    return size >= sizeof(uint64_t) + DISK_CACHE_HASH_SIZE && size % sizeof(uint32_t) == 0 &&
+           memcmp(data, key, sizeof(uint64_t)) == 0 && disk_cache_is_intact(data, size);
+}
+
+bool bvh_cache_load(struct bvh_two_level *shape, uint64_t key)
+{
+    char name[NAME_SIZE];
+    size_t size = 0;
+    write_name(name, key);
+    const struct disk_cache_file file = {
+        .name = name,
+        .size_max = (KEY_WORDS + words_max(shape)) * sizeof(uint32_t) + DISK_CACHE_HASH_SIZE,
+        .is_quiet = true,
+        .is_sound = is_sound,
+        .user = &key,
+    };
+    uint32_t *words = disk_cache_read(&file, &size);
+    const size_t count = size / sizeof(*words);
+    const bool done =
+        words && bvh_cache_decode(shape, words + KEY_WORDS, count - 2 * (size_t)KEY_WORDS);
+    free(words);
+    return done;
+}
+
+void bvh_cache_save(const struct bvh_two_level *shape, uint64_t key)
+{
+    char name[NAME_SIZE];
+    uint32_t *words =
+        malloc((KEY_WORDS + words_max(shape)) * sizeof(*words) + (size_t)DISK_CACHE_HASH_SIZE);
+    if (!words)
+        return;
+    memcpy(words, &key, sizeof(key));
+    const size_t count = KEY_WORDS + encode(words + KEY_WORDS, shape);
+    write_name(name, key);
+    disk_cache_write(name, words, count * sizeof(*words));
+    disk_cache_evict("tree-", BVH_CACHE_SIZE_MAX);
+    free(words);
+}

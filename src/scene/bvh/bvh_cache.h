@@ -1,0 +1,31 @@
+/*
+ * bvh_cache.h: caches the topology of large BVHs in files between runs (src/base/disk_cache.h).
+ *
+ * A file holds the triangle order of a part, and the number of triangles in each node's first
+ * child. Boxes are recomputed from the scene, so a wrong file can make rays slower, but cannot
+ * change what they hit. The file name is a hash of everything that determines the topology.
+ */
+#ifndef FIRN_SCENE_BVH_BVH_CACHE_H
+#define FIRN_SCENE_BVH_BVH_CACHE_H
+
+#include "src/scene/bvh/bvh_scene_parts.h"
+
+enum {
+    BVH_CACHE_MIN = 100000,         /* minimum triangle count of a part whose BVH is cached */
+    BVH_CACHE_SIZE_MAX = 256 << 20, /* total size limit of the cached BVHs, bytes */
+};
+
+/* Returns a hash of positions, groups and build parameters. The part must have no bubbles. */
+uint64_t bvh_cache_key(const struct bvh_part *part);
+
+/* Reads the topology with this key into a shape whose groups have ranges. Returns false if there is
+ * no valid file; the nodes are then undefined, and the triangle order is unchanged. */
+bool bvh_cache_load(struct bvh_two_level *shape, uint64_t key);
+
+/* Writes the topology of a shape's groups, and evicts least recently used files. */
+void bvh_cache_save(const struct bvh_two_level *shape, uint64_t key);
+
+/* Decodes `count` untrusted words into a shape. Returns false if they are not a valid topology. */
+bool bvh_cache_decode(struct bvh_two_level *shape, const uint32_t *words, size_t count);
+
+#endif

@@ -1,0 +1,55 @@
+/*
+ * environment.h: environment image in linear Rec.709 radiance.
+ *
+ * It is either equirectangular and at infinity (-Z in the centre, +Y at the top, +X right of the
+ * centre), or a captured cube: a column of six faces, +X -X +Y -Y +Z -Z, as Vulkan orients them.
+ */
+#ifndef FIRN_SCENE_ENVIRONMENT_ENVIRONMENT_H
+#define FIRN_SCENE_ENVIRONMENT_ENVIRONMENT_H
+
+#include <cglm/types-struct.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include "src/base/status.h"
+
+/* Sun of an equirectangular environment, whose disc is not in the image. */
+struct environment_sun {
+    vec3s dir;   /* unit direction to the sun, before `turn` is applied */
+    vec3s light; /* radiance of a white diffuse surface facing the sun; 0 without a sun */
+};
+
+struct environment {
+    uint16_t *texels;       /* half RGBA, top row first; finite and not negative; owned */
+    uint32_t width, height; /* texels */
+    float turn;             /* rotation about +Y of an equirectangular image, in turns, 0 to 1 */
+    struct environment_sun sun;
+    bool is_cube; /* captured cube: alpha is 1 / distance from its centre, 1 / metre */
+};
+
+/*
+ * Loads an .exr file (channels R, G, B or Y; of a cube also A, without which everything is at
+ * infinity) or a .hdr file. An image with aspect 1:6 is a captured cube, unless its attribute
+ * `envmap` says that it is a cube map; that, and the other cube layouts of panorama.h, are
+ * converted to equirectangular images. All others must have aspect 2:1. Colours with other
+ * chromaticities are converted to Rec.709, and white stays white. Negative and non-finite values
+ * become 0, and values beyond half's range its maximum. Logs and returns STATUS_NO_INPUT,
+ * STATUS_DATA or STATUS_TRY_AGAIN; *environment is then {0}.
+ */
+MUST_USE enum status environment_load(struct environment *environment, const char *path);
+
+#define ENVIRONMENT_SUN_MAX 1e6f /* limit of environment_sun.light in files */
+
+/* Returns the unit direction of an azimuth (0 is +Z, 90 is +X) and an elevation, in degrees. */
+vec3s environment_direction(float azimuth_deg, float elevation_deg);
+
+/* EXR string attribute that describes the sun: "AZIMUTH ELEVATION RED GREEN BLUE", with angles in
+ * degrees as in sky.sun_azimuth and sky.sun_elevation, and environment_sun.light. */
+#define ENVIRONMENT_SUN_TEXT "firn/sun"
+
+/* Multiplies all radiances, the sun's included, by 2^stops. */
+void environment_apply_exposure(struct environment *environment, float stops);
+
+/* Frees the texels; *environment is then {0}. */
+void environment_finish(struct environment *environment);
+
+#endif

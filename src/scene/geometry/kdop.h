@@ -1,0 +1,32 @@
+/*
+ * kdop.h: discrete oriented polytope (26-DOP) around a mesh, and clipping of polygons to it.
+ *
+ * Its normals point from a cube's centre to the faces, edges and corners (Klosowski et al. 1998);
+ * the mesh touches each plane.
+ */
+#ifndef FIRN_SCENE_GEOMETRY_KDOP_H
+#define FIRN_SCENE_GEOMETRY_KDOP_H
+
+#include "src/scene/geometry/mesh.h"
+
+enum {
+    KDOP_PLANE_COUNT = 26,
+    KDOP_CORNER_COUNT = 4 + KDOP_PLANE_COUNT, /* maximum vertex count of a clipped square */
+};
+
+/* A point p is inside if dot(p, planes[i].xyz) <= planes[i].w for all i. */
+struct kdop {
+    vec4s planes[KDOP_PLANE_COUNT];
+};
+
+/* Returns the k-DOP of a mesh; that of an empty mesh is empty. */
+struct kdop kdop_of(const struct mesh *mesh);
+
+/*
+ * Clips a convex polygon of `count` vertices to the k-DOP. Returns the new vertex count, which is
+ * 0, or 3 to `count` + KDOP_PLANE_COUNT; `corners` must have room for it. New vertices interpolate
+ * the texture coordinates and copy the other attributes of the first vertex.
+ */
+uint32_t kdop_clip(const struct kdop *kdop, struct mesh_vertex *corners, uint32_t count);
+
+#endif

@@ -1,0 +1,98 @@
+/* mesh_depth_complexity.c: measures the depth complexity of a mesh along a grid of parallel lines.
+ */
+#include "src/scene/geometry/mesh_depth_complexity.h"
+#include <cglm/struct.h>
+
+enum {
+    SIDE = 48 /* lines per side of the grid */
+};
+
+/* Grid of lines along one direction, spread over the other two. */
+struct grid {
+    vec3s across[2];
+    vec2s first; /* minimum corner of the mesh's bounding rectangle in the `across` axes */
+    vec2s step;  /* spacing of lines */
+    unsigned char hits[SIDE * SIDE]; /* triangle hits of each line, at most 255 */
+};
+
+/* Orthogonal directions, oblique to the faces of man-made objects: lines within a slightly uneven
+ * flat face would hit it many times. */
+static const vec3s directions[3] = {
+    { { 2.0f / 7.0f, 3.0f / 7.0f, 6.0f / 7.0f } },
+    { { 3.0f / 7.0f, -6.0f / 7.0f, 2.0f / 7.0f } },
+    { { 6.0f / 7.0f, 2.0f / 7.0f, -3.0f / 7.0f } },
+};
+
+static vec2s project(const struct grid *grid, vec3s point)
+{
+    const vec2s at = { { glms_vec3_dot(grid->across[0], point),
+                         glms_vec3_dot(grid->across[1], point) } };
+    return at;
+}
+
+static void fit_grid(struct grid *grid, const struct mesh *mesh)
+{
+    vec2s low = { { INFINITY, INFINITY } }, high = { { -INFINITY, -INFINITY } };
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        const vec2s at = project(grid, mesh->vertices[mesh->indices[i]].position);
+        low = glms_vec2_minv(low, at);
+        high = glms_vec2_maxv(high, at);
+    }
+    grid->first = low;
+    grid->step = glms_vec2_divs(glms_vec2_sub(high, low), (float)SIDE);
+}
+
+/* Returns twice the signed area of a triangle, negative if it is clockwise. */
+static float area(vec2s a, vec2s b, vec2s c)
+{
+    return glms_vec2_cross(glms_vec2_sub(b, a), glms_vec2_sub(c, a));
+}
+
+static void rasterise(struct grid *grid, const vec2s *corners)
+{
+    const float whole = area(corners[0], corners[1], corners[2]);
+    const vec2s low = glms_vec2_minv(glms_vec2_minv(corners[0], corners[1]), corners[2]);
+    const vec2s high = glms_vec2_maxv(glms_vec2_maxv(corners[0], corners[1]), corners[2]);
+    const vec2s from = glms_vec2_div(glms_vec2_sub(low, grid->first), grid->step);
+    const vec2s to = glms_vec2_div(glms_vec2_sub(high, grid->first), grid->step);
+    for (int y = (int)from.y; y <= (int)to.y && y < SIDE; y++) {
+        for (int x = (int)from.x; x <= (int)to.x && x < SIDE; x++) {
+            const vec2s center = { { (float)x + 0.5f, (float)y + 0.5f } };
+            const vec2s at = glms_vec2_add(grid->first, glms_vec2_mul(center, grid->step));
+            unsigned char *hits = &grid->hits[y * SIDE + x];
+            const bool is_hit = area(at, corners[0], corners[1]) * whole > 0.0f &&
+                                area(at, corners[1], corners[2]) * whole > 0.0f &&
+                                area(at, corners[2], corners[0]) * whole > 0.0f;
+            if (is_hit && *hits < 255)
+                (*hits)++;
+        }
+    }
+}
+
+/* Adds the number of lines that hit any triangle, and of those that hit more than two. */
+static void count_lines(struct grid *grid, const struct mesh *mesh, uint32_t counts[2])
+{
+    fit_grid(grid, mesh);
+    if (!(grid->step.x > 0.0f && grid->step.y > 0.0f))
+        return;
+    for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
+        vec2s corners[3];
+        for (uint32_t k = 0; k < 3; k++)
+            corners[k] = project(grid, mesh->vertices[mesh->indices[i + k]].position);
+        rasterise(grid, corners);
+    }
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        counts[0] += grid->hits[i] > 0;
+        counts[1] += grid->hits[i] > 2;
+    }
+}
+
+float mesh_depth_complexity(const struct mesh *mesh)
+{
+    uint32_t counts[2] = { 0, 0 };
+    for (int i = 0; i < 3; i++) {
+        struct grid grid = { .across = { directions[(i + 1) % 3], directions[(i + 2) % 3] } };
+        count_lines(&grid, mesh, counts);
+    }
+    return counts[0] ? (float)counts[1] / (float)counts[0] : 0.0f;
+}

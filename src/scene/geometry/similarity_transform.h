@@ -1,0 +1,45 @@
+/*
+ * similarity_transform.h: detects instancing: whether triangles are a copy of others under a
+ * similarity transform.
+ *
+ * The transform follows from an anchor, three corners that are far apart, without a search. The
+ * caller then checks that all corners match it.
+ */
+#ifndef FIRN_SCENE_GEOMETRY_SIMILARITY_TRANSFORM_H
+#define FIRN_SCENE_GEOMETRY_SIMILARITY_TRANSFORM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Triangle corners, accessed by index. */
+struct similarity_transform_corners {
+    const void *of;
+    const float *(*place)(const void *of, uint32_t corner); /* returns x, y, z of a corner */
+    uint32_t count;
+};
+
+struct similarity_transform_anchor {
+    uint32_t corners[3];
+    double length; /* squared length of the first side */
+};
+
+/* Affine 3 x 4 matrix that maps points of the first set to points of the second. */
+struct similarity_transform {
+    double rows[3][4];
+    double length; /* length of the anchor's first side in the second set */
+};
+
+struct similarity_transform_anchor
+similarity_transform_anchor_find(const struct similarity_transform_corners *corners);
+
+/* Finds the transform of the anchor from `before` to `after`. Returns false if it is collinear. */
+bool similarity_transform_find(struct similarity_transform *motion,
+                               const struct similarity_transform_anchor *anchor,
+                               const struct similarity_transform_corners *before,
+                               const struct similarity_transform_corners *after);
+
+/* Returns the error of a transformed corner: the largest difference of a coordinate. */
+double similarity_transform_error(const struct similarity_transform *motion,
+                                  const float before[static 3], const float after[static 3]);
+
+#endif

@@ -1,0 +1,256 @@
+/*
+ * gltf.h: internal interface of the glTF 2.0 importer (.gltf, .glb), shared by gltf_*.c.
+ *
+ * jansson parses the JSON. Values are accessed through struct gltf_object, which knows its location
+ * in the file, and through functions that check type and range. The first fault is logged as "FILE:
+ * materials[3]: expected ..." and kept in gltf.status. After a fault, functions return their
+ * fallback values, so callers only need to check the status before they rely on a value.
+ */
+#ifndef FIRN_SCENE_IMPORT_GLTF_GLTF_H
+#define FIRN_SCENE_IMPORT_GLTF_GLTF_H
+
+#include <jansson.h>
+#include "src/scene/import/model_import.h"
+
+enum {
+    GLTF_LOCATION_SIZE = 96,
+};
+
+/* Index value that means "none". */
+static const uint32_t gltf_none = UINT32_MAX;
+
+/* A byte range, borrowed unless `owned` is set. */
+struct gltf_bytes {
+    const uint8_t *bytes; /* may be NULL */
+    uint8_t *owned;
+    size_t size;
+};
+
+/* Vertex displacements of a morph target, 3 floats per vertex; NULL if absent. Owned. */
+struct gltf_target {
+    float *positions, *normals;
+};
+
+/* Triangles of one material (a glTF primitive). All arrays are owned. */
+struct gltf_primitive {
+    uint32_t material; /* index into gltf.materials */
+    uint32_t vertex_count, index_count;
+    uint32_t *indices;
+    float *positions;
+    float *normals;   /* 3 per vertex; this and the arrays below are NULL if absent */
+    float *colors;    /* RGBA, 4 per vertex */
+    float *uvs;       /* for mesh_vertex.uv, 2 per vertex */
+    float *other_uvs; /* for mesh_extra.uv, 2 per vertex */
+    float *tangents;  /* 4 per vertex; w is the bitangent's sign */
+    float *joints;    /* 4 indices per vertex into the joints of the node's skin */
+    float *weights;   /* 4 per vertex; present if and only if `joints` is */
+    struct gltf_target *targets;
+    uint32_t target_count;
+};
+
+struct gltf_mesh {
+    struct gltf_primitive *primitives;
+    uint32_t count;
+    bool is_used;
+};
+
+struct gltf_node {
+    char name[MATERIAL_NAME_SIZE];
+    vec3s translation, scale;
+    versors rotation;
+    mat4s matrix; /* local transform if has_matrix; else translation, rotation, scale are */
+    bool has_matrix;
+    bool is_listed;
+    uint32_t parent; /* index into gltf.order, or gltf_none */
+    uint32_t mesh, camera, skin;
+    float *weights; /* weights of the mesh's morph targets; owned */
+    uint32_t weight_count;
+    mat4s model_from_node;
+    mat4s *instances; /* node_from_instance matrices, instance_count of them; owned */
+    uint32_t instance_count;
+};
+
+/* A texture reference of a material (textureInfo in glTF). */
+struct gltf_texture {
+    uint32_t image;  /* index of the image, or gltf_none */
+    uint32_t uv_set; /* n of TEXCOORD_n */
+    uint32_t wrap_u, wrap_v;
+    vec3s rows[2]; /* affine transform of (u, v, 1), KHR_texture_transform */
+};
+
+struct gltf_material {
+    struct material material; /* gltf_images_read() sets its texture layers */
+    uint32_t mesh_flags;      /* bits MESH_UNLIT, MESH_CUTOUT */
+    struct gltf_texture textures[MATERIAL_TEXTURE_COUNT];
+    uint32_t uv_set;       /* texture coordinate set of mesh_vertex.uv, or gltf_none */
+    vec3s uv_rows[2];      /* transform of that set to mesh_vertex.uv */
+    uint32_t other_uv_set; /* coordinate set of mesh_extra.uv, or gltf_none */
+    float ior;             /* as in the file; 0 if absent or if the file has the legacy value 0 */
+};
+
+/* Features of a file that the importer recognises but the renderer does not draw. */
+enum gltf_undrawn {
+    GLTF_TRANSMISSIVE_ALPHA, /* alpha of transmissive materials; likewise the next five */
+    GLTF_TRANSMISSIVE_EMISSION,
+    GLTF_TRANSMISSIVE_METALLIC,
+    GLTF_TRANSMISSIVE_OCCLUSION,
+    GLTF_TRANSMISSIVE_SPECULAR,
+    GLTF_TRANSMISSIVE_THICKNESS,
+    GLTF_THIRD_UV_SET,
+    GLTF_NO_IMAGE,
+    GLTF_NEAREST_FILTER,
+    GLTF_COLORS_WITHOUT_MATERIAL,
+    GLTF_ANIMATION,
+    GLTF_MORE_COLORS,
+    GLTF_MORE_JOINTS,
+    GLTF_MORPHED_COLORS,
+    GLTF_POINTS,
+    GLTF_OTHER_SCENES,
+    GLTF_UNDRAWN_COUNT,
+};
+
+struct gltf {
+    const char *path;
+    struct model_import *import;
+    enum status status; /* of the first fault */
+    uint8_t *file;      /* contents of the whole file */
+    json_t *root;
+    struct gltf_bytes binary;   /* binary chunk of a .glb */
+    struct gltf_bytes *buffers; /* one per buffer of the file */
+    struct gltf_bytes *views;   /* decompressed buffer views; {0} for uncompressed ones */
+    struct gltf_node *nodes;
+    uint32_t node_count;
+    uint32_t animation;  /* index of the playing animation; gltf_none for the rest pose */
+    float time;          /* animation time, seconds */
+    const char *objects; /* model_pose.objects; NULL if there are none */
+    uint32_t *order;     /* nodes of the scene, parents first */
+    uint32_t order_count;
+    struct gltf_mesh *meshes;
+    uint32_t mesh_count;
+    struct gltf_material *materials; /* the file's materials, then the default material */
+    uint32_t material_count;
+    uint32_t undrawn;       /* bits 1 << enum gltf_undrawn */
+    uint32_t clamped_count; /* materials whose factors were out of range */
+};
+
+/* ---- JSON ---- */
+
+/* A JSON object of the file. All members of an absent object are absent. */
+struct gltf_object {
+    struct gltf *gltf;
+    const json_t *json; /* NULL if the object is absent */
+    char location[GLTF_LOCATION_SIZE];
+};
+
+/* Logs "FILE: LOCATION: ..." unless a fault was logged earlier, and returns STATUS_DATA. */
+enum status gltf_fault(const struct gltf_object *object, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Logs that memory ran out, unless a fault was logged earlier, and returns gltf->status. */
+enum status gltf_out_of_memory(struct gltf *gltf);
+
+struct gltf_object gltf_top(struct gltf *gltf);
+/* Returns element `index` of a top-level array such as "nodes". */
+struct gltf_object gltf_element(struct gltf *gltf, const char *list, uint32_t index);
+struct gltf_object gltf_member(const struct gltf_object *object, const char *key);
+struct gltf_object gltf_extension(const struct gltf_object *object, const char *name);
+struct gltf_object gltf_item(const struct gltf_object *object, const char *key, uint32_t index);
+
+/* Returns the number of elements of a member that is an array; 0 if it is absent. */
+uint32_t gltf_length(const struct gltf_object *object, const char *key);
+uint32_t gltf_list_length(struct gltf *gltf, const char *list);
+
+/* Return a member's value, or `fallback` if it is absent. */
+float gltf_number(const struct gltf_object *object, const char *key, float fallback);
+bool gltf_flag(const struct gltf_object *object, const char *key);
+uint64_t gltf_count(const struct gltf_object *object, const char *key, uint64_t fallback);
+const char *gltf_string(const struct gltf_object *object, const char *key, const char *fallback);
+
+/* Returns a member that is an index into the top-level array `list`; gltf_none if it is absent. */
+uint32_t gltf_index(const struct gltf_object *object, const char *key, const char *list);
+/* Returns element `index` of a member array of indices into the top-level array `list`. */
+uint32_t gltf_index_at(const struct gltf_object *object, const char *key, uint32_t index,
+                       const char *list);
+
+/* Copies a member that is an array of `count` numbers. Returns false if it is absent or invalid. */
+bool gltf_floats(const struct gltf_object *object, const char *key, float *numbers, uint32_t count);
+
+/* ---- bytes ---- */
+
+/* Opens the file, checks its version and required extensions, and reads its buffers. */
+MUST_USE enum status gltf_open(struct gltf *gltf);
+void gltf_close(struct gltf *gltf);
+
+/* Reads the bytes of a URI: decodes a "data:" URI, or reads a file in the model's folder. */
+enum status gltf_read_uri(const struct gltf_object *object, const char *uri,
+                          struct gltf_bytes *bytes);
+
+/* Returns the bytes of a buffer view; *stride is 0 if it has no byteStride. {0} after a fault. */
+struct gltf_bytes gltf_view(struct gltf *gltf, uint32_t index, size_t *stride);
+
+/* Returns the bytes given by an object's members buffer, byteOffset and byteLength. */
+struct gltf_bytes gltf_view_bytes(const struct gltf_object *object);
+
+/* Decompresses a buffer view with EXT_ or KHR_meshopt_compression; `view` owns the result. */
+void gltf_meshopt_decode(const struct gltf_object *extension, struct gltf_bytes *view);
+
+/* ---- accessors ---- */
+
+/* Values of an accessor as floats; `values` is owned. */
+struct gltf_array {
+    float *values;
+    uint32_t count, width; /* elements; components per element */
+};
+
+/* Reads an accessor as floats; normalised integers become -1 to 1. Returns false after a fault. */
+MUST_USE bool gltf_read_floats(struct gltf *gltf, uint32_t accessor, struct gltf_array *array);
+
+/* Reads an accessor of unsigned integer scalars. The caller frees the array; NULL after a fault. */
+uint32_t *gltf_read_indices(struct gltf *gltf, uint32_t accessor, uint32_t *count);
+
+/* ---- the scene ---- */
+
+MUST_USE enum status gltf_extensions_check(struct gltf *gltf);
+/* Lists each extension that the file uses once in *model, and which features are not drawn. */
+MUST_USE enum status gltf_extensions_read(struct gltf *gltf, struct model *model);
+/* Logs warnings about undrawn features and unsupported extensions. Call it last and only for
+ * accepted files: of a rejected file, only the first logged line reaches the user. */
+void gltf_warn(const struct gltf *gltf, const struct model *model);
+
+/* Checks indices in the whole file, because unused meshes, skins and cameras are not read. */
+MUST_USE enum status gltf_validate(struct gltf *gltf);
+MUST_USE enum status gltf_nodes_read(struct gltf *gltf);
+/* Returns the index of the animation with that name or number (from 0); gltf_none after a fault. */
+uint32_t gltf_animation_find(struct gltf *gltf, const char *name);
+
+/* Lists the animations of the file in *model. */
+MUST_USE enum status gltf_animations_read(struct gltf *gltf, struct model *model);
+
+/* Sets the transforms and morph weights of nodes to those of an animation at a time in seconds. */
+void gltf_animate(struct gltf *gltf, uint32_t index, float time);
+
+/* gltf_is_deformed() returns true if morph targets or a skin deform a primitive of a node's mesh.
+ * gltf_skin_morph() then computes its positions and normals in *posed, in model space if the mesh
+ * is skinned; all else in *posed is {0}. The caller finishes *posed, also after a fault. */
+bool gltf_is_deformed(const struct gltf_node *node, const struct gltf_primitive *primitive);
+MUST_USE enum status gltf_skin_morph(struct gltf *gltf, const struct gltf_node *node,
+                                     const struct gltf_primitive *primitive,
+                                     struct gltf_primitive *posed);
+
+MUST_USE enum status gltf_materials_read(struct gltf *gltf);
+/* Reads the texture references of a material. */
+void gltf_texture_info_read(const struct gltf_object *object, struct gltf_material *material);
+/* Reads the meshes that nodes of the scene refer to. */
+MUST_USE enum status gltf_meshes_read(struct gltf *gltf);
+void gltf_primitive_finish(struct gltf_primitive *primitive);
+MUST_USE enum status gltf_images_read(struct gltf *gltf, struct model *model);
+MUST_USE enum status gltf_build(struct gltf *gltf, struct model *model,
+                                enum model_role default_role);
+/* Reads the cameras of the scene into *model, whose object mesh must be filled in. */
+MUST_USE enum status gltf_cameras_read(struct gltf *gltf, struct model *model);
+/* Reads the punctual lights of the scene into *model. */
+MUST_USE enum status gltf_lights_read(struct gltf *gltf, struct model *model);
+/* Reads the box of the first node with extras.firn.box into *model. */
+MUST_USE enum status gltf_box_read(struct gltf *gltf, struct model *model);
+
+#endif

@@ -1,0 +1,162 @@
+/* gltf_extension.c: supported glTF extensions; warnings about features that are not drawn. */
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/import/gltf/gltf.h"
+
+/* Extensions that are read; all others are ignored, or rejected if the file requires them. */
+static const struct model_extension supported[] = {
+    { "EXT_mesh_gpu_instancing", MODEL_DRAWN },
+    { "EXT_meshopt_compression", MODEL_DRAWN },
+    { "KHR_draco_mesh_compression", MODEL_DRAWN },
+    { "KHR_lights_punctual", MODEL_APPROXIMATED }, /* no shadows; on opaque surfaces only */
+    { "KHR_materials_dispersion", MODEL_DRAWN },
+    { "KHR_materials_emissive_strength", MODEL_DRAWN },
+    { "KHR_materials_ior", MODEL_DRAWN },
+    { "KHR_materials_specular", MODEL_APPROXIMATED }, /* on opaque materials only */
+    { "KHR_materials_transmission", MODEL_DRAWN },
+    { "KHR_materials_unlit", MODEL_DRAWN },
+    { "KHR_materials_volume", MODEL_APPROXIMATED }, /* without thicknessTexture */
+    { "KHR_mesh_quantization", MODEL_DRAWN },
+    { "KHR_meshopt_compression", MODEL_DRAWN },
+    { "KHR_texture_transform", MODEL_DRAWN },
+};
+
+static const char *const undrawn[GLTF_UNDRAWN_COUNT] = {
+    [GLTF_TRANSMISSIVE_ALPHA] = "alpha of transmissive materials",
+    [GLTF_TRANSMISSIVE_EMISSION] = "emission of transmissive materials",
+    [GLTF_TRANSMISSIVE_METALLIC] = "metallic factor of transmissive materials",
+    [GLTF_TRANSMISSIVE_OCCLUSION] = "occlusion of transmissive materials",
+    [GLTF_TRANSMISSIVE_SPECULAR] = "specular of transmissive materials",
+    [GLTF_TRANSMISSIVE_THICKNESS] = "thickness textures",
+    [GLTF_THIRD_UV_SET] = "textures with a third texture coordinate set",
+    [GLTF_NO_IMAGE] = "textures without an image in a supported format",
+    [GLTF_NEAREST_FILTER] = "nearest filtering (magFilter NEAREST)",
+    [GLTF_COLORS_WITHOUT_MATERIAL] = "vertex colours of a file without materials",
+    [GLTF_ANIMATION] = "animations (the model is shown in its rest pose)",
+    [GLTF_MORE_COLORS] = "vertex colours beyond COLOR_0",
+    [GLTF_MORE_JOINTS] = "more than four joints per vertex",
+    [GLTF_MORPHED_COLORS] = "colours and texture coordinates of morph targets",
+    [GLTF_POINTS] = "points and lines",
+    [GLTF_OTHER_SCENES] = "scenes other than the one shown",
+};
+
+const char *model_undrawn_name(uint32_t index)
+{
+    return index < GLTF_UNDRAWN_COUNT ? undrawn[index] : NULL;
+}
+
+/* Returns the row of a supported extension, or NULL. */
+static const struct model_extension *find_extension(const char *name)
+{
+    for (size_t i = 0; i < sizeof(supported) / sizeof(supported[0]); i++) {
+        if (strcmp(supported[i].name, name) == 0)
+            return &supported[i];
+    }
+    return NULL;
+}
+
+/* Returns an element of a list of extension names; NULL after a fault. */
+static const char *name_at(const struct gltf_object *top, const char *list, uint32_t index)
+{
+    const json_t *name = json_array_get(json_object_get(top->json, list), index);
+    if (!json_is_string(name))
+        (void)gltf_fault(top, "%s: expected extension names", list);
+    return json_string_value(name);
+}
+
+enum status gltf_extensions_check(struct gltf *gltf)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    const uint32_t required_count = gltf_length(&top, "extensionsRequired");
+    const uint32_t used_count = gltf_length(&top, "extensionsUsed");
+    for (uint32_t i = 0; i < required_count && gltf->status == STATUS_OK; i++) {
+        const char *name = name_at(&top, "extensionsRequired", i);
+        if (name && !find_extension(name))
+            (void)gltf_fault(&top,
+                             "requires the extension %.64s, which is not supported; export "
+                             "the file without it",
+                             name);
+    }
+    for (uint32_t i = 0; i < used_count && gltf->status == STATUS_OK; i++)
+        (void)name_at(&top, "extensionsUsed", i);
+    return gltf->status;
+}
+
+/* Adds an extension to the model's list unless it is listed already. */
+static void add_extension(struct gltf *gltf, struct model *model, const char *name)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    const struct model_extension *known = find_extension(name);
+    struct model_extension added = { .support = known ? known->support : MODEL_IGNORED };
+    (void)snprintf(added.name, sizeof(added.name), "%s", name);
+    for (uint32_t i = 0; i < model->extension_count; i++) {
+        if (strcmp(model->extensions[i].name, added.name) == 0)
+            return;
+    }
+    if (model->extension_count < MODEL_EXTENSION_MAX)
+        model->extensions[model->extension_count++] = added;
+    else
+        (void)gltf_fault(&top, "expected at most %d extensions", MODEL_EXTENSION_MAX);
+}
+
+/* Adds every extension that occurs within a value, including undeclared ones. The recursion is
+ * bounded, because the parser limits the nesting depth. */
+static void add_extensions_within(struct gltf *gltf, struct model *model, json_t *json)
+{
+    const char *key;
+    json_t *value;
+    size_t i;
+    json_array_foreach(json, i, value) add_extensions_within(gltf, model, value);
+    json_object_foreach(json, key, value)
+    {
+        const char *name;
+        json_t *extension;
+        if (strcmp(key, "extras") == 0)
+            continue;
+        if (strcmp(key, "extensions") == 0) {
+            json_object_foreach(value, name, extension) add_extension(gltf, model, name);
+        }
+        add_extensions_within(gltf, model, value);
+    }
+}
+
+enum status gltf_extensions_read(struct gltf *gltf, struct model *model)
+{
+    const struct gltf_object top = gltf_top(gltf);
+    const uint32_t count = gltf_length(&top, "extensionsUsed");
+    model->undrawn = gltf->undrawn;
+    model->extensions = calloc(MODEL_EXTENSION_MAX, sizeof(*model->extensions));
+    if (!model->extensions)
+        return gltf_out_of_memory(gltf);
+    for (uint32_t i = 0; i < count && gltf->status == STATUS_OK; i++) {
+        const char *name = name_at(&top, "extensionsUsed", i);
+        if (name)
+            add_extension(gltf, model, name);
+    }
+    add_extensions_within(gltf, model, gltf->root);
+    return gltf->status;
+}
+
+void gltf_warn(const struct gltf *gltf, const struct model *model)
+{
+    for (uint32_t i = 0; i < model->extension_count; i++) {
+        if (model->extensions[i].support == MODEL_IGNORED)
+            log_warning("%s: the extension %s is not supported and is ignored", gltf->path,
+                        model->extensions[i].name);
+    }
+    if (gltf->clamped_count > 0)
+        log_warning("%s: factors outside their ranges were clamped in %u materials", gltf->path,
+                    gltf->clamped_count);
+    char names[640] = "";
+    size_t length = 0;
+    for (uint32_t i = 0; i < GLTF_UNDRAWN_COUNT; i++) {
+        if (!(gltf->undrawn & 1u << i) || length >= sizeof(names))
+            continue;
+        const int more = snprintf(&names[length], sizeof(names) - length, "%s%s",
+                                  length > 0 ? ", " : "", undrawn[i]);
+        length += more > 0 ? (size_t)more : 0;
+    }
+    if (length > 0)
+        log_warning("%s: not drawn: %s", gltf->path, names);
+}

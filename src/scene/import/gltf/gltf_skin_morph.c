@@ -1,0 +1,111 @@
+/* gltf_skin_morph.c: deforms the meshes of a glTF file by morph targets and skins (glTF 2.0,
+ * 3.7.2.2 and 3.7.3): linear blend skinning on the CPU. */
+#include <cglm/struct.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/scene/import/gltf/gltf.h"
+
+static float *copy_vectors(struct gltf *gltf, const float *numbers, uint32_t vertex_count)
+{
+    const size_t size = sizeof(*numbers) * 3 * vertex_count;
+    float *copied = numbers ? malloc(size) : NULL;
+    if (copied)
+        memcpy(copied, numbers, size);
+    else if (numbers)
+        (void)gltf_out_of_memory(gltf);
+    return copied;
+}
+
+static void add_deltas(float *to, const float *deltas, float weight, uint32_t vertex_count)
+{
+    for (size_t i = 0; to && deltas && i < 3 * (size_t)vertex_count; i++)
+        to[i] += weight * deltas[i];
+}
+
+/* Returns the skin's matrices, joint times inverse bind matrix; the caller frees the array. */
+static mat4s *read_joints(struct gltf *gltf, uint32_t skin, uint32_t *count)
+{
+    const struct gltf_object object = gltf_element(gltf, "skins", skin);
+    const uint32_t inverse = gltf_index(&object, "inverseBindMatrices", "accessors");
+    struct gltf_array matrices = { 0 };
+    *count = gltf_length(&object, "joints");
+    mat4s *joints = malloc((*count + (size_t)1) * sizeof(*joints));
+    if (!joints) {
+        (void)gltf_out_of_memory(gltf);
+        return NULL;
+    }
+    if (inverse != gltf_none && gltf_read_floats(gltf, inverse, &matrices) &&
+        (matrices.width != 16 || matrices.count < *count))
+        (void)gltf_fault(&object, "inverseBindMatrices: expected %u 4x4 matrices", *count);
+    for (uint32_t i = 0; i < *count && gltf->status == STATUS_OK; i++) {
+        const uint32_t node = gltf_index_at(&object, "joints", i, "nodes");
+        mat4s joint_from_mesh = glms_mat4_identity();
+        if (matrices.values)
+            memcpy(&joint_from_mesh, &matrices.values[(size_t)16 * i], sizeof(joint_from_mesh));
+        if (!gltf->nodes[node].is_listed)
+            (void)gltf_fault(&object, "joints: nodes[%u] is not in the scene", node);
+        joints[i] = glms_mat4_mul(gltf->nodes[node].model_from_node, joint_from_mesh);
+    }
+    free(matrices.values);
+    return joints;
+}
+
+/* Returns the skinning matrix of a vertex: the weighted sum of its joints' matrices. */
+static mat4s blend(const mat4s *joints, const float *indices, const float *weights)
+{
+    mat4s sum = glms_mat4_zero();
+    for (int k = 0; k < 4; k++) {
+        const mat4s *joint = &joints[(size_t)indices[k]];
+        for (int i = 0; weights[k] != 0 && i < 16; i++)
+            sum.raw[i / 4][i % 4] += weights[k] * joint->raw[i / 4][i % 4];
+    }
+    return sum;
+}
+
+static void apply_skin(struct gltf *gltf, const struct gltf_object *mesh_object, uint32_t skin,
+                       const struct gltf_primitive *primitive, struct gltf_primitive *posed)
+{
+    uint32_t joint_count;
+    mat4s *joints = read_joints(gltf, skin, &joint_count);
+    for (size_t i = 0; i < 4 * (size_t)primitive->vertex_count; i++) {
+        if (!(primitive->joints[i] >= 0 && primitive->joints[i] < (float)joint_count))
+            (void)gltf_fault(mesh_object, "JOINTS_0: the skin has only %u joints", joint_count);
+    }
+    for (size_t i = 0; i < primitive->vertex_count && gltf->status == STATUS_OK; i++) {
+        const mat4s m = blend(joints, &primitive->joints[4 * i], &primitive->weights[4 * i]);
+        vec3s v;
+        memcpy(&v, &posed->positions[3 * i], sizeof(v));
+        v = glms_mat4_mulv3(m, v, 1);
+        memcpy(&posed->positions[3 * i], &v, sizeof(v));
+        if (!posed->normals)
+            continue;
+        memcpy(&v, &posed->normals[3 * i], sizeof(v));
+        v = glms_mat3_mulv(glms_mat4_pick3(m), v);
+        memcpy(&posed->normals[3 * i], &v, sizeof(v));
+    }
+    free(joints);
+}
+
+bool gltf_is_deformed(const struct gltf_node *node, const struct gltf_primitive *primitive)
+{
+    return primitive->target_count > 0 || (node->skin != gltf_none && primitive->joints);
+}
+
+enum status gltf_skin_morph(struct gltf *gltf, const struct gltf_node *node,
+                            const struct gltf_primitive *primitive, struct gltf_primitive *posed)
+{
+    const struct gltf_object mesh_object = gltf_element(gltf, "meshes", node->mesh);
+    *posed = (struct gltf_primitive){
+        .positions = copy_vectors(gltf, primitive->positions, primitive->vertex_count),
+        .normals = copy_vectors(gltf, primitive->normals, primitive->vertex_count),
+    };
+    for (uint32_t i = 0; i < primitive->target_count && gltf->status == STATUS_OK; i++) {
+        const float weight = i < node->weight_count ? node->weights[i] : 0;
+        const struct gltf_target *target = &primitive->targets[i];
+        add_deltas(posed->positions, target->positions, weight, primitive->vertex_count);
+        add_deltas(posed->normals, target->normals, weight, primitive->vertex_count);
+    }
+    if (node->skin != gltf_none && primitive->joints && gltf->status == STATUS_OK)
+        apply_skin(gltf, &mesh_object, node->skin, primitive, posed);
+    return gltf->status;
+}

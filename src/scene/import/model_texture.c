@@ -1,0 +1,263 @@
+/* model_texture.c: decodes and resamples a model's images to one array of square textures. */
+#include <assert.h>
+#include <stb/stb_image.h>
+#include <stb/stb_image_resize.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "src/base/log.h"
+#include "src/scene/import/model_import.h"
+
+enum {
+    PICTURE_SIDE_MAX = 16384,
+    FILE_SIZE_MAX = 256 << 20, /* bytes */
+    CHANNELS = 4,
+};
+
+/* An encoded image file in memory, and its dimensions. */
+struct encoded {
+    const uint8_t *bytes;
+    uint8_t *owned; /* same as `bytes` if it must be freed, else NULL */
+    int size;       /* bytes */
+    int width, height;
+};
+
+static enum status fault(const char *path, const struct model_texture *picture, const char *what)
+{
+    log_error("%s: texture %s: %s", path, picture->name, what);
+    return STATUS_DATA;
+}
+
+static enum status read_file(const char *path, const struct model_texture *picture,
+                             struct encoded *encoded)
+{
+    struct stat info;
+    /* Only regular files are opened, because opening a named pipe would block. */
+    if (stat(picture->file, &info) != 0 || !S_ISREG(info.st_mode))
+        return fault(path, picture, "file not found");
+    if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
+        return fault(path, picture, "expected a file of 1 byte to 256 MiB");
+    size_t size = (size_t)info.st_size;
+    FILE *file = fopen(picture->file, "rb");
+    if (!file)
+        return fault(path, picture, "the file cannot be opened");
+    encoded->owned = malloc(size);
+    bool is_read = encoded->owned && fread(encoded->owned, 1, size, file) == size;
+    fclose(file);
+    if (!encoded->owned)
+        return log_out_of_memory(path);
+    if (!is_read)
+        return fault(path, picture, "the file cannot be read");
+    encoded->bytes = encoded->owned;
+    encoded->size = (int)size;
+    return STATUS_OK;
+}
+
+const char *model_texture_unsupported_format(const struct model_texture *picture)
+{
+    static const struct {
+        const char *name;
+        uint32_t at, size;
+        const char *magic;
+    } formats[] = {
+        { "KTX2", 0, 7, "\xabKTX 20" }, { "WebP", 8, 4, "WEBP" },       { "DDS", 0, 4, "DDS " },
+        { "AVIF", 4, 8, "ftypavif" },   { "OpenEXR", 0, 4, "v/1\x01" }, { "TIFF", 0, 4, "II*\0" },
+        { "TIFF", 0, 4, "MM\0*" },
+    };
+
+    uint8_t head[12] = { 0 };
+    struct stat info;
+    if (picture->bytes && picture->size >= sizeof(head))
+        memcpy(head, picture->bytes, sizeof(head));
+    if (picture->file && stat(picture->file, &info) == 0 && S_ISREG(info.st_mode)) {
+        FILE *file = fopen(picture->file, "rb");
+        if (file && fread(head, 1, sizeof(head), file) != sizeof(head))
+            memset(head, 0, sizeof(head));
+        if (file)
+            fclose(file);
+    }
+    for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); i++) {
+        if (!memcmp(&head[formats[i].at], formats[i].magic, formats[i].size))
+            return formats[i].name;
+    }
+    return NULL;
+}
+
+/* Loads an encoded image and its size. The caller frees encoded->owned, even on failure. */
+static enum status open_picture(const char *path, const struct model_texture *picture,
+                                struct encoded *encoded)
+{
+    *encoded = (struct encoded){ 0 };
+    if (!picture->bytes) {
+        enum status status = read_file(path, picture, encoded);
+        if (status != STATUS_OK)
+            return status;
+    } else if (picture->size <= FILE_SIZE_MAX) {
+        encoded->bytes = picture->bytes;
+        encoded->size = (int)picture->size;
+    }
+    int channels;
+    if (!stbi_info_from_memory(encoded->bytes, encoded->size, &encoded->width, &encoded->height,
+                               &channels))
+        return fault(path, picture, "not a supported image format");
+    if (encoded->width < 1 || encoded->width > PICTURE_SIDE_MAX || encoded->height < 1 ||
+        encoded->height > PICTURE_SIDE_MAX)
+        return fault(path, picture, "expected 1 to 16384 texels per side");
+    return STATUS_OK;
+}
+
+/* Returns the resampling filter of an axis; stb's default would blur an axis of unchanged size. */
+static stbir_filter filter(int from, int to)
+{
+    return from > to ? STBIR_FILTER_MITCHELL : STBIR_FILTER_CATMULLROM;
+}
+
+/* Resamples an image to a texture layer. Returns false when out of memory. */
+static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int width, int height,
+                     bool are_numbers)
+{
+    /* Colours are weighted by alpha, so that hidden colours do not bleed. */
+    const int alpha = are_numbers ? STBIR_ALPHA_CHANNEL_NONE : CHANNELS - 1;
+    int to = (int)side;
+    if (width == to && height == to) {
+        memcpy(layer, texels, (size_t)side * side * CHANNELS);
+        return true;
+    }
+    return stbir_resize(texels, width, height, 0, layer, to, to, 0, STBIR_TYPE_UINT8, CHANNELS,
+                        alpha, 0, STBIR_EDGE_CLAMP, STBIR_EDGE_CLAMP, filter(width, to),
+                        filter(height, to),
+                        are_numbers ? STBIR_COLORSPACE_LINEAR : STBIR_COLORSPACE_SRGB, NULL) != 0;
+}
+
+static enum status decode(const char *path, const struct model_texture *picture, bool are_numbers,
+                          uint8_t *layer, uint32_t side)
+{
+    uint8_t *texels = NULL;
+    struct encoded encoded;
+    enum status status = open_picture(path, picture, &encoded);
+    if (status != STATUS_OK)
+        goto fail;
+    texels = stbi_load_from_memory(encoded.bytes, encoded.size, &encoded.width, &encoded.height,
+                                   &(int){ 0 }, CHANNELS);
+    if (!texels)
+        status = fault(path, picture, stbi_failure_reason());
+    else if (!model_texture_convert(texels, encoded.width, encoded.height, picture) ||
+             !resample(layer, side, texels, encoded.width, encoded.height, are_numbers))
+        status = log_out_of_memory(path);
+fail:
+    free(texels);
+    free(encoded.owned);
+    return status;
+}
+
+static uint32_t layer_side(uint32_t side_max, uint32_t count)
+{
+    uint32_t side = 1;
+    while (side < side_max && side < MODEL_TEXTURE_SIDE_MAX)
+        side *= 2;
+    while (side > 1 && (uint64_t)side * side * CHANNELS * count > MODEL_TEXTURES_SIZE_MAX)
+        side /= 2;
+    return side;
+}
+
+static uint8_t *layer_at(const struct texture_layers *layers, uint32_t index)
+{
+    return layers->texels + (size_t)index * layers->size * layers->size * CHANNELS;
+}
+
+static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t count)
+{
+    uint32_t side = layer_side(side_max, count);
+    uint8_t *texels = calloc(count, (size_t)side * side * CHANNELS);
+    *layers = (struct texture_layers){ 0 };
+    if (texels)
+        *layers = (struct texture_layers){ .texels = texels, .size = side, .count = count };
+    return texels;
+}
+
+/* Decodes a layer, and replaces one of its channels by the image picture->other. */
+static enum status decode_both(const char *path, const struct model_texture *picture,
+                               bool are_numbers, uint8_t *layer, uint32_t side)
+{
+    const size_t count = (size_t)side * side;
+    enum status status = decode(path, picture, are_numbers, layer, side);
+    if (status != STATUS_OK || !picture->other)
+        return status;
+    const struct model_texture other = {
+        .name = picture->other,
+        .file = picture->other,
+        .change = picture->other_change,
+    };
+    assert(count > 0);
+    const size_t channel = picture->other_change == MODEL_TEXTURE_TO_ALPHA ? 3 : 2;
+    uint8_t *texels = malloc(count * CHANNELS);
+    if (!texels)
+        return log_out_of_memory(path);
+    status = decode(path, &other, true, texels, side);
+    for (size_t i = channel; i < count * CHANNELS && status == STATUS_OK; i += CHANNELS)
+        layer[i] = texels[i];
+    free(texels);
+    return status;
+}
+
+enum status model_texture_load(const char *path, const struct model_texture *pictures,
+                               uint32_t count, bool are_numbers, struct texture_layers *layers)
+{
+    int side_max = 1;
+    if (count == 0)
+        return STATUS_OK;
+    for (uint32_t i = 0; i < count; i++) {
+        struct encoded encoded;
+        enum status status = open_picture(path, &pictures[i], &encoded);
+        free(encoded.owned);
+        if (status != STATUS_OK)
+            return status;
+        side_max = encoded.width > side_max ? encoded.width : side_max;
+        side_max = encoded.height > side_max ? encoded.height : side_max;
+    }
+    if (!allocate(layers, (uint32_t)side_max, count))
+        return log_out_of_memory(path);
+    if (layers->size < (uint32_t)side_max)
+        log_warning("%s: the largest of %u textures has %d texels a side and is downsampled to %u",
+                    path, count, side_max, layers->size);
+    for (uint32_t i = 0; i < count; i++) {
+        enum status status =
+            decode_both(path, &pictures[i], are_numbers, layer_at(layers, i), layers->size);
+        if (status != STATUS_OK)
+            return status;
+    }
+    return STATUS_OK;
+}
+
+static bool copy(struct texture_layers *to, uint32_t first, const struct texture_layers *from,
+                 bool are_numbers)
+{
+    for (uint32_t i = 0; i < from->count; i++) {
+        if (!resample(layer_at(to, first + i), to->size, layer_at(from, i), (int)from->size,
+                      (int)from->size, are_numbers))
+            return false;
+    }
+    return true;
+}
+
+enum status model_texture_merge(struct texture_layers *both, const struct texture_layers *first,
+                                const struct texture_layers *second, bool are_numbers)
+{
+    *both = (struct texture_layers){ 0 };
+    uint32_t count = first->count + second->count;
+    if (count == 0)
+        return STATUS_OK;
+    if (count > MODEL_TEXTURE_MAX) {
+        log_error("expected at most %d textures in all models together", MODEL_TEXTURE_MAX);
+        return STATUS_DATA;
+    }
+    uint32_t side_max = first->size > second->size ? first->size : second->size;
+    if (!allocate(both, side_max, count) || !copy(both, 0, first, are_numbers) ||
+        !copy(both, first->count, second, are_numbers)) {
+        free(both->texels);
+        *both = (struct texture_layers){ 0 };
+        return log_out_of_memory("textures");
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,122 @@
+/* mtl_texture_convert.c: converts MTL map images to glTF's: alpha, roughness, metallic, normals. */
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/scene/import/model_import.h"
+
+enum {
+    CHANNELS = 4,
+    RELIEF = 64,          /* height of white over black is the image's width / RELIEF */
+    BLUE_OF_NORMALS = 16, /* mean of |blue - red| above which an image is a normal map */
+};
+
+static uint8_t grey_of(const uint8_t *texel)
+{
+    return (uint8_t)((texel[0] + texel[1] + texel[2] + 1) / 3);
+}
+
+static void convert_alpha(uint8_t *texels, size_t count)
+{
+    bool has_alpha = false;
+    for (size_t i = 0; i < count; i++)
+        has_alpha |= texels[CHANNELS * i + 3] < UINT8_MAX;
+    for (size_t i = 0; i < count; i++) {
+        uint8_t *texel = &texels[CHANNELS * i];
+        texel[3] = has_alpha ? texel[3] : grey_of(texel);
+        memset(texel, UINT8_MAX, 3);
+    }
+}
+
+/* Sets a channel to 1 everywhere, so that only the material's factor counts. */
+static void fill_channel(uint8_t *texels, size_t count, int channel)
+{
+    for (size_t i = 0; i < count; i++)
+        texels[CHANNELS * i + (size_t)channel] = UINT8_MAX;
+}
+
+/* Converts factors on Ns to roughness, in green. */
+static void convert_shininess(uint8_t *texels, size_t count, float exponent)
+{
+    uint8_t table[UINT8_MAX + 1];
+    for (int i = 0; i <= UINT8_MAX; i++) {
+        const float fraction = (float)i / UINT8_MAX;
+        table[i] = (uint8_t)lroundf(UINT8_MAX * mtl_roughness_from_exponent(exponent * fraction));
+    }
+    for (size_t i = 0; i < count; i++) {
+        uint8_t *texel = &texels[CHANNELS * i];
+        texel[1] = table[grey_of(texel)];
+    }
+    fill_channel(texels, count, 2);
+}
+
+static bool are_normals(const uint8_t *texels, size_t count)
+{
+    uint64_t difference = 0;
+    for (size_t i = 0; i < count; i++)
+        difference += (uint64_t)abs(texels[CHANNELS * i + 2] - texels[CHANNELS * i]);
+    return difference > BLUE_OF_NORMALS * (uint64_t)count;
+}
+
+/* Converts a tileable height map to a normal map by central differences; normal maps stay
+ * unchanged. Returns false when out of memory. */
+static bool convert_heights(uint8_t *texels, int width, int height)
+{
+    const size_t count = (size_t)width * (size_t)height;
+    if (are_normals(texels, count))
+        return true;
+    uint8_t *heights = malloc(count);
+    if (!heights)
+        return false;
+    for (size_t i = 0; i < count; i++)
+        heights[i] = grey_of(&texels[CHANNELS * i]);
+    for (int y = 0; y < height; y++) {
+        const uint8_t *above = &heights[(size_t)((y + height - 1) % height) * (size_t)width];
+        const uint8_t *below = &heights[(size_t)((y + 1) % height) * (size_t)width];
+        const uint8_t *row = &heights[(size_t)y * (size_t)width];
+        for (int x = 0; x < width; x++) {
+            const float step = 2.0F * UINT8_MAX * RELIEF;
+            const float difference = (float)(row[(x + 1) % width] - row[(x + width - 1) % width]);
+            const vec3s normal = glms_vec3_normalize((vec3s){ {
+                -difference * (float)width / step,
+                (float)(below[x] - above[x]) * (float)height / step,
+                1,
+            } });
+            uint8_t *texel = &texels[CHANNELS * ((size_t)y * (size_t)width + (size_t)x)];
+            for (int k = 0; k < 3; k++)
+                texel[k] = (uint8_t)lroundf(127.5F + 127.5F * normal.raw[k]);
+        }
+    }
+    free(heights);
+    return true;
+}
+
+float mtl_roughness_from_exponent(float exponent)
+{
+    return powf(2 / (fmaxf(exponent, 0) + 2), 0.25F); /* alpha^2 = roughness^4 = 2 / (Ns + 2) */
+}
+
+bool model_texture_convert(uint8_t *texels, int width, int height,
+                           const struct model_texture *picture)
+{
+    const size_t count = (size_t)width * (size_t)height;
+    switch (picture->change) {
+    case MODEL_TEXTURE_SAME:
+        break;
+    case MODEL_TEXTURE_TO_ALPHA:
+        convert_alpha(texels, count);
+        break;
+    case MODEL_TEXTURE_ROUGHNESS:
+        fill_channel(texels, count, 2);
+        break;
+    case MODEL_TEXTURE_NS_TO_ROUGHNESS:
+        convert_shininess(texels, count, picture->exponent);
+        break;
+    case MODEL_TEXTURE_METALLIC:
+        fill_channel(texels, count, 1);
+        break;
+    case MODEL_TEXTURE_TO_NORMALS:
+        return convert_heights(texels, width, height);
+    }
+    return true;
+}

@@ -1,0 +1,235 @@
+/* mtl_textures.c: loads the textures of MTL materials and computes their coordinate transforms. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/base/log.h"
+#include "src/scene/import/obj_ply.h"
+
+/* Texture of the material for each MTL map; map_d is merged into the base colour texture. */
+static const enum material_texture_use uses[MTL_MAP_COUNT] = {
+    [MTL_MAP_COLOR] = MATERIAL_BASE_COLOR,
+    [MTL_MAP_ALPHA] = MATERIAL_BASE_COLOR,
+    [MTL_MAP_SPECULAR] = MATERIAL_SPECULAR_COLOR,
+    [MTL_MAP_EMISSION] = MATERIAL_EMISSION,
+    [MTL_MAP_ROUGHNESS] = MATERIAL_METALLIC_ROUGHNESS,
+    [MTL_MAP_SHININESS] = MATERIAL_METALLIC_ROUGHNESS,
+    [MTL_MAP_METALLIC] = MATERIAL_METALLIC_ROUGHNESS,
+    [MTL_MAP_BUMP] = MATERIAL_NORMAL,
+};
+
+static const enum model_texture_conversion changes[MTL_MAP_COUNT] = {
+    [MTL_MAP_ALPHA] = MODEL_TEXTURE_TO_ALPHA,
+    [MTL_MAP_ROUGHNESS] = MODEL_TEXTURE_ROUGHNESS,
+    [MTL_MAP_SHININESS] = MODEL_TEXTURE_NS_TO_ROUGHNESS,
+    [MTL_MAP_METALLIC] = MODEL_TEXTURE_METALLIC,
+    [MTL_MAP_BUMP] = MODEL_TEXTURE_TO_NORMALS,
+};
+
+/* Images to be loaded as layers of one texture array. */
+struct image_list {
+    struct model_texture *pictures;
+    uint32_t count;
+};
+
+static bool is_same(const char *a, const char *b)
+{
+    return a && b ? !strcmp(a, b) : a == b;
+}
+
+/* Returns the path of a map's file, which the caller frees; NULL after a failure. */
+static char *path_of(const struct obj_ply *obj_ply, struct mtl_map *map, enum status *status)
+{
+    const char *path = obj_ply->import->path;
+    if (!model_file_clean(map->file, false)) {
+        log_error("%s: texture %s: expected a file within the model's folder", path, map->file);
+        *status = STATUS_DATA;
+        return NULL;
+    }
+    char *file = model_file_join(path, map->file);
+    if (!file)
+        *status = log_out_of_memory(path);
+    return file;
+}
+
+/* Finds or adds an image and takes ownership of it. Returns its layer + 1, or 0 on failure. */
+static uint32_t add_image(const struct obj_ply *obj_ply, struct image_list *image_list,
+                          const struct model_texture *wanted)
+{
+    uint32_t layer = 0;
+    while (layer < image_list->count) {
+        const struct model_texture *other = &image_list->pictures[layer];
+        if (is_same(other->file, wanted->file) && is_same(other->other, wanted->other) &&
+            other->change == wanted->change && !(other->exponent < wanted->exponent) &&
+            !(other->exponent > wanted->exponent))
+            break;
+        layer++;
+    }
+    if (layer == image_list->count && layer < MODEL_TEXTURE_MAX) {
+        image_list->pictures[image_list->count++] = *wanted;
+        return layer + 1;
+    }
+    free(wanted->file);
+    free(wanted->other);
+    if (layer < MODEL_TEXTURE_MAX)
+        return layer + 1;
+    log_error("%s: expected at most %d textures", obj_ply->import->path, MODEL_TEXTURE_MAX);
+    return 0;
+}
+
+/* Computes the transform from the vertices' coordinates, which are those of the base colour map
+ * with v = 0 at the top, to those of another map. */
+static void compute_transform(const struct mtl_map *base, const struct mtl_map *map,
+                              struct material_texture *texture)
+{
+    const float u = map->scale[0] / base->scale[0], v = map->scale[1] / base->scale[1];
+    const float moved = map->offset[1] - v * base->offset[1];
+    texture->u_row = (vec3s){ { u, 0, map->offset[0] - u * base->offset[0] } };
+    texture->v_row = (vec3s){ { 0, v, 1 - v - moved } };
+    texture->wrap_u = map->is_clamped ? MATERIAL_CLAMP : MATERIAL_REPEAT;
+    texture->wrap_v = texture->wrap_u;
+}
+
+const struct mtl_map *mtl_base_map(const struct mtl_material *material)
+{
+    static const struct mtl_map none = { .scale = { 1, 1 } };
+    if (material->maps[MTL_MAP_COLOR].file)
+        return &material->maps[MTL_MAP_COLOR];
+    return material->maps[MTL_MAP_ALPHA].file ? &material->maps[MTL_MAP_ALPHA] : &none;
+}
+
+/* Returns the map that fills one channel of map `use`'s texture; MTL_MAP_COUNT: no map does. */
+static enum mtl_map_use merged_map(const struct mtl_material *material, enum mtl_map_use use)
+{
+    enum mtl_map_use other = MTL_MAP_COUNT;
+    if (use == MTL_MAP_COLOR)
+        other = MTL_MAP_ALPHA;
+    else if (use == MTL_MAP_ROUGHNESS || use == MTL_MAP_SHININESS)
+        other = MTL_MAP_METALLIC;
+    return other < MTL_MAP_COUNT && material->maps[other].file ? other : MTL_MAP_COUNT;
+}
+
+/* Sets a material's roughness or metallic factor to 1 if a texture replaces it. */
+static void reset_factor(struct material *m, enum mtl_map_use use)
+{
+    if (use == MTL_MAP_ROUGHNESS || use == MTL_MAP_SHININESS)
+        m->roughness = 1;
+    else if (use == MTL_MAP_METALLIC)
+        m->metallic = 1;
+}
+
+/* Adds the image of a map to the list and sets the material's texture. */
+static enum status add_map(const struct obj_ply *obj_ply, struct image_list *image_list,
+                           struct mtl_material *material, enum mtl_map_use use)
+{
+    struct mtl_map *map = &material->maps[use];
+    struct material_texture *texture = &material->material.textures[uses[use]];
+    enum status status = STATUS_OK;
+    struct model_texture picture = { .change = changes[use] };
+    if (use == MTL_MAP_SHININESS)
+        picture.exponent = material->exponent;
+    picture.file = path_of(obj_ply, map, &status);
+    const enum mtl_map_use other = merged_map(material, use);
+    if (picture.file && other < MTL_MAP_COUNT) {
+        picture.other = path_of(obj_ply, &material->maps[other], &status);
+        picture.other_change = changes[other];
+        reset_factor(&material->material, other);
+    }
+    reset_factor(&material->material, use);
+    picture.name = picture.file;
+    if (status != STATUS_OK) {
+        free(picture.file);
+        return status;
+    }
+    compute_transform(mtl_base_map(material), map, texture);
+    if (uses[use] == MATERIAL_BASE_COLOR) { /* vertices have its coordinates */
+        texture->u_row = (vec3s){ { 1, 0, 0 } };
+        texture->v_row = (vec3s){ { 0, 1, 0 } };
+    }
+    texture->layer = add_image(obj_ply, image_list, &picture);
+    return texture->layer > 0 ? STATUS_OK : STATUS_DATA;
+}
+
+/* Returns true if a map becomes a texture of its own of the wanted kind (sRGB colour or linear
+ * numbers). map_d does only if there is no map_Kd. */
+static bool is_wanted(const struct mtl_material *material, enum mtl_map_use use, bool are_numbers)
+{
+    if (!material->maps[use].file || material_texture_is_color(uses[use]) == are_numbers)
+        return false;
+    return (use != MTL_MAP_ALPHA || !material->maps[MTL_MAP_COLOR].file) &&
+           material->material.textures[uses[use]].layer == 0;
+}
+
+static enum status load_kind(struct obj_ply *obj_ply, bool are_numbers,
+                             struct texture_layers *layers)
+{
+    struct image_list image_list = { .pictures =
+                                         calloc(MODEL_TEXTURE_MAX, sizeof(*image_list.pictures)) };
+    enum status status = image_list.pictures ? STATUS_OK : log_out_of_memory(obj_ply->import->path);
+    for (uint32_t i = 0; i < obj_ply->part_count && status == STATUS_OK; i++) {
+        const struct obj_ply_part *part = &obj_ply->parts[i];
+        if (part->material == 0 || !part->has_uvs || part->index_count == 0)
+            continue;
+        struct mtl_material *material = &obj_ply->materials[part->material - 1];
+        for (uint32_t use = 0; use < MTL_MAP_COUNT && status == STATUS_OK; use++) {
+            if (is_wanted(material, use, are_numbers))
+                status = add_map(obj_ply, &image_list, material, use);
+        }
+    }
+    if (status == STATUS_OK)
+        status = model_texture_load(obj_ply->import->path, image_list.pictures, image_list.count,
+                                    are_numbers, layers);
+    for (uint32_t i = 0; i < image_list.count; i++) {
+        free(image_list.pictures[i].file);
+        free(image_list.pictures[i].other);
+    }
+    free(image_list.pictures);
+    return status;
+}
+
+/* Removes the maps of a material whose image format is not supported. */
+static enum status drop_unsupported(struct obj_ply *obj_ply, struct mtl_material *material)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t use = 0; use < MTL_MAP_COUNT && status == STATUS_OK; use++) {
+        struct mtl_map *map = &material->maps[use];
+        struct model_texture picture = { .file =
+                                             map->file ? path_of(obj_ply, map, &status) : NULL };
+        const char *format = picture.file ? model_texture_unsupported_format(&picture) : NULL;
+        char words[48];
+        free(picture.file);
+        if (!format)
+            continue;
+        (void)snprintf(words, sizeof(words), "textures in the format %s", format);
+        obj_ply_note_undrawn(obj_ply->undrawn_materials, words);
+        free(map->file);
+        map->file = NULL;
+    }
+    return status;
+}
+
+/* Applies the base colour map's -s and -o to the texture coordinates of a part's vertices. */
+static void transform_uvs(const struct obj_ply *obj_ply, const struct obj_ply_part *part)
+{
+    const struct mtl_map *base = mtl_base_map(&obj_ply->materials[part->material - 1]);
+    for (size_t i = 0; i < part->vertex_count; i++) {
+        float *uv = &obj_ply->uvs[2 * (part->first_vertex + i)];
+        for (int k = 0; k < 2; k++)
+            uv[k] = uv[k] * base->scale[k] + base->offset[k];
+    }
+}
+
+enum status mtl_textures_load(struct obj_ply *obj_ply, struct model *model)
+{
+    enum status status = STATUS_OK;
+    for (uint32_t i = 0; i < obj_ply->part_count && status == STATUS_OK; i++) {
+        const struct obj_ply_part *part = &obj_ply->parts[i];
+        if (part->material == 0 || !part->has_uvs)
+            continue;
+        status = drop_unsupported(obj_ply, &obj_ply->materials[part->material - 1]);
+        if (status == STATUS_OK)
+            transform_uvs(obj_ply, part);
+    }
+    if (status == STATUS_OK)
+        status = load_kind(obj_ply, false, &model->textures);
+    return status == STATUS_OK ? load_kind(obj_ply, true, &model->numbers) : status;
+}

@@ -1,0 +1,120 @@
+/*
+ * obj_ply.h: contents of an OBJ, MTL or PLY file before they are converted to a model;
+ * interface shared by the readers of these formats.
+ *
+ * Functions that return a status log one line if it is not STATUS_OK.
+ */
+#ifndef FIRN_SCENE_IMPORT_OBJ_PLY_H
+#define FIRN_SCENE_IMPORT_OBJ_PLY_H
+
+#include "src/scene/import/model_import.h"
+#include "src/scene/import/text_scan.h"
+
+/* Texture maps of an MTL material. */
+enum mtl_map_use {
+    MTL_MAP_COLOR,     /* map_Kd */
+    MTL_MAP_ALPHA,     /* map_d: becomes the alpha of map_Kd's texture */
+    MTL_MAP_SPECULAR,  /* map_Ks */
+    MTL_MAP_EMISSION,  /* map_Ke */
+    MTL_MAP_ROUGHNESS, /* map_Pr: takes precedence over map_Ns */
+    MTL_MAP_SHININESS, /* map_Ns: converted to roughness */
+    MTL_MAP_METALLIC,  /* map_Pm: becomes the blue channel of the roughness texture */
+    /* bump, map_bump and norm: height maps, converted to normal maps, or normal maps */
+    MTL_MAP_BUMP,
+    MTL_MAP_COUNT,
+};
+
+struct mtl_map {
+    char *file;                /* name as written in the file; NULL if there is no map */
+    float scale[2], offset[2]; /* of texture coordinates: options -s and -o */
+    float strength;            /* -bm */
+    bool is_clamped;           /* -clamp on */
+};
+
+/* A material of an MTL file. */
+struct mtl_material {
+    char *name;  /* untruncated, to match usemtl */
+    vec3s color; /* Kd; multiplied with vertex colours */
+    struct material material;
+    struct mtl_map maps[MTL_MAP_COUNT];
+    float exponent; /* Ns */
+};
+
+/* Triangles of one group name and one material. Their indices are relative to first_vertex. */
+struct obj_ply_part {
+    char name[MATERIAL_NAME_SIZE];
+    uint32_t material; /* index + 1; 0 if the file assigns none */
+    uint32_t first_vertex, vertex_count;
+    uint32_t first_index, index_count;
+    bool has_uvs;
+};
+
+enum {
+    OBJ_PLY_LIST_SIZE = MODEL_UNDRAWN_SIZE / 2,
+};
+
+struct obj_ply {
+    struct model_import *import;
+    /* Vertex attributes, part by part; all but positions may be NULL. */
+    float *positions; /* 3 per vertex */
+    float *normals;   /* 3 per vertex; {0} if to be computed */
+    float *colors;    /* RGBA per vertex, linear */
+    float *uvs;       /* 2 per vertex */
+    uint32_t *indices;
+    struct obj_ply_part *parts;
+    uint32_t part_count;
+    struct mtl_material *materials;
+    uint32_t material_count;
+    char undrawn_materials[OBJ_PLY_LIST_SIZE]; /* of MTL files: "disp\n-mm\n" */
+    char undrawn[OBJ_PLY_LIST_SIZE];           /* other undrawn features of the files */
+};
+
+/* Read a file into *plain, in which only .import is set; obj_ply_finish() frees it in any case. */
+MUST_USE enum status obj_read(struct obj_ply *obj_ply);
+MUST_USE enum status ply_read(struct obj_ply *obj_ply);
+
+/* Appends the materials of an MTL file that is looked up in the model's folder. */
+MUST_USE enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *name);
+
+/* Appends a line to a list unless it is in it already; a full list ends in "...". */
+void obj_ply_note_undrawn(char list[static OBJ_PLY_LIST_SIZE], const char *words);
+
+/* Builds both meshes, the objects, materials and textures of a model. */
+MUST_USE enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
+                                   enum model_role default_role);
+
+/* Loads the images of materials whose parts have texture coordinates, assigns the materials'
+ * textures, and transforms the texture coordinates to those of the base colour. */
+MUST_USE enum status mtl_textures_load(struct obj_ply *obj_ply, struct model *model);
+
+/* Returns the map whose -s and -o apply to the vertices: map_Kd, else map_d, else identity. */
+const struct mtl_map *mtl_base_map(const struct mtl_material *material);
+
+void obj_ply_finish(struct obj_ply *obj_ply);
+
+/*
+ * Reads a whole file into memory that the caller frees. Returns NULL on failure: *is_found is false
+ * if the file cannot be opened, which is not logged; other failures are.
+ */
+char *obj_ply_read_file(struct model_import *import, const char *path, size_t *size,
+                        bool *is_found);
+
+/* A growable array. Zero-initialised, it is empty; the owner frees .items. */
+struct obj_ply_array {
+    void *items;
+    size_t count, room; /* in items */
+};
+
+/* Appends `count` items and returns the first, uninitialised; NULL when out of memory. */
+void *obj_ply_array_grow(struct obj_ply_array *array, size_t count, size_t item_size);
+
+static inline void *obj_ply_array_add(struct obj_ply_array *array, size_t count, size_t item_size)
+{
+    if (count > array->room - array->count)
+        return obj_ply_array_grow(array, count, item_size);
+    void *place = (char *)array->items + array->count * item_size;
+    array->count += count;
+    return place;
+}
+
+#endif

@@ -1,0 +1,235 @@
+/* obj_ply_build.c: converts the contents of an OBJ or PLY file to a model. */
+#include <cglm/struct.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "src/base/log.h"
+#include "src/scene/import/obj_ply.h"
+
+void *obj_ply_array_grow(struct obj_ply_array *array, size_t count, size_t item_size)
+{
+    size_t capacity = array->room > 0 ? array->room : 64;
+    while (capacity - array->count < count) {
+        if (capacity > SIZE_MAX / 2 / item_size)
+            return NULL;
+        capacity *= 2;
+    }
+    void *items = realloc(array->items, capacity * item_size);
+    if (!items)
+        return NULL;
+    array->items = items;
+    array->room = capacity;
+    array->count += count;
+    return (char *)items + (array->count - count) * item_size;
+}
+
+char *obj_ply_read_file(struct model_import *import, const char *path, size_t *size, bool *is_found)
+{
+    struct stat info;
+    FILE *file = model_file_open(import, path);
+    char *bytes = NULL;
+    *is_found = file && fstat(fileno(file), &info) == 0;
+    if (!*is_found) {
+        if (file)
+            fclose(file);
+        return NULL;
+    }
+    const size_t size_max = info.st_size > 0 ? (size_t)info.st_size : 0;
+    bytes = malloc(size_max + 1);
+    if (bytes) {
+        *size = fread(bytes, 1, size_max, file);
+        bytes[*size] = '\0';
+    } else {
+        (void)log_out_of_memory(path);
+    }
+    if (bytes && ferror(file)) {
+        log_error("%s: %s", path, strerror(errno));
+        free(bytes);
+        bytes = NULL;
+    }
+    fclose(file);
+    return bytes;
+}
+
+/* ---- meshes ---- */
+
+static const struct mtl_material *material_of(const struct obj_ply *obj_ply,
+                                              const struct obj_ply_part *part)
+{
+    return part->material > 0 ? &obj_ply->materials[part->material - 1] : NULL;
+}
+
+static struct model_shape make_shape(const struct obj_ply *obj_ply, const struct obj_ply_part *part,
+                                     char name[static 80])
+{
+    const struct mtl_material *material = material_of(obj_ply, part);
+    const size_t first = part->first_vertex;
+    const bool is_unlit = obj_ply->colors && !obj_ply->normals && !material;
+    const uint32_t layer =
+        material && part->has_uvs ? material->material.textures[MATERIAL_BASE_COLOR].layer : 0;
+    (void)snprintf(name, 80, "mesh %u \"%.40s\"", (unsigned)(part - obj_ply->parts), part->name);
+    return (struct model_shape){
+        .name = name,
+        .positions = &obj_ply->positions[3 * first],
+        .normals = obj_ply->normals ? &obj_ply->normals[3 * first] : NULL,
+        .colors = obj_ply->colors ? &obj_ply->colors[4 * first] : NULL,
+        .uvs = part->has_uvs ? &obj_ply->uvs[2 * first] : NULL,
+        .uv_stride = 2,
+        .is_flipped = true,
+        .indices = &obj_ply->indices[part->first_index],
+        .vertex_count = part->vertex_count,
+        .index_count = part->index_count,
+        .color = material ? material->color : glms_vec3_one(),
+        .material = layer | (is_unlit ? MESH_UNLIT : 0u),
+    };
+}
+
+/* Rule that assigns the parts of a file to refractive objects and surroundings. */
+struct role_rule {
+    enum model_role default_role;
+    bool is_split; /* by material; else default_role applies */
+};
+
+static struct role_rule choose_roles(const struct obj_ply *obj_ply, enum model_role default_role)
+{
+    struct role_rule role_rule = {
+        .default_role = default_role == MODEL_BY_MATERIALS ? MODEL_OBJECT : default_role,
+    };
+    for (uint32_t i = 0; i < obj_ply->part_count; i++) {
+        const struct mtl_material *material = material_of(obj_ply, &obj_ply->parts[i]);
+        if (obj_ply->parts[i].index_count > 0 && material)
+            role_rule.is_split |=
+                default_role != MODEL_OBJECT || material->material.transmission > 0;
+    }
+    return role_rule;
+}
+
+/* Returns the index of a part's material in the model; parts without one use the last material. */
+static uint32_t material_index(const struct obj_ply *obj_ply, const struct obj_ply_part *part)
+{
+    return part->material > 0 ? part->material - 1 : obj_ply->material_count;
+}
+
+/* Adds the object of a part, before its triangles are appended to the object mesh. */
+static enum status add_object(struct model_build *build, const struct obj_ply *obj_ply,
+                              const struct obj_ply_part *part)
+{
+    struct model *model = build->model;
+    struct object *grown =
+        realloc(model->objects, (model->object_count + (size_t)1) * sizeof(*grown));
+    if (!grown)
+        return log_out_of_memory(obj_ply->import->path);
+    model->objects = grown;
+    struct object *object = &grown[model->object_count++];
+    *object = (struct object){
+        .first_index = (uint32_t)build->index_count[MODEL_OBJECT],
+        .index_count = part->index_count,
+        .material = material_index(obj_ply, part),
+    };
+    memcpy(object->name, part->name, sizeof(object->name));
+    model->has_ior = true;
+    if (model->object_count == 1)
+        model->ior = material_of(obj_ply, part)->material.ior;
+    return STATUS_OK;
+}
+
+static enum status list_materials(const struct obj_ply *obj_ply, struct model *model)
+{
+    const uint32_t count = obj_ply->material_count + 1;
+    if (count > MESH_SURFACE_MAX) {
+        log_error("%s: expected at most %u materials, got %u", obj_ply->import->path,
+                  MESH_SURFACE_MAX, count);
+        return STATUS_DATA;
+    }
+    model->materials = calloc(count, sizeof(*model->materials));
+    if (!model->materials)
+        return log_out_of_memory(obj_ply->import->path);
+    for (uint32_t i = 0; i < obj_ply->material_count; i++) {
+        struct material *m = &model->materials[i];
+        *m = obj_ply->materials[i].material;
+        if (m->transmission > 0) /* tinted by Tf, not by map_Kd */
+            m->textures[MATERIAL_BASE_COLOR].layer = 0;
+    }
+    model->materials[obj_ply->material_count] = material_make("");
+    model->material_count = count;
+    for (uint32_t i = 0; i < obj_ply->part_count; i++) {
+        if (obj_ply->parts[i].index_count > 0 && obj_ply->parts[i].material == 0)
+            return STATUS_OK;
+    }
+    model->material_count--; /* no part uses the last material */
+    return STATUS_OK;
+}
+
+/* Visits all parts that have triangles: counts them in the first pass, adds them in the second. */
+static enum status visit_parts(struct model_build *build, const struct obj_ply *obj_ply,
+                               const struct role_rule *role_rule, bool is_counting)
+{
+    enum status status = STATUS_OK;
+    const char *last = NULL; /* name of the previous part: equal names continue an object */
+    for (uint32_t i = 0; i < obj_ply->part_count && status == STATUS_OK; i++) {
+        const struct obj_ply_part *part = &obj_ply->parts[i];
+        const struct mtl_material *material = material_of(obj_ply, part);
+        const bool is_clear = material && material->material.transmission > 0;
+        const enum model_role role = !role_rule->is_split ? role_rule->default_role
+                                     : is_clear           ? MODEL_OBJECT
+                                                          : MODEL_SURROUNDINGS;
+        char name[80];
+        if (part->index_count == 0)
+            continue;
+        struct model_shape shape = make_shape(obj_ply, part, name);
+        if (is_counting) {
+            status = model_shape_check(obj_ply->import, &shape);
+            if (status == STATUS_OK)
+                status = model_build_count(build, role, part->vertex_count, part->index_count);
+            continue;
+        }
+        if (role_rule->is_split)
+            shape.material |= (material_index(obj_ply, part) + 1) << MESH_SURFACE_SHIFT;
+        if (role_rule->is_split && role == MODEL_OBJECT)
+            status = add_object(build, obj_ply, part);
+        if (!last || strcmp(last, part->name) != 0)
+            build->opaque = part->name;
+        last = part->name;
+        if (status == STATUS_OK)
+            status = model_build_add(build, role, &shape, glms_mat4_identity());
+    }
+    return status;
+}
+
+enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
+                          enum model_role default_role)
+{
+    struct model_build build;
+    const struct role_rule role_rule = choose_roles(obj_ply, default_role);
+    model_build_init(&build, obj_ply->import, model);
+    enum status status = visit_parts(&build, obj_ply, &role_rule, true);
+    if (status == STATUS_OK)
+        status = mtl_textures_load(obj_ply, model);
+    if (status == STATUS_OK)
+        status = model_build_allocate(&build);
+    if (status == STATUS_OK)
+        status = visit_parts(&build, obj_ply, &role_rule, false);
+    if (status == STATUS_OK)
+        status = role_rule.is_split ? list_materials(obj_ply, model)
+                                    : model_build_default_object(&build);
+    return status == STATUS_OK ? model_build_end(&build) : status;
+}
+
+void obj_ply_finish(struct obj_ply *obj_ply)
+{
+    free(obj_ply->positions);
+    free(obj_ply->normals);
+    free(obj_ply->colors);
+    free(obj_ply->uvs);
+    free(obj_ply->indices);
+    free(obj_ply->parts);
+    for (uint32_t i = 0; i < obj_ply->material_count; i++) {
+        free(obj_ply->materials[i].name);
+        for (int k = 0; k < MTL_MAP_COUNT; k++)
+            free(obj_ply->materials[i].maps[k].file);
+    }
+    free(obj_ply->materials);
+    *obj_ply = (struct obj_ply){ .import = obj_ply->import };
+}

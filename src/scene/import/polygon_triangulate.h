@@ -1,0 +1,32 @@
+/* polygon_triangulate.h: triangulation of polygons by ear clipping. */
+#ifndef FIRN_SCENE_IMPORT_POLYGON_TRIANGULATE_H
+#define FIRN_SCENE_IMPORT_POLYGON_TRIANGULATE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct polygon {
+    const float *positions;    /* 3 per vertex */
+    const uint32_t *vertex_of; /* vertex of each corner; NULL if corners are vertex indices */
+    uint32_t vertex_stride;    /* distance between corners in vertex_of; 1 if it is dense */
+};
+
+/*
+ * Replaces a polygon's triangle fan by an ear-clipping triangulation with the same corners and
+ * winding. On entry `indices` holds the fan of a polygon with `count` corners c, 3 (count - 2)
+ * elements: c0 c1 c2, c0 c2 c3, ... Convex polygons keep the fan; in others no triangle lies
+ * outside, if the polygon is planar and simple. Returns false when out of memory.
+ */
+bool polygon_triangulate(const struct polygon *polygon, uint32_t *indices, uint32_t count);
+
+/* A polygon of more than three corners within an index list. */
+struct polygon_range {
+    uint32_t first_index, count; /* start of its fan in the index list; number of corners */
+};
+
+/* Triangulates all polygons of a list. Returns false when out of memory. */
+bool polygon_triangulate_all(const struct polygon *polygon, const struct polygon_range *polygons,
+                             size_t count, uint32_t *indices);
+
+#endif

@@ -1,0 +1,25 @@
+/* material_override.h: material overrides: user-defined materials (--material) for nodes of a
+ * model. */
+#ifndef FIRN_SCENE_MATERIAL_OVERRIDE_H
+#define FIRN_SCENE_MATERIAL_OVERRIDE_H
+
+#include "src/scene/import/model.h"
+
+struct material_override {
+    const char *words;             /* text of the option, "NODE=glass,ior=1.52"; borrowed */
+    char name[MATERIAL_NAME_SIZE]; /* name of a mesh node, else of a material */
+    struct material material;      /* a transmissive material */
+};
+
+/* Returns the names as struct model_pose needs them, malloc'd, or NULL when out of memory. */
+char *material_override_names(const struct material_override *all, uint32_t count);
+
+/*
+ * Assigns materials to a model's objects by name; later entries win. The first object's index
+ * becomes the model's. Names without a match are ignored. Logs and returns STATUS_DATA for too many
+ * materials, or STATUS_TRY_AGAIN when out of memory.
+ */
+MUST_USE enum status material_override_apply(struct model *model,
+                                             const struct material_override *all, uint32_t count);
+
+#endif

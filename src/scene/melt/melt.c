@@ -1,0 +1,396 @@
+/* melt.c: melts the ice of a model, and updates everything that depends on its shape. */
+#include "src/scene/melt/melt.h"
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include "src/base/log.h"
+#include "src/scene/generate/noise.h"
+#include "src/scene/geometry/distance_field.h"
+#include "src/scene/geometry/vertex_weld.h"
+#include "src/scene/melt/melt_air_and_water.h"
+#include "src/scene/melt/melt_curvature_flow.h"
+
+#define ICE_LEAST  1.3f /* ranges of refractive indices that identify ice, water, air */
+#define ICE_MOST   1.32f
+#define WATER_MOST 1.345f
+#define AIR_MOST   1.1f
+
+#define FROST_GONE   0.03f /* fraction of lost volume at which the frost is gone */
+#define HOLLOW       0.02f /* depth of melt hollows, in half widths */
+#define HOLLOW_CELL  0.36f /* width of hollows, in half widths */
+#define HOLLOW_FINE  0.45f /* depth of the finer hollows, relative to the coarse ones */
+#define HOLLOW_OFTEN 2.1f
+#define HOLLOWS_DUE  0.1f   /* fraction of lost volume at which hollows are complete */
+#define OPENS_AT     0.1f   /* relative depth below which cracks open */
+#define WIDER        20.0f  /* widening of cracks at the surface of fully melted ice, in gaps */
+#define FLOATING     0.917f /* submerged fraction of floating ice (density ratio) */
+#define PUDDLE       0.164f /* thickness of spread meltwater, in half widths: 2.3 mm */
+#define PUDDLE_LEFT  0.917f /* volume of water per volume of ice */
+
+/* Returns the depth of cellular noise at a point, 0 to 1: round hollows with sharp ridges. */
+static float hollow_depth(vec3s at)
+{
+    const vec3s cell = { { floorf(at.x), floorf(at.y), floorf(at.z) } };
+    float nearest2 = 4.0f;
+    for (int i = 0; i < 27; i++) {
+        const int beside[3] = { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 };
+        vec3s other = cell;
+        for (int k = 0; k < 3; k++)
+            other.raw[k] += (float)beside[k];
+        uint32_t hash = 40;
+        for (int k = 0; k < 3; k++)
+            hash = noise_hash(hash ^ (uint32_t)(int32_t)other.raw[k]);
+        vec3s middle;
+        for (int k = 0; k < 3; k++)
+            middle.raw[k] = other.raw[k] + (float)(hash >> 8 * k & 255) / 255.0f;
+        nearest2 = fminf(nearest2, glms_vec3_distance2(at, middle));
+    }
+    return fmaxf(1.0f - nearest2, 0.0f);
+}
+
+float melted_frost_factor(const struct melted *melted)
+{
+    return 1.0f - glm_smoothstep(0.0f, FROST_GONE, melted->share);
+}
+
+float melted_hollow_factor(const struct melted *melted)
+{
+    return 1.0f + 2.0f * melted->share;
+}
+
+/* A melting shell of ice. */
+struct ice {
+    struct vertex_weld vertex_weld;
+    struct melt_curvature_flow flow;
+    double half; /* half the width of a cube of the initial volume */
+    struct box before;
+    bool floats;
+    float rise; /* vertical displacement after melting */
+    float lost; /* fraction of the volume that is lost */
+};
+
+/* Welds the shell's vertices and copies their positions. Returns false when out of memory. */
+static bool ice_init(struct ice *ice, const struct mesh *mesh, const struct object *object,
+                     bool floats)
+{
+    *ice = (struct ice){ .floats = floats };
+    if (!vertex_weld_init(&ice->vertex_weld, mesh, object->first_index, object->index_count))
+        return false;
+    ice->flow = (struct melt_curvature_flow){
+        .points = calloc(ice->vertex_weld.count + (size_t)1, sizeof(*ice->flow.points)),
+        .count = ice->vertex_weld.count,
+        .corners = ice->vertex_weld.corners,
+        .corner_count = ice->vertex_weld.corner_count,
+    };
+    for (uint32_t i = 0; i < mesh->vertex_count && ice->flow.points; i++) {
+        for (int k = 0; k < 3 && ice->vertex_weld.points[i] != VERTEX_WELD_NONE; k++)
+            ice->flow.points[ice->vertex_weld.points[i]][k] =
+                (double)mesh->vertices[i].position.raw[k];
+    }
+    return ice->flow.points != NULL;
+}
+
+static void ice_finish(struct ice *ice)
+{
+    free(ice->flow.points);
+    vertex_weld_finish(&ice->vertex_weld);
+}
+
+/* Computes angle-weighted point normals. Returns false when out of memory. */
+static bool find_normals(const struct melt_curvature_flow *flow, vec3s *normals)
+{
+    struct mesh mesh;
+    if (!mesh_init(&mesh, flow->count, flow->corner_count))
+        return false;
+    for (uint32_t i = 0; i < flow->count; i++) {
+        for (int k = 0; k < 3; k++)
+            mesh.vertices[i].position.raw[k] = (float)flow->points[i][k];
+    }
+    for (uint32_t i = 0; i < flow->corner_count; i++)
+        mesh.indices[i] = flow->corners[i];
+    mesh_make_normals(&mesh);
+    for (uint32_t i = 0; i < flow->count; i++)
+        normals[i] = mesh.vertices[i].normal;
+    mesh_finish(&mesh);
+    return true;
+}
+
+static struct box box_of(const struct melt_curvature_flow *flow)
+{
+    struct box box = { { { INFINITY, INFINITY, INFINITY } },
+                       { { -INFINITY, -INFINITY, -INFINITY } } };
+    for (uint32_t i = 0; i < flow->count; i++) {
+        for (int k = 0; k < 3; k++) {
+            box.min.raw[k] = fminf(box.min.raw[k], (float)flow->points[i][k]);
+            box.max.raw[k] = fmaxf(box.max.raw[k], (float)flow->points[i][k]);
+        }
+    }
+    return box;
+}
+
+/* Presses melt hollows into the surface, except near its base. */
+static void press_hollows(struct ice *ice, const vec3s *normals)
+{
+    const float lost = ice->lost;
+    const struct box box = box_of(&ice->flow);
+    const float cell = HOLLOW_CELL * (float)ice->half;
+    const float depth = HOLLOW * (float)ice->half * (1.0f + 2.0f * lost) *
+                        glm_smoothstep(0.0f, HOLLOWS_DUE, lost) * cbrtf(fmaxf(1.0f - lost, 0.0f));
+    const float base_height = fmaxf(0.1f * (box.max.y - box.min.y), 1e-30f);
+    for (uint32_t i = 0; i < ice->flow.count; i++) {
+        double *point = ice->flow.points[i];
+        const vec3s at = { { (float)point[0] / cell, (float)point[1] / cell,
+                             (float)point[2] / cell } };
+        const float sunk =
+            hollow_depth(at) + HOLLOW_FINE * hollow_depth(glms_vec3_scale(at, HOLLOW_OFTEN));
+        const float above = glm_smoothstep(0.0f, base_height, (float)point[1] - box.min.y);
+        for (int k = 0; k < 3; k++)
+            point[k] -= (double)(depth * above * sunk * normals[i].raw[k]);
+    }
+}
+
+/* Returns the vertical displacement that keeps the ice standing, or floating, as before. */
+static float displacement_of(const struct ice *ice)
+{
+    const struct box after = box_of(&ice->flow);
+    const float share = ice->floats ? FLOATING : 0.0f;
+    return glm_lerp(ice->before.min.y, ice->before.max.y, share) -
+           glm_lerp(after.min.y, after.max.y, share);
+}
+
+/* Writes the welded points back to the mesh, and moves the unmelted mesh by the ice's displacement.
+ */
+static void write_back(const struct ice *ice, const vec3s *normals, struct mesh *mesh,
+                       struct mesh *unmelted)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const uint32_t at = ice->vertex_weld.points[i];
+        struct mesh_vertex *vertex = &mesh->vertices[i];
+        if (at == VERTEX_WELD_NONE)
+            continue;
+        for (int k = 0; k < 3; k++)
+            vertex->position.raw[k] = (float)ice->flow.points[at][k];
+        vertex->position.y += ice->rise;
+        vertex->normal = normals[at];
+        unmelted->vertices[i].position.y += ice->rise;
+        if (mesh->extras)
+            /* tangents of the old surface are invalid */
+            mesh->extras[i].tangent = glms_vec3_zero();
+    }
+}
+
+/* Melts a shell by a fraction `share` of its volume, then by `further` (see
+ * melt_curvature_flow_run()). */
+static bool melt_shell(struct ice *ice, struct mesh *mesh, struct mesh *unmelted, float share,
+                       float further)
+{
+    double lost = 0;
+    vec3s *normals = malloc((ice->flow.count + (size_t)1) * sizeof(*normals));
+    ice->before = box_of(&ice->flow);
+    ice->half = melt_curvature_flow_half_width(&ice->flow);
+    bool done = normals &&
+                melt_curvature_flow_run(&ice->flow, (double)share, (double)further, &lost) &&
+                find_normals(&ice->flow, normals);
+    ice->lost = (float)lost;
+    if (done) {
+        press_hollows(ice, normals);
+        done = find_normals(&ice->flow, normals);
+    }
+    if (done) {
+        ice->rise = displacement_of(ice);
+        write_back(ice, normals, mesh, unmelted);
+    }
+    free(normals);
+    return done;
+}
+
+static const struct material *material_of(const struct model *model, uint32_t object)
+{
+    return &model->materials[model->objects[object].material];
+}
+
+static bool has_ior(const struct model *model, uint32_t object, float ior_min, float ior_max)
+{
+    const struct material *material = material_of(model, object);
+    return !(material->flags & MATERIAL_FROM_SETTINGS) && material->ior >= ior_min &&
+           material->ior < ior_max;
+}
+
+static bool is_ice(const struct model *model, uint32_t object, const struct melting *melting)
+{
+    const bool is_one = material_of(model, object)->flags & MATERIAL_FROM_SETTINGS ||
+                        has_ior(model, object, ICE_LEAST, ICE_MOST);
+    return !melting->is_none && (melting->is_all || is_one);
+}
+
+/* Returns true if an object's centre is inside water. */
+static bool is_floating(const struct model *model, uint32_t object)
+{
+    const vec3s middle = box_center(model->objects[object].box);
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        if (has_ior(model, i, ICE_MOST, WATER_MOST) &&
+            object_contains(&model->objects[i], &model->object, middle))
+            return true;
+    }
+    return false;
+}
+
+/* Updates air shells inside the ice, and water below and around it. */
+static bool update_surroundings(struct model *model, const struct mesh *unmelted,
+                                const struct ice *ice, const struct object *of)
+{
+    struct melt_air_and_water_ice parts = {
+        .object = of,
+        .unmelted = unmelted,
+        .half = (float)ice->half,
+        .rise = ice->rise,
+        .spread = sqrtf(PUDDLE_LEFT * ice->lost * 8.0f / (PUDDLE * GLM_PIf)) * (float)ice->half,
+    };
+    bool done = true;
+    for (uint32_t i = 0; i < model->object_count && done; i++) {
+        if (has_ior(model, i, 0.0f, AIR_MOST))
+            done = melt_air_and_water_shrink_air(model, i, &parts);
+        else if (has_ior(model, i, ICE_MOST, WATER_MOST))
+            done = melt_air_and_water_spread_shells(model, i, &parts);
+    }
+    done = done && melt_air_and_water_spread_layers(model, &parts);
+    melt_air_and_water_finish(&parts);
+    return done;
+}
+
+static bool melt_object(struct model *model, const struct object *object, bool floats,
+                        const struct melting *melting, float time, struct melted *melted)
+{
+    struct ice ice;
+    const bool done = ice_init(&ice, &model->object, object, floats) &&
+                      melt_shell(&ice, &model->object, &melted->unmelted, melting->share,
+                                 fmaxf(melting->speed * time, 0.0f)) &&
+                      update_surroundings(model, &melted->unmelted, &ice, object);
+    melted->share = melted->share > 0.0f ? melted->share : ice.lost;
+    ice_finish(&ice);
+    return done;
+}
+
+/* A melting surface is wet and therefore smooth: scales the roughness of ice materials. */
+static void smooth_wet_ice(struct model *model, const struct melting *melting,
+                           const struct melted *melted)
+{
+    for (uint32_t k = 0; k < model->material_count; k++) {
+        bool is_ice_only = false;
+        for (uint32_t i = 0; i < model->object_count; i++)
+            is_ice_only =
+                is_ice_only || (model->objects[i].material == k && is_ice(model, i, melting));
+        if (is_ice_only)
+            model->materials[k].roughness *= melted_frost_factor(melted);
+    }
+}
+
+/* Melts all ice. Returns false when out of memory. */
+static bool melt_all(struct model *model, const struct melting *melting, float time,
+                     struct melted *melted)
+{
+    struct object whole = { .index_count = model->object.index_count };
+    bool done = mesh_append(&melted->unmelted, &model->object);
+    if (!model->object_count) /* a pool's floating ice has no object list */
+        done = done && melt_object(model, &whole, true, melting, time, melted);
+    for (uint32_t i = 0; i < model->object_count && done; i++) {
+        if (is_ice(model, i, melting))
+            done = melt_object(model, &model->objects[i], is_floating(model, i), melting, time,
+                               melted);
+    }
+    for (uint32_t i = 0; i < model->object_count; i++)
+        model->objects[i].box = object_box(&model->objects[i], &model->object);
+    melted->box = mesh_box(&melted->unmelted);
+    smooth_wet_ice(model, melting, melted);
+    return done;
+}
+
+enum status melt_model(struct model *model, const struct melting *melting, float time,
+                       struct melted *melted)
+{
+    bool has_ice = !model->object_count && model->object.index_count && !melting->is_none;
+    *melted = (struct melted){ 0 };
+    for (uint32_t i = 0; i < model->object_count; i++)
+        has_ice = has_ice || is_ice(model, i, melting);
+    if (!has_ice && !(time > 0.0f) && (melting->share > 0.0f || melting->speed > 0.0f))
+        log_warning("ice.melt, motion.melt: no effect, since the scene has no ice (an index of "
+                    "refraction from 1.3 to 1.32)");
+    if (!has_ice || !(melting->share > 0.0f || melting->speed * time > 0.0f))
+        return STATUS_OK;
+    if (melt_all(model, melting, time, melted))
+        return STATUS_OK;
+    melted_finish(melted);
+    return log_out_of_memory("melting ice");
+}
+
+/* Shortens a capsule bubble at its shallower end until it is inside the ice, by bisection. */
+static void shorten_capsule(const struct distance_field *depth, struct bubble *bubble)
+{
+    enum {
+        HALVINGS = 12
+    };
+
+    const vec3s ends[2] = {
+        glms_vec3_muladds(bubble->axis, -bubble->stretch, bubble->center),
+        glms_vec3_muladds(bubble->axis, bubble->stretch, bubble->center),
+    };
+    const bool is_second =
+        melt_air_and_water_depth(depth, ends[1]) > melt_air_and_water_depth(depth, ends[0]);
+    const vec3s deep = ends[is_second], shallow = ends[!is_second];
+    float whole = 0.0f, cut = 1.0f; /* fractions of the length: known inside, known outside */
+    if (melt_air_and_water_depth(depth, shallow) >= bubble->radius)
+        return;
+    for (int i = 0; i < HALVINGS; i++) {
+        const float share = 0.5f * (whole + cut);
+        const vec3s at = glms_vec3_lerp(deep, shallow, share);
+        *(melt_air_and_water_depth(depth, at) >= bubble->radius ? &whole : &cut) = share;
+    }
+    bubble->center = glms_vec3_lerp(deep, shallow, 0.5f * whole);
+    bubble->stretch *= whole;
+}
+
+bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object)
+{
+    struct distance_field depth;
+    uint32_t left = 0;
+    if (!distance_field_init(&depth, object))
+        return false;
+    for (uint32_t i = 0; i < bubbles->count; i++) {
+        struct bubble *bubble = &bubbles->all[i];
+        const float longer = bubble->is_capsule ? 0.0f : fmaxf(bubble->stretch, 0.0f);
+        if (bubble->is_capsule)
+            shorten_capsule(&depth, bubble);
+        const float share =
+            melt_air_and_water_depth(&depth, bubble->center) / (bubble->radius + longer);
+        if (share < 0.05f)
+            continue;
+        bubble->radius *= fminf(share, 1.0f);
+        bubble->stretch *= fminf(share, 1.0f);
+        bubbles->all[left++] = *bubble;
+    }
+    bubbles->count = left;
+    distance_field_finish(&depth);
+    return true;
+}
+
+bool melt_cracks(struct mesh *cracks, const struct mesh *object, float share)
+{
+    struct distance_field depth;
+    if (!distance_field_init(&depth, object))
+        return false;
+    for (uint32_t i = 0; i < cracks->vertex_count; i++) {
+        struct mesh_vertex *vertex = &cracks->vertices[i];
+        const float deep = melt_air_and_water_depth(&depth, vertex->position);
+        const float near = 1.0f - glm_smoothstep(0.0f, OPENS_AT * depth.most, deep);
+        const float wider = 1.0f + WIDER * share * near;
+        vertex->color = glms_vec3_scale(vertex->color, wider * wider);
+    }
+    distance_field_finish(&depth);
+    return true;
+}
+
+void melted_finish(struct melted *melted)
+{
+    mesh_finish(&melted->unmelted);
+    *melted = (struct melted){ 0 };
+}

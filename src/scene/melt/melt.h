@@ -1,0 +1,56 @@
+/*
+ * melt.h: melts a scene's ice: its surface (melt_curvature_flow.h), inclusions and meltwater.
+ *
+ * Problem: a melting animation needs plausible shapes at any time without a fluid simulation. Each
+ * state is computed directly from the initial one. Ice is recognised by its refractive index; so is
+ * the object of a scene without materials. Triangle counts do not change, which keeps BVH
+ * topologies and motion vectors valid.
+ *
+ * Standing ice sinks onto its base; floating ice keeps its submerged fraction. Air shells stay
+ * where they are in the ice, and shrink and vanish as the surface reaches them; cracks open there.
+ * Water shells under standing ice, and water layers on the surroundings, spread by the meltwater's
+ * volume. Hollows appear on the surface.
+ *
+ * Limits: the water level around floating ice is constant. Spreading water ignores obstacles.
+ * Escaped air leaves no bubbles or drops.
+ */
+#ifndef FIRN_SCENE_MELT_MELT_H
+#define FIRN_SCENE_MELT_MELT_H
+
+#include "src/scene/generate/generate.h"
+#include "src/scene/import/model.h"
+
+struct melting {
+    float share; /* fraction of the volume that is lost at time 0, 0 to 1 */
+    float speed; /* retreat of the faces from then on, half widths per second */
+    bool is_all; /* treat every object as ice */
+    bool is_none;
+};
+
+struct melted {
+    float share; /* lost volume fraction of the first ice object; 0 if nothing has melted */
+    struct mesh
+        unmelted;   /* the objects before melting, moved to where the ice has sunk; may be {0} */
+    struct box box; /* bounding box of `grown` */
+};
+
+/* Melts the ice of a model for `time` seconds. Logs a warning at time 0 if there is no ice. Logs
+ * and returns STATUS_TRY_AGAIN when out of memory; *melted is {0} if nothing melts. */
+MUST_USE enum status melt_model(struct model *model, const struct melting *melting, float time,
+                                struct melted *melted);
+
+/* Shrinks bubbles near a melted surface, and removes those outside. False when out of memory. */
+bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object);
+
+/* Opens cracks near the surface of ice that lost the fraction `share`. False when out of memory. */
+bool melt_cracks(struct mesh *cracks, const struct mesh *object, float share);
+
+void melted_finish(struct melted *melted); /* {0} is fine */
+
+/* Returns the fraction of frost and roughness that is left, 1 to 0. */
+float melted_frost_factor(const struct melted *melted);
+
+/* Returns the factor by which melting deepens surface hollows. */
+float melted_hollow_factor(const struct melted *melted);
+
+#endif

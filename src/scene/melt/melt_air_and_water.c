@@ -1,0 +1,432 @@
+/* melt_air_and_water.c: moves connected components of air and water as the ice around them melts.
+ */
+#include "src/scene/melt/melt_air_and_water.h"
+#include <cglm/struct.h>
+#include <math.h>
+#include <stdlib.h>
+#include "src/scene/geometry/vertex_weld.h"
+
+/* Depth of a component's centre, in half widths of the ice, at which it starts to shrink. Small
+ * components start at half their radius. */
+#define SHRINKS_AT 0.06f
+
+#define SCALE_MIN 1e-3f /* minimum scale of a component, whose normals must stay valid */
+
+#define WET_FRACTION 0.25f /* fraction of the ice's height that climbing water wets */
+
+#define COVERED_MAX 0.9f /* maximum fraction of the water's radius that ice covers */
+
+#define HOLLOW 3.0f /* factor on a water layer's depth in hollows of the ground */
+
+enum {
+    BEARINGS = 64,
+};
+
+/* Connected component of an object. */
+struct component {
+    struct box box;
+    vec3s middle;  /* mean of its vertices */
+    float outline; /* distance of the farthest vertex from `middle` */
+    uint32_t count;
+};
+
+struct components {
+    struct vertex_weld vertex_weld;
+    uint32_t *parents;     /* union-find parent of each welded point */
+    struct component *all; /* component of each root point */
+};
+
+static uint32_t find_root(uint32_t *parents, uint32_t point)
+{
+    while (parents[point] != point) {
+        parents[point] = parents[parents[point]];
+        point = parents[point];
+    }
+    return point;
+}
+
+static void components_finish(struct components *components)
+{
+    vertex_weld_finish(&components->vertex_weld);
+    free(components->parents);
+    free(components->all);
+}
+
+/* Returns the component of a vertex, or NULL if the vertex is not of the object. */
+static struct component *component_of(const struct components *components, uint32_t vertex)
+{
+    const uint32_t point = components->vertex_weld.points[vertex];
+    return point == VERTEX_WELD_NONE ? NULL
+                                     : &components->all[find_root(components->parents, point)];
+}
+
+static void measure(struct components *components, const struct mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        struct component *component = component_of(components, i);
+        const vec3s p = mesh->vertices[i].position;
+        if (!component)
+            continue;
+        component->box.min = component->count ? glms_vec3_minv(component->box.min, p) : p;
+        component->box.max = component->count ? glms_vec3_maxv(component->box.max, p) : p;
+        component->middle = glms_vec3_add(component->middle, p);
+        component->count++;
+    }
+    for (uint32_t i = 0; i < components->vertex_weld.count; i++) {
+        struct component *component = &components->all[i];
+        component->middle = glms_vec3_divs(component->middle, fmaxf((float)component->count, 1.0f));
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        struct component *component = component_of(components, i);
+        if (component)
+            component->outline =
+                fmaxf(component->outline,
+                      glms_vec3_distance(component->middle, mesh->vertices[i].position));
+    }
+}
+
+static bool components_init(struct components *components, const struct mesh *mesh,
+                            const struct object *object)
+{
+    *components = (struct components){ 0 };
+    if (!vertex_weld_init(&components->vertex_weld, mesh, object->first_index, object->index_count))
+        return false;
+    components->parents =
+        malloc((components->vertex_weld.count + (size_t)1) * sizeof(*components->parents));
+    components->all = calloc(components->vertex_weld.count + (size_t)1, sizeof(*components->all));
+    if (!components->parents || !components->all) {
+        components_finish(components);
+        return false;
+    }
+    for (uint32_t i = 0; i < components->vertex_weld.count; i++)
+        components->parents[i] = i;
+    for (uint32_t i = 0; i < components->vertex_weld.corner_count; i++) {
+        const uint32_t *corners = components->vertex_weld.corners;
+        const uint32_t next = i % 3 == 2 ? i - 2 : i + 1;
+        components->parents[find_root(components->parents, corners[i])] =
+            find_root(components->parents, corners[next]);
+    }
+    measure(components, mesh);
+    return true;
+}
+
+float melt_air_and_water_depth(const struct distance_field *field, vec3s point)
+{
+    for (int k = 0; k < 3; k++) {
+        if (!(point.raw[k] > field->box.min.raw[k] && point.raw[k] < field->box.max.raw[k]))
+            return 0.0f;
+    }
+    return field->most * distance_field_at(field, point);
+}
+
+/* Computes distance fields of the ice after and before melting. */
+static bool find_depths(struct melt_air_and_water_ice *ice, const struct mesh *mesh)
+{
+    const struct mesh after = object_mesh(ice->object, mesh);
+    const struct mesh before = object_mesh(ice->object, ice->unmelted);
+    return ice->depth.texels || (distance_field_init(&ice->depth, &after) &&
+                                 distance_field_init(&ice->depth_before, &before));
+}
+
+bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
+                                   struct melt_air_and_water_ice *ice)
+{
+    struct mesh *mesh = &model->object;
+    struct components components;
+    if (!components_init(&components, mesh, &model->objects[object]))
+        return false;
+    const bool done = find_depths(ice, mesh);
+    for (uint32_t i = 0; i < mesh->vertex_count && done; i++) {
+        const struct component *component = component_of(&components, i);
+        if (!component)
+            continue;
+        vec3s middle = component->middle;
+        middle.y += ice->rise;
+        if (!(melt_air_and_water_depth(&ice->depth_before, middle) > 0.0f))
+            continue;
+        const float due = fminf(0.5f * component->outline, SHRINKS_AT * ice->half);
+        const float depth = melt_air_and_water_depth(&ice->depth, middle);
+        const float share = fmaxf(glm_smoothstep(0.0f, due, depth), SCALE_MIN);
+        const vec3s from = glms_vec3_sub(mesh->vertices[i].position, component->middle);
+        mesh->vertices[i].position = glms_vec3_muladds(from, share, middle);
+    }
+    components_finish(&components);
+    return done;
+}
+
+/* Returns true if the ice stands on a component, or in it. */
+static bool is_below(const struct component *component, const struct box *ice)
+{
+    const vec3s base = box_center(*ice);
+    const float epsilon = 0.02f * (ice->max.y - ice->min.y);
+    return component->count && base.x > component->box.min.x && base.x < component->box.max.x &&
+           base.z > component->box.min.z && base.z < component->box.max.z &&
+           component->box.max.y < base.y && component->box.max.y > ice->min.y - epsilon;
+}
+
+/* Horizontal radius of a shape around a vertical axis, by bearing. */
+struct outline {
+    vec3s base; /* base point of the axis */
+    float out[BEARINGS];
+};
+
+static float bearing(const struct outline *outline, vec3s p)
+{
+    const float turn = atan2f(p.z - outline->base.z, p.x - outline->base.x) / 6.28318531f;
+    return (turn - floorf(turn)) * (float)BEARINGS;
+}
+
+static void outline_add(struct outline *outline, vec3s p)
+{
+    float *out = &outline->out[(uint32_t)bearing(outline, p) % BEARINGS];
+    *out = fmaxf(*out, hypotf(p.x - outline->base.x, p.z - outline->base.z));
+}
+
+/* Fills bearings without a vertex with the nearest known radius. */
+static void outline_fill(struct outline *outline)
+{
+    const struct outline known = *outline;
+    for (uint32_t i = 0; i < BEARINGS; i++) {
+        for (uint32_t k = 1; k <= BEARINGS / 2 && !(outline->out[i] > 0.0f); k++)
+            outline->out[i] =
+                fmaxf(known.out[(i + k) % BEARINGS], known.out[(i + BEARINGS - k) % BEARINGS]);
+    }
+}
+
+/* Returns the interpolated radius in the direction of a point. */
+static float outline_at(const struct outline *outline, vec3s p)
+{
+    const float at = bearing(outline, p) + (float)BEARINGS - 0.5f;
+    const uint32_t before = (uint32_t)at;
+    return glm_lerp(outline->out[before % BEARINGS], outline->out[(before + 1) % BEARINGS],
+                    at - (float)before);
+}
+
+/* Returns the radii of the lowest part of an object. */
+static struct outline outline_of(const struct object *object, const struct mesh *mesh, vec3s base)
+{
+    const struct box box = object_box(object, mesh);
+    const float low = box.min.y + WET_FRACTION * (box.max.y - box.min.y);
+    struct outline outline = { .base = base };
+    for (uint32_t i = 0; i < object->index_count; i++) {
+        const vec3s p = mesh->vertices[mesh->indices[object->first_index + i]].position;
+        if (p.y <= low)
+            outline_add(&outline, p);
+    }
+    outline_fill(&outline);
+    return outline;
+}
+
+/* Returns the new radius of a water vertex. Water that touches the ice moves with the ice's
+ * outline; beyond it, the displacement blends quadratically to that of the outer edge. */
+static float spread_radius(float out, float before, float after, float edge, float share)
+{
+    if (!(before > 0.0f && edge > 0.0f))
+        return share * out;
+    const float from = fminf(before, COVERED_MAX * edge);
+    if (out < from)
+        return out * after / from;
+    const float way = (out - from) / (edge - from);
+    const float least = after + out - from;
+    return glm_lerp(least, fmaxf(share * edge, least), way * way);
+}
+
+/* Spreads a component, around ice whose outline changes from `before` to `after`. */
+static void spread_component(const struct components *components, const struct component *component,
+                             struct mesh *mesh, const struct outline *before,
+                             const struct outline *after, float spread)
+{
+    const vec3s base = before->base;
+    const vec3s sides = glms_vec3_sub(component->box.max, component->box.min);
+    const float radius = 0.25f * (sides.x + sides.z);
+    const float share = hypotf(radius, spread) / fmaxf(radius, 1e-20f);
+    struct outline edge = { .base = base };
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (component_of(components, i) == component)
+            outline_add(&edge, mesh->vertices[i].position);
+    }
+    outline_fill(&edge);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        vec3s *p = &mesh->vertices[i].position;
+        if (component_of(components, i) != component)
+            continue;
+        const float out = hypotf(p->x - base.x, p->z - base.z);
+        const float to = spread_radius(out, outline_at(before, *p), outline_at(after, *p),
+                                       outline_at(&edge, *p), share);
+        const float unmelted = to / fmaxf(out, 1e-20f);
+        p->x = base.x + unmelted * (p->x - base.x);
+        p->z = base.z + unmelted * (p->z - base.z);
+    }
+}
+
+/* Spreads those components of an object that are below the ice. */
+static bool spread(struct mesh *mesh, const struct object *object, const struct model *model,
+                   const struct melt_air_and_water_ice *ice)
+{
+    const vec3s base = box_center(ice->object->box);
+    const struct outline before = outline_of(ice->object, ice->unmelted, base);
+    const struct outline after = outline_of(ice->object, &model->object, base);
+    struct components components;
+    if (!components_init(&components, mesh, object))
+        return false;
+    for (uint32_t i = 0; i < components.vertex_weld.count; i++) {
+        if (is_below(&components.all[i], &ice->object->box))
+            spread_component(&components, &components.all[i], mesh, &before, &after, ice->spread);
+    }
+    components_finish(&components);
+    return true;
+}
+
+bool melt_air_and_water_spread_shells(struct model *model, uint32_t object,
+                                      const struct melt_air_and_water_ice *ice)
+{
+    return spread(&model->object, &model->objects[object], model, ice);
+}
+
+static bool is_water_layer(const struct model *model, const struct mesh_vertex *vertex)
+{
+    const uint32_t index = vertex->material >> MESH_SURFACE_SHIFT;
+    return index && model->materials[index - 1].flags & MATERIAL_IS_WATER_LAYER;
+}
+
+/* Selects the surroundings' triangles that are water layers, or the others; borrows vertices. */
+static bool select_triangles(struct mesh *chosen, const struct model *model, bool are_films)
+{
+    const struct mesh *all = &model->surroundings;
+    *chosen = *all;
+    chosen->indices = malloc((all->index_count + (size_t)1) * sizeof(*chosen->indices));
+    chosen->index_count = 0;
+    if (!chosen->indices)
+        return false;
+    for (uint32_t i = 0; i < all->index_count; i++) {
+        if (is_water_layer(model, &all->vertices[all->indices[i]]) == are_films)
+            chosen->indices[chosen->index_count++] = all->indices[i];
+    }
+    return true;
+}
+
+/* Returns the height of the highest triangle at (x, z), or -INFINITY. */
+static float ground_height(const struct mesh *ground, float x, float z)
+{
+    float height = -INFINITY;
+    for (uint32_t i = 0; i < ground->index_count; i += 3) {
+        vec3s p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = ground->vertices[ground->indices[i + (uint32_t)k]].position;
+        if (fminf(p[0].x, fminf(p[1].x, p[2].x)) > x || fmaxf(p[0].x, fmaxf(p[1].x, p[2].x)) < x ||
+            fminf(p[0].z, fminf(p[1].z, p[2].z)) > z || fmaxf(p[0].z, fmaxf(p[1].z, p[2].z)) < z)
+            continue;
+        const float ax = p[1].x - p[0].x, az = p[1].z - p[0].z;
+        const float bx = p[2].x - p[0].x, bz = p[2].z - p[0].z;
+        const float area = ax * bz - az * bx;
+        const float u = ((x - p[0].x) * bz - (z - p[0].z) * bx) / area;
+        const float v = (ax * (z - p[0].z) - az * (x - p[0].x)) / area;
+        if (u >= -1e-3f && v >= -1e-3f && u + v <= 1.001f)
+            height = fmaxf(height, p[0].y + u * (p[1].y - p[0].y) + v * (p[2].y - p[0].y));
+    }
+    return height;
+}
+
+/* Gradient of texture coordinates over positions. */
+struct uv_gradient {
+    vec2s by_x, by_z;
+};
+
+/* Returns the least-squares gradient of texture coordinates that depend linearly on position. */
+static struct uv_gradient uv_gradient_of(const struct mesh *mesh)
+{
+    const float count = fmaxf((float)mesh->index_count, 1.0f);
+    float x = 0, z = 0, xx = 0, xz = 0, zz = 0;
+    vec2s by_x = glms_vec2_zero(), by_z = glms_vec2_zero();
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        x += mesh->vertices[mesh->indices[i]].position.x / count;
+        z += mesh->vertices[mesh->indices[i]].position.z / count;
+    }
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        const struct mesh_vertex *v = &mesh->vertices[mesh->indices[i]];
+        const float dx = v->position.x - x, dz = v->position.z - z;
+        xx += dx * dx;
+        xz += dx * dz;
+        zz += dz * dz;
+        by_x = glms_vec2_add(by_x, glms_vec2_scale(v->uv, dx));
+        by_z = glms_vec2_add(by_z, glms_vec2_scale(v->uv, dz));
+    }
+    const float area = xx * zz - xz * xz;
+    if (!(area > 1e-6f * xx * zz))
+        return (struct uv_gradient){ 0 };
+    return (struct uv_gradient){
+        glms_vec2_divs(glms_vec2_sub(glms_vec2_scale(by_x, zz), glms_vec2_scale(by_z, xz)), area),
+        glms_vec2_divs(glms_vec2_sub(glms_vec2_scale(by_z, xx), glms_vec2_scale(by_x, xz)), area),
+    };
+}
+
+/* Rotates the normals of water layers with their triangles. `turned` has the old geometric normals.
+ */
+static void rotate_normals(const struct model *model, struct mesh *films, struct mesh *turned)
+{
+    for (uint32_t i = 0; i < films->vertex_count; i++) {
+        struct mesh_vertex *v = &films->vertices[i];
+        if (is_water_layer(model, v))
+            v->normal = glms_vec3_sub(v->normal, turned->vertices[i].normal);
+        turned->vertices[i].position = v->position;
+    }
+    mesh_make_normals(turned);
+    for (uint32_t i = 0; i < films->vertex_count; i++) {
+        struct mesh_vertex *v = &films->vertices[i];
+        if (!is_water_layer(model, v))
+            continue;
+        v->normal = glms_vec3_normalize(glms_vec3_add(v->normal, turned->vertices[i].normal));
+    }
+}
+
+/* Moves texture coordinates and heights of water layers with the moved vertices. `level` is the
+ * ground height below the ice, so that protruding stone does not make the layer thinner elsewhere.
+ * Hollows of the ground are filled in proportion to the water's depth: the surface stays level
+ * except at its rim. */
+static void follow_ground(struct mesh *films, const struct mesh *before,
+                          const struct uv_gradient *uv_gradient, const struct mesh *ground,
+                          float level)
+{
+    for (uint32_t i = 0; i < films->vertex_count; i++) {
+        struct mesh_vertex *v = &films->vertices[i];
+        const vec3s from = before->vertices[i].position;
+        const float dx = v->position.x - from.x, dz = v->position.z - from.z;
+        if (fabsf(dx) + fabsf(dz) <= 0.0f)
+            continue;
+        const float deep = from.y - fminf(ground_height(ground, from.x, from.z), level);
+        const float filled = deep > 0.0f ? HOLLOW * deep : deep;
+        const float fall = ground_height(ground, v->position.x, v->position.z) + filled - from.y;
+        v->uv = glms_vec2_muladds(uv_gradient->by_x, dx,
+                                  glms_vec2_muladds(uv_gradient->by_z, dz, v->uv));
+        if (fall < 0.0f && isfinite(fall))
+            v->position.y += fall;
+    }
+}
+
+bool melt_air_and_water_spread_layers(struct model *model, const struct melt_air_and_water_ice *ice)
+{
+    struct mesh films, ground = { 0 }, before = { 0 };
+    bool done = select_triangles(&films, model, true) && select_triangles(&ground, model, false);
+    const struct object object = { .index_count = films.index_count };
+    if (done && films.index_count) {
+        const struct uv_gradient uv_gradient = uv_gradient_of(&films);
+        done = mesh_append(&before, &films) && spread(&films, &object, model, ice);
+        if (done) {
+            mesh_make_normals(&before);
+            const vec3s base = box_center(ice->object->box);
+            follow_ground(&films, &before, &uv_gradient, &ground,
+                          ground_height(&ground, base.x, base.z));
+            rotate_normals(model, &films, &before);
+        }
+    }
+    free(films.indices);
+    free(ground.indices);
+    mesh_finish(&before);
+    return done;
+}
+
+void melt_air_and_water_finish(struct melt_air_and_water_ice *ice)
+{
+    distance_field_finish(&ice->depth);
+    distance_field_finish(&ice->depth_before);
+}

@@ -1,0 +1,42 @@
+/*
+ * melt_air_and_water.h: objects that follow melting ice: air shells inside it, and water below it.
+ *
+ * Shells are treated separately, as connected components of welded vertices.
+ */
+#ifndef FIRN_SCENE_MELT_MELT_AIR_AND_WATER_H
+#define FIRN_SCENE_MELT_MELT_AIR_AND_WATER_H
+
+#include "src/scene/geometry/distance_field.h"
+#include "src/scene/import/model.h"
+
+/* Ice that has melted, and its state before. */
+struct melt_air_and_water_ice {
+    const struct object *object; /* after melting, but with the box of before */
+    const struct mesh *unmelted; /* all objects before melting, where the ice has sunk to */
+    float half;                  /* half the ice's initial width, metres */
+    float rise;                  /* vertical displacement of the ice, metres */
+    float spread;                /* radius of the area that the meltwater covers, metres */
+    struct distance_field depth, depth_before; /* computed on demand; {0} until then */
+};
+
+/* Moves components inside the ice with it, shrinks those near its surface, and collapses those
+ * outside. Returns false when out of memory. */
+bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
+                                   struct melt_air_and_water_ice *ice);
+
+/* Spreads an object's components that carry the ice. Returns false when out of memory. */
+bool melt_air_and_water_spread_shells(struct model *model, uint32_t object,
+                                      const struct melt_air_and_water_ice *ice);
+
+/* Spreads water layers (MATERIAL_IS_WATER_LAYER) on the surroundings below the ice. They follow the
+ * ground downwards, but stay level where it rises, so that it emerges from them. Textures keep
+ * their place. Returns false when out of memory. */
+bool melt_air_and_water_spread_layers(struct model *model,
+                                      const struct melt_air_and_water_ice *ice);
+
+void melt_air_and_water_finish(struct melt_air_and_water_ice *ice);
+
+/* Returns the depth below a distance field's surface, metres; 0 outside. */
+float melt_air_and_water_depth(const struct distance_field *field, vec3s point);
+
+#endif

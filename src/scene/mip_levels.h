@@ -1,0 +1,28 @@
+/*
+ * mip_levels.h: mip levels of square images, generated on the CPU.
+ *
+ * The CPU avoids shader compilation before the first frame, and rounds equally everywhere.
+ *
+ * Memory layout: levels from `side` texels down to one, each with all array layers.
+ */
+#ifndef FIRN_SCENE_MIP_LEVELS_H
+#define FIRN_SCENE_MIP_LEVELS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+struct mip_levels {
+    uint32_t side;     /* width and height of the first level, texels; a power of two */
+    uint32_t layers;   /* array layers */
+    uint32_t channels; /* channels per texel */
+};
+
+/* Returns the number of values in all levels. */
+size_t mip_levels_count(const struct mip_levels *mip_levels);
+
+/* Fill all levels after the first by box filtering, horizontally first. Half floats are rounded
+ * towards zero, bytes away from it. */
+void mip_levels_fill_halves(uint16_t *texels, const struct mip_levels *mip_levels);
+void mip_levels_fill_bytes(uint8_t *texels, const struct mip_levels *mip_levels);
+
+#endif

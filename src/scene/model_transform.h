@@ -1,0 +1,21 @@
+/* model_transform.h: user-defined rotation and scale of a model, applied while it is loaded. */
+#ifndef FIRN_SCENE_MODEL_TRANSFORM_H
+#define FIRN_SCENE_MODEL_TRANSFORM_H
+
+#include "src/base/status.h"
+#include "src/scene/import/model.h"
+
+/* Transform about the model's origin, applied in the order of the members; {0} is the identity. */
+struct model_transform {
+    bool is_z_up;     /* converts Z-up to Y-up: +Z becomes +Y, and +Y becomes -Z */
+    vec3s rotate_deg; /* degrees about X, then Y, then Z; counterclockwise seen from +axis */
+    float scale;      /* scale factor; 0 means 1 */
+};
+
+/* Transforms the meshes, cameras, lights (without their intensities) and the bounding box of a
+ * model. Returns STATUS_DATA, and logs with `path`, if a coordinate then exceeds 1 000 000. */
+MUST_USE enum status model_transform_apply(struct model *model,
+                                           const struct model_transform *model_transform,
+                                           const char *path);
+
+#endif

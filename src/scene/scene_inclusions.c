@@ -1,0 +1,160 @@
+/* scene_inclusions.c: inclusions and bump map of a scene's object. */
+#include <cglm/struct.h>
+#include <math.h>
+#include "src/base/log.h"
+#include "src/scene/geometry/closed_mesh.h"
+#include "src/scene/import/greyscale_map.h"
+#include "src/scene/scene.h"
+
+/* Scales and moves a crack sheet into the unit ball. */
+static void fit_sheet(struct mesh *sheet)
+{
+    const struct box box = mesh_box(sheet);
+    const float scale = 2.0f / fmaxf(box_diagonal(box), 1e-30f);
+    for (uint32_t i = 0; i < sheet->vertex_count; i++) {
+        struct mesh_vertex *v = &sheet->vertices[i];
+        v->position = glms_vec3_scale(glms_vec3_sub(v->position, box_center(box)), scale);
+        v->color = glms_vec3_one();
+    }
+}
+
+static enum status load_cracks(struct scene *scene, const struct scene_params *params)
+{
+    struct model model = { 0 };
+    if (!params->cracks.file)
+        return STATUS_OK;
+    enum status status =
+        sandboxed_load_model(&model, params->cracks.file, MODEL_SURROUNDINGS, NULL, params->decode);
+    const struct mesh *found = &model.surroundings;
+    if (status == STATUS_OK &&
+        (!found->index_count || found->index_count / 3 > SCENE_CRACK_TRIANGLES)) {
+        log_error("%s: expected 1 to %d triangles of a crack, got %u", params->cracks.file,
+                  SCENE_CRACK_TRIANGLES, found->index_count / 3);
+        status = STATUS_DATA;
+    }
+    if (status == STATUS_OK && !mesh_append(&scene->files.crack_sheet, found))
+        status = log_out_of_memory("cracks");
+    fit_sheet(&scene->files.crack_sheet);
+    model_finish(&model);
+    return status;
+}
+
+/* Returns the object's box before melting: inclusions stay where they were frozen in. */
+static struct box unmelted_box(const struct scene *scene)
+{
+    return scene->melted.share > 0.0f ? scene->melted.box : scene->box;
+}
+
+static enum status add_air(struct scene *scene, const struct generate_air *air)
+{
+    bool done = generate_air_planes(&scene->air, unmelted_box(scene), air) &&
+                generate_air_clip(&scene->air, &scene->model.object);
+    return done ? STATUS_OK : log_out_of_memory("air");
+}
+
+#define CLEAR_RIM 0.12f /* relative width of clear ice: freezing pushes air to the core */
+
+static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
+{
+    const bool has_melted = scene->melted.share > 0.0f;
+    const struct mesh *unmelted = has_melted ? &scene->melted.unmelted : &scene->model.object;
+    const struct model *model = &scene->model;
+    const bool has_core =
+        model->object_count > 0 && model->materials[model->objects[0].material].cloud > 0.0f;
+    struct generate_bubbles params = *bubbles;
+    params.rim = has_core ? CLEAR_RIM : 0.0f;
+    bool done = generate_bubbles(&scene->bubbles, unmelted, &params) &&
+                (!has_melted || melt_bubbles(&scene->bubbles, &scene->model.object));
+    return done ? STATUS_OK : log_out_of_memory("bubbles");
+}
+
+enum status scene_generate_cracks(struct scene *scene, const struct scene_cracks *cracks)
+{
+    const struct mesh *object = &scene->model.object;
+    struct closed_mesh closed_mesh = { 0 };
+    mesh_finish(&scene->cracks);
+    const struct generate_cracks params = { cracks->count, cracks->seed, cracks->size };
+    bool done =
+        generate_cracks(&scene->cracks, unmelted_box(scene), &params, &scene->files.crack_sheet);
+    if (done && cracks->count && scene->melted.share > 0.0f)
+        done = melt_cracks(&scene->cracks, object, scene->melted.share);
+    if (done && cracks->count && cracks->cut) {
+        done = closed_mesh_init(&closed_mesh, object) &&
+               closed_mesh_clip(&closed_mesh, &scene->cracks, box_diagonal(scene->box) / 128.0f);
+        closed_mesh_finish(&closed_mesh);
+    }
+    return done ? STATUS_OK : log_out_of_memory("cracks");
+}
+
+const char *scene_fill(struct scene *scene, const struct scene_params *params)
+{
+    if (scene->has_pool)
+        return NULL;
+    struct bump_maps_params maps = params->bump ? *params->bump : (struct bump_maps_params){ 0 };
+    struct generate_air air = params->air;
+    maps.heights = scene->files.heights;
+    maps.smoothness = scene->files.smoothness;
+    air.cover = scene->files.air_cover;
+    if (params->bump && !bump_maps_init(&scene->bump, &maps))
+        return "bump maps";
+    if (air.count && !generate_air_layers(&scene->air_layers, &air))
+        return "air";
+    struct model unmelted = scene->model; /* the core stays where it was before melting */
+    if (scene->melted.share > 0.0f)
+        unmelted.object = scene->melted.unmelted;
+    if (!scattering_media_fill(&scene->clouds, &unmelted))
+        return "scattering media";
+    return NULL;
+}
+
+/* Sets the sizes of deferred textures, which render plans need. */
+static void size_textures(struct scene *scene, const struct scene_params *params)
+{
+    if (params->bump)
+        scene->bump.size = BUMP_MAPS_SIZE;
+    if (params->air.count)
+        scene->air_layers = (struct air_layers){ .size = GENERATE_AIR_LAYER_SIZE,
+                                                 .count = GENERATE_AIR_LAYER_COUNT };
+}
+
+static enum status read_pictures(struct scene *scene, const struct scene_params *params)
+{
+    const struct {
+        const char *path;
+        float **greys;
+        uint32_t side;
+        bool is_unit_range;
+    } wanted[] = {
+        { params->pictures.heights, &scene->files.heights, BUMP_MAPS_SIZE, false },
+        { params->pictures.smoothness, &scene->files.smoothness, BUMP_MAPS_SIZE, true },
+        { params->pictures.air, &scene->files.air_cover, GENERATE_AIR_LAYER_SIZE, true },
+    };
+    enum status status = STATUS_OK;
+    for (size_t i = 0; i < sizeof(wanted) / sizeof(wanted[0]) && status == STATUS_OK; i++) {
+        if (wanted[i].path)
+            status = greyscale_map_read(wanted[i].greys, wanted[i].side, wanted[i].is_unit_range,
+                                        wanted[i].path, params->decode);
+    }
+    return status;
+}
+
+enum status scene_fill_object(struct scene *scene, const struct scene_params *params)
+{
+    enum status status = params->before ? STATUS_OK : read_pictures(scene, params);
+    if (status != STATUS_OK)
+        return status;
+    if (params->before)
+        scene->files = params->before->files;
+    size_textures(scene, params);
+    const char *failed_part = params->later ? NULL : scene_fill(scene, params);
+    status = failed_part ? log_out_of_memory(failed_part) : STATUS_OK;
+    if (status == STATUS_OK && params->air.count)
+        status = add_air(scene, &params->air);
+    if (status == STATUS_OK && params->bubbles.count)
+        status = add_bubbles(scene, &params->bubbles);
+    if (status == STATUS_OK && !params->before)
+        status = load_cracks(scene, params);
+    if (status == STATUS_OK)
+        status = scene_generate_cracks(scene, &params->cracks);
+    return status;
+}

@@ -1,0 +1,25 @@
+/* ice_interval.h: depth-peeled intervals of primary rays inside an object of any shape. */
+#ifndef FIRN_TECH_ICE_ICE_INTERVAL_H
+#define FIRN_TECH_ICE_ICE_INTERVAL_H
+#include "shaders/ice/ice_interval.h"
+#include "src/tech/technique.h"
+
+struct ice_interval_params {
+    uint32_t count; /* maximum number of intervals per pixel: 1 to ICE_INTERVAL_MAX */
+};
+
+/* Images for k intervals at index k - 1; ice_interval_index() selects the one in use. Each interval
+ * has two layers of fitted depth. Nearer and farther half of the layers are separate images,
+ * because one image would exceed device limits in large views. Read by
+ * shaders/ice/ice_interval.glsl. */
+extern const struct rg_image ice_interval_near[ICE_INTERVAL_MAX];
+extern const struct rg_image ice_interval_far[ICE_INTERVAL_MAX];
+
+extern const struct rg_image ice_interval_count; /* number of intervals in each pixel */
+
+extern const struct setting_group ice_interval_settings;
+
+/* Returns the index of the images in use. */
+uint32_t ice_interval_index(const struct settings *settings);
+
+#endif

@@ -1,0 +1,34 @@
+/* ice_normal.h: G-buffers of the ice's front and back faces. */
+#ifndef FIRN_TECH_ICE_ICE_NORMAL_H
+#define FIRN_TECH_ICE_ICE_NORMAL_H
+#include "src/tech/technique.h"
+
+/* xyz: outward unit normal, world, facing away from the camera; w: 1, or 0 if there is no face */
+extern const struct rg_image ice_normal_back;
+
+extern const struct rg_image ice_normal_front; /* as ice_normal_back; faces the camera */
+
+/* xyz: bump-mapped normal of the front face; w: Fresnel reflectance by eq. 4 of the paper,
+ * interpolated from the vertices. Undefined where there is no front face. */
+extern const struct rg_image ice_normal_shading;
+
+/* rgb: tinted transmittance of the front and back surface; a: roughness. 1, 1, 1 if there is no
+ * face. Only if technique_choice.is_textured. */
+extern const struct rg_image ice_normal_front_material, ice_normal_back_material;
+
+/* Radiance of the opaque base at front faces, if technique_choice.is_textured. */
+extern const struct rg_image ice_normal_front_base;
+
+/* Depth of the faces by globals.clip_from_world: near plane over distance; 0 if there is no face.
+ */
+extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
+
+/*
+ * G-buffers of an area larger than the image on all sides, by globals.wide_scale, if
+ * technique_choice.is_wide: for rays inside an object that extends beyond the image.
+ */
+#define ICE_NORMAL_WIDE 1.5f
+extern const struct rg_image ice_normal_wide_back, ice_normal_wide_front;
+extern const struct rg_image ice_normal_wide_back_depth, ice_normal_wide_front_depth;
+
+#endif

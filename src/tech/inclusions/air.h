@@ -1,0 +1,47 @@
+/* air.h: air enclosed in the ice: textured planes of bubbles, or a scattering medium. */
+#ifndef FIRN_TECH_INCLUSIONS_AIR_H
+#define FIRN_TECH_INCLUSIONS_AIR_H
+#include "shaders/inclusions/medium.h"
+#include "shaders/output/composite.h"
+#include "src/tech/technique.h"
+
+extern const struct rg_image air_cover; /* combined opacity of all planes */
+extern const struct rg_image air_color; /* premultiplied colour of the AOV layer; 0 without air */
+
+/* Binding of the environment for composite.vert, which computes the in-scattered light of the air.
+ */
+#define AIR_USE_ENVIRONMENT \
+    FRAME_SAMPLE(frame_environment, COMPOSITE_ENVIRONMENT, .sampler = &frame_environment_sampler, \
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
+
+/* Density fields of the scattering media (shaders/inclusions/medium.h), imported; size of the
+ * fallback. */
+extern const struct rg_image air_media;
+extern const struct rg_sampler air_media_sampler;
+#define AIR_USE_MEDIA FRAME_SAMPLE(air_media, MEDIUM_TEXELS, .sampler = &air_media_sampler)
+
+/* Returns true if there is air and it is a scattering medium. */
+bool air_is_medium(const struct settings *settings);
+
+extern const struct technique air;
+extern const struct setting_group air_settings;
+
+enum air_model {
+    AIR_PLANES, /* textured planes */
+    AIR_MEDIUM, /* scattering medium, for refraction models that support media */
+};
+
+struct air_params {
+    uint32_t count, seed; /* number of planes; random seed of their transforms and textures */
+    float size;           /* diameter of the largest bubbles, relative to the object's diagonal */
+    float frequency;      /* number of the largest bubbles along that diagonal */
+    float strength;       /* maximum opacity of a plane's bubbles */
+    float haze;           /* maximum opacity of a plane's haze */
+    uint32_t model;       /* enum air_model */
+    float density;    /* optical depth of the medium across the object's width at maximum density */
+    float clouds;     /* factor on material.cloud */
+    float anisotropy; /* Henyey-Greenstein g of all scattering media */
+    uint32_t steps; /* ray march steps per path segment, except in model `trace`; 0 for clear ice */
+};
+
+#endif

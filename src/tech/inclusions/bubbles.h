@@ -1,0 +1,32 @@
+/* bubbles.h: individual air bubbles in the ice. */
+#ifndef FIRN_TECH_INCLUSIONS_BUBBLES_H
+#define FIRN_TECH_INCLUSIONS_BUBBLES_H
+#include "src/tech/technique.h"
+
+extern const struct rg_image bubbles_color; /* premultiplied colour; 0 without bubbles */
+
+/* Depth of the nearest bubbles (shaders/refract/inclusion_march.glsl); only written if
+ * bubbles_are_refracted(). */
+extern const struct rg_image bubbles_depth;
+
+/* Returns true if composite.c shows the bubbles along rays refracted at the ice's surface. */
+bool bubbles_are_refracted(const struct technique_choice *choice);
+
+/* Array of BUBBLES_COUNT_MAX struct bubbles_drawn in world space; scene->bubbles.count are valid.
+ */
+extern const struct rg_buffer bubbles_all;
+
+/* Fills bubbles_all back to front, so that nearer bubbles are blended over farther ones. */
+void bubbles_write(void *memory, const struct frame_view *view, const struct globals *globals);
+
+extern const struct technique bubbles;
+extern const struct setting_group bubbles_settings;
+
+struct bubbles_params {
+    uint32_t count, seed; /* maximum number; random seed of positions and sizes */
+    float size;     /* longest diameter of the largest bubble, relative to the object's diagonal */
+    uint32_t shape; /* enum generate_bubbles_shape */
+    float stretch;  /* ratio of the longest to the shortest diameter, except for spheres */
+};
+
+#endif

@@ -1,0 +1,410 @@
+/*
+ * cracks.c: cracks inside the ice: highlights, and reflections of air gaps.
+ *
+ * Seipel and Nivfors 2006, section 3.3: double-sided, bump-mapped sheets at random positions near
+ * the object's centre; fragments outside the object are discarded. They show only specular
+ * highlights and are transparent elsewhere. The paper's clipping (cracks.clip=convex) is correct
+ * for convex objects; in a concave one it keeps fragments between two parts of the object. Clipping
+ * to the intervals of each pixel's ray is correct for any closed object, as are cracks cut at load
+ * time (the paper's section 5). The bump map is procedural noise.
+ *
+ * cracks.refract=normals is the experiment of the paper's section 5, which overstates the effect,
+ * as the paper notes: light leaves a parallel gap in the direction in which it enters.
+ * cracks.refract=gap models this: light that a thin air gap does not reflect continues straight;
+ * towards the rim the gap gets thinner, shows interference colours and then nothing
+ * (shaders/inclusions/cracks_reflectance.h). cracks.debug draws the sheets in opaque red, like the
+ * paper's figures 5c and 5d.
+ *
+ * A refraction model with refraction_model.refracts_cracks intersects gaps along the refracted ray
+ * and continues the path there.
+ *
+ * Error: other models show cracks along the unrefracted ray, and the cracks' light is not refracted
+ * at the surface above. Cracks are blended in mesh order, not by depth; a refracted ray hits at
+ * most one.
+ */
+#include "src/tech/inclusions/cracks.h"
+#include "shaders/embedded.h"
+#include "shaders/specialization_constants.h"
+#include "src/tech/frame.h"
+#include "src/tech/ice/ice_depth.h"
+#include "src/tech/ice/ice_interval.h"
+#include "src/tech/ice/ice_normal.h"
+#include "src/tech/pass_builder.h"
+#include "src/tech/refract/refract.h"
+
+static rg_record_fn record_cracks;
+
+const struct rg_image cracks_color = {
+    .name = "cracks.color",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_image cracks_hits = {
+    .name = "cracks.hits",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+static const struct rg_image cracks_depth = {
+    .name = "cracks.depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+};
+
+/* ---- passes ---- */
+
+/* Clipping method: its shaders, and the resources that they use. */
+struct clipping {
+    const struct rg_use *uses, *normal_uses;
+    const struct rg_shader *vert, *color, *gap, *normal, *hit;
+    bool before_back; /* the depth test rejects fragments behind the ice */
+};
+
+static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
+
+static const struct rg_use front_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_use depth_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(ice_depth_front, CRACKS_FRONT, .same_texel = true),
+    FRAME_SAMPLE(ice_depth_back, CRACKS_BACK, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_use cube_use[] = {
+    FRAME_SAMPLE(frame_env_cube, CRACKS_ENV_CUBE, .sampler = &frame_linear),
+    { 0 },
+};
+
+static const struct clipping convex = {
+    .uses = front_uses,
+    .normal_uses = depth_uses,
+    .vert = &cracks_vert,
+    .color = &cracks_convex_color_frag,
+    .gap = &cracks_convex_gap_frag,
+    .normal = &cracks_convex_normal_frag,
+    .hit = &cracks_convex_hit_frag,
+    .before_back = true,
+};
+
+/* No clipping: for cracks that were cut at load time or are drawn over the whole image. */
+static const struct clipping none = {
+    .uses = globals_use,
+    .normal_uses = globals_use,
+    .vert = &cracks_unclipped_vert,
+    .color = &cracks_unclipped_color_frag,
+    .gap = &cracks_unclipped_gap_frag,
+    .normal = &cracks_unclipped_normal_frag,
+    .hit = &cracks_unclipped_hit_frag,
+};
+
+static const struct clipping interval = {
+    .vert = &cracks_vert,
+    .color = &cracks_interval_color_frag,
+    .gap = &cracks_interval_gap_frag,
+    .normal = &cracks_interval_normal_frag,
+    .hit = &cracks_interval_hit_frag,
+    .before_back = true,
+};
+
+static const struct rg_use *use_intervals(struct pass_builder *builder, uint32_t index)
+{
+    const struct rg_use layers[] = {
+        FRAME_SAMPLE(ice_interval_near[index], CRACKS_NEAR, .same_texel = true),
+        FRAME_SAMPLE(ice_interval_far[index], CRACKS_FAR, .same_texel = true),
+        { 0 },
+    };
+    return pass_builder_join_uses(builder, (const struct rg_use *const[]){ globals_use, layers },
+                                  2);
+}
+
+/* Returns the clipping method. An object known to be convex has one interval per pixel, from the
+ * nearest to the farthest face, so it needs no depth peeling. */
+static struct clipping find_clipping(const struct technique_choice *choice,
+                                     struct pass_builder *builder)
+{
+    const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
+    struct clipping found = none;
+    if (params->clip == CRACKS_CLIP_CONVEX || params->clip == CRACKS_CLIP_INTERVAL)
+        found = convex;
+    if (params->clip == CRACKS_CLIP_INTERVAL && !choice->is_convex) {
+        found = interval;
+        found.uses = use_intervals(builder, ice_interval_index(choice->settings));
+        found.normal_uses = found.uses;
+    }
+    return found;
+}
+
+static const struct rg_pass color_row = {
+    .name = "cracks.color",
+    .color = RG_TARGETS({ &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
+    .vertices = &frame_mesh_layout,
+    .push_size = sizeof(struct cracks_shading),
+    .record = record_cracks,
+};
+
+static const struct rg_pass color_before_back_row = {
+    .name = "cracks.color",
+    .color = RG_TARGETS({ &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
+    ICE_DEPTH_BEFORE_BACK,
+    .vertices = &frame_mesh_layout,
+    .push_size = sizeof(struct cracks_shading),
+    .record = record_cracks,
+};
+
+static const struct rg_pass normal_row = {
+    .name = "cracks.normal",
+    .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }),
+    .depth = { &cracks_depth, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } },
+    .depth_compare = VK_COMPARE_OP_LESS,
+    .vertices = &frame_mesh_layout,
+    .push_size = sizeof(struct cracks_shading),
+    .record = record_cracks,
+};
+
+static const struct rg_pass hit_row = {
+    .name = "cracks.hits",
+    .color = RG_TARGETS({ &cracks_hits, RG_LOAD_CLEAR }),
+    .depth = { &cracks_depth, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } },
+    .depth_compare = VK_COMPARE_OP_LESS,
+    .vertices = &frame_mesh_layout,
+    .push_size = sizeof(struct cracks_shading),
+    .record = record_cracks,
+};
+
+static const struct rg_pass composite_passes[] = {
+    {
+        .name = "cracks.composite",
+        .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
+        .uses = RG_USES(FRAME_SAMPLE(cracks_color, REFRACT_COMPOSITE, .same_texel = true)),
+        .vert = &fullscreen_vert,
+        .frag = &refract_composite_frag,
+        .record = frame_draw_screen,
+    },
+};
+
+static void record_cracks(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct cracks_params *params = settings_of(frame->settings, &cracks_settings);
+    rg_cmd_push(cmd, &params->shading, sizeof(params->shading));
+    frame_draw_mesh(cmd, frame, &cracks);
+}
+
+/* ---- settings ---- */
+
+static const char *const clip_names[] = { "convex", "interval", "precut", "none", NULL };
+static const char *const refract_names[] = { "off", "normals", "gap", NULL };
+
+static const struct setting rows[] = {
+    {
+        .name = "cracks.count",
+        .label = "Cracks",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct cracks_params, count),
+        .initial = 2,
+        .max = CRACKS_MAX,
+        .affects = SETTING_AFFECTS_SCENE,
+        .help = "number of cracks inside the ice",
+    },
+    {
+        .name = "cracks.seed",
+        .label = "Random seed of the cracks",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct cracks_params, seed),
+        .initial = 1,
+        .max = 999999,
+        .affects = SETTING_AFFECTS_SCENE,
+        .help = "random seed of the cracks",
+    },
+    {
+        .name = "cracks.size",
+        .label = "Crack size",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct cracks_params, size),
+        .initial = 1,
+        .min = 0.05,
+        .max = 4,
+        .affects = SETTING_AFFECTS_SCENE,
+        .help = "width of the cracks, relative to sheets that are about as wide as the ice",
+    },
+    {
+        .name = "cracks.clip",
+        .label = "Crack clipping",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct cracks_params, clip),
+        .initial = CRACKS_CLIP_INTERVAL,
+        .max = CRACKS_CLIP_NONE,
+        .choices = clip_names,
+        .affects = SETTING_AFFECTS_SCENE,
+        .help =
+            "method that confines cracks to the ice; convex, from the paper, needs a convex object",
+    },
+    {
+        .name = "cracks.refract",
+        .label = "Refraction at cracks",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct cracks_params, refract),
+        .initial = CRACKS_REFRACT_OFF,
+        .max = CRACKS_REFRACT_GAP,
+        .choices = refract_names,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "effect of cracks on the view through the ice: none, their normals, or air gaps",
+    },
+    {
+        .name = "cracks.strength",
+        .label = "Crack highlight",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct cracks_params, shading.strength),
+        .initial = 1,
+        .max = 100,
+        .help = "brightness of the lights' highlights on cracks",
+    },
+    {
+        .name = "cracks.shininess",
+        .label = "Crack highlight sharpness",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct cracks_params, shading.shininess),
+        .initial = 60,
+        .min = 1,
+        .max = 10000,
+        .help = "Blinn-Phong exponent of the highlights on cracks; a larger one makes them smaller",
+    },
+    {
+        .name = "cracks.bump",
+        .label = "Crack roughness",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct cracks_params, shading.bump),
+        .initial = 0.35,
+        .max = 4,
+        .help = "roughness of the cracks' surface (0: smooth)",
+    },
+    {
+        .name = "cracks.gap",
+        .label = "Crack air gap",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct cracks_params, shading.gap),
+        .initial = 2.4,
+        .min = 0.01,
+        .max = 1000,
+        .help =
+            "width of the air gap in the middle of cracks, micrometres, with cracks.refract=gap",
+    },
+    {
+        .name = "cracks.debug",
+        .renamed_from = "cracks.surface",
+        .label = "Show crack surfaces",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct cracks_params, shading.surface),
+        .max = 1,
+        .switches = SETTING_AFFECTS_PLAN,
+        .help = "flat red instead of shading on the visible parts of cracks, for debugging",
+    },
+};
+
+const struct setting_group cracks_settings = SETTING_GROUP("cracks", rows, struct cracks_params);
+
+/* ---- techniques ---- */
+
+static bool is_on(const struct settings *settings)
+{
+    const struct cracks_params *params = settings_of(settings, &cracks_settings);
+    return params->count > 0;
+}
+
+bool cracks_are_in_ice(const struct settings *settings)
+{
+    const struct cracks_params *params = settings_of(settings, &cracks_settings);
+    return params->count && params->clip != CRACKS_CLIP_NONE;
+}
+
+bool cracks_are_traced(const struct settings *settings, const struct technique *refraction)
+{
+    const struct cracks_params *params = settings_of(settings, &cracks_settings);
+    return refraction && refraction->refraction.refracts_cracks &&
+           refraction->refraction.refracts_cracks(settings) && cracks_are_in_ice(settings) &&
+           params->refract == CRACKS_REFRACT_GAP && !params->shading.surface;
+}
+
+/* Makes the colour pass. Without cracks it only clears the layer, and is culled unless requested.
+ */
+static struct rg_technique make_color(const struct technique_choice *choice,
+                                      struct pass_builder *builder)
+{
+    const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
+    const struct clipping clipping = params->count ? find_clipping(choice, builder) : none;
+    const bool are_gaps = params->count && params->refract == CRACKS_REFRACT_GAP;
+    const struct rg_use *const uses[] = { clipping.uses, are_gaps ? cube_use : NULL };
+    struct rg_pass *row = pass_builder_copy_passes(
+        builder, clipping.before_back ? &color_before_back_row : &color_row, 1);
+    if (!row)
+        return (struct rg_technique){ 0 };
+    row->uses = pass_builder_join_uses(builder, uses, 2);
+    row->vert = clipping.vert;
+    row->frag = are_gaps ? clipping.gap : clipping.color;
+    return (struct rg_technique){ "cracks", row, 1 };
+}
+
+static struct rg_technique make_normals(const struct technique_choice *choice,
+                                        struct pass_builder *builder)
+{
+    const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
+    const bool are_traced = cracks_are_traced(choice->settings, choice->refraction);
+    if (!are_traced && (!params->count || params->refract != CRACKS_REFRACT_NORMALS))
+        return (struct rg_technique){ 0 };
+    const struct clipping clipping = find_clipping(choice, builder);
+    struct rg_pass *row = pass_builder_copy_passes(builder, are_traced ? &hit_row : &normal_row, 1);
+    if (!row)
+        return (struct rg_technique){ 0 };
+    row->uses = clipping.normal_uses;
+    row->vert = &cracks_vert;
+    row->frag = are_traced ? clipping.hit : clipping.normal;
+    return (struct rg_technique){ are_traced ? "cracks_hits" : "cracks_normal", row, 1 };
+}
+
+static struct rg_technique make_composite(const struct technique_choice *choice,
+                                          struct pass_builder *builder)
+{
+    (void)builder;
+    if (!is_on(choice->settings) || cracks_are_in_ice(choice->settings))
+        return (struct rg_technique){ 0 };
+    return (struct rg_technique)RG_TECHNIQUE("cracks_composite", composite_passes);
+}
+
+static const struct mesh *find_sheets(const struct scene *scene)
+{
+    return &scene->cracks;
+}
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "cracks",
+        .image = &cracks_color,
+        .planes = { "cracks.R", "cracks.G", "cracks.B", "cracks.A" },
+        .mean = true,
+        .help = "radiance of the cracks inside the ice, premultiplied",
+    },
+    { 0 },
+};
+
+static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+{
+    values[CONSTANT_CRACKS_TRACED] = cracks_are_traced(subject->settings, subject->refraction);
+}
+
+const struct technique cracks = {
+    .name = "cracks",
+    .help = "cracks in the ice",
+    .settings = { &cracks_settings, &ice_interval_settings },
+    .is_on = is_on,
+    .is_traced = true,
+    .is_ice_only = true,
+    .is_hit = true,
+    .parts = { { PHASE_NORMALS, .rows = make_normals },
+               { PHASE_INCLUSIONS, .rows = make_color },
+               { PHASE_FINISH, .rows = make_composite } },
+    .layers = layers,
+    .mesh = find_sheets,
+    .write_constants = write_constants,
+};

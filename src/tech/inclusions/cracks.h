@@ -1,0 +1,49 @@
+/* cracks.h: cracks inside the ice: settings, images and passes. */
+#ifndef FIRN_TECH_INCLUSIONS_CRACKS_H
+#define FIRN_TECH_INCLUSIONS_CRACKS_H
+#include "shaders/inclusions/cracks.h"
+#include "src/tech/technique.h"
+
+/* Methods of clipping cracks to the ice. */
+enum cracks_clip {
+    CRACKS_CLIP_CONVEX,   /* between the nearest front face and the farthest back face */
+    CRACKS_CLIP_INTERVAL, /* to the intervals of ice_interval */
+    CRACKS_CLIP_PRECUT,   /* not at draw time: cut when the scene was loaded */
+    CRACKS_CLIP_NONE,     /* no clipping */
+};
+
+/* Effect of cracks on what is visible through the ice. */
+enum cracks_refract {
+    CRACKS_REFRACT_OFF,
+    CRACKS_REFRACT_NORMALS, /* their normals replace those of the back faces */
+    CRACKS_REFRACT_GAP,     /* they reflect the environment as thin air gaps */
+};
+
+struct cracks_params {
+    struct cracks_shading shading;
+    uint32_t count, seed; /* number and random seed of the cracks */
+    float size;           /* factor on the width of the sheets */
+    uint32_t clip;        /* enum cracks_clip */
+    uint32_t refract;     /* enum cracks_refract */
+};
+
+/* Premultiplied colour: highlights, and reflections of air gaps. */
+extern const struct rg_image cracks_color;
+
+/* Depth and normal of the most reflective gap in a pixel, for refraction models that continue the
+ * path there (shaders/cracks_hits.glsl); 0 if there is none. Only written if cracks_are_traced().
+ */
+extern const struct rg_image cracks_hits;
+
+extern const struct setting_group cracks_settings;
+
+extern const struct technique cracks;
+
+/* Returns true if cracks are clipped to the ice, which composite.c composites; otherwise they are
+ * drawn over the finished image. */
+bool cracks_are_in_ice(const struct settings *settings);
+
+/* Returns true if a refraction model, which may be NULL, traces reflections at cracks. */
+bool cracks_are_traced(const struct settings *settings, const struct technique *refraction);
+
+#endif

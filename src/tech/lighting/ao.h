@@ -1,0 +1,15 @@
+/* ao.h: ambient occlusion of the refractive objects on their surroundings. */
+#ifndef FIRN_TECH_LIGHTING_AO_H
+#define FIRN_TECH_LIGHTING_AO_H
+#include "src/tech/technique.h"
+
+/* Uses of passes whose shaders include lib/contact.glsl. */
+extern const struct rg_use ao_uses[];
+
+extern const struct setting_group ao_settings;
+
+struct ao_params {
+    float strength; /* factor on the occlusion; 0 switches it off */
+};
+
+#endif

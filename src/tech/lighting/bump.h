@@ -1,0 +1,36 @@
+/*
+ * bump.h: bump mapping of the ice's surface.
+ *
+ * Seipel and Nivfors 2006, section 3.1 c: a bump map, and a mask where melting has smoothed the
+ * surface. They perturb the front faces' normal (shaders/lighting/bump.glsl) for refraction,
+ * reflection and highlights. The vertex-based eq. 4 and the layer N use the mesh's normal. Back
+ * faces are smooth.
+ */
+#ifndef FIRN_TECH_LIGHTING_BUMP_H
+#define FIRN_TECH_LIGHTING_BUMP_H
+#include "shaders/lighting/bump.h"
+#include "src/tech/technique.h"
+
+/* The scene's bump map, imported; this is the size of the fallback image. */
+extern const struct rg_image bump_map;
+
+extern const struct technique bump;
+extern const struct setting_group bump_settings;
+
+struct bump_params {
+    float strength;   /* root mean square of the slopes; 0 for no bumps: the map is not read */
+    float scale;      /* tiles across the object's bounding sphere, or per unit of uv */
+    float mask;       /* fraction of the surface that is smooth */
+    uint32_t mapping; /* BUMP_TRIPLANAR, ... */
+    uint32_t seed;
+};
+
+enum {
+    BUMP_TRIPLANAR, /* blends projections along the three axes of object space */
+    BUMP_UV,        /* the mesh's uv; a mesh without uv has no bumps */
+};
+
+/* Binding of the bump map in a pass's uses. */
+#define BUMP_USE_MAP FRAME_SAMPLE(bump_map, BUMP_MAP, .sampler = &frame_texture_sampler)
+
+#endif

@@ -1,0 +1,72 @@
+/*
+ * highlight.c: Blinn-Phong highlights of the light sources on the ice's front faces.
+ *
+ * Seipel and Nivfors 2006, sections 3.1 b and 5: specular highlights of moving light sources on the
+ * outside of the ice. The paper does not name the model; this is Blinn's (1977): a power of the
+ * cosine between the normal and the half vector. The refraction models compute the highlights,
+ * because they have the bump-mapped normal; composite.c adds them to the image.
+ *
+ * Error: a highlight has equal radiance and size for all directions of its light, where Fresnel's
+ * equations make a grazing one up to 56 times as bright. The lights are invisible and light nothing
+ * else.
+ */
+#include "src/tech/lighting/highlight.h"
+#include "shaders/lighting/highlight.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/frame.h"
+
+const struct rg_image highlight_radiance = {
+    .name = "highlight.radiance",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+static const struct setting rows[] = {
+    {
+        .name = "highlight.strength",
+        .renamed_from = "surface.strength",
+        .label = "Highlight",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct highlight_params, strength),
+        .initial = 6,
+        .max = 100,
+        .switches = SETTING_AFFECTS_PLAN,
+        .help = "brightness of the lights' highlights on the ice (0: none)",
+    },
+    {
+        .name = "highlight.shininess",
+        .renamed_from = "surface.shininess",
+        .label = "Highlight sharpness",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct highlight_params, shininess),
+        .initial = 900,
+        .min = 1,
+        .max = 1e5,
+        .help =
+            "Blinn-Phong exponent of the highlights on the ice; a larger one makes them smaller",
+    },
+};
+
+const struct setting_group highlight_settings =
+    SETTING_GROUP("highlight", rows, struct highlight_params);
+
+static bool is_on(const struct settings *settings)
+{
+    const struct light_params *light = settings_of(settings, &light_settings);
+    const struct highlight_params *params = settings_of(settings, &highlight_settings);
+    return light->count > 0 && light->strength > 0.0f && params->strength > 0.0f;
+}
+
+static void write_globals(const struct frame_view *view, struct globals *g)
+{
+    const struct highlight_params *params = settings_of(view->settings, &highlight_settings);
+    g->highlight = *params;
+}
+
+const struct technique highlight = {
+    .name = "highlight",
+    .help = "highlights of the lights on the ice's front",
+    .settings = { &highlight_settings },
+    .is_on = is_on,
+    .title = "highlights",
+    .write_globals = write_globals,
+};

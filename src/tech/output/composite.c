@@ -1,0 +1,114 @@
+/*
+ * composite.c: composites the inclusions (air, bubbles, cracks, premultiplied, in this order) on
+ * top of the ice and adds the highlights of the light sources.
+ *
+ * The shader has a fixed set of bindings; those of techniques that are off are bound to the
+ * highlights and not read.
+ */
+#include "shaders/output/composite.h"
+#include <string.h>
+#include "shaders/embedded.h"
+#include "shaders/specialization_constants.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/frame.h"
+#include "src/tech/ice/ice_normal.h"
+#include "src/tech/inclusions/air.h"
+#include "src/tech/inclusions/bubbles.h"
+#include "src/tech/inclusions/cracks.h"
+#include "src/tech/lighting/highlight.h"
+#include "src/tech/pass_builder.h"
+#include "src/tech/refract/refract.h"
+
+static rg_record_fn record_area;
+
+static const struct rg_use uses[] = {
+    FRAME_USE_GLOBALS,
+    AIR_USE_ENVIRONMENT,
+    FRAME_SAMPLE(highlight_radiance, COMPOSITE_HIGHLIGHT, .same_texel = true),
+    FRAME_SAMPLE(air_cover, COMPOSITE_AIR, .same_texel = true),
+    FRAME_SAMPLE(bubbles_color, COMPOSITE_BUBBLES, .same_texel = true),
+    FRAME_SAMPLE(cracks_color, COMPOSITE_CRACKS, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_use bent_uses[] = {
+    FRAME_SAMPLE(ice_normal_front_depth, COMPOSITE_FRONT_DEPTH, .same_texel = true),
+    FRAME_SAMPLE(ice_normal_shading, COMPOSITE_SHADING, .same_texel = true),
+    FRAME_READ(bubbles_depth, COMPOSITE_BUBBLE_DEPTH),
+    { 0 },
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "composite.ice",
+        .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
+        .vert = &composite_vert,
+        .frag = &composite_frag,
+        .record = record_area,
+    },
+};
+
+/* Returns CONSTANT_COMPOSITE: the layers to composite, which the refraction model does not draw. */
+static uint32_t layers_of(const struct settings *settings, const struct technique *refraction,
+                          bool renders_media)
+{
+    const bool uses_bvh = refraction && refraction->refraction.traces_bvh;
+    const struct inclusion_target_params *target =
+        settings_of(settings, &inclusion_target_settings);
+    const struct light_params *light = settings_of(settings, &light_settings);
+    /* The refraction model has drawn cracks except for their highlights. */
+    const bool is_without_cracks = cracks_are_traced(settings, refraction) && !light->count;
+    return (highlight.is_on(settings) ? COMPOSITE_HAS_HIGHLIGHT : 0u) |
+           (air.is_on(settings) && !((uses_bvh || renders_media) && air_is_medium(settings))
+                ? COMPOSITE_HAS_AIR
+                : 0u) |
+           (bubbles.is_on(settings) && !uses_bvh ? COMPOSITE_HAS_BUBBLES : 0u) |
+           (cracks_are_in_ice(settings) && !uses_bvh && !is_without_cracks ? COMPOSITE_HAS_CRACKS
+                                                                           : 0u) |
+           (target->scale < 1.0f ? COMPOSITE_IS_LOW_RES : 0u);
+}
+
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct pass_builder *builder)
+{
+    const uint32_t bits = layers_of(choice->settings, choice->refraction, choice->renders_media);
+    struct rg_use changed[sizeof(uses) / sizeof(uses[0])];
+    struct rg_pass *rows = pass_builder_copy_passes(builder, passes, 1);
+    if (!(bits & ~COMPOSITE_IS_LOW_RES) || !rows)
+        return (struct rg_technique){ 0 };
+    memcpy(changed, uses, sizeof(uses));
+    for (struct rg_use *use = changed; use->access; use++) {
+        const bool is_layer = use->binding == COMPOSITE_AIR || use->binding == COMPOSITE_BUBBLES ||
+                              use->binding == COMPOSITE_CRACKS;
+        if (use->image && is_layer && !(bits & 1u << use->binding))
+            use->image = &highlight_radiance;
+        if (use->image == &bubbles_color && bubbles_are_refracted(choice))
+            use->same_texel = false;
+    }
+    const bool shows_refracted = (bits & COMPOSITE_HAS_BUBBLES) && bubbles_are_refracted(choice);
+    rows->uses = pass_builder_join_uses(
+        builder, (const struct rg_use *const[]){ changed, shows_refracted ? bent_uses : NULL }, 2);
+    rows->vert = shows_refracted ? &composite_refracted_vert : &composite_vert;
+    rows->frag = shows_refracted ? &composite_refracted_frag : &composite_frag;
+    return (struct rg_technique){ "over", rows, 1 };
+}
+
+static void record_area(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_scissor(cmd, frame->object_area);
+    rg_cmd_draw(cmd, 3);
+}
+
+static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+{
+    const bool renders_media =
+        refract_has_medium(subject->refraction, subject->scene, subject->settings);
+    values[CONSTANT_COMPOSITE] = layers_of(subject->settings, subject->refraction, renders_media);
+}
+
+const struct technique composite = {
+    .name = "composite",
+    .help = "compositing of air, bubbles, cracks and highlights over the ice",
+    .parts = { { PHASE_COMPOSITE, .rows = make_rows } },
+    .write_constants = write_constants,
+};

@@ -1,0 +1,210 @@
+/*
+ * first_surface.c: albedo, object and motion layers (AOVs) of the first visible surface.
+ *
+ * Alpha-tested holes show what is behind them, and so do blended surfaces where alpha is below one
+ * half. Motion vectors are those of the surface itself, not of what it reflects or refracts.
+ */
+#include "src/tech/output/first_surface.h"
+#include "shaders/embedded.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/frame.h"
+#include "src/tech/technique.h"
+
+static rg_record_fn record_surroundings, record_objects;
+
+static const struct rg_image first_surface_albedo = {
+    .name = "first_surface.albedo",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_image first_surface_object = {
+    .name = "first_surface.object",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+static const struct rg_image first_surface_motion = {
+    .name = "first_surface.motion",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+
+static const struct rg_image first_surface_depth = {
+    .name = "first_surface.depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+};
+
+/* Imported vertex positions of an animated model in the previous frame. */
+static const struct rg_image first_surface_positions = {
+    .name = "first_surface.positions",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+    .width = 1,
+    .height = 1,
+};
+
+/* Imported: model.surroundings_starts. */
+static const struct rg_image first_surface_starts = {
+    .name = "first_surface.starts",
+    .format = VK_FORMAT_R8G8B8A8_UNORM, /* bytes of a 32-bit number, filterable */
+    .width = 1,
+    .height = 1,
+};
+
+static const struct rg_buffer first_surface_previous = {
+    .name = "first_surface.previous",
+    .size = sizeof(struct first_surface_previous),
+    .memory = RG_MEMORY_UPLOAD,
+};
+
+static const struct rg_use uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &frame_texture_sampler),
+    FRAME_SAMPLE(frame_materials, SURROUNDINGS_MATERIALS, .sampler = NULL),
+    FRAME_SAMPLE(first_surface_positions, FIRST_SURFACE_POSITIONS, .sampler = NULL,
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
+    FRAME_SAMPLE(first_surface_starts, FIRST_SURFACE_STARTS, .sampler = NULL,
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
+    { .buffer = &first_surface_previous, .access = RG_UNIFORM, .binding = FIRST_SURFACE_PREVIOUS },
+    { 0 },
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "first_surface.surroundings",
+        .color = RG_TARGETS({ &first_surface_albedo, RG_LOAD_CLEAR },
+                            { &first_surface_object, RG_LOAD_CLEAR },
+                            { &first_surface_motion, RG_LOAD_CLEAR }),
+        .depth = { &first_surface_depth, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = uses,
+        .vert = &first_surface_vert,
+        .frag = &first_surface_frag,
+        .vertices = &frame_mesh_layout,
+        .push_size = sizeof(struct first_surface_push),
+        .record = record_surroundings,
+    },
+    {
+        .name = "first_surface.objects",
+        .color = RG_TARGETS({ &first_surface_albedo, RG_LOAD_KEEP },
+                            { &first_surface_object, RG_LOAD_KEEP },
+                            { &first_surface_motion, RG_LOAD_KEEP }),
+        .depth = { &first_surface_depth, RG_LOAD_KEEP },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = uses,
+        .vert = &first_surface_vert,
+        .frag = &first_surface_frag,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_BACK_BIT,
+        .push_size = sizeof(struct first_surface_push),
+        .record = record_objects,
+    },
+};
+
+static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct model *model = &frame->scene->model;
+    const struct first_surface_push push = {
+        .id = model->object_count + 1,
+        .first = model->object.vertex_count,
+        .count = model->surroundings_object_count,
+    };
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw_mesh(cmd, &frame->surroundings);
+}
+
+static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct model *model = &frame->scene->model;
+    for (uint32_t i = 0; i < model->object_count; i++) {
+        const struct object *object = &model->objects[i];
+        const struct first_surface_push push = { .id = i + 1, .object = 1 };
+        rg_cmd_push(cmd, &push, sizeof(push));
+        rg_cmd_draw_mesh_part(cmd, &frame->object, object->first_index, object->index_count);
+    }
+}
+
+void first_surface_write(void *memory, const struct frame_view *view, const struct globals *globals)
+{
+    struct first_surface_previous *earlier = memory;
+    *earlier = (struct first_surface_previous){
+        .clip_from_world = view->previous_clip_from_world,
+        .world_from_object = globals->world_from_object,
+        .world_from_movers = globals->world_from_movers,
+        .half_size = { { 0.5f * (float)view->width, 0.5f * (float)view->height } },
+    };
+    frame_rotations(view, globals->center, frame_time_before(view->settings, view->time),
+                    &earlier->world_from_object, &earlier->world_from_movers);
+}
+
+static const struct technique_upload uploads[] = {
+    { &first_surface_previous, first_surface_write },
+    { 0 },
+};
+
+static struct technique_texels find_positions(const struct scene *scene)
+{
+    if (!scene->earlier)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->earlier,
+        .width = FIRST_SURFACE_WIDTH,
+        .height = scene->earlier_rows,
+        .no_mips = true,
+    };
+}
+
+_Static_assert(MODEL_SURROUNDINGS_ROW == FIRST_SURFACE_WIDTH, "rows of starts are rows of texels");
+
+static struct technique_texels find_starts(const struct scene *scene)
+{
+    if (!scene->model.surroundings_object_count)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->model.surroundings_starts,
+        .width = MODEL_SURROUNDINGS_ROW,
+        .height = (scene->model.surroundings_object_count - 1) / MODEL_SURROUNDINGS_ROW + 1,
+        .no_mips = true,
+    };
+}
+
+static const float no_position[4] = { 0 };
+static const uint32_t no_start;
+
+static const struct technique_import imports[] = {
+    { &first_surface_positions, find_positions, no_position },
+    { &first_surface_starts, find_starts, &no_start },
+    { 0 },
+};
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "albedo",
+        .image = &first_surface_albedo,
+        .planes = { "albedo.R", "albedo.G", "albedo.B" },
+        .help = "linear base colour of the first visible surface",
+    },
+    {
+        .name = "object",
+        .image = &first_surface_object,
+        .planes = { "object.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "number of the first visible surface's object (names: firn/objects), 0 if there is "
+                "none",
+    },
+    {
+        .name = "motion",
+        .image = &first_surface_motion,
+        .planes = { "motion.X", "motion.Y" },
+        .shown = FRAME_SHOWN_POSITION,
+        .help =
+            "motion of the first visible surface since the previous frame, pixels right and down",
+    },
+    { 0 },
+};
+
+const struct technique first_surface = {
+    .name = "first_surface",
+    .help = "base colour, object and motion of the first visible surface",
+    .layers = layers,
+    .uploads = uploads,
+    .imports = imports,
+    .parts = { { PHASE_SURFACES, .graph = RG_TECHNIQUE("first_surface", passes) } },
+};

@@ -1,0 +1,14 @@
+/* first_surface.h: layers of the first visible surface, including motion vectors. */
+#ifndef FIRN_TECH_OUTPUT_FIRST_SURFACE_H
+#define FIRN_TECH_OUTPUT_FIRST_SURFACE_H
+
+#include "shaders/output/first_surface.h"
+#include "src/tech/frame.h"
+
+extern const struct rg_image first_surface_object; /* the layer `object` */
+
+/* Writes a struct first_surface_previous, the transformations of the previous frame. */
+void first_surface_write(void *memory, const struct frame_view *view,
+                         const struct globals *globals);
+
+#endif

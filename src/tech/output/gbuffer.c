@@ -1,0 +1,111 @@
+/*
+ * gbuffer.c: G-buffer of the visible surface: normal, position and depth (layers N, P and Z).
+ *
+ * Both passes draw into the same targets and have a depth buffer of their own, so that these layers
+ * can be rendered without the beauty image. Alpha cut-outs, and blended surfaces with alpha below
+ * one half, show what is behind them.
+ */
+#include "src/tech/output/gbuffer.h"
+#include "shaders/embedded.h"
+#include "src/tech/frame.h"
+
+static rg_record_fn record_surroundings, record_object;
+
+const struct rg_image gbuffer_normal = {
+    .name = "gbuffer.normal",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+
+const struct rg_image gbuffer_position = {
+    .name = "gbuffer.position",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+
+const struct rg_image gbuffer_depth = {
+    .name = "gbuffer.depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+};
+
+static const struct rg_use uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &frame_texture_sampler),
+    FRAME_SAMPLE(frame_materials, SURROUNDINGS_MATERIALS, .sampler = NULL),
+    { 0 },
+};
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "gbuffer.surroundings",
+        .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_CLEAR },
+                            { &gbuffer_position,
+                              RG_LOAD_CLEAR,
+                              { .color.float32 = { 0.0f, 0.0f, 0.0f, GBUFFER_NOTHING } } }),
+        .depth = { &gbuffer_depth, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = uses,
+        .vert = &gbuffer_vert,
+        .frag = &gbuffer_frag,
+        .vertices = &frame_mesh_layout,
+        .push_size = sizeof(struct gbuffer_push),
+        .record = record_surroundings,
+    },
+    {
+        .name = "gbuffer.object",
+        .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP }),
+        .depth = { &gbuffer_depth, RG_LOAD_KEEP },
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .uses = uses,
+        .vert = &gbuffer_vert,
+        .frag = &gbuffer_frag,
+        .vertices = &frame_mesh_layout,
+        .cull = VK_CULL_MODE_BACK_BIT,
+        .push_size = sizeof(struct gbuffer_push),
+        .record = record_object,
+    },
+};
+
+static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, &(struct gbuffer_push){ 0 }, sizeof(struct gbuffer_push));
+    rg_cmd_draw_mesh(cmd, &frame->surroundings);
+}
+
+static void record_object(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, &(struct gbuffer_push){ .object = 1 }, sizeof(struct gbuffer_push));
+    rg_cmd_draw_mesh(cmd, &frame->object);
+}
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "Z",
+        .image = &gbuffer_position,
+        .planes = { "Z" },
+        .first_channel = 3,
+        .shown = FRAME_SHOWN_DISTANCE,
+        .help =
+            "distance of the visible surface along the view axis, metres; 1e10 if there is none",
+    },
+    {
+        .name = "N",
+        .image = &gbuffer_normal,
+        .planes = { "N.X", "N.Y", "N.Z" },
+        .shown = FRAME_SHOWN_DIRECTION,
+        .help = "world-space normal of the visible surface",
+    },
+    {
+        .name = "P",
+        .image = &gbuffer_position,
+        .planes = { "P.X", "P.Y", "P.Z" },
+        .shown = FRAME_SHOWN_POSITION,
+        .help = "world-space position of the visible surface, metres",
+    },
+    { 0 },
+};
+
+const struct technique gbuffer = {
+    .name = "gbuffer",
+    .help = "normal, position and depth of the nearest surface",
+    .layers = layers,
+    .parts = { { PHASE_SURFACES, SCENE_OF_ANY, .graph = RG_TECHNIQUE("gbuffer", passes) } },
+};

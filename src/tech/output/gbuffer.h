@@ -1,0 +1,13 @@
+/* gbuffer.h: G-buffer: normal, position and depth of the visible surface, ice or surroundings. */
+#ifndef FIRN_TECH_OUTPUT_GBUFFER_H
+#define FIRN_TECH_OUTPUT_GBUFFER_H
+#include "shaders/output/gbuffer.h"
+#include "src/tech/technique.h"
+
+extern const struct rg_image gbuffer_normal; /* xyz: unit, outward, world; 0 without a surface */
+/* xyz: world, metres; w: distance along the view axis, metres, or GBUFFER_NOTHING */
+extern const struct rg_image gbuffer_position;
+extern const struct rg_image gbuffer_depth; /* reversed depth of surroundings and object */
+extern const struct technique gbuffer;
+
+#endif

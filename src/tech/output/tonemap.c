@@ -1,0 +1,93 @@
+/*
+ * tonemap.c: tone mapping pass: exposure, tone curve and sRGB encoding, for PNG files and windows.
+ *
+ * Curve "neutral": Khronos PBR Neutral (Khronos Group 2024), which preserves base colours. Curve
+ * "agx": for images that show the sun (Sobotka 2022). Curves "aces" and "hable": widely used
+ * alternatives (Hill 2016; Hable 2010). Curve "clip": encoding only, for measurements.
+ */
+#include "src/tech/output/tonemap.h"
+#include <math.h>
+#include "shaders/embedded.h"
+#include "shaders/output/tonemap.h"
+#include "shaders/specialization_constants.h"
+#include "src/tech/frame.h"
+
+static rg_record_fn record_screen;
+
+static const struct rg_pass passes[] = {
+    {
+        .name = "tonemap.screen",
+        .color = RG_TARGETS({ &frame_display, RG_LOAD_DISCARD }),
+        .uses = RG_USES({ .image = &frame_color,
+                          .access = RG_SAMPLED,
+                          .binding = TONEMAP_COLOR,
+                          .same_texel = true }),
+        .vert = &fullscreen_vert,
+        .frag = &tonemap_frag,
+        .push_size = sizeof(struct tonemap_push),
+        .record = record_screen,
+    },
+};
+
+static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct tonemap_params *params = settings_of(frame->settings, &tonemap_settings);
+    const struct tonemap_push push = { exp2f(params->exposure) };
+    rg_cmd_push(cmd, &push, sizeof(push));
+    rg_cmd_draw(cmd, 3);
+}
+
+static const char *const curves[] = {
+    [TONEMAP_NEUTRAL] = "neutral", [TONEMAP_CLIP] = "clip",   [TONEMAP_AGX] = "agx",
+    [TONEMAP_ACES] = "aces",       [TONEMAP_HABLE] = "hable", NULL,
+};
+
+static const struct setting rows[] = {
+    {
+        .name = "tonemap.exposure",
+        .label = "Exposure",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct tonemap_params, exposure),
+        .min = -16,
+        .max = 16,
+        .unit = "stops",
+        .help = "exposure of PNG images",
+    },
+    {
+        .name = "tonemap.curve",
+        .label = "Tone curve",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct tonemap_params, curve),
+        .initial = TONEMAP_NEUTRAL,
+        .max = TONEMAP_LAST,
+        .choices = curves,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "tone mapping curve of PNG images",
+    },
+    {
+        .name = "tonemap.dither",
+        .label = "Dither 8-bit images",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct tonemap_params, dither),
+        .max = 1,
+        .help = "dither 8-bit PNG files with noise of one step, which hides banding",
+    },
+};
+
+const struct setting_group tonemap_settings = SETTING_GROUP("tonemap", rows, struct tonemap_params);
+
+static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+{
+    const struct tonemap_params *params = settings_of(subject->settings, &tonemap_settings);
+    values[CONSTANT_TONEMAP_CURVE] = params->curve;
+}
+
+const struct technique tonemap = {
+    .name = "tonemap",
+    .help = "tone mapping of linear colour to 8-bit sRGB",
+    .settings = { &tonemap_settings },
+    .parts = { { PHASE_DISPLAY, SCENE_OF_ANY,
+                 .purposes = 1u << TECHNIQUE_IMAGE | 1u << TECHNIQUE_RESOLVE,
+                 .graph = RG_TECHNIQUE("tonemap", passes) } },
+    .write_constants = write_constants,
+};

@@ -1,0 +1,429 @@
+/* refract.c: passes, layers and settings shared by all raster refraction models. */
+#include "src/tech/refract/refract.h"
+#include <assert.h>
+#include "shaders/embedded.h"
+#include "shaders/specialization_constants.h"
+#include "src/tech/frame.h"
+#include "src/tech/ice/ice_normal.h"
+#include "src/tech/inclusions/air.h"
+#include "src/tech/inclusions/medium_field.h"
+#include "src/tech/lighting/bump.h"
+#include "src/tech/lighting/highlight.h"
+#include "src/tech/pass_builder.h"
+
+const struct rg_image refract_exit = {
+    .name = "refract.exit",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+
+const struct rg_image refract_refraction = {
+    .name = "refract.refraction",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_image refract_reflection = {
+    .name = "refract.reflection",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_image refract_fresnel = {
+    .name = "refract.fresnel",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+const struct rg_image refract_path = {
+    .name = "refract.path",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+};
+
+/* ---- rows ---- */
+
+static const struct rg_target color_targets[] = {
+    [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
+    /* negative: marks pixels without ice */
+    [REFRACT_OUT_HIGHLIGHT] = { &highlight_radiance,
+                                RG_LOAD_CLEAR,
+                                { .color.float32 = { -1.0f } } },
+};
+
+static const struct rg_target layer_targets[] = {
+    [REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR },
+    [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR },
+    [REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR },
+    [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR },
+    [REFRACT_OUT_PATH] = { &refract_path, RG_LOAD_CLEAR },
+};
+
+static const struct rg_use face_uses[] = { FRAME_USE_GLOBALS, { 0 } };
+
+static const struct rg_use pixel_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
+    FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_use scene_uses[] = {
+    FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
+
+/* Passes that draw front faces find the nearest by a depth test; those that shade a full-screen
+ * triangle use the depth of ice_normal.front. */
+static const struct rg_pass color_row = {
+    .color = color_targets,
+    .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
+    .depth = { &frame_depth, RG_LOAD_CLEAR }, /* cleared to 0: infinity */
+    .depth_compare = VK_COMPARE_OP_GREATER,
+};
+
+static const struct rg_pass pixel_color_row = {
+    .color = color_targets,
+    .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
+    .depth = { &frame_depth, RG_LOAD_KEEP },
+    .depth_read_only = true,
+    .depth_compare = VK_COMPARE_OP_LESS,
+};
+
+static const struct rg_pass layer_row = {
+    .color = layer_targets,
+    .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
+    .depth = { &frame_depth, RG_LOAD_KEEP },
+    .depth_read_only = true,
+    .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
+};
+
+static const struct rg_pass pixel_layer_row = {
+    .color = layer_targets,
+    .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
+};
+
+const struct rg_use refract_material_uses[] = {
+    FRAME_SAMPLE(ice_normal_front_material, REFRACT_MATERIAL_FRONT, .sampler = &frame_linear),
+    FRAME_SAMPLE(ice_normal_back_material, REFRACT_MATERIAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_front_base, REFRACT_MATERIAL_BASE),
+    { 0 },
+};
+
+const struct rg_use refract_medium_uses[] = {
+    AIR_USE_MEDIA,
+    FRAME_SAMPLE(frame_surface_light, MEDIUM_AROUND, .sampler = &frame_environment_sampler),
+    { 0 },
+};
+
+static bool has_bumps(const struct technique_choice *choice)
+{
+    return choice->refraction->refraction.rows->bump_frag && bump.is_on(choice->settings);
+}
+
+bool refract_has_medium(const struct technique *refraction, const struct scene *scene,
+                        const struct settings *settings)
+{
+    const struct air_params *air_of = settings_of(settings, &air_settings);
+    return refraction && !refraction->refraction.traces_bvh && refraction->refraction.rows &&
+           refraction->refraction.rows->medium_shaders && air_of->steps > 0 &&
+           medium_field_exists(scene, settings);
+}
+
+void refract_choose(struct technique_choice *choice, const struct scene *scene)
+{
+    choice->is_textured = choice->refraction->refraction.rows->material_frag &&
+                          scene_has_textured_objects(scene) && !bump.is_on(choice->settings);
+    choice->renders_media = refract_has_medium(choice->refraction, scene, choice->settings);
+}
+
+/* Makes a pass draw the front faces, with Fresnel reflectance by eq. 4 at the vertices. */
+static void draw_faces(struct rg_pass *row, const struct refract_shaders *refraction, bool bumped)
+{
+    row->vert = refraction->vert ? refraction->vert : bumped ? &refract_bump_vert : &refract_vert;
+    row->vertices = &frame_mesh_layout;
+    row->cull = VK_CULL_MODE_BACK_BIT;
+}
+
+static const struct rg_shader *plain_frag(const struct technique_choice *choice, bool bumped,
+                                          bool is_layers)
+{
+    const struct refract_shaders *refraction = choice->refraction->refraction.rows;
+    if (choice->is_nested)
+        return is_layers ? refraction->nested_layers_frag : refraction->nested_frag;
+    if (choice->is_textured)
+        return is_layers ? refraction->material_layers_frag : refraction->material_frag;
+    if (bumped)
+        return is_layers ? refraction->bump_layers_frag : refraction->bump_frag;
+    return is_layers ? refraction->layers_frag : refraction->frag;
+}
+
+static const struct rg_shader *scattering_frag(const struct technique_choice *choice, bool bumped,
+                                               bool is_layers)
+{
+    const struct refract_medium_shaders *medium_shaders =
+        choice->refraction->refraction.rows->medium_shaders;
+    if (choice->is_nested)
+        return is_layers ? medium_shaders->nested_layers_frag : medium_shaders->nested_frag;
+    if (choice->is_textured)
+        return is_layers ? medium_shaders->material_layers_frag : medium_shaders->material_frag;
+    if (bumped)
+        return is_layers ? medium_shaders->bump_layers_frag : medium_shaders->bump_frag;
+    return is_layers ? medium_shaders->layers_frag : medium_shaders->frag;
+}
+
+static struct rg_technique make_row(const struct technique_choice *choice,
+                                    struct pass_builder *builder, const struct rg_pass *base,
+                                    bool is_layers)
+{
+    const struct technique *technique = choice->refraction;
+    const struct refract_shaders *refraction = technique->refraction.rows;
+    const bool bumped = has_bumps(choice);
+    assert(technique->refraction.choose || !refraction->material_frag);
+    const struct rg_use *const uses[] = {
+        technique->refraction.by_pixel ? pixel_uses : face_uses,
+        technique->refraction.by_pixel && is_layers ? scene_uses : NULL,
+        choice->is_nested && choice->is_wide ? refraction->nested_wide_uses
+        : choice->is_nested                  ? refraction->nested_uses
+        : choice->is_wide                    ? refraction->wide_uses
+                                             : refraction->uses,
+        bumped ? bump_uses : NULL,
+        choice->is_textured ? refract_material_uses : NULL,
+        choice->renders_media ? refract_medium_uses : NULL,
+    };
+    struct rg_pass *row = pass_builder_copy_passes(builder, base, 1);
+    if (!row)
+        return (struct rg_technique){ 0 };
+    row->name = pass_builder_name(builder, technique->name, is_layers ? "layers" : "color");
+    row->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    if (technique->refraction.by_pixel)
+        row->vert = refraction->vert ? refraction->vert : &refract_fullscreen_vert;
+    else
+        draw_faces(row, refraction, bumped);
+    row->frag = choice->renders_media ? scattering_frag(choice, bumped, is_layers)
+                                      : plain_frag(choice, bumped, is_layers);
+    row->push_size = refraction->push_size;
+    row->record = refraction->record ? refraction->record : frame_draw_object;
+    return (struct rg_technique){ technique->name, row, 1 };
+}
+
+struct rg_technique refract_image_passes(const struct technique_choice *choice,
+                                         struct pass_builder *builder)
+{
+    const bool by_pixel = choice->refraction->refraction.by_pixel;
+    return make_row(choice, builder, by_pixel ? &pixel_color_row : &color_row, false);
+}
+
+struct rg_technique refract_layer_passes(const struct technique_choice *choice,
+                                         struct pass_builder *builder)
+{
+    const bool by_pixel = choice->refraction->refraction.by_pixel;
+    return make_row(choice, builder, by_pixel ? &pixel_layer_row : &layer_row, true);
+}
+
+/* ---- settings ---- */
+
+static const char *const fresnels[] = {
+    [REFRACT_FRESNEL_PAPER] = "paper",
+    [REFRACT_FRESNEL_EXACT] = "exact",
+    [REFRACT_FRESNEL_CROSSFADE] = "crossfade",
+    [REFRACT_FRESNEL_AUTO] = "auto",
+    NULL,
+};
+
+static const char *const lookups[] = {
+    [REFRACT_LOOKUP_INFINITE] = "infinite",
+    [REFRACT_LOOKUP_DISTANCE] = "distance",
+    [REFRACT_LOOKUP_BOX] = "box",
+    [REFRACT_LOOKUP_AUTO] = "auto",
+    NULL,
+};
+
+static const struct setting rows[] = {
+    {
+        .name = "refract.ior",
+        .label = "Refractive index",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_params, ior),
+        .initial = 1.3091,
+        .min = 1.0,
+        .max = 4.0,
+        .help = "refractive index of the object; also set by --material",
+    },
+    {
+        .name = "refract.ior_outside",
+        .renamed_from = "refract.outside",
+        .label = "Refractive index outside",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_params, outside),
+        .initial = 1.0003,
+        .min = 1.0,
+        .max = 4.0,
+        .help =
+            "refractive index of the medium around the objects, such as 1.333 for water; bubbles "
+            "and cracks contain air with any value (1.0003 means 1 for files with materials)",
+    },
+    {
+        .name = "refract.dispersion",
+        .label = "Dispersion",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_params, dispersion),
+        .max = 10,
+        .switches = SETTING_AFFECTS_PLAN,
+        .help = "dispersion of the object as 20 / Abbe number; ice has 0.376",
+    },
+    {
+        .name = "refract.fresnel",
+        .label = "Reflectance model",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct refract_params, fresnel),
+        .initial = REFRACT_FRESNEL_AUTO,
+        .max = REFRACT_FRESNEL_AUTO,
+        .choices = fresnels,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "reflectance: the paper's eq. 4, the exact Fresnel equations, or the constant "
+                "refract.crossfade (auto: exact, except for refraction model paper)",
+    },
+    {
+        .name = "refract.crossfade",
+        .label = "Refracted fraction",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_params, crossfade),
+        .initial = 0.8,
+        .max = 1,
+        .help = "transmitted fraction of light with refract.fresnel=crossfade",
+    },
+    {
+        .name = "refract.lookup",
+        .label = "Environment lookup",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct refract_params, lookup),
+        .initial = REFRACT_LOOKUP_AUTO,
+        .max = REFRACT_LOOKUP_AUTO,
+        .choices = lookups,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "environment lookup: infinitely far away, ray marched to stored distances, or box "
+                "projection (auto: distance, except for refraction model paper: infinite)",
+    },
+    {
+        .name = "refract.steps",
+        .label = "Distance search steps",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct refract_params, steps),
+        .initial = 8,
+        .min = 1,
+        .max = 64,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "ray marching steps with refract.lookup=distance",
+    },
+};
+
+const struct setting_group refract_settings = SETTING_GROUP("refract", rows, struct refract_params);
+
+float refract_outside(const struct scene *scene, const struct settings *settings)
+{
+    const struct refract_params *params = settings_of(settings, &refract_settings);
+    return scene->has_pool ? REFRACT_IOR_AIR : params->outside;
+}
+
+/* KHR_materials_dispersion: the indices of red and blue are n - h and n + h with h = (n - 1) 0.025
+ * dispersion. */
+static void write_globals(const struct frame_view *view, struct globals *g)
+{
+    const struct refract_params *params = settings_of(view->settings, &refract_settings);
+    float half = (params->ior - 1.0f) * 0.025f * params->dispersion;
+    const float outside = refract_outside(view->scene, view->settings);
+    g->eta = outside / params->ior;
+    g->etas = (vec3s){ { outside / (params->ior - half), g->eta, outside / (params->ior + half) } };
+    g->outside_in_air = outside / REFRACT_IOR_AIR;
+    g->refract_crossfade = params->crossfade;
+}
+
+static void settle_row(struct settings *settings, size_t offset, uint32_t automatic, uint32_t value)
+{
+    const struct setting *row = settings_row(&refract_settings, offset);
+    if (settings_get(settings, row) >= automatic)
+        settings_set_value(settings, row, value);
+}
+
+static void settle(struct settings *settings, const struct technique *refraction)
+{
+    const bool is_printed = refraction && refraction->refraction.follows_paper;
+    settle_row(settings, offsetof(struct refract_params, fresnel), REFRACT_FRESNEL_AUTO,
+               is_printed ? REFRACT_FRESNEL_PAPER : REFRACT_FRESNEL_EXACT);
+    settle_row(settings, offsetof(struct refract_params, lookup), REFRACT_LOOKUP_AUTO,
+               is_printed ? REFRACT_LOOKUP_INFINITE : REFRACT_LOOKUP_DISTANCE);
+}
+
+static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+{
+    const struct refract_params *params = settings_of(subject->settings, &refract_settings);
+    values[CONSTANT_REFRACT_FRESNEL] = params->fresnel;
+    values[CONSTANT_REFRACT_LOOKUP] = params->lookup;
+    values[CONSTANT_REFRACT_STEPS] = params->steps;
+}
+
+/* ---- layers ---- */
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "exit",
+        .image = &refract_exit,
+        .planes = { "exit.X", "exit.Y", "exit.Z" },
+        .shown = FRAME_SHOWN_DIRECTION,
+        .help = "exit direction of the refracted path, used for the environment lookup",
+    },
+    {
+        .name = "refraction",
+        .image = &refract_refraction,
+        .planes = { "refraction.R", "refraction.G", "refraction.B" },
+        .mean = true,
+        .help = "refracted radiance",
+    },
+    {
+        .name = "reflection",
+        .image = &refract_reflection,
+        .planes = { "reflection.R", "reflection.G", "reflection.B" },
+        .mean = true,
+        .help = "reflected radiance",
+    },
+    {
+        .name = "fresnel",
+        .image = &refract_fresnel,
+        .planes = { "fresnel.Z" },
+        .mean = true,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "Fresnel reflectance",
+    },
+    {
+        .name = "path",
+        .image = &refract_path,
+        .planes = { "path.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "length of the refracted path inside the object, metres; 0 without ice",
+    },
+    {
+        .name = "bounces",
+        .image = &refract_path,
+        .planes = { "bounces.Z" },
+        .first_channel = 1,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "number of total internal reflections on the refracted path",
+    },
+    {
+        .name = "tir",
+        .image = &refract_path,
+        .planes = { "tir.Z" },
+        .first_channel = 2,
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "1 if the first inner surface on the refracted path reflects totally, else 0",
+    },
+    { 0 },
+};
+
+const struct technique refract = {
+    .name = "refract",
+    .help = "settings and layers shared by all refraction models",
+    .settings = { &refract_settings },
+    .layers = layers,
+    .settle = settle,
+    .write_globals = write_globals,
+    .write_constants = write_constants,
+};

@@ -1,0 +1,300 @@
+/*
+ * refract_bounce.c: refraction model with total internal reflections, ray marched in image space.
+ *
+ * The ray is marched as in refract_search.c, but among front and back faces, and continued where it
+ * is reflected, totally or in part. What remains after refract_bounce.exits faces through which
+ * light leaves, or after the last bounce, is given the mean radiance of the surroundings.
+ *
+ * Error: as small as that of refract_search.c; with total internal reflections one or a few degrees
+ * on average on convex objects, because small errors grow from bounce to bounce. Of a slightly
+ * concave object only the nearest faces are known, and none beyond the margin of
+ * refract_bounce.margin outside the image. Other objects have three levels of faces (ice_nested.h);
+ * objects side by side in a level hide parts of each other.
+ */
+#include "src/tech/refract/refract_bounce.h"
+#include <math.h>
+#include "shaders/embedded.h"
+#include "shaders/refract/refract_bounce.h"
+#include "shaders/specialization_constants.h"
+#include "src/tech/frame.h"
+#include "src/tech/ice/ice_nested.h"
+#include "src/tech/ice/ice_normal.h"
+#include "src/tech/inclusions/cracks.h"
+#include "src/tech/refract/refract.h"
+
+static rg_record_fn record_screen;
+
+static const struct rg_fallback no_cracks = { { 0 } };
+
+static const struct rg_use uses[] = {
+    REFRACT_USE_FULLSCREEN_CUBE,
+    FRAME_SAMPLE(ice_normal_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_back_depth, REFRACT_DEPTH_BACK),
+    FRAME_SAMPLE(ice_normal_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT_MAP),
+    FRAME_SAMPLE(cracks_hits, REFRACT_CRACKS, .fallback = &no_cracks),
+    { 0 },
+};
+
+static const struct rg_use wide_uses[] = {
+    REFRACT_USE_FULLSCREEN_CUBE,
+    FRAME_SAMPLE(ice_normal_wide_back, REFRACT_NORMAL_BACK, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_wide_back_depth, REFRACT_DEPTH_BACK),
+    FRAME_SAMPLE(ice_normal_wide_front, REFRACT_NORMAL_FRONT, .sampler = &frame_linear),
+    FRAME_READ(ice_normal_wide_front_depth, REFRACT_DEPTH_FRONT_MAP),
+    FRAME_SAMPLE(cracks_hits, REFRACT_CRACKS, .fallback = &no_cracks),
+    { 0 },
+};
+
+static const struct refract_medium_shaders medium_shaders = {
+    .frag = &refract_bounce_medium_frag,
+    .layers_frag = &refract_bounce_medium_aov_frag,
+    .material_frag = &refract_bounce_material_medium_frag,
+    .material_layers_frag = &refract_bounce_material_medium_aov_frag,
+    .nested_frag = &refract_bounce_nested_medium_frag,
+    .nested_layers_frag = &refract_bounce_nested_medium_aov_frag,
+    .ssr_frag = &ssr_refract_medium_frag,
+    .ssr_material_frag = &ssr_refract_material_medium_frag,
+};
+
+static const struct rg_use nested_uses[] = {
+    REFRACT_USE_FULLSCREEN_CUBE,
+    FRAME_READ(ice_nested_depths, ICE_NESTED_DEPTHS),
+    FRAME_SAMPLE(ice_nested_normals, ICE_NESTED_NORMALS, .sampler = &frame_linear),
+    { .buffer = &ice_nested_media, .access = RG_UNIFORM, .binding = ICE_NESTED_MEDIA },
+    { 0 },
+};
+
+static const struct rg_use nested_wide_uses[] = {
+    REFRACT_USE_FULLSCREEN_CUBE,
+    FRAME_READ(ice_nested_wide_depths, ICE_NESTED_DEPTHS),
+    FRAME_SAMPLE(ice_nested_wide_normals, ICE_NESTED_NORMALS, .sampler = &frame_linear),
+    { .buffer = &ice_nested_media, .access = RG_UNIFORM, .binding = ICE_NESTED_MEDIA },
+    { 0 },
+};
+
+static const struct refract_shaders refraction = {
+    .frag = &refract_bounce_frag,
+    .layers_frag = &refract_bounce_aov_frag,
+    .material_frag = &refract_bounce_material_frag,
+    .material_layers_frag = &refract_bounce_material_aov_frag,
+    .medium_shaders = &medium_shaders,
+    .nested_frag = &refract_bounce_nested_frag,
+    .nested_layers_frag = &refract_bounce_nested_aov_frag,
+    .ssr_frag = &ssr_refract_frag,
+    .ssr_material_frag = &ssr_refract_material_frag,
+    .vert = &refract_fullscreen_mean_vert,
+    .uses = uses,
+    .wide_uses = wide_uses,
+    .nested_uses = nested_uses,
+    .nested_wide_uses = nested_wide_uses,
+    .push_size = sizeof(struct refract_bounce_params),
+    .record = record_screen,
+};
+
+static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, settings_of(frame->settings, &refract_bounce_settings),
+                sizeof(struct refract_bounce_params));
+    rg_cmd_scissor(cmd, frame_object_area(cmd, frame));
+    rg_cmd_draw(cmd, 3);
+}
+
+static const char *const nested_choices[] = {
+    [REFRACT_BOUNCE_NESTED_OFF] = "off",
+    [REFRACT_BOUNCE_NESTED_ON] = "on",
+    [REFRACT_BOUNCE_NESTED_ALL] = "all",
+    NULL,
+};
+
+static const char *const bent_choices[] = {
+    [REFRACT_BOUNCE_INCLUSIONS_OFF] = "off",
+    [REFRACT_BOUNCE_INCLUSIONS_CRACKS] = "cracks",
+    [REFRACT_BOUNCE_INCLUSIONS_ALL] = "all",
+    NULL,
+};
+
+static const struct setting rows[] = {
+    {
+        .name = "refract_bounce.steps",
+        .label = "Ray steps (bounce)",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct refract_bounce_params, march.steps),
+        .initial = 8,
+        .min = 1,
+        .max = 256,
+        .help = "maximum number of steps along a ray inside the object",
+    },
+    {
+        .name = "refract_bounce.bisections",
+        .renamed_from = "refract_bounce.halvings",
+        .label = "Bisections (bounce)",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct refract_bounce_params, march.halvings),
+        .initial = 12,
+        .max = 32,
+        .help = "maximum number of bisections where a ray leaves the object; flat faces need fewer",
+    },
+    {
+        .name = "refract_bounce.reflections",
+        .renamed_from = "refract_bounce.count",
+        .label = "Internal reflections",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct refract_bounce_params, march.bounces),
+        .initial = 8,
+        .max = 16,
+        .help = "maximum number of reflections per ray",
+    },
+    {
+        .name = "refract_bounce.exits",
+        .label = "Exit faces per ray",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct refract_bounce_params, exits),
+        .initial = 2,
+        .min = 1,
+        .max = 16,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "maximum number of faces through which a ray's light leaves",
+    },
+    {
+        .name = "refract_bounce.min_throughput",
+        .renamed_from = "refract_bounce.least",
+        .label = "Minimum exit throughput",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_bounce_params, least),
+        .max = 1,
+        .help = "minimum fraction of a ray's light at which it is followed to another exit",
+    },
+    {
+        .name = "refract_bounce.min_branch",
+        .renamed_from = "refract_bounce.branch",
+        .label = "Minimum crack branch throughput",
+        .type = SETTING_FLOAT,
+        .offset = offsetof(struct refract_bounce_params, branch),
+        .initial = 0.1,
+        .max = 1,
+        .help =
+            "minimum throughput at which the weaker path is followed, too, where a crack splits "
+            "a path (once per pixel)",
+    },
+    {
+        .name = "refract_bounce.margin",
+        .label = "Refraction beyond image edges",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct refract_bounce_params, margin),
+        .initial = 1,
+        .max = 1,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help = "refraction also at faces up to a quarter of the image size outside the image, in "
+                "scenes with one object",
+    },
+    {
+        .name = "refract_bounce.nested",
+        .label = "Refraction at hidden faces",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct refract_bounce_params, nested),
+        .initial = REFRACT_BOUNCE_NESTED_ON,
+        .max = REFRACT_BOUNCE_NESTED_ALL,
+        .choices = nested_choices,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help =
+            "refraction also at hidden faces of hollow objects, folded ones such as a teapot, and "
+            "nested objects (all: of every concave object)",
+    },
+    {
+        .name = "refract_bounce.inclusions",
+        .renamed_from = "refract_bounce.bent",
+        .label = "Inclusions along refracted rays",
+        .type = SETTING_CHOICE,
+        .offset = offsetof(struct refract_bounce_params, inclusions),
+        .initial = REFRACT_BOUNCE_INCLUSIONS_CRACKS,
+        .max = REFRACT_BOUNCE_INCLUSIONS_ALL,
+        .choices = bent_choices,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help =
+            "inclusions intersected along refracted rays: none; gaps of cracks, which then reflect "
+            "the object's inside; or also bubbles, and cracks along rays that faces and cracks "
+            "have "
+            "reflected",
+    },
+};
+
+const struct setting_group refract_bounce_settings =
+    SETTING_GROUP("refract_bounce", rows, struct refract_bounce_params);
+
+/* Value of mesh_depth_complexity() from which an object is rendered with all its faces, not only
+ * the nearest. The irregular ice cube has 0 and, with nearest faces only, an error of 0.0075; the
+ * teapot 0.09, 0.039. */
+static const float depth_complexity_min = 0.05f;
+
+bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene)
+{
+    const struct refract_bounce_params *params = settings_of(settings, &refract_bounce_settings);
+    const struct cracks_params *cracks_of = settings_of(settings, &cracks_settings);
+    const bool has_more =
+        params->nested == REFRACT_BOUNCE_NESTED_ALL
+            ? !scene->is_convex
+            : scene->depth_complexity > depth_complexity_min || ice_nested_is_in(scene);
+    return params->nested != REFRACT_BOUNCE_NESTED_OFF && has_more && ice_nested_fits(scene) &&
+           !scene_has_textured_objects(scene) && cracks_of->refract == CRACKS_REFRACT_OFF;
+}
+
+/* Completes a choice; the wide maps have no variants with material images or cracks. */
+static void choose(struct technique_choice *choice, const struct scene *scene)
+{
+    const struct refract_bounce_params *params =
+        settings_of(choice->settings, &refract_bounce_settings);
+    const struct cracks_params *cracks_of = settings_of(choice->settings, &cracks_settings);
+    refract_choose(choice, scene);
+    choice->is_nested =
+        choice->object_count > 0 && refract_bounce_is_nested(choice->settings, scene);
+    if (choice->is_nested)
+        choice->object_count = ice_nested_outermost_count(scene);
+    choice->is_wide = params->margin && choice->is_beyond && choice->object_count == 1 &&
+                      !choice->is_textured && cracks_of->refract == CRACKS_REFRACT_OFF;
+}
+
+static bool refracts_cracks(const struct settings *settings)
+{
+    const struct refract_bounce_params *params = settings_of(settings, &refract_bounce_settings);
+    return params->inclusions != REFRACT_BOUNCE_INCLUSIONS_OFF;
+}
+
+static bool refracts_bubbles(const struct settings *settings)
+{
+    const struct refract_bounce_params *params = settings_of(settings, &refract_bounce_settings);
+    return params->inclusions == REFRACT_BOUNCE_INCLUSIONS_ALL;
+}
+
+static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+{
+    const struct refract_bounce_params *params =
+        settings_of(subject->settings, &refract_bounce_settings);
+    values[CONSTANT_REFRACT_EXITS] = params->exits;
+}
+
+/* Returns the ratio of view size to wide map size; map sizes are rounded up. */
+static float wide_ratio(uint32_t view)
+{
+    return (float)view / ceilf((float)view * ICE_NORMAL_WIDE);
+}
+
+static void write_globals(const struct frame_view *view, struct globals *g)
+{
+    g->wide_scale = (vec2s){ { wide_ratio(view->width), wide_ratio(view->height) } };
+}
+
+const struct technique refract_bounce = {
+    .name = "refract_bounce",
+    .help = "refraction with total internal reflections, ray marched among front and back faces",
+    .settings = { &refract_bounce_settings },
+    .parts = REFRACT_PARTS,
+    .write_constants = write_constants,
+    .write_globals = write_globals,
+    .refraction = { .name = "bounce",
+                    .rows = &refraction,
+                    .by_pixel = true,
+                    .refracts_cracks = refracts_cracks,
+                    .refracts_bubbles = refracts_bubbles,
+                    .choose = choose },
+};

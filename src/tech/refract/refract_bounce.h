@@ -1,0 +1,14 @@
+/* refract_bounce.h: refraction model with total internal reflections. */
+#ifndef FIRN_TECH_REFRACT_REFRACT_BOUNCE_H
+#define FIRN_TECH_REFRACT_REFRACT_BOUNCE_H
+#include "shaders/refract/refract_bounce.h"
+#include "src/tech/technique.h"
+
+extern const struct technique refract_bounce;
+extern const struct setting_group refract_bounce_settings;
+
+/* Returns true if nested objects are rendered together and concave ones with more than their
+ * nearest faces: by refract_bounce.nested, if nothing has textures or tints. */
+bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene);
+
+#endif

@@ -1,0 +1,97 @@
+/*
+ * env_cube.c: cube map of the environment around the ice.
+ *
+ * Seipel and Nivfors 2006, section 3.2: the scene without the ice, rendered six times with a field
+ * of view of 90 degrees from the centre of the object, 512 x 512 texels a face. Alpha is 1 /
+ * distance from the centre, or 0 for the sky; refraction models use it to intersect rays with near
+ * surroundings. Faces have Vulkan's order and orientation, which is left-handed, so nothing is
+ * culled by winding order. The cube map is cached: a face is redrawn only when it is due
+ * (src/frame/env_cube_updates.h).
+ *
+ * Limits: with refract.lookup=infinite, near surroundings appear as seen from the object's centre,
+ * not from the point where the ray leaves. Surroundings that are occluded from the centre are
+ * missing in any case.
+ */
+#include "src/settings/scene_settings.h"
+#include "src/tech/frame.h"
+#include "src/tech/lighting/ice_caustics.h"
+#include "src/tech/surroundings/surroundings.h"
+
+static rg_record_fn record_surroundings, record_sky;
+static rg_when_fn is_due;
+
+static const struct rg_image env_cube_baked_depth = {
+    .name = "env_cube.baked_depth",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .layers = 6,
+};
+
+static bool is_due(const struct rg_frame *frame, uint32_t repetition)
+{
+    return frame->due.faces & 1u << repetition;
+}
+
+static void push_face(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, &frame->faces[rg_cmd_repetition(cmd)], sizeof(struct surroundings_push));
+}
+
+static void record_sky(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push_face(cmd, frame);
+    rg_cmd_draw(cmd, 3);
+}
+
+static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push_face(cmd, frame);
+    rg_cmd_draw_mesh(cmd, &frame->surroundings);
+}
+
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct pass_builder *builder)
+{
+    const struct env_cube_params *params = settings_of(choice->settings, &env_cube_settings);
+    const bool is_picture = choice->purpose == TECHNIQUE_IMAGE;
+    const bool is_baked = choice->purpose == TECHNIQUE_BAKE;
+    const struct surroundings_rows rows = {
+        .name = "env_cube",
+        .color = is_baked ? &frame_env_cube_baked : &frame_env_cube,
+        .depth = is_baked ? &env_cube_baked_depth : &frame_env_cube_depth,
+        .caustics = is_picture && ice_caustics.is_on(choice->settings),
+        .has_materials = choice->has_materials,
+        .has_extras = choice->has_extras,
+        .repeat = RG_PER_LAYER,
+        .record_surroundings = record_surroundings,
+        .record_sky = record_sky,
+        .when = is_baked ? NULL : is_due,
+    };
+    if (is_picture && (!params->dynamic || choice->has_cube))
+        return (struct rg_technique){ 0 };
+    return surroundings_make(builder, &rows);
+}
+
+static struct technique_texels find_cube(const struct scene *scene)
+{
+    return (struct technique_texels){
+        .texels = scene->cube.texels,
+        .width = scene->cube.width,
+        .height = scene->cube.width,
+        .layers = 6,
+        .no_mips = true,
+    };
+}
+
+static const struct technique_import imports[] = {
+    { &frame_env_cube, find_cube, NULL },
+    { 0 },
+};
+
+const struct technique env_cube = {
+    .name = "env_cube",
+    .help = "cube map of the scene without the ice, from the ice's centre",
+    .parts = { { PHASE_ENVIRONMENT,
+                 .purposes = 1u << TECHNIQUE_IMAGE | 1u << TECHNIQUE_CAPTURE | 1u << TECHNIQUE_BAKE,
+                 .rows = make_rows } },
+    .imports = imports,
+};

@@ -1,0 +1,359 @@
+/*
+ * ssr.c: screen-space reflections of the refractive objects in glossy surroundings.
+ *
+ * Screen-space ray marching after Sousa, Kasyan and Schulz 2011, Secrets of CryENGINE 3 Graphics
+ * Technology ("real-time local reflections"): reflected rays are marched linearly through the depth
+ * buffer, then refined by bisection. Two changes make it cheap and robust: only the objects are
+ * intersected, whose colour and depth are copied before the surroundings are drawn over them, so
+ * that occluders do not hide reflections; and rays are marched only inside the objects' bounding
+ * box, so that a few steps suffice. A hit replaces the environment's contribution to the specular
+ * term, which conserves energy in a uniform environment. Rough surfaces sample prefiltered mip
+ * levels whose texels match the footprint of the lobe at the hit. At half resolution, rays that hit
+ * ice are refracted there by the refraction model.
+ *
+ * Limits: a reflection without refraction shows the camera's view of the object, with sun glints
+ * clamped. Hidden sides repeat the colours of the edges in front of them; what is off screen has no
+ * reflection. Reflections are drawn only around and below the objects' base. The lobe is isotropic,
+ * and ends at the outline of a perfectly sharp one. Opaque surroundings do not reflect each
+ * other, and surroundings visible in or through the objects have no reflections of them.
+ */
+#include "src/tech/surroundings/ssr.h"
+#include <cglm/struct.h>
+#include "shaders/embedded.h"
+#include "shaders/surroundings/ssr.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/frame.h"
+#include "src/tech/ice/ice_normal.h"
+#include "src/tech/pass_builder.h"
+#include "src/tech/refract/refract.h"
+#include "src/tech/refract/refract_bounce.h"
+
+static const float edge_fraction = 0.08f; /* width of the fade-out in the scissored area */
+
+static rg_record_fn record_copy, record_half, record_find, record_refracted, record_screen;
+
+const struct rg_image ssr_surface = {
+    .name = "ssr.surface",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+const struct rg_image ssr_specular = {
+    .name = "ssr.specular",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+/* Colours of the objects with mip levels; level 0 is undefined beyond a margin around them. */
+static const struct rg_image object_color = {
+    .name = "ssr.objects",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .mips = RG_ALL_MIPS,
+};
+
+static const struct rg_image object_depth = {
+    .name = "ssr.object_depth",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+/* Hits of reflected rays at half resolution: point relative to the camera, direction, a depth
+ * buffer that marks hits, and the premultiplied colour refracted there, undefined without a hit. */
+static const struct rg_image hit_point = {
+    .name = "ssr.hit_point",
+    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+    .scale = 0.5f,
+};
+
+static const struct rg_image hit_dir = {
+    .name = "ssr.hit_dir",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .scale = 0.5f,
+};
+
+static const struct rg_image hit_mask = {
+    .name = "ssr.hit_mask",
+    .format = VK_FORMAT_D32_SFLOAT,
+    .scale = 0.5f,
+};
+
+static const struct rg_image refracted = {
+    .name = "ssr.refracted",
+    .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+    .scale = 0.5f,
+};
+
+static const struct rg_fallback none_refracted = { { 0 } };
+
+static const struct rg_sampler object_sampler = { .linear = true, .mips = true };
+
+#define DOWNSAMPLE_FROM(...) \
+    .uses = RG_USES(FRAME_SAMPLE(object_color, SSR_COLOR, .sampler = &frame_linear, \
+                                 .range = { __VA_ARGS__ })), \
+    .vert = &fullscreen_vert, .frag = &ssr_downsample_frag
+
+static const struct rg_pass object_passes[] = {
+    {
+        .name = "ssr.objects",
+        .color = RG_TARGETS({ &object_color, RG_LOAD_DISCARD }, { &object_depth, RG_LOAD_CLEAR }),
+        .uses = RG_USES(FRAME_READ(frame_color, SSR_COLOR), FRAME_READ(frame_depth, SSR_DEPTH)),
+        .vert = &fullscreen_vert,
+        .frag = &ssr_copy_frag,
+        .record = record_copy,
+    },
+    {
+        .name = "ssr.half",
+        .color = RG_TARGETS({ &object_color, RG_LOAD_CLEAR, .mip = 1 }),
+        DOWNSAMPLE_FROM(.mip_count = 1),
+        .record = record_half,
+    },
+    {
+        .name = "ssr.downsample",
+        .repeat = RG_PER_MIP,
+        .color = RG_TARGETS({ &object_color, RG_LOAD_DISCARD, .mip = 2 }),
+        DOWNSAMPLE_FROM(.mip = 1, .each = true),
+        .record = frame_draw_screen,
+    },
+};
+
+static const struct rg_use refracted_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_READ(ice_normal_shading, REFRACT_SHADING),
+    FRAME_SAMPLE(hit_point, SSR_HIT_POINT, .same_texel = true),
+    FRAME_SAMPLE(hit_dir, SSR_HIT_DIR, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_pass refracted_passes[] = {
+    {
+        .name = "ssr.trace",
+        .color = RG_TARGETS({ &hit_point, RG_LOAD_DISCARD }, { &hit_dir, RG_LOAD_DISCARD }),
+        .depth = { &hit_mask, RG_LOAD_CLEAR },
+        .depth_compare = VK_COMPARE_OP_ALWAYS,
+        .uses = RG_USES(FRAME_USE_GLOBALS, FRAME_READ(frame_depth, SSR_DEPTH),
+                        FRAME_READ(object_depth, SSR_OBJECT_DEPTH),
+                        FRAME_READ(ssr_surface, SSR_SURFACE)),
+        .vert = &ssr_vert,
+        .frag = &ssr_trace_frag,
+        .push_size = sizeof(struct ssr_push),
+        .record = record_find,
+    },
+    {
+        .name = "ssr.refracted",
+        .color = RG_TARGETS({ &refracted, RG_LOAD_CLEAR }),
+        .depth = { &hit_mask, RG_LOAD_KEEP },
+        .depth_read_only = true,
+        .depth_compare = VK_COMPARE_OP_LESS,
+        .push_size = sizeof(struct refract_bounce_params),
+        .record = record_refracted,
+    },
+};
+
+static const struct rg_pass screen_passes[] = {
+    {
+        .name = "ssr.composite",
+        .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_ADD }),
+        .uses = RG_USES(FRAME_USE_GLOBALS, FRAME_SAMPLE(frame_depth, SSR_DEPTH, .same_texel = true),
+                        FRAME_SAMPLE(object_color, SSR_OBJECTS, .sampler = &object_sampler),
+                        FRAME_SAMPLE(refracted, SSR_REFRACTED, .sampler = &frame_linear,
+                                     .fallback = &none_refracted),
+                        FRAME_READ(object_depth, SSR_OBJECT_DEPTH),
+                        FRAME_SAMPLE(ssr_surface, SSR_SURFACE, .same_texel = true),
+                        FRAME_SAMPLE(ssr_specular, SSR_SPECULAR, .same_texel = true)),
+        .vert = &ssr_vert,
+        .frag = &ssr_frag,
+        .push_size = sizeof(struct ssr_push),
+        .record = record_screen,
+    },
+};
+
+/* Returns the texels of a mip level that cover an area of level 0, plus a margin in texels. */
+static VkRect2D area_at(VkRect2D area, uint32_t mip, int32_t margin, VkExtent2D size)
+{
+    const int32_t x = area.offset.x >> mip, y = area.offset.y >> mip;
+    const int32_t first_x = x > margin ? x - margin : 0, first_y = y > margin ? y - margin : 0;
+    const int32_t last_x = ((area.offset.x + (int32_t)area.extent.width) >> mip) + margin;
+    const int32_t last_y = ((area.offset.y + (int32_t)area.extent.height) >> mip) + margin;
+    const int32_t width = (int32_t)size.width, height = (int32_t)size.height;
+    return (VkRect2D){ { first_x, first_y },
+                       { (uint32_t)((last_x < width ? last_x : width) - first_x),
+                         (uint32_t)((last_y < height ? last_y : height) - first_y) } };
+}
+
+/* Scissored; each mip level has a smaller margin, so that it reads only texels that are written. */
+static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_scissor(cmd, area_at(frame->object_area, 0, 4, rg_cmd_extent(cmd)));
+    rg_cmd_draw(cmd, 3);
+}
+
+static void record_half(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_scissor(cmd, area_at(frame->object_area, 1, 1, rg_cmd_extent(cmd)));
+    rg_cmd_draw(cmd, 3);
+}
+
+/* Returns the longest bounding box diagonal of an object. */
+static float thickness_of(const struct scene *scene)
+{
+    float most = 0.0f;
+    for (uint32_t i = 0; i < scene->model.object_count; i++)
+        most = fmaxf(most, box_diagonal(scene->model.objects[i].box));
+    return most;
+}
+
+/* Writes an area to the push constants. Edges shared with the image are moved far outside. */
+static void write_area(struct ssr_push *push, VkRect2D area, VkExtent2D picture)
+{
+    const int32_t first[2] = { area.offset.x, area.offset.y };
+    const uint32_t size[2] = { area.extent.width, area.extent.height };
+    const uint32_t sides[2] = { picture.width, picture.height };
+    for (int axis = 0; axis < 2; axis++) {
+        const uint32_t last = (uint32_t)first[axis] + size[axis];
+        push->area_min.raw[axis] = first[axis] > 0 ? (float)first[axis] : -1e6f;
+        push->area_max.raw[axis] = last < sides[axis] ? (float)last : 1e6f;
+        push->area_edge.raw[axis] = edge_fraction * (float)size[axis];
+    }
+}
+
+static void push_all(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    const struct ssr_params *params = settings_of(frame->settings, &ssr_settings);
+    struct ssr_push push = {
+        .box_min = frame->scene->box.min,
+        .box_max = frame->scene->box.max,
+        .steps = params->steps,
+        .thickness = thickness_of(frame->scene),
+        .pixel = 2.0f * glms_vec3_norm(frame->view.up) / (float)rg_cmd_extent(cmd).height,
+    };
+    write_area(&push, frame->ground_area, rg_cmd_extent(cmd));
+    rg_cmd_push(cmd, &push, sizeof(push));
+}
+
+static void record_find(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push_all(cmd, frame);
+    rg_cmd_scissor(cmd, area_at(frame->ground_area, 1, 1, rg_cmd_extent(cmd)));
+    rg_cmd_draw(cmd, 3);
+}
+
+static void record_refracted(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, settings_of(frame->settings, &refract_bounce_settings),
+                sizeof(struct refract_bounce_params));
+    rg_cmd_scissor(cmd, area_at(frame->ground_area, 1, 1, rg_cmd_extent(cmd)));
+    rg_cmd_draw(cmd, 3);
+}
+
+static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    push_all(cmd, frame);
+    rg_cmd_scissor(cmd, frame->ground_area);
+    rg_cmd_draw(cmd, 3);
+}
+
+static const struct setting rows[] = {
+    {
+        .name = "ssr.steps",
+        .renamed_from = "mirror.steps",
+        .label = "Reflection steps",
+        .type = SETTING_COUNT,
+        .offset = offsetof(struct ssr_params, steps),
+        .initial = 8,
+        .max = 64,
+        .switches = SETTING_AFFECTS_PLAN,
+        .help = "ray march steps of the screen-space reflections of objects in glossy surroundings "
+                "(0: off; trace and reference: ground.light)",
+    },
+    {
+        .name = "ssr.refract",
+        .renamed_from = "mirror.refract",
+        .label = "Refraction in reflections",
+        .type = SETTING_SWITCH,
+        .offset = offsetof(struct ssr_params, refract),
+        .initial = 1,
+        .max = 1,
+        .affects = SETTING_AFFECTS_PLAN,
+        .help =
+            "refract reflected rays at the object that they hit, instead of reusing the camera's "
+            "view of it (refraction model bounce, one object, not nested)",
+    },
+};
+
+const struct setting_group ssr_settings = SETTING_GROUP("ssr", rows, struct ssr_params);
+
+static bool is_on(const struct settings *settings)
+{
+    const struct ssr_params *params = settings_of(settings, &ssr_settings);
+    return params->steps > 0;
+}
+
+bool ssr_is_drawn(const struct technique_choice *choice)
+{
+    const struct ground_params *ground = settings_of(choice->settings, &ground_settings);
+    return is_on(choice->settings) && ground->shading == GROUND_PIXELS && choice->has_mirrors &&
+           !choice->has_pool && choice->purpose == TECHNIQUE_IMAGE && choice->refraction &&
+           !choice->refraction->refraction.traces_bvh;
+}
+
+static struct rg_technique make_object_rows(const struct technique_choice *choice,
+                                            struct pass_builder *builder)
+{
+    (void)builder;
+    if (!ssr_is_drawn(choice))
+        return (struct rg_technique){ 0 };
+    return (struct rg_technique)RG_TECHNIQUE("ssr", object_passes);
+}
+
+/* Returns the shader that refracts reflected rays in the object, or NULL to reuse the camera's
+ * view. With several or nested objects, the depth and normal maps no longer exist at this point. */
+static const struct rg_shader *refracted_frag(const struct technique_choice *choice)
+{
+    const struct ssr_params *params = settings_of(choice->settings, &ssr_settings);
+    const struct refract_shaders *refraction = choice->refraction->refraction.rows;
+    if (!params->refract || !refraction || choice->object_count > 1 || choice->is_nested)
+        return NULL;
+    if (choice->renders_media)
+        return choice->is_textured ? refraction->medium_shaders->ssr_material_frag
+                                   : refraction->medium_shaders->ssr_frag;
+    return choice->is_textured ? refraction->ssr_material_frag : refraction->ssr_frag;
+}
+
+static struct rg_technique make_refracted_rows(const struct technique_choice *choice,
+                                               struct pass_builder *builder)
+{
+    const struct rg_shader *frag = ssr_is_drawn(choice) ? refracted_frag(choice) : NULL;
+    struct rg_pass *own = frag ? pass_builder_copy_passes(builder, refracted_passes, 2) : NULL;
+    if (!own)
+        return (struct rg_technique){ 0 };
+    const struct refract_shaders *refraction = choice->refraction->refraction.rows;
+    const struct rg_use *const uses[] = {
+        refracted_uses,
+        choice->is_wide ? refraction->wide_uses : refraction->uses,
+        choice->is_textured ? refract_material_uses : NULL,
+        choice->renders_media ? refract_medium_uses : NULL,
+    };
+    own[1].uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    own[1].vert = refraction->vert;
+    own[1].frag = frag;
+    return (struct rg_technique){ "ssr", own, 2 };
+}
+
+static struct rg_technique make_screen_rows(const struct technique_choice *choice,
+                                            struct pass_builder *builder)
+{
+    (void)builder;
+    if (!ssr_is_drawn(choice))
+        return (struct rg_technique){ 0 };
+    return (struct rg_technique)RG_TECHNIQUE("ssr", screen_passes);
+}
+
+const struct technique ssr = {
+    .name = "ssr",
+    .help = "screen-space reflections of the objects in glossy surroundings",
+    .settings = { &ssr_settings },
+    .is_on = is_on,
+    .is_traced = true,
+    .is_hit = true,
+    .title = "screen-space reflections",
+    .parts = { { PHASE_COMPOSITE, SCENE_OF_OBJECT, .rows = make_object_rows },
+               { PHASE_FINISH, SCENE_OF_OBJECT, .rows = make_refracted_rows },
+               { PHASE_FINISH, SCENE_OF_OBJECT, .rows = make_screen_rows } },
+};

@@ -1,0 +1,319 @@
+/*
+ * surroundings.c: passes that draw the surroundings, and behind them the sky or environment map.
+ *
+ * Drawn after the ice, if there is any: pixels hidden by it then cost only a depth test.
+ */
+#include "src/tech/surroundings/surroundings.h"
+#include "shaders/brdf.h"
+#include "shaders/embedded.h"
+#include "shaders/material_layout.h"
+#include "src/settings/scene_settings.h"
+#include "src/tech/frame.h"
+#include "src/tech/lighting/ao.h"
+#include "src/tech/lighting/ice_caustics.h"
+#include "src/tech/pass_builder.h"
+#include "src/tech/surroundings/ssr.h"
+
+static rg_record_fn record_surroundings, record_sky;
+
+static const struct rg_use plain_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &frame_texture_sampler),
+    { 0 },
+};
+
+static const struct rg_use material_uses[] = {
+    FRAME_SAMPLE(frame_materials, SURROUNDINGS_MATERIALS, .sampler = NULL),
+    FRAME_SAMPLE(frame_environment, SURROUNDINGS_ENVIRONMENT,
+                 .sampler = &frame_environment_sampler),
+    FRAME_SAMPLE(frame_surface_light, SURROUNDINGS_ENVIRONMENT_LIGHT,
+                 .sampler = &frame_environment_sampler),
+    FRAME_SAMPLE(frame_surface_split, SURROUNDINGS_BRDF_TABLE, .sampler = &frame_linear),
+    FRAME_SAMPLE(frame_lights, SURROUNDINGS_LIGHTS, .sampler = NULL),
+    { 0 },
+};
+
+static const struct rg_use texture_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &frame_texture_sampler),
+    FRAME_SAMPLE(frame_numbers, SURROUNDINGS_DATA_TEXTURES, .sampler = &frame_texture_sampler),
+    { 0 },
+};
+
+/* Sampler for cube maps. An anisotropic filter would cost more than the rest of the shading of
+ * textured surfaces; elongated texture footprints are filtered as squares instead. */
+static const struct rg_sampler square_sampler = {
+    .linear = true,
+    .mips = true,
+    .repeat_u = true,
+    .repeat_v = true,
+};
+
+static const struct rg_use cube_texture_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &square_sampler),
+    FRAME_SAMPLE(frame_numbers, SURROUNDINGS_DATA_TEXTURES, .sampler = &square_sampler),
+    { 0 },
+};
+
+static const struct rg_use extra_uses[] = {
+    FRAME_SAMPLE(frame_extras, SURROUNDINGS_EXTRAS, .sampler = NULL,
+                 .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT),
+    { 0 },
+};
+
+static const struct rg_use sky_uses[] = {
+    FRAME_USE_GLOBALS,
+    FRAME_SAMPLE(frame_environment, SURROUNDINGS_ENVIRONMENT,
+                 .sampler = &frame_environment_sampler),
+    { 0 },
+};
+
+/* Fixed part of the passes; surroundings_make() adds names, targets, uses and record functions. */
+static const struct rg_pass passes[] = {
+    {
+        .depth_compare = VK_COMPARE_OP_GREATER,
+        .vert = &surroundings_vert,
+        .vertices = &frame_mesh_layout,
+        .push_size = sizeof(struct surroundings_push),
+    },
+    {
+        .depth_read_only = true,
+        .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
+        .vert = &surroundings_sky_vert,
+        .frag = &surroundings_sky_frag,
+        .uses = sky_uses,
+        .push_size = sizeof(struct surroundings_push),
+    },
+};
+
+static const struct rg_shader *const frags[3][2] = {
+    { &surroundings_frag, &surroundings_caustics_frag },
+    { &surroundings_materials_frag, &surroundings_materials_caustics_frag },
+    { &surroundings_extra_frag, &surroundings_extra_caustics_frag },
+};
+
+/* Variants that write the inputs of screen-space reflections, which need materials. */
+static const struct rg_shader *const ssr_frags[3][2] = {
+    { NULL },
+    { &surroundings_materials_ssr_frag, &surroundings_materials_caustics_ssr_frag },
+    { &surroundings_extra_ssr_frag, &surroundings_extra_caustics_ssr_frag },
+};
+
+/* Variants that compute most of the lighting per vertex. */
+static const struct rg_shader *const vertices_verts[2][2] = {
+    { &surroundings_vertices_vert, &surroundings_vertices_caustics_vert },
+    { &surroundings_vertices_extra_vert, &surroundings_vertices_extra_caustics_vert },
+};
+static const struct rg_shader *const vertices_frags[2] = {
+    &surroundings_vertices_frag,
+    &surroundings_vertices_caustics_frag,
+};
+
+static void light_vertices(struct rg_pass *row, struct pass_builder *builder,
+                           const struct surroundings_rows *wanted)
+{
+    struct rg_use *uses = pass_builder_copy_uses(builder, row->uses);
+    for (struct rg_use *u = uses; u && (u->image || u->buffer); u++)
+        u->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    row->vert = vertices_verts[wanted->has_extras][wanted->caustics];
+    row->frag = vertices_frags[wanted->caustics];
+    row->uses = uses;
+}
+
+struct rg_technique surroundings_make(struct pass_builder *builder,
+                                      const struct surroundings_rows *wanted)
+{
+    /* The sky covers all pixels without surroundings, so the colour needs no clear. */
+    const enum rg_load color_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
+    const enum rg_load depth_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
+    const bool has_extras = wanted->has_materials && wanted->has_extras;
+    const struct rg_use *const textures =
+        wanted->repeat == RG_PER_LAYER || wanted->per_vertex ? cube_texture_uses : texture_uses;
+    const struct rg_use *const uses[] = {
+        wanted->has_materials ? textures : plain_uses, wanted->has_materials ? material_uses : NULL,
+        wanted->caustics ? ice_caustics_uses : NULL,   has_extras ? extra_uses : NULL,
+        wanted->has_materials ? ao_uses : NULL,
+    };
+    struct rg_pass *rows = pass_builder_copy_passes(builder, passes, 2);
+    if (!rows)
+        return (struct rg_technique){ 0 };
+    const struct rg_target targets[] = {
+        { wanted->color, color_load },
+        [SURROUNDINGS_OUT_SURFACE] = { &ssr_surface, RG_LOAD_DISCARD },
+        [SURROUNDINGS_OUT_SPECULAR] = { &ssr_specular, RG_LOAD_DISCARD },
+    };
+    const uint32_t target_count = wanted->has_ssr ? SURROUNDINGS_OUT_SPECULAR + 1 : 1;
+    rows[0].name = pass_builder_name(builder, wanted->name, "mesh");
+    rows[0].color = pass_builder_copy_targets(builder, targets, target_count);
+    rows[0].depth = (struct rg_target){ wanted->depth, depth_load };
+    if (has_extras)
+        rows[0].vert = &surroundings_extra_vert;
+    rows[0].frag =
+        (wanted->has_ssr ? ssr_frags
+                         : frags)[has_extras ? 2 : wanted->has_materials][wanted->caustics];
+    rows[0].uses = pass_builder_join_uses(builder, uses, 5);
+    rows[0].record = wanted->record_surroundings;
+    if (wanted->per_vertex && wanted->has_materials)
+        light_vertices(&rows[0], builder, wanted);
+    rows[1].name = pass_builder_name(builder, wanted->name, "sky");
+    rows[1].color = pass_builder_target(builder, (struct rg_target){ wanted->color, RG_LOAD_KEEP });
+    rows[1].depth = (struct rg_target){ wanted->depth, RG_LOAD_KEEP };
+    rows[1].record = wanted->record_sky;
+    for (size_t i = 0; i < 2; i++) {
+        rows[i].color_count = i == 0 ? target_count : 1;
+        rows[i].repeat = wanted->repeat;
+        rows[i].when = wanted->when;
+    }
+    return (struct rg_technique){ wanted->name, rows, 2 };
+}
+
+/* Makes the passes that draw the background: before the water of a pool, but after an object. */
+static struct rg_technique make_rows(const struct technique_choice *choice,
+                                     struct pass_builder *builder)
+{
+    const struct ground_params *ground = settings_of(choice->settings, &ground_settings);
+    const struct surroundings_rows rows = {
+        .name = "surroundings",
+        .color = &frame_color,
+        .depth = &frame_depth,
+        .keep = !choice->has_pool,
+        .caustics = !choice->has_pool && ice_caustics.is_on(choice->settings),
+        .has_materials = choice->has_materials,
+        .has_extras = choice->has_extras,
+        .per_vertex = ground->shading == GROUND_VERTICES,
+        .has_ssr = ssr_is_drawn(choice),
+        .record_surroundings = record_surroundings,
+        .record_sky = record_sky,
+    };
+    return surroundings_make(builder, &rows);
+}
+
+static void record_sky(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, &frame->view, sizeof(frame->view));
+    rg_cmd_draw(cmd, 3);
+}
+
+static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_push(cmd, &frame->view, sizeof(frame->view));
+    rg_cmd_draw_mesh(cmd, &frame->surroundings);
+}
+
+/* ---- images of the scene ---- */
+
+static struct technique_texels find_environment(const struct scene *scene)
+{
+    const struct environment *environment = &scene->environment;
+    return (struct technique_texels){
+        .texels = environment->texels,
+        .width = environment->width,
+        .height = environment->height,
+    };
+}
+
+static struct technique_texels layers_of(const struct texture_layers *textures)
+{
+    return (struct technique_texels){
+        .texels = textures->texels,
+        .width = textures->size,
+        .height = textures->size,
+        .layers = textures->count,
+    };
+}
+
+static struct technique_texels find_textures(const struct scene *scene)
+{
+    return layers_of(&scene->model.textures);
+}
+
+static struct technique_texels find_numbers(const struct scene *scene)
+{
+    return layers_of(&scene->model.numbers);
+}
+
+static struct technique_texels find_materials(const struct scene *scene)
+{
+    if (!scene->material_table)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->material_table,
+        .width = MATERIAL_ROW_WIDTH,
+        .height = scene->model.material_count + 1,
+        .no_mips = true,
+    };
+}
+
+static struct technique_texels find_extras(const struct scene *scene)
+{
+    if (!scene->vertex_extra_table)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->vertex_extra_table,
+        .width = MESH_EXTRA_WIDTH,
+        .height = mesh_extra_row_count(scene->model.surroundings.vertex_count),
+        .no_mips = true,
+    };
+}
+
+static struct technique_texels find_lights(const struct scene *scene)
+{
+    if (!scene->punctual_light_table)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->punctual_light_table,
+        .width = LIT_LIGHT_WIDTH,
+        .height = scene->model.light_count,
+        .no_mips = true,
+    };
+}
+
+static struct technique_texels find_surface_light(const struct scene *scene)
+{
+    if (!scene->prefiltered_environment)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->prefiltered_environment,
+        .width = LIT_WIDTH,
+        .height = LIT_HEIGHT,
+        .layers = LIT_LAYERS,
+        .no_mips = true,
+    };
+}
+
+static struct technique_texels find_surface_split(const struct scene *scene)
+{
+    if (!scene->brdf_table)
+        return (struct technique_texels){ 0 };
+    return (struct technique_texels){
+        .texels = scene->brdf_table,
+        .width = LIT_SPLIT_SIDE,
+        .height = LIT_SPLIT_SIDE,
+        .no_mips = true,
+    };
+}
+
+static const uint16_t black[4] = { 0 };
+static const float nothing[4] = { 0 };
+static const uint8_t white[4] = { 255, 255, 255, 255 };
+
+static const struct technique_import imports[] = {
+    { &frame_environment, find_environment, black },
+    { &frame_textures, find_textures, white },
+    { &frame_numbers, find_numbers, white },
+    { &frame_materials, find_materials, nothing },
+    { &frame_extras, find_extras, nothing },
+    { &frame_lights, find_lights, nothing },
+    { &frame_surface_light, find_surface_light, black },
+    { &frame_surface_split, find_surface_split, black },
+    { 0 },
+};
+
+const struct technique surroundings = {
+    .name = "surroundings",
+    .help = "sky or environment map, and the surroundings",
+    .parts = { { PHASE_LIGHT, SCENE_OF_POOL, .rows = make_rows },
+               { PHASE_BACKGROUND, SCENE_OF_OBJECT, .rows = make_rows } },
+    .imports = imports,
+};

@@ -1,0 +1,449 @@
+/*
+ * refract_trace.c: refraction model that ray traces nested dielectrics on the GPU.
+ *
+ * Each pixel's path is traced through a BVH of the scene's triangles (src/scene/bvh/bvh.c; Aila and
+ * Laine 2009, Understanding the Efficiency of Ray Traversal on GPUs). At an object's surface it is
+ * refracted between the media on both sides, which a medium stack with priorities yields (Schmidt
+ * and Budge 2002), or totally reflected; reflections of enough throughput are traced later. Rays
+ * that leave the objects look up the environment cube or hit the triangles of the surroundings.
+ *
+ * Error: internal reflections with less throughput than trace.min_branch count as transmitted, and
+ * so does light after TRACE_LENGTH surfaces. Without trace.surroundings=rays, that of the cube
+ * lookup (shaders/refract/refract_environment.glsl). Bump maps and air impostors are ignored.
+ */
+#include "src/tech/trace/refract_trace.h"
+#include <string.h>
+#include "shaders/embedded.h"
+#include "shaders/specialization_constants.h"
+#include "shaders/trace/refract_trace.h"
+#include "src/scene/environment/image_based_lighting.h"
+#include "src/tech/frame.h"
+#include "src/tech/frame_media.h"
+#include "src/tech/ice/ice_normal.h"
+#include "src/tech/inclusions/air.h"
+#include "src/tech/inclusions/cracks.h"
+#include "src/tech/inclusions/medium_field.h"
+#include "src/tech/lighting/highlight.h"
+#include "src/tech/lighting/ice_caustics.h"
+#include "src/tech/output/first_surface.h"
+#include "src/tech/pass_builder.h"
+#include "src/tech/refract/refract.h"
+#include "src/tech/trace/trace_settings.h"
+
+static rg_record_fn record_objects;
+static technique_passes_fn color_rows, layer_rows;
+
+const struct rg_image trace_media = {
+    .name = "refract_trace.media",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+const struct rg_image trace_last_object = {
+    .name = "refract_trace.last",
+    .format = VK_FORMAT_R32_SFLOAT,
+};
+
+static const struct rg_image denoise_images[FRAME_DENOISE_COUNT] = {
+    { .name = "refract_trace.diffuse_light", .format = VK_FORMAT_R16G16B16A16_SFLOAT },
+    { .name = "refract_trace.throughput", .format = VK_FORMAT_R16G16B16A16_SFLOAT },
+    { .name = "refract_trace.position", .format = VK_FORMAT_R32G32B32A32_SFLOAT },
+};
+
+const struct frame_layer frame_denoise_layers[FRAME_DENOISE_COUNT] = {
+    { .image = &denoise_images[0],
+      .planes = { "light.R", "light.G", "light.B", "due" },
+      .mean = true },
+    { .image = &denoise_images[1],
+      .planes = { "throughput.R", "throughput.G", "throughput.B" },
+      .mean = true },
+    { .image = &denoise_images[2],
+      .planes = { "position.X", "position.Y", "position.Z", "normal" } },
+};
+
+/* ---- what is uploaded ---- */
+
+static const struct rg_buffer frame_buffer = {
+    .name = "refract_trace.frame",
+    .size = sizeof(struct trace_frame),
+    .memory = RG_MEMORY_UPLOAD,
+};
+
+#define WORDS(title) \
+    { \
+        .name = (title), .size = 16, .format = VK_FORMAT_R32G32B32A32_UINT \
+    }
+static const struct rg_buffer nodes = WORDS("refract_trace.nodes");
+static const struct rg_buffer triangles = WORDS("refract_trace.triangles");
+static const struct rg_buffer corners = WORDS("refract_trace.corners");
+
+/* Storage buffers for a BVH that is too large for texel buffers. */
+static const struct rg_buffer stored_nodes = { "refract_trace.stored_nodes", .size = 16 };
+static const struct rg_buffer stored_triangles = { "refract_trace.stored_triangles", .size = 16 };
+static const struct rg_buffer stored_corners = { "refract_trace.stored_corners", .size = 16 };
+
+static const struct rg_buffer structure = { "refract_trace.structure", .size = 16 };
+
+static const struct {
+    const struct rg_buffer *texels, *stored;
+    size_t at; /* offset of the data in struct tree */
+} bvh_buffers[] = {
+    { &nodes, &stored_nodes, offsetof(struct bvh, nodes) },
+    { &triangles, &stored_triangles, offsetof(struct bvh, triangles) },
+    { &corners, &stored_corners, offsetof(struct bvh, corners) },
+};
+
+static struct technique_bytes find_bvh_data(const struct scene *scene,
+                                            const struct rg_buffer *buffer)
+{
+    struct technique_bytes found = { 0 };
+    for (size_t i = 0; scene->bvh && i < sizeof(bvh_buffers) / sizeof(bvh_buffers[0]); i++) {
+        struct bvh_words words;
+        memcpy(&words, (const char *)scene->bvh + bvh_buffers[i].at, sizeof(words));
+        const struct rg_buffer *filled =
+            scene->bvh->is_stored ? bvh_buffers[i].stored : bvh_buffers[i].texels;
+        if (buffer == filled && words.count)
+            found = (struct technique_bytes){ words.all, words.count * sizeof(*words.all) };
+    }
+    return found;
+}
+
+static const struct technique_import imports[] = {
+    { .buffer = &nodes, .find_bytes = find_bvh_data },
+    { .buffer = &triangles, .find_bytes = find_bvh_data },
+    { .buffer = &corners, .find_bytes = find_bvh_data },
+    { .buffer = &stored_nodes, .find_bytes = find_bvh_data },
+    { .buffer = &stored_triangles, .find_bytes = find_bvh_data },
+    { .buffer = &stored_corners, .find_bytes = find_bvh_data },
+    { .buffer = &structure, .is_structure = true },
+    { 0 },
+};
+
+static vec4s vec4_of(vec3s xyz, float w)
+{
+    return (vec4s){ { xyz.x, xyz.y, xyz.z, w } };
+}
+
+static void fill_medium(vec4s *texels, const struct frame_medium *medium)
+{
+    texels[TRACE_IOR] =
+        (vec4s){ { medium->ior[0], medium->ior[1], medium->ior[2], medium->roughness } };
+    texels[TRACE_ABSORB] = vec4_of(medium->absorption, medium->opacity);
+    texels[TRACE_TINT] = vec4_of(medium->tint, medium->is_thin ? 1.0f : 0.0f);
+}
+
+static void fill_clouds(struct trace_frame *trace, const struct frame_view *view)
+{
+    const struct scene *scene = view->scene;
+    for (uint32_t i = 0; i < scene->clouds.count; i++) {
+        const uint32_t object = scene->clouds.all[i].object;
+        const struct frame_medium medium = frame_medium_at(scene, view->settings, object);
+        const size_t at = (size_t)bvh_medium(scene->bvh, medium.rank) * TRACE_MEDIUM;
+        trace->clouds[i] = medium_field_at(scene, view->settings, i);
+        if (trace->clouds[i].extinction > 0.0f)
+            trace->media[at + TRACE_TINT].w = -1.0f - (float)i;
+    }
+}
+
+static bool is_in_bubble(const struct bubbles *bubbles, vec3s point)
+{
+    for (uint32_t i = 0; i < bubbles->count; i++) {
+        if (bubble_contains(&bubbles->all[i], point))
+            return true;
+    }
+    return false;
+}
+
+/* Returns a rotation about a vertical axis as trace_bvh_pose() of trace_bvh.glsl does. */
+static vec4s rotation_of(mat4s pose)
+{
+    return (vec4s){ { pose.raw[0][0], pose.raw[2][0], pose.raw[3][0], pose.raw[3][2] } };
+}
+
+/* Writes the ray tracer's uniforms; scene_build_bvh() has built the BVH. */
+static void write_frame(void *memory, const struct frame_view *view, const struct globals *globals)
+{
+    struct trace_frame *trace = memory;
+    const struct bvh *bvh = view->scene->bvh;
+    const struct cracks_params *cracks_of = settings_of(view->settings, &cracks_settings);
+    *trace = (struct trace_frame){
+        .sample_index = view->sample,
+        .branch = trace_branch_throughput(view->scene, view->settings),
+        .epsilon = 1e-4f * globals->radius,
+        .one = 1,
+        .ice = view->scene->model.object_count ? view->scene->model.objects[0].rank : 1,
+        .crack_rms_slope = cracks_of->shading.bump,
+        .crack_gap = cracks_of->shading.gap,
+        .media_at = bvh->media,
+        .grid_at = bvh->grid,
+        .grid_low = glms_vec4(bvh->grid_low, 0.0f),
+        .grid_scale = glms_vec4(bvh->grid_scale, 0.0f),
+        .objects_rotation = rotation_of(globals->world_from_object),
+        .movers_rotation = rotation_of(globals->world_from_movers),
+        .surroundings_are_apart = trace_has_motion(view->settings) ? bvh->is_disjoint_rotating
+                                                                   : bvh->surroundings_are_apart,
+    };
+    if (trace_has_diffuse_light(view->scene, view->settings))
+        trace->guide = image_based_lighting_dominant_cone(&view->scene->environment,
+                                                          view->scene->prefiltered_environment);
+    for (uint32_t i = 0; i < BVH_PART_COUNT; i++) {
+        trace->roots[i] = bvh->roots[i];
+        trace->parts |= bvh->roots[i] != BVH_NONE ? 1u << i : 0u;
+    }
+    for (uint32_t i = 0; i < frame_media_count(view->scene); i++) {
+        const struct frame_medium medium = frame_medium_at(view->scene, view->settings, i);
+        fill_medium(&trace->media[(size_t)bvh_medium(bvh, medium.rank) * TRACE_MEDIUM], &medium);
+    }
+    fill_clouds(trace, view);
+    const mat4s object_from_world = glms_mat4_inv(globals->world_from_object);
+    const vec3s eye = glms_mat4_mulv3(object_from_world, view->camera.eye, 1.0f);
+    const struct bvh_interior_list inside = bvh_interior_list_at(bvh, eye);
+    trace->is_in_bubble = is_in_bubble(&view->scene->bubbles, eye);
+    memcpy(trace->inside, inside.words, sizeof(trace->inside));
+}
+
+static const struct technique_upload uploads[] = {
+    { &frame_buffer, write_frame },
+    { 0 },
+};
+
+/* ---- rows ---- */
+
+static const struct rg_target color_targets[] = {
+    [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
+    /* negative: marks pixels without ice */
+    [REFRACT_OUT_HIGHLIGHT] = { &highlight_radiance,
+                                RG_LOAD_CLEAR,
+                                { .color.float32 = { -1.0f } } },
+};
+
+static const struct rg_target denoise_targets[] = {
+    [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
+    [REFRACT_OUT_HIGHLIGHT] = { &highlight_radiance,
+                                RG_LOAD_CLEAR,
+                                { .color.float32 = { -1.0f } } },
+    [TRACE_OUT_LIGHT] = { &denoise_images[0], RG_LOAD_CLEAR },
+    [TRACE_OUT_THROUGHPUT] = { &denoise_images[1], RG_LOAD_CLEAR },
+    [TRACE_OUT_POSITION] = { &denoise_images[2], RG_LOAD_CLEAR },
+};
+
+static const struct rg_target layer_targets[] = {
+    [REFRACT_OUT_EXIT] = { &refract_exit, RG_LOAD_CLEAR },
+    [REFRACT_OUT_REFRACTION] = { &refract_refraction, RG_LOAD_CLEAR },
+    [REFRACT_OUT_REFLECTION] = { &refract_reflection, RG_LOAD_CLEAR },
+    [REFRACT_OUT_FRESNEL] = { &refract_fresnel, RG_LOAD_CLEAR },
+    [REFRACT_OUT_PATH] = { &refract_path, RG_LOAD_CLEAR },
+    [TRACE_OUT_MEDIA] = { &trace_media, RG_LOAD_CLEAR },
+    [TRACE_OUT_LAST] = { &trace_last_object, RG_LOAD_CLEAR },
+};
+
+static const struct rg_use bvh_uses[] = {
+    FRAME_USE_GLOBALS,
+    { .buffer = &frame_buffer, .access = RG_UNIFORM, .binding = TRACE_FRAME },
+    { .buffer = &nodes, .access = RG_SAMPLED, .binding = TRACE_NODES },
+    { .buffer = &triangles, .access = RG_SAMPLED, .binding = TRACE_TRIANGLES },
+    { .buffer = &corners, .access = RG_SAMPLED, .binding = TRACE_CORNERS },
+    { .buffer = &stored_nodes, .access = RG_STORAGE_READ, .binding = TRACE_STORED_NODES },
+    { .buffer = &stored_triangles, .access = RG_STORAGE_READ, .binding = TRACE_STORED_TRIANGLES },
+    { .buffer = &stored_corners, .access = RG_STORAGE_READ, .binding = TRACE_STORED_CORNERS },
+    { 0 },
+};
+
+static const struct rg_use query_uses[] = {
+    { .buffer = &structure, .access = RG_TRACE, .binding = TRACE_STRUCTURE },
+    { 0 },
+};
+
+static const struct rg_use cube_uses[] = {
+    FRAME_READ(ice_normal_front_depth, REFRACT_DEPTH_FRONT),
+    FRAME_SAMPLE(ice_normal_shading, REFRACT_SHADING, .same_texel = true),
+    REFRACT_USE_FULLSCREEN_CUBE,
+    FRAME_READ(frame_env_cube, TRACE_CUBE_POINTS),
+    { 0 },
+};
+
+static const struct rg_use scene_uses[] = {
+    FRAME_SAMPLE(frame_depth, REFRACT_DEPTH_SCENE, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_use layer_uses[] = {
+    FRAME_SAMPLE(first_surface_object, TRACE_FIRST_OBJECT, .same_texel = true),
+    { 0 },
+};
+
+static const struct rg_sampler repeated = { .linear = true, .repeat_u = true, .repeat_v = true };
+static const struct rg_sampler around = { .linear = true, .repeat_u = true };
+
+static const struct rg_use surface_uses[] = {
+    AIR_USE_MEDIA,
+    FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &repeated),
+    FRAME_SAMPLE(frame_numbers, SURROUNDINGS_DATA_TEXTURES, .sampler = &repeated),
+    FRAME_SAMPLE(frame_materials, SURROUNDINGS_MATERIALS, .sampler = NULL),
+    { 0 },
+};
+
+static const struct rg_use light_uses[] = {
+    FRAME_SAMPLE(frame_environment, SURROUNDINGS_ENVIRONMENT,
+                 .sampler = &frame_environment_sampler),
+    FRAME_SAMPLE(frame_surface_light, SURROUNDINGS_ENVIRONMENT_LIGHT, .sampler = &around),
+    FRAME_SAMPLE(frame_surface_split, SURROUNDINGS_BRDF_TABLE, .sampler = &frame_linear),
+    FRAME_SAMPLE(frame_lights, SURROUNDINGS_LIGHTS, .sampler = NULL),
+    { 0 },
+};
+
+/* Shadow and caustic maps of the sun; without them nothing blocks its light. */
+static const struct rg_fallback no_map = { { 0 } };
+static const struct rg_use sun_uses[] = {
+    { .buffer = &ice_caustics_light, .access = RG_UNIFORM, .binding = ICE_CAUSTICS_LIGHT },
+    FRAME_SAMPLE(ice_caustics_map, ICE_CAUSTICS_MAP, .sampler = &frame_linear, .fallback = &no_map),
+    FRAME_SAMPLE(ice_caustics_ground, ICE_CAUSTICS_GROUND, .fallback = &no_map),
+    FRAME_SAMPLE(ice_caustics_front_depth, ICE_CAUSTICS_FRONT, .fallback = &no_map),
+    FRAME_SAMPLE(ice_caustics_shadow_map, ICE_CAUSTICS_SHADOW_MAP, .fallback = &no_map),
+    { 0 },
+};
+
+static const struct rg_pass color_row = {
+    .color = color_targets,
+    .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
+    .depth = { &frame_depth, RG_LOAD_CLEAR }, /* cleared to 0: infinity */
+    .depth_compare = VK_COMPARE_OP_ALWAYS,
+};
+
+static const struct rg_pass layer_row = {
+    .color = layer_targets,
+    .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
+};
+
+static const struct refract_shaders refraction = {
+    .frag = &refract_trace_frag,
+    .layers_frag = &refract_trace_aov_frag,
+};
+
+static struct rg_technique make_row(const struct technique_choice *choice,
+                                    struct pass_builder *builder, bool is_layers)
+{
+    static const struct rg_shader *const frags[2][2][2][2] = {
+        { { { &refract_trace_frag, &refract_trace_aov_frag },
+            { &refract_trace_dispersion_frag, &refract_trace_dispersion_aov_frag } },
+          { { &refract_trace_rays_frag, &refract_trace_rays_aov_frag },
+            { &refract_trace_rays_dispersion_frag, &refract_trace_rays_dispersion_aov_frag } } },
+        { { { &refract_trace_query_frag, &refract_trace_query_aov_frag },
+            { &refract_trace_query_dispersion_frag, &refract_trace_query_dispersion_aov_frag } },
+          { { &refract_trace_rays_query_frag, &refract_trace_rays_query_aov_frag },
+            { &refract_trace_rays_query_dispersion_frag,
+              &refract_trace_rays_query_dispersion_aov_frag } } },
+    };
+    static const struct rg_shader *const denoise_frags[2][2] = {
+        { &refract_trace_rays_denoise_frag, &refract_trace_rays_denoise_dispersion_frag },
+        { &refract_trace_rays_query_denoise_frag,
+          &refract_trace_rays_query_denoise_dispersion_frag },
+    };
+    const struct rg_use *const uses[] = {
+        bvh_uses,
+        choice->hits_surroundings ? surface_uses : cube_uses,
+        choice->hits_surroundings ? light_uses : NULL,
+        choice->hits_surroundings ? sun_uses
+        : is_layers               ? scene_uses
+                                  : NULL,
+        is_layers ? layer_uses : NULL,
+        choice->queries ? query_uses : NULL,
+    };
+    struct rg_pass *row = pass_builder_copy_passes(builder, is_layers ? &layer_row : &color_row, 1);
+    if (!row)
+        return (struct rg_technique){ 0 };
+    row->name = pass_builder_name(builder, refract_trace.name, is_layers ? "layers" : "color");
+    row->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    row->vert =
+        choice->hits_surroundings ? &refract_fullscreen_vert : &refract_fullscreen_mean_vert;
+    row->frag = frags[choice->queries][choice->hits_surroundings][choice->disperses][is_layers];
+    if (choice->is_lighting_denoised && !is_layers) {
+        row->color = denoise_targets;
+        row->color_count = sizeof(denoise_targets) / sizeof(denoise_targets[0]);
+        row->frag = denoise_frags[choice->queries][choice->disperses];
+    }
+    row->record = choice->has_diffuse_light || is_layers ? frame_draw_screen : record_objects;
+    return (struct rg_technique){ refract_trace.name, row, 1 };
+}
+
+static void trace_photons(struct rg_pass *row, const struct technique_choice *choice,
+                          struct pass_builder *builder, const struct rg_use *own)
+{
+    const struct rg_use *const uses[] = { bvh_uses, surface_uses, own };
+    row->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    row->vert = &refract_fullscreen_vert;
+    row->frag = choice->disperses ? &refract_trace_rays_photons_dispersion_frag
+                                  : &refract_trace_rays_photons_frag;
+}
+
+static struct rg_technique color_rows(const struct technique_choice *choice,
+                                      struct pass_builder *builder)
+{
+    return make_row(choice, builder, false);
+}
+
+static struct rg_technique layer_rows(const struct technique_choice *choice,
+                                      struct pass_builder *builder)
+{
+    return make_row(choice, builder, true);
+}
+
+static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
+{
+    rg_cmd_scissor(cmd, frame->object_area);
+    rg_cmd_draw(cmd, 3);
+}
+
+/* ---- refraction model ---- */
+
+static void choose(struct technique_choice *choice, const struct scene *scene)
+{
+    const struct trace_params *params = settings_of(choice->settings, &trace_settings);
+    choice->queries = params->rays == TRACE_BY_DEVICE
+                          ? choice->has_fast_rays
+                          : params->rays == TRACE_BY_QUERY && choice->has_rays;
+    choice->hits_surroundings = trace_hits_surroundings(scene, choice->settings);
+    choice->has_diffuse_light =
+        choice->hits_surroundings && trace_has_diffuse_light(scene, choice->settings);
+}
+
+static void write_constants(const struct technique_inputs *subject, uint32_t *values)
+{
+    values[CONSTANT_TRACE] = trace_features(subject->scene, subject->settings);
+}
+
+static const struct frame_layer layers[] = {
+    {
+        .name = "media",
+        .image = &trace_media,
+        .planes = { "media.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "number of segments of the refracted path inside objects; 0 without object",
+    },
+    {
+        .name = "object.last",
+        .image = &trace_last_object,
+        .planes = { "object.last.Z" },
+        .shown = FRAME_SHOWN_AMOUNT,
+        .help = "number of the object that the refracted path hits last (models trace, reference); "
+                "0 if there is none",
+    },
+    { 0 },
+};
+
+const struct technique refract_trace = {
+    .name = "refract_trace",
+    .help = "ray-traced refraction and reflection among the triangles of all objects",
+    .settings = { &trace_settings },
+    .parts = { { PHASE_REFRACTION, .rows = color_rows }, { PHASE_LAYERS, .rows = layer_rows } },
+    .refraction = { .name = "trace",
+                    .rows = &refraction,
+                    .by_pixel = true,
+                    .is_whole = true,
+                    .traces_bvh = true,
+                    .choose = choose,
+                    .trace_photons = trace_photons },
+    .layers = layers,
+    .uploads = uploads,
+    .imports = imports,
+    .write_constants = write_constants,
+};

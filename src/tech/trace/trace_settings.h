@@ -1,0 +1,46 @@
+/* trace_settings.h: settings of the ray tracer and the features that a scene needs from it. */
+#ifndef FIRN_TECH_TRACE_TRACE_SETTINGS_H
+#define FIRN_TECH_TRACE_TRACE_SETTINGS_H
+#include "src/scene/scene.h"
+#include "src/settings/settings.h"
+
+enum trace_surroundings {
+    TRACE_AUTO,
+    TRACE_CUBE, /* the environment cube */
+    TRACE_RAYS, /* the triangles of the surroundings */
+};
+
+enum trace_rays_by {
+    TRACE_BY_DEVICE, /* the faster one on this device */
+    TRACE_BY_BVH,
+    TRACE_BY_QUERY, /* hardware ray queries, if the device has them */
+};
+
+struct trace_params {
+    float branch; /* minimum throughput of reflected paths; below 0: depends on the scene */
+    uint32_t surroundings; /* enum trace_surroundings */
+    uint32_t rays;         /* enum trace_rays_by */
+    uint32_t footprint;    /* filter lookups by ray differentials: 0 or 1 */
+};
+
+extern const struct setting_group trace_settings;
+
+/* Returns the feature bits of CONSTANT_TRACE that a scene needs. */
+uint32_t trace_features(const struct scene *scene, const struct settings *settings);
+
+/* Returns true if lighting of surroundings is ray traced and some of them are lit. */
+bool trace_has_diffuse_light(const struct scene *scene, const struct settings *settings);
+
+/* Returns true if rays that leave the objects hit the triangles of the surroundings, by
+ * trace.surroundings. With `auto` they do if there are several objects, one that is scattering, not
+ * fully transmissive or textured, or surroundings within a bounding box diagonal of the centre. */
+bool trace_hits_surroundings(const struct scene *scene, const struct settings *settings);
+
+/* Returns true if objects or surroundings may rotate. */
+bool trace_has_motion(const struct settings *settings);
+
+/* Returns the minimum throughput of internal reflections, by trace.min_branch. With `auto` it is
+ * lower if all objects are clear and rays hit the surroundings. */
+float trace_branch_throughput(const struct scene *scene, const struct settings *settings);
+
+#endif

@@ -1,0 +1,20 @@
+/* caustics.h: caustics of the sun on the floor of a pool. */
+#ifndef FIRN_TECH_WATER_CAUSTICS_H
+#define FIRN_TECH_WATER_CAUSTICS_H
+#include "shaders/water/caustics.h"
+#include "src/tech/technique.h"
+
+/* Light map on the floor's plane (lib/caustics_map.glsl), relative to light through level water. */
+extern const struct rg_image caustics_light;
+
+/* AOV layer: sunlight on the ground of a pixel, relative to that below level water (caustics_light)
+ * or without the ice (ice_caustics.h); 0 in other pixels. */
+extern const struct rg_image caustics_layer;
+
+extern const struct technique caustics;              /* the passes depend on the chosen method */
+extern const struct setting_group caustics_settings; /* struct caustics_params */
+
+/* Returns true if a method other than `none` is chosen. */
+bool caustics_are_lit(const struct settings *settings);
+
+#endif

@@ -1,0 +1,171 @@
+/* draft_renderer.c: draft renderers for interaction, and the choice of their quality level. */
+#include "src/view/draft_renderer.h"
+#include <math.h>
+#include <string.h>
+#include "src/base/clock.h"
+#include "src/settings/quality.h"
+#include "src/settings/scene_settings.h"
+
+/* Limits on settings that apply from a quality level on, in addition to `--quality draft`. */
+static const struct {
+    const char *setting;
+    double value;
+    enum draft_renderer_level level;
+} rows[] = {
+    { "ice_interval.count", 1.0,
+      DRAFT_RENDERER_FULL }, /* clips cracks behind the first segment of a ray */
+    { "refract_bounce.margin", 0.0, DRAFT_RENDERER_FULL },
+    { "refract_bounce.nested", 0.0, DRAFT_RENDERER_FULL },
+    { "refract_bounce.reflections", 2.0, DRAFT_RENDERER_FULL },
+    { "refract_bounce.steps", 4.0, DRAFT_RENDERER_FULL },
+    { "refract_bounce.bisections", 4.0, DRAFT_RENDERER_FULL },
+    { "ground.shading", GROUND_VERTICES, DRAFT_RENDERER_COARSE_MESH },
+    { "air.count", 0.0, DRAFT_RENDERER_NO_INCLUSIONS }, /* the scene is not rebuilt for it */
+    { "cracks.count", 0.0, DRAFT_RENDERER_NO_INCLUSIONS },
+    { "bubbles.count", 0.0, DRAFT_RENDERER_NO_INCLUSIONS },
+    { "bump.strength", 0.0, DRAFT_RENDERER_NO_BUMPS },
+};
+
+static const VkExtent2D small = { 32, 24 }; /* enough to make the driver compile the shaders */
+static const double budget_seconds = 0.016; /* budget at half size, for 30 frames per second */
+
+/* Returns true if a setting has the value of one of the quality levels. */
+static bool is_of_level(const struct settings *settings, const struct quality_row *row)
+{
+    for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
+        struct settings own = *settings;
+        quality_apply_row(&own, row, level);
+        if (!memcmp(&own, settings, sizeof(own)))
+            return true;
+    }
+    return false;
+}
+
+struct settings draft_renderer_settings(const struct settings *settings,
+                                        enum draft_renderer_level level)
+{
+    struct settings quick = *settings;
+    for (const struct quality_row *row = quality_rows; row->setting; row++) {
+        if (is_of_level(settings, row))
+            quality_apply_row(&quick, row, 0);
+    }
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        const struct setting *row = settings_find(rows[i].setting);
+        if (level >= rows[i].level)
+            settings_set_value(&quick, row, fmin(settings_get(&quick, row), rows[i].value));
+    }
+    return quick;
+}
+
+void draft_renderer_finish(struct draft_renderer *q)
+{
+    renderer_destroy(q->left);
+    renderer_destroy(q->right);
+    *q = (struct draft_renderer){ .is_off = q->is_off };
+}
+
+static enum status fit(struct renderer **renderer, struct renderer_params params)
+{
+    params.keep = params.scales = params.measured = true;
+    if (*renderer)
+        return renderer_change(*renderer, &params);
+    const enum status status = renderer_create(renderer, &params);
+    if (status == STATUS_OK)
+        renderer_measure(*renderer, &(struct rg_measure){ .clock = RG_CLOCK_STREAM });
+    return status;
+}
+
+static enum status fit_all(struct draft_renderer *q, const struct draft_renderer_params *p)
+{
+    struct renderer_params left = p->left;
+    struct renderer_params right = p->right;
+    left.is_coarse = right.is_coarse = q->level >= DRAFT_RENDERER_COARSE_MESH;
+    left.settings = &q->settings;
+    right.settings = &q->right_settings;
+    q->version = p->version;
+    enum status status = fit(&q->left, left);
+    if (status == STATUS_OK && p->is_split)
+        status = fit(&q->right, right);
+    return status;
+}
+
+/* Recomputes the draft settings. Returns true if they need another plan. */
+static bool take_settings(struct draft_renderer *q, const struct draft_renderer_params *p)
+{
+    const struct settings left = q->settings;
+    const struct settings right = q->right_settings;
+    q->settings = draft_renderer_settings(p->left.settings, q->level);
+    q->right_settings = draft_renderer_settings(p->right.settings, q->level);
+    return settings_changed(&left, &q->settings) >= SETTING_AFFECTS_PLAN ||
+           (p->is_split && settings_changed(&right, &q->right_settings) >= SETTING_AFFECTS_PLAN);
+}
+
+/* Without memory for draft renderers, interaction uses the full renderers. */
+static enum status give_up(struct draft_renderer *q, enum status status)
+{
+    draft_renderer_finish(q);
+    q->failed = true;
+    return status == STATUS_TRY_AGAIN ? STATUS_OK : status;
+}
+
+/* Draws a frame that is not displayed and stores its time in q->seconds. */
+static enum status draw_timed(struct draft_renderer *q, const struct renderer_shot *shot,
+                              VkExtent2D view)
+{
+    const double start = clock_seconds();
+    enum status status = draft_renderer_draw(q, shot, view);
+    if (status == STATUS_OK)
+        status = renderer_wait(q->left);
+    if (status == STATUS_OK && q->right)
+        status = renderer_wait(q->right);
+    q->seconds = clock_seconds() - start;
+    return status;
+}
+
+static enum status make(struct draft_renderer *q, const struct draft_renderer_params *p,
+                        const struct renderer_shot *shot, enum draft_renderer_level level)
+{
+    const VkExtent2D half = { p->left.width / 2 + 1, p->left.height / 2 + 1 };
+    const VkExtent2D least = { half.width < small.width ? half.width : small.width,
+                               half.height < small.height ? half.height : small.height };
+    q->level = level;
+    (void)take_settings(q, p);
+    enum status status = fit_all(q, p);
+    if (status == STATUS_OK)
+        status = draw_timed(q, shot, least);
+    if (status == STATUS_OK) /* the first frame also touches its memory, so the second is timed */
+        status = draw_timed(q, shot, half);
+    if (status == STATUS_OK)
+        status = draw_timed(q, shot, half);
+    return status;
+}
+
+enum status draft_renderer_create(struct draft_renderer *q, const struct draft_renderer_params *p,
+                                  const struct renderer_shot *shot)
+{
+    enum status status = make(q, p, shot, DRAFT_RENDERER_FULL);
+    while (status == STATUS_OK && q->seconds > budget_seconds && q->level < DRAFT_RENDERER_NO_BUMPS)
+        status = make(q, p, shot, q->level + 1);
+    return status == STATUS_OK ? status : give_up(q, status);
+}
+
+enum status draft_renderer_update(struct draft_renderer *q, const struct draft_renderer_params *p)
+{
+    if (!q->left || (!take_settings(q, p) && q->version == p->version))
+        return STATUS_OK;
+    const enum status status = fit_all(q, p);
+    return status == STATUS_OK ? status : give_up(q, status);
+}
+
+enum status draft_renderer_draw(struct draft_renderer *q, const struct renderer_shot *shot,
+                                VkExtent2D view)
+{
+    enum status status = renderer_set_view(q->left, view);
+    if (status == STATUS_OK && q->right)
+        status = renderer_set_view(q->right, view);
+    if (status == STATUS_OK)
+        status = renderer_draw(q->left, shot);
+    if (status == STATUS_OK && q->right)
+        status = renderer_draw(q->right, shot);
+    return status;
+}

@@ -1,0 +1,63 @@
+/*
+ * draft_renderer.h: draft renderers, which draw the image while something moves.
+ *
+ * They use the scene's refraction models with the settings of --quality draft and further limits
+ * (draft_renderer_settings()). If that is too slow at half the size, meshes are coarser, then
+ * cracks, air and bubbles are left out, then bumps. They are created after the first image or when
+ * it stands still, so that the first interaction finds them, and follow later changes of settings,
+ * size and models. An image that is fast enough needs none; animated models have none, as each pose
+ * is another scene.
+ *
+ * Errors: logged once where found.
+ */
+#ifndef FIRN_VIEW_DRAFT_RENDERER_H
+#define FIRN_VIEW_DRAFT_RENDERER_H
+
+#include "src/render/renderer.h"
+
+/* What the draft renderers are based on: the full renderers' parameters. */
+struct draft_renderer_params {
+    struct renderer_params left, right;
+    bool is_split;    /* there is a right side (B) */
+    uint64_t version; /* version of the viewport's renderers */
+};
+
+/* What the draft leaves out. */
+enum draft_renderer_level {
+    DRAFT_RENDERER_FULL,          /* nothing that is easily noticed */
+    DRAFT_RENDERER_COARSE_MESH,   /* uses coarser meshes */
+    DRAFT_RENDERER_NO_INCLUSIONS, /* leaves out cracks, air and bubbles */
+    DRAFT_RENDERER_NO_BUMPS,      /* leaves out bumps as well */
+};
+
+struct draft_renderer {
+    struct renderer *left, *right; /* NULL if there is none */
+    struct settings settings;      /* settings of `left` */
+    struct settings right_settings;
+    uint64_t version; /* viewport version that they were created for */
+    enum draft_renderer_level level;
+    double seconds; /* time of a half-size image when they were created */
+    bool is_off;    /* draft rendering is disabled by the user */
+    bool failed;    /* there was not enough memory */
+};
+
+/* Returns the settings of a draft: settings controlled by quality levels get the value of `draft`,
+ * unless the user has chosen a value that no level has. */
+struct settings draft_renderer_settings(const struct settings *settings,
+                                        enum draft_renderer_level level);
+
+/* Creates the renderers and draws hidden frames, to make the driver compile the shaders and to
+ * measure their time. It is no error if there is no memory for them. */
+MUST_USE enum status draft_renderer_create(struct draft_renderer *quick,
+                                           const struct draft_renderer_params *params,
+                                           const struct renderer_shot *shot);
+
+/* Updates existing draft renderers to the viewport's current state. On failure there are none. */
+MUST_USE enum status draft_renderer_update(struct draft_renderer *quick,
+                                           const struct draft_renderer_params *params);
+
+MUST_USE enum status draft_renderer_draw(struct draft_renderer *quick,
+                                         const struct renderer_shot *shot, VkExtent2D view);
+void draft_renderer_finish(struct draft_renderer *quick); /* {0} is fine; keeps is_off */
+
+#endif

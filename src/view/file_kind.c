@@ -1,0 +1,83 @@
+/* file_kind.c: detects the kind of an opened or dropped file: by its name or, for images, the
+ * contents. */
+#include "src/view/file_kind.h"
+#include <string.h>
+#include "src/base/path.h"
+#include "src/reader/image_reader.h"
+#include "src/scene/environment/panorama.h"
+#include "src/scene/scene.h"
+
+/* Returns true for the aspect ratio of a panorama (2:1) or of six cube faces in a strip. */
+static bool has_panorama_shape(const struct image *image)
+{
+    const uint64_t width = image->width;
+    const uint64_t height = image->height;
+    return width == 2 * height || height == 6 * width || width == 6 * height;
+}
+
+/* Returns true if the aspect ratio is that of a cube map laid out as a cross (4:3 or 3:4). */
+static bool has_cross_shape(const struct image *image)
+{
+    const uint64_t width = image->width;
+    const uint64_t height = image->height;
+    return 3 * width == 4 * height || 4 * width == 3 * height;
+}
+
+/* Detects a cube map as a cross: all else is black, so every texel has to be decoded. */
+static enum status detect_cross(const char *path, const struct reader_params *reader,
+                                enum file_kind *drop)
+{
+    struct image image = { 0 };
+    const enum status status = image_reader_read(&image, path, reader);
+    if (status == STATUS_OK)
+        *drop =
+            panorama_detect_cube(&image) == PANORAMA_NONE ? FILE_KIND_IMAGE : FILE_KIND_ENVIRONMENT;
+    image_finish(&image);
+    return status;
+}
+
+/* Classifies a PNG file: a preset if firn stored its settings in it, otherwise an image. */
+static enum status classify_png(const char *path, const struct reader_params *reader,
+                                enum file_kind *drop)
+{
+    struct image_header head;
+    const enum status status = image_reader_check(&head, path, reader);
+    if (status == STATUS_OK)
+        *drop = image_header_text(&head, "firn/settings") ? FILE_KIND_PRESET : FILE_KIND_IMAGE;
+    image_header_finish(&head);
+    return status;
+}
+
+static enum status classify_image(const char *path, const struct reader_params *reader,
+                                  enum file_kind *drop)
+{
+    struct image_reader *picture;
+    struct image_header head;
+    bool may_be_cross = false;
+    const enum status status = image_reader_open(&picture, path, reader, &head);
+    if (status == STATUS_OK) {
+        *drop = has_panorama_shape(&head.image) ? FILE_KIND_ENVIRONMENT : FILE_KIND_IMAGE;
+        may_be_cross = has_cross_shape(&head.image) && !image_header_text(&head, "firn/settings");
+    }
+    image_reader_close(picture);
+    image_header_finish(&head);
+    return may_be_cross ? detect_cross(path, reader, drop) : status;
+}
+
+enum status file_kind_detect(const char *path, const struct reader_params *reader,
+                             enum file_kind *drop)
+{
+    if (scene_is_environment(path))
+        *drop = FILE_KIND_ENVIRONMENT;
+    else if (path_ends_in(path, ".firn"))
+        *drop = FILE_KIND_SESSION;
+    else if (path_ends_in(path, ".txt"))
+        *drop = FILE_KIND_PRESET;
+    else if (path_ends_in(path, ".png"))
+        return classify_png(path, reader, drop);
+    else if (image_reader_knows_suffix(path))
+        return classify_image(path, reader, drop);
+    else
+        *drop = FILE_KIND_MODEL;
+    return STATUS_OK;
+}

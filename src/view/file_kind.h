@@ -1,0 +1,25 @@
+/* file_kind.h: kinds of files that can be opened or dropped onto the window. */
+#ifndef FIRN_VIEW_FILE_KIND_H
+#define FIRN_VIEW_FILE_KIND_H
+
+#include "src/reader/reader.h"
+
+enum file_kind {
+    FILE_KIND_MODEL, /* a model file or the name of a scene; the default if nothing else matches */
+    FILE_KIND_ENVIRONMENT, /* a panorama file, or the name of a built-in environment */
+    FILE_KIND_IMAGE,       /* an image to compare with */
+    /* a text file of settings, or a PNG image in which firn stored its settings */
+    FILE_KIND_PRESET,
+    FILE_KIND_SESSION,
+};
+
+/*
+ * Detects the kind of a file from its extension and, for images, from the contents: a PNG file
+ * without firn's settings is an image to compare, and so is an .exr or .hdr file that does not have
+ * the aspect ratio of a panorama. Image files are read in a reader process (see reader.h for
+ * errors); *drop is set only on success.
+ */
+MUST_USE enum status file_kind_detect(const char *path, const struct reader_params *reader,
+                                      enum file_kind *drop);
+
+#endif

@@ -1,0 +1,29 @@
+/*
+ * orbit_camera.h: orbit camera: rotates, pans and zooms around a target.
+ *
+ * There is no inertia: equal movements give equal cameras, and a camera that is not moved stays
+ * bit-identical. Rotation is about +Y, so it also removes roll.
+ */
+#ifndef FIRN_VIEW_ORBIT_CAMERA_H
+#define FIRN_VIEW_ORBIT_CAMERA_H
+
+#include "src/scene/camera.h"
+
+/* Rotates around the target, in degrees: to the right and up, up to just short of the poles. */
+void orbit_camera_rotate(struct camera *camera, float azimuth_deg, float elevation_deg);
+
+/* Looks at the target from these angles, degrees, at the current distance. */
+void orbit_camera_look_from(struct camera *camera, float azimuth_deg, float elevation_deg);
+
+/* Toggles between perspective and orthographic projection; objects at the target's distance keep
+ * their size. An orthographic camera shows objects up to `depth` metres away. */
+void orbit_camera_toggle_projection(struct camera *camera, float depth);
+
+/* Moves camera and target in the image plane by fractions of the image height at the target. */
+void orbit_camera_pan(struct camera *camera, float right, float up);
+
+/* Moves towards the target (steps > 0) or away, by a tenth of the distance per step, between the
+ * distances `nearest` and `farthest`, metres. An orthographic camera changes its height instead. */
+void orbit_camera_zoom(struct camera *camera, float steps, float nearest, float farthest);
+
+#endif

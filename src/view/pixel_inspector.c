@@ -1,0 +1,311 @@
+/* pixel_inspector.c: pixel inspector: layers of the image as displayable pixels, histogram and
+ * values. */
+#include "src/view/pixel_inspector.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "shaders/output/tonemap.h"
+#include "src/app/layer_image.h"
+#include "src/app/object_names.h"
+#include "src/base/log.h"
+#include "src/metric/heat_map.h"
+#include "src/tech/output/tonemap.h"
+
+static const char *const always[] = { "Z", "N", "P", "object", NULL };
+static const float darkest_stops = -12.0f; /* range of the histogram of the image, in stops */
+static const float brightest_stops = 8.0f;
+
+/* Retires the current image. The one shown before stays alive for one more change, because the
+ * window's plan detects a new image by its handle, which two images in turn must not share. */
+static void forget(struct pixel_inspector *look, struct gpu *gpu)
+{
+    gpu_image_destroy(gpu, &look->former);
+    look->former = look->image;
+    look->image = (struct gpu_image){ 0 };
+    free(look->rgba);
+    look->rgba = NULL;
+}
+
+void pixel_inspector_finish(struct pixel_inspector *look, struct gpu *gpu)
+{
+    forget(look, gpu);
+    gpu_image_destroy(gpu, &look->former);
+    image_finish(&look->layers);
+    free(look->names);
+    look->names = NULL;
+}
+
+/* Skips layers that only the reference has. */
+const struct frame_layer *pixel_inspector_layer(uint32_t i)
+{
+    const struct frame_layer *layer;
+    for (size_t l = 0; i && (layer = techniques_layer(l)); l++) {
+        if (layer->image && !--i)
+            return layer;
+    }
+    return NULL;
+}
+
+bool pixel_inspector_replaces_image(const struct pixel_inspector_choice *c)
+{
+    return c->layer || c->channel || c->false_color || c->stops < 0.0f || c->stops > 0.0f;
+}
+
+enum status pixel_inspector_draw(struct pixel_inspector *look, struct viewport *p,
+                                 const struct renderer_shot *shot)
+{
+    struct renderer_params params = viewport_params(p);
+    struct renderer *renderer = NULL;
+    struct render_result result = { 0 };
+    params.refraction = p->state.refraction;
+    params.samples = 1;
+    params.linear = true;
+    params.layers = layer_image_bit(pixel_inspector_layer(look->choice.layer));
+    for (size_t i = 0; always[i]; i++)
+        params.layers |= layer_image_bit(layer_image_find(always[i]));
+    enum status status = renderer_create(&renderer, &params);
+    if (status == STATUS_OK)
+        status = renderer_render(renderer, shot, &result, NULL, NULL);
+    renderer_destroy(renderer);
+    image_finish(&look->layers);
+    look->layers = result.image;
+    free(look->names);
+    look->names = object_names(&p->scene);
+    look->drawn = look->choice.layer;
+    return status;
+}
+
+/* Planes of a layer or of the rendered image. */
+struct planes {
+    const float *of[4];
+    uint32_t count;
+    float scale; /* factor on the texel values */
+    size_t size;
+};
+
+static struct planes open_planes(const struct pixel_inspector *look, const struct viewport *p,
+                                 uint32_t layer)
+{
+    const struct frame_layer *which = layer ? pixel_inspector_layer(layer) : &frame_beauty;
+    const struct image *from = layer ? &look->layers : renderer_sums(p->renderer);
+    struct planes planes = { .scale =
+                                 layer ? 1.0f : 1.0f / (float)renderer_sum_count(p->renderer) };
+    planes.size = (size_t)from->width * from->height;
+    for (uint32_t c = 0; c < (layer ? 4 : 3) && which->planes[c]; c++) {
+        planes.of[c] = image_find(from, which->planes[c]);
+        if (!planes.of[c])
+            break;
+        planes.count++;
+    }
+    return planes;
+}
+
+static float one_value(const struct planes *planes, uint32_t channel, size_t i)
+{
+    float sum = 0.0f;
+    if (channel && channel <= planes->count)
+        return planes->of[channel - 1][i] * planes->scale;
+    for (uint32_t c = 0; c < planes->count; c++)
+        sum += planes->of[c][i];
+    return sum * planes->scale / (float)planes->count;
+}
+
+static bool is_value(float x)
+{
+    return isfinite(x) && x < 1e10f;
+}
+
+static void find_range(struct pixel_inspector *look, const struct planes *planes)
+{
+    look->least = INFINITY;
+    look->greatest = -INFINITY;
+    for (size_t i = 0; i < planes->size; i++) {
+        const float x = one_value(planes, look->choice.channel, i);
+        if (is_value(x)) {
+            look->least = fminf(look->least, x);
+            look->greatest = fmaxf(look->greatest, x);
+        }
+    }
+    if (look->least > look->greatest)
+        look->least = look->greatest = 0.0f;
+}
+
+/* Fills the histogram: in stops for the rendered image, from minimum to maximum for a layer. */
+static void count_bins(struct pixel_inspector *look, const struct planes *planes)
+{
+    const bool is_log = !look->choice.layer;
+    const float from = is_log ? darkest_stops : look->least;
+    const float to = is_log ? brightest_stops : look->greatest;
+    uint32_t below = 0;
+    uint32_t above = 0;
+    memset(look->bins, 0, sizeof(look->bins));
+    for (size_t i = 0; i < planes->size; i++) {
+        const float x = one_value(planes, look->choice.channel, i);
+        const float at = is_log ? log2f(fmaxf(x, 1e-30f)) : x;
+        const float part = to > from ? (at - from) / (to - from) : 0.0f;
+        if (!is_value(x))
+            continue;
+        below += part < 0.0f;
+        above += part > 1.0f;
+        const float bin = fminf(fmaxf(part, 0.0f), 1.0f) * (PIXEL_INSPECTOR_BIN_COUNT - 1);
+        look->bins[(uint32_t)(bin + 0.5f)]++;
+    }
+    look->below = planes->size ? (float)below / (float)planes->size : 0.0f;
+    look->above = planes->size ? (float)above / (float)planes->size : 0.0f;
+    if (is_log) {
+        look->least = from;
+        look->greatest = to;
+    }
+}
+
+static uint8_t to_byte(float x)
+{
+    return (uint8_t)(fminf(fmaxf(x, 0.0f), 1.0f) * 255.0f + 0.5f);
+}
+
+static void write_color(const struct pixel_inspector *look, const struct planes *planes,
+                        const struct tonemap_params *tone, size_t i, uint8_t rgb[static 3])
+{
+    const struct pixel_inspector_choice *c = &look->choice;
+    const float gain = exp2f((c->layer ? 0.0f : tone->exposure) + c->stops);
+    const uint32_t curve = c->layer ? TONEMAP_CLIP : tone->curve;
+    vec3s linear;
+    for (uint32_t k = 0; k < 3; k++)
+        linear.raw[k] = c->channel ? one_value(planes, c->channel, i)
+                                   : planes->of[k % planes->count][i] * planes->scale;
+    const vec3s shown = tonemap_encode(linear, gain, curve);
+    for (uint32_t k = 0; k < 3; k++)
+        rgb[k] = to_byte(shown.raw[k]);
+}
+
+/* Writes one channel as grey, or a value in false colours. */
+static void write_value(const struct pixel_inspector *look, const struct planes *planes,
+                        float least, float greatest, size_t i, uint8_t rgb[static 3])
+{
+    const float x = one_value(planes, look->choice.channel, i);
+    const float width = greatest - least;
+    const float part = width > 0.0f ? (x - least) / width : 0.0f;
+    if (!is_value(x))
+        memset(rgb, 0, 3);
+    else if (look->choice.false_color)
+        heat_map_srgb(part, rgb);
+    else
+        memset(rgb, to_byte(part), 3);
+}
+
+static bool shows_colors(const struct pixel_inspector_choice *c)
+{
+    return !c->false_color &&
+           (!c->layer || pixel_inspector_layer(c->layer)->shown == FRAME_SHOWN_COLOR);
+}
+
+static uint8_t *make_rgba(struct pixel_inspector *look, const struct viewport *p,
+                          const struct planes *planes)
+{
+    const struct pixel_inspector_choice *c = &look->choice;
+    const struct tonemap_params *tone = settings_of(&p->state.scene.settings, &tonemap_settings);
+    if (c->layer && !c->channel && !c->false_color && !shows_colors(c))
+        return layer_image_rgba(&look->layers, pixel_inspector_layer(c->layer));
+    uint8_t *rgba = malloc(planes->size * 4);
+    for (size_t i = 0; i < planes->size && rgba; i++) {
+        if (shows_colors(c))
+            write_color(look, planes, tone, i, &rgba[i * 4]);
+        else
+            write_value(look, planes, look->least, look->greatest, i, &rgba[i * 4]);
+        rgba[i * 4 + 3] = 255;
+    }
+    if (!rgba)
+        (void)log_out_of_memory(NULL);
+    return rgba;
+}
+
+enum status pixel_inspector_show(struct pixel_inspector *look, const struct viewport *p,
+                                 uint32_t sample_count)
+{
+    const struct planes planes = open_planes(look, p, look->choice.layer);
+    forget(look, p->gpu);
+    look->sample_count = sample_count;
+    if (!planes.count)
+        return STATUS_OK; /* the current image does not have this layer */
+    find_range(look, &planes);
+    if (pixel_inspector_replaces_image(&look->choice)) {
+        look->rgba = make_rgba(look, p, &planes);
+        if (!look->rgba)
+            return STATUS_TRY_AGAIN;
+    }
+    count_bins(look, &planes);
+    if (!look->rgba)
+        return STATUS_OK;
+    const struct gpu_image_params params = {
+        .name = "inspector",
+        .format = VK_FORMAT_R8G8B8A8_UNORM,
+        .width = p->state.width,
+        .height = p->state.height,
+        .texels = look->rgba,
+        .texels_size = planes.size * 4,
+    };
+    return gpu_image_create(p->gpu, &look->image, &params);
+}
+
+static uint32_t take(const struct image *image, const struct frame_layer *layer, size_t i,
+                     float *values, uint32_t most)
+{
+    uint32_t count = 0;
+    while (layer && count < most && layer->planes[count]) {
+        const float *plane = image_find(image, layer->planes[count]);
+        if (!plane)
+            break;
+        values[count++] = plane[i];
+    }
+    return count;
+}
+
+/* Copies the name of object `number` from the lines "NUMBER NAME"; "" if it has none. */
+static void find_name(const char *names, uint32_t number, char *name, size_t size)
+{
+    const char *line = names;
+    *name = '\0';
+    while (line && *line) {
+        char *after;
+        const unsigned long found = strtoul(line, &after, 10);
+        const char *end = strchr(line, '\n');
+        const int length = end ? (int)(end - after) : (int)strlen(after);
+        if (found == number && length > 1)
+            snprintf(name, size, "%.*s", length - 1, after + 1);
+        line = end ? end + 1 : NULL;
+    }
+}
+
+bool pixel_inspector_values(const struct pixel_inspector *look, const struct viewport *p,
+                            uint32_t x, uint32_t y, struct pixel_inspector_values *v)
+{
+    const struct image *layers = &look->layers;
+    const struct image *sums = p->renderer ? renderer_sums(p->renderer) : NULL;
+    const size_t i = (size_t)y * layers->width + x;
+    float object = 0.0f;
+    if (x >= layers->width || y >= layers->height || !look->sample_count || !sums ||
+        sums->width != layers->width || sums->height != layers->height)
+        return false;
+    *v = (struct pixel_inspector_values){ 0 };
+    take(sums, &frame_beauty, i, v->color, 4);
+    for (size_t c = 0; c < 4; c++)
+        v->color[c] /= (float)renderer_sum_count(p->renderer);
+    take(layers, layer_image_find("P"), i, v->position, 3);
+    take(layers, layer_image_find("N"), i, v->normal, 3);
+    take(layers, layer_image_find("Z"), i, &v->distance, 1);
+    take(layers, layer_image_find("object"), i, &object, 1);
+    v->object = object > 0.0f ? (uint32_t)(object + 0.5f) : 0;
+    v->layer_count = take(layers, pixel_inspector_layer(look->choice.layer), i, v->layer, 4);
+    find_name(look->names, v->object, v->name, sizeof(v->name));
+    if (look->rgba) {
+        memcpy(v->shown, &look->rgba[i * 4], 3);
+        return true;
+    }
+    const struct tonemap_params *tone = settings_of(&p->state.scene.settings, &tonemap_settings);
+    const vec3s shown = tonemap_encode((vec3s){ { v->color[0], v->color[1], v->color[2] } },
+                                       exp2f(tone->exposure), tone->curve);
+    for (size_t c = 0; c < 3; c++)
+        v->shown[c] = to_byte(shown.raw[c]);
+    return true;
+}

@@ -1,0 +1,80 @@
+/*
+ * presenter.h: presents an image in a window: swapchain, render-graph plan, frames in flight.
+ *
+ *     presenter_fit()      at the start of a frame: recreates the swapchain if the size changed
+ *     presenter_connect()  after that, and when the source image is another one
+ *     presenter_begin()    waits for a free slot and acquires a swapchain image
+ *     ... render the source image ...
+ *     presenter_end()      draws it into the swapchain image and presents it
+ *
+ * Errors: logged once where found.
+ */
+#ifndef FIRN_VIEW_PRESENTER_H
+#define FIRN_VIEW_PRESENTER_H
+
+#include "graph/rg_exec.h"
+#include "graph/rg_time.h"
+#include "src/gpu/gpu_swapchain.h"
+#include "src/view/overlay.h"
+#include "src/view/overlay_draw_list.h"
+#include "src/view/present.h"
+
+struct presenter_images {
+    VkImage left, right;
+    VkExtent2D extent, right_extent;
+};
+
+struct presenter {
+    struct gpu *gpu;
+    struct gpu_swapchain swapchain;
+    rg_replace_shader_fn *replace; /* see rg_exec.h; set before presenter_connect(); NULL if none */
+    void *replace_user;
+    VkExtent2D size; /* window size for which the swapchain was created */
+    struct present_tables tables;
+    struct overlay_tables overlay;
+    uint32_t panels_version;       /* draw-list version of the cached panels; 0 if none */
+    const struct gpu_image *font;  /* font atlas of the user interface; NULL without one */
+    struct presenter_images shown; /* source images, while connected */
+    struct rg_plan *plan;
+    struct rg_exec *exec; /* NULL if not connected */
+    uint32_t slot, index; /* frame slot and swapchain image acquired by presenter_begin() */
+    double waited; /* seconds the host waited in this frame to acquire and present its image */
+};
+
+/* Must not move afterwards. The caller owns surface and canvas; canvas may be NULL. */
+MUST_USE enum status presenter_init(struct presenter *screen, struct gpu *gpu, VkSurfaceKHR surface,
+                                    VkPresentModeKHR mode, const struct gpu_shared_window *canvas);
+void presenter_finish(struct presenter *screen); /* {0} and half-built are fine */
+
+/* Recreates the swapchain if it does not match this window size and sets *remade; the screen is
+ * then not connected. If swapchain.stale is still true, nothing can be presented. */
+MUST_USE enum status presenter_fit(struct presenter *screen, VkExtent2D size, bool *remade);
+
+/* Sets the font atlas of the user interface; NULL if there is none. Disconnects the screen. */
+void presenter_set_font(struct presenter *screen, const struct gpu_image *font);
+
+/* Sets the images to present, which must be ready for sampling: `left`, and `right` for the part
+ * right of the divider (the same image without one). Not between presenter_begin() and
+ * presenter_end(). */
+MUST_USE enum status presenter_connect(struct presenter *screen,
+                                       const struct presenter_images *picture);
+
+/* Waits for the frames in flight and releases the images. */
+void presenter_disconnect(struct presenter *screen);
+
+/* Acquires an image. *ready is false if there is none: call presenter_fit() and try again. */
+MUST_USE enum status presenter_begin(struct presenter *screen, bool *ready);
+
+/* Draws and presents a frame. `shown->overlay` refers to overlay_vertices and overlay_indices in
+ * the screen's buffers; right_columns and right_rows are filled in here. */
+MUST_USE enum status presenter_end(struct presenter *screen, const struct window_frame *shown);
+
+/* Waits until no frame reads the source images. */
+MUST_USE enum status presenter_wait(struct presenter *screen);
+
+/* ---- shared with the plan of screenshots ---- */
+
+struct rg_exec_params presenter_exec_params(const struct gpu *gpu, const struct rg_plan *plan);
+MUST_USE enum status presenter_report_faults(const struct rg_plan *plan); /* logs them */
+
+#endif

@@ -1,0 +1,23 @@
+/* rebuild_log.h: log of the latest changes that took longer than a frame, with their reasons. */
+#ifndef FIRN_VIEW_REBUILD_LOG_H
+#define FIRN_VIEW_REBUILD_LOG_H
+
+#include <stdint.h>
+
+enum {
+    REBUILD_LOG_COUNT = 8,  /* older messages are dropped */
+    REBUILD_LOG_SIZE = 200, /* maximum bytes of a message; longer ones are truncated */
+};
+
+struct rebuild_log {
+    char words[REBUILD_LOG_COUNT]
+              [REBUILD_LOG_SIZE]; /* message n is at n modulo REBUILD_LOG_COUNT */
+    uint32_t count;               /* messages added in total */
+};
+
+void rebuild_log_add(struct rebuild_log *reloads, const char *words);
+
+/* Returns the message that was added `ago` messages before the newest; NULL if there is none. */
+const char *rebuild_log_at(const struct rebuild_log *reloads, uint32_t ago);
+
+#endif

@@ -1,0 +1,23 @@
+/*
+ * recent_files.h: recently opened files, stored in "$XDG_STATE_HOME/firn/recent", one path per
+ * line.
+ *
+ * If several windows write it, the last one wins.
+ */
+#ifndef FIRN_VIEW_RECENT_FILES_H
+#define FIRN_VIEW_RECENT_FILES_H
+
+#include <stdint.h>
+
+enum {
+    RECENT_FILES_COUNT = 20, /* older entries are dropped */
+};
+
+/* Puts a file at the top of the list. Ignores names that are not files, and does nothing without
+ * HOME. A list that cannot be written is logged. */
+void recent_files_add(const char *path);
+
+/* Returns entry i of the files that still exist, malloc'd; NULL after the last. */
+char *recent_files_at(uint32_t i);
+
+#endif

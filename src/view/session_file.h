@@ -1,0 +1,41 @@
+/*
+ * session_file.h: session file: everything that a window shows, to be opened again later.
+ *
+ * It has one line NAME=VALUE per entry, like a preset: settings by name, those of side B with the
+ * prefix "b.", and the entries of session_file.c's table. Non-ASCII bytes and '%' in names are
+ * percent-encoded. A reader process splits the file into lines (preset.h); values are checked here.
+ */
+#ifndef FIRN_VIEW_SESSION_FILE_H
+#define FIRN_VIEW_SESSION_FILE_H
+
+#include <stdio.h>
+#include "src/reader/preset.h"
+#include "src/scene/camera.h"
+#include "src/view/undo_stack.h"
+
+enum {
+    SESSION_FILE_BOOKMARK_COUNT = 4,
+};
+
+struct session_file {
+    struct preset lines;     /* owns the strings */
+    const char *scene;       /* asset, built-in scene or file; NULL if not given */
+    const char *environment; /* NULL to use the scene's own */
+    float env_exposure;      /* stops */
+    struct view_state state;
+    bool has_camera;
+    struct camera camera;
+    bool bookmarked[SESSION_FILE_BOOKMARK_COUNT];
+    struct camera bookmarks[SESSION_FILE_BOOKMARK_COUNT];
+    float time; /* scene time, seconds */
+};
+
+/* Parses lines, of which it takes ownership; `path` is for messages. On failure it logs, returns
+ * STATUS_DATA and *session is {0}. */
+MUST_USE enum status session_file_parse(struct session_file *session, struct preset *lines,
+                                        const char *path);
+
+void session_file_print(const struct session_file *session, FILE *out);
+void session_file_finish(struct session_file *session); /* {0} is fine */
+
+#endif

@@ -1,0 +1,22 @@
+/*
+ * system_font.h: lookup of the system font for the user interface.
+ */
+#ifndef FIRN_VIEW_UI_SYSTEM_FONT_H
+#define FIRN_VIEW_UI_SYSTEM_FONT_H
+
+#include <stdbool.h>
+
+enum {
+    SYSTEM_FONT_PATH_SIZE = 1024,
+};
+
+struct system_font {
+    char path[SYSTEM_FONT_PATH_SIZE];
+    int index; /* index of the face in the font file */
+};
+
+/* Finds the scalable font that fontconfig prefers for `family` ("sans", "monospace"). Returns
+ * false, with *font {0}, if there is none or firn was built without fontconfig. */
+bool system_font_find(struct system_font *font, const char *family);
+
+#endif

@@ -1,0 +1,21 @@
+/*
+ * ui_frame_pacing.h: frame pacing: how long frames take and what limits the frame rate.
+ */
+#ifndef FIRN_VIEW_UI_UI_FRAME_PACING_H
+#define FIRN_VIEW_UI_UI_FRAME_PACING_H
+
+/* Seconds of one frame, or means over several. device, screen and limit may overlap in time. */
+struct ui_frame_pacing {
+    double frame;  /* from the start of a frame to the next */
+    double device; /* the device worked, or the host waited for it */
+    double screen; /* the host waited to acquire or present an image */
+    double limit;  /* the host waited because of --fps-limit */
+};
+
+/* Updates the running means; the first sample is taken as it is. Ignores samples with frame 0. */
+void ui_frame_pacing_add(struct ui_frame_pacing *pace, const struct ui_frame_pacing *sample);
+
+/* Returns what limits the frame rate, as a phrase for the status bar. */
+const char *ui_frame_pacing_limit(const struct ui_frame_pacing *pace);
+
+#endif

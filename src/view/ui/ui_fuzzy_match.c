@@ -1,0 +1,124 @@
+/* ui_fuzzy_match.c: fuzzy matching of search words. */
+#include "src/view/ui/ui_fuzzy_match.h"
+#include <ctype.h>
+#include <string.h>
+#include <strings.h>
+
+enum {
+    WITHIN = 2,         /* distance of a word found inside another word */
+    GAPS_MAX = 2,       /* skipped letters allowed per typed letter */
+    GAPS_PART = 2,      /* one skipped letter per so many typed ones if a letter is wrong */
+    ABBREVIATION = 3,   /* minimum length of a fuzzy word; shorter ones match too much */
+    MISSPELT_LEAST = 4, /* minimum length of a word with a wrong letter */
+    MISSPELT = 8,       /* distance added for a wrong letter */
+};
+
+static bool holds(const char *text, const char *word, size_t length)
+{
+    for (; *text; text++) {
+        if (!strncasecmp(text, word, length))
+            return true;
+    }
+    return false;
+}
+
+bool ui_fuzzy_match_contains(const char *words, const char *const *texts, size_t text_count)
+{
+    for (words += strspn(words, " "); *words; words += strspn(words, " ")) {
+        const size_t length = strcspn(words, " ");
+        size_t i = 0;
+        while (i < text_count && !holds(texts[i], words, length))
+            i++;
+        if (i == text_count)
+            return false;
+        words += length;
+    }
+    return true;
+}
+
+static bool begins_word(const char *text, size_t at)
+{
+    return isalnum((unsigned char)text[at]) && (!at || !isalnum((unsigned char)text[at - 1]));
+}
+
+static bool is_same(char a, char b)
+{
+    return !strncasecmp(&a, &b, 1);
+}
+
+static uint32_t least(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Returns the distance of a word that occurs unbroken in the text. */
+static uint32_t whole(const char *text, const char *word, size_t length)
+{
+    uint32_t distance = UI_FUZZY_MATCH_NONE;
+    for (size_t at = 0; text[at]; at++) {
+        if (!strncasecmp(text + at, word, length))
+            distance = least(distance, !at ? 0 : begins_word(text, at) ? 1 : WITHIN);
+    }
+    return distance;
+}
+
+/* Counts the letters of `text` skipped between those of a word, whose letter `wrong` is ignored. */
+static uint32_t gaps(const char *text, const char *word, size_t length, size_t wrong)
+{
+    uint32_t count = 0;
+    bool has_begun = false;
+    for (size_t i = 0; i < length; i++) {
+        const char *from = text;
+        if (i == wrong)
+            continue;
+        while (*text && !is_same(*text, word[i]))
+            text++;
+        if (!*text)
+            return UI_FUZZY_MATCH_NONE;
+        count += has_begun ? (uint32_t)(text - from) : 0;
+        has_begun = true;
+        text++;
+    }
+    return count;
+}
+
+/* Returns the distance of a word whose letters occur in order, the first at the start of a word;
+ * UI_FUZZY_MATCH_NONE if they do not, or too far apart. */
+static uint32_t scattered(const char *text, const char *word, size_t length, size_t wrong)
+{
+    uint32_t distance = UI_FUZZY_MATCH_NONE;
+    const char first = word[wrong == 0 ? 1 : 0];
+    for (size_t at = 0; text[at]; at++) {
+        if (begins_word(text, at) && is_same(text[at], first))
+            distance = least(distance, gaps(text + at, word, length, wrong));
+    }
+    const size_t most = wrong < length ? length / GAPS_PART : GAPS_MAX * length;
+    return distance > most ? UI_FUZZY_MATCH_NONE : distance;
+}
+
+static uint32_t word_distance(const char *text, const char *word, size_t length, bool misspelt)
+{
+    uint32_t distance = whole(text, word, length);
+    if (distance != UI_FUZZY_MATCH_NONE || length < ABBREVIATION)
+        return distance;
+    distance = scattered(text, word, length, length);
+    for (size_t i = 0; misspelt && length >= MISSPELT_LEAST && i < length; i++) {
+        const uint32_t other = scattered(text, word, length, i);
+        distance = least(distance, other == UI_FUZZY_MATCH_NONE ? other : MISSPELT + other);
+    }
+    return distance == UI_FUZZY_MATCH_NONE ? distance : WITHIN + 1 + distance;
+}
+
+uint32_t ui_fuzzy_match_distance(const char *words, const char *text, bool misspelt)
+{
+    uint32_t sum = 0;
+    for (words += strspn(words, " "); *words; words += strspn(words, " ")) {
+        const size_t length = strcspn(words, " ");
+        const uint32_t distance = word_distance(text, words, length, misspelt);
+        if (distance == UI_FUZZY_MATCH_NONE)
+            return distance;
+        sum += distance;
+        words += length;
+    }
+    return sum;
+}

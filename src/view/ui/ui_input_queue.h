@@ -1,0 +1,30 @@
+/*
+ * ui_input_queue.h: distributes input events over the frames of the panels.
+ *
+ * Dear ImGui reads the input state once per frame, so a press and release between two frames would
+ * be lost, and a drag would start where it ended. Events are therefore spread over several frames:
+ * no frame contains two changes of a button, a cursor movement after a button change, or a press
+ * directly after a movement (Dear ImGui would assign it to the item hovered before).
+ */
+#ifndef FIRN_VIEW_UI_UI_INPUT_QUEUE_H
+#define FIRN_VIEW_UI_UI_INPUT_QUEUE_H
+
+#include "src/view/ui/imgui.h"
+#include "src/view/window.h"
+
+enum {
+    UI_INPUT_QUEUE_COUNT = 128, /* maximum queued events; older ones are merged */
+};
+
+struct ui_input_queue {
+    struct imgui_input now; /* input state of the last frame */
+    struct window_event events[UI_INPUT_QUEUE_COUNT];
+    uint32_t event_count;
+};
+
+void ui_input_queue_add(struct ui_input_queue *input, const struct window_event *event);
+
+/* Applies the queued events for the next frame to input->now, except for its time and size. */
+void ui_input_queue_step(struct ui_input_queue *input);
+
+#endif

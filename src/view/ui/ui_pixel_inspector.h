@@ -1,0 +1,12 @@
+/* ui_set_theme.h: panel of the pixel inspector. */
+#ifndef FIRN_VIEW_UI_UI_PIXEL_INSPECTOR_H
+#define FIRN_VIEW_UI_UI_PIXEL_INSPECTOR_H
+
+#include "src/view/ui/ui_internal.h"
+
+/* Draws a drop-down list of the layers; changing the layer resets the channel. */
+void ui_pixel_inspector_layer_list(const char *label, struct pixel_inspector_choice *choice);
+
+void ui_pixel_inspector_panel(struct ui *ui, const struct ui_view *view, struct ui_request *wish);
+
+#endif

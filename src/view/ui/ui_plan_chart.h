@@ -1,0 +1,14 @@
+/*
+ * ui_plan_chart.h: chart of a compiled render graph: passes from left to right, resources as bars.
+ */
+#ifndef FIRN_VIEW_UI_UI_PLAN_CHART_H
+#define FIRN_VIEW_UI_UI_PLAN_CHART_H
+
+#include "graph/rg.h"
+
+void ui_plan_chart_panel(const struct rg_plan *plan);
+
+/* Draws a line with the memory of the plan's images and buffers. */
+void ui_plan_chart_memory(const struct rg_plan *plan);
+
+#endif

@@ -1,0 +1,30 @@
+/*
+ * ui_thumbnails.h: thumbnails of materials and refraction models for their buttons.
+ *
+ * They are installed with the program as sheets drawn by `firn sheet`; see assets/README.md.
+ */
+#ifndef FIRN_VIEW_UI_UI_THUMBNAILS_H
+#define FIRN_VIEW_UI_UI_THUMBNAILS_H
+
+#include "src/reader/reader.h"
+#include "src/view/ui/imgui.h"
+
+#define UI_THUMBNAIL_NONE UINT32_MAX
+
+/* Thumbnails of all material presets, followed by all refraction models, in the order of their
+ * tables. {0} if there are none; buttons then have labels only. */
+struct ui_thumbnails {
+    struct imgui_thumbnails list;
+    uint8_t *rgba; /* texels of `list` */
+    uint32_t material_count;
+};
+
+/* Reads the sheets. On failure, which is logged, there are no thumbnails. */
+void ui_thumbnails_load(struct ui_thumbnails *pictures, const struct reader_params *reader);
+void ui_thumbnails_finish(struct ui_thumbnails *pictures); /* {0} is fine */
+
+/* Return the thumbnail of preset or refraction model i; UI_THUMBNAIL_NONE if there is none. */
+uint32_t ui_thumbnails_material(const struct ui_thumbnails *pictures, uint32_t i);
+uint32_t ui_thumbnails_model(const struct ui_thumbnails *pictures, uint32_t i);
+
+#endif

@@ -1,0 +1,401 @@
+/* view_edit.c: applies changes of settings and scene, with undo, presets and opening of files. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "src/app/options/option_preset.h"
+#include "src/base/clock.h"
+#include "src/base/log.h"
+#include "src/frame/pass_list.h"
+#include "src/image/file_io.h"
+#include "src/view/file_kind.h"
+#include "src/view/recent_files.h"
+#include "src/view/user_files.h"
+#include "src/view/view_internal.h"
+#include "src/view/worker.h"
+
+enum {
+    WORDS_SIZE = 200,
+};
+
+struct view_state view_state_now(const struct view *v)
+{
+    const struct app_image *p = &v->picture->state;
+    struct view_state state = {
+        .scene = v->scene,
+        .settings = frame_settings(&p->scene.settings, &v->picture->scene),
+        .stated = p->scene.stated,
+        .refraction = p->refraction,
+        .other = v->compare.other,
+        .split = p->split,
+        .right = v->picture->has_right_settings ? v->picture->right_settings
+                                                : (struct settings){ .values = { 0 } },
+        .env_rotate = p->scene.env_rotate,
+    };
+    memcpy(state.is_set, p->scene.is_set, sizeof(state.is_set));
+    return state;
+}
+
+struct settings view_scene_settings(const struct view *v)
+{
+    const struct app_scene *given = &v->options->picture.scene;
+    struct app_scene own = v->picture->state.scene;
+    own.settings = given->settings;
+    memcpy(own.is_set, given->is_set, sizeof(own.is_set));
+    app_apply_scene_settings(&own, &v->picture->scene);
+    return frame_settings(&own.settings, &v->picture->scene);
+}
+
+struct change {
+    struct view *view;
+    const struct view_state *state;
+};
+
+static void put_settings(struct app_scene *scene, const struct view_state *state)
+{
+    scene->settings = state->settings;
+    scene->stated = state->stated;
+    memcpy(scene->is_set, state->is_set, sizeof(scene->is_set));
+}
+
+static enum status change_picture(void *user)
+{
+    const struct change *change = user;
+    struct view *v = change->view;
+    bool remade = false;
+    struct app_scene scene = v->picture->state.scene;
+    put_settings(&scene, change->state);
+    const enum status status =
+        viewport_change(&v->picture, &scene, change->state->refraction, &remade);
+    if (remade)
+        presenter_disconnect(&v->screen);
+    return status;
+}
+
+static bool has_other_side(const struct view *v, const struct view_state *state)
+{
+    const struct view_state now = view_state_now(v);
+    return state->other != now.other || state->split != now.split ||
+           memcmp(&state->right, &now.right, sizeof(now.right)) != 0;
+}
+
+/* ---- other scenes ---- */
+
+void view_enter_scene(struct view *v, const struct view_state *before)
+{
+    v->scene = ++v->scene_count;
+    const struct view_state now = view_state_now(v);
+    if (!v->history.count)
+        undo_stack_push(&v->history, before, 0);
+    undo_stack_push(&v->history, &now, 0);
+    undo_scenes_prune(&v->opened, &v->history);
+}
+
+static enum status return_to_scene(void *user)
+{
+    const struct change *change = user;
+    struct view *v = change->view;
+    const struct app_image *now = &v->picture->state;
+    const struct undo_scene *to = undo_scenes_find(v->opened, change->state->scene);
+    struct app_image state = to->state;
+    state.width = now->width;
+    state.height = now->height;
+    state.split = now->split;
+    state.refraction = change->state->refraction;
+    state.scene.env_rotate = change->state->env_rotate;
+    put_settings(&state.scene, change->state);
+    return viewport_apply_state(&v->picture, &state);
+}
+
+/* Returns to the scene of a state if another one is open. Only a change of the object restores the
+ * camera that was used there; a change of the environment keeps the current one. */
+static enum status return_to(struct view *v, const struct view_state *state)
+{
+    struct change change = { v, state };
+    const struct undo_scene *to = undo_scenes_find(v->opened, state->scene);
+    if (state->scene == v->scene || !to)
+        return STATUS_OK;
+    const bool is_object = strcmp(to->name, v->picture->state.scene.name) != 0;
+    const struct camera camera = is_object ? to->camera : v->picture->camera;
+    enum status status = undo_scenes_add(&v->opened, v->scene, v->picture);
+    presenter_disconnect(&v->screen);
+    if (status == STATUS_OK)
+        status = worker_run(&v->window, return_to_scene, &change);
+    if (status != STATUS_OK)
+        return status;
+    v->scene = state->scene;
+    view_use_camera(v, &camera);
+    return STATUS_OK;
+}
+
+/* ---- settings ---- */
+
+bool view_apply_state(struct view *v, const struct view_state *state)
+{
+    const double start = clock_seconds();
+    struct change change = { v, state };
+    view_clear_errors(v);
+    view_compare_stop(v);
+    enum status status = presenter_wait(&v->screen);
+    if (status == STATUS_OK)
+        status = return_to(v, state);
+    if (status == STATUS_OK)
+        status = worker_run(&v->window, change_picture, &change);
+    const float turn = v->picture->state.scene.env_rotate;
+    if (status == STATUS_OK && (state->env_rotate < turn || state->env_rotate > turn)) {
+        presenter_disconnect(&v->screen);
+        status = viewport_rotate_panorama(v->picture, state->env_rotate);
+    }
+    if (status == STATUS_OK && has_other_side(v, state))
+        status = view_compare_use(v, state);
+    if (status != STATUS_OK)
+        view_fail(v, "nothing was changed");
+    v->changed = true;
+    view_show_name(v);
+    view_frame_stats_exclude(&v->costs, start);
+    return status == STATUS_OK;
+}
+
+/* Prints why a change took longer than a frame; "" if it did not. */
+static void print_cost(const struct view_state *before, const struct view_state *after,
+                       double seconds, char *words, size_t size)
+{
+    const enum setting_effect effect = settings_changed(&before->settings, &after->settings);
+    const char *what = effect == SETTING_AFFECTS_SCENE           ? "scene rebuilt"
+                       : effect == SETTING_AFFECTS_PLAN          ? "plan recompiled"
+                       : before->refraction != after->refraction ? "other passes compiled"
+                       : before->split != after->split           ? "passes compiled"
+                                                                 : NULL;
+    *words = '\0';
+    if (what)
+        snprintf(words, size, " (%s in %.0f ms)", what, seconds * 1e3);
+}
+
+/* Records which settings the user has set: those that are marked (`marked` may be NULL) and those
+ * that differ from `before`, unless they are back at the value that the scene brings. */
+static void state_settings(const struct view *v, struct view_state *state,
+                           const struct settings *before, const bool *marked)
+{
+    const struct app_scene *given = &v->options->picture.scene;
+    const struct settings brought = view_scene_settings(v);
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            const double value = settings_get(&state->settings, row);
+            const double old = settings_get(before, row);
+            const double own = settings_get(&brought, row);
+            const size_t index = settings_index(row);
+            const bool is_marked = marked && marked[index];
+            if (!(value < old || value > old) && !is_marked)
+                continue;
+            state->is_set[index] = is_marked || given->is_set[index] || value < own || value > own;
+            settings_set_value(&state->stated, row,
+                               state->is_set[index] ? value : settings_get(&given->settings, row));
+        }
+    }
+}
+
+bool view_edit(struct view *v, const struct view_state *wanted, uint32_t gesture)
+{
+    char name[WORDS_SIZE / 2];
+    char cost[WORDS_SIZE / 2];
+    char words[WORDS_SIZE];
+    const double start = clock_seconds();
+    const struct view_state before = view_state_now(v);
+    struct view_state state = *wanted;
+    if (!v->history.count)
+        undo_stack_push(&v->history, &before, 0);
+    state_settings(v, &state, &before.settings, NULL);
+    if (!view_apply_state(v, &state))
+        return false;
+    const struct view_state now = view_state_now(v);
+    undo_stack_push(&v->history, &now, gesture);
+    const struct view_state *since =
+        v->history.at ? &v->history.states[v->history.at - 1] : &before;
+    undo_stack_describe(since, &now, name, sizeof(name)); /* describes the whole gesture */
+    print_cost(&before, &now, clock_seconds() - start, cost, sizeof(cost));
+    snprintf(words, sizeof(words), "%s%s", name, cost);
+    if (*cost)
+        rebuild_log_add(&v->reloads, words);
+    ui_show_message(v->ui, words);
+    return true;
+}
+
+void view_undo_redo(struct view *v, bool again)
+{
+    char name[WORDS_SIZE / 2];
+    char cost[WORDS_SIZE / 2];
+    char words[2 * WORDS_SIZE];
+    const double start = clock_seconds();
+    const struct view_state before = view_state_now(v);
+    const struct view_state *to =
+        again ? undo_stack_redo(&v->history) : undo_stack_undo(&v->history);
+    if (!to) {
+        ui_show_message(v->ui, again ? "nothing to redo" : "nothing to undo");
+        return;
+    }
+    undo_stack_describe(&before, to, name, sizeof(name));
+    if (!view_apply_state(v, to)) {
+        (void)(again ? undo_stack_undo(&v->history) : undo_stack_redo(&v->history));
+        return;
+    }
+    if (to->scene != before.scene)
+        snprintf(name, sizeof(name), "back to %s", v->picture->state.scene.name);
+    print_cost(&before, to, clock_seconds() - start, cost, sizeof(cost));
+    snprintf(words, sizeof(words), "%s: %s%s", again ? "redo" : "undo", name, cost);
+    if (*cost)
+        rebuild_log_add(&v->reloads, words);
+    ui_show_message(v->ui, words);
+}
+
+/* ---- presets ---- */
+
+void view_load_preset(struct view *v, const char *path)
+{
+    char words[WORDS_SIZE];
+    struct app_scene scene = v->picture->state.scene;
+    struct view_state state = view_state_now(v);
+    scene.settings = state.settings;
+    scene.preset = path;
+    memset(scene.is_set, 0, sizeof(scene.is_set)); /* a preset may change every setting */
+    memset(scene.is_preset, 0, sizeof(scene.is_preset));
+    view_clear_errors(v);
+    if (option_preset_read(&scene) != STATUS_OK) {
+        view_fail(v, "the preset was not loaded");
+        return;
+    }
+    state.settings = scene.settings;
+    state_settings(v, &state, &state.settings, scene.is_preset);
+    if (!view_edit(v, &state, 0))
+        return;
+    snprintf(words, sizeof(words), "settings loaded from %s", path);
+    ui_show_message(v->ui, words);
+}
+
+/* Prints settings that have their default value but would be set otherwise by the scene. */
+static void print_defaults(const struct view *v, const struct view_state *state, FILE *out)
+{
+    const struct settings brought = view_scene_settings(v);
+    const struct settings defaults = settings_default();
+    const struct setting_group *group;
+    for (size_t g = 0; (group = settings_group(g)); g++) {
+        for (size_t r = 0; r < group->row_count; r++) {
+            const struct setting *row = &group->rows[r];
+            const double value = settings_get(&state->settings, row);
+            const double usual = settings_get(&defaults, row);
+            const double own = settings_get(&brought, row);
+            if (value < usual || value > usual || !(own < usual || own > usual))
+                continue;
+            fprintf(out, "%s=", row->name);
+            settings_print(&state->settings, row, out);
+            fputc('\n', out);
+        }
+    }
+}
+
+static char *print_preset(const struct view *v, const struct view_state *state, size_t *size)
+{
+    char *text = NULL;
+    FILE *out = open_memstream(&text, size);
+    if (!out)
+        return NULL;
+    fputs("# settings for firn --preset\n", out);
+    settings_print_changes(&state->settings, "", out);
+    print_defaults(v, state, out);
+    if (fclose(out) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+void view_save_preset(struct view *v)
+{
+    char words[WORDS_SIZE];
+    size_t size = 0;
+    const struct view_state state = view_state_now(v);
+    char *folder = user_files_presets(true);
+    char *path = folder ? user_files_new(folder, "preset", ".txt") : NULL;
+    char *text = path ? print_preset(v, &state, &size) : NULL;
+    if (text && file_io_write(path, text, size) == STATUS_OK) {
+        snprintf(words, sizeof(words), "saved %s", path);
+        ui_show_message(v->ui, words);
+    } else {
+        ui_show_failure(v->ui, "the preset was not saved: set HOME or XDG_DATA_HOME to a writable "
+                               "folder");
+    }
+    free(text);
+    free(path);
+    free(folder);
+}
+
+/* ---- files ---- */
+
+struct opening {
+    struct view *view;
+    const char *path;
+    enum file_kind drop;
+};
+
+static enum status detect_kind(void *user)
+{
+    struct opening *opening = user;
+    const struct reader_params *reader = &opening->view->picture->state.scene.reader;
+    return file_kind_detect(opening->path, reader, &opening->drop);
+}
+
+static enum status open_file(void *user)
+{
+    const struct opening *opening = user;
+    bool remade;
+    return viewport_load(&opening->view->picture, opening->path, &remade);
+}
+
+static void load(struct view *v, struct opening *opening)
+{
+    const double start = clock_seconds();
+    char words[REBUILD_LOG_SIZE];
+    const struct view_state before = view_state_now(v);
+    view_set_title(v, "loading");
+    presenter_disconnect(&v->screen);
+    view_compare_stop(v);
+    view_clear_errors(v);
+    if (undo_scenes_add(&v->opened, v->scene, v->picture) != STATUS_OK ||
+        worker_run(&v->window, open_file, opening) != STATUS_OK) {
+        view_fail(v, "the file was not opened");
+    } else {
+        view_enter_scene(v, &before);
+        snprintf(words, sizeof(words), "%s %s (scene loaded in %.0f ms)",
+                 opening->drop == FILE_KIND_ENVIRONMENT ? "opened environment" : "opened",
+                 opening->path, (clock_seconds() - start) * 1e3);
+        rebuild_log_add(&v->reloads, words);
+        ui_show_message(v->ui, words);
+        recent_files_add(opening->path);
+    }
+    v->changed = true;
+    view_show_name(v);
+    view_frame_stats_exclude(&v->costs, start);
+}
+
+/* Opens any kind of file. On failure, which is logged, the current scene stays. */
+void view_open(struct view *v, const char *path)
+{
+    struct opening opening = { .view = v, .path = path };
+    const double start = clock_seconds();
+    if (view_compare_accepts(v, path)) {
+        view_compare_open(v, path);
+        return;
+    }
+    view_clear_errors(v);
+    const enum status status = worker_run(&v->window, detect_kind, &opening);
+    view_frame_stats_exclude(&v->costs, start);
+    if (status != STATUS_OK)
+        view_fail(v, "the file was not opened");
+    else if (opening.drop == FILE_KIND_SESSION)
+        view_load_session(v, path);
+    else if (opening.drop == FILE_KIND_PRESET)
+        view_load_preset(v, path);
+    else if (opening.drop == FILE_KIND_IMAGE)
+        view_compare_open(v, path);
+    else
+        load(v, &opening);
+}

@@ -1,0 +1,67 @@
+/*
+ * view_frame_stats.h: statistics of frame times and input latency.
+ *
+ *     view_frame_stats_exclude()  excludes time outside frames: loading, changed settings, pauses
+ *     view_frame_stats_limit()    excludes time spent waiting for --fps-limit
+ *     view_frame_stats_end()      ends a frame, after it was presented
+ *
+ * A frame lasts from the end of the previous one to its own end. Its time minus GPU passes and host
+ * work is spent waiting for the presentation engine.
+ */
+#ifndef FIRN_VIEW_VIEW_FRAME_STATS_H
+#define FIRN_VIEW_VIEW_FRAME_STATS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include "graph/rg_time.h"
+#include "src/view/ui/ui_frame_pacing.h"
+
+enum {
+    VIEW_TIME_COUNT = 1024, /* capacity of a ring of times */
+};
+
+/* Ring buffer of repeated measurements, in seconds. */
+struct view_time_ring {
+    float values[VIEW_TIME_COUNT];
+    uint32_t count; /* measurements in total */
+};
+
+/* All times in seconds. The sums skip the first frames, which compile shaders. */
+struct view_frame_stats {
+    uint32_t frame_count;
+    double end;                  /* end of the previous frame; 0 if there is none to measure from */
+    double rest, limit;          /* idle and limiter time since `end` */
+    struct ui_frame_pacing last; /* newest frame; .frame is 0 if it was not measured */
+    uint32_t counted;            /* number of frames in the following sums */
+    double frames, passes;       /* passes: GPU time */
+    double host;                 /* time in which the host worked */
+    struct view_time_ring moving;  /* between images while something moves */
+    struct view_time_ring hand;    /* from mouse movement until its image is presented */
+    struct view_time_ring release; /* from mouse release until an image in full size */
+    double hand_at, release_at;    /* pending latency measurements; 0 if none */
+};
+
+/* counts no frame time since `start` */
+void view_frame_stats_exclude(struct view_frame_stats *costs, double start);
+/* counts the limiter since `start` */
+void view_frame_stats_limit(struct view_frame_stats *costs, double start);
+
+/* Excludes the time until the next frame, since nothing was drawn for a while. */
+void view_frame_stats_pause(struct view_frame_stats *costs);
+
+/* Ends a frame. `times`: latest times of each executed plan; `screen`: seconds the host waited for
+ * the presentation engine. */
+void view_frame_stats_end(struct view_frame_stats *costs, const struct rg_times *times,
+                          uint32_t time_count, double screen);
+
+/* Records when the mouse moved or was released; the first movement since the last image counts. */
+void view_frame_stats_input(struct view_frame_stats *costs, double moved, double released);
+
+/* Tells that the frame just counted shows a new image: of an interaction, or in full size. */
+void view_frame_stats_image(struct view_frame_stats *costs, bool is_moving);
+
+/* Prints the number of frames and mean times, and interaction times if there were any. */
+void view_frame_stats_print(const struct view_frame_stats *costs, FILE *out);
+
+#endif

@@ -1,0 +1,124 @@
+/* view_screenshot.c: saves screenshots and images, and copies the image to the clipboard. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+#include "src/app/output.h"
+#include "src/base/clock.h"
+#include "src/base/path.h"
+#include "src/view/clipboard.h"
+#include "src/view/ui/ui_screenshot.h"
+#include "src/view/view_internal.h"
+
+enum {
+    NAME_SIZE = 32,
+    FOLDER_SIZE = 512,
+};
+
+static enum status shoot_all(struct view *v, const char *path)
+{
+    struct render_result drawn = { 0 };
+    const struct window_frame window = view_window(v, NULL);
+    enum status status = ui_screenshot(&v->screen, v->picture, &window, v->ui, &drawn.rgba);
+    if (status == STATUS_OK)
+        status = viewport_save_drawn(v->picture, v->shown, path, &drawn, v->screen.swapchain.extent,
+                                     &v->stop);
+    render_result_finish(&drawn);
+    return status;
+}
+
+static bool is_taken(uint32_t number)
+{
+    static const char *const endings[] = { ".png", ".exr", "-left.exr", "-right.exr" };
+    char name[NAME_SIZE];
+    bool taken = false;
+    for (size_t i = 0; i < sizeof(endings) / sizeof(endings[0]); i++) {
+        snprintf(name, sizeof(name), "firn-%04u%s", number, endings[i]);
+        taken = taken || access(name, F_OK) == 0;
+    }
+    return taken;
+}
+
+/* Copies the image through a temporary file in a private folder. */
+static void copy_picture(struct view *v)
+{
+    const char *runtime = getenv("XDG_RUNTIME_DIR");
+    char folder[FOLDER_SIZE];
+    char png[FOLDER_SIZE + NAME_SIZE];
+    const char *const paths[] = { png };
+    const bool quiet = v->picture->quiet;
+    const int length =
+        snprintf(folder, sizeof(folder), "%s/firn-XXXXXX", runtime ? runtime : "/tmp");
+    const bool made = length < FOLDER_SIZE && mkdtemp(folder);
+    snprintf(png, sizeof(png), "%s/picture.png", folder);
+    v->picture->quiet = true;
+    bool copied = made && viewport_save(v->picture, v->shown, paths, 1, &v->stop) == STATUS_OK;
+    v->picture->quiet = quiet;
+    copied = copied && clipboard_copy_png(png);
+    if (made) {
+        unlink(png);
+        rmdir(folder);
+    }
+    if (copied)
+        ui_show_message(v->ui, "image copied to the clipboard");
+    else
+        ui_show_failure(v->ui,
+                        "the image was not copied: install xclip or wl-clipboard, or save it (P)");
+}
+
+/* Renders and saves the image in the requested size; in that of the window if there is none. */
+static enum status shoot_picture(struct view *v, const char *const *paths, uint32_t path_count)
+{
+    struct app_image *state = &v->picture->state;
+    const VkExtent2D before = { state->width, state->height };
+    const VkExtent2D size = v->shoot_size.width ? v->shoot_size : before;
+    v->shoot_size = (VkExtent2D){ 0, 0 };
+    state->width = size.width;
+    state->height = size.height;
+    const enum status status = viewport_save(v->picture, v->shown, paths, path_count, &v->stop);
+    state->width = before.width;
+    state->height = before.height;
+    return status;
+}
+
+/* Saves a screenshot or copies the image, as requested. Never overwrites existing files. */
+void view_take_screenshot(struct view *v)
+{
+    char png[NAME_SIZE];
+    char exr[NAME_SIZE];
+    char words[NAME_SIZE + 16];
+    const char *const paths[] = { png, exr };
+    const double start = clock_seconds();
+    const bool all = v->shoot_all;
+    view_clear_errors(v);
+    const bool copies = v->shoot_copy;
+    v->shoot = v->shoot_all = v->shoot_copy = false;
+    if (copies) {
+        copy_picture(v);
+        view_frame_stats_exclude(&v->costs, start);
+        return;
+    }
+    while (is_taken(++v->shot_number))
+        continue;
+    snprintf(png, sizeof(png), "firn-%04u.png", v->shot_number);
+    snprintf(exr, sizeof(exr), "firn-%04u.exr", v->shot_number);
+    const enum status status = all ? shoot_all(v, png) : shoot_picture(v, paths, 2);
+    snprintf(words, sizeof(words), status == STATUS_OK ? "saved %s" : "%s was not saved", png);
+    if (status == STATUS_OK)
+        ui_show_message(v->ui, words);
+    else
+        view_fail(v, words);
+    view_frame_stats_exclude(&v->costs, start);
+}
+
+enum status view_write_outputs(struct view *v)
+{
+    const struct app_outputs *outputs = &v->options->run.outputs;
+    enum status status = STATUS_OK;
+    if (v->options->view.overlay != APP_OVERLAY_ON)
+        return viewport_save(v->picture, v->shown, outputs->paths, outputs->count, &v->stop);
+    for (uint32_t i = 0; i < outputs->count && status == STATUS_OK; i++)
+        status = path_ends_in(outputs->paths[i], ".png")
+                     ? shoot_all(v, outputs->paths[i])
+                     : viewport_save(v->picture, v->shown, &outputs->paths[i], 1, &v->stop);
+    return status;
+}

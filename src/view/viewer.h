@@ -1,0 +1,12 @@
+/*
+ * viewer.h: `firn view`: shows a scene in an interactive window.
+ */
+#ifndef FIRN_VIEW_VIEWER_H
+#define FIRN_VIEW_VIEWER_H
+
+#include "src/app/app.h"
+
+/* Runs until the user closes the window, or for the options' number of frames. Logs errors. */
+enum status viewer_run(const struct app_options *options);
+
+#endif

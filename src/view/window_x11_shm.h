@@ -1,0 +1,24 @@
+/*
+ * window_x11_shm.h: presents images to an X window through shared memory (MIT-SHM).
+ *
+ * Used only on X servers without DRI3; with DRI3, drivers share images with the server themselves.
+ * It opens an X connection of its own, so that it does not interfere with GLFW's requests and
+ * replies.
+ */
+#ifndef FIRN_VIEW_WINDOW_X11_SHM_H
+#define FIRN_VIEW_WINDOW_X11_SHM_H
+
+#include "src/gpu/gpu_shared_window.h"
+
+struct GLFWwindow;
+struct window_x11_shm;
+
+/* Returns NULL, without logging, if the server cannot read shared memory or has DRI3, and without
+ * X11. The canvas must outlive its users, but not the window. */
+struct window_x11_shm *window_x11_shm_open(struct GLFWwindow *window);
+void window_x11_shm_close(struct window_x11_shm *canvas); /* may be NULL */
+
+/* Returns the canvas for a swapchain; NULL for NULL. */
+const struct gpu_shared_window *window_x11_shm_canvas(const struct window_x11_shm *canvas);
+
+#endif

@@ -1,0 +1,144 @@
+/*
+ * Bytes become what a reader of files sends back: as they are, or put into a sound stream here and
+ * there. Whatever they are, a model that is taken is one that every pass may draw.
+ */
+#include <string.h>
+
+#include "src/reader/image_reader.h"
+#include "src/scene/import/model_pipe.h"
+#include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/fuzz_scene.h"
+#include "tests/support/pipe_stream.h"
+
+enum {
+    SIZE_MAX_OF_ALL = 1 << 20,
+    EDIT_SIZE = 6, /* where (2), what (4) */
+    MOST_EDITS = 4,
+};
+
+static void read_model(struct pipe_stream *stream)
+{
+    const struct pipe_source source = { pipe_stream_read, stream, SIZE_MAX_OF_ALL };
+    struct model model;
+    if (model_pipe_read_model(&source, &model) != PIPE_OK) {
+        fuzz_check_no_model(&model);
+        return;
+    }
+    fuzz_check_model(&model);
+    model_finish(&model);
+}
+
+static void read_environment(struct pipe_stream *stream)
+{
+    const struct pipe_source source = { pipe_stream_read, stream, SIZE_MAX_OF_ALL };
+    struct environment environment;
+    if (model_pipe_read_environment(&source, &environment) != PIPE_OK) {
+        fuzz_check_no_environment(&environment);
+        return;
+    }
+    fuzz_check_environment(&environment);
+    environment_finish(&environment);
+}
+
+static void read_head(struct pipe_stream *stream)
+{
+    const struct pipe_source source = { pipe_stream_read, stream, SIZE_MAX_OF_ALL };
+    struct image_header head;
+    const bool is_whole = image_pipe_read_header(&source, &head) == PIPE_OK;
+    FUZZ_CHECK(is_whole == (head.image.planes != NULL));
+    for (uint32_t p = 0; p < head.image.plane_count; p++)
+        FUZZ_CHECK(memchr(head.image.planes[p].name, 0, IMAGE_NAME_SIZE));
+    FUZZ_CHECK(!head.has_window || head.window.x + head.image.width <= head.window.width);
+    image_header_finish(&head);
+}
+
+/* A head of a picture with two planes, a place and a text. */
+static void make_head(struct pipe_stream *stream)
+{
+    struct image_header head = { .has_window = true, .window = { 1, 2, 8, 8 } };
+    image_init(&head.image, 4, 4);
+    FUZZ_CHECK(image_header_add_plane(&head, "R", true) &&
+               image_header_add_plane(&head, "Z", false) &&
+               image_header_add_text(&head, "firn/tile", "1 of 2x2", 8));
+    FUZZ_CHECK(image_pipe_write_header(&(struct pipe_sink){ pipe_stream_write, stream }, &head));
+    image_header_finish(&head);
+}
+
+/* A sound one: two objects of a triangle, a camera, two textures; or a panorama of 2 x 1. */
+static void make(struct pipe_stream *stream, bool is_model)
+{
+    struct mesh_vertex vertices[4] = { 0 };
+    uint32_t indices[6] = { 0, 1, 2, 2, 3, 0 };
+    uint8_t texels[32] = { 0 };
+    uint16_t halfs[8] = { 0, 1, 2, 0x3c00, 0x7bff, 0, 0, 0x3c00 };
+    struct object objects[2] = { { .index_count = 3 }, { .first_index = 3, .index_count = 3 } };
+    struct material material = material_make("glass");
+    struct model_camera camera = { .camera = { .eye = { { 0, 0, 2 } }, .fov_deg = 45 } };
+    struct model_animation animation = { "walk", 1 };
+    struct light light = { .kind = LIGHT_SPOT, .direction = { { 1, 0, 0 } }, .outer_cone = 1 };
+    struct model_extension extension = { "EXT_any", MODEL_DRAWN };
+    const struct model model = {
+        .object = { .vertices = vertices, .indices = indices, .vertex_count = 4, .index_count = 6 },
+        .objects = objects,
+        .object_count = 2,
+        .materials = &material,
+        .material_count = 1,
+        .cameras = &camera,
+        .camera_count = 1,
+        .lights = &light,
+        .light_count = 1,
+        .extensions = &extension,
+        .extension_count = 1,
+        .undrawn = 1,
+        .animations = &animation,
+        .animation_count = 1,
+        .animation = 1,
+        .surroundings = { .vertices = vertices,
+                          .indices = indices,
+                          .vertex_count = 4,
+                          .index_count = 6 },
+        .textures = { texels, 2, 2 },
+        .camera = { .eye = { { 0, 0, 2 } }, .fov_deg = 45 },
+        .ior = 1.3F,
+        .has_camera = true,
+        .has_ior = true,
+    };
+    const struct environment environment = { halfs, 2, 1 };
+    const struct pipe_sink sink = { pipe_stream_write, stream };
+    FUZZ_CHECK(is_model ? model_pipe_write_model(&sink, &model)
+                        : model_pipe_write_environment(&sink, &environment));
+}
+
+static void edit(struct pipe_stream *stream, const uint8_t *data, size_t size)
+{
+    for (size_t i = 0; i < MOST_EDITS && size >= (i + 1) * EDIT_SIZE; i++) {
+        const uint8_t *what = data + i * EDIT_SIZE;
+        const size_t at = (what[0] | (size_t)what[1] << 8) % (stream->size - 3);
+        memcpy(stream->bytes + at, what + 2, 4);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct pipe_stream stream = { .size = 0 };
+    if (size == 0)
+        return 0;
+    const bool is_model = data[0] & 1, is_head = data[0] & 4;
+    if (data[0] & 2) {
+        stream.size = size - 1 < PIPE_STREAM_SIZE ? size - 1 : PIPE_STREAM_SIZE;
+        memcpy(stream.bytes, data + 1, stream.size);
+    } else {
+        if (is_head)
+            make_head(&stream);
+        else
+            make(&stream, is_model);
+        edit(&stream, data + 1, size - 1);
+    }
+    if (is_head)
+        read_head(&stream);
+    else if (is_model)
+        read_model(&stream);
+    else
+        read_environment(&stream);
+    return 0;
+}
