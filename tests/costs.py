@@ -1,7 +1,7 @@
-"""costs.py: prints the costs of the tests, from meson's logs.
+"""costs.py: prints the run times of the tests, from meson's logs.
 
-Usage: costs.py [BUILD...]   BUILD: a build folder; without any, all `build*` in the source tree
-Prints the parts (build folders) with their times, then the tests that took longest in any of them.
+Usage: costs.py [BUILD...]   BUILD: a build folder; default: all `build*` in the source tree
+Prints the total time of each build folder, then the slowest tests of all.
 """
 import collections
 import json
@@ -14,7 +14,7 @@ SLOWEST = 30
 
 
 def read(build):
-    """Rows of the last run of its tests."""
+    """Returns the log entries of the last test run of a build folder."""
     log = build / 'meson-logs' / 'testlog.json'
     if not log.exists():
         return []
@@ -22,13 +22,13 @@ def read(build):
 
 
 def span(rows):
-    """Seconds from the first test's start to the last one's end."""
+    """Returns the wall-clock seconds from the first test's start to the last one's end."""
     return max(row['starttime'] + row['duration'] for row in rows) - min(
         row['starttime'] for row in rows)
 
 
 def suite_of(row):
-    """"firn:front / front-view": front"""
+    """Returns a test's suite: front for "firn:front / front-view"."""
     return row['name'].partition(' / ')[0].rpartition(':')[2]
 
 
@@ -59,5 +59,5 @@ def main(arguments):
 
 
 if __name__ == '__main__':
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # | head
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # quiet with `| head`
     sys.exit(main(sys.argv[1:]))

@@ -1,11 +1,11 @@
-"""installed.py: tests the installed libraries of graph/, and what the installed program finds.
+"""installed.py: tests of an installation: libraries of graph/, examples, the program's assets.
 
 Usage: installed.py ROOT MESON BUILD   BUILD: a folder in which everything is built
-Installs the libraries, shared and static, and builds the programs of docs/render-graph.md outside
-the tree, with the page's commands: the programs must print the page's output. Those of examples/
-must draw their pictures. The libraries must
-export the headers' declarations and nothing else, and have the SONAME of the version. Installed to
-a folder that is not its prefix, the program must find its assets.
+Installs the shared and static libraries, and builds the programs of docs/render-graph.md outside
+the tree with the commands of the page; they must print the output given there. The programs of
+examples/ must render their images. The libraries must export exactly the functions of the headers,
+and have the SONAME of the version. The program must find its assets also if it is installed to a
+folder other than its prefix.
 """
 import os
 import pathlib
@@ -15,16 +15,17 @@ import subprocess
 import sys
 import tempfile
 
-HEADERS = {'rg': ['rg.h'], 'rg-exec': ['rg_exec.h', 'rg_cmd.h', 'rg_time.h']}  # of each library
+# Public headers of each library.
+HEADERS = {'rg': ['rg.h'], 'rg-exec': ['rg_exec.h', 'rg_cmd.h', 'rg_time.h']}
 WARNINGS = '-Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers'
-EXAMPLES = {  # pixels of their pictures: x, y, colour
+EXAMPLES = {  # expected pixels of the examples' images: (x, y): colour
     'blur.c': {(128, 128): (255, 255, 255), (64, 128): (119, 119, 119), (4, 4): (0, 0, 0)},
     'deferred.c': {(160, 20): (123, 138, 161), (110, 105): (158, 96, 74),
                    (215, 115): (75, 113, 168), (160, 130): (255, 255, 254),
-                   (85, 123): (85, 95, 108), (160, 220): (184, 187, 190)},  # sky ... shadow, ground
+                   (85, 123): (85, 95, 108), (160, 220): (184, 187, 190)},  # sky to shadow, ground
     'particles.cpp': {(160, 211): (255, 255, 255), (10, 10): (0, 0, 0)},
 }
-TOLERANCE = 6  # of 255
+TOLERANCE = 6  # of 8-bit values
 CPLUSPLUS = '''\
 #include "graph/rg_cmd.h"
 #include "graph/rg_exec.h"
@@ -63,19 +64,19 @@ def install(root, meson, prefix):
 
 
 def remove_shared(prefix):
-    """Leaves the archives, which a linker takes only where there is no shared library."""
+    """Removes shared libraries: a linker uses static ones only if there are no shared ones."""
     for file in (prefix / 'lib').glob('*.so*'):
         file.unlink()
 
 
 def symbols(library, *options):
-    """Name of each, without its version."""
+    """Returns the names of a library's symbols, without versions."""
     lines = output(['nm', '--format=posix', *options, library]).splitlines()
     return sorted(line.split()[0].split('@')[0] for line in lines if ' ' in line)
 
 
 def declared(prefix, library):
-    """Functions in the library's headers, whatever stands before their names."""
+    """Returns the functions that the library's headers declare, with any return type."""
     names = []
     for header in HEADERS[library]:
         text = (prefix / 'include' / 'firn' / 'graph' / header).read_text(encoding='utf-8')
@@ -105,7 +106,7 @@ def check_shared(prefix, environment):
 
 
 def check_static(prefix, _):
-    """Nothing in an archive is hidden from a program's own names."""
+    """Checks names in archives: their internal symbols, too, could clash with a program's."""
     for library in HEADERS:
         file = prefix / 'lib' / f'lib{library}.a'
         names = symbols(file, '-g', '--defined-only')
@@ -115,14 +116,14 @@ def check_static(prefix, _):
 
 
 def compile_and_run(command, source, text, environment):
-    """Runs a command of the shell that makes a program of its name from a source; and that."""
+    """Compiles a source with a shell command, runs the program, and returns its output."""
     source.write_text(text, encoding='utf-8')
     subprocess.run(['sh', '-e', '-c', command], cwd=source.parent, env=environment, check=True)
     return output([source.with_suffix('')], env=environment)
 
 
 def check_programs(prefix, environment, static, page):
-    """A program, then a command that compiles it, then what it prints."""
+    """Checks the programs of a page: each is followed by its compile command and its output."""
     compiler = os.environ.get('CC', 'cc')
     programs = re.findall(
         r'```c\n(.*?)```.*?\n    cc ([^\n]* (\w+\.c) [^\n]*)\n.*?```text\n(.*?)```', page, re.S)
@@ -146,7 +147,7 @@ def check_cplusplus(prefix, environment):
 
 
 def check_example(folder, environment, name, pixels):
-    """Builds an example as its page says, runs it and looks at some pixels."""
+    """Builds an example with the command of its page, runs it, and checks some pixels."""
     program = pathlib.Path(name).stem
     compiler = (f'{os.environ.get("CC", "cc")} -std=c17 {WARNINGS}' if name.endswith('.c') else
                 f'{os.environ.get("CXX", "c++")} -std=c++20 -Wall -Wextra -Werror')
@@ -195,7 +196,7 @@ def main(root, meson, build):
             **os.environ,
             'PKG_CONFIG_PATH': str(prefix / 'lib' / 'pkgconfig'),
             'LD_LIBRARY_PATH': str(prefix / 'lib'),
-            'VK_INSTANCE_LAYERS': 'VK_LAYER_KHRONOS_validation',  # which prints what is wrong
+            'VK_INSTANCE_LAYERS': 'VK_LAYER_KHRONOS_validation',  # prints validation errors
         }
         for static, check in ((False, check_shared), (True, check_static)):
             if static:

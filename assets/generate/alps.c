@@ -1,13 +1,13 @@
 /*
- * alps.c: a panorama of mountains around a lake under a clear sky, without the sun's disc.
+ * alps.c: renders alps.exr, a panorama of mountains around a lake under a clear sky, without the
+ * sun's disc, by marching over a height field (alps_terrain.c).
  *
- * Usage: alps FILE [WIDTH]   WIDTH: pixels, even, default 3456; half as many rows. Below 1024 the
- *                            heights are fewer, too.
+ * Usage: alps FILE [WIDTH], WIDTH: pixels, even, default 3456; the height is half. Below 1024 the
+ * height field is coarser, too.
  *
- * Radiance is linear; 1 is what a white level surface shows. Sky, haze and the light on the ground
- * are of one atmosphere (src/scene/environment/atmosphere.h). The file names the sun:
- * ENVIRONMENT_SUN_TEXT of
- * src/scene/environment/environment.h.
+ * Radiance is linear; 1 is that of a white horizontal surface. Sky, aerial perspective and ground
+ * lighting use one atmosphere model (src/scene/environment/atmosphere.h). The file stores the sun as
+ * ENVIRONMENT_SUN_TEXT (src/scene/environment/environment.h).
  */
 #include "assets/generate/alps.h"
 #include <cglm/struct.h>
@@ -23,31 +23,31 @@
 enum {
     SKY_COLUMNS = 512,
     SKY_ROWS = 256,
-    OVER = 2,
+    SUPERSAMPLING = 2,
     SHADOW_STEPS = 90
 };
 
-static const float sun_azimuth = 248.0F, sun_elevation = 22.0F; /* degrees, as firn counts them */
-static const float sun_irradiance = 10.5F;                      /* above the air, each channel */
+static const float sun_azimuth = 248.0F, sun_elevation = 22.0F; /* degrees, as in firn's settings */
+static const float sun_irradiance = 10.5F; /* above the atmosphere, in each colour channel */
 static const float turbidity = 5.5F, ground_albedo = 0.3F;
-static const float eye_height = 900.0F, lake_height_km = 1.2F; /* over the lake; over the sea */
-static const float planet = 6360e3F;                           /* radius, metres */
+static const float eye_height = 900.0F, lake_height_km = 1.2F; /* camera over lake; lake over sea */
+static const float planet = 6360e3F;                           /* radius of the planet, metres */
 static const float farthest = 52e3F;
 
 struct scene {
     struct alps alps;
     struct atmosphere atmosphere;
-    vec3s sun, sun_light, balance; /* light: irradiance square to the sun, at the lake */
-    vec3s ambient;                 /* irradiance of the sky / pi on level ground */
+    vec3s sun, sun_light, balance; /* sun_light: irradiance normal to the sun; balance: white */
+    vec3s ambient;                 /* sky irradiance on horizontal ground / pi */
     vec3s sky[SKY_ROWS][SKY_COLUMNS];
 };
 
-/* A place on the ground as the eye sees it. */
+/* A visible point of the ground. */
 struct ground {
     vec3s point, normal;
     float distance, flow;
-    float level;  /* cosine of the slope over tens of metres, on which things grow or lie */
-    float across; /* metres across the way that things fall there, from anywhere */
+    float level;  /* cosine of the mean slope over tens of metres */
+    float across; /* metres across the fall line, from an arbitrary origin */
 };
 
 static vec3s color(float r, float g, float b)
@@ -60,7 +60,7 @@ static vec3s direction(float azimuth, float elevation)
     return color(sinf(azimuth) * cosf(elevation), sinf(elevation), cosf(azimuth) * cosf(elevation));
 }
 
-/* Rows of the sky's table lie closer near the horizon. */
+/* Returns the sky radiance from a table whose rows are denser near the horizon. */
 static vec3s sky_radiance(const struct scene *scene, vec3s dir)
 {
     const float turn = atan2f(dir.x, dir.z) / (2.0F * PI);
@@ -106,14 +106,14 @@ static float drop(float distance)
     return distance * distance / (2.0F * planet);
 }
 
-/* Share of the sun that the mountains let through to a point. */
+/* Returns the fraction of the sun's disc visible from a point, for soft shadows of mountains. */
 static float sunlit(const struct scene *scene, vec3s point)
 {
     float lit = 1.0F, t = 12.0F, flow = 0.0F;
     for (int i = 0; i < SHADOW_STEPS && t < 14000.0F && lit > 0.0F; i++, t *= 1.085F) {
         const vec3s at = glms_vec3_add(point, glms_vec3_scale(scene->sun, t));
         const float above = at.y - alps_height(&scene->alps, at.x, at.z, &flow);
-        lit = fminf(lit, 0.5F + above / (t * 0.00465F * 2.0F)); /* the sun's radius */
+        lit = fminf(lit, 0.5F + above / (t * 0.00465F * 2.0F)); /* sun's angular radius */
         if (at.y > 3600.0F)
             break;
     }
@@ -130,15 +130,15 @@ static vec3s ground_albedo_at(const struct ground *g)
     const vec3s scree = glms_vec3_scale(color(0.21F, 0.20F, 0.185F), 1.0F + 0.25F * fine);
     const vec3s meadow = glms_vec3_lerp(color(0.055F, 0.075F, 0.026F), color(0.10F, 0.095F, 0.045F),
                                         glm_clamp(0.5F + patch + 0.5F * fine, 0.0F, 1.0F));
-    const float crowns = alps_noise(x, z, 26.0F, 2, 113); /* single trees, and the gaps between */
+    const float crowns = alps_noise(x, z, 26.0F, 2, 113); /* single trees, gaps */
     const vec3s forest =
         glms_vec3_scale(color(0.018F, 0.028F, 0.016F), 1.0F + 0.5F * fine + 0.8F * crowns);
-    const vec3s snow = color(0.74F, 0.76F, 0.80F); /* old, with dust */
+    const vec3s snow = color(0.74F, 0.76F, 0.80F); /* old snow with dust */
     vec3s c = glms_vec3_lerp(rock, scree, glm_smoothstep(0.70F, 0.80F, level + 0.05F * fine));
     const float grown = glm_smoothstep(0.74F, 0.88F, level + 0.08F * patch + 0.05F * moist) *
                         (1.0F - glm_smoothstep(900.0F, 1500.0F, height + 500.0F * patch));
     c = glms_vec3_lerp(c, meadow, grown);
-    /* Falls of snow and stone have cleared lanes in the forest. */
+    /* Avalanches and rockfall have cleared lanes in the forest. */
     const float lane =
         glm_smoothstep(0.1F, 0.3F, alps_noise(g->across, 0.1F * height, 170.0F, 3, 59));
     const float wooded =
@@ -147,11 +147,11 @@ static vec3s ground_albedo_at(const struct ground *g)
         glm_smoothstep(0.55F, 0.70F, level) * glm_smoothstep(8.0F, 40.0F, height) *
         (1.0F - glm_smoothstep(650.0F, 1050.0F, height + 350.0F * patch + 250.0F * crowns));
     c = glms_vec3_lerp(c, forest, wooded);
-    /* Snow lies on ledges and in gullies; strata, which dip to the east, break off in bands. */
+    /* Snow lies on ledges and in gullies; the strata dip to the east and break off in bands. */
     const float strata = alps_noise(0.0F, height + 0.12F * x + 60.0F * patch, 75.0F, 3, 103);
     const float line = 1750.0F + 420.0F * patch - 420.0F * moist;
     const float even = 0.45F * level + 0.55F * g->normal.y;
-    const float track = alps_noise(g->across, 0.08F * height, 70.0F, 3, 109); /* of falls */
+    const float track = alps_noise(g->across, 0.08F * height, 70.0F, 3, 109); /* avalanche tracks */
     const float lying =
         glm_smoothstep(line - 160.0F, line + 420.0F, height + 140.0F * fine) *
         glm_smoothstep(0.70F, 0.80F,
@@ -159,28 +159,29 @@ static vec3s ground_albedo_at(const struct ground *g)
     return glms_vec3_lerp(c, glms_vec3_scale(snow, 1.0F + 0.12F * track), lying);
 }
 
-/* Dims light by the air to a place and adds what the air sends, in one step (its density in the
- * mean of the heights of eye and place). */
-static vec3s through_air(const struct scene *scene, vec3s light, vec3s dir, float metres,
-                         float height)
+/* Applies aerial perspective: extinction along the path and in-scattered light, in one step with
+ * the air density at the mean height of camera and point (Rayleigh and Cornette-Shanks phase
+ * functions). */
+static vec3s aerial_perspective(const struct scene *scene, vec3s light, vec3s dir, float metres,
+                                float height)
 {
     const float low = lake_height_km + 0.001F * eye_height;
     const float high = lake_height_km + 0.001F * fmaxf(height, 0.0F);
     const float middle = 0.5F * (low + high);
     const float c = glms_vec3_dot(dir, scene->sun), g = 0.8F;
-    const vec3s by_air =
+    const vec3s rayleigh =
         glms_vec3_scale(color(0.005802F, 0.013558F, 0.0331F), expf(-middle / 8.0F));
     const vec3s by_haze = glms_vec3_scale(scene->atmosphere.haze, expf(-middle / 1.2F));
     const float air_phase = 3.0F / (16.0F * PI) * (1.0F + c * c);
     const float haze_phase = 3.0F / (8.0F * PI) * (1.0F - g * g) * (1.0F + c * c) /
                              ((2.0F + g * g) * powf(1.0F + g * g - 2.0F * g * c, 1.5F));
-    const vec3s out = glms_vec3_add(by_air, glms_vec3_scale(by_haze, 1.0F / 0.9F));
+    const vec3s out = glms_vec3_add(rayleigh, glms_vec3_scale(by_haze, 1.0F / 0.9F));
     const vec3s direct =
-        glms_vec3_mul(scene->sun_light, glms_vec3_add(glms_vec3_scale(by_air, air_phase),
+        glms_vec3_mul(scene->sun_light, glms_vec3_add(glms_vec3_scale(rayleigh, air_phase),
                                                       glms_vec3_scale(by_haze, haze_phase)));
-    /* light of the sky and the ground, from all around alike */
+    /* in-scattering of sky and ground light, assumed isotropic */
     const vec3s around =
-        glms_vec3_scale(glms_vec3_mul(scene->ambient, glms_vec3_add(by_air, by_haze)), 0.7F);
+        glms_vec3_scale(glms_vec3_mul(scene->ambient, glms_vec3_add(rayleigh, by_haze)), 0.7F);
     vec3s sum;
     for (int i = 0; i < 3; i++) {
         const float kept = expf(-out.raw[i] * metres * 0.001F);
@@ -190,7 +191,7 @@ static vec3s through_air(const struct scene *scene, vec3s light, vec3s dir, floa
     return sum;
 }
 
-/* Rise per metre to the east in .x and to the south in .z, over twice `e` metres. */
+/* Returns the slope to the east in .x and to the south in .z, by central differences over 2 e. */
 static vec3s slope_at(const struct scene *scene, float x, float z, float e)
 {
     const struct alps *alps = &scene->alps;
@@ -203,7 +204,7 @@ static vec3s slope_at(const struct scene *scene, float x, float z, float e)
 static vec3s normal_at(const struct scene *scene, float x, float z, float distance)
 {
     const vec3s slope = slope_at(scene, x, z, fmaxf(3.0F, 0.0016F * distance));
-    /* what is finer than the grid, as far as a pixel shows it */
+    /* normal perturbation by detail finer than the grid, faded out with distance */
     const float fine = glm_clamp(1.5F - distance / 9000.0F, 0.0F, 1.0F) * 1.5F;
     const float nx = alps_noise(x + 2.0F, z, 24.0F, 3, 7) - alps_noise(x - 2.0F, z, 24.0F, 3, 7);
     const float nz = alps_noise(x, z + 2.0F, 24.0F, 3, 7) - alps_noise(x, z - 2.0F, 24.0F, 3, 7);
@@ -218,24 +219,24 @@ static vec3s ground_radiance(const struct scene *scene, const struct ground *g, 
     const float open = 0.5F + 0.5F * g->normal.y;
     vec3s light = glms_vec3_add(glms_vec3_scale(scene->sun_light, lit),
                                 glms_vec3_scale(scene->ambient, open));
-    /* from the ground around, of its mean albedo */
+    /* indirect light from the surrounding ground, of mean albedo 0.15 */
     light = glms_vec3_add(
         light, glms_vec3_scale(scene->sun_light, (1.0F - open) * 0.15F * scene->sun.y / PI));
-    return through_air(scene, glms_vec3_mul(albedo, light), dir, g->distance, g->point.y);
+    return aerial_perspective(scene, glms_vec3_mul(albedo, light), dir, g->distance, g->point.y);
 }
 
-/* Fills the rows of a column that show land: rows from the horizontal up, and below it. */
+/* Fills the rows of a column that show land, marching outwards from the camera. */
 static void paint_land(const struct scene *scene, float azimuth, uint32_t rows, vec3s *column,
-                       bool *seen)
+                       bool *drawn)
 {
     const float ax = sinf(azimuth), az = cosf(azimuth);
-    int painted = (int)rows; /* the highest row so far, counted from the top */
+    int painted = (int)rows; /* highest row drawn so far, counted from the top */
     float t = 40.0F;
     while ((t += fmaxf(1.5F, 0.0016F * t)) < farthest) {
         struct ground g = { .distance = t };
         const float height = alps_height(&scene->alps, ax * t, az * t, &g.flow);
         if (height < 0.0F)
-            continue; /* the lake: later */
+            continue; /* lake, drawn by paint_lake() */
         const float up = atanf((height - eye_height - drop(t)) / t);
         const int row = (int)ceilf((0.5F - up / PI) * (float)rows - 0.5F);
         if (row >= painted)
@@ -249,13 +250,13 @@ static void paint_land(const struct scene *scene, float azimuth, uint32_t rows, 
         const vec3s light = ground_radiance(scene, &g, direction(azimuth, up));
         for (int y = row < 0 ? 0 : row; y < painted; y++) {
             column[y] = light;
-            seen[y] = true;
+            drawn[y] = true;
         }
         painted = row;
     }
 }
 
-/* Wet gravel under the eye, so that light comes from below. */
+/* Returns the radiance of wet gravel at the nadir, so that there is light from below. */
 static vec3s gravel(const struct scene *scene, float x, float z)
 {
     const float stones = 0.5F * alps_noise(x, z, 6.0F, 2, 101);
@@ -264,9 +265,9 @@ static vec3s gravel(const struct scene *scene, float x, float z)
     return glms_vec3_scale(glms_vec3_mul(color(0.135F, 0.13F, 0.12F), light), 1.0F + stones);
 }
 
-/* The lake mirrors the column; towards the eye it is seen into. */
+/* Fills the rows of a column that show the lake, with reflections of the column and deep water. */
 static void paint_lake(const struct scene *scene, float azimuth, uint32_t rows, vec3s *column,
-                       bool *seen)
+                       bool *drawn)
 {
     for (uint32_t y = rows / 2; y < rows; y++) {
         const float down = (((float)y + 0.5F) / (float)rows - 0.5F) * PI;
@@ -275,7 +276,7 @@ static void paint_lake(const struct scene *scene, float azimuth, uint32_t rows, 
         const float x = sinf(azimuth) * t, z = cosf(azimuth) * t;
         if (t > 2000.0F || alps_height(&scene->alps, x, z, &flow) >= 0.0F)
             continue;
-        seen[y] = true;
+        drawn[y] = true;
         if (t < 15.0F * (1.0F + 0.4F * alps_noise(x, z, 8.0F, 4, 83))) {
             column[y] = gravel(scene, x, z);
             continue;
@@ -286,52 +287,52 @@ static void paint_lake(const struct scene *scene, float azimuth, uint32_t rows, 
         const float cosine = sinf(fmaxf(down + slope, 1e-3F));
         const float fresnel = 0.02F + 0.98F * powf(1.0F - cosine, 5.0F);
         const vec3s sky =
-            seen[mirrored] ? column[mirrored] : sky_radiance(scene, direction(azimuth, up));
+            drawn[mirrored] ? column[mirrored] : sky_radiance(scene, direction(azimuth, up));
         const vec3s deep = glms_vec3_mul(color(0.012F, 0.030F, 0.032F), scene->ambient);
         column[y] = glms_vec3_lerp(glms_vec3_scale(deep, 4.0F), sky, fresnel);
     }
 }
 
 static void paint_column(const struct scene *scene, float azimuth, uint32_t rows, vec3s *column,
-                         bool *seen)
+                         bool *drawn)
 {
     for (uint32_t y = 0; y < rows; y++)
-        seen[y] = false;
-    paint_land(scene, azimuth, rows, column, seen);
-    paint_lake(scene, azimuth, rows, column, seen);
+        drawn[y] = false;
+    paint_land(scene, azimuth, rows, column, drawn);
+    paint_lake(scene, azimuth, rows, column, drawn);
     for (uint32_t y = 0; y < rows; y++) {
         const float up = (0.5F - ((float)y + 0.5F) / (float)rows) * PI;
-        if (!seen[y])
+        if (!drawn[y])
             column[y] = sky_radiance(scene, direction(azimuth, fmaxf(up, 0.0F)));
         column[y] = glms_vec3_mul(column[y], scene->balance);
     }
 }
 
-/* Adds a column of OVER x OVER samples a pixel; -Z is in the middle, as in all panoramas. */
+/* Renders all columns, SUPERSAMPLING^2 samples per pixel; -Z is in the centre of the panorama. */
 static bool paint(const struct scene *scene, struct image *image)
 {
     float *planes[3];
     for (size_t c = 0; c < 3; c++)
         planes[c] = image_add_plane(image, (const char *[]){ "R", "G", "B" }[c], true);
-    const uint32_t rows = image->height * OVER;
+    const uint32_t rows = image->height * SUPERSAMPLING;
     vec3s *column = malloc(rows * sizeof(*column));
-    bool *seen = malloc(rows * sizeof(*seen));
-    const bool ok = column && seen && planes[0] && planes[1] && planes[2];
-    for (uint32_t x = 0; ok && x < image->width * OVER; x++) {
-        const float u = ((float)x + 0.5F) / (float)(image->width * OVER);
-        paint_column(scene, PI - 2.0F * PI * (u - 0.5F), rows, column, seen);
+    bool *drawn = malloc(rows * sizeof(*drawn));
+    const bool ok = column && drawn && planes[0] && planes[1] && planes[2];
+    for (uint32_t x = 0; ok && x < image->width * SUPERSAMPLING; x++) {
+        const float u = ((float)x + 0.5F) / (float)(image->width * SUPERSAMPLING);
+        paint_column(scene, PI - 2.0F * PI * (u - 0.5F), rows, column, drawn);
         for (uint32_t y = 0; y < rows; y++)
             for (size_t c = 0; c < 3; c++)
-                planes[c][(size_t)(y / OVER) * image->width + x / OVER] +=
-                    column[y].raw[c] / (OVER * OVER);
+                planes[c][(size_t)(y / SUPERSAMPLING) * image->width + x / SUPERSAMPLING] +=
+                    column[y].raw[c] / (SUPERSAMPLING * SUPERSAMPLING);
     }
     free(column);
-    free(seen);
+    free(drawn);
     return ok;
 }
 
-/* Keeps seven bits of a texel's mantissa, and six where the next texel is another: a quarter of the
- * bytes, and no step that an eye sees. */
+/* Rounds texels to 7 mantissa bits, and to 6 where the next texel differs, so that the file
+ * compresses to a quarter of its size without visible steps. */
 static void round_texels(struct image *image)
 {
     const size_t count = (size_t)image->width * image->height;
@@ -347,7 +348,7 @@ static void round_texels(struct image *image)
     }
 }
 
-/* Writes what firn takes for the sun, its light as that of a matt white surface that faces it. */
+/* Writes the sun as text: azimuth, elevation, and radiance of a white surface that faces it. */
 static void describe_sun(const struct scene *scene, char *text, size_t size)
 {
     const vec3s light = glms_vec3_mul(scene->balance, glms_vec3_scale(scene->sun_light, 1.0F / PI));

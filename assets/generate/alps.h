@@ -1,7 +1,7 @@
 /*
- * alps.h: mountains around a lake, for alps.c: a field of heights, made by noise, worn by water.
+ * alps.h: the height field of alps.exr: mountains around a lake, from noise and hydraulic erosion.
  *
- * Metres, x to the east, z to the south, y up. The eye is over the middle.
+ * Metres, x to the east, z to the south, y up. The camera is above the origin.
  */
 #ifndef FIRN_ASSETS_ALPS_H
 #define FIRN_ASSETS_ALPS_H
@@ -10,28 +10,28 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define ALPS_LAKE_SHORE 620.0F /* where the middle of the shore is, metres from the eye */
+#define ALPS_LAKE_SHORE 620.0F /* mean distance of the shore from the camera, metres */
 
-/* Square grids of heights around the middle. */
+/* A square height field centred on the origin. */
 struct alps_grid {
-    uint32_t side; /* nodes */
+    uint32_t side; /* nodes along one side */
     float width;   /* metres */
     float *heights;
-    float *flow; /* how much water has passed, 0 and more */
+    float *flow; /* accumulated flow of water, >= 0 */
 };
 
 struct alps {
     struct alps_grid inner, outer;
 };
 
-/* Returns false when out of memory; alps_free() frees what there is. */
+/* Returns false when out of memory; alps_free() frees what was allocated. */
 bool alps_make(struct alps *alps, uint32_t side);
 void alps_free(struct alps *alps);
 
-/* Returns the height at a place; *flow is what has passed there. */
+/* Returns the height above the lake in metres; sets *flow to the accumulated flow of water. */
 float alps_height(const struct alps *alps, float x, float z, float *flow);
 
-/* Noise of octaves from a wavelength down, about 0 in the mean and within -1 and 1. */
+/* Returns fractal value noise from a wavelength (metres) downwards; mean about 0, within +-1. */
 float alps_noise(float x, float z, float wavelength, int octaves, uint32_t seed);
 
 #endif

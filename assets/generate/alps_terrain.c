@@ -1,8 +1,9 @@
 /*
- * alps_terrain.c: heights of mountains.
+ * alps_terrain.c: generates a mountain height field by noise and erosion.
  *
- * Ridged multifractal noise (Musgrave 1994) and noise whose steep parts are smooth (Quilez 2008),
- * then droplets that take soil along and drop it (Beyer 2015), then slopes that slide.
+ * Ridged multifractal noise (Musgrave 1994) and slope-damped fBm (Quilez 2008) give the shape.
+ * Droplet-based hydraulic erosion (Beyer 2015) then carves valleys, and thermal erosion limits
+ * slopes to the angle of repose.
  */
 #include <cglm/struct.h>
 #include <math.h>
@@ -17,8 +18,8 @@ enum {
 };
 
 static const float inner_width = 28000.0F, outer_width = 110000.0F; /* metres */
-static const float peak = 3700.0F;                                  /* metres above the lake */
-static const float repose = 0.80F;                                  /* rise per run of scree */
+static const float peak = 3700.0F; /* height of the peaks above the lake, metres */
+static const float repose = 0.80F; /* steepest slope of scree, rise per run */
 
 static uint32_t hash(uint32_t x, uint32_t z, uint32_t seed)
 {
@@ -28,7 +29,7 @@ static uint32_t hash(uint32_t x, uint32_t z, uint32_t seed)
     return h ^ h >> 15;
 }
 
-static float random_share(uint32_t *state)
+static float random_unit(uint32_t *state)
 {
     *state = *state * 747796405U + 2891336453U;
     const uint32_t word = (*state >> (*state >> 28) % 8 ^ *state) * 277803737U;
@@ -40,7 +41,7 @@ static float corner(int x, int z, uint32_t seed)
     return (float)(hash((uint32_t)x, (uint32_t)z, seed) >> 8) / 8388608.0F - 1.0F;
 }
 
-/* Value noise within -1 and 1: its value in .x, derivatives in .y and .z. */
+/* Returns value noise within -1 and 1 in .x, its derivatives in .y and .z. */
 static vec3s value_noise(float x, float z, uint32_t seed)
 {
     const float fx = floorf(x), fz = floorf(z), u = x - fx, v = z - fz;
@@ -71,8 +72,8 @@ float alps_noise(float x, float z, float wavelength, int octaves, uint32_t seed)
     return sum;
 }
 
-/* Smooth slopes and rough crests: an octave counts less where those before are steep. */
-static float worn_noise(float x, float z, float wavelength, int octaves, uint32_t seed)
+/* fBm with smooth slopes and rough crests: octaves are damped where the sum is steep (Quilez). */
+static float damped_noise(float x, float z, float wavelength, int octaves, uint32_t seed)
 {
     float sum = 0.0F, share = 0.5F, dx = 0.0F, dz = 0.0F, px = x / wavelength, pz = z / wavelength;
     for (int i = 0; i < octaves; i++, share *= 0.5F) {
@@ -102,9 +103,9 @@ static float ridged_noise(float x, float z, float wavelength, int octaves, uint3
     return sum;
 }
 
-/* Before water has worn it: a lake in the middle, meadows and hills around it, then mountains. All
- * is turned about the eye so that the finest peaks are aside of the sun. */
-static float first_height(float east, float south)
+/* Returns the height before erosion: a lake in the middle, meadows and hills around it, then
+ * mountains; rotated so that the finest peaks are beside the sun. */
+static float base_height(float east, float south)
 {
     const float x = -0.174F * east - 0.985F * south, z = 0.985F * east - 0.174F * south;
     const float from_eye = sqrtf(x * x + z * z);
@@ -116,10 +117,10 @@ static float first_height(float east, float south)
     const float land = glm_smoothstep(shore * 0.8F, shore * 1.6F, from_eye);
     const float mountains = glm_smoothstep(3000.0F, 12500.0F, from_eye) * (0.45F + 0.75F * broad);
     const float rough = 0.65F * ridged_noise(wx, wz, 5600.0F, 8, 23) +
-                        0.35F * (0.6F + worn_noise(wx, wz, 4200.0F, 9, 41));
+                        0.35F * (0.6F + damped_noise(wx, wz, 4200.0F, 9, 41));
     const float hills = 40.0F * (0.6F + alps_noise(x, z, 900.0F, 6, 71)) +
                         650.0F * glm_smoothstep(600.0F, 3000.0F, from_eye) *
-                            (0.75F + worn_noise(wx, wz, 3000.0F, 7, 73));
+                            (0.75F + damped_noise(wx, wz, 3000.0F, 7, 73));
     return -6.0F + land * (10.0F + hills) + peak * mountains * rough;
 }
 
@@ -131,7 +132,7 @@ static float at(const struct alps_grid *grid, int x, int z)
     return grid->heights[(size_t)z * grid->side + (size_t)x];
 }
 
-/* Catmull and Rom's spline through four values. */
+/* Catmull-Rom spline for bicubic interpolation of the grid. */
 static float spline(float a, float b, float c, float d, float t)
 {
     return b + 0.5F * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
@@ -167,7 +168,7 @@ float alps_height(const struct alps *alps, float x, float z, float *flow)
     return inner + share * (outer - inner);
 }
 
-/* Height and slope, in heights per cell, between four nodes. */
+/* Returns height in .x and slope in .y and .z, bilinear between four nodes, in cells. */
 static vec3s slope_at(const struct alps_grid *grid, float x, float z)
 {
     const int ix = (int)x, iz = (int)z;
@@ -181,7 +182,7 @@ static vec3s slope_at(const struct alps_grid *grid, float x, float z)
     } };
 }
 
-static void drop_soil(struct alps_grid *grid, float x, float z, float amount)
+static void deposit(struct alps_grid *grid, float x, float z, float amount)
 {
     const size_t ix = (size_t)x, iz = (size_t)z, side = grid->side;
     const float u = x - (float)ix, v = z - (float)iz;
@@ -192,7 +193,7 @@ static void drop_soil(struct alps_grid *grid, float x, float z, float amount)
     h[side + 1] += amount * u * v;
 }
 
-/* Shares of the nodes around a node that soil is taken from: a cone. Returns their sum. */
+/* Computes the cone-shaped brush weights around a node for taking soil. Returns their sum. */
 static float cone(const struct alps_grid *grid, int x, int z, float *shares)
 {
     const int last = (int)grid->side - 1;
@@ -206,7 +207,7 @@ static float cone(const struct alps_grid *grid, int x, int z, float *shares)
     return whole;
 }
 
-static void take_soil(struct alps_grid *grid, int x, int z, float amount)
+static void erode(struct alps_grid *grid, int x, int z, float amount)
 {
     float shares[BRUSH_NODES];
     const float whole = cone(grid, x, z, shares);
@@ -218,18 +219,18 @@ static void take_soil(struct alps_grid *grid, int x, int z, float amount)
     }
 }
 
-/* One droplet; heights are in cells while it runs. */
-static void run_droplet(struct alps_grid *grid, uint32_t *random)
+/* Simulates one droplet of hydraulic erosion; heights are in units of cells. */
+static void simulate_droplet(struct alps_grid *grid, uint32_t *random)
 {
     const float edge = (float)(grid->side - 2);
-    float x = random_share(random) * edge, z = random_share(random) * edge;
+    float x = random_unit(random) * edge, z = random_unit(random) * edge;
     float dx = 0.0F, dz = 0.0F, speed = 1.0F, water = 1.0F, soil = 0.0F;
     for (int step = 0; step < DROP_STEPS; step++) {
         const vec3s here = slope_at(grid, x, z);
         dx = dx * 0.05F - here.y * 0.95F;
         dz = dz * 0.05F - here.z * 0.95F;
         const float length = sqrtf(dx * dx + dz * dz);
-        if (length < 1e-6F || here.x < 0.0F) /* in the lake */
+        if (length < 1e-6F || here.x < 0.0F) /* flat, or in the lake */
             break;
         dx /= length;
         dz /= length;
@@ -241,11 +242,11 @@ static void run_droplet(struct alps_grid *grid, uint32_t *random)
         if (soil > room || fall < 0.0F) {
             const float left = fall < 0.0F ? fminf(-fall, soil) : (soil - room) * 0.3F;
             soil -= left;
-            drop_soil(grid, x, z, left);
+            deposit(grid, x, z, left);
         } else {
             const float taken = fminf((room - soil) * 0.3F, fall);
             soil += taken;
-            take_soil(grid, (int)x, (int)z, taken);
+            erode(grid, (int)x, (int)z, taken);
         }
         grid->flow[(size_t)z * grid->side + (size_t)x] += water;
         speed = sqrtf(fmaxf(0.0F, speed * speed + fall * 4.0F));
@@ -255,8 +256,8 @@ static void run_droplet(struct alps_grid *grid, uint32_t *random)
     }
 }
 
-/* Part of what is too steep slides to the neighbours below. */
-static void slide_from(float *height, ptrdiff_t row, float steepest)
+/* Thermal erosion: moves part of the material above the steepest slope to lower neighbours. */
+static void slide_cell(float *height, ptrdiff_t row, float steepest)
 {
     const ptrdiff_t neighbours[] = { 1, row, -1, -row };
     for (int i = 0; i < 4; i++) {
@@ -267,11 +268,11 @@ static void slide_from(float *height, ptrdiff_t row, float steepest)
     }
 }
 
-static void slide(struct alps_grid *grid, float steepest)
+static void thermal_erosion(struct alps_grid *grid, float steepest)
 {
     for (uint32_t z = 1; z + 1 < grid->side; z++)
         for (uint32_t x = 1; x + 1 < grid->side; x++)
-            slide_from(&grid->heights[(size_t)z * grid->side + x], (ptrdiff_t)grid->side, steepest);
+            slide_cell(&grid->heights[(size_t)z * grid->side + x], (ptrdiff_t)grid->side, steepest);
 }
 
 static bool make_grid(struct alps_grid *grid, float width, uint32_t side, uint32_t droplets)
@@ -289,12 +290,12 @@ static bool make_grid(struct alps_grid *grid, float width, uint32_t side, uint32
     for (uint32_t z = 0; z < side; z++)
         for (uint32_t x = 0; x < side; x++)
             grid->heights[(size_t)z * side + x] =
-                first_height((float)x * cell - 0.5F * width, (float)z * cell - 0.5F * width) / cell;
+                base_height((float)x * cell - 0.5F * width, (float)z * cell - 0.5F * width) / cell;
     uint32_t random = 1;
     for (uint32_t i = 0; i < droplets; i++)
-        run_droplet(grid, &random);
+        simulate_droplet(grid, &random);
     for (int i = 0; i < SLIDES; i++)
-        slide(grid, repose);
+        thermal_erosion(grid, repose);
     for (size_t i = 0; i < count; i++)
         grid->heights[i] *= cell;
     return true;

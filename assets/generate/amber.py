@@ -1,4 +1,4 @@
-"""amber.py: two cherries, a leaf and a ring of brass, frozen in a block of ice on slate."""
+"""amber.py: model of two cherries, a leaf and a brass ring frozen in an ice block on slate."""
 import math
 import random
 
@@ -13,11 +13,11 @@ TURN = turned(-17)
 ICE = glass('ice', 1.31, 2, 0.05, (0.72, 0.9, 1), 0.25)
 AIR = glass('air', 1, 4, 0.0003)
 CHERRIES = ((-0.0145, 0.0185, 0.004), 0.0105), ((0.0075, 0.0165, 0.0085), 0.0098)
-KNOT = (0.001, 0.0415, 0.001)  # where both stems meet
+KNOT = (0.001, 0.0415, 0.001)  # joint of both stems
 
 
 def block():
-    """Flat below, where it has melted onto the stone."""
+    """The ice block; its base is flattened, as if melted onto the stone."""
     mesh = ice(HALF, 30, 5, exponent=9, waves=0.0004, cell=0.012, bulge=0.025).placed(TURN, MIDDLE)
 
     def pressed(p):
@@ -31,7 +31,7 @@ def block():
 
 
 def stem_of(center, radius):
-    """From the dimple on top to the knot, bent."""
+    """Path of a bent stem, from the dimple on top of a cherry to KNOT."""
     foot = add(center, (0.0006, radius * 0.72, 0))
     bend = add(mix(foot, KNOT, 0.5), ((foot[0] - KNOT[0]) * 0.35, 0.002, 0.002))
     return [mix(mix(foot, bend, i / 14), mix(bend, KNOT, i / 14), i / 14) for i in range(15)]
@@ -60,7 +60,7 @@ def cherry(center, radius, seed):
 
 
 def leaf(foot, ahead, facing, length):
-    """A thin leaf with teeth and veins, bent along its middle and its length."""
+    """A thin leaf with a toothed edge and veins, curved along its width and length."""
     columns, rows = 16, 42
     side = unit(cross(ahead, facing))
     up = cross(side, ahead)
@@ -97,7 +97,7 @@ def leaf(foot, ahead, facing, length):
 
 
 def band(center, radius, thick):
-    """A ring that leans."""
+    """The brass ring, tilted."""
     turn = turned(35, 62, 10)
     path = [(radius * math.cos(a), 0, -radius * math.sin(a))
             for a in (2 * math.pi * i / 56 for i in range(56))]
@@ -112,7 +112,7 @@ def band(center, radius, thick):
 
 
 def bubbles(things):
-    """Eggs that point to the middle, none in a thing, and beads that have risen from a cherry."""
+    """Egg-shaped bubbles that point to the centre, outside things, and a chain above a cherry."""
     pick = random.Random(12)
     beads = []
     taken = [p for thing in things for p in thing.points[::11]]

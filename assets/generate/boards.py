@@ -1,4 +1,4 @@
-"""boards.py: the wooden table of drink.py."""
+"""boards.py: procedural wood: mesh and texture of the table of drink.py."""
 import math
 import random
 
@@ -8,33 +8,34 @@ from shapes import Mesh, sheet, smoothstep
 
 
 def lamplit(x, z):
-    """The table's light: less of it farther from the window to the left, behind."""
+    """Baked light on the table: a falloff from the window to the left behind it."""
     return (1 - 0.6 * smoothstep(-0.16, 0.2, x + 0.4 * z)) * (
         1 - 0.35 * smoothstep(0.06, 0.3, math.hypot(x + 0.02, z)))
 
 
-BOARD = 0.085  # how wide one is
-GRAIN = (1024, (176, 176, 208, 272, 352))  # texels along the boards, and across each, from behind
-LONG = 0.62  # of the table, after which its grain repeats
+BOARD = 0.085  # width of a board, metres
+GRAIN = (1024, (176, 176, 208, 272, 352))  # texels along the boards; across each, from the back
+LONG = 0.62  # period of the texture along the boards, metres
 
 
 def board(seed, width, height):
     """
-    A board cut along a log, as rows of shades from 0 to 47. Years are shells around the pith, which
-    lies aslant below the board, so they come up as arches; they bend around knots.
+    Rows of shades from 0 to 47 of a board cut along a log: a procedural solid texture. Growth rings
+    are cylinders around the pith, which is tilted against the board, so that they appear as arches;
+    they are deflected around knots.
     """
     pick = random.Random(seed)
     pith = pick.uniform(-0.02, 0.02) if seed % 3 else pick.uniform(0.05, 0.08)
     deep, lean = pick.uniform(0.012, 0.03), pick.uniform(0.02, 0.09) * pick.choice((-1, 1))
     fibres = [around.row_noise(width, pick.randrange(9, 70), seed + 10 + k) for k in range(61)]
     wander = [around.row_noise(width, cells, seed + k) for k, cells in enumerate((3, 7, 17))]
-    bands = [pick.uniform(0.55, 1.25) for _ in range(64)]  # how dark a year's late wood is
+    bands = [pick.uniform(0.55, 1.25) for _ in range(64)]  # darkness of each ring's late wood
     tone = pick.uniform(4, 15)
     rows = []
     for j in range(height):
         z = BOARD * ((j + 0.5) / height - 0.5)
         fine = [fibres[k] for k in ((j * 7) % 61, (j // 2 * 5 + 11) % 61, (j // 5 * 13 + 3) % 61)]
-        edge = min(j + 0.5, height - 0.5 - j) * BOARD / height  # how far the joint is
+        edge = min(j + 0.5, height - 0.5 - j) * BOARD / height  # distance to the joint, metres
         row = bytearray()
         for i in range(width):
             x = LONG * (i + 0.5) / width
@@ -60,13 +61,13 @@ def board(seed, width, height):
     return rows
 
 
-# Of boards, by their seeds: place along and across, size.
+# Knots of each board, by its seed: positions along and across it, size; metres.
 KNOTS = {43: ((0.425, 0.014, 0.0042),), 41: ((0.17, -0.01, 0.005),)}
-YEAR = 0.0034  # how thick the years are
+YEAR = 0.0034  # thickness of a growth ring, metres
 
 
 def texture():
-    """Five boards, each of its own wood."""
+    """PNG with five boards, each with a grain of its own."""
     width, heights = GRAIN
     rows = [row for k, height in enumerate(heights) for row in board(40 + k, width, height)]
     return png(rows, around.ramp([(.66, .48, .315), (.54, .375, .235), (.41, .27, .16),
@@ -74,7 +75,7 @@ def texture():
 
 
 def table():
-    """Boards from left to right, level at height 0: the five of texture(), and again."""
+    """Ten boards, which run from left to right at height 0; the five textures are used twice."""
     width, heights = GRAIN
     ends = [sum(heights[:k]) / sum(heights) for k in range(6)]
     mesh = Mesh([], [], [])

@@ -1,4 +1,4 @@
-"""drink.py: a cold tumbler of water with three ice cubes and a straw, on a wooden table."""
+"""drink.py: model of a cold tumbler of water with three ice cubes and a straw, on a table."""
 import math
 import random
 
@@ -9,28 +9,28 @@ from shapes import (Mesh, add, beads_mesh, crack, cross, crowd, dot, film, ice, 
                     lattice, mix, noise, rounded, scale, smooth_normals, smoothstep, sub,
                     turned, unit, with_normals, worms)
 
-BASE, FLOOR, HEIGHT = 0.0002, 0.0122, 0.1  # heights of the glass: foot, inner floor, rim
-FOOT, RIM, WALL = 0.033, 0.039, 0.0025  # radii outside, and how thick the wall is at the rim
-LEVEL = 0.07  # of the water
+BASE, FLOOR, HEIGHT = 0.0002, 0.0122, 0.1  # heights: foot, inner bottom, rim of the tumbler
+FOOT, RIM, WALL = 0.033, 0.039, 0.0025  # outer radii of the tumbler; wall thickness at the rim
+LEVEL = 0.07  # height of the water surface
 GLASS = glass('glass', 1.5, 3, 0.0024, (0.93, 0.97, 0.95), 0.1)
 ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=2.5)
 WATER = glass('water', 1.333, 1, 0.07, (0.746, 0.953, 1), 1)
 AIR = glass('air', 1, 4, 0.0003)
-# Where each cube is, how it is turned, and its half widths.
+# Position, rotation (degrees, see turned()) and half extents of each ice cube.
 CUBES = (
     ((0.01524, 0.06109, -0.00088), (10.8, -12.4, -113.9), (0.014, 0.0136, 0.014)),
     ((-0.01458, 0.05965, 0.00326), (139.3, -68.5, 47.5), (0.0139, 0.0137, 0.0142)),
     ((0.00749, 0.0367, 0.01051), (-176.0, 13.7, -68.6), (0.0138, 0.014, 0.0136)),
 )
-STRAW = ((-0.0208, 0.0154, -0.0024), (0.035, 0.1441, -0.036), 0.0026)  # foot, top, radius
-DROPS = (1060, 0.00044, 0.0013)  # that are tried; least and greatest radius
-DEWY = (0.0125, 0.0745)  # lower and upper end of the dew
-MATT = 0.22  # share of light that the densest grease scatters
-BREATHED = 0.114  # of which the densest breath scatters
-# Of fingers on the dry glass: angle, height, how far the finger leans, half its width and height
+STRAW = ((-0.0208, 0.0154, -0.0024), (0.035, 0.1441, -0.036), 0.0026)  # lower, upper end; radius
+DROPS = (1060, 0.00044, 0.0013)  # dew drops: number of attempts; smallest and largest radius
+DEWY = (0.0125, 0.0745)  # lower and upper limit of the dew, heights
+MATT = 0.22  # fraction of light that the densest grease scatters
+BREATHED = 0.114  # the densest fog scatters this fraction of MATT
+# Fingerprints on the dry glass: azimuth, height, tilt (radians), half width and half height
 PRINTS = ((1.94, 0.0862, 0.35, 0.0062, 0.0082), (2.16, 0.0812, 0.5, 0.006, 0.0085),
           (1.27, 0.0868, -0.2, 0.0058, 0.0078))
-TRACKS = 13  # of drops that ran down
+TRACKS = 13  # number of trails of drops that ran down
 
 
 def inner_radius(y):
@@ -47,7 +47,7 @@ def tumbler():
 
 
 def water():
-    """It reaches 30 % of the wall into the glass, so that there is no gap."""
+    """The water: overlaps the glass by 30 % of the wall thickness, so that there is no gap."""
     deep = 0.3 * WALL
     profile = [(0.0, FLOOR - 0.3 * 0.009, 0)]
     profile.append((inner_radius(FLOOR) + deep, FLOOR - 0.3 * 0.009, 0.006))
@@ -56,8 +56,8 @@ def water():
     points = rounded(profile)
     points = [(r, y, (nr, ny)) for r, y, nr, ny in points[:-1]]
     points.append((edge + deep, LEVEL + 0.0018, None))
-    for i in range(56):  # the water climbs at the glass
-        r = edge * (1 - (i / 55) ** 2)  # the closer to the glass, the finer
+    for i in range(56):  # meniscus at the glass
+        r = edge * (1 - (i / 55) ** 2)  # finer rings towards the glass
         points.append((r, LEVEL + 0.0018 * math.exp(-(edge - r) / 0.0013), None))
     mesh = lathe(with_normals(points), 120)
     things = [(at, tuple(zip(*turned(*turn))), reach(i)) for i, (at, turn, _) in enumerate(CUBES)]
@@ -65,7 +65,7 @@ def water():
     along = unit(sub(top, foot))
 
     def climbs(p):
-        """How far at ice and straw, which is less where it climbs at the glass, too."""
+        """Rise of the meniscus at ice and straw, reduced where the glass raises the water, too."""
         gap = math.dist(p, add(foot, scale(along, dot(sub(p, foot), along)))) - thick
         for at, back, share in things:
             q = sub(p, at)
@@ -83,12 +83,12 @@ def water():
     return mesh
 
 
-PRINT = (128, 1024)  # texels around and along the straw
+PRINT = (128, 1024)  # texels of the straw's texture, around and along it
 
 
 def paper():
-    """Colours of the straw: a red stripe is wound around it once in 21 mm, and so is the paper,
-    whose edge shows; fibres, and ink that has run a little; dark and deep where it is wet."""
+    """PNG of the paper straw: a red stripe and the visible edge of the paper strip wind around it
+    once in 21 mm; with fibres and slightly bled ink; darker and more saturated where it is wet."""
     width, height = PRINT
     foot, top, _ = STRAW
     length = math.dist(foot, top)
@@ -104,7 +104,7 @@ def paper():
             fibre = noise(scale(at, 2.2), 7) + 0.7 * noise((9 * at[0], 9 * at[1], at[2]), 8)
             stripe = (along / 0.021 + turn + 0.012 * noise(scale(at, 3), 9)) % 1
             edge = (along / 0.021 + turn + 0.27) % 1 < 0.012
-            is_wet = high < 0.0035 + 0.0012 * noise(scale(at, 0.6), 10)  # it soaks
+            is_wet = high < 0.0035 + 0.0012 * noise(scale(at, 0.6), 10)  # water soaks up the paper
             shade = 19 + 7 * fibre - (13 if edge else 0)
             row.append(int(min(max(shade, 0), 31)) + (32 if stripe < 0.5 else 0) +
                        (64 if is_wet else 0))
@@ -116,14 +116,14 @@ def paper():
 
 
 def straw():
-    """Open at both ends, of paper()."""
+    """The straw: a tube open at both ends, textured by paper()."""
     foot, top, radius = STRAW
     ahead = unit(sub(top, foot))
     side = unit(cross(ahead, (0, 0, 1)))
     up = cross(ahead, side)
     mesh = Mesh([], [], [])
-    count = 41  # the last column is the first one, with other coordinates
-    # Rings: outside from foot to top, the upper cut, inside from top to foot, the lower cut.
+    count = 41  # last column: same points as the first, u = 1 instead of 0
+    # Rings of points: outside upwards, upper cut, inside downwards, lower cut.
     thin = radius - 0.00048
     for r, share, out in ((radius, 0, 1), (radius, 1, 1), (radius, 1, 0), (thin, 1, 0),
                           (thin, 1, -1), (thin, 0, -1), (thin, 0, 0), (radius, 0, 0)):
@@ -140,8 +140,8 @@ def straw():
     return mesh
 
 
-# Of cubes; and in which directions, in its own space, parts of each have broken off, how far from
-# its middle.
+# Shape of the ice cubes; chips broken off each cube: direction in its object space, distance of the
+# fracture plane from its centre.
 FORM = {'exponent': 9, 'waves': 0.00045, 'cell': 0.007, 'bulge': 0.04, 'fine': 0.1}
 CHIPS = (
     (((0.885, 0.379, 0.27), 0.0184), ((0.199, -0.075, -0.977), 0.0169)),
@@ -151,13 +151,13 @@ CHIPS = (
 
 
 def form(i):
-    """Of a cube in its own space."""
+    """Arguments of ice_surface() for the shape of cube `i`."""
     return {**FORM, 'chips': [(unit(way), far) for way, far in CHIPS[i]]}
 
 
 def reach(i):
-    """A function of places in a cube's own space: shares of the way from its middle to its
-    surface."""
+    """Returns a function of a point in the object space of cube `i`: its distance from the centre
+    as a fraction of that to the surface."""
     half = CUBES[i][2]
     surface = ice_surface(half, 40 + 13 * i, **form(i))
 
@@ -173,11 +173,11 @@ def cubes():
             for i, (at, turn, half) in enumerate(CUBES)]
 
 
-SINKS = 0.917  # share of ice that is below the water, as heavy as what it takes the place of
+SINKS = 0.917  # submerged fraction of floating ice (Archimedes)
 
 
 def above(mesh, level):
-    """How much of a closed mesh is above a level: the mean height of each face, times its area."""
+    """Volume of a closed mesh above a level: sum of mean height times projected area of faces."""
     volume = 0.0
     for face in mesh.faces:
         a, b, c = (mesh.points[i] for i in face)
@@ -193,8 +193,9 @@ def above(mesh, level):
 
 def afloat(ice_cubes):
     """
-    Stops unless the ice swims: together as deep as it must, each cube within the glass and beside
-    straw and other cubes, and the lowest one, which lifts the others, against both of them.
+    Asserts that the ice can float like this: the cubes together displace their weight; none of them
+    intersects the glass, the straw or another cube; and the lowest one, whose buoyancy lifts the
+    others, touches both.
     """
     out, all_of = (sum(above(cube, level) for cube in ice_cubes) for level in (LEVEL, -1))
     assert abs(out / all_of - (1 - SINKS)) < 0.001, f'{out / all_of:.4f} of the ice is dry'
@@ -218,7 +219,7 @@ def afloat(ice_cubes):
 
 
 def clinging(cube, pick):
-    """Places on a cube below the water, from which bubbles hang."""
+    """Yields bubbles that cling to the submerged surface of an ice cube."""
     wet = [(p, n) for p, n in zip(cube.points, cube.normals) if p[1] < LEVEL - 0.003]
     for _ in range(32):
         at, normal = pick.choice(wet)
@@ -227,7 +228,7 @@ def clinging(cube, pick):
 
 
 def bubbles():
-    """Worms and eggs in the cubes, and beads on them, on the inside of the glass and its floor."""
+    """Worm- and egg-shaped bubbles in the cubes, round ones on the cubes and inside the glass."""
     beads = []
     pick = random.Random(77)
     for i, ((at, turn, half), cube) in enumerate(zip(CUBES, cubes())):
@@ -247,8 +248,8 @@ def bubbles():
     return beads_mesh(beads)
 
 
-# Near the tops of the upper cubes, so that they mirror a window: cube, turn and place in the cube's
-# own space, radius.
+# Cracks near the tops of the upper cubes that are oriented to reflect a window: cube, rotation and
+# position in its object space, radius.
 MIRRORS = (
     (1, (73, 57), (0.0017, 0.0052, 0.0078), 0.0085),
     (0, (-34, 68), (-0.0077, -0.006, 0.0037), 0.0075),
@@ -256,7 +257,7 @@ MIRRORS = (
 
 
 def cracks():
-    """Sheets, each of which ends at its cube's surface, if it reaches it."""
+    """Cracks: thin sheets of air, clipped at the surface of their cube."""
     mesh = Mesh([], [], [])
 
     def split(i, lean, away, radius, seed):
@@ -269,9 +270,9 @@ def cracks():
         for k, tilt in enumerate(((70 + 9 * i, 20, 0), (15, 80 - 14 * i, 40),
                                   (-50, 40, 75 + 8 * i), (35, -30 + 20 * i, 110),
                                   (95, 130, 10 + 25 * i))):
-            if (i, k) in ((1, 1), (2, 0), (0, 4), (1, 4), (2, 2), (2, 4)):  # white, or too many
+            if (i, k) in ((1, 1), (2, 0), (0, 4), (1, 4), (2, 2), (2, 4)):  # white, or crowded
                 continue
-            radius = 0.0121 if k == 1 else 0.0112 - 0.0012 * k  # one goes through all of the cube
+            radius = 0.0121 if k == 1 else 0.0112 - 0.0012 * k  # spans the cube
             aside = 1 - k if k < 3 else k - 4.5
             split(i, turned(*tilt), scale((0.0022, -0.0018, 0.0026), aside), radius,
                   300 + 10 * i + k)
@@ -285,7 +286,7 @@ def outer_radius(y):
 
 
 def tracks(pick):
-    """Where drops ran down: angle, lower and upper end, half of the width."""
+    """Yields trails of drops that ran down: azimuth, lower and upper height, half width."""
     for _ in range(TRACKS):
         high = DEWY[0] + (DEWY[1] - DEWY[0]) * pick.uniform(0.35, 0.95)
         low = high - pick.uniform(0.012, 0.045)
@@ -293,7 +294,7 @@ def tracks(pick):
 
 
 def moist(angle, y):
-    """How much dew is there, from 0 to 1: it ends, unevenly, above the water and the table."""
+    """Density of the dew, 0 to 1; its irregular limits are above the table and the water level."""
     c, s = math.cos(angle), math.sin(angle)
     uneven = noise((2.2 * c, 2.2 * s, 60 * y), 21) + 0.5 * noise((7 * c, 7 * s, 200 * y), 22)
     top = DEWY[1] + 0.0016 * uneven
@@ -302,11 +303,11 @@ def moist(angle, y):
 
 
 def scattered(pick, ran):
-    """Drops (angle, height, radius): large ones first, none on another one or in a track."""
+    """Dew drops (azimuth, height, radius) by dart throwing, largest first, without overlaps."""
     tries, least, most = DROPS
-    steep = 1.7  # as many of a radius as its power of -2.7
+    steep = 1.7  # power law: density of radii ~ radius ** -2.7
     kept = [(angle, low, 1.25 * half) for angle, low, _, half in ran]
-    near = {}  # the drops around each cell of 3 mm
+    near = {}  # drops by the 3 mm grid cells around them
 
     def cells(angle, y):
         i, j = int(angle * FOOT / 0.003), int(y / 0.003)
@@ -334,7 +335,7 @@ def scattered(pick, ran):
 
 
 def drop(angle, y, radius):
-    """A cap of water that hangs a little, is not quite round, and reaches into the glass."""
+    """Mesh of a drop: a slightly sagging, irregular spherical cap that overlaps the glass."""
     segments, rings = (9, 2) if radius < 0.0005 else (12, 3) if radius < 0.0008 else (18, 5)
     slope = (RIM - FOOT) / (HEIGHT - BASE)
     c, s = math.cos(angle), math.sin(angle)
@@ -377,7 +378,7 @@ def drop(angle, y, radius):
 
 
 def print_at(angle, y):
-    """Grease of PRINTS, from 0 to 1: ridges in loops, half a millimetre apart."""
+    """Density of the grease of PRINTS, 0 to 1: loop patterns of ridges 0.55 mm apart."""
     most = 0.0
     for k, (middle, high, lean, wide, tall) in enumerate(PRINTS):
         x, up = (angle - middle) * outer_radius(y), y - high
@@ -394,14 +395,14 @@ def print_at(angle, y):
     return most
 
 
-BREATH = (1024, 640)  # texels around half of the glass and up it
+BREATH = (1024, 640)  # texels of the fog's texture: around half of the glass, and upwards
 
 
 def breath(ran, drops):
     """
-    Which share of light the glass lets pass unscattered, as transmission: a fog of the finest
-    drops lies between the others, but not where drops ran, nor around those that drank it. Its left
-    to right is the front of the glass, and again its back.
+    PNG for transmissionTexture: the fraction of light that the glass transmits unscattered. A fog
+    of microscopic drops covers it, except in trails and around larger drops, which have absorbed
+    it. The texture covers the front of the glass, and is mirrored on its back.
     """
     width, height = BREATH
     rows = []
@@ -417,7 +418,7 @@ def breath(ran, drops):
             rows[-1].append(fog)
 
     def wipe(angle, low, high, half, soft):
-        """Takes the fog away within `half`, in metres, of an upright line."""
+        """Removes the fog within `half` metres of a vertical line."""
         for j in range(max(int(height * (1 - (high + 2 * half) / HEIGHT)), 0),
                        min(int(height * (1 - (low - 2 * half) / HEIGHT)) + 1, height)):
             y = HEIGHT * (1 - (j + 0.5) / height)
@@ -440,7 +441,7 @@ def breath(ran, drops):
 
 
 def breathed(mesh):
-    """Coordinates for breath(): around from the right to the left, and up the outside."""
+    """Adds texture coordinates for breath(): u from right to left, v up the outer side."""
     for x, y, z in mesh.points:
         r = math.hypot(x, z)
         is_outside = r > outer_radius(y) - 0.0006 or y < 0.004
@@ -457,7 +458,7 @@ def dew(drops):
 
 
 def spilled():
-    """The ring of water that has run down the glass, and drops beside it."""
+    """Water on the table: a ring around the foot of the glass, and drops beside it."""
     pick = random.Random(91)
 
     def outline(middle, uneven, seed):
@@ -477,14 +478,14 @@ def spilled():
     return mesh.join(stood())
 
 
-STOOD = (-0.05, -0.014)  # where the glass stood before: x, z
+STOOD = (-0.05, -0.014)  # former position of the glass, which left a ring: x, z
 
 
 def stood():
-    """What is left there of its wet ring: long drops along a circle."""
+    """Remains of a wet ring at STOOD: elongated drops along a circle."""
     pick = random.Random(47)
     mesh = Mesh([], [], [])
-    angle = 0.95  # the rest was below the glass
+    angle = 0.95  # the rest of the circle is covered by the glass
     while angle < 2 * math.pi - 0.95:
         long, wide = pick.uniform(0.0015, 0.009) * pick.random() + 0.001, pick.uniform(5e-4, 0.0011)
         angle += long / FOOT
@@ -510,7 +511,7 @@ def make():
     ran = [*tracks(pick)]
     drops = scattered(pick, ran)
     grain = {'index': model.texture(boards.texture())}
-    # Late wood is dark, and the denser, the smoother: its green is its roughness, too.
+    # Late wood is darker and smoother: the green channel also serves as roughness.
     wood = lit('wood', 0.95, baseColorTexture=grain, metallicRoughnessTexture=grain)
     model.add('table', boards.table(), wood)
     clouded = {**GLASS, 'extensions': {**GLASS['extensions'], TRANSMISSION: {

@@ -10,8 +10,9 @@ FLOAT, USHORT, UINT = 5126, 5123, 5125
 
 
 def glass(name, ior, priority, thickness, tint=(1, 1, 1), distance=1, cloud=0):
-    """A clear medium: white light keeps `tint` of itself after `distance`; both in metres. `cloud`:
-    how often a cloudy core scatters light that crosses it."""
+    """glTF material of a clear dielectric: KHR_materials_transmission, _ior and _volume. `tint` is
+    the attenuationColor at `distance`; lengths in metres. `cloud`: optical depth of a cloudy core,
+    the mean number of scatterings along a path across it."""
     return {
         'name': name,
         'extras': {'priority': priority, **({'cloud': cloud} if cloud else {})},
@@ -26,7 +27,7 @@ def glass(name, ior, priority, thickness, tint=(1, 1, 1), distance=1, cloud=0):
 
 
 def unlit(name, texture=None):
-    """A surface whose colours are the light that it sends: a texture, times vertex colours."""
+    """KHR_materials_unlit material: emitted radiance is the texture times the vertex colours."""
     surface = {'roughnessFactor': 1, 'metallicFactor': 0}
     if texture is not None:
         surface['baseColorTexture'] = {'index': texture}
@@ -34,13 +35,13 @@ def unlit(name, texture=None):
 
 
 def lit(name, roughness, **textures):
-    """A surface in the light around it; `textures` are entries of pbrMetallicRoughness."""
+    """Lit dielectric material; `textures` are members of pbrMetallicRoughness."""
     return {'name': name, 'pbrMetallicRoughness': {'metallicFactor': 0,
                                                    'roughnessFactor': roughness, **textures}}
 
 
 def look_at(eye, target):
-    """A node's matrix: right, up, back and position, column by column."""
+    """Column-major matrix of a camera node: right, up, back, position."""
     back = [a - b for a, b in zip(eye, target)]
     length = math.hypot(*back)
     back = [a / length for a in back]
@@ -52,7 +53,7 @@ def look_at(eye, target):
 
 
 class Model:
-    """A scene of glTF, object by object."""
+    """Builder of a glTF scene."""
 
     def __init__(self):
         self.bytes = bytearray()
@@ -68,7 +69,7 @@ class Model:
         return len(self.json['bufferViews']) - 1
 
     def floats(self, rows, digits, bounds=False):
-        """An accessor of vectors, rounded so that every machine writes the same."""
+        """Adds a float vector accessor, rounded so that files are reproducible on any machine."""
         rows = [tuple(round(value, digits) + 0.0 for value in row) for row in rows]
         width = len(rows[0])
         data = struct.pack(f'<{len(rows) * width}f', *(value for row in rows for value in row))
@@ -96,7 +97,7 @@ class Model:
         return len(textures) - 1
 
     def add(self, name, mesh, material):
-        """A node with a mesh of its own."""
+        """Adds a node with a new mesh."""
         if material not in self.materials:
             self.materials.append(material)
             self.used.update(material.get('extensions', ()))
@@ -113,13 +114,13 @@ class Model:
         self.json['nodes'].append({'name': name, 'mesh': len(self.json['meshes']) - 1})
 
     def camera(self, eye, target, fov_deg):
-        """`fov_deg` is vertical."""
+        """Adds a camera node; `fov_deg` is the vertical field of view."""
         self.json['cameras'] = [{'type': 'perspective', 'perspective': {
             'yfov': round(math.radians(fov_deg), 6), 'aspectRatio': 1.25, 'znear': 0.01}}]
         self.json['nodes'].append({'name': 'camera', 'camera': 0, 'matrix': look_at(eye, target)})
 
     def file(self):
-        """The bytes of a .glb file."""
+        """Returns the content of the .glb file."""
         self.bytes += bytes(-len(self.bytes) % 4)
         document = {**self.json, 'materials': self.materials, 'extensionsUsed': sorted(self.used),
                     'scenes': [{'nodes': list(range(len(self.json['nodes'])))}],
@@ -136,7 +137,7 @@ def png_chunk(name, data):
 
 
 def png(rows, palette):
-    """A picture of bytes, rows from the top, that are indices of at most 256 colours."""
+    """PNG with a palette of up to 256 colours; `rows` are bytes of indices, from the top."""
     head = struct.pack('>IIBBBBB', len(rows[0]), len(rows), 8, 3, 0, 0, 0)
     colors = bytes(round(255 * min(max(value, 0), 1)) for color in palette for value in color)
     return (b'\x89PNG\r\n\x1a\n' + png_chunk(b'IHDR', head) + png_chunk(b'PLTE', colors) +
@@ -145,7 +146,7 @@ def png(rows, palette):
 
 
 def png_colors(rows):
-    """A picture of three bytes a texel, rows from the top, each stored as its steps along x."""
+    """8-bit RGB PNG with the Sub filter; `rows` are bytes R G B, from the top."""
     head = struct.pack('>IIBBBBB', len(rows[0]) // 3, len(rows), 8, 2, 0, 0, 0)
     steps = (b'\1' + bytes((v - (row[i - 3] if i > 2 else 0)) & 255 for i, v in enumerate(row))
              for row in rows)
@@ -154,8 +155,8 @@ def png_colors(rows):
 
 
 def exr(rows, sun=None):
-    """Half floats R G B, packed; a row is three lists of values; rows from the top. `sun`: azimuth
-    and elevation as of src/scene/environment/environment.h, and the light of a white surface that
+    """ZIP-compressed OpenEXR image of half floats; a row is lists of R, G and B; rows from the top.
+    `sun`: azimuth and elevation (as in src/scene/environment/environment.h), radiance of a white surface that
     faces it."""
     width, height = len(rows[0][0]), len(rows)
 

@@ -1,4 +1,4 @@
-"""hollow.py: a knot of many colours in the cavity of a thick glass ball, on a tiled floor."""
+"""hollow.py: model of a coloured knot in the cavity of a thick glass ball, on a tiled floor."""
 import math
 
 import surroundings as around
@@ -6,25 +6,25 @@ from files import Model, glass, unlit
 from shapes import add, ring, scale, smoothstep, sphere, turned
 
 OUTSIDE, INSIDE = 0.04, 0.0225  # radii of the ball and of its cavity
-STAND, ROD = 0.018, 0.0045  # radii of the ring that it stands on
+STAND, ROD = 0.018, 0.0045  # radii of the torus that the ball rests on
 BALL = (0, ROD + math.sqrt((OUTSIDE + ROD + 0.00005) ** 2 - STAND ** 2), 0)
 GLASS = glass('glass', 1.5, 3, 0.035, (0.9, 0.97, 0.94), 0.12)
 
 
 def ball():
-    """The cavity's surface faces into the cavity: both together are the glass's shell."""
+    """Closed shell of glass: a sphere, and the inner sphere with inverted normals."""
     mesh = sphere(OUTSIDE, 32).join(sphere(INSIDE, 24).inside_out())
     return mesh.placed(turned(0), BALL)
 
 
 def hue(share):
-    """A round of colours that are not too loud."""
+    """Muted colour of a hue circle; `share` 0 to 1 is once around."""
     return tuple(0.09 + 0.74 * smoothstep(0.25, 1, 0.5 + 0.5 * math.cos(2 * math.pi * (share - at)))
                  for at in (0, 0.36, 0.66))
 
 
 def knot():
-    """A trefoil; it rests on the cavity's floor."""
+    """A trefoil knot that rests on the bottom of the cavity, coloured along its length."""
     steps = 180
     path = []
     for i in range(steps):

@@ -1,7 +1,7 @@
-"""ice_cube.py: a cube of ice on wet slate, as that of slate.py but light enough for every rung.
+"""ice_cube.py: model of an ice cube on wet slate: slate.py simplified for all refraction models.
 
-Light goes through nothing but the ice: its cloud is the material's, and the program places bubbles
-and cracks. Its meltwater is a film: a smooth surface, below which the stone is dark.
+The only refractive object is the ice: its cloudy core is a material property, and firn itself adds
+bubbles and cracks. The meltwater is an opaque, smooth material layer over dark stone.
 """
 from files import Model, lit
 from shapes import Mesh, dot
@@ -10,7 +10,7 @@ from slate import (ANGLE, BUMPS, EYE, ICE, TARGET, VIEW, block, meltwater, piece
 
 
 def without_walls(mesh):
-    """The shell's upper side."""
+    """Returns only the upper side of a closed shell."""
     kept = [i for i, p in enumerate(mesh.points) if p[1] > -0.001]
     number = {i: at for at, i in enumerate(kept)}
     faces = [face for face in mesh.faces if number.keys() >= set(face)]
@@ -24,7 +24,7 @@ def water(ice):
 
 
 def below_water(dry):
-    """Stone that water covers: its mirror is that of the water."""
+    """Material of stone under a water layer: specular reflection with the water's index."""
     colors = {'baseColorTexture': dry['pbrMetallicRoughness']['baseColorTexture']}
     return {**lit('wet slate', 0.04, **colors),
             'normalTexture': {**dry['normalTexture'], 'scale': BUMPS},

@@ -1,4 +1,4 @@
-"""make.py: makes all files of assets/ anew; the same version of zlib makes the same bytes.
+"""make.py: regenerates the files of assets/; with the same version of zlib they are bit-identical.
 
 Usage: make.py FOLDER [NAME...]
     NAME: drink, amber, hollow, ice_cube, slate, studio or window; default: all
@@ -7,7 +7,7 @@ import importlib
 import pathlib
 import sys
 
-sys.dont_write_bytecode = True  # the source tree stays clean
+sys.dont_write_bytecode = True  # keep __pycache__ out of the source tree
 FILES = {'amber': 'amber.glb', 'drink': 'drink.glb', 'hollow': 'hollow.glb',
          'ice_cube': 'ice-cube.glb', 'slate': 'slate.glb',
          'studio': 'studio.exr', 'window': 'window.exr'}

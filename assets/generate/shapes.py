@@ -1,4 +1,4 @@
-"""shapes.py: meshes of closed surfaces, in metres, with outward normals; and noise."""
+"""shapes.py: procedural meshes (closed, outward normals, metres), vector math and noise."""
 import math
 import random
 from itertools import product
@@ -39,14 +39,14 @@ def mix(a, b, t):
 
 
 class Mesh:
-    """Points with normals and, if the lists are not empty, texture coordinates and colours."""
+    """Triangle mesh: points, normals, faces; optionally texture coordinates and colours."""
 
     def __init__(self, points, faces, normals=None, uvs=()):
         self.points, self.faces, self.uvs, self.colors = points, faces, list(uvs), []
         self.normals = normals or smooth_normals(points, faces)
 
     def join(self, other):
-        """This mesh and another one, as one."""
+        """Appends another mesh to this one."""
         first = len(self.points)
         self.points += other.points
         self.normals += other.normals
@@ -61,19 +61,19 @@ class Mesh:
         return self
 
     def placed(self, turn, at):
-        """Turned by a matrix, a tuple of rows, then moved."""
+        """Rotates by the matrix `turn` (a tuple of rows), then translates by `at`."""
         self.points = [add(tuple(dot(row, p) for row in turn), at) for p in self.points]
         self.normals = [tuple(dot(row, n) for row in turn) for n in self.normals]
         return self
 
     def painted(self, color_of):
-        """Colours are color_of(point, normal)."""
+        """Sets the vertex colours to color_of(point, normal)."""
         self.colors = [color_of(p, n) for p, n in zip(self.points, self.normals)]
         return self
 
 
 def smooth_normals(points, faces):
-    """Means of the faces' normals, weighted by area."""
+    """Vertex normals: area-weighted means of face normals."""
     sums = [(0.0, 0.0, 0.0)] * len(points)
     for face in faces:
         a, b, c = (points[i] for i in face)
@@ -84,7 +84,7 @@ def smooth_normals(points, faces):
 
 
 def turned(yaw_deg, pitch_deg=0, roll_deg=0):
-    """A matrix: first about z, then about x, then about y."""
+    """Rotation matrix: first roll about z, then pitch about x, then yaw about y."""
     (cy, sy), (cx, sx), (cz, sz) = ((math.cos(math.radians(a)), math.sin(math.radians(a)))
                                     for a in (yaw_deg, pitch_deg, roll_deg))
     return ((cy * cz + sy * sx * sz, -cy * sz + sy * sx * cz, sy * cx),
@@ -95,7 +95,7 @@ def turned(yaw_deg, pitch_deg=0, roll_deg=0):
 # ---- noise ----
 
 def lattice(x, y, z, seed):
-    """A number from 0 to 1 for integers."""
+    """Hash of an integer lattice point, 0 to 1."""
     h = (x * 73856093 ^ y * 19349663 ^ z * 83492791 ^ seed * 2654435761) & 0xffffffff
     h = (h ^ h >> 15) * 0x2c1b3c6d & 0xffffffff
     h = (h ^ h >> 12) * 0x297a2d39 & 0xffffffff
@@ -103,7 +103,7 @@ def lattice(x, y, z, seed):
 
 
 def noise(p, seed=0):
-    """Smooth, from -1 to 1, with features of size 1."""
+    """Value noise, -1 to 1, with features of size 1."""
     cell = [math.floor(v) for v in p]
     t = [v - c for v, c in zip(p, cell)]
     t = [v * v * v * (v * (v * 6 - 15) + 10) for v in t]
@@ -116,7 +116,7 @@ def noise(p, seed=0):
 
 
 def hollows(p, seed=0):
-    """Round hollows between sharp ridges, as melting ice has: from -1 to about 0."""
+    """Worley noise, -1 to about 0: round hollows between sharp ridges, as on melting ice."""
     cell = [math.floor(v) for v in p]
     nearest = 9.0
     for i, j, k in product((-1, 0, 1), repeat=3):
@@ -131,8 +131,8 @@ def hollows(p, seed=0):
 
 def rounded(corners, steps=8):
     """
-    A profile through corners (radius, height, fillet): points and normals (r, y, nr, ny) with what
-    is solid on the left.
+    Profile for lathe() through corners (radius, height, fillet radius): points and normals
+    (r, y, nr, ny), with the solid on the left of the direction of travel.
     """
     out = []
     for i, (r, y, fillet) in enumerate(corners):
@@ -150,7 +150,7 @@ def rounded(corners, steps=8):
         mx, my = ax + bx, ay + by
         far = fillet / math.sin(half) / math.hypot(mx, my)
         center = (r + mx * far, y + my * far)
-        left = ax * by - ay * bx < 0  # a convex corner of the solid
+        left = ax * by - ay * bx < 0  # convex corner of the solid
         start = math.atan2(y + ay * reach - center[1], r + ax * reach - center[0])
         sweep = math.pi - 2 * half
         for k in range(steps + 1):
@@ -162,7 +162,7 @@ def rounded(corners, steps=8):
 
 
 def with_normals(points):
-    """Fills in normals that are None from a point's neighbours."""
+    """Computes profile normals that are None from the neighbouring points."""
     result = []
     for i, (r, y, normal) in enumerate(points):
         if normal is None:
@@ -177,7 +177,7 @@ def with_normals(points):
 
 
 def lathe(profile, segments):
-    """Turns a profile (radius, height, normal) about the y axis; it ends on the axis."""
+    """Surface of revolution about the y axis; the profile (radius, height, normal) ends on it."""
     points, normals, faces = [], [], []
     angles = [2 * math.pi * i / segments for i in range(segments)]
     circle = [(math.cos(a), math.sin(a)) for a in angles]
@@ -200,7 +200,7 @@ def lathe(profile, segments):
 
 
 def cube_grid(n, ease=0.0):
-    """Points on a cube of half width 1 and its faces; `ease` 1 crowds them at the edges."""
+    """Points and faces of a cube of half width 1; `ease` 0 to 1 refines it towards the edges."""
     steps = [2 * i / n - 1 for i in range(n + 1)]
     steps = [(1 - ease) * s + ease * math.sin(s * math.pi / 2) for s in steps]
     index, points, faces = {}, [], []
@@ -232,10 +232,10 @@ def sphere(radius, n):
 def ice_surface(half, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03, stretch=1.0,
                 fine=0.35, chips=()):
     """
-    Where a block that has begun to melt ends, as a function of points on a cube of half width 1:
-    rounded, uneven, with shallow hollows, `stretch` as tall as wide, and smaller ones in them,
-    `fine` as deep. Each of `chips`, (direction, distance), breaks off what is farther from the
-    middle in that direction.
+    Surface of a melting ice block, as a function of points on a cube of half width 1: a
+    superellipsoid with low-frequency bulges and Worley hollows of size `cell` and depth `waves`
+    (`stretch`: height / width), and smaller hollows, `fine` times as deep. Each of `chips`,
+    (direction, distance), cuts off what lies beyond that distance from the centre.
     """
     def at(p):
         r = sum(abs(v) ** exponent for v in p) ** (-1 / exponent)
@@ -252,14 +252,14 @@ def ice_surface(half, seed, exponent=7, waves=0.00025, cell=0.0065, bulge=0.03, 
 
 
 def ice(half, n, seed, **form):
-    """A block with the surface of ice_surface."""
+    """Mesh of an ice block with the surface ice_surface()."""
     points, faces = cube_grid(n, ease=0.6)
     surface = ice_surface(half, seed, **form)
     return Mesh([surface(p) for p in points], faces)
 
 
 def tube(path, radius_of, segments, caps=True):
-    """A tube along points; radius_of(share of the way)."""
+    """Tube along a path; radius_of(t) with t from 0 to 1 along it."""
     points, faces = [], []
     side = None
     for i, p in enumerate(path):
@@ -286,10 +286,10 @@ def tube(path, radius_of, segments, caps=True):
 
 
 def ring(path, radius, segments):
-    """A tube along points of a closed curve."""
+    """Tube along a closed path."""
     n = len(path)
     mesh = tube([*path, path[0], path[1]], lambda _: radius, segments, caps=False)
-    # The last ring of points lies on the second one, turned: its place is nearest to each point.
+    # The frame is rotated after one round: connect each last point to the nearest first one.
     first = mesh.points[:segments]
     last = mesh.points[n * segments:(n + 1) * segments]
     shift = min(range(segments), key=lambda s: sum(
@@ -303,8 +303,8 @@ def ring(path, radius, segments):
 
 
 def bead(at, along, radius, length, n=8, bend=0.0):
-    """An egg of air, half `length` long, pointed towards `along`; its ends lie `bend` lengths aside
-    of its middle."""
+    """Egg-shaped air bubble of half length `length`, tip towards `along`; `bend` displaces its ends
+    sideways by that many lengths."""
     profile = []
     for i in range(n // 2 + 2):
         a = math.pi * i / (n // 2 + 1) - math.pi / 2
@@ -321,8 +321,8 @@ def bead(at, along, radius, length, n=8, bend=0.0):
 
 def worms(half, rows, seed, bend=0.0):
     """
-    Long beads of air in a block around the origin: `rows` worms that grew from its faces inwards,
-    side by side; neighbours bend alike, by up to `bend` of their lengths.
+    Worm-shaped bubbles in a block around the origin, as they form when ice freezes inwards: `rows`
+    of them, roughly normal to the faces; neighbours bend alike, by up to `bend` of their lengths.
     """
     pick = random.Random(seed)
     beads = []
@@ -344,8 +344,8 @@ def worms(half, rows, seed, bend=0.0):
 
 def crowd(half, count, seed, least=0.00006, most=0.0003):
     """
-    Small bubbles in clumps around the middle of a block around the origin, where the ice closed
-    last; a few are large, most are small: radii are from `least` to `most`.
+    Clustered small bubbles around the centre of a block at the origin, where ice freezes last.
+    Radii from `least` to `most` follow a power law: most are small.
     """
     pick = random.Random(seed)
     beads = []
@@ -374,8 +374,9 @@ def beads_mesh(beads):
 
 def crack(radius, seed, gap=0.00006, bend=9.0, is_inside=lambda p: True):
     """
-    A bent sheet of air, lobed, thin towards its rim, square to the y axis: with faint arcs, and
-    uneven where it ended. It ends where is_inside(point) no longer holds.
+    Crack: a curved, lobed sheet of air normal to the y axis, of thickness `gap` that falls to 0 at
+    the rim, with faint fracture arcs and a rougher outer part. It is clipped to the region in which
+    is_inside(point) is true.
     """
     rings, segments = 12, 42
     pick = random.Random(seed)
@@ -429,12 +430,12 @@ def crack(radius, seed, gap=0.00006, bend=9.0, is_inside=lambda p: True):
                   for k in range(segments)]
         faces += quads if side > 0 else [(a, c, b) for a, b, c in quads]
         signs += [side] * (len(points) - len(signs))
-    # Each side is a smooth sheet: the thin rim is no part of its normal.
+    # Normals ignore the thickness, so that both sides look smooth up to the rim.
     return Mesh(points, faces, [scale(normal(x, z), s) for s, (x, _, z) in zip(signs, points)])
 
 
 def film(outline, level, thick, rim, center=(0, 0), rings=12, segments=168):
-    """Water with a flat rim, that ends below the ground; outline(angle) is a place on its edge."""
+    """Puddle with a flattened rim, closed below ground; outline(angle) is a point of its edge."""
     points = [(center[0], level + thick, center[1])]
     edge = [outline(2 * math.pi * k / segments) for k in range(segments)]
     for ring in range(1, rings + 1):
@@ -448,8 +449,8 @@ def film(outline, level, thick, rim, center=(0, 0), rings=12, segments=168):
 
 
 def closed_below(points, edge, center, level):
-    """A shell of a middle and rings of points, the last one on the edge, that ends below the
-    ground."""
+    """Closed shell from a centre point and rings of points, the last one on the edge; its base is
+    below ground."""
     segments, faces = len(edge), []
     rings = (len(points) - 1) // segments
     points += [(center[0] + 0.97 * x, level - 0.004, center[1] + 0.97 * z) for x, z in edge]
@@ -467,7 +468,7 @@ def closed_below(points, edge, center, level):
 
 
 def sheet(corner, across, along, columns, rows):
-    """A grid with texture coordinates from 0 to 1; its front is where across x along points."""
+    """Planar grid with texture coordinates 0 to 1; its front faces along cross(across, along)."""
     normal = unit(cross(across, along))
     points, uvs, faces = [], [], []
     for j in range(rows + 1):

@@ -1,4 +1,4 @@
-"""slate.py: a block of ice in its meltwater, on a slab of wet slate, for the light of alps.exr."""
+"""slate.py: model of an ice block in its meltwater on wet slate, lit by alps.exr."""
 import functools
 import math
 
@@ -7,32 +7,32 @@ from shapes import (Mesh, add, beads_mesh, closed_below, crack, crowd, dot, ice,
                     lattice, mix, scale, smooth_normals, smoothstep, sub, turned, unit, worms)
 from surroundings import ramp
 
-HALF = (0.0146, 0.0132, 0.0142)  # of the ice
+HALF = (0.0146, 0.0132, 0.0142)  # half extents of the ice
 MIDDLE = (0, 0.0128, 0)
 TURN = turned(24)
 FORM = {'exponent': 7, 'waves': 0.00043, 'cell': 0.0031, 'bulge': 0.045, 'stretch': 1.25,
         'fine': 0.55}
-VIEW = turned(165.6)  # of all, towards the finest mountains
-SLAB = (0.15, -0.125, 0.085, 0.012)  # half width, near and far edge, thickness
-SIDE = 512  # texels of a side of the texture of what is wet
-# The grain: texels of a side, metres after which it repeats, and its waves, which are longer along
-# the cleavage: waves along and across it in the tile, and their height, metres.
+VIEW = turned(165.6)  # rotates the scene so that the finest mountains are behind it
+SLAB = (0.15, -0.125, 0.085, 0.012)  # half width, near and far edge, thickness of the slab
+SIDE = 512  # texels along a side of the wetness texture
+# Tileable grain of the stone: texels along a side, tile size in metres, and noise octaves, which
+# are stretched along the cleavage: periods along and across it in the tile, amplitude in metres.
 GRAIN, TILE = 384, 0.037
 WAVES = ((7, 17, 0.00006), (19, 43, 0.000035), (47, 101, 0.000014), (113, 191, 0.000006))
-# Pieces of broken layers that lie on the stone: middle, half sizes, and turn of the outline;
-# thickness; of how many layers, which have broken apart at the edge.
+# Broken flakes on the stone: centre, half extents and rotation (degrees) of the outline; thickness;
+# number of layers that are visible as ledges at the edge.
 FLAKES = (((0.084, 0.05), (0.054, 0.03), 12, 0.0024, 4),
           ((0.104, 0.058), (0.042, 0.022), 40, 0.0019, 3),
           ((-0.09, 0.055), (0.05, 0.027), -9, 0.0021, 4),
           ((-0.04, 0.012), (0.0058, 0.0032), 33, 0.0006, 2),
           ((0.047, 0.021), (0.0042, 0.0026), -28, 0.0005, 1))
-BUMPS = 0.8  # of the grain, as a share of its slopes
-LEVEL = 0.00035  # of the water around the ice, over the stone's mean height
-RIM = 0.0032  # how far from its edge the water thins out
-CLIMB = (0.0009, 0.0008)  # how high water climbs at the ice, and how far from it, metres
-REACH = 0.0255  # mean radius of the water
-ROOM = 0.0055  # and how wide it is at least around the ice
-DAMP = 0.038  # and of the stone that is wet around it
+BUMPS = 0.8  # normalTexture scale of the grain
+LEVEL = 0.00035  # water level around the ice, above the stone's mean height, metres
+RIM = 0.0032  # width of the flattened rim of the water, metres
+CLIMB = (0.0009, 0.0008)  # meniscus at the ice: height, decay length, metres
+REACH = 0.0255  # mean radius of the puddle, metres
+ROOM = 0.0055  # its minimum width around the ice, metres
+DAMP = 0.038  # radius of the wet stone around it, metres
 EYE, TARGET, ANGLE = (0.0056, 0.0226, -0.104), (-0.0012, 0.0186, 0), 27
 ICE = glass('ice', 1.31, 2, 0.028, (0.82, 0.957, 1), 1, cloud=4)
 WATER = glass('water', 1.333, 1, 0.0013, (0.746, 0.953, 1), 1)
@@ -47,7 +47,7 @@ def knot(x, z, seed):
 
 
 def rough(x, z, seed, period=None):
-    """Smooth, from -1 to 1, with features of size 1; repeats after a period, of x and of z."""
+    """2D value noise, -1 to 1, with features of size 1; tileable if `period` (in x, z) is given."""
     i, j = math.floor(x), math.floor(z)
     s, t = x - i, z - j
     s, t = s * s * (3 - 2 * s), t * t * (3 - 2 * t)
@@ -60,7 +60,7 @@ def rough(x, z, seed, period=None):
 
 
 def fractal(x, z, seed, octaves):
-    """Noise with features of size 1 and smaller ones, from about -1 to 1."""
+    """Fractal value noise, about -1 to 1, with features of size 1 and smaller."""
     total, weight = 0.0, 0.55
     for octave in range(octaves):
         total += weight * rough(x, z, seed + octave)
@@ -69,13 +69,13 @@ def fractal(x, z, seed, octaves):
 
 
 def height(x, z):
-    """Of the stone: nearly even, with hollows in which water stands."""
-    below = 1 - smoothstep(0.012, 0.019, math.hypot(x, z))  # the ice has melted onto it
+    """Height of the stone: nearly flat, with hollows that collect water."""
+    below = 1 - smoothstep(0.012, 0.019, math.hypot(x, z))  # flatter below the ice
     return 0.00042 * fractal(x / 0.013, z / 0.009, 24, 4) * (1 - 0.7 * below)
 
 
 def wetness(x, z):
-    """From 0, dry, to 1, wet through: around the ice, farther in hollows and along the cleavage."""
+    """Wetness, 0 to 1: highest around the ice; extends into hollows and along the cleavage."""
     out = math.hypot(x, z) / DAMP
     along = (0.88 * x + 0.48 * z) / 0.034, (0.88 * z - 0.48 * x) / 0.0075
     streaks = fractal(x / 0.031, z / 0.021, 21, 3) + 0.55 * fractal(*along, 47, 4)
@@ -84,10 +84,10 @@ def wetness(x, z):
 
 
 def place(s, t):
-    """A point of the slab, for -1 to 1 from edge to edge: what is close to the ice is spread out,
-    and the edges are broken."""
+    """Maps grid coordinates, -1 to 1 from edge to edge, to a point of the slab: the grid is finer
+    near the ice, and the edges are broken."""
     x = SLAB[0] * (0.34 * s + 0.66 * s ** 3)
-    middle = -SLAB[1] / (SLAB[2] - SLAB[1]) * 2 - 1  # the row at the ice
+    middle = -SLAB[1] / (SLAB[2] - SLAB[1]) * 2 - 1  # t at the ice
     eased = middle + (t - middle) * (0.34 + 0.66 * ((t - middle) / (1 + abs(middle))) ** 2)
     z = SLAB[1] + (SLAB[2] - SLAB[1]) * (eased + 1) / 2
     rim = max(abs(s), abs(t)) ** 12
@@ -96,18 +96,18 @@ def place(s, t):
 
 
 def tone(x, z):
-    """Albedo: blue-grey, darker where wet, here and there of rust."""
+    """Albedo of the stone: blue-grey with rust stains, darker where wet."""
     shade = 1 + 0.3 * fractal(x / 0.024, z / 0.014, 41, 4)
     shade += 0.2 * fractal((0.88 * x + 0.48 * z) / 0.02, (0.88 * z - 0.48 * x) / 0.0025, 51, 3)
     rust = smoothstep(0.25, 0.7, fractal(x / 0.03, z / 0.02, 43, 4))
     base = mix((0.145, 0.168, 0.2), (0.2, 0.178, 0.155), 0.4 * rust)
     wet = wetness(x, z)
-    dark = tuple(v ** (1 + 0.12 * wet) for v in base)  # water deepens its colour
+    dark = tuple(v ** (1 + 0.12 * wet) for v in base)  # wet stone is more saturated
     return scale(dark, shade * (1 - 0.52 * wet))
 
 
 def texture_places(mesh):
-    """Where points are in textures of the whole slab."""
+    """Texture coordinates for textures that cover the whole slab."""
     half, near, far, _ = SLAB
     return [((x + half) / (2 * half), (z - near) / (far - near)) for x, _, z in mesh.points]
 
@@ -145,7 +145,7 @@ def slab(columns=102, rows=84):
 
 
 def broken(middle, half, turn_deg, seed, corners, parts):
-    """The outline of a piece of a broken layer: straight from corner to corner, and rough."""
+    """Outline of a broken flake: a polygon with rough edges of `parts` segments each."""
     turn = math.radians(turn_deg)
     ends = []
     for k in range(corners):
@@ -159,7 +159,7 @@ def broken(middle, half, turn_deg, seed, corners, parts):
         to_x, to_z = ends[(k + 1) % corners]
         for i in range(parts):
             t = i / parts
-            bay = min(4 * t, 4 - 4 * t, 1) if parts > 1 else 0  # corners stay where they are
+            bay = min(4 * t, 4 - 4 * t, 1) if parts > 1 else 0  # keep the corners
             rugged = 1 + 0.13 * bay * fractal(2.3 * (k + t), 0.7, seed, 5)
             outline.append((middle[0] + rugged * (x + (to_x - x) * t),
                             middle[1] + rugged * (z + (to_z - z) * t)))
@@ -167,7 +167,7 @@ def broken(middle, half, turn_deg, seed, corners, parts):
 
 
 def band(upper, lower):
-    """A wall between two closed rows of points."""
+    """Wall between two closed loops of points."""
     count = len(upper)
     faces = []
     for k in range(count):
@@ -177,7 +177,7 @@ def band(upper, lower):
 
 
 def flake(middle, outline, thick, layers, seed, shares, tilt=(0, 0)):
-    """A piece of a layer that lies on the stone: flat above, its edge broken layer by layer."""
+    """Flake of slate lying on the stone: flat top, stepped edge with a ledge for each layer."""
     count = len(outline)
 
     def at(share, k, low):
@@ -196,7 +196,7 @@ def flake(middle, outline, thick, layers, seed, shares, tilt=(0, 0)):
     mesh = Mesh(points, faces)
     last, out = points[-count:], [1.0] * count
     for layer in range(layers):
-        if layer:  # a ledge, here and there as good as none
+        if layer:  # a ledge of varying width
             farther = [max(rough(0.17 * k, 2.3 * layer, seed) + 0.25, 0.02) for k in range(count)]
             out = [a + 0.035 * b for a, b in zip(out, farther)]
             ledge = [(at(o, k, 0)[0], y, at(o, k, 0)[2])
@@ -212,7 +212,7 @@ def flake(middle, outline, thick, layers, seed, shares, tilt=(0, 0)):
 
 
 def chip(i):
-    """A splinter or a grain of grit, where no water has washed it away."""
+    """Splinter number `i`, placed outside the puddle."""
     angle = 2 * math.pi * lattice(i, 0, 0, 91)
     out = 0.038 + 0.06 * lattice(i, 1, 0, 91) ** 1.3
     middle = (out * math.cos(angle), 0.8 * out * math.sin(angle))
@@ -224,7 +224,7 @@ def chip(i):
 
 
 def pieces(parts=22, layers_max=4, shares=(0.35, 0.62, 0.82, 0.94, 1), chips=320):
-    """All that lies on the stone."""
+    """All flakes and splinters on the stone."""
     mesh = Mesh([], [], [])
     for i, (middle, half, turn_deg, thick, layers) in enumerate(FLAKES):
         outline = broken(middle, half, turn_deg, 80 + i, 7, parts)
@@ -236,7 +236,7 @@ def pieces(parts=22, layers_max=4, shares=(0.35, 0.62, 0.82, 0.94, 1), chips=320
 
 
 def damp():
-    """Roughness over the whole slab, in green."""
+    """metallicRoughnessTexture of the slab: roughness in the green channel, lower where wet."""
     half, near, far, _ = SLAB
     rows = []
     for row in range(SIDE):
@@ -250,7 +250,7 @@ def damp():
 
 
 def grain():
-    """Normals and tones of the cleavage, which repeat without anything to know it by."""
+    """Tileable normal map and tone texture of the cleavage grain, without conspicuous features."""
     heights = []
     for row in range(GRAIN):
         v = row / GRAIN
@@ -264,7 +264,7 @@ def grain():
             here = heights[row][column]
             x = (heights[row][(column + 1) % GRAIN] - here) / apart
             z = (heights[(row + 1) % GRAIN][column] - here) / apart
-            n = unit((-x, z, 1))  # u goes to +x, v to +z; green points against v
+            n = unit((-x, z, 1))  # u along +x, v along +z; green points along -v
             bent += bytes(min(2 * int(63.75 + 63.75 * v + 0.5), 255) for v in n)
             speck = lattice(column, row, 2, 6)
             grit = 22 if speck > 0.98 else -26 if speck < 0.03 else 22 * (speck - 0.5)
@@ -277,7 +277,7 @@ def grain():
 # ---- water and ice ----
 
 def foot(mesh, segments):
-    """How far the block reaches in each direction, where water climbs it."""
+    """Horizontal extent of the block in each direction at the height of the meniscus."""
     reach = [0.0] * segments
     for x, y, z in mesh.points:
         if 0.0005 < y < LEVEL + CLIMB[0]:
@@ -290,7 +290,7 @@ def foot(mesh, segments):
 
 
 def shore(angle):
-    """How far the water around the ice reaches in a direction."""
+    """Radius of the puddle in a direction."""
     c, s = math.cos(angle), math.sin(angle)
     out = 1 + 0.1 * math.cos(2 * angle + 0.5) + 0.08 * math.cos(3 * angle - 1.2)
     out += 0.3 * fractal(4 + 1.7 * c, 4 + 1.7 * s, 64, 2)
@@ -298,7 +298,7 @@ def shore(angle):
 
 
 def meltwater(mesh, segments=224):
-    """The water around the block: a film with a flat rim, which climbs the ice."""
+    """The puddle around the block, with a flattened rim and a meniscus at the ice."""
     shares = (0, 0.02, 0.05, 0.09, 0.14, 0.2, 0.28, 0.38, 0.5, 0.62, 0.72, 0.8, 0.86, 0.91, 0.95,
               0.98, 1)
     inner = foot(mesh, segments)
@@ -313,7 +313,7 @@ def meltwater(mesh, segments=224):
             near = min(inner[k] - 0.0003, 0.92 * out)
             r = 0.6 * near if share < 0 else near + share * (out - near)
             inward = min((out - r) / RIM, 1)
-            low = min(height(x, z), LEVEL - 0.0002)  # where it ends
+            low = min(height(x, z), LEVEL - 0.0002)  # height of the edge
             high = low + (LEVEL - low) * (1 - (1 - inward) ** 2)
             high += CLIMB[0] * inward * math.exp(-max(r - near, 0) / CLIMB[1])
             points.append((x * r / out, high, z * r / out))
@@ -321,7 +321,7 @@ def meltwater(mesh, segments=224):
 
 
 def block(cells=72):
-    """Flat below, where it has melted onto the stone."""
+    """The ice block; its base is flattened, as if melted onto the stone."""
     mesh = ice(HALF, cells, 17, **FORM)
     mesh.placed(TURN, MIDDLE)
 
@@ -335,7 +335,7 @@ def block(cells=72):
 
 
 def is_inside_block(p):
-    """Or so close outside that a crack there opens its surface."""
+    """True inside, and slightly outside so that a crack can cut through the surface."""
     own = sub(p, MIDDLE)
     own = tuple(sum(TURN[i][k] * own[i] for i in range(3)) for k in range(3))
     share = max(abs(v / h) for v, h in zip(own, HALF))
@@ -346,7 +346,7 @@ def is_inside_block(p):
 
 
 def bubbles():
-    """Worms of air in rows along the way the ice grew, and a cloud of eggs where it ended."""
+    """Worm-shaped bubbles along the freezing direction, egg-shaped ones where ice froze last."""
     placed = []
     beads = [*worms(HALF, 150, 30, bend=0.6), *crowd(HALF, 950, 31, 0.0001, 0.0009)]
     for at, along, *form in beads:
@@ -362,7 +362,7 @@ def cracks():
             ((0.004, 0.0165, -0.003), (25, 62, 20), 0.0066),
             ((0.0075, 0.0185, -0.0045), (52, 74, 15), 0.0058),
             ((-0.005, 0.011, 0.002), (120, 35, 75), 0.0058),
-            # These two reach the surface.
+            # These two cut through the surface.
             ((-0.0045, 0.0205, -0.004), (-52, 78, 12), 0.0085),
             ((0.0105, 0.0115, 0.001), (64, 68, -20), 0.0075))):
         matrix = turned(*turn)

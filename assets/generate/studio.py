@@ -1,17 +1,17 @@
-"""studio.py: a panorama of a dark studio: soft boxes and strips, brighter in their middles."""
+"""studio.py: HDR panorama of a dark studio with soft boxes and strip lights."""
 import math
 
 from files import exr
 from shapes import cross, dot, mix, scale, smoothstep, unit
 
 WIDTH, HEIGHT = 1024, 512
-# Azimuth to the right of -Z and elevation of the middle, degrees; half width and half height as
-# tangents of angles; radiance at the middle; how much the ends keep of it; colour
+# Azimuth to the right of -Z and elevation of the centre, degrees; half width and half height as
+# tangents of angles; radiance at the centre; fraction of it far from the centre; colour
 BOXES = (
-    (62, 28, 0.34, 0.52, 9.0, 0.35, (1.0, 0.96, 0.9)),  # the key light, right, behind
-    (-72, 18, 0.11, 0.75, 6.5, 0.3, (0.86, 0.94, 1.0)),  # a strip, left
+    (62, 28, 0.34, 0.52, 9.0, 0.35, (1.0, 0.96, 0.9)),  # key light, right, behind
+    (-72, 18, 0.11, 0.75, 6.5, 0.3, (0.86, 0.94, 1.0)),  # strip light, left
     (-128, 34, 0.42, 0.3, 2.4, 0.5, (0.92, 0.97, 1.0)),  # a window, left of the camera
-    (150, 22, 0.07, 0.6, 4.0, 0.3, (1.0, 0.97, 0.93)),  # a strip, right of the camera
+    (150, 22, 0.07, 0.6, 4.0, 0.3, (1.0, 0.97, 0.93)),  # strip light, right of the camera
     (8, 79, 0.55, 0.4, 3.6, 0.55, (1.0, 1.0, 1.0)),  # above
 )
 
@@ -22,7 +22,7 @@ def direction(azimuth, elevation):
 
 
 def backdrop():
-    """Three colours of each row, without lamps: a floor, dark air, and a glow on the far wall."""
+    """Rows of R, G and B lists without lamps: floor, dark air, and a glow on the far wall."""
     tall = [math.exp(-((0.5 - (y + 0.5) / HEIGHT) * math.pi - 0.16) ** 2 / 0.18)
             for y in range(HEIGHT)]
     wide = [math.exp(-((x + 0.5) / WIDTH * 2 - 1) ** 2 * math.pi ** 2 / 1.1) for x in range(WIDTH)]
@@ -39,8 +39,8 @@ def backdrop():
 
 
 def lamp(rows, box):
-    """Adds a box to the rows; its edges are two texels wide. Its colour may be a function of the
-    direction."""
+    """Draws a soft box into the rows, with edges two texels wide. Its colour may be a function of
+    the direction."""
     azimuth, elevation, half_width, half_height, radiance, ends, color = box
     middle = direction(math.radians(azimuth), math.radians(elevation))
     across = unit(cross(middle, (0, 1, 0)))

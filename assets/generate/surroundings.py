@@ -1,4 +1,4 @@
-"""surroundings.py: what stands around the glass: tables, walls, and the light painted on them."""
+"""surroundings.py: surfaces around the models: slate, tiles, floor, wall, and baked light."""
 import math
 
 from files import png, unlit
@@ -6,7 +6,7 @@ from shapes import lattice, mix, scale, sheet, smoothstep
 
 
 def ramp(colors, count=64):
-    """Colours between the given ones, at equal distances."""
+    """Palette: linear interpolation between evenly spaced colours."""
     out = []
     for i in range(count):
         t = i / (count - 1) * (len(colors) - 1)
@@ -16,7 +16,7 @@ def ramp(colors, count=64):
 
 
 def row_noise(count, cells, seed):
-    """Smooth noise of one row of texels, from 0 to 1, that goes on at its end."""
+    """One row of tileable value noise, 0 to 1."""
     knots = [lattice(i, 0, 0, seed) for i in range(cells)]
     out = []
     for i in range(count):
@@ -29,7 +29,7 @@ def row_noise(count, cells, seed):
 
 
 def slate(seed, side=256):
-    """Dark split stone; its borders do not show where it repeats."""
+    """PNG: tileable texture of dark split stone."""
     rows = [bytearray(side) for _ in range(side)]
     layers = [[row_noise(side, cells, seed + cells * 31 + k) for k in range(cells)]
               for cells in (4, 9, 23, 64)]
@@ -47,7 +47,7 @@ def slate(seed, side=256):
 
 
 def tiles(seed, side=256):
-    """Four tiles, light and dark in turn, with a joint between them."""
+    """PNG: 2 x 2 floor tiles, alternately light and dark, with joints."""
     half = side // 2
     rows = []
     for y in range(side):
@@ -66,14 +66,14 @@ def tiles(seed, side=256):
 
 
 def floor(half, tile, light, steps=30):
-    """A level square at height 0 under a texture that repeats after `tile`."""
+    """Horizontal square at height 0 with a texture of period `tile`, coloured by light(x, z)."""
     mesh = sheet((-half, 0, half), (2 * half, 0, 0), (0, 0, -2 * half), steps, steps)
     mesh.uvs = [(x / tile, z / tile) for x, _, z in mesh.points]
     return mesh.painted(lambda p, n: (light(p[0], p[2]),) * 3)
 
 
 def shade(centers, dark, reach):
-    """Light on a table, from 0 to 1: darker under and around discs (x, z, radius)."""
+    """Returns baked light of a table, 0 to 1: contact shadows of discs (x, z, radius)."""
     def light(x, z):
         value = 1.0
         for cx, cz, radius in centers:
@@ -84,7 +84,7 @@ def shade(centers, dark, reach):
 
 
 def wall(z, half, bottom, top, colors, spot):
-    """An upright wall that faces the eye, brightest at `spot` (x, y, reach)."""
+    """Wall that faces the camera, brightest at `spot` (x, y, radius)."""
     dark, bright = colors
     mesh = sheet((-half, bottom, z), (2 * half, 0, 0), (0, top - bottom, 0), 32, 24)
     mesh.uvs = []
@@ -96,7 +96,7 @@ def wall(z, half, bottom, top, colors, spot):
 
 
 def painter(albedo, key=(0.5, 0.75, 0.45), fill=0.42):
-    """Colours of a matt thing under one large soft light and the light of all around."""
+    """Returns baked colours of a diffuse object under a large soft key light and ambient light."""
     length = math.hypot(*key)
     key = scale(key, 1 / length)
 
@@ -108,4 +108,4 @@ def painter(albedo, key=(0.5, 0.75, 0.45), fill=0.42):
     return color
 
 
-PAINTED = unlit('painted')  # its vertex colours are all there is
+PAINTED = unlit('painted')  # vertex colours only

@@ -1,32 +1,32 @@
-"""window.py: a panorama of a room with warm walls, a window to the left, a smaller one right."""
+"""window.py: HDR panorama of a room with warm walls, large window left, smaller one right."""
 import math
 
 from files import exr
 from shapes import mix, noise, scale, smoothstep
 from studio import HEIGHT, WIDTH, lamp
 
-# A window's middle: azimuth to the right of -Z and elevation, degrees; half width and half height
-# of a pane as tangents of angles; panes across and up; radiance of the sky; colour
+# Centre of each window: azimuth to the right of -Z and elevation, degrees; half width and half
+# height of a pane as tangents of angles; panes across and up; radiance of the sky; colour
 WINDOWS = (
     (-61, 34, 0.18, 0.24, 2, 3, 7.4, (1.04, 0.985, 0.91)),
     (70, 29, 0.21, 0.23, 1, 3, 4.6, (0.86, 0.93, 1.0)),
     (-163, 33, 0.22, 0.13, 1, 1, 1.7, (1.0, 0.96, 0.9)),
 )
-BAR = 0.012  # half of a bar between panes
-# Trees in the haze behind the windows: elevation of their tops, degrees, and how uneven they are;
-# colours of leaves in the shade and in the sun
+BAR = 0.012  # half width of a glazing bar
+# Trees in the haze outside the windows: mean elevation of their tops and its variation, degrees;
+# colours of shaded and sunlit leaves
 TREES = (19, 7, (0.13, 0.15, 0.13), (0.5, 0.53, 0.46))
-# It comes through the window to the left: azimuth and elevation as in environment.h; light
+# Sun behind the left window: azimuth and elevation (see environment.h), radiance
 SUN = (246, 33, 0.42, 0.36, 0.28)
-GLOW = (-3, 9, (0.84, 0.69, 0.49))  # the lit wall: azimuth and elevation, degrees; radiance
+GLOW = (-3, 9, (0.84, 0.69, 0.49))  # bright spot of the wall: azimuth, elevation, radiance
 
-# Sunlight on the wall, out of focus, that came past leaves: azimuth and elevation of its middle,
-# half width and half height, how far it leans for each degree up, degrees; share of GLOW
+# Blurred, dappled patch of sunlight on the wall: azimuth and elevation of its centre, half width
+# and half height, degrees; shear in azimuth per degree of elevation; brightness relative to GLOW
 PATCH = (-13.5, 3.5, 5.2, 10.5, 0.34, 0.3)
 
 
 def patch(azimuth, height):
-    """Light of PATCH on the wall, from 0 to 1; bars part it, leaves dapple it."""
+    """Sunlight of PATCH, 0 to 1, with shadows of glazing bars and leaves."""
     middle, up, half, tall, lean, _ = PATCH
     x, y = (azimuth - middle - lean * (height - up)) / half, (height - up) / tall
     if max(abs(x), abs(y)) > 1.5:
@@ -39,7 +39,7 @@ def patch(azimuth, height):
 
 
 def walls():
-    """Three colours of each row: a lit wall ahead, a dim room, a dark floor."""
+    """Rows of R, G and B lists: a bright wall ahead, a dim room, a dark floor."""
     azimuth, elevation, color = GLOW
     rows = []
     for y in range(HEIGHT):
@@ -63,7 +63,7 @@ def walls():
 
 
 def outside(d):
-    """What is seen behind the windows, as out of focus, as a share of the sky's light."""
+    """Blurred view through the windows (sky, trees), relative to the sky's radiance."""
     tops, uneven, shade, sun = TREES
     height = math.degrees(math.asin(d[1]))
     top = tops + uneven * (noise(scale(d, 5), 3) + 0.5 * noise(scale(d, 13), 4))
@@ -76,7 +76,7 @@ def outside(d):
 
 
 def panes(window):
-    """The boxes of studio.py that a window is made of."""
+    """Yields the panes of a window as soft boxes for studio.lamp()."""
     azimuth, elevation, across, up, columns, lines, radiance, color = window
     level = math.cos(math.radians(elevation))
     for i in range(columns):

@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# draw.sh: what objects.sh and environment.sh share; they read it.
+# draw.sh: functions shared by objects.sh and environment.sh, which source it.
 set -eu
 if [ $# -gt 2 ] || case ${1-} in -*) true ;; *) false ;; esac; then
     printf 'usage: %s [FIRN [FOLDER]]\n' "$0" >&2
@@ -9,14 +9,14 @@ root=$(dirname -- "$0")/../..
 firn=${1:-$root/build/firn}
 out=${2:-$root/out/experiments}
 
-# heading: begins the table
+# heading: prints the head of the table
 heading() {
     mkdir -p "$out"
-    printf 'Wall seconds of each run of firn, with its start-up: no benchmark.\n\n'
+    printf 'Wall-clock time of each run of firn, start-up included: no benchmark.\n\n'
     printf '%-46s %8s\n' 'picture' 'seconds'
 }
 
-# draw NAME SCENE [OPTION...]: renders it to NAME.png, and prints its row
+# draw NAME SCENE [OPTION...]: renders SCENE to NAME.png, and prints its row of the table
 draw() {
     picture=$1.png
     shift

@@ -1,9 +1,9 @@
 #!/bin/sh
-# inclusions.sh: how far what is in and on ice is from the truth: a table of docs/truth.md.
+# inclusions.sh: error of inclusions and surface detail against the reference, for docs/truth.md.
 #
 # inclusions.sh [FIRN [FOLDER]]   (build/firn, out/inclusions)
-# The ice cube by `bounce` and by the reference with the same inclusions: mean absolute error on the
-# object's pixels, and FLIP of the whole picture.
+# Compares the ice cube rendered with `bounce` and by the ray-traced reference with the same
+# inclusions: mean absolute error on the object's pixels, and FLIP of the whole image.
 set -eu
 if [ $# -gt 2 ] || case ${1-} in -*) true ;; *) false ;; esac; then
     printf 'usage: %s [FIRN [FOLDER]]\n' "$0" >&2
@@ -14,24 +14,24 @@ firn=${1:-$here/../../build/firn}
 out=${2:-$here/../../out/inclusions}
 mkdir -p "$out"
 
-# draw NAME RUNG [SETTINGS]: the cube, with nothing in it but what is set
+# draw NAME MODEL [SETTINGS]: renders the cube with only those inclusions that are set
 draw() {
     name=$1 rung=$2
     words=
     for setting in refract.fresnel=exact refract.lookup=distance env_cube.dynamic=off ${3-}; do
         words="$words --set $setting"
     done
-    # shellcheck disable=SC2086 # words to be split
+    # shellcheck disable=SC2086 # $words is a list
     "$firn" render valley --plain --size 640x480 --samples 8 -r "$rung" -q $words \
         ${4-} -o "$out/$name.exr"
 }
 
-# truth NAME [SETTINGS]
+# truth NAME [SETTINGS]: renders the reference image
 truth() {
     draw "$1" reference "${2-}" '--aov path'
 }
 
-# row NAME TRUTH [SETTINGS]
+# row NAME TRUTH [SETTINGS]: renders with bounce, and prints the errors against TRUTH
 row() {
     draw "$1" bounce "${3-}"
     "$firn" diff "$out/$2.exr" "$out/$1.exr" --exposure 0 --mask "$out/$2.exr" \

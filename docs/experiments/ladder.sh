@@ -1,9 +1,9 @@
 #!/bin/sh
-# ladder.sh: how far each rung is from the truth, object by object: the tables of docs/truth.md.
+# ladder.sh: error of each refraction model against the reference, for the tables of docs/truth.md.
 #
 # ladder.sh [FIRN [FOLDER]]   (build/firn, out/ladder)
-# Each table has, rung by rung, degrees of the exit direction (where light is not totally reflected
-# first) / FLIP of the whole picture. The surroundings are a panorama, infinitely far away.
+# Each cell is the error of the exit direction in degrees (pixels without total internal reflection)
+# / FLIP of the whole image. The surroundings are a panorama at infinity.
 set -eu
 if [ $# -gt 2 ] || case ${1-} in -*) true ;; *) false ;; esac; then
     printf 'usage: %s [FIRN [FOLDER]]\n' "$0" >&2
@@ -14,7 +14,7 @@ firn=${1:-$here/../../build/firn}
 out=${2:-$here/../../out/ladder}
 python3 "$here/ladder_scenes.py" "$out"
 
-# ladder NAME SCENE SIDE [OPTION...]: its numbers, and a contact sheet, to FOLDER
+# ladder NAME SCENE SIDE [OPTION...]: writes errors as JSON and a contact sheet to FOLDER
 ladder() {
     name=$1-$3 scene=$2 side=$3
     shift 3

@@ -1,4 +1,4 @@
-"""ladder_scenes.py: what ladder.sh draws beside the built-in scenes: two objects and a panorama.
+"""ladder_scenes.py: generates two objects and a panorama for ladder.sh.
 
 Usage: ladder_scenes.py FOLDER
 """
@@ -6,15 +6,15 @@ import math
 import pathlib
 import sys
 
-STEPS = 96  # of an edge of the rounded cube, of a turn of the torus
-TURNS = 192
-ROUND = 0.3  # radius of the cube's edges; its half side is 1
-RING, TUBE = 0.8, 0.35  # radii of the torus
-WIDTH = 1024  # pixels of the panorama
+STEPS = 96  # segments along an edge of the rounded cube, and around the tube of the torus
+TURNS = 192  # segments around the axis of the torus
+ROUND = 0.3  # radius of the cube's edges; its half width is 1
+RING, TUBE = 0.8, 0.35  # major and minor radius of the torus
+WIDTH = 1024  # width of the panorama, pixels
 
 
 def write_obj(path, grids):
-    """Grids of (point, normal) as triangles that face outwards."""
+    """Writes grids of (point, normal) as an OBJ file of triangles that face outwards."""
     lines, first = [], 1
     for rows in grids:
         across = len(rows[0])
@@ -33,7 +33,7 @@ def write_obj(path, grids):
 
 
 def on_rounded_cube(point):
-    """From a point of the cube around it."""
+    """Projects a point of the enclosing cube; returns point and normal of the rounded cube."""
     core = [max(-1 + ROUND, min(1 - ROUND, c)) for c in point]
     away = [p - c for p, c in zip(point, core)]
     length = math.sqrt(sum(a * a for a in away))
@@ -42,7 +42,7 @@ def on_rounded_cube(point):
 
 
 def rounded_cube():
-    """A grid of each side, finer where it is round."""
+    """Yields a grid for each face, finer at the rounded edges."""
     flat = [-1 + ROUND + 2 * (1 - ROUND) * i / (STEPS // 3) for i in range(STEPS // 3 + 1)]
     curve = [1 - ROUND + ROUND * math.tan(math.pi / 4 * i / (STEPS // 3))
              for i in range(1, STEPS // 3 + 1)]
@@ -77,7 +77,7 @@ def torus():
 
 
 def radiance(azimuth, elevation):
-    """Hills before a sky that brightens towards a sun, and a ground of fields."""
+    """Radiance of hills, a sky with a glow around the sun, and a checkered ground."""
     hill = 0.14 + 0.07 * math.sin(3 * azimuth) + 0.05 * math.sin(7 * azimuth + 1)
     if elevation > hill:
         sun = math.cos(azimuth - 1) * math.cos(elevation) * 0.8 + math.sin(elevation) * 0.6
@@ -94,7 +94,7 @@ def radiance(azimuth, elevation):
 
 
 def write_hdr(path):
-    """Radiance's RGBE, without run lengths."""
+    """Writes the panorama as an uncompressed Radiance RGBE file."""
     data = bytearray()
     height = WIDTH // 2
     for y in range(height):

@@ -1,15 +1,15 @@
 #!/bin/sh
-# objects.sh: three objects with and without cracks and air, as in figure 6 of the paper.
+# objects.sh: repeats figure 6 of the paper: three objects with and without cracks and air bubbles.
 #
 # objects.sh [FIRN [FOLDER]]   (build/firn, out/experiments)
 # The sphere has 960 triangles, the ice cube 4800, the teapot 14400. As in the paper there are 19
-# planes of air and 2 cracks, clipped in its way (made for convex objects: in the teapot, cracks can
-# show between its parts), no single bubbles, and an environment that stays. From these distances
-# each covers 20.0 % of the pixels (those that have a front.Z): the paper's fifth of the screen.
+# planes of air bubbles, 2 cracks with the paper's clipping (made for convex objects: in the teapot,
+# cracks can show between its parts), no single bubbles, and a static environment. Each object
+# covers 20.0 % of the pixels (those with a front.Z): the paper's fifth of the screen.
 # shellcheck source=docs/experiments/draw.sh
 . "$(dirname -- "$0")/draw.sh"
 
-# both OBJECT TRIANGLES DISTANCE: two pictures
+# both OBJECT TRIANGLES DISTANCE: renders the object without and with inclusions
 both() {
     for inside in plain cracks-air; do
         case $inside in

@@ -1,4 +1,4 @@
-"""case.py: the base of all tests of the program `firn`.
+"""case.py: base class, runner and cheap render options for all tests of the program `firn`.
 
 Usage: TEST.py FIRN [TEST...]   FIRN: the program; TEST: as unittest names them
 Every run has a folder of its own and a minimal environment. If lavapipe is installed, it is the
@@ -13,26 +13,26 @@ import tempfile
 import unittest
 
 USAGE, DATA, NO_INPUT, NO_DEVICE, CANT_CREATE, WRITE, TRY_AGAIN = 2, 65, 66, 69, 73, 74, 75
-# What takes half of a small picture's time is left out where it does not matter what is in the ice.
-SMALL_CUBE = ('--set', 'env_cube.size=64')  # else a small picture is drawn for its cube
-PAPER = ('--refraction', 'paper')  # half of what the rung chosen for most scenes takes
+# Cheaper renders for tests: without inclusions (--plain), which take half of a small image's time.
+SMALL_CUBE = ('--set', 'env_cube.size=64')  # the default cube map would dominate
+PAPER = ('--refraction', 'paper')  # half the time of the default refraction model
 PLAIN = ('--plain', *PAPER, *SMALL_CUBE)
-# One of them says how good a picture of `firn render` is, which is else better than tests need.
+# Options that set the quality of `firn render`; without them, tests render one sample per pixel.
 QUALITIES = {'--quality', '--samples', '-n', '--preset', '--noise', '--time'}
 SMALL = ('--size', '64x48', *PLAIN)
-# Neither sky nor landscape, in the picture and around the ice: a quarter of what is left.
+# Constant background instead of sky and landscape: a quarter of the remaining time.
 FLAT = ('--background', '0.4,0.5,0.6')
 BARE = (*SMALL, *FLAT)
-# The cheaper half of what is in ice
+# The cheaper half of the inclusions: cracks and bubbles, without planes of air and bumps.
 CRACKED = ('--set', 'air.count=0', '--set', 'bump.strength=0', *PAPER, *SMALL_CUBE)
-SANITIZED = os.environ.get('FAIL_SAMPLE') == '1'  # the program is built so
+SANITIZED = os.environ.get('FAIL_SAMPLE') == '1'  # built with sanitizers
 NO_DRIVER = {'VK_DRIVER_FILES': '/nonexistent.json'}
 
 
 def environment(extra):
-    """PATH, the test device and what sanitizers are told; no HOME, no DISPLAY."""
+    """Returns a minimal environment: PATH, test device, sanitizer options; no HOME or DISPLAY."""
     env = {'PATH': os.environ.get('PATH', '/usr/bin:/bin')}
-    env['FIRN_WARM_UP'] = 'off'  # what else runs has the other cores
+    env['FIRN_WARM_UP'] = 'off'  # tests in parallel use the other cores
     env.update({name: value for name, value in os.environ.items() if name.endswith('SAN_OPTIONS')})
     drivers = [file for folder in ('/usr/share', '/usr/local/share', '/etc')
                for file in glob.glob(f'{folder}/vulkan/icd.d/lvp_icd*.json')]
@@ -42,7 +42,7 @@ def environment(extra):
 
 
 def command(*arguments):
-    """The words of a command of firn, which draws one sample if it does not say how many."""
+    """Returns the command line of firn; adds --samples 1 if no option sets the quality."""
     words = [str(word) for word in arguments]
     at = 1 if words[:1] == ['render'] else 2 if words[:2] == ['farm', 'status'] else 0
     if at and not QUALITIES & set(words):
@@ -54,7 +54,7 @@ class Case(unittest.TestCase):
     program = ''  # set by main()
 
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory(prefix='firn ')  # the space is on purpose
+        temporary = tempfile.TemporaryDirectory(prefix='firn ')  # the space tests quoting
         self.addCleanup(temporary.cleanup)
         self.folder = pathlib.Path(temporary.name)
 
@@ -69,12 +69,12 @@ class Case(unittest.TestCase):
         return done
 
     def render(self, output, *arguments, **how):
-        """The bytes of the file."""
+        """Renders a small image, and returns the content of the output file."""
         self.succeed('render', 'sphere', *SMALL, '-o', output, *arguments, **how)
         return (self.folder / output).read_bytes()
 
     def refuse(self, code, *arguments, names=(), **how):
-        """Exits with the code, prints nothing, and says why in one line that has these names."""
+        """Checks that firn fails with exit code `code` and one line on stderr with `names`."""
         with self.subTest(arguments=arguments):
             done = self.firn(*arguments, **how)
             words = done.stderr.decode()
@@ -90,15 +90,15 @@ class Case(unittest.TestCase):
 
 
 def long(test):
-    """A test for which `./run test` does not wait: only `--long` runs it, or its name."""
+    """Decorator of a long test: runs only with `--long`, or by its name, not in `./run test`."""
     test.is_long = True
     return test
 
 
 def unsanitized(test):
     """
-    A test of pixels, or of what is not ours, through code that cheaper tests reach: a sanitizer
-    would see nothing new in it. Builds with one leave it out.
+    Decorator of a test that sanitizer builds skip: it compares pixels or tests third-party code,
+    and cheaper tests already cover the code that it reaches.
     """
     test.is_unsanitized = True
     return test
@@ -109,7 +109,7 @@ def is_marked(test, name):
 
 
 class Part(unittest.TestLoader):
-    """Loads each N-th test of the file, from the K-th on, of those that are long or are not."""
+    """Test loader for one shard: every N-th test from the K-th on, either long or normal tests."""
     def __init__(self, number, count, is_long):
         super().__init__()
         self.number, self.count, self.is_long = number, count, is_long
@@ -124,8 +124,8 @@ class Part(unittest.TestLoader):
 
 def main():
     """
-    The program is the first argument. "--part=K/N" after it: one of N processes that share the
-    tests of the file among them. "--long" there: only those that are @long.
+    Runs the tests. The first argument is the program. "--part=K/N" after it runs shard K of N;
+    "--long" after that runs only tests marked @long.
     """
     if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
         sys.exit(f'{sys.argv[0]}: no program to test: {sys.argv[1:2] or "(none given)"}')

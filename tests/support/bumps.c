@@ -1,4 +1,4 @@
-/* bumps.c: bump maps of one constant slope. */
+/* bumps.c: bump maps of constant slope, and a reference for triplanar normal perturbation. */
 #include "tests/support/bumps.h"
 
 #include <stdlib.h>
@@ -13,7 +13,8 @@ void bumps_even(struct scene *scene, double slope_u, double slope_v, double smoo
 {
     struct bump_maps *maps = &scene->bump;
     const struct mip_levels mip_levels = { .side = 2, .layers = 1, .channels = 4 };
-    const size_t count = mip_levels_count(&mip_levels); /* all levels alike */
+    const size_t count =
+        mip_levels_count(&mip_levels); /* all mip levels hold the texel value below */
     bump_maps_finish(maps);
     *maps = (struct bump_maps){
         .texels = malloc(count * sizeof(*maps->texels)),
@@ -49,7 +50,7 @@ struct vec bumps_normal(const struct bumps *bumps, struct vec n, struct vec e)
     const double all = p.x + p.y + p.z;
     const double u = bumps->slope_u;
     const double v = bumps->slope_v;
-    /* u and v are y and z on the plane across x, z and x, x and y */
+    /* triplanar mapping: (u, v) is (y, z), (z, x) and (x, y) on the planes normal to x, y and z */
     const struct vec gradient = {
         (v * p.y + u * p.z) / all,
         (u * p.x + v * p.z) / all,

@@ -1,25 +1,23 @@
-/*
- * bumps.h: bump maps of one constant slope, and the closed form of the normals that they bend.
- */
+/* bumps.h: bump maps of constant slope, and the closed form of the normals that they perturb. */
 #ifndef TESTS_BUMPS_H
 #define TESTS_BUMPS_H
 
 #include "src/scene/scene.h"
 #include "tests/support/vec.h"
 
-/* Gives a scene a map of one slope along u and v, one smoothness and one height of crystals. */
+/* Replaces a scene's bump map by a constant one: slopes along u and v, smoothness, frost height. */
 void bumps_even(struct scene *scene, double slope_u, double slope_v, double smoothness,
                 double crystals);
 
 struct bumps {
-    double slope_u, slope_v; /* with strength and mask */
-    double turn;             /* of the object about +Y, radians */
+    double slope_u, slope_v; /* bump slopes, already scaled by strength and mask */
+    double turn;             /* rotation of the object about +Y, radians */
 };
 
-/* The uneven normal seen along `e`, where the mesh's is `n`, the maps lying along three planes. */
+/* Returns the shading normal for mesh normal `n` and view direction `e` with triplanar mapping. */
 struct vec bumps_normal(const struct bumps *bumps, struct vec n, struct vec e);
 
-/* The same, of a gradient in the world. */
+/* Perturbs normal `n` by a world-space height gradient; keeps it facing the view direction `e`. */
 struct vec bumps_bend(struct vec gradient, struct vec n, struct vec e);
 
 #endif

@@ -1,10 +1,8 @@
-/*
- * check.h: assertions that unit tests share, besides those of cmocka.
- */
+/* check.h: assertions of the unit tests besides those of cmocka. */
 #ifndef TESTS_CHECK_H
 #define TESTS_CHECK_H
 
-/* cmocka wants these four first */
+/* cmocka.h requires the headers setjmp.h, stdarg.h, stddef.h and stdint.h before it */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,7 +11,7 @@
 
 #include <cmocka.h>
 
-/* Fails unless |a - b| <= tolerance, and says by how much; NaN fails. */
+/* Fails unless |a - b| <= tolerance, and prints the difference; NaN fails. */
 #define CHECK_NEAR(a, b, tolerance) \
     check_is_near((double)(a), (double)(b), (tolerance), #a " is near " #b, __FILE__, __LINE__)
 

@@ -1,4 +1,4 @@
-/* damage.c: injects one fault into a copy of a valid plan. */
+/* damage.c: mutation operators; each injects one fault that provably breaks a valid plan. */
 #include "tests/support/damage.h"
 
 #include <stdlib.h>
@@ -6,9 +6,9 @@
 
 #include "tests/support/damage_proof.h"
 
-static void *duplicate(const void *array, size_t count, size_t room, size_t size)
+static void *duplicate(const void *array, size_t count, size_t capacity, size_t size)
 {
-    void *copy = calloc(room, size);
+    void *copy = calloc(capacity, size);
     if (!copy)
         abort();
     if (count)
@@ -16,7 +16,7 @@ static void *duplicate(const void *array, size_t count, size_t room, size_t size
     return copy;
 }
 
-/* With room for as many again, and one. */
+/* Copies an array into one of twice the size plus one element: operators may add elements. */
 #define DUPLICATE(array, count) duplicate(array, count, 2 * (size_t)(count) + 1, sizeof(*(array)))
 
 static struct damage_copy copy_of(const struct rg_plan *plan,
@@ -47,7 +47,7 @@ void damage_finish(struct damage_copy *c)
     free(c->blocks);
 }
 
-/* ---- ways to damage it: thing number `i`; false if that would not break it for certain ---- */
+/* ---- mutation operators for element `i`; false if the fault would not provably break it ---- */
 
 static bool is_initial(const struct damage_copy *c, uint32_t i)
 {
@@ -64,7 +64,7 @@ static bool orders(const struct damage_copy *c, uint32_t i)
     return damage_proof_orders(&c->plan, c->params, i);
 }
 
-/* The batch that barrier `i` is in: its first barrier, and where its count is kept. */
+/* Returns the count of the batch that contains barrier `i`, and its first barrier in `first`. */
 static uint32_t *batch_of(struct damage_copy *c, uint32_t i, uint32_t *first)
 {
     for (uint32_t p = 0; p < c->plan.pass_count; p++) {
@@ -77,8 +77,8 @@ static uint32_t *batch_of(struct damage_copy *c, uint32_t i, uint32_t *first)
     return initial ? &c->plan.initial_barrier_count : &c->plan.final_barrier_count;
 }
 
-/* Takes it out of its batch; what only counts batches is told. */
-static void take_out(struct damage_copy *c, uint32_t i)
+/* Removes a barrier from its batch, and updates the batch count if the batch is now empty. */
+static void remove_barrier(struct damage_copy *c, uint32_t i)
 {
     bool initial = is_initial(c, i);
     uint32_t first;
@@ -92,11 +92,11 @@ static bool drop_barrier(struct damage_copy *c, uint32_t i)
     if (!depends(c, i) && !orders(c, i) && !damage_proof_layout(&c->plan, c->params, i, false) &&
         !damage_proof_initial(&c->plan, c->params, i))
         return false;
-    take_out(c, i);
+    remove_barrier(c, i);
     return true;
 }
 
-/* To the end of the frame, after whatever waits for it. */
+/* Moves a barrier to the end of the frame, after the accesses that depend on it. */
 static bool delay_barrier(struct damage_copy *c, uint32_t i)
 {
     const struct rg_barrier barrier = c->barriers[i];
@@ -105,9 +105,9 @@ static bool delay_barrier(struct damage_copy *c, uint32_t i)
         (!orders(c, i) && !damage_proof_depends(&c->plan, c->params, i, true) &&
          !damage_proof_layout(&c->plan, c->params, i, true)))
         return false;
-    take_out(c, i);
-    /* the final batch moves to the end of the array, which has room for one more, but for the
-     * initial ones */
+    remove_barrier(c, i);
+    /* the final batch moves to the end of the array, before the initial barriers; the copy of the
+     * array has room for one more */
     struct rg_barrier *batch = &c->barriers[c->plan.barrier_count];
     memmove(batch + count + 1, batch, initial * sizeof(barrier));
     memmove(batch, &c->barriers[c->plan.first_final_barrier], count * sizeof(barrier));
@@ -137,7 +137,7 @@ static bool wrong_old_layout(struct damage_copy *c, uint32_t i)
     return true;
 }
 
-/* Also what is needed only where a pass does not run. */
+/* Discards image content that is needed, if only in frames where a conditional pass is skipped. */
 static bool lose_content(struct damage_copy *c, uint32_t i)
 {
     if (!damage_proof_content(&c->plan, c->params, i))
@@ -146,7 +146,7 @@ static bool lose_content(struct damage_copy *c, uint32_t i)
     return true;
 }
 
-/* A transition comes after whatever was there, in this frame or the one before. */
+/* Clears the source scope, for which a transition must wait, also across frames. */
 static bool no_source(struct damage_copy *c, uint32_t i)
 {
     bool transition =
@@ -200,7 +200,7 @@ static bool impossible_access(struct damage_copy *c, uint32_t i)
     return true;
 }
 
-/* A batch more than are needed: one of a batch's barriers comes before another pass. */
+/* Adds an unnecessary batch: moves one barrier of a batch to a pass that has none. */
 static bool add_batch(struct damage_copy *c, uint32_t i)
 {
     struct rg_plan_pass *pass = &c->passes[i];
@@ -293,7 +293,7 @@ static bool wrong_use_layout(struct damage_copy *c, uint32_t i)
     return true;
 }
 
-/* The image is put where another one lies while that is alive. */
+/* Places an image at the memory offset of another image with an overlapping lifetime. */
 static bool overlap(struct damage_copy *c, uint32_t i)
 {
     struct rg_plan_image *image = &c->images[i];
@@ -338,7 +338,7 @@ static bool wrong_memory_type(struct damage_copy *c, uint32_t i)
 static bool no_image_usage(struct damage_copy *c, uint32_t i)
 {
     VkImageUsageFlags needed = damage_proof_image_usage(&c->plan, c->params, i);
-    c->images[i].usage &= ~needed | (needed - 1); /* without the lowest one that is needed */
+    c->images[i].usage &= ~needed | (needed - 1); /* clears the lowest usage bit that is needed */
     return needed != 0;
 }
 
@@ -352,7 +352,7 @@ static bool no_buffer_usage(struct damage_copy *c, uint32_t i)
 static bool wrong_shape(struct damage_copy *c, uint32_t i)
 {
     if (c->images[i].imported)
-        c->images[i].layers++; /* perhaps what was declared */
+        c->images[i].layers++; /* an import's real layer count, not the declared one */
     else
         c->images[i].extent.width++;
     return true;
@@ -366,7 +366,7 @@ static bool wrong_size(struct damage_copy *c, uint32_t i)
 
 static bool wrong_samples(struct damage_copy *c, uint32_t i)
 {
-    c->images[i].samples ^= 3; /* one becomes two */
+    c->images[i].samples ^= 3; /* swaps 1 and 2 samples per texel */
     return true;
 }
 
@@ -382,7 +382,7 @@ static bool wrong_buffer_persistence(struct damage_copy *c, uint32_t i)
     return true;
 }
 
-/* What keeps its content lies where others are. */
+/* Places a persistent image in a memory block that aliased images use. */
 static bool share_history(struct damage_copy *c, uint32_t i)
 {
     if (!c->images[i].persistent || c->plan.block_count == 0)
@@ -428,7 +428,7 @@ static const struct {
     const char *name;
     bool (*apply)(struct damage_copy *c, uint32_t i);
     enum things things;
-} damages[] = {
+} operators[] = {
     { "drop_barrier", drop_barrier, BARRIERS },
     { "delay_barrier", delay_barrier, BARRIERS },
     { "wrong_new_layout", wrong_new_layout, BARRIERS },
@@ -465,7 +465,7 @@ static const struct {
     { "wrong_count", wrong_count, COUNTS },
 };
 
-static uint32_t thing_count(const struct rg_plan *plan, enum things things)
+static uint32_t element_count(const struct rg_plan *plan, enum things things)
 {
     const uint32_t counts[] = {
         [BARRIERS] = plan->barrier_count + plan->initial_barrier_count,
@@ -479,21 +479,21 @@ static uint32_t thing_count(const struct rg_plan *plan, enum things things)
 
 size_t damage_count(void)
 {
-    return sizeof(damages) / sizeof(damages[0]);
+    return sizeof(operators) / sizeof(operators[0]);
 }
 
 const char *damage_name(size_t damage)
 {
-    return damages[damage].name;
+    return operators[damage].name;
 }
 
 bool damage_init(struct damage_copy *c, const struct rg_plan *plan,
                  const struct rg_compile_params *params, size_t damage, uint32_t *next)
 {
-    uint32_t count = thing_count(plan, damages[damage].things);
+    uint32_t count = element_count(plan, operators[damage].things);
     while (*next < count) {
         *c = copy_of(plan, params);
-        if (damages[damage].apply(c, (*next)++))
+        if (operators[damage].apply(c, (*next)++))
             return true;
         damage_finish(c);
     }

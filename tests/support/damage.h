@@ -1,6 +1,4 @@
-/*
- * damage.h: copies of plans with one injected fault each, to test whether a checker detects it.
- */
+/* damage.h: mutation testing of plan checkers: copies of a plan with one injected fault each. */
 #ifndef TESTS_DAMAGE_H
 #define TESTS_DAMAGE_H
 
@@ -10,7 +8,7 @@
 
 #include "graph/rg.h"
 
-/* A plan whose arrays may be changed. */
+/* A copy of a plan whose arrays can be modified. */
 struct damage_copy {
     const struct rg_compile_params *params;
     struct rg_plan plan;
@@ -23,13 +21,13 @@ struct damage_copy {
     struct rg_block *blocks;
 };
 
-size_t damage_count(void); /* kinds of damage */
+size_t damage_count(void); /* number of mutation operators */
 const char *damage_name(size_t damage);
 
 /*
- * Copies the plan of `params` and damages it at the next place where this kind of damage breaks
- * something for certain, from *next on, which is 0 at first. Returns false, without a copy, when
- * there is none left.
+ * Copies `plan` and applies mutation operator `damage` at the next position, starting at *next
+ * (initially 0), where the fault provably breaks the plan. Advances *next. Returns false, without a
+ * copy, if no such position is left.
  */
 bool damage_init(struct damage_copy *c, const struct rg_plan *plan,
                  const struct rg_compile_params *params, size_t damage, uint32_t *next);

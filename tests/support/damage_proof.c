@@ -1,18 +1,18 @@
-/* damage_proof.c: finds the accesses to one cell before and after a barrier or store. */
+/* damage_proof.c: finds the accesses to a subresource before and after a barrier or store. */
 #include "tests/support/damage_proof.h"
 
 #include <stddef.h>
 
 #include "tests/support/hazard_private.h"
 
-/* A mip, layer and aspect of an image, or a buffer. */
+/* One subresource: a mip, layer and aspect of an image; or a buffer. */
 struct cell {
-    uint32_t image, buffer; /* one is RG_NONE */
+    uint32_t image, buffer; /* indices in the plan; one is RG_NONE */
     uint32_t mip, layer;
     VkImageAspectFlags aspect;
 };
 
-/* The search is for passes of the frame in which every condition is true, or in which none is. */
+/* The searched frame: all passes run, or with `none_true` only the unconditional ones. */
 struct search {
     const struct rg_plan *plan;
     const struct rg_compile_params *params;
@@ -20,13 +20,13 @@ struct search {
     bool none_true;
 };
 
-struct touch {
+struct access_record {
     bool found;
-    uint32_t pass; /* pass_count: after the frame */
+    uint32_t pass; /* index in the plan; pass_count for an access after the frame */
     enum rg_access access;
     bool writes, needs_content;
-    bool another_frame; /* found only by going around */
-    bool handed_back;
+    bool another_frame; /* found only by wrapping around to another frame */
+    bool returned;
 };
 
 static bool is_in(const VkImageSubresourceRange *range, const struct cell *cell)
@@ -36,10 +36,10 @@ static bool is_in(const VkImageSubresourceRange *range, const struct cell *cell)
            cell->layer - range->baseArrayLayer < range->layerCount;
 }
 
-static struct touch touch_of(uint32_t pass, enum rg_access access)
+static struct access_record record_of(uint32_t pass, enum rg_access access)
 {
     const struct hazard_rule *rule = hazard_rule(access);
-    return (struct touch){
+    return (struct access_record){
         .found = true,
         .pass = pass,
         .access = access,
@@ -48,45 +48,47 @@ static struct touch touch_of(uint32_t pass, enum rg_access access)
     };
 }
 
-static struct touch by_target(const struct search *s, uint32_t pass,
-                              const struct rg_plan_target *target, enum rg_access access)
+static struct access_record target_access(const struct search *s, uint32_t pass,
+                                          const struct rg_plan_target *target,
+                                          enum rg_access access)
 {
     if (s->cell.image == RG_NONE || target->image == RG_NONE)
-        return (struct touch){ 0 };
+        return (struct access_record){ 0 };
     if (target->image == s->cell.image && target->mip == s->cell.mip &&
         target->layer == s->cell.layer) {
-        struct touch touch = touch_of(pass, access);
-        touch.needs_content = target->load == VK_ATTACHMENT_LOAD_OP_LOAD;
-        touch.writes |= target->store != VK_ATTACHMENT_STORE_OP_NONE;
-        return touch;
+        struct access_record access_record = record_of(pass, access);
+        access_record.needs_content = target->load == VK_ATTACHMENT_LOAD_OP_LOAD;
+        access_record.writes |= target->store != VK_ATTACHMENT_STORE_OP_NONE;
+        return access_record;
     }
     if (target->resolve == s->cell.image && target->resolve_mip == s->cell.mip &&
         target->resolve_layer == s->cell.layer)
-        return touch_of(pass, RG_RESOLVE);
-    return (struct touch){ 0 };
+        return record_of(pass, RG_RESOLVE);
+    return (struct access_record){ 0 };
 }
 
-static struct touch by_pass(const struct search *s, uint32_t index)
+static struct access_record pass_access(const struct search *s, uint32_t index)
 {
     const struct rg_plan_pass *pass = &s->plan->passes[index];
     if (s->none_true && pass->pass->when)
-        return (struct touch){ 0 };
+        return (struct access_record){ 0 };
     for (uint32_t i = 0; i < pass->color_count; i++) {
-        struct touch touch = by_target(s, index, &pass->color[i], RG_COLOR);
-        if (touch.found)
-            return touch;
+        struct access_record access_record = target_access(s, index, &pass->color[i], RG_COLOR);
+        if (access_record.found)
+            return access_record;
     }
-    struct touch touch =
-        by_target(s, index, &pass->depth, pass->pass->depth_read_only ? RG_DEPTH_READ : RG_DEPTH);
-    for (uint32_t i = pass->first_use; !touch.found && i < pass->first_use + pass->use_count; i++) {
+    struct access_record access_record = target_access(
+        s, index, &pass->depth, pass->pass->depth_read_only ? RG_DEPTH_READ : RG_DEPTH);
+    for (uint32_t i = pass->first_use;
+         !access_record.found && i < pass->first_use + pass->use_count; i++) {
         const struct rg_plan_use *use = &s->plan->uses[i];
         bool same = s->cell.image == RG_NONE
                         ? use->buffer == s->cell.buffer
                         : use->image == s->cell.image && is_in(&use->range, &s->cell);
         if (same)
-            touch = touch_of(index, use->use->access);
+            access_record = record_of(index, use->use->access);
     }
-    return touch;
+    return access_record;
 }
 
 static const struct rg_import *import_of(const struct search *s)
@@ -96,26 +98,27 @@ static const struct rg_import *import_of(const struct search *s)
     return index == RG_NONE ? NULL : &s->params->imports[index];
 }
 
-/* By who gets it after the frame. */
-static struct touch by_outside(const struct search *s)
+/* Returns the access of an output or an import after the end of the frame. */
+static struct access_record outside_access(const struct search *s)
 {
     const struct rg_import *import = import_of(s);
-    struct touch touch = { 0 };
+    struct access_record access_record = { 0 };
     for (size_t i = 0; i < s->params->output_count; i++) {
         const struct rg_output *output = &s->params->outputs[i];
         bool same = s->cell.image != RG_NONE
                         ? output->image == s->plan->images[s->cell.image].image
                         : output->buffer == s->plan->buffers[s->cell.buffer].buffer;
         if (same && !(import && import->access == RG_ACCESS_NONE))
-            touch = touch_of(s->plan->pass_count, output->access);
+            access_record = record_of(s->plan->pass_count, output->access);
     }
-    touch.needs_content = touch.found; /* PRESENT, too */
-    if (!touch.found && import && import->access != RG_ACCESS_NONE) {
-        touch = touch_of(s->plan->pass_count, import->access);
-        touch.needs_content = false; /* what is written to it need not survive */
-        touch.handed_back = true;
+    access_record.needs_content =
+        access_record.found; /* also for PRESENT, whose access flags are 0 */
+    if (!access_record.found && import && import->access != RG_ACCESS_NONE) {
+        access_record = record_of(s->plan->pass_count, import->access);
+        access_record.needs_content = false; /* such writes may be discarded */
+        access_record.returned = true;
     }
-    return touch;
+    return access_record;
 }
 
 static bool is_persistent(const struct search *s)
@@ -124,40 +127,40 @@ static bool is_persistent(const struct search *s)
                                     : s->plan->buffers[s->cell.buffer].persistent;
 }
 
-/* From the barriers of pass `from` on. */
-static struct touch find_next(const struct search *s, uint32_t from)
+/* Finds the next access at or after pass `from`, whose own barriers come first. */
+static struct access_record find_next(const struct search *s, uint32_t from)
 {
-    struct touch touch = { 0 };
-    for (uint32_t p = from; !touch.found && p < s->plan->pass_count; p++)
-        touch = by_pass(s, p);
-    if (!touch.found)
-        touch = by_outside(s);
-    for (uint32_t p = 0; !touch.found && is_persistent(s) && p < from && p < s->plan->pass_count;
-         p++) {
-        touch = by_pass(s, p);
-        touch.another_frame = touch.found;
+    struct access_record access_record = { 0 };
+    for (uint32_t p = from; !access_record.found && p < s->plan->pass_count; p++)
+        access_record = pass_access(s, p);
+    if (!access_record.found)
+        access_record = outside_access(s);
+    for (uint32_t p = 0;
+         !access_record.found && is_persistent(s) && p < from && p < s->plan->pass_count; p++) {
+        access_record = pass_access(s, p);
+        access_record.another_frame = access_record.found;
     }
-    return touch;
+    return access_record;
 }
 
-/* Before the barriers of pass `from`; in the frame before, if it is the same memory then. */
-static struct touch find_before(const struct search *s, uint32_t from)
+/* Finds the last access before the barriers of pass `from`, also in the previous frame. */
+static struct access_record find_before(const struct search *s, uint32_t from)
 {
-    struct touch touch = { 0 };
-    for (uint32_t p = from; !touch.found && p-- > 0;)
-        touch = by_pass(s, p);
+    struct access_record access_record = { 0 };
+    for (uint32_t p = from; !access_record.found && p-- > 0;)
+        access_record = pass_access(s, p);
     bool host = s->cell.image == RG_NONE &&
                 s->plan->buffers[s->cell.buffer].buffer->memory != RG_MEMORY_DEVICE;
-    if (touch.found || host || import_of(s))
-        return touch;
-    touch = by_outside(s);
-    for (uint32_t p = s->plan->pass_count; !touch.found && p-- > from;)
-        touch = by_pass(s, p);
-    touch.another_frame = touch.found;
-    return touch;
+    if (access_record.found || host || import_of(s))
+        return access_record;
+    access_record = outside_access(s);
+    for (uint32_t p = s->plan->pass_count; !access_record.found && p-- > from;)
+        access_record = pass_access(s, p);
+    access_record.another_frame = access_record.found;
+    return access_record;
 }
 
-/* The pass whose batch it is in, pass_count for the last one, RG_NONE for an initial one. */
+/* Returns the pass whose batch has the barrier; pass_count: final batch, RG_NONE: initial one. */
 static uint32_t pass_of(const struct rg_plan *plan, uint32_t barrier)
 {
     for (uint32_t p = 0; p < plan->pass_count; p++)
@@ -174,7 +177,7 @@ static bool is_of(const struct rg_barrier *barrier, const struct cell *cell)
     return barrier->image == cell->image && is_in(&barrier->range, cell);
 }
 
-/* Barriers on the cell in the batches of passes `first` to `last`. */
+/* Counts barriers on the subresource in the batches of passes `first` to `last`. */
 static uint32_t count_barriers(const struct search *s, uint32_t first, uint32_t last)
 {
     uint32_t count = 0;
@@ -186,7 +189,8 @@ static uint32_t count_barriers(const struct search *s, uint32_t first, uint32_t 
     return count;
 }
 
-static uint32_t barriers_before(const struct search *s, const struct touch *before, uint32_t from)
+static uint32_t barriers_before(const struct search *s, const struct access_record *before,
+                                uint32_t from)
 {
     if (!before->another_frame)
         return count_barriers(s, before->pass + 1, from);
@@ -196,7 +200,8 @@ static uint32_t barriers_before(const struct search *s, const struct touch *befo
     return count;
 }
 
-static uint32_t barriers_after(const struct search *s, uint32_t from, const struct touch *next)
+static uint32_t barriers_after(const struct search *s, uint32_t from,
+                               const struct access_record *next)
 {
     if (!next->another_frame)
         return count_barriers(s, from, next->pass);
@@ -205,7 +210,7 @@ static uint32_t barriers_after(const struct search *s, uint32_t from, const stru
 
 typedef bool prove_fn(const struct search *search, uint32_t barrier);
 
-/* Whether it can be proved for any cell of the barrier. */
+/* Returns true if `proof` succeeds for any subresource of the barrier. */
 static bool prove(const struct rg_plan *plan, const struct rg_compile_params *params,
                   uint32_t barrier, prove_fn *proof)
 {
@@ -235,9 +240,9 @@ static bool depends(const struct search *s, uint32_t barrier)
     uint32_t pass = pass_of(s->plan, barrier);
     if (pass == RG_NONE)
         return false;
-    struct touch before = find_before(s, pass), next = find_next(s, pass);
+    struct access_record before = find_before(s, pass), next = find_next(s, pass);
     return before.found && before.writes && before.access != RG_PRESENT && next.found &&
-           !(next.handed_back && !is_transition(&s->plan->barriers[barrier])) &&
+           !(next.returned && !is_transition(&s->plan->barriers[barrier])) &&
            barriers_before(s, &before, pass) == 1 && barriers_after(s, pass, &next) == 1;
 }
 
@@ -254,7 +259,7 @@ bool damage_proof_depends(const struct rg_plan *plan, const struct rg_compile_pa
     return prove(plan, params, barrier, in_frame ? depends_in_frame : depends);
 }
 
-/* A barrier on the cell in the batches of passes `first` to `last`, or NULL. */
+/* Returns the first barrier on the subresource in batches `first` to `last`, or NULL. */
 static const struct rg_barrier *first_barrier(const struct search *s, uint32_t first, uint32_t last)
 {
     const struct rg_barrier *found = NULL;
@@ -270,8 +275,8 @@ static const struct rg_barrier *first_barrier(const struct search *s, uint32_t f
     return found;
 }
 
-/* Whether the next barrier or else touch relies on the layout; the barrier is in this pass. */
-static bool is_relied_on(const struct search *s, uint32_t pass, const struct touch *next)
+/* Returns true if the next barrier or access after pass `pass` relies on the current layout. */
+static bool is_layout_used(const struct search *s, uint32_t pass, const struct access_record *next)
 {
     uint32_t last = next->another_frame ? s->plan->pass_count : next->pass;
     const struct rg_barrier *other = first_barrier(s, pass + 1, last);
@@ -286,25 +291,26 @@ static bool gives_layout(const struct search *s, uint32_t barrier)
     uint32_t pass = pass_of(s->plan, barrier);
     if (!is_transition(b) || pass == RG_NONE)
         return false;
-    struct touch next = find_next(s, pass);
-    if (!is_relied_on(s, pass, &next))
+    struct access_record next = find_next(s, pass);
+    if (!is_layout_used(s, pass, &next))
         return false;
     if (b->old_layout != VK_IMAGE_LAYOUT_UNDEFINED)
         return true;
-    /* in the first frame there is no layout yet */
-    struct touch before = find_before(s, pass);
+    /* in the first frame the image is still in layout UNDEFINED */
+    struct access_record before = find_before(s, pass);
     return (!before.found || before.another_frame) && !is_persistent(s) && !import_of(s) &&
-           barriers_before(s, &(struct touch){ .another_frame = true, .pass = s->plan->pass_count },
-                           pass) == 1;
+           barriers_before(
+               s, &(struct access_record){ .another_frame = true, .pass = s->plan->pass_count },
+               pass) == 1;
 }
 
-/* A read before and a write after, and no other barrier of any resource between them. */
+/* Returns true if the barrier is the only one of any resource between a read and a later write. */
 static bool orders(const struct search *s, uint32_t barrier)
 {
     uint32_t pass = pass_of(s->plan, barrier), between = 0;
     if (pass == RG_NONE)
         return false;
-    struct touch before = find_before(s, pass), next = find_next(s, pass);
+    struct access_record before = find_before(s, pass), next = find_next(s, pass);
     if (!before.found || before.another_frame || !next.found || !next.writes ||
         next.another_frame || next.pass == s->plan->pass_count)
         return false;
@@ -321,7 +327,7 @@ bool damage_proof_orders(const struct rg_plan *plan, const struct rg_compile_par
 
 static bool gives_layout_to_pass(const struct search *s, uint32_t barrier)
 {
-    struct touch next = find_next(s, pass_of(s->plan, barrier));
+    struct access_record next = find_next(s, pass_of(s->plan, barrier));
     return gives_layout(s, barrier) && next.pass < s->plan->pass_count && !next.another_frame;
 }
 
@@ -336,7 +342,7 @@ static bool makes_visible(const struct search *s, uint32_t barrier)
     uint32_t pass = pass_of(s->plan, barrier);
     if (pass == RG_NONE)
         return false;
-    struct touch next = find_next(s, pass);
+    struct access_record next = find_next(s, pass);
     return next.found && !next.another_frame && next.access != RG_PRESENT &&
            barriers_after(s, pass, &next) == 1 &&
            (is_transition(&s->plan->barriers[barrier]) || depends(s, barrier));
@@ -366,10 +372,10 @@ bool damage_proof_content(const struct rg_plan *plan, const struct rg_compile_pa
 
 static bool is_needed_first(const struct search *s, uint32_t barrier)
 {
-    struct touch touch = find_next(s, 0);
-    const struct rg_barrier *first = first_barrier(s, 0, touch.pass);
+    struct access_record access_record = find_next(s, 0);
+    const struct rg_barrier *first = first_barrier(s, 0, access_record.pass);
     if (!first)
-        return touch.found;
+        return access_record.found;
     return is_transition(&s->plan->barriers[barrier]) &&
            first->old_layout != VK_IMAGE_LAYOUT_UNDEFINED;
 }

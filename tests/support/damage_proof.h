@@ -1,5 +1,5 @@
 /*
- * damage_proof.h: decides whether a plan needs one of its barriers or stores, and why.
+ * damage_proof.h: proves that a plan needs one of its barriers or stores, for mutation testing.
  *
  * It examines only the accesses just before and just after to one mip, layer and aspect of an
  * image, or to a buffer. A barrier or store that it finds necessary is necessary in any plan with
@@ -13,37 +13,39 @@
 
 #include "graph/rg.h"
 
-/* Barriers are named by index; initial ones only where that is said. */
+/* Barriers are given by index; initial barriers only where the comment says so. */
 
-/* What comes after a write sees it through it alone; `in_frame`: both are passes of one frame. */
+/* Returns true if the barrier is the only memory dependency between a write and the next access;
+ * with `in_frame`, both must be passes of one frame. */
 bool damage_proof_depends(const struct rg_plan *plan, const struct rg_compile_params *params,
                           uint32_t barrier, bool in_frame);
 
-/* A write after waits for a read before through it alone. */
+/* Returns true if the barrier alone orders a write after an earlier read (WAR). */
 bool damage_proof_orders(const struct rg_plan *plan, const struct rg_compile_params *params,
                          uint32_t barrier);
 
-/* What comes after it needs the layout that it gives; `in_frame`: and that is a pass. */
+/* Returns true if the next access needs the layout that the barrier transitions to; with
+ * `in_frame`, that access must be a pass. */
 bool damage_proof_layout(const struct rg_plan *plan, const struct rg_compile_params *params,
                          uint32_t barrier, bool in_frame);
 
-/* What comes after it, in this frame, sees content or a layout through it alone. */
+/* Returns true if the next access in this frame needs the barrier for visibility or layout. */
 bool damage_proof_visible(const struct rg_plan *plan, const struct rg_compile_params *params,
                           uint32_t barrier);
 
-/* Somebody needs the content that it keeps. */
+/* Returns true if a later access needs the image content that the barrier preserves. */
 bool damage_proof_content(const struct rg_plan *plan, const struct rg_compile_params *params,
                           uint32_t barrier);
 
-/* The first frame needs this initial barrier. */
+/* Returns true if the first frame needs this initial barrier. */
 bool damage_proof_initial(const struct rg_plan *plan, const struct rg_compile_params *params,
                           uint32_t barrier);
 
-/* Somebody needs what this pass stores in this target. */
+/* Returns true if a later access needs what this pass stores to `target`. */
 bool damage_proof_store(const struct rg_plan *plan, const struct rg_compile_params *params,
                         uint32_t pass, const struct rg_plan_target *target);
 
-/* Usages that its passes and output need. */
+/* Returns the usage flags that the passes and outputs of an image or buffer require. */
 VkImageUsageFlags damage_proof_image_usage(const struct rg_plan *plan,
                                            const struct rg_compile_params *params, uint32_t image);
 VkBufferUsageFlags damage_proof_buffer_usage(const struct rg_plan *plan,

@@ -1,4 +1,4 @@
-/* draco_file.cpp: see draco_file.h. */
+/* draco_file.cpp: Draco mesh compression behind a C interface. */
 #include <cstring>
 #include <draco/compression/encode.h>
 extern "C" {

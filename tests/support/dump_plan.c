@@ -1,4 +1,4 @@
-/* dump_plan.c: a plan made by hand with one of everything. */
+/* dump_plan.c: a hand-written plan with every construct that dumps can contain. */
 #include "tests/support/dump_plan.h"
 
 #include <string.h>
@@ -31,11 +31,11 @@ const char *const dump_plan_awkward_names[DUMP_PLAN_NAMES] = {
     "]]></script></style></title>",
     "line\nfeed\r\ttab",
     "controls \x01\x1f\x7f\xc2\x85",
-    "\xe6\xb0\xb7 \xf0\x9f\xa7\x8a", /* ice, twice */
-    "\xff broken \xc3(",             /* a stray byte; a letter cut short */
-    /* a surrogate, a number too high, three written too long */
+    "\xe6\xb0\xb7 \xf0\x9f\xa7\x8a", /* the ideograph for ice, and an emoji of an ice cube */
+    "\xff broken \xc3(",             /* a stray byte, and a truncated sequence */
+    /* invalid UTF-8: a surrogate, a code point above U+10FFFF, three overlong encodings */
     "\xed\xa0\x80 \xf4\x90\x80\x80 \xc0\xaf \xe0\x80\xaf \xf0\x80\x80\xaf",
-    "\xef\xbf\xbe \xef\xbf\xbf", /* no characters */
+    "\xef\xbf\xbe \xef\xbf\xbf", /* the noncharacters U+FFFE and U+FFFF */
     "",
     "%s%n",
     "--><!--",
@@ -58,7 +58,7 @@ static const struct rg_use uses[] = {
     { .access = RG_UNIFORM, .binding = 7 },
     { .access = RG_STORAGE_READ_WRITE, .element = 2, .texels = true },
     { .access = RG_COPY_SRC },
-    { .access = RG_COPY_DST, .binding = 99 }, /* no descriptor: not shown */
+    { .access = RG_COPY_DST, .binding = 99 }, /* copies have no descriptor to dump */
 };
 
 static const struct rg_set own = { "own" };
@@ -105,7 +105,7 @@ static const struct rg_barrier barriers[] = {
         .src_access = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
         .dst_stages = VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
                       VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
-        .dst_access = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | 1ull << 60, /* no name */
+        .dst_access = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | 1ull << 60, /* unnamed */
         .old_layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
         .new_layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL,
         .range = { VK_IMAGE_ASPECT_STENCIL_BIT, 0, 1, 0, 1 },
@@ -239,7 +239,7 @@ static void init_plan(struct rg_plan *plan)
         .pass_count = DUMP_PLAN_PASSES,
         .image_count = DUMP_PLAN_IMAGES,
         .buffer_count = DUMP_PLAN_BUFFERS,
-        .barrier_count = sizeof(barriers) / sizeof(barriers[0]) - 1, /* one is initial */
+        .barrier_count = sizeof(barriers) / sizeof(barriers[0]) - 1, /* the last is initial */
         .use_count = sizeof(plan_uses) / sizeof(plan_uses[0]),
         .block_count = sizeof(blocks) / sizeof(blocks[0]),
         .culled_count = 2,

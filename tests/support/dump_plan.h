@@ -1,6 +1,4 @@
-/*
- * dump_plan.h: plans made by hand with one of everything that dumps can contain, and with faults.
- */
+/* dump_plan.h: hand-written plans for tests of dumps: one with every construct, one with faults. */
 #ifndef TESTS_DUMP_PLAN_H
 #define TESTS_DUMP_PLAN_H
 
@@ -14,12 +12,12 @@ enum {
     DUMP_PLAN_NAMES = DUMP_PLAN_IMAGES + DUMP_PLAN_BUFFERS + DUMP_PLAN_PASSES,
 };
 
-/* Of images, buffers, passes; the second are hard to write in any format. */
+/* Names of images, buffers, passes, in this order; awkward ones need escaping or are invalid. */
 extern const char *const dump_plan_names[DUMP_PLAN_NAMES];
 extern const char *const dump_plan_awkward_names[DUMP_PLAN_NAMES];
 
 struct dump_plan {
-    struct rg_plan plan; /* points into this object */
+    struct rg_plan plan; /* its arrays are members of this object */
     struct rg_image image_rows[DUMP_PLAN_IMAGES];
     struct rg_buffer buffer_rows[DUMP_PLAN_BUFFERS];
     struct rg_pass pass_rows[DUMP_PLAN_PASSES];
@@ -30,10 +28,10 @@ struct dump_plan {
     struct rg_culled culled[2];
 };
 
-/* Not to be moved after it. */
+/* Fills *plan, which must not be moved afterwards, because it has pointers into itself. */
 void dump_plan_init(struct dump_plan *plan, const char *const names[DUMP_PLAN_NAMES]);
 
-/* Faults, of which one has a technique with an awkward name, and the other no place. */
+/* A plan with two faults: one in a technique with an awkward name, one without a location. */
 extern const struct rg_plan dump_plan_faults;
 
 #endif

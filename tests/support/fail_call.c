@@ -1,14 +1,14 @@
 /*
- * fail_call.c: a library that makes one call fail while an output file is written, or kills the
- * process before that call. It is loaded before the program (LD_PRELOAD).
+ * fail_call.c: LD_PRELOAD library for fault injection into file output: it makes one system call
+ * fail while an output file is written, or kills the process before that call.
  *
- * FAIL_AT: which of the calls for temporaries, from 1: openat, write, fsync, close, renameat,
- *          unlinkat, and fsync of the folder.
- * FAIL_HOW: "full" (ENOSPC), "broken" (EIO), "short" (a write of one byte, then ENOSPC), "kill".
+ * FAIL_AT: number of the call for temporary files that fails, from 1; counted are openat, write,
+ * fsync, close, renameat, unlinkat, and fsync of the folder.
+ * FAIL_HOW: "full" (ENOSPC), "broken" (EIO), "short" (writes one byte, then ENOSPC), "kill".
  * It prints the failed call to stderr: "fail_call: write".
  */
-#define _GNU_SOURCE      /* RTLD_NEXT, openat64 */
-#undef _FILE_OFFSET_BITS /* which would make one of openat and openat64 */
+#define _GNU_SOURCE      /* for RTLD_NEXT and openat64 */
+#undef _FILE_OFFSET_BITS /* which would make openat an alias of openat64 */
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -20,9 +20,9 @@
 #include <string.h>
 #include <unistd.h>
 
-static int output = -1; /* descriptor of the temporary that is written */
+static int output = -1; /* file descriptor of the temporary file being written */
 static int calls;
-static bool full; /* from now on every write fails */
+static bool full; /* "short": all further writes fail */
 
 static bool is_temporary(const char *name)
 {
@@ -36,14 +36,14 @@ static const char *how(void)
     return text ? text : "";
 }
 
-/* What the program would have called; ISO C knows no cast for it. */
+/* Sets a function pointer to the next definition of `name`; ISO C cannot cast void * to one. */
 static void find(void *function, const char *name)
 {
     void *found = dlsym(RTLD_NEXT, name);
     memcpy(function, &found, sizeof(found));
 }
 
-/* Whether this call is the one; sets errno, or does not return. */
+/* Returns true and sets errno if this call must fail; does not return if it kills the process. */
 static bool fails(const char *call)
 {
     const char *at = getenv("FAIL_AT");
@@ -56,7 +56,7 @@ static bool fails(const char *call)
     return true;
 }
 
-/* NOLINTBEGIN(readability-inconsistent-declaration-parameter-name): the library's are reserved */
+/* NOLINTBEGIN(readability-inconsistent-declaration-parameter-name): libc's names are reserved */
 
 static int open_at(const char *function, int folder, const char *name, int flags, mode_t mode)
 {
@@ -104,7 +104,7 @@ ssize_t write(int file, const void *data, size_t size)
     return full ? next(file, data, 1) : -1;
 }
 
-/* Of the temporary, and of any folder: nothing else is synchronised. */
+/* Counts every fsync: the program synchronises only the temporary file and its folder. */
 int fsync(int file)
 {
     int (*next)(int);

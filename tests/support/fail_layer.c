@@ -1,12 +1,12 @@
 /*
- * fail_layer.c: a Vulkan layer, VK_LAYER_FIRN_fail, that counts calls and makes some of them fail,
- * as if the device were lost or out of memory.
+ * fail_layer.c: VK_LAYER_FIRN_fail, a Vulkan layer for fault injection: it counts calls and makes
+ * one fail, as if the device were lost or out of memory.
  *
- * FAIL_COUNT:  a file that receives "vkCreateImage 34", a line for each command, when an instance
- *              is destroyed.
- * FAIL_CALL:   the command that fails, "vkCreateImage".
- * FAIL_AT:     which of its calls fails, from 1; each instance counts from 1.
- * FAIL_RESULT: the VkResult that it returns, "-4".
+ * FAIL_COUNT: file to which a line for each command, "vkCreateImage 34", is written when an
+ * instance is destroyed.
+ * FAIL_CALL: the command that fails, "vkCreateImage".
+ * FAIL_AT: number of the call that fails, from 1; each instance counts from 1.
+ * FAIL_RESULT: the VkResult that the failed call returns, "-4".
  *
  * It prints the failed call to stderr: "fail_layer: vkCreateImage 3". A failed call does nothing
  * and writes invalid handles to its outputs, as Vulkan allows. A lost device stays lost: all later
@@ -23,8 +23,8 @@
 
 /* clang-format off */
 
-/* Name, what describes the handle, the handle's type. */
-#define MAKERS(row) \
+/* Device functions that create one handle: name, create-info type, handle type. */
+#define CREATE_FUNCTIONS(row) \
     row(AllocateMemory, VkMemoryAllocateInfo, VkDeviceMemory) \
     row(CreateBuffer, VkBufferCreateInfo, VkBuffer) \
     row(CreateCommandPool, VkCommandPoolCreateInfo, VkCommandPool) \
@@ -44,10 +44,10 @@
     row(CreateShaderModule, VkShaderModuleCreateInfo, VkShaderModule) \
     row(CreateSwapchainKHR, VkSwapchainCreateInfoKHR, VkSwapchainKHR)
 
-/* Name, parameters, arguments, what a failed call leaves. */
-#define OTHERS(row) \
+/* Other device functions: name, parameters, arguments, outputs to overwrite when the call fails. */
+#define DEVICE_FUNCTIONS(row) \
     row(AcquireNextImageKHR, (VkDevice d, VkSwapchainKHR s, uint64_t t, VkSemaphore m, VkFence f, \
-        uint32_t *out), (d, s, t, m, f, out), SPOIL(out)) \
+        uint32_t *out), (d, s, t, m, f, out), CLOBBER(out)) \
     row(AllocateCommandBuffers, (VkDevice d, const VkCommandBufferAllocateInfo *i, \
         VkCommandBuffer *out), (d, i, out), memset(out, 0, i->commandBufferCount * sizeof(*out))) \
     row(AllocateDescriptorSets, (VkDevice d, const VkDescriptorSetAllocateInfo *i, \
@@ -68,18 +68,18 @@
     row(FlushMappedMemoryRanges, (VkDevice d, uint32_t n, const VkMappedMemoryRange *r), \
         (d, n, r), ) \
     row(GetMemoryHostPointerPropertiesEXT, (VkDevice d, VkExternalMemoryHandleTypeFlagBits h, \
-        const void *m, VkMemoryHostPointerPropertiesEXT *out), (d, h, m, out), SPOIL(out)) \
+        const void *m, VkMemoryHostPointerPropertiesEXT *out), (d, h, m, out), CLOBBER(out)) \
     row(GetPipelineCacheData, (VkDevice d, VkPipelineCache c, size_t *n, void *out), \
-        (d, c, n, out), SPOIL(n)) \
+        (d, c, n, out), CLOBBER(n)) \
     row(GetQueryPoolResults, (VkDevice d, VkQueryPool p, uint32_t f, uint32_t n, size_t s, \
         void *out, VkDeviceSize t, VkQueryResultFlags w), (d, p, f, n, s, out, t, w), \
         memset(out, 0x5a, s)) \
     row(GetSwapchainImagesKHR, (VkDevice d, VkSwapchainKHR s, uint32_t *n, VkImage *out), \
-        (d, s, n, out), SPOIL(n)) \
+        (d, s, n, out), CLOBBER(n)) \
     row(InvalidateMappedMemoryRanges, (VkDevice d, uint32_t n, const VkMappedMemoryRange *r), \
         (d, n, r), ) \
     row(MapMemory, (VkDevice d, VkDeviceMemory m, VkDeviceSize o, VkDeviceSize s, \
-        VkMemoryMapFlags f, void **out), (d, m, o, s, f, out), SPOIL(out)) \
+        VkMemoryMapFlags f, void **out), (d, m, o, s, f, out), CLOBBER(out)) \
     row(QueuePresentKHR, (VkQueue q, const VkPresentInfoKHR *i), (q, i), ) \
     row(QueueSubmit2, (VkQueue q, uint32_t n, const VkSubmitInfo2 *i, VkFence f), (q, n, i, f), ) \
     row(QueueWaitIdle, (VkQueue q), (q), ) \
@@ -89,34 +89,34 @@
     row(WaitForFences, (VkDevice d, uint32_t n, const VkFence *f, VkBool32 a, uint64_t t), \
         (d, n, f, a, t), )
 
-/* The same, of an instance. */
-#define INSTANCE(row) \
+/* Instance functions: name, parameters, arguments, outputs to overwrite when the call fails. */
+#define INSTANCE_FUNCTIONS(row) \
     row(EnumerateDeviceExtensionProperties, (VkPhysicalDevice p, const char *l, uint32_t *n, \
-        VkExtensionProperties *out), (p, l, n, out), SPOIL(n)) \
+        VkExtensionProperties *out), (p, l, n, out), CLOBBER(n)) \
     row(EnumeratePhysicalDevices, (VkInstance v, uint32_t *n, VkPhysicalDevice *out), \
-        (v, n, out), SPOIL(n)) \
+        (v, n, out), CLOBBER(n)) \
     row(GetPhysicalDeviceImageFormatProperties, (VkPhysicalDevice p, VkFormat f, VkImageType t, \
         VkImageTiling l, VkImageUsageFlags u, VkImageCreateFlags g, \
-        VkImageFormatProperties *out), (p, f, t, l, u, g, out), SPOIL(out)) \
+        VkImageFormatProperties *out), (p, f, t, l, u, g, out), CLOBBER(out)) \
     row(GetPhysicalDeviceImageFormatProperties2, (VkPhysicalDevice p, \
         const VkPhysicalDeviceImageFormatInfo2 *i, VkImageFormatProperties2 *out), (p, i, out), ) \
     row(GetPhysicalDeviceSurfaceCapabilitiesKHR, (VkPhysicalDevice p, VkSurfaceKHR s, \
-        VkSurfaceCapabilitiesKHR *out), (p, s, out), SPOIL(out)) \
+        VkSurfaceCapabilitiesKHR *out), (p, s, out), CLOBBER(out)) \
     row(GetPhysicalDeviceSurfaceFormatsKHR, (VkPhysicalDevice p, VkSurfaceKHR s, uint32_t *n, \
-        VkSurfaceFormatKHR *out), (p, s, n, out), SPOIL(n)) \
+        VkSurfaceFormatKHR *out), (p, s, n, out), CLOBBER(n)) \
     row(GetPhysicalDeviceSurfacePresentModesKHR, (VkPhysicalDevice p, VkSurfaceKHR s, \
-        uint32_t *n, VkPresentModeKHR *out), (p, s, n, out), SPOIL(n))
+        uint32_t *n, VkPresentModeKHR *out), (p, s, n, out), CLOBBER(n))
 
 /* clang-format on */
 
-#define SPOIL(out) memset((out), 0x5a, sizeof(*(out)))
+#define CLOBBER(out) memset((out), 0x5a, sizeof(*(out)))
 
 /* clang-format off */
 enum call {
     CALL_CREATE_INSTANCE,
     CALL_CREATE_DEVICE,
 #define ROW(name, ...) CALL_##name,
-    MAKERS(ROW) OTHERS(ROW) INSTANCE(ROW)
+    CREATE_FUNCTIONS(ROW) DEVICE_FUNCTIONS(ROW) INSTANCE_FUNCTIONS(ROW)
 #undef ROW
     CALL_COUNT
 };
@@ -125,7 +125,7 @@ static const char *const names[] = {
     [CALL_CREATE_INSTANCE] = "vkCreateInstance",
     [CALL_CREATE_DEVICE] = "vkCreateDevice",
 #define ROW(name, ...) [CALL_##name] = "vk" #name,
-    MAKERS(ROW) OTHERS(ROW) INSTANCE(ROW)
+    CREATE_FUNCTIONS(ROW) DEVICE_FUNCTIONS(ROW) INSTANCE_FUNCTIONS(ROW)
 #undef ROW
 };
 /* clang-format on */
@@ -137,19 +137,19 @@ static VkDevice device;
 static PFN_vkGetInstanceProcAddr next_instance;
 static PFN_vkGetDeviceProcAddr next_device;
 
-/* What of the layers and the driver below is called; NULL: they do not have it. */
+/* Functions of the next layer or the driver; NULL if it does not have them. */
 static struct {
 #define ROW(name, ...) PFN_vk##name name;
-    MAKERS(ROW)
-    OTHERS(ROW)
-    INSTANCE(ROW)
+    CREATE_FUNCTIONS(ROW)
+    DEVICE_FUNCTIONS(ROW)
+    INSTANCE_FUNCTIONS(ROW)
 #undef ROW
     PFN_vkDestroyDevice destroy_device;
     PFN_vkDestroyInstance destroy_instance;
 } next;
 
-/* Whatever may return VK_ERROR_DEVICE_LOST once it is. */
-static bool says_lost(enum call call)
+/* Returns true if the function may return VK_ERROR_DEVICE_LOST. */
+static bool reports_lost(enum call call)
 {
     return call == CALL_AcquireNextImageKHR || call == CALL_CreateSwapchainKHR ||
            call == CALL_DeviceWaitIdle || call == CALL_GetQueryPoolResults ||
@@ -157,14 +157,14 @@ static bool says_lost(enum call call)
            call == CALL_QueueWaitIdle || call == CALL_WaitForFences;
 }
 
-/* What the call is to return instead of doing its work; VK_SUCCESS: it does. */
+/* Returns the error that the call must return at once; VK_SUCCESS to call the next layer. */
 static VkResult fails(enum call call)
 {
     const char *wanted = getenv("FAIL_CALL");
     const char *at = getenv("FAIL_AT");
     const char *result = getenv("FAIL_RESULT");
     counts[call]++;
-    if (lost && says_lost(call))
+    if (lost && reports_lost(call))
         return VK_ERROR_DEVICE_LOST;
     if (!wanted || !at || !result || strcmp(wanted, names[call]) != 0 ||
         strtoul(at, NULL, 10) != counts[call])
@@ -173,12 +173,12 @@ static VkResult fails(enum call call)
     const VkResult failure = (VkResult)strtol(result, NULL, 10);
     if (failure == VK_ERROR_DEVICE_LOST && device) {
         lost = true;
-        (void)next.DeviceWaitIdle(device); /* what is lost does not run on */
+        (void)next.DeviceWaitIdle(device); /* lost devices execute nothing further */
     }
     return failure;
 }
 
-/* NOLINTBEGIN(bugprone-macro-parentheses,readability-*): as Vulkan has them */
+/* NOLINTBEGIN(bugprone-macro-parentheses,readability-*): Vulkan's names, types as parameters */
 
 #define MAKER(name, info, handle) \
     static VKAPI_ATTR VkResult VKAPI_CALL name(VkDevice d, const info *i, \
@@ -187,22 +187,22 @@ static VkResult fails(enum call call)
         const VkResult failure = fails(CALL_##name); \
         if (failure == VK_SUCCESS) \
             return next.name(d, i, a, out); \
-        SPOIL(out); \
+        CLOBBER(out); \
         return failure; \
     }
-MAKERS(MAKER)
+CREATE_FUNCTIONS(MAKER)
 
-#define OTHER(name, parameters, arguments, spoil) \
+#define OTHER(name, parameters, arguments, clobber) \
     static VKAPI_ATTR VkResult VKAPI_CALL name parameters \
     { \
         const VkResult failure = fails(CALL_##name); \
         if (failure == VK_SUCCESS) \
             return next.name arguments; \
-        spoil; \
+        clobber; \
         return failure; \
     }
-OTHERS(OTHER)
-INSTANCE(OTHER)
+DEVICE_FUNCTIONS(OTHER)
+INSTANCE_FUNCTIONS(OTHER)
 
 static void write_counts(void)
 {
@@ -216,7 +216,7 @@ static void write_counts(void)
         fclose(file);
 }
 
-/* ---- the chain ---- */
+/* ---- layer chain: instance and device creation, function lookup ---- */
 
 static VKAPI_ATTR void VKAPI_CALL destroy_instance(VkInstance old, const VkAllocationCallbacks *a)
 {
@@ -229,10 +229,10 @@ static VKAPI_ATTR void VKAPI_CALL destroy_device(VkDevice old, const VkAllocatio
 {
     next.destroy_device(old, a);
     device = VK_NULL_HANDLE;
-    lost = false; /* the next one is another */
+    lost = false; /* a new device is not lost */
 }
 
-/* The loader's place for what is below, in a chain that is const to programs. */
+/* Finds the loader's link to the next layer in a pNext chain; the union casts const away. */
 #define FIND_LINK(link, info, info_type, create_type) \
     do { \
         union { \
@@ -265,7 +265,7 @@ static VKAPI_ATTR VkResult VKAPI_CALL create_instance(const VkInstanceCreateInfo
         return result;
     instance = *out;
 #define ROW(name, ...) next.name = (PFN_vk##name)next_instance(instance, "vk" #name);
-    INSTANCE(ROW)
+    INSTANCE_FUNCTIONS(ROW)
 #undef ROW
     next.destroy_instance = (PFN_vkDestroyInstance)next_instance(instance, "vkDestroyInstance");
     return VK_SUCCESS;
@@ -294,8 +294,8 @@ static VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical,
         return result;
     device = *out;
 #define ROW(name, ...) next.name = (PFN_vk##name)next_device(device, "vk" #name);
-    MAKERS(ROW)
-    OTHERS(ROW)
+    CREATE_FUNCTIONS(ROW)
+    DEVICE_FUNCTIONS(ROW)
 #undef ROW
     next.destroy_device = (PFN_vkDestroyDevice)next_device(device, "vkDestroyDevice");
     return VK_SUCCESS;
@@ -306,8 +306,8 @@ static VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL find_device(VkDevice of, const c
 #define ROW(known, ...) \
     if (next.known && strcmp(name, "vk" #known) == 0) \
         return (PFN_vkVoidFunction)known;
-    MAKERS(ROW)
-    OTHERS(ROW)
+    CREATE_FUNCTIONS(ROW)
+    DEVICE_FUNCTIONS(ROW)
 #undef ROW
     if (strcmp(name, "vkGetDeviceProcAddr") == 0)
         return (PFN_vkVoidFunction)find_device;
@@ -321,7 +321,7 @@ static VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL find_instance(VkInstance of, con
 #define ROW(known, ...) \
     if (next.known && strcmp(name, "vk" #known) == 0) \
         return (PFN_vkVoidFunction)known;
-    INSTANCE(ROW)
+    INSTANCE_FUNCTIONS(ROW)
 #undef ROW
     if (strcmp(name, "vkGetInstanceProcAddr") == 0)
         return (PFN_vkVoidFunction)find_instance;

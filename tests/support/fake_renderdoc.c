@@ -1,6 +1,6 @@
 /*
- * fake_renderdoc.c: a library with RenderDoc's interface, which prints its calls to stderr. It is
- * loaded before the program (LD_PRELOAD).
+ * fake_renderdoc.c: fake of RenderDoc's in-application API, loaded with LD_PRELOAD; it prints its
+ * calls to stderr.
  */
 #include <renderdoc_app.h>
 #include <stdio.h>
@@ -36,7 +36,7 @@ static uint32_t get(uint32_t index, char *path, uint32_t *length,
     return index == 0;
 }
 
-/* the name that programs look for NOLINTBEGIN(readability-identifier-naming) */
+/* NOLINTBEGIN(readability-identifier-naming): the exported name of RenderDoc's API */
 int RENDERDOC_CC RENDERDOC_GetAPI(RENDERDOC_Version version, void **api);
 
 int RENDERDOC_CC RENDERDOC_GetAPI(RENDERDOC_Version version, void **api)

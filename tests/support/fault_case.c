@@ -1,4 +1,4 @@
-/* fault_case.c: see fault_case.h. */
+/* fault_case.c: compiles small graphs with one fault each, and compares the faults reported. */
 #include "tests/support/fault_case.h"
 
 #include <stdio.h>
@@ -19,7 +19,7 @@ static const struct rg_image pixel = {
     .height = 1,
 };
 
-/* The compiler takes a shorter way through accesses that it has met. */
+/* Valid passes before the faulty ones: the compiler has a fast path for accesses seen earlier. */
 static const struct rg_pass good_rows[] = {
     DRAW("fill", .color = RG_TARGETS({ CLEARED(fault_case_picture) })),
     COMPUTE("meet", { .image = &fault_case_picture, .access = RG_SAMPLED },

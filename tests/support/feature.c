@@ -1,4 +1,4 @@
-/* feature.c: the list of the features, and functions that several of them use. */
+/* feature.c: the list of feature graphs, and record functions that they share. */
 #include "tests/support/feature.h"
 
 const struct feature *const feature_list[FEATURE_COUNT] = {

@@ -1,7 +1,7 @@
 /*
- * feature.h: a small graph for each feature of the render graph.
+ * feature.h: one small graph for each feature of the render graph.
  *
- * Two tests use each table: tests/gpu runs it and checks the results, and tests/unit/test_plans.c
+ * Two tests use each graph: tests/gpu runs it and checks the results, and tests/unit/test_plans.c
  * compares its plan with tests/golden/<name>.txt.
  */
 #ifndef TESTS_FEATURE_H
@@ -11,7 +11,7 @@
 #include "tests/support/painted.h"
 
 struct feature {
-    const char *name; /* of the file with its plan */
+    const char *name; /* stem of its plan's file in tests/golden */
     struct run_params params;
 };
 
@@ -21,30 +21,30 @@ enum {
 
 extern const struct feature *const feature_list[FEATURE_COUNT];
 
-/* ---- what several use ---- */
+/* ---- shared by several features ---- */
 
 enum {
-    FEATURE_SIZE = 8, /* texels: width and height of the view */
+    FEATURE_SIZE = 8, /* width and height of the view, pixels */
     FEATURE_TEXELS = FEATURE_SIZE * FEATURE_SIZE,
 };
 
-/* Of the shaders that number texels: a struct data_seed, written before each frame. */
+/* Uniform buffer with a struct data_seed for shaders that number texels; written in each frame. */
 extern const struct rg_buffer feature_seed;
 #define FEATURE_SEED \
     { \
         .buffer = &feature_seed, .access = RG_UNIFORM, .binding = DATA_SEED \
     }
 
-/* One number a texel, to be read back. */
+/* A readback buffer with one uint32_t per texel. */
 #define FEATURE_NUMBERS(title) \
     { \
         .name = (title), .size_per_texel = sizeof(uint32_t), .memory = RG_MEMORY_READBACK \
     }
 
-rg_record_fn feature_record_texels; /* a workgroup for each DATA_GROUP x DATA_GROUP texels */
-rg_record_fn feature_record_copy;   /* the row's first buffer to its second one */
+rg_record_fn feature_record_texels; /* one group per DATA_GROUP x DATA_GROUP texels */
+rg_record_fn feature_record_copy;   /* copies the row's first buffer to its second one */
 
-/* A row that does the latter. */
+/* A row that copies one buffer to another. */
 #define FEATURE_COPY(title, from, to) \
     { \
         .name = (title), .kind = RG_TRANSFER, \
@@ -53,7 +53,7 @@ rg_record_fn feature_record_copy;   /* the row's first buffer to its second one 
         .record = feature_record_copy, \
     }
 
-/* What makes a row number an image and a buffer, see fill.comp. */
+/* Fields of a compute row that writes numbers to an image and a buffer, see fill.comp. */
 #define FEATURE_FILL(texels, numbers) FEATURE_FILL_BY(feature_record_texels, texels, numbers)
 #define FEATURE_FILL_BY(record_function, texels, numbers) \
     .kind = RG_COMPUTE, \
@@ -62,7 +62,7 @@ rg_record_fn feature_record_copy;   /* the row's first buffer to its second one 
         { .buffer = &(numbers), .access = RG_STORAGE_WRITE, .binding = DATA_NUMBERS }), \
     .comp = &fill_comp, .record = (record_function)
 
-/* A row that adds an image to a buffer, see add.comp. */
+/* A compute row that adds the texels of an image to a buffer, see add.comp. */
 #define FEATURE_ADD(title, texels, numbers) \
     { \
         .name = (title), .kind = RG_COMPUTE, \
@@ -72,7 +72,7 @@ rg_record_fn feature_record_copy;   /* the row's first buffer to its second one 
         .comp = &add_comp, .record = feature_record_texels, \
     }
 
-/* ---- feature_history.c: persistent images: added to, of the frame before, depth, parts ---- */
+/* ---- feature_history.c: persistent images: sums, previous frame, depth, layers, mips ---- */
 
 extern const struct feature feature_history;
 
@@ -90,17 +90,17 @@ enum {
     HISTORY_BEFORE_OUT,
     HISTORY_DEPTH_OUT,
     HISTORY_NEAREST_OUT,
-    HISTORY_LAYERS_OUT, /* of HISTORY_SIDE texels a side */
-    HISTORY_MIPS_OUT,   /* and on: one a mip, the first of HISTORY_SIDE texels a side */
+    HISTORY_LAYERS_OUT, /* each layer is HISTORY_SIDE texels wide */
+    HISTORY_MIPS_OUT,   /* one output per mip; mip 0 is HISTORY_SIDE texels wide */
 
     HISTORY_SIDE = 4,
     HISTORY_LAYER_COUNT = 3,
     HISTORY_MIP_COUNT = 3,
 };
 
-/* The same of buffers: numbers added to each frame, bytes of the frame before. */
+/* Persistent buffers: a running total of each frame's numbers, and bytes of the previous frame. */
 extern const struct feature feature_history_buffers;
-extern const struct rg_buffer feature_history_bytes_in; /* what the next frame finds */
+extern const struct rg_buffer feature_history_bytes_in; /* content of the next frame's bytes */
 
 enum {
     HISTORY_TOTAL_OUT,
@@ -109,7 +109,7 @@ enum {
     HISTORY_BYTES = 6,
 };
 
-/* ---- feature_when.c: rows that run only in frames that want it ---- */
+/* ---- feature_when.c: conditional rows, which run only in some frames ---- */
 
 extern const struct feature feature_when;
 
@@ -130,17 +130,17 @@ enum {
     WHEN_LIST_OUT,
 
     WHEN_LAYER_COUNT = 2,
-    WHEN_PASS_COUNT = 5 + WHEN_LAYER_COUNT, /* that are asked */
+    WHEN_PASS_COUNT = 5 + WHEN_LAYER_COUNT, /* passes whose condition is evaluated */
 };
 
-/* ---- feature_repeat.c: a row for every layer, or every mip ---- */
+/* ---- feature_repeat.c: rows repeated for every layer or mip ---- */
 
 extern const struct feature feature_per_layer;
 
 enum {
     PER_LAYER_CUBE_OUT,
     PER_LAYER_COPY_OUT,
-    PER_LAYER_SEEN_OUT, /* one texel a face */
+    PER_LAYER_SEEN_OUT, /* one texel per cube face */
 
     PER_LAYER_SIDE = 3,
 };
@@ -154,10 +154,10 @@ enum {
     PER_MIP_TO_1_OUT,
 };
 
-/* ---- feature_samples.c: several samples a texel ---- */
+/* ---- feature_samples.c: multisampling ---- */
 
-/* Resolved: a triangle, into a mip of one layer and of another, per layer, of one target of two,
- * history, integers. */
+/* Multisample resolves: into a mip of one layer and of another, per layer, of one of two targets,
+ * of a persistent image, of integers. */
 extern const struct feature feature_resolve;
 extern const struct rg_image feature_resolve_part, feature_resolve_layers;
 
@@ -172,7 +172,7 @@ enum {
     RESOLVE_PAINT_COUNT,
 
     RESOLVE_TRIANGLE_OUT = 0,
-    RESOLVE_PART_OUT, /* of half the view; two layers */
+    RESOLVE_PART_OUT, /* half of the view's extent, two layers */
     RESOLVE_LAYERS_OUT,
     RESOLVE_SECOND_OUT,
     RESOLVE_KEPT_OUT,
@@ -181,7 +181,7 @@ enum {
     RESOLVE_LAYER_COUNT = 3,
 };
 
-/* Fetched one by one: colour and depth. */
+/* Shaders that fetch single samples: of colour and depth. */
 extern const struct feature feature_samples;
 
 enum {
@@ -192,9 +192,9 @@ enum {
     SAMPLES_DEPTH_OUT,
 };
 
-/* ---- feature_resources.c: other resources ---- */
+/* ---- feature_resources.c: 3D images, descriptor arrays, indirect counts ---- */
 
-/* An image of three dimensions: stored mip by mip, sampled, copied. */
+/* A 3D image: written mip by mip, sampled, copied. */
 extern const struct feature feature_volume;
 
 enum {
@@ -204,7 +204,7 @@ enum {
     VOLUME_DEPTH = 4,
 };
 
-/* An array of descriptors, the last of which is a fallback, and a set of the program's own. */
+/* A descriptor array whose last image has a fallback, and a descriptor set of the application. */
 extern const struct feature feature_array;
 extern const struct rg_set feature_array_set; /* a storage buffer of four numbers */
 
@@ -212,9 +212,9 @@ enum {
     ARRAY_FALLBACK = 7,
 };
 
-/* As many draws as a buffer says, each of which adds 1. */
+/* Indirect draws whose number is read from a buffer; each draw adds 1. */
 extern const struct feature feature_count;
-extern const struct rg_buffer feature_count_commands; /* a struct count_commands, of the CPU */
+extern const struct rg_buffer feature_count_commands; /* a count_commands from the host */
 
 enum {
     COUNT_DRAWN_OUT,
@@ -231,19 +231,19 @@ struct count_commands {
 
 /* ---- feature_structure.c: acceleration structures ---- */
 
-/* Rays along -z, from texels of a unit square, meet a triangle; 1 where they do. */
+/* Traces rays along -z from the texels of a unit square; writes 1 where a ray hits the triangle. */
 extern const struct feature feature_structure;
-extern const struct rg_buffer feature_structure_triangle; /* three vec3s, of the CPU */
+extern const struct rg_buffer feature_structure_triangle; /* three vec3s, written by the host */
 
 enum {
-    STRUCTURE_SIZE = 1 << 16,     /* bytes; enough for each of both, and to build it */
-    STRUCTURE_ALIGNMENT = 1 << 8, /* of the scratch memory; no device wants more */
+    STRUCTURE_SIZE = 1 << 16,     /* bytes; enough for the BLAS, the TLAS or the scratch memory */
+    STRUCTURE_ALIGNMENT = 1 << 8, /* of the scratch memory; the largest that devices require */
 };
 
-/* ---- feature_data.c: what is no target ---- */
+/* ---- feature_data.c: resources that are no attachments: storage, indirect, imports ---- */
 
-/* Storage images and buffers, sampled and copied afterwards. */
-extern const struct feature feature_texels; /* a buffer that is sampled */
+/* Storage images and buffers that later rows sample and copy. */
+extern const struct feature feature_texels; /* a sampled texel buffer */
 extern const struct feature feature_storage;
 
 enum {
@@ -252,9 +252,9 @@ enum {
     STORAGE_LIST_OUT,
 };
 
-/* Draws and dispatches as many as a shader has written: 3 * seed vertices or indices. */
+/* Indirect draws and dispatches with counts written by a shader: 3 * seed vertices or indices. */
 extern const struct feature feature_indirect;
-extern const struct rg_vertex_layout feature_indirect_vertices; /* of vec2s in clip space */
+extern const struct rg_vertex_layout feature_indirect_vertices; /* one vec2 in clip space */
 
 enum {
     INDIRECT_NUMBERS_OUT,
@@ -262,7 +262,7 @@ enum {
     INDIRECT_MESH_OUT,
 };
 
-/* Adds to an image and a buffer that come from outside and go back. */
+/* Adds to an imported image and buffer that the application gets back. */
 extern const struct feature feature_imports;
 extern const struct rg_image feature_imports_picture;
 extern const struct rg_buffer feature_imports_totals;
@@ -276,7 +276,7 @@ enum {
     IMPORTS_TOTALS_OUT,
 };
 
-/* Draws to an image whose content does not count and that is shown afterwards. */
+/* Draws to an imported swapchain-like image, without its old content, and presents it. */
 extern const struct feature feature_present;
 extern const struct rg_image feature_present_picture;
 

@@ -1,4 +1,4 @@
-/* feature_data.c: storage, indirect commands, and imports. */
+/* feature_data.c: feature graphs of storage, texel buffers, indirect commands, imports, present. */
 #include "tests/support/feature.h"
 
 static void record_triangles(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -10,8 +10,6 @@ static void record_triangles(struct rg_cmd *cmd, const struct rg_frame *frame)
 static const struct rg_image numbers = { .name = "numbers", .format = VK_FORMAT_R32_UINT };
 static const struct rg_buffer list = { .name = "list", .size_per_texel = sizeof(uint32_t) };
 static const struct rg_buffer numbers_out = FEATURE_NUMBERS("numbers out");
-
-/* ---- storage ---- */
 
 static const struct rg_image next = { .name = "next", .format = VK_FORMAT_R32_UINT };
 static const struct rg_buffer next_out = FEATURE_NUMBERS("next out");
@@ -44,7 +42,7 @@ const struct feature feature_storage = {
     },
 };
 
-/* ---- a buffer of texels ---- */
+/* ---- texel buffers ---- */
 
 static const struct rg_buffer texels = {
     .name = "texels",
@@ -225,7 +223,7 @@ const struct feature feature_imports = {
     },
 };
 
-/* ---- shown ---- */
+/* ---- presenting ---- */
 
 const struct rg_image feature_present_picture = COLOR_IMAGE("picture");
 static const struct rg_buffer picture_out = COLOR_BUFFER("picture out");

@@ -1,7 +1,5 @@
-/* feature_history.c: persistent resources, whose content is kept from frame to frame. */
+/* feature_history.c: feature graphs of persistent resources, which survive from frame to frame. */
 #include "tests/support/feature.h"
-
-/* ---- images ---- */
 
 static const struct rg_image sum = COLOR_IMAGE("sum", .persistent = true);
 static const struct rg_image seen = COLOR_IMAGE("seen");
@@ -97,8 +95,6 @@ const struct feature feature_history = {
     },
 };
 
-/* ---- buffers ---- */
-
 static const struct rg_image texels = { .name = "texels", .format = VK_FORMAT_R32_UINT };
 static const struct rg_buffer scratch = { .name = "scratch", .size_per_texel = sizeof(uint32_t) };
 
@@ -108,7 +104,7 @@ static const struct rg_buffer total = {
     .persistent = true,
 };
 
-/* No multiple of four bytes. */
+/* a size that is not a multiple of four bytes */
 static const struct rg_buffer bytes = {
     .name = "bytes",
     .size = HISTORY_BYTES,

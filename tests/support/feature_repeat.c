@@ -1,4 +1,4 @@
-/* feature_repeat.c: repeated rows. */
+/* feature_repeat.c: feature graphs of rows that are repeated per layer or per mip. */
 #include "tests/support/feature.h"
 
 /* ---- per layer ---- */
@@ -26,7 +26,7 @@ static void record_faces(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_dispatch(cmd, 6, 1, 1);
 }
 
-/* Each face's rectangle is behind the one before: it shows only if the depth is cleared. */
+/* Each face's rectangle is behind the previous one: visible only if depth is cleared per layer. */
 static const struct rg_pass layer_rows[] = {
     {
         .name = "draw",

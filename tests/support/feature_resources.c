@@ -1,7 +1,7 @@
-/* feature_resources.c: images of three dimensions, arrays of descriptors, counted draws. */
+/* feature_resources.c: feature graphs of 3D images, descriptor arrays and indirect counts. */
 #include "tests/support/feature.h"
 
-/* ---- an image of three dimensions ---- */
+/* ---- 3D image ---- */
 
 static const struct rg_image volume = {
     .name = "volume",
@@ -65,7 +65,7 @@ const struct feature feature_volume = {
     },
 };
 
-/* ---- an array of descriptors, and a set of the program's own ---- */
+/* ---- descriptor array, and a descriptor set of the application ---- */
 
 static const struct rg_image first = { .name = "first", .format = VK_FORMAT_R32_UINT };
 static const struct rg_image second = { .name = "second", .format = VK_FORMAT_R32_UINT };
@@ -77,7 +77,7 @@ static const struct rg_buffer sums_out = FEATURE_NUMBERS("sums out");
 
 const struct rg_set feature_array_set = { "factors" };
 
-/* What the frame has for it. */
+/* Binds the frame's descriptor set and dispatches. */
 static void record_sums(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_bind_set(cmd, frame->set);
@@ -120,7 +120,7 @@ const struct feature feature_array = {
     },
 };
 
-/* ---- draws that the device counts ---- */
+/* ---- indirect draws with a count from a buffer ---- */
 
 const struct rg_buffer feature_count_commands = {
     .name = "commands",

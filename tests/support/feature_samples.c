@@ -1,4 +1,4 @@
-/* feature_samples.c: targets of four samples a texel. */
+/* feature_samples.c: feature graphs of multisampled targets, four samples per pixel. */
 #include "tests/support/feature.h"
 
 #define SAMPLES_IMAGE(...) COLOR_IMAGE(__VA_ARGS__, .samples = 4)
@@ -38,7 +38,7 @@ static const struct rg_buffer layers_out = {
     .memory = RG_MEMORY_READBACK,
 };
 
-/* the first of two targets is not resolved, and of no use */
+/* the first of two targets is neither resolved nor read */
 static const struct rg_image first_samples = SAMPLES_IMAGE("samples of first");
 static const struct rg_image second_samples = SAMPLES_IMAGE("samples of second");
 static const struct rg_image second = COLOR_IMAGE("second");
@@ -124,7 +124,7 @@ const struct feature feature_resolve = {
     },
 };
 
-/* ---- fetched ---- */
+/* ---- fetch of single samples ---- */
 
 static const struct rg_image color_sum = COLOR_IMAGE("sum of color");
 static const struct rg_image depth_sum = COLOR_IMAGE("sum of depth");
@@ -139,7 +139,7 @@ static const struct rg_buffer depth_sum_out = COLOR_BUFFER("depth out");
         .record = record_screen, \
     }
 
-/* A triangle that covers everything. */
+/* Draws one triangle that covers the whole view. */
 static void record_screen(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     (void)frame;

@@ -1,4 +1,4 @@
-/* feature_structure.c: an acceleration structure of one triangle, one of one instance, and rays. */
+/* feature_structure.c: feature graph of ray tracing: BLAS of a triangle, TLAS of one instance. */
 #include "tests/support/feature.h"
 
 static const struct rg_buffer lower = { .name = "lower", .size = STRUCTURE_SIZE };
@@ -19,8 +19,6 @@ const struct rg_buffer feature_structure_triangle = {
     .size = 3 * sizeof(vec3s),
     .memory = RG_MEMORY_UPLOAD,
 };
-
-/* ---- builds ---- */
 
 static void build(struct rg_cmd *cmd, VkAccelerationStructureTypeKHR type,
                   const VkAccelerationStructureGeometryKHR *geometry, const struct rg_buffer *to)
@@ -86,8 +84,6 @@ static void record_upper(struct rg_cmd *cmd, const struct rg_frame *frame)
     (void)frame;
     build(cmd, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, &geometry, &upper);
 }
-
-/* ---- rows ---- */
 
 static const struct rg_pass structure_rows[] = {
     {

@@ -1,24 +1,24 @@
-/* feature_when.c: conditional rows. */
+/* feature_when.c: feature graph of conditional rows. */
 #include "tests/support/feature.h"
 
 #define WANTED .when = painted_when
 
-/* captured at times, shown always */
+/* rendered only in some frames, displayed in all */
 static const struct rg_image captured =
     COLOR_IMAGE("captured", .layers = WHEN_LAYER_COUNT, .persistent = true);
 static const struct rg_image shown = COLOR_IMAGE("shown");
 static const struct rg_buffer shown_out = COLOR_BUFFER("shown out");
 
-/* cleared at times, marked always */
+/* cleared only in some frames, added to in all */
 static const struct rg_image board = COLOR_IMAGE("board", .persistent = true);
 static const struct rg_buffer board_out = COLOR_BUFFER("board out");
 
-/* handed from one conditional row to the other */
+/* written by one conditional row, read by another */
 static const struct rg_image link = COLOR_IMAGE("link");
 static const struct rg_image result = COLOR_IMAGE("result", .persistent = true);
 static const struct rg_buffer result_out = COLOR_BUFFER("result out");
 
-/* what is no raster pass */
+/* outputs of copies and compute passes */
 static const struct rg_buffer snapshot = {
     .name = "snapshot",
     .size_per_texel = 4 * sizeof(float),

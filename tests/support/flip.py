@@ -1,25 +1,25 @@
-"""flip.py: FLIP as its papers define it: slow square filters, one pixel after another.
+"""flip.py: reference implementation of the image metric FLIP, with slow non-separable filters.
 
-An independent check of src/metric/flip.c, which filters rows and columns separately and in float.
-Andersson and others: FLIP: A Difference Evaluator for Alternating Images, HPG 2020; Visualizing
-Errors in Rendered High Dynamic Range Images, Eurographics 2021. A picture is a list of rows of
-(red, green, blue), linear.
+An independent check of src/metric/flip.c, which uses separable filters and single precision.
+Andersson et al.: FLIP: A Difference Evaluator for Alternating Images, HPG 2020; Visualizing Errors
+in Rendered High Dynamic Range Images, Eurographics 2021. An image is a list of rows of linear
+(red, green, blue).
 """
 import math
 
 PPD = 0.7 * 3840 / 0.7 * math.pi / 180
-# Rec.709 and D65, as fractions: rows of X, Y and Z.
+# Linear Rec.709 (D65) to CIE XYZ, as exact fractions.
 XYZ = ((10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577794),
        (2613072 / 12288897, 8788810 / 12288897, 887015 / 12288897),
        (1425312 / 73733382, 8788810 / 73733382, 70074185 / 73733382))
-RGB = ((3.241003275, -1.537398934, -0.498615861),  # the inverse
+RGB = ((3.241003275, -1.537398934, -0.498615861),  # CIE XYZ to linear Rec.709
        (-0.969224334, 1.875930071, 0.041554224),
        (0.055639423, -0.204011202, 1.057148933))
 WHITE = tuple(sum(row) for row in XYZ)
 
 
 def decode(encoded):
-    """sRGB to linear"""
+    """Converts an sRGB-encoded value to linear."""
     return encoded / 12.92 if encoded <= 0.04045 else ((encoded + 0.055) / 1.055) ** 2.4
 
 
@@ -61,7 +61,7 @@ def colour_error(distance):
 
 
 def square(radius, weight):
-    """{(x, y): weight}"""
+    """Returns a square filter kernel as {(x, y): weight}."""
     reach = range(-radius, radius + 1)
     return {(x, y): weight(x, y) for y in reach for x in reach}
 
@@ -77,7 +77,7 @@ def sensitivity(gaussians, ppd):
 
 
 def detector(factor, ppd):
-    """factor: of the Gaussian, from x and its deviation, both in pixels"""
+    """Kernel of the edge or point detector: a Gaussian times factor(x, deviation), in pixels."""
     deviation = 0.5 * 0.082 * ppd
     kernel = square(math.ceil(3 * deviation), lambda x, y: factor(x, deviation) * math.exp(
         -(x * x + y * y) / (2 * deviation ** 2)))
@@ -100,7 +100,7 @@ def features(luminance, kernel):
 
 
 def prepare(picture, ppd):
-    """(Hunt's colours after the filters, edges, points)"""
+    """Returns (Hunt-adjusted colours after the CSF filters, edge features, point features)."""
     colours = [[to_opponent(pixel) for pixel in row] for row in picture]
     kernels = (sensitivity([(1, 0.0047)], ppd), sensitivity([(1, 0.0053)], ppd),
                sensitivity([(34.1, 0.04), (13.5, 0.025)], ppd))
@@ -115,7 +115,7 @@ def prepare(picture, ppd):
 
 
 def ldr(reference, test, ppd=PPD):
-    """Rows of errors of two pictures from 0 to 1."""
+    """Returns rows of LDR-FLIP errors of two images with values from 0 to 1."""
     a, b = prepare(reference, ppd), prepare(test, ppd)
 
     def error(y, x):
@@ -150,7 +150,7 @@ def tone(pixel, curve):
 
 
 def bright(curve):
-    """What is shown as 0.85, by bisection."""
+    """Returns the luminance that the tone curve maps to 0.85, by bisection."""
     low, high = 0.0, 100.0
     for _ in range(100):
         middle = (low + high) / 2
@@ -170,7 +170,7 @@ def exposures(reference, curve):
 
 
 def hdr(reference, test, curve='aces', ppd=PPD):
-    """Rows of errors, the greatest of all exposures."""
+    """Returns rows of HDR-FLIP errors: the maximum LDR-FLIP error over all exposures."""
     maps = []
     for stops in exposures(reference, curve):
         shown = [[[tone([2 ** stops * max(value, 0) for value in pixel], curve) for pixel in row]

@@ -1,4 +1,4 @@
-/* folder.c: a folder for each test. */
+/* folder.c: a temporary working directory for each test. */
 #include "tests/support/folder.h"
 #include <dirent.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /*
- * folder.h: set-up and tear-down of tests that run inside a folder of their own, empty at first, as
- * cmocka_unit_test_setup_teardown() takes them.
+ * folder.h: set-up and tear-down for cmocka_unit_test_setup_teardown(): each test runs in a
+ * temporary working directory of its own, empty at first.
  */
 #ifndef TESTS_FOLDER_H
 #define TESTS_FOLDER_H

@@ -1,4 +1,4 @@
-/* gltf_file.c: see gltf_file.h. */
+/* gltf_file.c: builder of small glTF files in static memory, and a loader that captures the log. */
 #include "tests/support/gltf_file.h"
 #include <stdio.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* gltf_file.h: writes small glTF files, m.gltf and m.bin in the current folder, and loads them. */
+/* gltf_file.h: writes and loads small glTF files, m.gltf and m.bin in the working directory. */
 #ifndef TESTS_GLTF_FILE_H
 #define TESTS_GLTF_FILE_H
 
@@ -7,7 +7,7 @@
 #include "src/scene/import/model.h"
 
 enum {
-    GLTF_FILE_SAID = 1024, /* bytes of a loader's messages */
+    GLTF_FILE_SAID = 1024, /* size of the buffer for a loader's log messages */
 };
 
 enum gltf_file_component {
@@ -19,31 +19,31 @@ enum gltf_file_component {
     GLTF_FILE_FLOAT,
 };
 
-/* Forgets all data. Each test begins so. */
+/* Discards all data; every test starts with it. */
 void gltf_file_begin(void);
 
-/* Adds bytes as a buffer view; `extra` continues its JSON, with ' for ": ",'byteStride':12".
- * Returns its index. */
+/* Adds data as a buffer view. `extra` is JSON appended to its members, with ' for ":
+ * ",'byteStride':12". Returns its index. */
 uint32_t gltf_file_view(const void *bytes, size_t size, const char *extra);
 
-/* Adds an accessor of a view, or of none (UINT32_MAX). Returns its index. */
+/* Adds an accessor of a buffer view, or without one (UINT32_MAX). Returns its index. */
 uint32_t gltf_file_accessor(uint32_t view, enum gltf_file_component component, uint32_t count,
                             const char *type, const char *extra);
 
-/* Both: an accessor of a view of its own. */
+/* Adds an accessor together with a buffer view of its own. Returns the accessor's index. */
 uint32_t gltf_file_add(const void *bytes, size_t size, enum gltf_file_component component,
                        uint32_t count, const char *type);
 uint32_t gltf_file_floats(const float *numbers, uint32_t count, const char *type);
 
-/* Writes the files: members of the top, as "'meshes':[...]" with ' for ", after those of the data.
- */
+/* Writes both files. `format` gives the top-level JSON members besides buffers, views and
+ * accessors, as "'meshes':[...]" with ' for ". */
 void gltf_file_write(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Loads m.gltf; what is logged is in `said`. */
+/* Loads m.gltf; `said` receives the log messages. */
 enum status gltf_file_load(struct model *model, char said[static GLTF_FILE_SAID]);
 
-/* Writes and loads a triangle (0 0 0) (1 0 0) (0 1 0) whose material 0, and further members of the
- * top, are given; what is logged is in `said`. */
+/* Writes and loads a triangle (0 0 0) (1 0 0) (0 1 0) with a `material` and `more` top-level
+ * members; `said` receives the log messages. */
 enum status gltf_file_material(struct model *model, const char *material, const char *more,
                                char said[static GLTF_FILE_SAID]);
 

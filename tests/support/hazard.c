@@ -1,4 +1,4 @@
-/* hazard.c: the checker's entry point: validates the plan's structure, then simulates frames. */
+/* hazard.c: entry point of the hazard checker: validates the plan, then simulates frames. */
 #include "tests/support/hazard.h"
 
 #include <stdarg.h>
@@ -8,7 +8,7 @@
 #include "tests/support/hazard_private.h"
 
 enum {
-    REPORTED = 20, /* findings written out */
+    REPORTED = 20, /* findings printed before the report is truncated */
 };
 
 static void write_out(struct hazard *h, const char *format, va_list arguments)
@@ -85,7 +85,7 @@ uint32_t hazard_next_cell(const struct hazard_resource *resource,
         if (both)
             aspect = *index % 2 ? VK_IMAGE_ASPECT_STENCIL_BIT : VK_IMAGE_ASPECT_DEPTH_BIT;
         (*index)++;
-        /* a difference below the base wraps around and is no less than any count */
+        /* unsigned differences: a value below the base wraps around and exceeds every count */
         if (mip - range->baseMipLevel < range->levelCount &&
             layer - range->baseArrayLayer < range->layerCount && (range->aspectMask & aspect))
             return resource->first_cell + *index - 1;
@@ -112,15 +112,15 @@ static void check_image_barrier(struct hazard *h, uint32_t index)
         range->baseMipLevel >= image->mips || range->baseArrayLayer >= image->layers ||
         range->levelCount == 0 || range->levelCount > image->mips - range->baseMipLevel ||
         range->layerCount == 0 || range->layerCount > image->layers - range->baseArrayLayer)
-        hazard_find(h, "barrier %u: range that '%s' does not have", index, name);
+        hazard_find(h, "barrier %u: range outside of '%s'", index, name);
     if (barrier->new_layout == VK_IMAGE_LAYOUT_UNDEFINED)
-        hazard_find(h, "barrier %u: '%s' put into no layout", index, name);
+        hazard_find(h, "barrier %u: '%s' has new layout UNDEFINED", index, name);
     VkImageUsageFlags usage = hazard_layout_usage(barrier->new_layout);
     if (usage && !image->imported && !(usage & image->usage))
         hazard_find(h, "barrier %u: '%s' has no usage for its new layout", index, name);
 }
 
-/* Expands a barrier; false if it names nothing that could be simulated. */
+/* Decodes the masks of a barrier. Returns false if it names no resource of the plan. */
 static bool check_barrier(struct hazard *h, uint32_t index)
 {
     const struct rg_barrier *barrier = &h->plan->barriers[index];
@@ -135,12 +135,12 @@ static bool check_barrier(struct hazard *h, uint32_t index)
     b->later = hazard_later(b->dst);
     if (!hazard_access_fits(b->src, barrier->src_access) ||
         !hazard_access_fits(b->dst, barrier->dst_access))
-        hazard_find(h, "barrier %u: access that its stages cannot do", index);
+        hazard_find(h, "barrier %u: access that its stages do not support", index);
     bool of_image = barrier->image < h->plan->image_count;
     bool of_buffer = barrier->buffer < h->plan->buffer_count;
     if (of_image == of_buffer || (!of_image && barrier->image != RG_NONE) ||
         (!of_buffer && barrier->buffer != RG_NONE)) {
-        hazard_find(h, "barrier %u: not of one resource", index);
+        hazard_find(h, "barrier %u: does not name exactly one resource", index);
         return false;
     }
     if (of_image)
@@ -148,7 +148,7 @@ static bool check_barrier(struct hazard *h, uint32_t index)
     return true;
 }
 
-/* Finds the tables' resource of each of the plan's; false if one has none, or they share one. */
+/* Maps the plan's images and buffers to the tables; returns false unless one to one. */
 static bool map_resources(struct hazard *h)
 {
     const struct rg_plan *plan = h->plan;
@@ -165,7 +165,7 @@ static bool map_resources(struct hazard *h)
     }
     if (mapped == plan->image_count + plan->buffer_count)
         return true;
-    hazard_find(h, "%u images and buffers, but %u of the tables",
+    hazard_find(h, "%u images and buffers, but only %u match the tables",
                 plan->image_count + plan->buffer_count, mapped);
     return false;
 }
@@ -175,7 +175,7 @@ static bool is_batch(const struct rg_plan *plan, uint32_t first, uint32_t count)
     return first <= plan->barrier_count && count <= plan->barrier_count - first;
 }
 
-/* Finds the row and repetition of a pass in the tables, from `from` on. */
+/* Finds the row and repetition of a pass in the tables, starting at index `from`. */
 static uint32_t find_pass(const struct hazard *h, const struct rg_plan_pass *pass, uint32_t from)
 {
     for (uint32_t i = from; i < h->pass_count; i++)
@@ -185,7 +185,8 @@ static uint32_t find_pass(const struct hazard *h, const struct rg_plan_pass *pas
     return RG_NONE;
 }
 
-/* Whether the plan has the rows that outputs need, in order, and culls all others. */
+/* Checks that the plan contains exactly the passes that outputs need, in order. Returns false if it
+ * is too broken to simulate. */
 static bool check_passes(struct hazard *h)
 {
     const struct rg_plan *plan = h->plan;
@@ -202,7 +203,8 @@ static bool check_passes(struct hazard *h)
             return false;
         }
         if (!h->passes[index].useful)
-            hazard_find(h, "'%s'[%u] is not needed, but lives", pass->pass->name, pass->repetition);
+            hazard_find(h, "'%s'[%u] is not needed, but not culled", pass->pass->name,
+                        pass->repetition);
         h->passes[index].lives = true;
         h->plan_passes[i] = index;
         from = index + 1;
@@ -212,15 +214,15 @@ static bool check_passes(struct hazard *h)
             hazard_find(h, "'%s'[%u] is needed, but culled", h->passes[i].pass->name,
                         h->passes[i].repetition);
     if (plan->culled_count != h->pass_count - plan->pass_count)
-        hazard_find(h, "%u passes culled of %u", plan->culled_count, h->pass_count);
+        hazard_find(h, "culled_count is %u of %u passes", plan->culled_count, h->pass_count);
     if (is_batch(plan, plan->first_final_barrier, plan->final_barrier_count) &&
         plan->first_initial_barrier == plan->barrier_count)
         return true;
-    hazard_find(h, "its final barriers are not among its barriers, or the initial ones not behind");
+    hazard_find(h, "final barriers are out of range, or initial ones are not the last");
     return false;
 }
 
-/* How many frames and scenarios show all there is, or are affordable. */
+/* Chooses the numbers of frames and scenarios: exhaustive if affordable, otherwise a sample. */
 static void choose_scenarios(struct hazard *h)
 {
     uint32_t passes = h->plan->pass_count + 1;
@@ -294,7 +296,7 @@ uint32_t hazard_check(const struct rg_plan *plan, const struct rg_compile_params
 {
     struct hazard h = { .plan = plan, .params = params, .report = report };
     if (plan->fault_count)
-        hazard_find(&h, "it has faults");
+        hazard_find(&h, "the plan has faults");
     else
         run(&h);
     finish(&h);

@@ -1,23 +1,26 @@
 /*
- * The fewest batches that the tables' accesses need where no memory is shared: each change of a
- * cell's use must be stabbed by a batch between the pass before and the pass after it.
+ * hazard_batches.c: lower bound of barrier batches, without memory aliasing.
+ *
+ * Each change of a subresource's use needs a barrier in some batch between its previous pass and
+ * its next pass. The fewest batches are a minimum set of points that stabs all these intervals:
+ * greedy by interval end.
  */
 #include "tests/support/hazard_private.h"
 
 #include <stdlib.h>
 
-/* Batches `first` to `last` can hold the barrier; that before pass p is number p, then the end. */
+/* Batches `first` to `last` that may contain a barrier; batch p precedes pass p. */
 struct interval {
     uint32_t first, last;
 };
 
-/* What a cell is used for between two barriers. */
-struct stay {
+/* State of a subresource between two barriers: its accesses so far. */
+struct state {
     bool any, writes;
-    enum rg_access access; /* the last one */
+    enum rg_access access; /* the last access */
     VkImageLayout layout;
-    uint32_t stages; /* of all of it */
-    uint32_t last;   /* pass */
+    uint32_t stages; /* stages of all accesses */
+    uint32_t last;   /* index of the last pass */
 };
 
 struct intervals {
@@ -32,11 +35,11 @@ static void add(struct intervals *intervals, uint32_t first, uint32_t last)
     intervals->array[intervals->count++] = (struct interval){ first, last };
 }
 
-static struct stay stay_of(const struct hazard_resource *resource, enum rg_access access,
-                           uint32_t stages, uint32_t pass)
+static struct state state_of(const struct hazard_resource *resource, enum rg_access access,
+                             uint32_t stages, uint32_t pass)
 {
     const struct hazard_rule *rule = hazard_rule(access);
-    return (struct stay){
+    return (struct state){
         .any = true,
         .writes = rule->writes != 0 || access == RG_PRESENT,
         .access = access,
@@ -46,39 +49,39 @@ static struct stay stay_of(const struct hazard_resource *resource, enum rg_acces
     };
 }
 
-/* Reads of one layout need nothing between them. */
-static bool goes_on(const struct stay *before, const struct stay *after)
+/* Returns true if no barrier is needed: both are reads in the same layout. */
+static bool needs_no_barrier(const struct state *before, const struct state *after)
 {
     return before->any && !before->writes && !after->writes && before->layout == after->layout;
 }
 
-/* The same, if the outside has seen to it; only for such accesses. */
-static bool has_arrived(const struct hazard_resource *resource, const struct stay *stay)
+/* Returns true if an import arrives ready for this read: right layout, stages and access. */
+static bool has_arrived(const struct hazard_resource *resource, const struct state *state)
 {
     if (!resource->import || resource->import->access == RG_ACCESS_NONE)
         return false;
-    struct stay arrival = stay_of(resource, resource->import->access, HAZARD_SHADERS, 0);
-    return goes_on(&arrival, stay) && !(stay->stages & ~arrival.stages) &&
-           hazard_rule(stay->access)->reads == hazard_rule(arrival.access)->reads;
+    struct state arrival = state_of(resource, resource->import->access, HAZARD_SHADERS, 0);
+    return needs_no_barrier(&arrival, state) && !(state->stages & ~arrival.stages) &&
+           hazard_rule(state->access)->reads == hazard_rule(arrival.access)->reads;
 }
 
-/* Whether the first access of a frame needs a barrier; it may come before any pass up to it. */
-static bool begins(const struct hazard_resource *resource, const struct stay *first,
-                   const struct stay *last)
+/* Returns true if the first access of a frame needs a barrier, in any batch up to its pass. */
+static bool begins(const struct hazard_resource *resource, const struct state *first,
+                   const struct state *last)
 {
     if (resource->buffer && resource->buffer->memory != RG_MEMORY_DEVICE)
         return false;
     if (resource->persistent) {
-        struct stay out = *last;
+        struct state out = *last;
         if (resource->output)
-            out = stay_of(resource, resource->output->access, HAZARD_SHADERS, last->last);
-        return !goes_on(&out, first); /* or a barrier of the frame before can have served it */
+            out = state_of(resource, resource->output->access, HAZARD_SHADERS, last->last);
+        return !needs_no_barrier(&out, first); /* false: a barrier of the previous frame suffices */
     }
     return !has_arrived(resource, first);
 }
 
 static void end(struct intervals *intervals, const struct hazard_resource *resource,
-                const struct stay *last, uint32_t pass_count)
+                const struct state *last, uint32_t pass_count)
 {
     enum rg_access access = RG_ACCESS_NONE;
     if (resource->output)
@@ -87,35 +90,35 @@ static void end(struct intervals *intervals, const struct hazard_resource *resou
         access = resource->import->access;
     if (access == RG_ACCESS_NONE)
         return;
-    struct stay out = stay_of(resource, access, HAZARD_SHADERS, pass_count);
+    struct state out = state_of(resource, access, HAZARD_SHADERS, pass_count);
     bool same = !resource->output && last->access == access && last->stages == out.stages;
-    if (!goes_on(last, &out) && !same)
+    if (!needs_no_barrier(last, &out) && !same)
         add(intervals, last->last + 1, pass_count);
 }
 
-/* A cell that comes and goes and that no pass touches. */
+/* Adds the barrier of an imported output that no pass accesses, if its access changes. */
 static void pass_through(struct intervals *intervals, const struct hazard_resource *resource,
                          uint32_t pass_count)
 {
     if (!resource->output || !resource->import)
         return;
-    struct stay out = stay_of(resource, resource->output->access, HAZARD_SHADERS, pass_count);
+    struct state out = state_of(resource, resource->output->access, HAZARD_SHADERS, pass_count);
     if (resource->import->access != resource->output->access && !has_arrived(resource, &out))
         add(intervals, 0, pass_count);
 }
 
-/* Sees one access of a cell. `stays`: of each cell, the first one and the one it is in. */
-static void see(struct intervals *intervals, struct stay stays[2], const struct stay *now)
+/* Adds an access to a subresource. `states`: its first state and its current state. */
+static void add_access(struct intervals *intervals, struct state states[2], const struct state *now)
 {
     uint32_t stages = now->stages;
-    if (!stays[0].any)
-        stays[0] = *now;
-    else if (goes_on(&stays[1], now))
-        stages |= stays[1].stages;
+    if (!states[0].any)
+        states[0] = *now;
+    else if (needs_no_barrier(&states[1], now))
+        stages |= states[1].stages;
     else
-        add(intervals, stays[1].last + 1, now->last);
-    stays[1] = *now;
-    stays[1].stages = stages;
+        add(intervals, states[1].last + 1, now->last);
+    states[1] = *now;
+    states[1].stages = stages;
 }
 
 static int compare(const void *a, const void *b)
@@ -126,7 +129,7 @@ static int compare(const void *a, const void *b)
 
 static uint32_t stab(const struct intervals *intervals)
 {
-    uint32_t count = 0, next = 0; /* no batch from `next` on has been taken yet */
+    uint32_t count = 0, next = 0; /* batches from `next` on are not chosen yet */
     if (intervals->count)
         qsort(intervals->array, intervals->count, sizeof(*intervals->array), compare);
     for (uint32_t i = 0; i < intervals->count; i++)
@@ -141,30 +144,30 @@ uint32_t hazard_batches(const struct hazard *h)
 {
     struct intervals intervals = { 0 };
     uint32_t room = 0;
-    struct stay(*stays)[2] = hazard_grow(NULL, &room, h->cell_count + 1, sizeof(*stays));
+    struct state(*states)[2] = hazard_grow(NULL, &room, h->cell_count + 1, sizeof(*states));
     for (uint32_t p = 0; p < h->plan->pass_count; p++) {
         const struct hazard_pass *pass = &h->passes[h->plan_passes[p]];
         for (uint32_t u = pass->first_use; u < pass->first_use + pass->use_count; u++) {
             const struct hazard_use *use = &h->uses[u];
             const struct hazard_resource *resource = &h->resources[use->resource];
-            struct stay now = stay_of(resource, use->access, use->stages, p);
+            struct state now = state_of(resource, use->access, use->stages, p);
             uint32_t cell;
             for (uint32_t i = 0; (cell = hazard_next_cell(resource, &use->range, &i)) != RG_NONE;)
-                see(&intervals, stays[cell], &now);
+                add_access(&intervals, states[cell], &now);
         }
     }
     for (uint32_t i = 0; i < h->cell_count; i++) {
         const struct hazard_resource *resource = &h->resources[h->cells[i].resource];
-        if (!stays[i][0].any) {
+        if (!states[i][0].any) {
             pass_through(&intervals, resource, h->plan->pass_count);
             continue;
         }
-        if (begins(resource, &stays[i][0], &stays[i][1]))
-            add(&intervals, 0, stays[i][0].last);
-        end(&intervals, resource, &stays[i][1], h->plan->pass_count);
+        if (begins(resource, &states[i][0], &states[i][1]))
+            add(&intervals, 0, states[i][0].last);
+        end(&intervals, resource, &states[i][1], h->plan->pass_count);
     }
     uint32_t count = stab(&intervals);
     free(intervals.array);
-    free(stays);
+    free(states);
     return count;
 }

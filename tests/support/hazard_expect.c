@@ -1,4 +1,4 @@
-/* hazard_expect.c: the expected content before passes and after frames, in each scenario. */
+/* hazard_expect.c: expected content before passes and after frames, in each scenario. */
 #include <string.h>
 
 #include "tests/support/hazard_private.h"
@@ -10,7 +10,7 @@ bool hazard_runs(const struct hazard *h, const struct hazard_pass *pass, uint32_
     uint32_t bit = frame * h->condition_count + pass->condition - 1;
     if (h->every_scenario)
         return h->scenario >> bit & 1;
-    if (h->scenario < 2) /* nothing, then all */
+    if (h->scenario < 2) /* the first two sampled scenarios: all conditions false, then all true */
         return h->scenario == 1;
     uint32_t mixed = (h->scenario * 64 + bit) * UINT32_C(0x9e3779b1);
     mixed = (mixed ^ mixed >> 15) * UINT32_C(0x85ebca77);
@@ -52,7 +52,7 @@ static void expect(struct hazard *h, const struct hazard_use *use, uint32_t fram
         *expected++ = (struct hazard_expected){ h->cells[cell].declared, use->needs_content };
 }
 
-static void give(struct hazard *h, const struct hazard_use *use, uint32_t content)
+static void set_content(struct hazard *h, const struct hazard_use *use, uint32_t content)
 {
     uint32_t cell;
     for (uint32_t i = 0;
@@ -72,7 +72,7 @@ static void read_forward(struct hazard *h, uint32_t frame)
             expect(h, &uses[u], frame);
         for (uint32_t u = 0; u < pass->use_count; u++)
             if (uses[u].gives_content)
-                give(h, &uses[u], HAZARD_WRITTEN + frame * h->pass_count + p);
+                set_content(h, &uses[u], HAZARD_WRITTEN + frame * h->pass_count + p);
     }
     for (uint32_t i = 0; i < h->cell_count; i++)
         h->ends[frame * h->cell_count + i] = h->cells[i].declared;
@@ -92,8 +92,8 @@ static bool is_wanted(const struct hazard *h, const struct hazard_pass *pass)
     return false;
 }
 
-/* Steps back over a use of a pass that is wanted: from what is wanted after it to what is before.
- * `surely`: it is known to run, so what it overwrites is not wanted before it. */
+/* Steps backwards over a use of a needed pass: updates which content is needed before it. `surely`:
+ * the pass always runs, so the content that it overwrites is not needed before it. */
 static void want(struct hazard *h, const struct hazard_use *use, bool surely,
                  struct hazard_expected *expected)
 {
@@ -101,7 +101,7 @@ static void want(struct hazard *h, const struct hazard_use *use, bool surely,
     for (uint32_t i = 0;
          (cell = hazard_next_cell(&h->resources[use->resource], &use->range, &i)) != RG_NONE;) {
         struct hazard_cell *c = &h->cells[cell];
-        if (expected && use->keeps_content) /* it may complete what nothing began */
+        if (expected && use->keeps_content) /* a partial write may come first */
             expected->wanted = c->wanted && expected->content != HAZARD_UNDEFINED;
         if (use->needs_content)
             c->wanted = true;
@@ -112,7 +112,7 @@ static void want(struct hazard *h, const struct hazard_use *use, bool surely,
     }
 }
 
-/* At the end of a frame, outputs are wanted, and what the next frame wants of history. */
+/* At the end of a frame, outputs are needed, and persistent content that the next frame needs. */
 static void end_backward(struct hazard *h)
 {
     for (uint32_t i = 0; i < h->cell_count; i++) {
@@ -152,7 +152,7 @@ void hazard_expect(struct hazard *h)
                         h->passes[p].repetition);
 }
 
-static bool carries_more(const struct hazard *h)
+static bool history_changed(const struct hazard *h)
 {
     for (uint32_t i = 0; i < h->cell_count; i++)
         if (h->resources[h->cells[i].resource].persistent &&
@@ -165,7 +165,7 @@ void hazard_expect_useful(struct hazard *h)
 {
     for (uint32_t i = 0; i < h->cell_count; i++)
         h->cells[i].wanted = false;
-    for (bool more = true; more; more = carries_more(h)) {
+    for (bool more = true; more; more = history_changed(h)) {
         end_backward(h);
         for (uint32_t p = h->pass_count; p-- > 0;) {
             struct hazard_pass *pass = &h->passes[p];

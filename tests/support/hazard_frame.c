@@ -17,14 +17,14 @@ static void arrive(struct hazard *h, uint32_t cell, const struct hazard_resource
         hazard_sync_arrive(h, cell, h->slot - 1, access);
         return;
     }
-    /* what was shown comes back through a semaphore */
+    /* a presented image is acquired again through a semaphore */
     if (resource->output && resource->output->access == RG_PRESENT)
         hazard_sync_arrive(h, cell, h->slot - 1, RG_PRESENT);
     h->cells[cell].layout = VK_IMAGE_LAYOUT_UNDEFINED;
     h->cells[cell].content = HAZARD_UNDEFINED;
 }
 
-/* Contents do not outlive a frame, but for history; imports and buffers of the host's come anew. */
+/* Starts a frame: only persistent content survives; imports and host buffers get new content. */
 static void begin(struct hazard *h)
 {
     for (uint32_t i = 0; i < h->cell_count; i++) {
@@ -51,7 +51,7 @@ static void run_barriers(struct hazard *h, uint32_t first, uint32_t count)
         bool of_image = barrier->image != RG_NONE;
         uint32_t r = of_image ? h->plan_images[barrier->image] : h->plan_buffers[barrier->buffer];
         if (h->slot < HAZARD_FIRST_SLOT && !h->resources[r].persistent)
-            hazard_find(h, "initial barrier %u: of a resource without history", i);
+            hazard_find(h, "initial barrier %u: resource is not persistent", i);
         uint32_t cell;
         for (uint32_t c = 0;
              (cell = hazard_next_cell(&h->resources[r], of_image ? &barrier->range : &everything,
@@ -60,12 +60,12 @@ static void run_barriers(struct hazard *h, uint32_t first, uint32_t count)
     }
 }
 
-/* What a pass of the plan does to one resource of its row. */
+/* The access of a plan's pass to one resource of its row. */
 struct action {
     const struct hazard_use *use;
     struct hazard_event event;
     VkImageLayout layout;
-    uint32_t content; /* of its cells afterwards, if it writes */
+    uint32_t content; /* of its subresources afterwards, if it writes */
 };
 
 static bool same_range(const VkImageSubresourceRange *a, const VkImageSubresourceRange *b)
@@ -75,8 +75,8 @@ static bool same_range(const VkImageSubresourceRange *a, const VkImageSubresourc
            a->layerCount == b->layerCount;
 }
 
-static void act_on_resolve(struct hazard *h, const struct rg_plan_pass *pass,
-                           const struct rg_plan_target *planned, struct action *action)
+static void check_resolve(struct hazard *h, const struct rg_plan_pass *pass,
+                          const struct rg_plan_target *planned, struct action *action)
 {
     const struct hazard_use *use = action->use;
     action->layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
@@ -84,11 +84,11 @@ static void act_on_resolve(struct hazard *h, const struct rg_plan_pass *pass,
     if (planned->resolve != h->resources[use->resource].plan ||
         planned->resolve_mip != use->range.baseMipLevel ||
         planned->resolve_layer != use->range.baseArrayLayer)
-        hazard_find(h, "'%s': resolve to '%s' is not what the row says", pass->pass->name,
+        hazard_find(h, "'%s': resolve to '%s' differs from the row", pass->pass->name,
                     use->target->resolve->name);
 }
 
-static void act_on_target(struct hazard *h, const struct rg_plan_pass *pass, struct action *action)
+static void check_target(struct hazard *h, const struct rg_plan_pass *pass, struct action *action)
 {
     const struct hazard_use *use = action->use;
     const struct rg_target *target = use->target;
@@ -96,20 +96,20 @@ static void act_on_target(struct hazard *h, const struct rg_plan_pass *pass, str
         target == &pass->pass->depth ? &pass->depth : &pass->color[target - pass->pass->color];
     const char *name = target->image->name;
     if (use->resolve) {
-        act_on_resolve(h, pass, planned, action);
+        check_resolve(h, pass, planned, action);
         return;
     }
     if (planned->image != h->resources[use->resource].plan ||
         planned->mip != use->range.baseMipLevel || planned->layer != use->range.baseArrayLayer ||
         (planned->resolve != RG_NONE) != (use->access == RG_COLOR && target->resolve))
-        hazard_find(h, "'%s': target '%s' is not what the row says", pass->pass->name, name);
+        hazard_find(h, "'%s': target '%s' differs from the row", pass->pass->name, name);
     if ((use->needs_content && planned->load != VK_ATTACHMENT_LOAD_OP_LOAD) ||
         (target->load == RG_LOAD_CLEAR && planned->load != VK_ATTACHMENT_LOAD_OP_CLEAR))
-        hazard_find(h, "'%s': load op of '%s' is not what the row says", pass->pass->name, name);
+        hazard_find(h, "'%s': load op of '%s' differs from the row", pass->pass->name, name);
     action->layout = planned->layout;
     if (use->access == RG_DEPTH_READ) {
         action->event.reads = use->reads;
-        /* the store op STORE counts as a write, also where nothing was drawn */
+        /* store op STORE counts as a write, even if nothing was drawn */
         if (planned->store == VK_ATTACHMENT_STORE_OP_NONE)
             return;
         action->event.writes = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
@@ -117,14 +117,14 @@ static void act_on_target(struct hazard *h, const struct rg_plan_pass *pass, str
             hazard_find(h, "'%s': '%s' is lost by its store op", pass->pass->name, name);
         return;
     }
-    /* a resolve reads what the pass itself has written: no earlier write need be visible to it */
+    /* a resolve reads what its own pass has written: no earlier write need be visible to it */
     action->event.reads = planned->load == VK_ATTACHMENT_LOAD_OP_LOAD ? use->reads : 0;
     action->event.writes = use->writes;
     if (planned->store != VK_ATTACHMENT_STORE_OP_STORE)
         action->content = HAZARD_UNDEFINED;
 }
 
-static void act_on_use(struct hazard *h, const struct rg_plan_pass *pass, struct action *action)
+static void check_use(struct hazard *h, const struct rg_plan_pass *pass, struct action *action)
 {
     const struct hazard_use *use = action->use;
     const struct hazard_resource *resource = &h->resources[use->resource];
@@ -142,7 +142,7 @@ static void act_on_use(struct hazard *h, const struct rg_plan_pass *pass, struct
     }
     action->layout = planned->layout;
     if (resource->image && !same_range(&planned->range, &use->range))
-        hazard_find(h, "'%s': range of '%s' is not what the row says", pass->pass->name,
+        hazard_find(h, "'%s': range of '%s' differs from the row", pass->pass->name,
                     resource->image->name);
 }
 
@@ -187,7 +187,7 @@ static void perform(struct hazard *h, const struct action *action)
     }
 }
 
-/* Whether the pass has the extent of its targets, and they all have one number of samples. */
+/* Checks that the pass has the extent of its attachments, and these have one sample count. */
 static void check_extent(struct hazard *h, const struct rg_plan_pass *pass,
                          const struct hazard_pass *declared)
 {
@@ -229,9 +229,9 @@ static void run_pass(struct hazard *h, uint32_t index)
         };
         uses += use->use != NULL;
         if (use->target)
-            act_on_target(h, pass, &actions[i]);
+            check_target(h, pass, &actions[i]);
         else
-            act_on_use(h, pass, &actions[i]);
+            check_use(h, pass, &actions[i]);
         targets += use->target && !use->resolve;
     }
     if (targets != pass->color_count + (pass->depth.image != RG_NONE) || uses != pass->use_count)

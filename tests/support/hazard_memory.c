@@ -77,7 +77,7 @@ static void check_place(struct hazard *h, const struct hazard_resource *resource
     struct hazard_place place = hazard_memory_place(h, resource);
     const char *name = name_of(resource);
     if (place.persistent != resource->persistent)
-        hazard_find(h, "'%s' keeps its content, or does not", name);
+        hazard_find(h, "'%s' has the wrong persistence", name);
     struct rg_memory_requirements need = { 0 };
     if (!resource->import)
         need = resource->image ? image_need(h, resource) : buffer_need(h, resource);
@@ -95,13 +95,13 @@ static void check_place(struct hazard *h, const struct hazard_resource *resource
     }
     const struct rg_block *block = &h->plan->blocks[place.block];
     if (block->buffers != (resource->buffer != NULL))
-        hazard_find(h, "'%s' lies in a block of the other kind", name);
+        hazard_find(h, "'%s' is in a block for the other kind of resource", name);
     if (place.size > block->size || place.offset > block->size - place.size)
         hazard_find(h, "'%s' ends beyond its block", name);
     if (place.offset % alignment != 0 || block->alignment % alignment != 0)
         hazard_find(h, "'%s' is misaligned", name);
     if (!block->type_bits || (block->type_bits & ~need.type_bits))
-        hazard_find(h, "'%s' cannot lie in its block's memory types", name);
+        hazard_find(h, "'%s' does not support its block's memory types", name);
 }
 
 static void check_image(struct hazard *h, const struct hazard_resource *resource)
@@ -127,7 +127,7 @@ static void check_import(struct hazard *h, const struct hazard_resource *resourc
         hazard_find(h, "'%s' names the wrong import", name_of(resource));
 }
 
-/* `texels`: of a buffer, which shaders store to as texels. */
+/* Checks usage flags for an access. `texels`: shaders write through a storage texel buffer view. */
 static void check_usage(struct hazard *h, const struct hazard_resource *resource,
                         enum rg_access access, bool texels)
 {
@@ -143,7 +143,7 @@ static void check_usage(struct hazard *h, const struct hazard_resource *resource
         hazard_find(h, "'%s' lacks a usage flag for access %d", name_of(resource), (int)access);
 }
 
-/* Finds from when to when living passes touch each resource, and whether its usage lets them. */
+/* Computes the first and last pass that uses each resource, and checks its usage flags. */
 static void check_uses(struct hazard *h)
 {
     for (uint32_t p = 0; p < h->plan->pass_count; p++) {

@@ -1,8 +1,8 @@
-/* hazard_optimal.c: recomputes the plan's numbers of bytes and batches. */
+/* hazard_optimal.c: recomputes the plan's statistics of memory and barrier batches. */
 #include "tests/support/hazard_private.h"
 
-/* The pass before whose batch a resource takes its memory: its first barrier, or first use. */
-static uint32_t taken_from(const struct hazard *h, const struct hazard_resource *resource)
+/* Returns the pass from which a resource occupies memory: that of its first barrier or use. */
+static uint32_t occupied_from(const struct hazard *h, const struct hazard_resource *resource)
 {
     for (uint32_t p = 0; p < resource->first && p < h->plan->pass_count; p++)
         for (uint32_t i = 0; i < h->plan->passes[p].barrier_count; i++) {
@@ -14,8 +14,8 @@ static uint32_t taken_from(const struct hazard *h, const struct hazard_resource 
     return resource->first;
 }
 
-/* Bytes of a block taken at some one time: while resources are used, or by what they wait for. */
-static VkDeviceSize most_taken(const struct hazard *h, uint32_t block, bool by_barriers)
+/* Returns the peak memory of a block in bytes; `by_barriers`: lifetimes begin at barriers. */
+static VkDeviceSize peak_memory(const struct hazard *h, uint32_t block, bool by_barriers)
 {
     VkDeviceSize most = 0;
     for (uint32_t pass = 0; pass <= h->plan->pass_count; pass++) {
@@ -24,7 +24,7 @@ static VkDeviceSize most_taken(const struct hazard *h, uint32_t block, bool by_b
             const struct hazard_resource *resource = &h->resources[r];
             struct hazard_place place = hazard_memory_place(h, resource);
             if (place.block == block && pass <= resource->last &&
-                pass >= (by_barriers ? taken_from(h, resource) : resource->first))
+                pass >= (by_barriers ? occupied_from(h, resource) : resource->first))
                 bytes += place.size;
         }
         most = bytes > most ? bytes : most;
@@ -37,8 +37,8 @@ static void check_bytes(struct hazard *h)
     const struct rg_plan *plan = h->plan;
     VkDeviceSize used = 0, least = 0, bound = 0, apart = 0, persistent = 0;
     for (uint32_t i = 0; i < plan->block_count; i++) {
-        least += most_taken(h, i, false);
-        bound += most_taken(h, i, h->params->sharing == RG_SHARE_FEWEST_BATCHES);
+        least += peak_memory(h, i, false);
+        bound += peak_memory(h, i, h->params->sharing == RG_SHARE_FEWEST_BATCHES);
         used += plan->blocks[i].size;
     }
     for (uint32_t r = 0; r < h->resource_count; r++) {
@@ -62,7 +62,7 @@ static void check_bytes(struct hazard *h)
     if (h->params->sharing == RG_SHARE_NOTHING && used != plan->memory_without_aliasing)
         hazard_find(h, "nothing is shared, but memory_used is not memory_without_aliasing");
     if (plan->memory_persistent != persistent)
-        hazard_find(h, "memory_persistent is not the sum of what keeps its content");
+        hazard_find(h, "memory_persistent is not the sum of persistent resources");
 }
 
 void hazard_optimal(struct hazard *h)

@@ -1,10 +1,10 @@
 /*
  * hazard_private.h: declarations shared by the files of the hazard checker.
  *
- * A cell is the smallest unit of a barrier: a mip, layer and aspect of an image, or a buffer.
- * Time is counted in slots: slot 0 is before the first frame, slot 1 has the initial barriers; in
- * each frame every pass has a slot, and one more follows for accesses after the frame. A slot's
- * barriers are executed before its pass.
+ * A cell is a subresource, the smallest unit of a barrier: a mip, layer and aspect of an image, or
+ * a whole buffer. Time is counted in slots: slot 0 is before the first frame, slot 1 has the
+ * initial barriers; in each frame every pass has a slot, and one more follows for accesses after
+ * the frame. A slot's barriers are executed before its pass.
  *
  * The frames are simulated once for each scenario, which defines the conditions that are true in
  * each frame.
@@ -19,7 +19,7 @@
 
 #include "graph/rg.h"
 
-/* Pipeline stages, one bit each; those of the graphics pipeline first and in its order. */
+/* Pipeline stages as bits; those of the graphics pipeline first, in pipeline order. */
 enum {
     HAZARD_INDIRECT = 1 << 0,
     HAZARD_INDEX = 1 << 1,
@@ -42,8 +42,8 @@ enum {
     HAZARD_SHADERS = HAZARD_VERTEX | HAZARD_FRAGMENT | HAZARD_COMPUTE,
 };
 
-/* Content of a cell: one of these, or HAZARD_WRITTEN plus the declared pass, counted on from frame
- * to frame. */
+/* Content of a subresource: one of these, or HAZARD_WRITTEN plus the index of the declared pass
+ * that wrote it (pass_count more for each frame). */
 enum {
     HAZARD_UNDEFINED,
     HAZARD_ZERO,
@@ -53,40 +53,40 @@ enum {
 };
 
 enum {
-    HAZARD_FRAMES = 3,         /* with history; else 2 */
-    HAZARD_FIRST_SLOT = 2,     /* of the first frame */
-    HAZARD_CONDITIONS = 16,    /* told apart */
-    HAZARD_SCENARIOS = 64,     /* at most */
-    HAZARD_SOME_SCENARIOS = 6, /* at least, if there are conditions */
-    HAZARD_PASSES_RUN = 4000,  /* over all scenarios, about */
+    HAZARD_FRAMES = 3,         /* frames simulated if resources are persistent; otherwise 2 */
+    HAZARD_FIRST_SLOT = 2,     /* first slot of the first frame */
+    HAZARD_CONDITIONS = 16,    /* largest number of distinct conditions */
+    HAZARD_SCENARIOS = 64,     /* maximum number of scenarios */
+    HAZARD_SOME_SCENARIOS = 6, /* minimum number of scenarios if there are conditions */
+    HAZARD_PASSES_RUN = 4000,  /* approximate limit of pass executions over all scenarios */
 };
 
-/* What an access is to Vulkan. */
+/* The Vulkan access, stages, layout and usage flags of an rg_access. */
 struct hazard_rule {
     VkAccessFlags2 reads, writes;
-    uint32_t stages;      /* 0: the shader's */
-    VkImageLayout layout; /* in which imports arrive and outputs leave */
+    uint32_t stages;      /* 0 for those of the pass's shaders */
+    VkImageLayout layout; /* layout in which imports arrive and outputs leave */
     VkImageUsageFlags image_usage;
     VkBufferUsageFlags buffer_usage;
 };
 
 const struct hazard_rule *hazard_rule(enum rg_access access);
 
-/* Stages of a mask, without those it only implies; meta stages expanded. */
+/* Returns the HAZARD_ stage bits of a mask: meta stages expanded, implied stages not set. */
 uint32_t hazard_stages(VkPipelineStageFlags2 stages, bool source);
-uint32_t hazard_earlier(uint32_t stages);                        /* and the logically earlier */
-uint32_t hazard_later(uint32_t stages);                          /* and the logically later */
-VkAccessFlags2 hazard_accesses(VkAccessFlags2 access);           /* meta accesses expanded */
-VkAccessFlags2 hazard_accesses_of(uint32_t stage);               /* what one stage can do */
-bool hazard_access_fits(uint32_t stages, VkAccessFlags2 access); /* no impossible access */
+uint32_t hazard_earlier(uint32_t stages);              /* adds logically earlier stages */
+uint32_t hazard_later(uint32_t stages);                /* adds logically later stages */
+VkAccessFlags2 hazard_accesses(VkAccessFlags2 access); /* expands meta accesses */
+VkAccessFlags2 hazard_accesses_of(uint32_t stage);     /* accesses that one stage supports */
+bool hazard_access_fits(uint32_t stages, VkAccessFlags2 access); /* stages support access */
 bool hazard_layout_fits(VkImageLayout layout, enum rg_access access, VkImageAspectFlags aspects);
-VkImageUsageFlags hazard_layout_usage(VkImageLayout layout); /* one of these is needed; 0: none */
+VkImageUsageFlags hazard_layout_usage(VkImageLayout layout); /* any one suffices; 0 for none */
 VkImageAspectFlags hazard_aspects(VkFormat format);
-uint32_t hazard_texel_size(VkFormat format); /* bytes at least */
+uint32_t hazard_texel_size(VkFormat format); /* lower bound, bytes */
 
-/* An image or buffer named anywhere in the tables. */
+/* An image or buffer that occurs anywhere in the tables. */
 struct hazard_resource {
-    const struct rg_image *image; /* or: */
+    const struct rg_image *image; /* or NULL and: */
     const struct rg_buffer *buffer;
     uint32_t plan;                  /* index in the plan's images or buffers, or RG_NONE */
     const struct rg_import *import; /* may be NULL */
@@ -94,34 +94,34 @@ struct hazard_resource {
     bool persistent;
     VkExtent2D extent;
     uint32_t mips, layers, samples, depth;
-    VkDeviceSize size; /* of a buffer */
+    VkDeviceSize size; /* of a buffer, bytes */
     VkImageAspectFlags aspects;
     uint32_t first_cell, cell_count;
-    uint32_t first, last;              /* plan passes that touch it */
-    uint32_t first_alias, alias_count; /* resources that share memory with it */
-    uint64_t touched;                  /* time of the last access or transition of any cell */
-    uint64_t overwritten;              /* time of the last write of an alias */
+    uint32_t first, last;              /* first and last pass of the plan that accesses it */
+    uint32_t first_alias, alias_count; /* resources that overlap it in memory */
+    uint64_t touched;     /* time of the last access or transition of any subresource */
+    uint64_t overwritten; /* time of the last write to an alias */
 };
 
-/* The tables' word on one access of one repetition of a row. */
+/* One access in one repetition of a row, as the tables declare it. */
 struct hazard_use {
     uint32_t resource;
     enum rg_access access;
-    VkImageSubresourceRange range; /* counts resolved; of images only */
+    VkImageSubresourceRange range; /* of images only; counts resolved */
     uint32_t stages;
     VkAccessFlags2 reads, writes;
     bool needs_content, gives_content;
-    bool keeps_content;             /* partial: what was there is needed only if the result is */
-    const struct rg_target *target; /* or: */
+    bool keeps_content; /* partial write: the old content is needed only if the result is */
+    const struct rg_target *target; /* or NULL and: */
     const struct rg_use *use;
-    bool resolve;            /* of the target */
-    uint32_t first_expected; /* one for each of its cells */
+    bool resolve;            /* true for the resolve attachment of the target */
+    uint32_t first_expected; /* first hazard_expected, one per subresource */
 };
 
-/* What one cell of a use should hold when the pass runs. */
+/* The content that a subresource of a use should have when the pass runs. */
 struct hazard_expected {
     uint32_t content;
-    bool wanted; /* or else it may hold anything */
+    bool wanted; /* false if its content does not matter */
 };
 
 struct hazard_pass {
@@ -129,13 +129,13 @@ struct hazard_pass {
     const struct rg_technique *technique;
     uint32_t row, repetition;
     uint32_t first_use, use_count;
-    uint32_t condition; /* 0: none; else from 1 */
+    uint32_t condition; /* condition number from 1; 0 if unconditional */
     bool useful;        /* an output may need it in some scenario */
-    bool needed;        /* an output needs it in this one */
-    bool lives;         /* is in the plan */
+    bool needed;        /* an output needs it in the current scenario */
+    bool lives;         /* is in the plan, not culled */
 };
 
-/* A barrier with its masks expanded. */
+/* A barrier with expanded stage and access masks. */
 struct hazard_barrier {
     uint32_t src, dst;
     uint32_t earlier, later; /* hazard_earlier(src), hazard_later(dst) */
@@ -143,36 +143,36 @@ struct hazard_barrier {
     bool transition;
 };
 
-/* For each slot up to `last`, the stages ordered after a stage in a slot; 0 before that. */
+/* For each slot up to `last`, the stages ordered after a stage of a slot; 0 in earlier slots. */
 struct hazard_reach {
-    uint16_t *after; /* NULL: not yet asked for */
+    uint16_t *after; /* NULL until first used */
     uint32_t last;
 };
 
-/* A past access of a cell. */
+/* A past access to a subresource. */
 struct hazard_record {
     uint32_t slot;
     uint32_t stages;
     VkAccessFlags2 access;
-    bool available; /* then stages and access are those it is visible to */
+    bool available; /* a barrier made the write available to `stages` and `access` */
 };
 
-/* A list's element: a read (record) or a barrier (its slot in the record, and index). */
+/* List element: a read (record), or a barrier (its index, and its slot in the record). */
 struct hazard_node {
     struct hazard_record record;
     uint32_t barrier;
-    uint32_t next; /* RG_NONE at the end */
+    uint32_t next; /* index of the next node; RG_NONE at the end */
 };
 
 struct hazard_cell {
     uint32_t resource;
-    bool written; /* so there is a last write: */
+    bool written; /* true if `write` holds the last write */
     struct hazard_record write;
-    uint32_t reads, barriers, last_barrier; /* nodes since the last write */
+    uint32_t reads, barriers, last_barrier; /* lists of nodes since the last write */
     uint32_t content;
-    uint32_t declared;    /* while the tables are read: the content that they say it has */
-    bool wanted, carried; /* while they are read backwards: someone needs its content; the next
-                             frame does */
+    uint32_t declared; /* the declared content while the tables are read forwards */
+    /* needed by a later pass or output; by the next frame (tables read backwards) */
+    bool wanted, carried;
     VkImageLayout layout;
     uint64_t touched; /* time of the last access or transition */
     uint64_t changed; /* time of the last write or transition */
@@ -188,31 +188,31 @@ struct hazard {
     rg_when_fn *conditions[HAZARD_CONDITIONS];
     uint32_t condition_count;
     uint32_t scenario, scenario_count;
-    bool every_scenario; /* else a sample */
+    bool every_scenario; /* false if scenarios are a random sample */
     uint64_t time;
     struct hazard_resource *resources;
-    struct hazard_pass *passes; /* of the tables, in their order */
+    struct hazard_pass *passes; /* all rows of the tables, in their order */
     struct hazard_use *uses;
     struct hazard_cell *cells;
-    struct hazard_barrier *barriers; /* as many as the plan's, with the initial ones */
+    struct hazard_barrier *barriers; /* parallel to the plan's barriers, initial ones included */
     struct hazard_node *nodes;
     struct hazard_expected *expected; /* `expected_count` for each frame */
-    uint32_t *ends;                   /* contents at the end of each frame, of all cells */
+    uint32_t *ends;                   /* final content of all subresources for each frame */
     uint32_t *aliases;
-    uint32_t *plan_passes, *plan_images, *plan_buffers; /* of the tables, for each of the plan */
-    struct hazard_reach *reach;                         /* of slot and stage */
+    uint32_t *plan_passes, *plan_images, *plan_buffers; /* indices in the tables */
+    struct hazard_reach *reach;                         /* one row for each slot and stage */
     uint32_t resource_count, pass_count, use_count, cell_count, node_count;
     uint32_t expected_count, alias_count;
     uint32_t resource_room, pass_room, use_room, cell_room, node_room, alias_room;
 };
 
-/* An access about to happen: by a pass or the outside, or (transition) by a barrier. */
+/* An access to check: by a pass, by the outside after the frame, or by a layout transition. */
 struct hazard_event {
     uint32_t slot;
     uint32_t stages;
     VkAccessFlags2 reads, writes;
-    const struct hazard_barrier *transition; /* may be NULL */
-    bool handed_back; /* to the outside, which orders itself after accesses of its own kind */
+    const struct hazard_barrier *transition; /* NULL unless the event is a transition */
+    bool handed_back; /* returned import: its user waits for earlier accesses of this kind */
 };
 
 /* hazard.c */
@@ -220,46 +220,46 @@ void hazard_find(struct hazard *h, const char *format, ...) __attribute__((forma
 void hazard_find_cell(struct hazard *h, uint32_t cell, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void *hazard_grow(void *array, uint32_t *room, uint32_t count, size_t size);
-/* Steps through the cells of a range; begin with `index` 0, ends with RG_NONE. */
+/* Iterates over the subresources of a range: start with `index` 0; RG_NONE at the end. */
 uint32_t hazard_next_cell(const struct hazard_resource *resource,
                           const VkImageSubresourceRange *range, uint32_t *index);
 
-/* hazard_tables.c: fills resources, passes, uses and cells. */
+/* hazard_tables.c: fills resources, passes, uses and subresources. */
 void hazard_tables(struct hazard *h);
 
-/* hazard_expect.c: which passes are useful; what this scenario's passes find and frames leave. */
+/* hazard_expect.c: passes that are useful; expected content before passes and after frames. */
 void hazard_expect_useful(struct hazard *h);
 void hazard_expect(struct hazard *h);
 struct hazard_expected *hazard_expected(const struct hazard *h, const struct hazard_use *use,
-                                        uint32_t frame); /* of its first cell */
+                                        uint32_t frame); /* of its first subresource */
 bool hazard_runs(const struct hazard *h, const struct hazard_pass *pass, uint32_t frame);
 
-/* Where the plan puts a resource. */
+/* Memory that the plan binds to a resource. */
 struct hazard_place {
     uint32_t block;
     VkDeviceSize offset, size;
     bool persistent;
 };
 
-/* hazard_memory.c: sizes, flags, places and lifetimes; fills aliases. */
+/* hazard_memory.c: checks sizes, flags, memory and lifetimes; fills the alias lists. */
 void hazard_memory(struct hazard *h);
 struct hazard_place hazard_memory_place(const struct hazard *h,
                                         const struct hazard_resource *resource);
 
-/* hazard_batches.c: how many batches are enough if no memory is shared. */
+/* hazard_batches.c: minimum number of barrier batches without memory aliasing. */
 uint32_t hazard_batches(const struct hazard *h);
 
-/* hazard_optimal.c: what the plan says of bytes and batches. */
+/* hazard_optimal.c: checks the plan's own statistics of memory and batches. */
 void hazard_optimal(struct hazard *h);
 
-/* hazard_sync.c: what happens to a cell. */
-void hazard_sync_forget(struct hazard *h, uint32_t cell); /* all of it; history is filled with 0 */
+/* hazard_sync.c: tracks synchronization of one subresource. */
+void hazard_sync_forget(struct hazard *h, uint32_t cell); /* resets to no history */
 void hazard_sync_event(struct hazard *h, uint32_t cell, const struct hazard_event *event);
 void hazard_sync_barrier(struct hazard *h, uint32_t cell, uint32_t barrier);
 void hazard_sync_arrive(struct hazard *h, uint32_t cell, uint32_t slot, enum rg_access access);
-bool hazard_sync_lost(const struct hazard *h, uint32_t cell); /* memory since used by others */
+bool hazard_sync_lost(const struct hazard *h, uint32_t cell); /* overwritten by alias */
 
-/* hazard_frame.c: what comes before the first frame; runs the frame h->frame. */
+/* hazard_frame.c: simulates what precedes the first frame, and frame h->frame. */
 void hazard_frame_before(struct hazard *h);
 void hazard_frame(struct hazard *h);
 

@@ -1,4 +1,10 @@
-/* hazard_sync.c: the order of accesses, and the visibility of writes. */
+/*
+ * hazard_sync.c: execution order of accesses (dependency chains) and visibility of writes.
+ *
+ * An access is ordered after an earlier one if a chain of barriers connects their stages. A write
+ * is visible to it if a barrier also made the write available and a later one of the chain, or the
+ * same one, made it visible to the access's stage.
+ */
 #include "tests/support/hazard_private.h"
 
 #include <stdlib.h>
@@ -18,8 +24,8 @@ static const struct rg_barrier *batch_of(const struct rg_plan *plan, uint32_t sl
     return plan->barriers + plan->passes[pass].first_barrier;
 }
 
-/* The stages in slot `to` whose work is ordered after stage number `stage` in slot `from`: those at
- * the end of a chain of barriers that begins there. */
+/* Returns the stages in slot `to` that are ordered after stage number `stage` in slot `from`,
+ * through a dependency chain of barriers. Results are cached per slot and stage. */
 static uint32_t reach(struct hazard *h, uint32_t from, uint32_t stage, uint32_t to)
 {
     struct hazard_reach *row = &h->reach[from * HAZARD_STAGE_COUNT + stage];
@@ -61,12 +67,12 @@ static bool is_ordered(struct hazard *h, const struct hazard_record *record,
     return true;
 }
 
-/* Follows one write through the barriers on its memory. */
+/* State of one write while it is propagated through the barriers on its memory. */
 struct trail {
-    uint32_t slot;    /* `after` holds after this slot's barriers */
-    uint32_t after;   /* stages ordered after the write became available; 0: not yet */
-    uint32_t batch;   /* slot of the barriers that gave: */
-    uint32_t pending; /* to join `after` once that batch is complete */
+    uint32_t slot;    /* `after` is the state behind this slot's barriers */
+    uint32_t after;   /* stages ordered after the write became available, or 0 */
+    uint32_t batch;   /* slot of the batch that added `pending` */
+    uint32_t pending; /* stages to add to `after` when that batch is complete */
     VkAccessFlags2 visible[HAZARD_STAGE_COUNT];
 };
 
@@ -80,8 +86,8 @@ static void advance(struct hazard *h, struct trail *trail, uint32_t slot)
     trail->slot = slot;
 }
 
-/* Brings the trail to just before the barriers of a slot. */
-static void go_before(struct hazard *h, struct trail *trail, uint32_t slot)
+/* Advances the trail to just before the barriers of a slot. */
+static void advance_before(struct hazard *h, struct trail *trail, uint32_t slot)
 {
     if (trail->batch && trail->batch < slot) {
         advance(h, trail, trail->batch);
@@ -99,7 +105,7 @@ static bool makes_available(const struct hazard_barrier *barrier, const struct h
            !(write->access & ~barrier->src_access);
 }
 
-static void show(struct trail *trail, uint32_t stages, VkAccessFlags2 access)
+static void make_visible(struct trail *trail, uint32_t stages, VkAccessFlags2 access)
 {
     for (uint32_t stage = 0; stage < HAZARD_STAGE_COUNT; stage++)
         if (stages & 1U << stage)
@@ -112,13 +118,13 @@ static void pass_barrier(struct hazard *h, struct trail *trail, const struct haz
     uint32_t slot = node->record.slot;
     const struct hazard_barrier *barrier = &h->barriers[node->barrier];
     if (slot <= write->slot)
-        return; /* before it, or in the batch that made the transition */
-    go_before(h, trail, slot);
+        return; /* before the write, or in the batch of its layout transition */
+    advance_before(h, trail, slot);
     if (!makes_available(barrier, write) && !(trail->after & barrier->earlier))
         return;
     trail->batch = slot;
     trail->pending |= barrier->later;
-    show(trail, barrier->dst, barrier->dst_access);
+    make_visible(trail, barrier->dst, barrier->dst_access);
 }
 
 static uint32_t slot_of(const struct hazard *h, uint32_t node)
@@ -126,10 +132,10 @@ static uint32_t slot_of(const struct hazard *h, uint32_t node)
     return h->nodes[node].record.slot;
 }
 
-/* Whether the event comes after the write and sees it. The barriers that count are those on the
- * cell written and those on the cell of the event, which may lie in the same memory. */
-static bool is_seen(struct hazard *h, const struct hazard_record *write,
-                    const struct hazard_event *event, uint32_t barriers, uint32_t others)
+/* Returns true if the write is available and visible to the event. Considers the barriers on the
+ * subresource written and those on the event's subresource, which may alias it. */
+static bool is_visible(struct hazard *h, const struct hazard_record *write,
+                       const struct hazard_event *event, uint32_t barriers, uint32_t others)
 {
     if (event->handed_back && !write->available && !(write->stages & ~event->stages) &&
         !(write->access & ~event->writes))
@@ -137,7 +143,7 @@ static bool is_seen(struct hazard *h, const struct hazard_record *write,
     struct trail trail = { .slot = write->slot };
     if (write->available) {
         trail.after = hazard_later(write->stages);
-        show(&trail, write->stages, write->access);
+        make_visible(&trail, write->stages, write->access);
     }
     uint32_t end = event->transition ? event->slot : event->slot + 1;
     while (barriers != RG_NONE || others != RG_NONE) {
@@ -150,7 +156,7 @@ static bool is_seen(struct hazard *h, const struct hazard_record *write,
         *list = h->nodes[*list].next;
     }
     if (event->transition) {
-        go_before(h, &trail, event->slot);
+        advance_before(h, &trail, event->slot);
         return makes_available(event->transition, write) ||
                (trail.after & event->transition->earlier);
     }
@@ -182,7 +188,7 @@ static void check_cell(struct hazard *h, uint32_t past, uint32_t cell,
     const struct hazard_cell *c = &h->cells[past];
     const char *other = past == cell ? "" : " of an alias";
     uint32_t others = past == cell ? RG_NONE : h->cells[cell].barriers;
-    if (c->written && !is_seen(h, &c->write, event, c->barriers, others))
+    if (c->written && !is_visible(h, &c->write, event, c->barriers, others))
         hazard_find_cell(h, cell, "%s%s in slot %u, without memory dependency",
                          kind_of(event, true), other, c->write.slot);
     for (uint32_t i = c->reads; changes(event) && i != RG_NONE; i = h->nodes[i].next)
@@ -311,7 +317,7 @@ void hazard_sync_forget(struct hazard *h, uint32_t cell)
     };
     if (!resource->persistent)
         return;
-    /* images are cleared; filling a buffer is a transfer, no more is said */
+    /* images are cleared; buffers are filled, which is a clear or copy by the specification */
     struct hazard_record write = {
         .stages = resource->image ? HAZARD_CLEAR : HAZARD_CLEAR | HAZARD_COPY,
         .access = VK_ACCESS_2_TRANSFER_WRITE_BIT,

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Each may be 0, to leave it to the next. */
+/* Returns an extent: `coming` (import) if not 0, else `declared` if not 0, else the scaled view. */
 static uint32_t texels(uint32_t coming, uint32_t declared, float scale, uint32_t view)
 {
     if (coming || declared)
@@ -13,7 +13,7 @@ static uint32_t texels(uint32_t coming, uint32_t declared, float scale, uint32_t
     return scaled < 1.0 ? 1 : (uint32_t)scaled;
 }
 
-/* An import is what comes, not what was declared. */
+/* Fills an image's properties; those of its import take precedence over the declared ones. */
 static void fill_image(const struct hazard *h, struct hazard_resource *resource)
 {
     const struct rg_image *image = resource->image;
@@ -140,8 +140,8 @@ static bool writes(enum rg_access access)
     return hazard_rule(access)->writes != 0;
 }
 
-/* How often a row runs: for each layer or mip of its first target or image written, from the one
- * it names on. */
+/* Returns how often a row runs: once for each layer or mip of its first target or image written,
+ * beginning at the one that the row names. */
 static uint32_t repetitions(struct hazard *h, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)
@@ -205,7 +205,7 @@ static struct hazard_use *add_attachment(struct hazard *h, struct hazard_pass *p
     return use;
 }
 
-/* Its resolve writes every texel of what it resolves to, after all that the pass draws. */
+/* Adds a target, and its resolve attachment as a write after all drawing of the pass. */
 static void add_target(struct hazard *h, struct hazard_pass *pass, const struct rg_target *target,
                        enum rg_access access)
 {
@@ -233,7 +233,7 @@ static void add_row_use(struct hazard *h, struct hazard_pass *pass, const struct
         use->stages = HAZARD_FRAGMENT | (row->access == RG_UNIFORM ? HAZARD_VERTEX : 0U);
 }
 
-/* Its number, from 1; 0 for none. */
+/* Returns the condition's number from 1; 0 for an unconditional row. */
 static uint32_t condition_of(struct hazard *h, rg_when_fn *when)
 {
     uint32_t i = 0;
@@ -265,7 +265,7 @@ static bool row_writes(const struct rg_pass *row, const struct rg_image *image)
     return false;
 }
 
-/* Whether the executor binds something else, so that the pass does not access the image. */
+/* Returns true if the executor binds the fallback, so that the pass does not access the image. */
 static bool falls_back(const struct hazard *h, const struct rg_use *use)
 {
     const struct rg_compile_params *params = h->params;

@@ -1,4 +1,4 @@
-/* interpret.c: runs tables on arrays of texels. */
+/* interpret.c: a reference interpreter of graph tables on the CPU. */
 #include "tests/support/interpret.h"
 
 #include <assert.h>
@@ -14,7 +14,7 @@ enum {
 
 const uint32_t interpret_own[RANDOM_OWN_WORDS] = { 7, 70, 700, 7000 };
 
-/* ---- where things are ---- */
+/* ---- geometry of images and buffers ---- */
 
 static uint32_t at_least_one(uint32_t size)
 {
@@ -133,9 +133,9 @@ struct random_push interpret_push(const struct rg_frame *frame, const struct rg_
     return push;
 }
 
-/* ---- what shaders do ---- */
+/* ---- shaders: random.frag and random.comp ---- */
 
-/* A pass that is running. */
+/* The pass repetition being interpreted. */
 struct running {
     struct interpret *in;
     const struct rg_pass *pass;
@@ -151,7 +151,7 @@ static uint32_t fold(uint32_t sum, const uint32_t texel[4])
     return sum;
 }
 
-/* A texel of each mip that a shader sees. */
+/* Mixes into `sum` one texel of each mip that a shader fetches. */
 static uint32_t fetch(const struct running *run, const struct rg_use *use, const uint32_t at[3],
                       uint32_t sum)
 {
@@ -172,7 +172,7 @@ static uint32_t fetch(const struct running *run, const struct rg_use *use, const
     return sum;
 }
 
-/* One thing that a shader reads; what it changes it reads where it writes. */
+/* Mixes one shader input into `sum`. A read-write resource is read at the location written. */
 static uint32_t input(const struct running *run, const struct rg_use *use, const uint32_t at[3],
                       uint32_t sum)
 {
@@ -213,7 +213,7 @@ static uint32_t inputs(const struct running *run, const uint32_t at[3])
     return sum;
 }
 
-/* `mask`: of the channels that are written. */
+/* Writes a texel. `mask` selects the channels that are written. */
 static void output(uint32_t *texel, VkFormat format, uint32_t sum, uint32_t target,
                    VkColorComponentFlags mask)
 {
@@ -223,7 +223,7 @@ static void output(uint32_t *texel, VkFormat format, uint32_t sum, uint32_t targ
     interpret_format_store(texel, format, value);
 }
 
-/* Words of the parameters of an indirect draw or dispatch; NULL if it is none. */
+/* Returns the parameters of an indirect draw or dispatch, or NULL if the pass has none. */
 static const uint32_t *arguments(const struct running *run, uint32_t offset)
 {
     const struct rg_use *use = interpret_use(run->pass, RG_INDIRECT);
@@ -233,7 +233,7 @@ static const uint32_t *arguments(const struct running *run, uint32_t offset)
 /* ---- raster ---- */
 
 struct bound {
-    struct interpret_image *image; /* NULL: none */
+    struct interpret_image *image; /* NULL if there is no attachment */
     uint32_t mip, layer;
     VkFormat format;
 };
@@ -278,7 +278,7 @@ static void load(const struct bound *bound, const struct rg_target *target,
 
 static bool compares(VkCompareOp compare, float reference, float with)
 {
-    /* the constants are sets of these outcomes */
+    /* VkCompareOp constants are bit masks of these outcomes */
     const unsigned outcome = reference < with   ? VK_COMPARE_OP_LESS
                              : reference > with ? VK_COMPARE_OP_GREATER
                                                 : VK_COMPARE_OP_EQUAL;
@@ -319,7 +319,7 @@ static bool test_depth(const struct running *run, const struct bound *depth, con
     return passes;
 }
 
-/* One channel, by the ways of blending that random tables have. */
+/* Blends one channel with the blend equations that random tables use. */
 static void blend(uint32_t *texel, uint32_t sum, const struct rg_target *target)
 {
     const VkPipelineColorBlendAttachmentState *state = target->blend_state;
@@ -435,7 +435,7 @@ static void run_compute(struct running *run)
 
 /* ---- copies ---- */
 
-/* To or from a buffer, tight: the first mip of the range. */
+/* Copies between a tightly packed buffer and the first mip of an image range. */
 static void copy_texels(const struct running *run, const struct rg_use *use, unsigned char *bytes,
                         bool to_image)
 {

@@ -1,5 +1,5 @@
 /*
- * interpret.h: interprets tables on arrays of texels, to compute the results expected of a device.
+ * interpret.h: reference interpreter of graph tables on the CPU, to compute expected results.
  *
  * Rows run in the order of the table, one repetition after another, without culling, aliasing or
  * frames in flight. Transient resources begin each frame with garbage, so that reads before writes
@@ -13,31 +13,31 @@
 #include "tests/gpu/shaders/random.h"
 
 enum {
-    INTERPRET_DISPATCH = 0, /* offset of a VkDispatchIndirectCommand in a buffer for RG_INDIRECT */
-    INTERPRET_DRAW = 16,    /* of the VkDrawIndirectCommands */
+    INTERPRET_DISPATCH = 0, /* byte offset of a VkDispatchIndirectCommand in an indirect buffer */
+    INTERPRET_DRAW = 16,    /* byte offset of the VkDrawIndirectCommands */
     INTERPRET_DRAW_COUNT = 2,
-    INTERPRET_COUNT = 48, /* of the uint32_t that is the number of counted draws, or more */
+    INTERPRET_COUNT = 48, /* byte offset of the draw count, which may be too large */
     INTERPRET_ARGUMENTS_SIZE = INTERPRET_COUNT + sizeof(uint32_t),
 };
 
-/* What a row's record function needs besides the row. */
+/* Parameters of a row's record function that are not in the row itself. */
 struct interpret_row {
     uint32_t salt, shift;
-    uint32_t from[2], to[2];         /* texels (words) written; `to` may lie outside */
-    float depth;                     /* of the triangle */
-    uint32_t instance_count;         /* of it, unless it is drawn indirectly */
-    bool is_counted;                 /* so many indirect draws as the device has counted, not one */
-    uint32_t src_offset, dst_offset; /* bytes, of copies from and to buffers */
-    uint32_t size;                   /* bytes, of copies between buffers */
+    uint32_t from[2], to[2]; /* region written, texels or 32-bit words; may exceed bounds */
+    float depth;             /* depth of the triangle */
+    uint32_t instance_count; /* instances of the triangle, if it is not drawn indirectly */
+    bool is_counted;         /* indirect draws with a count buffer; false for one indirect draw */
+    uint32_t src_offset, dst_offset; /* byte offsets of copies from and to buffers */
+    uint32_t size;                   /* bytes copied between buffers */
 };
 
 struct interpret_tables {
     const struct rg_pass *passes;
-    const struct interpret_row *rows; /* one for each pass */
+    const struct interpret_row *rows; /* parallel to `passes` */
     uint32_t pass_count;
     const struct rg_image *images;
     uint32_t image_count;
-    const struct rg_buffer *buffers; /* of whole words, none of a size that follows the view */
+    const struct rg_buffer *buffers; /* sizes: multiples of 4 bytes, same for any view */
     uint32_t buffer_count;
     VkExtent2D view;
 };
@@ -45,51 +45,51 @@ struct interpret_tables {
 struct rg_frame {
     uint32_t number;
     const struct interpret_tables *tables;
-    const struct rg_plan *plan; /* that is recorded */
-    VkDescriptorSet own;        /* with these words, which rows with a set read */
+    const struct rg_plan *plan; /* the plan being recorded */
+    VkDescriptorSet own;        /* descriptor set of rows with a set; contains interpret_own */
 };
 
 extern const uint32_t interpret_own[RANDOM_OWN_WORDS];
 
-/* A range of an image in one repetition of a row. */
+/* Subresource range of an image in one repetition of a row. */
 struct interpret_part {
-    bool volume; /* of three dimensions: layers are slices, fewer in each mip */
+    bool volume; /* 3D image: layers are slices, halved in each mip */
     uint32_t mip, mip_count, layer, layer_count;
-    uint32_t width, height; /* texels, of the first mip */
+    uint32_t width, height; /* extent of the first mip, texels */
 };
 
 struct interpret_image {
     struct interpret_part all;
-    uint32_t (*texels)[4]; /* as shaders read them; depth: the float's bits, then
-                              the stencil */
+    /* as shaders read them; for depth: the bits of the float, then stencil */
+    uint32_t (*texels)[4];
 };
 
 struct interpret {
     const struct interpret_tables *tables;
     struct interpret_image *images;
-    uint32_t **words; /* of each buffer */
+    uint32_t **words; /* content of each buffer in 32-bit words */
 };
 
-/* Returns false if memory is short. Persistent resources are zero. */
+/* Returns false when out of memory. Persistent resources start as zeros. */
 bool interpret_init(struct interpret *in, const struct interpret_tables *tables);
 void interpret_finish(struct interpret *in);
 
-/* Before the upload buffers of a frame are filled: there is garbage in all that is transient. */
+/* Starts a frame: fills transient resources with garbage. Write upload buffers afterwards. */
 void interpret_begin(struct interpret *in);
 void interpret_frame(struct interpret *in, const struct rg_frame *frame);
 
-/* The content of a buffer, to write or to read. */
+/* Returns a buffer's content, which may be read and written. */
 uint32_t *interpret_words(const struct interpret *in, const struct rg_buffer *buffer);
 
-/* What record functions need, too. */
+/* Also used by the record functions of run_random.c. */
 struct interpret_part interpret_part(const struct interpret_tables *tables,
                                      const struct rg_pass *pass, uint32_t repetition,
                                      const struct rg_use *use);
 const struct rg_use *interpret_use(const struct rg_pass *pass, enum rg_access access); /* or NULL */
-const struct rg_use *interpret_written(const struct rg_pass *pass);                    /* or NULL */
+const struct rg_use *interpret_written(const struct rg_pass *pass); /* NULL if there is none */
 struct random_push interpret_push(const struct rg_frame *frame, const struct rg_pass *pass);
 
-/* Texel (x, y) of a layer and mip. */
+/* Returns the texel (x, y, layer) in `at` of a mip. */
 uint32_t *interpret_texel(const struct interpret_image *image, uint32_t mip, const uint32_t at[3]);
 
 #endif

@@ -1,4 +1,4 @@
-/* interpret_format.c: the channels and bytes of texels. */
+/* interpret_format.c: encodes and decodes texels by format for the reference interpreter. */
 #include "tests/support/interpret_format.h"
 
 #include <assert.h>

@@ -1,18 +1,18 @@
-/* interpret_format.h: texels of the formats that random tables have, as interpret.c keeps them. */
+/* interpret_format.h: texel formats of the reference interpreter: four 32-bit values per texel. */
 #ifndef TESTS_INTERPRET_FORMAT_H
 #define TESTS_INTERPRET_FORMAT_H
 
 #include "graph/rg.h"
 
-/* Bits of a channel, and bytes of a texel, of depth without its stencil. */
+/* Return the mask of a channel's bits, and the bytes of a texel (of the depth aspect only). */
 uint32_t interpret_format_mask(VkFormat format);
 uint32_t interpret_format_size(VkFormat format);
 
-/* Stores what shaders read; what a format lacks reads as 0, 0, 1. The second value of a format with
- * a stencil is that. */
+/* Stores a value as shaders read it: missing channels become 0, 0, 1. With a stencil format, the
+ * second value is the stencil. */
 void interpret_format_store(uint32_t *texel, VkFormat format, const uint32_t value[4]);
 
-/* From and to bytes, the lowest first. */
+/* Convert a texel from and to its little-endian bytes. */
 void interpret_format_decode(uint32_t *texel, VkFormat format, const unsigned char *bytes);
 void interpret_format_encode(unsigned char *bytes, VkFormat format, const uint32_t *texel);
 

@@ -1,9 +1,9 @@
 /*
- * keep_drivers.c: linked into every program that tests on a device.
+ * keep_drivers.c: keeps Vulkan libraries loaded until exit; linked into every test on a device.
  *
- * Loader, driver and layers stay loaded to the end, because the leak sanitizer cannot name, and
- * therefore not suppress, allocations of a library that is unloaded. Programs that use no device do
- * not load them, since that takes longer than their tests.
+ * LeakSanitizer cannot name, and therefore not suppress, allocations of a library that was
+ * unloaded. Programs that use no device do not load the libraries, since that takes longer than
+ * their tests.
  */
 #include <dlfcn.h>
 #include <stdbool.h>
@@ -21,16 +21,16 @@ static bool needs_no_device(const char *command)
     return false;
 }
 
-/* The layer alone takes a tenth of a small picture's time. */
+/* Returns true if the program validates; loading the layer takes a tenth of a small render. */
 static bool validates(int argc, char **argv)
 {
-    bool is_asked = argc == 1; /* a test does */
+    bool is_asked = argc == 1; /* unit tests run without arguments, and validate */
     for (int i = 1; i < argc; i++)
         is_asked = is_asked || !strcmp(argv[i], "--validate");
     return is_asked;
 }
 
-/* The C library tells constructors what main() is told. */
+/* glibc passes the arguments of main() to constructors. */
 __attribute__((constructor)) static void keep_drivers(int argc, char **argv)
 {
     if (argc > 1 && needs_no_device(argv[1]))

@@ -1,4 +1,4 @@
-/* lavapipe.c: a device for tests. */
+/* lavapipe.c: opens the Vulkan device for tests, with validation and environment set up. */
 #include "tests/support/lavapipe.h"
 #include <assert.h>
 #include <stdlib.h>
@@ -21,8 +21,8 @@ void lavapipe_environment(void)
     setenv("VK_LAYER_ENABLES", "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT",
            1);
     setenv("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "1",
-           1);           /* newer layers need to be asked */
-    if (!other_device()) /* it is opened in two thirds of the time if no other driver is loaded */
+           1);           /* newer validation layers need this to be enabled */
+    if (!other_device()) /* loading only this driver takes two thirds of the time */
         setenv("VK_LOADER_DRIVERS_SELECT", "*lvp*", 1);
 }
 

@@ -1,6 +1,7 @@
 /*
- * lavapipe.h: opens lavapipe, Mesa's driver for the CPU, or the device that $FIRN_TEST_DEVICE
- * names, with validation, as a device for tests. Without driver or validation layer the tests fail;
+ * lavapipe.h: the Vulkan device for tests: lavapipe, Mesa's CPU driver, with validation.
+ *
+ * $FIRN_TEST_DEVICE selects another device. Without a driver or validation layer the tests fail;
  * none is skipped.
  */
 #ifndef TESTS_LAVAPIPE_H
@@ -10,24 +11,24 @@
 
 #include "src/gpu/gpu.h"
 
-/* What gpu_create() opens it by. */
+/* Returns the parameters of gpu_create() for the test device. */
 struct gpu_params lavapipe_params(void);
 
-/* No pipeline cache of the user's, and synchronization validation across submissions. */
+/* Disables the user's pipeline cache, and enables synchronization validation across submissions. */
 void lavapipe_environment(void);
 
-/* Setup and teardown for cmocka; *state is a struct gpu. Teardown fails if the validation layer
- * said anything, also about what was not destroyed. */
+/* cmocka setup and teardown; *state is a struct gpu. Teardown fails if the validation layer
+ * reported anything, including objects that were not destroyed. */
 int lavapipe_open(void **state);
 int lavapipe_close(void **state);
 
-/* For a test that needs a device of its own. */
+/* A test that needs a device of its own. */
 #define ON_DEVICE(test) cmocka_unit_test_setup_teardown(test, lavapipe_open, lavapipe_close)
 
 /*
- * Runs tests without setup, up to 16, on one device, which takes longer to open than small pictures
- * to draw. A test fails if the validation layer said anything during it; what was not destroyed is
- * found at the end. Returns how many failed.
+ * Runs up to 16 tests without setup on one device, because opening one takes longer than drawing
+ * small images. A test fails if the validation layer reported anything during it; leaked objects
+ * are found at the end. Returns the number of failures.
  */
 int lavapipe_run(const struct CMUnitTest *tests, size_t count);
 #define RUN_ON_DEVICE(tests) lavapipe_run(tests, sizeof(tests) / sizeof((tests)[0]))

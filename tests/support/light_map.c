@@ -1,4 +1,4 @@
-/* light_map.c: runs the rows of a method of caustics, and a row that reads the map back. */
+/* light_map.c: runs a caustics method's passes on the device, and reads the caustic map back. */
 #include "tests/support/light_map.h"
 
 #include <math.h>
@@ -31,7 +31,7 @@ static double from_half(uint16_t half)
 {
     const int exponent = half >> 10 & 31;
     const double fraction = (half & 1023) / 1024.0;
-    assert_true(exponent < 31); /* a number */
+    assert_true(exponent < 31); /* neither infinity nor NaN */
     return (half & 0x8000 ? -1 : 1) *
            (exponent ? ldexp(1 + fraction, exponent - 15) : ldexp(fraction, -14));
 }
@@ -54,7 +54,7 @@ static double now_ms(void)
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
 }
 
-/* Milliseconds. */
+/* Returns the time of one frame, from begin to completion, in milliseconds. */
 static double run_once(struct run *run, const struct rg_frame *frame, const struct globals *globals)
 {
     const double start = now_ms();

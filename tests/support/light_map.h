@@ -1,4 +1,4 @@
-/* light_map.h: computes the light map of a pool's floor by one method. */
+/* light_map.h: computes the caustic map of a pool's floor with a given method. */
 #ifndef TESTS_LIGHT_MAP_H
 #define TESTS_LIGHT_MAP_H
 
@@ -6,31 +6,31 @@
 #include "src/gpu/gpu.h"
 
 enum {
-    LIGHT_MAP_SIZE = CAUSTICS_SIZE, /* texels a side */
+    LIGHT_MAP_SIZE = CAUSTICS_SIZE, /* width and height, texels */
     LIGHT_MAP_COUNT = LIGHT_MAP_SIZE * LIGHT_MAP_SIZE,
 };
 
 struct light_map_params {
     const char *method;
-    double elevation;               /* of the sun, which stands on +x; degrees */
-    const char *const *assignments; /* settings; end at NULL */
-    uint32_t run_count;             /* 0 means 1 */
+    double elevation; /* of the sun above the horizon, in the direction of +x; degrees */
+    const char *const *assignments; /* settings "name=value"; NULL-terminated */
+    uint32_t run_count;             /* number of timed runs; 0 means 1 */
 };
 
 struct light_map {
-    float *texels;      /* rows from the lowest y, each from the lowest x */
+    float *texels;      /* row-major, starting at the lowest x and y */
     double size, depth; /* of the pool, metres */
-    double lower[2];    /* corner of the map, pool coordinates */
-    double texel[2];    /* lengths of a texel's sides, metres */
-    double shift_x;     /* of the light on the floor */
-    double total;       /* light over what enters the pool */
-    double ms;          /* of the fastest run, by the host's clock, with its way back */
+    double lower[2];    /* lowest corner of the map, in pool coordinates */
+    double texel[2];    /* extent of a texel, metres */
+    double shift_x;     /* displacement of refracted sunlight at the floor, metres */
+    double total;       /* irradiance integrated over the map / light entering the pool */
+    double ms;          /* host time of the fastest run, readback included, milliseconds */
 };
 
-/* The caller frees its texels. Any failure fails the test. */
+/* Traces the map; the caller frees `texels`. Any failure fails the test. */
 struct light_map light_map_trace(struct gpu *gpu, const struct light_map_params *params);
 
-/* Of a texel's middle, along axis 0 or 1. */
+/* Returns the pool coordinate of a texel's centre along axis 0 (x) or 1 (y). */
 double light_map_place(const struct light_map *map, size_t axis, size_t index);
 
 #endif

@@ -1,4 +1,4 @@
-/* painted.c: rows that draw a rectangle each, and the texels expected of them. */
+/* painted.c: graph rows that draw one rectangle each, and exact comparison of texels read back. */
 #include "tests/support/painted.h"
 #include <string.h>
 
@@ -35,7 +35,7 @@ bool painted_when(const struct rg_frame *frame, uint32_t repetition)
 static PFN_vkAllocateMemory allocate_memory;
 static const struct gpu *filled;
 
-/* Fills what can be mapped: of lavapipe all. As floats every word is 48.6. */
+/* A vkAllocateMemory that fills mappable memory (on lavapipe: all) with garbage, 48.6 as float. */
 static VKAPI_ATTR VkResult VKAPI_CALL allocate_garbage(VkDevice device,
                                                        const VkMemoryAllocateInfo *info,
                                                        const VkAllocationCallbacks *callbacks,

@@ -1,6 +1,4 @@
-/*
- * painted.h: rows that draw a rectangle each, and the texels expected of them.
- */
+/* painted.h: graph rows that draw one rectangle each, and exact comparison of texels read back. */
 #ifndef TESTS_PAINTED_H
 #define TESTS_PAINTED_H
 
@@ -8,18 +6,18 @@
 #include "tests/gpu/test_shaders.h"
 #include "tests/support/run_graph.h"
 
-/* A row's rectangle has the row's index. */
+/* Frame data of these rows: `paints` holds a rectangle for each row, by the row's index. */
 struct rg_frame {
     const struct rg_pass *rows;
     const struct paint_push *paints;
     struct rg_mesh mesh;
-    VkDescriptorSet set; /* of the test's own */
-    bool wanted;         /* whether conditional rows run, */
-    uint32_t left_out;   /* but for these of their repetitions, a bit each */
-    uint32_t *asked;     /* counts how often they were asked; may be NULL */
+    VkDescriptorSet set; /* bound by the test's own record functions */
+    bool wanted;         /* true if conditional rows run */
+    uint32_t left_out;   /* bit mask of repetitions that do not run */
+    uint32_t *asked;     /* counts evaluations of conditions; may be NULL */
 };
 
-/* Of four floats a texel: name, then other members. */
+/* An RGBA32F image, and a readback buffer for it: name, then other members. */
 #define COLOR_IMAGE(...) \
     { \
         .format = VK_FORMAT_R32G32B32A32_SFLOAT, .name = __VA_ARGS__, \
@@ -29,17 +27,17 @@ struct rg_frame {
         .name = (title), .size_per_texel = 4 * sizeof(float), .memory = RG_MEMORY_READBACK \
     }
 
-/* What makes a row draw its rectangle. */
+/* Members of a row that draws its rectangle. */
 #define PAINTED PAINTED_BY(painted_record, &paint_frag)
 #define PAINTED_BY(record_function, fragment_shader) \
     .vert = &paint_vert, .frag = (fragment_shader), .push_size = sizeof(struct paint_push), \
     .record = (record_function)
 rg_record_fn painted_record;
-rg_record_fn painted_record_number; /* adds the number of the repetition, from 1, to the first
-                                       channel; each nearer than the last */
+/* adds the repetition, from 1, to channel 0; each is nearer */
+rg_record_fn painted_record_number;
 rg_when_fn painted_when;
 
-/* A row's use that such a shader fetches from, and a row that copies an image so. */
+/* The source that fetch.frag reads, and a row that copies an image with this shader. */
 #define PAINTED_SOURCE(from) \
     { \
         .image = &(from), .access = RG_SAMPLED, .binding = PAINT_SOURCE \
@@ -52,12 +50,12 @@ rg_when_fn painted_when;
 
 void painted_draw(struct rg_cmd *cmd, const struct paint_push *paint);
 
-/* Parts of the target, for a struct paint_push. */
+/* Regions of the target, for a struct paint_push. */
 #define ALL       .from = { { -1, -1 } }, .to = { { 1, 1 } }
 #define LEFT_HALF .from = { { -1, -1 } }, .to = { { 0, 1 } }
 #define TOP_HALF  .from = { { -1, -1 } }, .to = { { 1, 0 } }
 
-/* run_everywhere() for a table of rows; what follows `check` are members of run_params. */
+/* Calls run_everywhere() for a table of rows; members of run_params may follow `check`. */
 #define PAINTED_EVERYWHERE(state, table, rectangles, check, ...) \
     run_everywhere(*(state), \
                    &(struct run_params){ \
@@ -66,25 +64,25 @@ void painted_draw(struct rg_cmd *cmd, const struct paint_push *paint);
                    }, \
                    &(struct rg_frame){ .rows = (table), .paints = (rectangles) }, check)
 
-/* Frames that a graph draws one after another. */
+/* A sequence of frames drawn with one graph. */
 struct painted_series {
     uint32_t count;
-    /* What frame `number` is told; its upload buffers may be written now. */
+    /* Sets up frame `number`; its upload buffers may be written in this call. */
     void (*begin)(struct run *run, uint32_t number, struct rg_frame *frame);
-    void (*check)(struct run *run, uint32_t number); /* when it is finished */
+    void (*check)(struct run *run, uint32_t number); /* called when the frame is complete */
 };
 
-/* Runs them in memory full of garbage, waiting for a frame only where its slot is wanted again. */
+/* Runs the frames in memory filled with garbage; waits for a frame only when its slot is reused. */
 void painted_series(struct gpu *gpu, const struct run_params *params,
                     const struct painted_series *series);
 
-/* The same in the four ways of run_everywhere(). */
+/* Runs painted_series() in each of the four variants of run_everywhere(). */
 void painted_series_everywhere(struct gpu *gpu, const struct run_params *params,
                                const struct painted_series *series);
 
 vec4s painted_color(float r, float g, float b, float a);
 
-/* Texels that were read back, exactly. */
+/* Fail unless the texels read back are exactly equal to `color`. */
 void painted_check(struct run *run, const struct rg_buffer *buffer, uint32_t index, vec4s color);
 void painted_check_all(struct run *run, const struct rg_buffer *buffer, uint32_t count,
                        vec4s color);

@@ -1,4 +1,4 @@
-/* picture.c: scenes made by hand, and pictures of them. */
+/* picture.c: hand-made scenes, and rendering of them through the renderer. */
 #include "tests/support/picture.h"
 
 #include <cglm/struct.h>
@@ -22,7 +22,7 @@ static struct settings settings_for(const struct picture_request *request)
     return request->settings ? *request->settings : picture_settings("light.count=0");
 }
 
-/* Takes the request over, but not yet in the renderer. */
+/* Stores the request and returns its renderer parameters; does not touch the renderer. */
 static struct renderer_params params_for(struct picture_stage *stage,
                                          const struct picture_request *request)
 {
@@ -60,7 +60,7 @@ void picture_change(struct picture_stage *stage, const struct picture_request *r
     assert_int_equal(renderer_change(stage->renderer, &params), STATUS_OK);
 }
 
-/* Whether both give the same passes and the same shaders. */
+/* Returns true if both settings give the same passes and shader variants. */
 static bool is_same_stage(const struct scene *scene, const struct settings *a,
                           const struct settings *b)
 {
@@ -171,7 +171,7 @@ struct vec picture_at(struct picture_layer layer, size_t i)
 
 bool picture_is_object(struct picture_layer exit, size_t i)
 {
-    return !(vec_norm(picture_at(exit, i)) < 0.5); /* NaN: looked at, and found */
+    return !(vec_norm(picture_at(exit, i)) < 0.5); /* NaN counts as covered by the object */
 }
 
 /* ---- scenes ---- */
@@ -214,7 +214,7 @@ void picture_use_directions(struct scene *scene, uint32_t width)
     e->texels = malloc((size_t)e->width * e->height * 4 * sizeof(*e->texels));
     assert_non_null(e->texels);
     for (size_t i = 0; i < (size_t)e->width * e->height; i++) {
-        /* -Z in the middle, +X a quarter to the right of it */
+        /* equirectangular: -Z in the centre, +X a quarter of the width to its right */
         const size_t column = i % width;
         const size_t row = i / width;
         const double longitude = ((double)column + 0.5) / width * 2 * pi - pi;

@@ -1,8 +1,8 @@
 /*
- * picture.h: scenes made by hand, pictures of them, and the rays of their pixels.
+ * picture.h: hand-made scenes, rendered images of them, and the camera rays of their pixels.
  *
- * Many scenes have *directions as colours*, (dir + 1) / 2 for the unit direction dir from the eye,
- * so that a picture contains the direction in which each pixel looks.
+ * Many scenes have *directions as colours*, (dir + 1) / 2 for the unit direction dir from the
+ * camera, so that an image contains the direction of the ray that each pixel sees.
  */
 #ifndef TESTS_PICTURE_H
 #define TESTS_PICTURE_H
@@ -14,8 +14,8 @@
 
 struct picture_request {
     const struct scene *scene;
-    const struct settings *settings; /* NULL: those of picture_settings() */
-    const char *refraction;          /* NULL: paper */
+    const struct settings *settings; /* NULL for those of picture_settings() */
+    const char *refraction;          /* refraction model; NULL for paper */
     struct camera camera;
     uint32_t width, height, samples, layers;
     bool display;
@@ -23,16 +23,17 @@ struct picture_request {
     enum rg_sharing sharing;
 };
 
-/* The bit of a layer in a request. */
+/* Returns a layer's bit in picture_request.layers. */
 uint32_t picture_layer_bit(const char *name);
 
-/* One picture, linear always; any failure or validation message fails the test. */
+/* Renders one linear image; any failure or validation message fails the test. */
 struct render_result picture_render(struct gpu *gpu, const struct picture_request *request);
 
 /*
- * Several of one renderer, whose shaders are compiled once, which costs more than small pictures.
- * Of later requests camera, time and settings may differ, but for settings that shaders are
- * compiled for: asserted. Must not move once opened.
+ * A renderer for several images, because compiling shaders costs more than rendering a small image.
+ *
+ * Later requests may differ in camera, time and settings, except settings that change the shaders
+ * (asserted). Must not be moved while open.
  */
 struct picture_stage {
     struct gpu *gpu;
@@ -45,20 +46,20 @@ void picture_begin(struct picture_stage *stage, struct gpu *gpu,
                    const struct picture_request *request);
 struct render_result picture_take(struct picture_stage *stage,
                                   const struct picture_request *request);
-/* The same renderer for another request of the same scene, whatever it asks for. */
+/* Changes the renderer to any other request of the same scene. */
 void picture_change(struct picture_stage *stage, const struct picture_request *request);
 void picture_end(struct picture_stage *stage);
 
-/* The defaults but for smooth ice and no lights, with one setting changed: "refract.ior=1.5". */
+/* Returns default settings with smooth ice, no lights and one assignment: "refract.ior=1.5". */
 struct settings picture_settings(const char *assignment);
 
-/* Unit direction from the eye through a point of the picture; pixel i's centre is at i + 0.5. */
+/* Returns the unit camera ray direction through an image point; pixel i's centre is at i + 0.5. */
 struct vec picture_ray(const struct picture_request *request, double x, double y);
 
-/* The same through the centre of pixel i, rows from the top. */
+/* Returns the camera ray through the centre of pixel i, counted by rows from the top. */
 struct vec picture_pixel_ray(const struct picture_request *request, size_t i);
 
-/* Three planes of a picture: "N" are N.X N.Y N.Z, "refraction" .R .G .B, "" the beauty. */
+/* Three planes of an image: "N" is N.X N.Y N.Z, "refraction" is .R .G .B, "" is R G B. */
 struct picture_layer {
     const float *planes[3];
 };
@@ -66,32 +67,32 @@ struct picture_layer {
 struct picture_layer picture_layer(const struct image *image, const char *name);
 struct vec picture_at(struct picture_layer layer, size_t i);
 
-/* Where refracted light leaves is never {0} on the object, and {0} elsewhere. */
+/* Returns true if the object covers the pixel: the exit layer is {0} only elsewhere. */
 bool picture_is_object(struct picture_layer exit, size_t i);
 
 /* ---- scenes; the caller finishes them ---- */
 
 struct vec picture_direction_color(struct vec dir);
 
-/* A unit sphere as the object; its centre as given. */
+/* Returns a scene with a unit sphere as the object, at the given centre. */
 struct scene picture_sphere_scene(vec3s center, uint32_t triangles);
 
-/* A ball of unlit directions as colours around a point. */
+/* Adds an unlit ball around `center`, coloured by direction. */
 void picture_add_directions(struct scene *scene, vec3s center, float radius);
 
-/* Directions as colours at infinity, as an environment picture, width / 2 texels high. */
+/* Sets an environment map coloured by direction, width / 2 texels high. */
 void picture_use_directions(struct scene *scene, uint32_t width);
 
 struct picture_quad {
-    vec3s top_left, right, down; /* the latter two to the other corners */
+    vec3s top_left, right, down; /* `right` and `down` are the edges from the top left corner */
     vec3s color;
     uint32_t material;
 };
 
-/* Its normal is down x right: toward whoever sees it the right way round. */
+/* Adds a quad to the surroundings. Its normal is down x right, so its front looks unmirrored. */
 void picture_add_quad(struct scene *scene, const struct picture_quad *quad);
 
-/* Sorts, NaN last; q from 0 to 1. */
+/* Returns the q-quantile, q from 0 to 1. Sorts `values`, NaN last. */
 double picture_quantile(double *values, size_t count, double q);
 
 #endif

@@ -1,4 +1,4 @@
-/* pipe_stream.h: a short pipe in memory, for what reader processes send (src/reader/pipe.h). */
+/* pipe_stream.h: in-memory pipe, a fake of the reader processes' pipe (src/reader/pipe.h). */
 #ifndef TESTS_PIPE_STREAM_H
 #define TESTS_PIPE_STREAM_H
 
@@ -11,10 +11,10 @@ enum {
 
 struct pipe_stream {
     unsigned char bytes[PIPE_STREAM_SIZE];
-    size_t size, at; /* bytes written, and read */
+    size_t size, at; /* bytes written, bytes read */
 };
 
-/* Functions of a struct pipe_sink and a struct pipe_source, whose user is the stream. */
+/* Callbacks of a struct pipe_sink and a struct pipe_source; `user` is the stream. */
 static inline bool pipe_stream_write(void *user, const void *bytes, size_t size)
 {
     struct pipe_stream *stream = user;

@@ -1,6 +1,7 @@
-"""plan_dumps.py: compares the dumps of one plan with each other.
+"""plan_dumps.py: checks that the text, JSON and HTML dumps of a plan agree.
 
-The JSON form has all data, so the text is derived from it, and the page must show the same data.
+The JSON dump has all data: the expected text is derived from it, and the HTML page is checked
+against it.
 """
 import decimal
 import xml.etree.ElementTree as ElementTree
@@ -63,7 +64,7 @@ def span(what, first, count, everything):
 
 
 def texels(plan, index, of):
-    """The name of an image and the part of it that a range, target or resolve names."""
+    """Returns an image's name and the subresource range that a range, target or resolve selects."""
     image = plan['images'][index]
     text = image['name']
     if of.get('aspects', image['aspects']) != image['aspects']:
@@ -107,7 +108,7 @@ def pass_lines(plan, index):
 
 
 def text_lines(plan):
-    """The lines of rg_dump()."""
+    """Yields the lines that rg_dump() should write."""
     if plan['faults']:
         yield from (f"fault: {fault['text']}" for fault in plan['faults'])
         return
@@ -124,27 +125,27 @@ def text_lines(plan):
     yield from (f'culled {display_name(culled)}' for culled in plan['culled'])
 
 
-# ---- the page ----
+# ---- HTML page ----
 
 def visible(text):
-    """A name as the page shows it: controls, and what XML forbids, are replaced."""
+    """Returns a name as the page displays it: control and non-XML characters are replaced."""
     return ''.join('\ufffd' if ord(c) < 32 or 127 <= ord(c) < 160 or c in '\ufffe\uffff' else c
                    for c in text)
 
 
 def batches(plan):
-    """(column, barriers) wherever there are some."""
+    """Returns (column, barriers) of each barrier batch."""
     rows = [*(row['barriers'] for row in plan['passes']), plan['final_barriers']]
     return [(column, barriers) for column, barriers in enumerate(rows) if barriers]
 
 
 class Page:
-    """Compares a page with its plan; `faults` says in words what differs."""
+    """Compares an HTML page with its plan; `faults` lists the differences as text."""
 
     def __init__(self, html, plan):
         self.root = ElementTree.fromstring(html)
         self.plan, self.faults = plan, []
-        for element in self.root.iter():  # SVG in HTML needs no name space
+        for element in self.root.iter():  # tags without namespaces, as in HTML
             element.tag = element.tag.removeprefix(XHTML).removeprefix(SVG)
         self.check_alone()
         if plan['faults']:
@@ -169,7 +170,7 @@ class Page:
         return group.find('title').text.rstrip('\n').split('\n')
 
     def check_alone(self):
-        """Nothing is loaded, and no name has become markup."""
+        """Checks that nothing external is loaded and that names were escaped."""
         for element in self.root.iter():
             if element.tag in ('link', 'img', 'iframe', 'object', 'image', 'use', 'a', 'base'):
                 self.faults.append(f'<{element.tag}>')
@@ -219,7 +220,7 @@ class Page:
                     [initial] if initial else [])
 
     def column(self):
-        """Pixels a pass is wide."""
+        """Returns the width of a pass's column in pixels."""
         return int(next(self.root.iter('pattern')).get('width'))
 
     def resource(self, group):
@@ -253,7 +254,7 @@ class Page:
                     self.faults.append(f'block {block}: {a} lies on {b}')
 
     def check_everything_is_there(self):
-        """Each resource is drawn once, and says what the text says of it."""
+        """Checks that each resource is drawn once, with the expected tooltip and bar."""
         for kind, line in (('image', image_line), ('buffer', buffer_line)):
             groups = {group.get(f'data-{kind}'): group for group in self.having(f'data-{kind}')}
             resources = self.plan[f'{kind}s']

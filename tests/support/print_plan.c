@@ -1,8 +1,9 @@
 /*
- * print_plan.c: prints a plan, for tests that read dumps.
+ * print_plan.c: program that prints a plan, for tests that read dumps.
  *
- * print-plan FORMAT PLAN   FORMAT: text, dot, json or html
- *                          PLAN: everything, awkward, faults, or the seed of a random graph
+ * print-plan FORMAT PLAN
+ * FORMAT: text, dot, json or html
+ * PLAN: everything, awkward, faults, or the seed of a random graph
  */
 #include <stdlib.h>
 #include <string.h>

@@ -1,10 +1,10 @@
 /*
- * print_profile_page.c: prints the page of a profile, for tests in a browser.
+ * print_profile_page.c: program that prints a profile as an HTML page, for tests in a browser.
  *
- * print-profile-page [PROFILE.json [NAME=VALUE,...]...]; without a file, of the profile made by
- * hand. With parameters, of a sweep, too, whose points are that profile again, but the third row
- * takes 0.1 ms times the square root of the last parameter (of 1 where it is less or no number);
- * with several parameters, of charts, too.
+ * print-profile-page [PROFILE.json [NAME=VALUE,...]...]; default: the profile of profile_sample.c.
+ * Parameters add a sweep whose points are copies of the profile, except that the third row takes
+ * 0.1 ms times the square root of the last parameter (of 1 if that is smaller or no number).
+ * Several parameters also add charts.
  */
 #include <math.h>
 #include <stdio.h>

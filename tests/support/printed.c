@@ -1,4 +1,4 @@
-/* printed.c: captures what a function writes. */
+/* printed.c: captures what a function writes to a FILE as a string. */
 #include "tests/support/printed.h"
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ void printed_end(struct printed *printed, int columns)
     assert_int_equal(fclose(printed->out), 0);
     for (const char *at = printed->text; *at; at++) {
         const unsigned char c = (unsigned char)*at;
-        column += (c & 0xc0) != 0x80; /* no later byte of a character */
+        column += (c & 0xc0) != 0x80; /* count characters: skip UTF-8 continuation bytes */
         if (c == '\n')
             column = 0;
         if (column > columns)

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-/* FILE *out = printed_begin(&printed); ... printed_end(&printed); ... free(printed.text) */
+/* Use: FILE *out = printed_begin(&printed); ... printed_end(&printed); ... free(printed.text) */
 struct printed {
     FILE *out;
     char *text;
@@ -13,10 +13,10 @@ struct printed {
 
 FILE *printed_begin(struct printed *printed);
 
-/* Fails where a line has more than `columns` characters, or text is no UTF-8. */
+/* Ends the capture. Fails if a line has more than `columns` characters, or control characters. */
 void printed_end(struct printed *printed, int columns);
 
-/* The line that begins with these words; fails if there is none. */
+/* Returns the line that begins with `words`; fails if there is none. */
 const char *printed_line(const struct printed *printed, const char *words);
 
 #endif

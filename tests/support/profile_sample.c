@@ -1,4 +1,4 @@
-/* profile_sample.c: a profile made by hand in which every field is set. */
+/* profile_sample.c: a synthetic profile in which every field is set. */
 #include "tests/support/profile_sample.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,7 +21,7 @@ static const struct {
     { "unattributed", "", PROFILE_REST, 0, 1, 0, 0, 0.1 },
 };
 
-/* 0.97 to 1.03, another one for every row and run */
+/* deterministic noise, 0.97 to 1.03, different for every row and run */
 static double spread(uint32_t row, uint32_t run)
 {
     return 0.97 + 0.06 * ((row * 7 + run * 13) % 23) / 22.0;

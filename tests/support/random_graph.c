@@ -1,5 +1,4 @@
-/* random_graph.c: random images, buffers, imports and outputs around random_graph_pass.c's
- * passes. */
+/* random_graph.c: random images, buffers, imports and outputs of graphs, reproducible by seed. */
 #include "tests/support/random_graph.h"
 
 #include <stdio.h>
@@ -8,7 +7,7 @@
 
 #include "tests/support/random_graph_private.h"
 
-/* splitmix64 (Steele, Lea, Flood 2014) */
+/* splitmix64 random number generator (Steele, Lea, Flood 2014) */
 static uint64_t next(struct random_tables *t)
 {
     t->state += UINT64_C(0x9e3779b97f4a7c15);
@@ -84,7 +83,7 @@ static void draw_samples(struct random_tables *t, struct rg_image *image,
     image->mips = 0;
 }
 
-/* What the image before can be resolved to. */
+/* Makes image `index` a resolve destination for the multisampled image before it. */
 static void draw_resolved(struct random_tables *t, uint32_t index)
 {
     struct rg_image *image = &t->images[index];
@@ -167,7 +166,7 @@ static void draw_buffer(struct random_tables *t, uint32_t index)
     known->defined[0] = buffer->memory == RG_MEMORY_UPLOAD || buffer->persistent;
 }
 
-/* the first three with several samples, too */
+/* the first three also suit multisampled images */
 static const enum rg_access image_imports[] = {
     RG_ACCESS_NONE, RG_SAMPLED,      RG_COLOR,   RG_COPY_SRC,
     RG_COPY_DST,    RG_STORAGE_READ, RG_PRESENT, RG_STORAGE_READ_WRITE,
@@ -183,7 +182,7 @@ static const enum rg_access buffer_imports[] = {
 
 static const enum rg_access structure_imports[] = { RG_ACCESS_NONE, RG_TRACE, RG_BUILD };
 
-/* The image that comes differs from the one declared. */
+/* Gives the imported image a shape that differs from its declaration. */
 static void draw_import_shape(struct random_tables *t, struct rg_import *import)
 {
     static const uint32_t sizes[] = { 16, 32, 64 };
@@ -193,7 +192,7 @@ static void draw_import_shape(struct random_tables *t, struct rg_import *import)
         import->extent.width = known->width = sizes[random_graph_below(t, 3)];
         import->extent.height = known->height =
             cube ? known->width : sizes[random_graph_below(t, 3)];
-        if (import->image->mips) /* there may be fewer now */
+        if (import->image->mips) /* the declared mips may not fit the new extent */
             import->mips = known->mips = 1;
     }
     if (known->samples == 1 && random_graph_chance(t, 40))
@@ -347,7 +346,7 @@ static void split(struct random_tables *t, struct rg_compile_params *params)
     }
 }
 
-/* Most graphs are small, and have some of the features only. */
+/* Chooses the graph's size and features: most graphs are small and use only some features. */
 static void draw_counts(struct random_tables *t)
 {
     uint32_t size = random_graph_below(t, 200);

@@ -1,5 +1,5 @@
 /*
- * random_graph.h: random tables, valid by construction.
+ * random_graph.h: generator of random graphs, valid by construction, for tests of the compiler.
  *
  * Equal seeds give equal tables. They use all kinds of passes, loads, ranges, repeats, formats,
  * samples, resolves, conditions, history, imports and outputs, and some passes that no output
@@ -19,8 +19,9 @@ struct random_graph {
 };
 
 /*
- * Draws tables of at most so many passes (0: any number), not counting one more that puts something
- * out where the others do not. Returns false if memory is short. Not to be moved after it.
+ * Generates a graph of at most `most_passes` passes, 0 meaning no limit, plus possibly one that
+ * writes an output if no other pass does. Returns false when out of memory. The graph must not be
+ * moved afterwards.
  */
 bool random_graph_init(struct random_graph *graph, uint64_t seed, uint32_t most_passes);
 

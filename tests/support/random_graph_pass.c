@@ -1,5 +1,4 @@
-/* random_graph_pass.c: random passes; it records which texels are written, so that each is
- * valid. */
+/* random_graph_pass.c: random valid passes of a graph; tracks which subresources are written. */
 #include <string.h>
 #include "tests/support/random_graph_private.h"
 
@@ -11,13 +10,13 @@ static void record(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 static const struct rg_shader shader = { .name = "none" };
 
-static bool is_dark(const struct rg_frame *frame, uint32_t repetition)
+static bool is_null_frame(const struct rg_frame *frame, uint32_t repetition)
 {
     (void)repetition;
     return frame == NULL;
 }
 
-static bool is_bright(const struct rg_frame *frame, uint32_t repetition)
+static bool is_any_frame(const struct rg_frame *frame, uint32_t repetition)
 {
     (void)repetition;
     return frame != NULL;
@@ -30,9 +29,9 @@ static bool is_never(const struct rg_frame *frame, uint32_t repetition)
     return false;
 }
 
-static rg_when_fn *const conditions[CONDITIONS] = { is_dark, is_bright, is_never };
+static rg_when_fn *const conditions[CONDITIONS] = { is_null_frame, is_any_frame, is_never };
 
-/* What two conditions write in turn is there for the later one only. */
+/* Marks a range as written; after writes under two conditions, only the later one defines it. */
 static void define(struct random_known *known, const struct rg_range *range, uint32_t condition)
 {
     for (uint32_t layer = range->layer; layer < range->layer + range->layer_count; layer++)
@@ -53,7 +52,7 @@ bool random_graph_is_defined(const struct random_known *known, const struct rg_r
     return true;
 }
 
-/* For the pass being drawn. */
+/* Returns true if the range is defined whenever the pass being generated runs. */
 static bool is_defined(const struct random_tables *t, uint32_t resource,
                        const struct rg_range *range)
 {
@@ -86,7 +85,7 @@ static bool overlaps(const struct rg_range *a, const struct rg_range *b)
            a->layer < b->layer + b->layer_count && b->layer < a->layer + a->layer_count;
 }
 
-/* Reserves a part of a resource for the pass being drawn. */
+/* Reserves a range of a resource for the pass being generated; false if it overlaps another. */
 static bool claim(struct random_tables *t, uint32_t resource, struct rg_range range, bool writes)
 {
     for (uint32_t i = 0; i < t->claim_count; i++)
@@ -96,7 +95,7 @@ static bool claim(struct random_tables *t, uint32_t resource, struct rg_range ra
     return true;
 }
 
-/* A part of an image: all of it, or a few mips and layers. */
+/* Returns a random range of an image: all of it, or some mips and layers. */
 static struct rg_range draw_range(struct random_tables *t, const struct random_known *known)
 {
     struct rg_range range = random_graph_whole(known);
@@ -121,7 +120,7 @@ static struct rg_use *add_use(struct random_tables *t, uint32_t resource, enum r
     return use;
 }
 
-/* Sometimes leaves counts to their defaults. */
+/* Sometimes replaces counts by 0, the default "all remaining". */
 static struct rg_range written_range(struct random_tables *t, const struct random_known *known,
                                      struct rg_range range)
 {
@@ -132,7 +131,7 @@ static struct rg_range written_range(struct random_tables *t, const struct rando
     return range;
 }
 
-/* Sometimes a buffer is stored to, or sampled, as texels. */
+/* Sometimes makes a buffer access go through a texel buffer view. */
 static void draw_texels(struct random_tables *t, struct rg_use *use)
 {
     bool known = use->buffer && use->buffer->format;
@@ -250,7 +249,7 @@ static uint32_t mip_size(uint32_t size, uint32_t mip)
     return size >> mip ? size >> mip : 1;
 }
 
-/* What a target of a row covers over all repetitions. */
+/* Returns the range that a target covers over all repetitions of the row. */
 static struct rg_range target_range(const struct random_known *known, const struct rg_pass *pass,
                                     uint32_t mip, uint32_t layer)
 {
@@ -262,7 +261,7 @@ static struct rg_range target_range(const struct random_known *known, const stru
     return range;
 }
 
-/* Part of the channels, and another equation: what is there is kept, or read. */
+/* blend states that preserve or read the target: a partial write mask, another blend equation */
 static const VkPipelineColorBlendAttachmentState blends[] = {
     { .colorWriteMask = VK_COLOR_COMPONENT_R_BIT },
     { .blendEnable = VK_TRUE,
@@ -293,8 +292,7 @@ static bool claim_target(struct random_tables *t, const struct rg_pass *pass,
     return true;
 }
 
-/* Whether a mip and layer of `known` have the size, and over all repetitions the number, of the
- * first target, which is of `main`. */
+/* Returns true if a target fits the first target, `first` of image `main`, in extent and count. */
 static bool fits(const struct rg_pass *pass, const struct random_known *main,
                  const struct rg_target *first, const struct random_known *known,
                  const struct rg_target *target)
@@ -312,7 +310,7 @@ static struct rg_target *colors_of(struct random_tables *t, const struct rg_pass
     return t->targets[pass - t->passes];
 }
 
-/* Sometimes a colour target with several samples is resolved. */
+/* Sometimes adds a resolve attachment to a multisampled colour target. */
 static void draw_resolve(struct random_tables *t, const struct rg_pass *pass,
                          struct rg_target *target, uint32_t of)
 {
@@ -320,7 +318,7 @@ static void draw_resolve(struct random_tables *t, const struct rg_pass *pass,
     const struct rg_target *first = pass->color[0].image ? &pass->color[0] : &pass->depth;
     const struct random_known *main = &t->known[first->image - t->images];
     for (uint32_t tries = 0; from->samples > 1 && !from->depth && tries < 4; tries++) {
-        /* the next image is often made for it */
+        /* the next image is often generated as the resolve destination */
         uint32_t resource = tries == 0 && of + 1 < t->image_count ? of + 1 : pick_image(t);
         const struct random_known *known = &t->known[resource];
         struct rg_target to = { .mip = random_graph_below(t, known->mips),
@@ -336,12 +334,12 @@ static void draw_resolve(struct random_tables *t, const struct rg_pass *pass,
     }
 }
 
-/* More targets of the size of the first, which is `of`. */
+/* Adds targets with the extent of the first one, which is image `of`. */
 static void draw_other_targets(struct random_tables *t, struct rg_pass *pass, uint32_t of,
                                const struct rg_target *first)
 {
     struct random_known *main = &t->known[of];
-    uint32_t colors = pass->color[0].image ? 1 : RG_COLOR_COUNT; /* none beside depth alone */
+    uint32_t colors = pass->color[0].image ? 1 : RG_COLOR_COUNT; /* none beside depth */
     for (uint32_t tries = 0; tries < 10; tries++) {
         uint32_t resource = pick_image(t);
         const struct random_known *known = &t->known[resource];
@@ -385,7 +383,7 @@ static bool draw_targets(struct random_tables *t, struct rg_pass *pass)
     return true;
 }
 
-/* Each mip from the one above it: the row reads what its own earlier repetitions wrote. */
+/* Generates a mip chain: each repetition reads the mip that the previous one wrote. */
 static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
 {
     uint32_t resource = pick_image(t);
@@ -415,7 +413,7 @@ static bool draw_mip_chain(struct random_tables *t, struct rg_pass *pass)
     return true;
 }
 
-/* A row repeated for each layer of an image it writes from a shader, or copies. */
+/* Generates a row that copies or shades each layer of an image from another image. */
 static bool draw_layer_copy(struct random_tables *t, struct rg_pass *pass)
 {
     uint32_t from = pick_image(t), to = pick_image(t);
@@ -473,7 +471,7 @@ static const struct rg_vertex_layout first_vertices = {
 };
 static const struct rg_set own_set = { "own" };
 
-/* What changes no barrier: stencil, bias, vertices per instance, a set of the program's own. */
+/* Chooses state that affects no barrier: stencil, depth bias, vertex layout, descriptor set. */
 static void draw_state(struct random_tables *t, struct rg_pass *pass)
 {
     bool stencil = pass->depth.image && t->known[pass->depth.image - t->images].stencil;
@@ -487,7 +485,7 @@ static void draw_state(struct random_tables *t, struct rg_pass *pass)
         pass->set = &own_set;
 }
 
-/* Some neighbours with the same kind of descriptor are an array. */
+/* Merges some neighbouring uses with the same descriptor type into a descriptor array. */
 static void draw_arrays(struct random_tables *t)
 {
     struct rg_use *uses = t->uses[t->pass_count];

@@ -1,6 +1,4 @@
-/*
- * random_graph_private.h: declarations shared by the files of the random graphs.
- */
+/* random_graph_private.h: declarations shared by the files of the random graph generator. */
 #ifndef TESTS_RANDOM_GRAPH_PRIVATE_H
 #define TESTS_RANDOM_GRAPH_PRIVATE_H
 
@@ -12,26 +10,26 @@
 enum {
     IMAGES = 48,
     BUFFERS = 24,
-    RESOURCES = IMAGES + BUFFERS, /* images first */
+    RESOURCES = IMAGES + BUFFERS, /* indices of images, then of buffers */
     PASSES = 301,
-    USES = 6, /* of a pass */
+    USES = 6, /* per pass */
     TECHNIQUES = 4,
-    CELLS = 12 * 8, /* of an image: layers by mips */
+    CELLS = 12 * 8, /* subresources of an image: layers times mips */
     CLAIMS = 2 * USES + 2 * RG_COLOR_COUNT,
     CONDITIONS = 3,
 };
 
-/* What is known of an image or buffer; a buffer has one layer and mip. */
+/* Generator state of an image or buffer; a buffer counts as one layer and mip. */
 struct random_known {
     uint32_t layers, mips, samples, width, height;
-    VkFormat format; /* of a buffer: of its texels */
+    VkFormat format; /* of a buffer: its texel format */
     bool depth, stencil, storage, copies, written;
-    bool volume;            /* of three dimensions */
-    bool structure;         /* a buffer with an acceleration structure */
-    uint8_t defined[CELLS]; /* bit 0: always; bit n: where condition n is true */
+    bool volume;            /* 3D image */
+    bool structure;         /* buffer with an acceleration structure */
+    uint8_t defined[CELLS]; /* bit 0: always written; bit n: written if condition n is true */
 };
 
-/* Part of a resource that the pass being drawn uses already. */
+/* Range of a resource that the pass being generated already uses. */
 struct random_claim {
     uint32_t resource;
     struct rg_range range; /* counts resolved */
@@ -43,7 +41,7 @@ struct random_tables {
     struct rg_image images[IMAGES];
     struct rg_buffer buffers[BUFFERS];
     struct rg_pass passes[PASSES];
-    struct rg_target targets[PASSES][RG_COLOR_COUNT]; /* of each pass */
+    struct rg_target targets[PASSES][RG_COLOR_COUNT]; /* colour targets of each pass */
     struct rg_use uses[PASSES][USES + 1];
     char names[RESOURCES + PASSES][16];
     struct rg_technique techniques[TECHNIQUES];
@@ -54,13 +52,13 @@ struct random_tables {
     struct random_known known[RESOURCES];
     uint32_t image_count, buffer_count, pass_count, wanted_count, condition_count;
     bool history, multisampled;
-    bool local; /* passes use images near each other, so that lives are short, and read what the
-                   pass before wrote, so that few are culled */
+    /* passes use recently written images: short lifetimes, few culled */
+    bool local;
     uint32_t last_written;
-    /* of the pass being drawn: */
+    /* of the pass being generated: */
     struct random_claim claims[CLAIMS];
     uint32_t claim_count, use_count;
-    uint32_t condition; /* 0: none */
+    uint32_t condition; /* number of its condition, from 1; 0 if unconditional */
 };
 
 /* random_graph.c */
@@ -69,13 +67,13 @@ bool random_graph_chance(struct random_tables *t, uint32_t percent);
 const char *random_graph_name(struct random_tables *t, char kind, uint32_t index, uint32_t slot);
 bool random_graph_exists(const struct random_tables *t, uint32_t resource);
 
-/* random_graph_pass.c: draws the next row; it may fail, and then none is added. */
+/* random_graph_pass.c: generates the next row; adds none if the random choices do not fit. */
 void random_graph_draw(struct random_tables *t);
 
-/* Adds a pass that writes all of image 0, so that there is something to put out. */
+/* Adds a pass that writes all of image 0, so that there is an output. */
 void random_graph_draw_last(struct random_tables *t);
 
-/* Wherever the condition is true (0: always). */
+/* Returns true if the range is written whenever the condition is true; 0 for unconditional. */
 bool random_graph_is_defined(const struct random_known *known, const struct rg_range *range,
                              uint32_t condition);
 struct rg_range random_graph_whole(const struct random_known *known);

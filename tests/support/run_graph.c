@@ -1,4 +1,4 @@
-/* run_graph.c: compiles tables for a device and runs them. */
+/* run_graph.c: compiles graph tables for a device and executes them. */
 #include "tests/support/run_graph.h"
 
 #include <string.h>
@@ -13,7 +13,7 @@ static void log_line(void *user, const char *what, VkResult result)
     (void)snprintf(run->line, sizeof(run->line), "VkResult %d from %s", (int)result, what);
 }
 
-/* What volk's pointers hold now: a test may have put functions of its own there. */
+/* Returns volk's current function pointers, which a test may have replaced by mocks. */
 static PFN_vkVoidFunction find_function(VkInstance instance, const char *name)
 {
 #define ROW(function) \

@@ -1,6 +1,4 @@
-/*
- * run_graph.h: compiles tables for a device and runs them; any failure fails the test.
- */
+/* run_graph.h: compiles graph tables for a device and executes them; any failure fails the test. */
 #ifndef TESTS_RUN_GRAPH_H
 #define TESTS_RUN_GRAPH_H
 
@@ -15,20 +13,20 @@ enum {
 
 struct run_params {
     struct rg_technique technique;
-    VkExtent2D view;                 /* texels; 0 means 8 x 8 */
-    VkExtent2D max_view, max_region; /* of rg_compile_params, as is */
-    /* read back after the frame, in memory that the host reads; ends at NULL */
+    VkExtent2D view;                 /* pixels; 0 means 8 x 8 */
+    VkExtent2D max_view, max_region; /* passed on to rg_compile_params */
+    /* readback buffers, copied to after the frame; NULL-terminated */
     const struct rg_buffer *outputs[RUN_OUTPUT_COUNT + 1];
-    struct rg_output kept[RUN_KEPT_COUNT + 1]; /* more outputs; ends at {0} */
+    struct rg_output kept[RUN_KEPT_COUNT + 1]; /* further outputs; ends at {0} */
     const struct rg_import *imports;
-    const struct rg_exec_import *objects; /* behind the imports */
+    const struct rg_exec_import *objects; /* Vulkan objects of `imports` */
     size_t import_count;
-    const struct rg_exec_set *sets; /* of the program's own; of all rows' the first */
+    const struct rg_exec_set *sets; /* descriptor sets of the application; all rows use the first */
     uint32_t frames_in_flight;
-    struct rg_pipelines *pipelines; /* NULL: none of other executors */
+    struct rg_pipelines *pipelines; /* shared with other executors; NULL for none */
     bool render_passes;
     enum rg_sharing sharing;
-    bool no_device; /* to compile for */
+    bool no_device; /* compile without a device */
     struct rg_measure measure;
     const VkSpecializationInfo *constants;
 };
@@ -39,12 +37,12 @@ struct run {
     struct gpu *gpu;
     struct rg_plan *plan;
     struct rg_exec *exec;
-    uint32_t slot;  /* of the last frame */
-    char line[512]; /* that the executor has logged last */
+    uint32_t slot;  /* frame slot of the last frame */
+    char line[512]; /* last line that the executor logged */
     uint32_t line_count;
 };
 
-/* What run_plan() compiles. Points into itself and into the params: must not move. */
+/* Compile parameters of run_plan(). Must not be moved: has pointers into itself and run_params. */
 struct run_tables {
     struct rg_compile_params compile;
     struct rg_output outputs[RUN_OUTPUT_COUNT + RUN_KEPT_COUNT];
@@ -54,45 +52,45 @@ struct run_tables {
 void run_tables_init(struct run_tables *tables, const struct run_params *params,
                      const struct rg_device *device);
 
-/* Compiles for a device; NULL: for none. The caller destroys the plan, which has no faults. */
+/* Compiles a plan without faults for a device, or for none if NULL. The caller destroys it. */
 struct rg_plan *run_plan(const struct run_params *params, const struct rg_device *device);
 
-/* Makes run->plan for a device. run->exec is NULL. */
+/* Creates run->plan for a device; run->exec stays NULL. */
 void run_compile(struct run *run, struct gpu *gpu, const struct run_params *params);
 
-/* Makes run->exec for a plan: run->plan, or a changed copy of it; it calls the functions that
- * volk's pointers hold now. May fail. */
+/* Creates run->exec for run->plan or a modified copy of it. It uses volk's current function
+ * pointers. May return an error. */
 VkResult run_create(struct run *run, const struct rg_plan *plan);
 
-/* run_compile(), and run_create() without failure. */
+/* Compiles the plan and creates the executor; fails the test on any error. */
 void run_open(struct run *run, struct gpu *gpu, const struct run_params *params);
 void run_close(struct run *run);
 
-/* Puts the plan of other params in the place of run->plan. May fail. */
+/* Replaces run->plan by the plan of other params. May return an error. */
 VkResult run_try_update(struct run *run, const struct run_params *params);
-void run_update(struct run *run, const struct run_params *params); /* without failure */
+void run_update(struct run *run, const struct run_params *params); /* fails on errors */
 
 /* Runs a frame in the next slot and waits for it. */
 void run_frame(struct run *run, const struct rg_frame *frame);
 
-/* What the last frame left in a readback buffer, or its upload buffer to write to. */
+/* Returns the mapped memory of a readback or upload buffer in the last frame's slot. */
 void *run_data(struct run *run, const struct rg_buffer *buffer);
 
 enum {
     RUN_WAY_COUNT = 4,
 };
 
-/* The same with the rendering and the sharing of one of the four ways below. */
+/* Returns the params changed to one of the four variants of run_everywhere(). */
 struct run_params run_way(const struct run_params *params, unsigned way);
 
 /*
- * Runs a frame and checks it, in four ways that must not differ: with dynamic rendering and with
- * VkRenderPass objects, with transient resources in shared memory and without.
+ * Runs a frame and checks it in four variants that must give equal results: dynamic rendering or
+ * VkRenderPass objects, with or without memory aliasing of transient resources.
  */
 void run_everywhere(struct gpu *gpu, const struct run_params *params, const struct rg_frame *frame,
                     void (*check)(struct run *run));
 
-/* A row that copies all of an image, or a part (.mip = 1, ...), to a buffer. */
+/* A row that copies an image, or a range of it (.mip = 1, ...), to a buffer. */
 #define RUN_READ_PART(title, from, to, ...) \
     { \
         .name = (title), .kind = RG_TRANSFER, \
@@ -102,7 +100,7 @@ void run_everywhere(struct gpu *gpu, const struct run_params *params, const stru
     }
 #define RUN_READ(title, from, to) RUN_READ_PART(title, from, to, 0)
 
-/* For such a row: its first use is the image, its second the buffer. */
+/* Record function of RUN_READ: copies the row's first use, an image, to its second, a buffer. */
 rg_record_fn run_record_read;
 
 #endif

@@ -1,4 +1,4 @@
-/* run_random.c: random images and buffers; the rows are made by run_random_{row,copy}.c. */
+/* run_random.c: generator of random graphs that a device can execute: images, buffers, outputs. */
 #include "tests/support/run_random.h"
 
 #include <stdio.h>
@@ -7,7 +7,7 @@
 
 #include "tests/support/run_random_private.h"
 
-/* splitmix64 (Steele, Lea, Flood 2014) */
+/* splitmix64 random number generator (Steele, Lea, Flood 2014) */
 static uint64_t next(struct run_random_tables *t)
 {
     t->state += UINT64_C(0x9e3779b97f4a7c15);

@@ -1,7 +1,7 @@
 /* run_random_copy.c: random transfer passes. */
 #include "tests/support/run_random_private.h"
 
-/* Bytes of what one repetition copies: one mip of some layers; of depth without its stencil. */
+/* Returns the bytes that one repetition copies: one mip of some layers, the depth aspect only. */
 static uint32_t copy_size(const struct run_random_tables *t, uint32_t image, struct rg_range range)
 {
     const struct run_random_known *known = &t->known[image];
@@ -19,13 +19,13 @@ static uint32_t buffer_size(const struct run_random_tables *t, uint32_t buffer)
     return (uint32_t)t->buffers[buffer - IMAGES].size;
 }
 
-/* Where `size` bytes of a buffer begin. */
+/* Returns a random offset in a buffer at which `size` bytes fit. */
 static uint32_t draw_offset(struct run_random_tables *t, uint32_t buffer, uint32_t size)
 {
     return 16 * run_random_below(t, (buffer_size(t, buffer) - size) / 16 + 1);
 }
 
-/* The row writes `size` bytes of a buffer, or all of it. */
+/* Adds a write of `size` bytes to a buffer; a partial write needs the buffer to be filled. */
 static bool add_written_buffer(struct run_random_tables *t, uint32_t buffer, uint32_t size)
 {
     const struct rg_range all = { .mip_count = 1, .layer_count = 1 };
@@ -48,7 +48,7 @@ static bool add_read_image(struct run_random_tables *t, uint32_t image, struct r
     return true;
 }
 
-/* A part that is copied to a buffer. */
+/* Returns a random range of an image that can be copied to a buffer. */
 static struct rg_range copied_range(struct run_random_tables *t, uint32_t image)
 {
     struct rg_range range = run_random_range(t, image);
@@ -128,13 +128,13 @@ static bool copy_arguments(struct run_random_tables *t)
 
 void run_random_draw_copy(struct run_random_tables *t)
 {
-    static bool (*const ways[])(struct run_random_tables *) = {
+    static bool (*const copies[])(struct run_random_tables *) = {
         copy_image_to_buffer, copy_buffer_to_image, copy_buffer_to_buffer,
         copy_image_to_image,  copy_arguments,
     };
     struct rg_pass *pass = run_random_begin(t, RG_TRANSFER);
     run_random_condition(t, pass);
-    if (ways[run_random_below(t, sizeof(ways) / sizeof(ways[0]))](t))
+    if (copies[run_random_below(t, sizeof(copies) / sizeof(copies[0]))](t))
         run_random_end(t);
 }
 

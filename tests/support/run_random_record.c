@@ -1,4 +1,4 @@
-/* run_random_record.c: record functions of random tables. */
+/* run_random_record.c: records the commands of random rows. */
 #include "tests/support/run_random.h"
 
 static const struct rg_plan_pass *plan_pass(const struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -9,8 +9,8 @@ static const struct rg_plan_pass *plan_pass(const struct rg_cmd *cmd, const stru
     return pass;
 }
 
-/* What nobody needs may be gone: so it is. */
-static void spoil_targets(struct rg_cmd *cmd, const struct rg_plan_pass *plan)
+/* Overwrites targets that the plan does not store, to reveal wrong store operations. */
+static void clobber_targets(struct rg_cmd *cmd, const struct rg_plan_pass *plan)
 {
     VkClearAttachment clears[RG_COLOR_COUNT + 1];
     uint32_t count = 0;
@@ -67,7 +67,7 @@ static void draw(struct rg_cmd *cmd, const struct rg_frame *frame)
         rg_cmd_draw_indirect(cmd, indirect->buffer, INTERPRET_DRAW);
     else
         rg_cmd_draw_instances(cmd, 3, row->instance_count);
-    spoil_targets(cmd, plan_pass(cmd, frame));
+    clobber_targets(cmd, plan_pass(cmd, frame));
 }
 
 static void dispatch(struct rg_cmd *cmd, const struct rg_frame *frame)

@@ -1,25 +1,24 @@
-/* run_random_row.c: random passes with shaders; it records which texels are filled, so that each
- * pass is valid. */
+/* run_random_row.c: random valid draw and dispatch passes; tracks which subresources are filled. */
 #include <string.h>
 #include "tests/gpu/test_shaders.h"
 #include "tests/support/run_random_private.h"
 
-/* What a shader has bound. */
+/* A shader and the resources that it binds. */
 struct program {
     const struct rg_shader *shader;
     uint32_t sampled, targets;
     bool loaded, read, uniform;
-    VkFormat stored; /* of the storage image that is written; 0: a buffer is */
-    bool array;      /* the sampled images are one */
-    bool texels;     /* buffers are seen as texels */
-    bool volume;     /* images are of three dimensions */
-    bool changes;    /* what it writes it reads, too */
-    bool instances;  /* each instance has a word of its own */
-    bool own;        /* it reads the program's own set */
-    bool sums;       /* its target is an image of sums */
+    VkFormat stored; /* format of the storage image written; 0 if a buffer is */
+    bool array;      /* the sampled images form a descriptor array */
+    bool texels;     /* buffers are bound as texel buffers */
+    bool volume;     /* images are 3D */
+    bool changes;    /* read-write access to the resource it writes */
+    bool instances;  /* reads one vertex attribute per instance */
+    bool own;        /* reads the application's descriptor set */
+    bool sums;       /* blends into a float image of integers */
 };
 
-/* Of the storage images that are read. */
+/* Format of the storage images that shaders read. */
 static const VkFormat loaded_format = VK_FORMAT_R32_UINT;
 
 static const struct program raster_programs[] = {
@@ -74,9 +73,9 @@ static bool is_later(const struct rg_frame *frame, uint32_t repetition)
 
 static rg_when_fn *const conditions[] = { is_even, is_later };
 
-/* ---- parts of resources ---- */
+/* ---- ranges of resources ---- */
 
-/* What a range means over all repetitions of the row. */
+/* Resolves a range over all repetitions of the row. */
 struct rg_range run_random_covered(const struct run_random_tables *t, uint32_t resource,
                                    struct rg_range range)
 {
@@ -208,7 +207,7 @@ void run_random_condition(struct run_random_tables *t, struct rg_pass *pass)
     t->filled = (uint8_t)(FILLED_SOMETIMES + condition);
 }
 
-/* ---- what is read ---- */
+/* ---- inputs ---- */
 
 uint32_t run_random_image(struct run_random_tables *t)
 {
@@ -229,8 +228,8 @@ uint32_t run_random_buffer(struct run_random_tables *t)
     return IMAGES + buffer;
 }
 
-/* A part of an image: all of it, or a few mips and layers; in a repeated row, perhaps one of them
- * each time. */
+/* Returns a random range of an image: all of it, or some mips and layers; in a repeated row,
+ * perhaps a different one for each repetition. */
 struct rg_range run_random_range(struct run_random_tables *t, uint32_t resource)
 {
     const struct run_random_known *known = &t->known[resource];
@@ -300,8 +299,8 @@ static bool draw_inputs(struct run_random_tables *t, const struct program *progr
     return drawn;
 }
 
-/* For a row that may leave texels as they were: where it writes, and how often. */
-static void draw_part(struct run_random_tables *t)
+/* Chooses the region that a partial write covers, and whether its count is indirect. */
+static void draw_region(struct run_random_tables *t)
 {
     struct interpret_row *row = &t->rows[t->pass_count];
     for (uint32_t i = 0; i < 2; i++) {
@@ -317,7 +316,7 @@ static void draw_part(struct run_random_tables *t)
 
 /* ---- compute ---- */
 
-/* Whether the row is repeated, and where; returns the first mip or layer of its first image. */
+/* Chooses whether the row is repeated; returns the first mip or layer of its first image. */
 static uint32_t draw_repeat(struct run_random_tables *t, uint32_t image)
 {
     const struct run_random_known *known = &t->known[image];
@@ -379,7 +378,7 @@ static bool draw_compute(struct run_random_tables *t)
     use->partial = partial;
     use->texels = program->texels;
     if (partial)
-        draw_part(t);
+        draw_region(t);
     return draw_inputs(t, program);
 }
 
@@ -407,7 +406,7 @@ uint32_t run_random_mip_size(uint32_t size, uint32_t mip)
     return size >> mip ? size >> mip : 1;
 }
 
-/* Whether a part of an image can be a target beside the row's first one. */
+/* Returns true if a subresource can be an additional target beside the row's first one. */
 static bool fits(const struct run_random_tables *t, uint32_t first_image,
                  const struct rg_target *first, uint32_t image, const struct rg_target *target)
 {
@@ -463,7 +462,7 @@ static const struct rg_vertex_layout word_of_instance = {
     .rate = VK_VERTEX_INPUT_RATE_INSTANCE,
 };
 
-/* More targets, of the size of the first. Returns the number of colours. */
+/* Adds targets with the extent of the first one. Returns the number of colour targets. */
 static uint32_t draw_other_targets(struct run_random_tables *t, uint32_t first_image, bool whole)
 {
     struct rg_pass *pass = &t->passes[t->pass_count];
@@ -500,7 +499,7 @@ static const struct program *draw_raster_program(struct run_random_tables *t, ui
     return program;
 }
 
-/* Each mip from the one above it: the row reads what its own earlier repetitions wrote. */
+/* Generates a mip chain: each repetition reads the mip that the previous one wrote. */
 static bool draw_mip_chain(struct run_random_tables *t)
 {
     struct rg_pass *pass = run_random_begin(t, RG_RASTER);
@@ -512,7 +511,7 @@ static bool draw_mip_chain(struct run_random_tables *t)
     range.layer = run_random_below(t, known->layers);
     run_random_condition(t, pass);
     pass->repeat = RG_PER_MIP;
-    if (!run_random_claim(t, image, range, RG_SAMPLED)) /* the first mip, as of one repetition */
+    if (!run_random_claim(t, image, range, RG_SAMPLED)) /* mip 0 must be filled before */
         return false;
     t->claim_count = 0;
     t->repetitions = known->mips - 1;
@@ -556,7 +555,7 @@ static bool draw_raster(struct run_random_tables *t)
     pass->push_size = sizeof(struct random_push);
     run_random_stencil(t, pass, whole);
     if (!whole)
-        draw_part(t);
+        draw_region(t);
     if (colors) {
         const struct program *program = draw_raster_program(t, colors, known->sum);
         pass->frag = program->shader;

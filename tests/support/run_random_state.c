@@ -1,7 +1,7 @@
 /* run_random_state.c: blend states and stencil tests of random passes. */
 #include "tests/support/run_random_private.h"
 
-/* Whole numbers are not blended, but some of their channels may stay. */
+/* Integer formats do not support blending, but write masks. */
 static const VkPipelineColorBlendAttachmentState masks[] = {
     { .colorWriteMask = VK_COLOR_COMPONENT_R_BIT },
     { .colorWriteMask = VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_A_BIT },

@@ -1,4 +1,4 @@
-/* seen.c: one ray of the traced reference, as a picture of one pixel. */
+/* seen.c: traces single rays with the ray-traced reference, as images of one pixel. */
 #include "tests/support/seen.h"
 #include <math.h>
 #include "src/reference/reference_layers.h"

@@ -1,9 +1,9 @@
 /*
- * taken_over.c: stands in for a parser that a malicious file has taken over.
+ * taken_over.c: fake exploit to test the sandbox: a parser hijacked by a malicious file.
  *
- * Preloaded into firn, it waits in the reader process for the first file to be opened by fopen(),
- * tries what such a parser could want, says on stderr that it was there and what it succeeded in,
- * and lets the reader go on. Files are those of the current folder: `victim` is there.
+ * Loaded into firn with LD_PRELOAD, it waits in the reader process for the first fopen(), attempts
+ * what an exploit could want, prints to stderr that it ran and which attempts succeeded, and lets
+ * the reader continue. Files are those of the working directory, which contains `victim`.
  */
 #define _GNU_SOURCE
 #include <arpa/inet.h>
@@ -34,7 +34,7 @@ __attribute__((constructor)) static void look_at_arguments(int argc, char **argv
     is_reader = argc > 1 && strcmp(argv[1], "--read") == 0;
 }
 
-/* ---- attempts: each returns whether it succeeded ---- */
+/* ---- attempts: each returns true if it succeeded ---- */
 
 static bool can_open(const char *path, int flags)
 {
@@ -152,7 +152,7 @@ static bool fork_process(void)
     return process > 0;
 }
 
-/* With a program that does not exist, the error tells whether one could be started. */
+/* The program does not exist: ENOENT instead of EPERM shows that execve() is allowed. */
 static bool execute_program(void)
 {
     char name[] = "./none";

@@ -1,4 +1,4 @@
-/* tiles.c: lists triangles by the tiles of a picture in which they may be visible. */
+/* tiles.c: lists triangles by the screen tiles that they may cover. */
 #include "tests/support/tiles.h"
 
 #include <stdlib.h>
@@ -6,17 +6,17 @@
 #include "tests/support/check.h"
 
 enum {
-    TILE = 8, /* pixels, square */
+    TILE = 8, /* width and height in pixels */
 };
 
 static const double pi = 3.14159265358979323846;
 
-/* First and last column and row of tiles; none if first is above last. */
+/* Range of tile columns and rows, inclusive; empty if low > high. */
 struct bounds {
     int64_t low[2], high[2];
 };
 
-/* Where a point is seen, in pixels from the left and the top. */
+/* Projects a point to image coordinates, in pixels from the top left. */
 static void project(const struct picture_request *request, struct vec point, double at[2])
 {
     const struct camera *camera = &request->camera;
@@ -33,7 +33,7 @@ static void project(const struct picture_request *request, struct vec point, dou
     at[1] = request->height / 2.0 - vec_dot(from, vec_cross(right, forward)) * scale;
 }
 
-/* A hundredth of a pixel wider than the corners are, which is far more than rounding takes. */
+/* Returns the tiles of a triangle's bounds, enlarged by 0.01 pixels against rounding errors. */
 static struct bounds bounds_of(const struct mesh *mesh, uint32_t corner,
                                const struct picture_request *request)
 {
@@ -57,8 +57,8 @@ static struct bounds bounds_of(const struct mesh *mesh, uint32_t corner,
     return bounds;
 }
 
-/* Adds to the count of each of its tiles, or with `corners` writes there, and counts down. */
-static void put(struct tiles *tiles, uint32_t corner, uint32_t *corners)
+/* Counts a triangle in the tiles that it covers; with `corners`, writes it (counting sort). */
+static void add_triangle(struct tiles *tiles, uint32_t corner, uint32_t *corners)
 {
     const struct bounds b = bounds_of(tiles->mesh, corner, tiles->request);
     for (int64_t y = b.low[1]; y <= b.high[1]; y++) {
@@ -81,13 +81,13 @@ void tiles_init(struct tiles *tiles, const struct mesh *mesh, const struct pictu
     tiles->first = calloc(count + 1, sizeof(*tiles->first));
     assert_non_null(tiles->first);
     for (uint32_t i = 0; i < mesh->index_count; i += 3)
-        put(tiles, i, NULL);
+        add_triangle(tiles, i, NULL);
     for (size_t t = 1; t <= count; t++)
-        tiles->first[t] += tiles->first[t - 1]; /* where each ends, for now */
+        tiles->first[t] += tiles->first[t - 1]; /* end of each list for now */
     tiles->corners = calloc((size_t)tiles->first[count] + 1, sizeof(*tiles->corners));
     assert_non_null(tiles->corners);
     for (uint32_t i = 0; i < mesh->index_count; i += 3)
-        put(tiles, i, tiles->corners);
+        add_triangle(tiles, i, tiles->corners);
 }
 
 void tiles_finish(struct tiles *tiles)
@@ -97,8 +97,8 @@ void tiles_finish(struct tiles *tiles)
     *tiles = (struct tiles){ 0 };
 }
 
-/* Distance along a ray to a triangle; below 0 if it misses. */
-static double meet(const struct mesh *mesh, uint32_t index, struct vec eye, struct vec ray)
+/* Returns the ray parameter of the intersection with a triangle; negative if there is none. */
+static double intersect(const struct mesh *mesh, uint32_t index, struct vec eye, struct vec ray)
 {
     const struct vec a = vec_from(mesh->vertices[mesh->indices[index]].position);
     const struct vec b = vec_from(mesh->vertices[mesh->indices[index + 1]].position);
@@ -124,7 +124,7 @@ size_t tiles_trace(const struct tiles *tiles, size_t i, double *hits, size_t hit
     const size_t tile = i / request->width / TILE * tiles->columns + i % request->width / TILE;
     size_t count = 0;
     for (uint32_t k = tiles->first[tile]; k < tiles->first[tile + 1]; k++) {
-        const double t = meet(tiles->mesh, tiles->corners[k], eye, ray);
+        const double t = intersect(tiles->mesh, tiles->corners[k], eye, ray);
         if (t < 0)
             continue;
         assert_true(count < hits_max);

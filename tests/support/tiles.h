@@ -1,6 +1,6 @@
 /*
- * tiles.h: intersects rays through a picture's pixels with a mesh. Only triangles whose bounds in
- * the picture overlap the pixel's tile are tested; others cannot be hit, so the result is exact.
+ * tiles.h: intersects camera rays with a mesh, accelerated by screen tiles. Only triangles whose
+ * screen bounds overlap the pixel's tile are tested; the others cannot be hit.
  */
 #ifndef TESTS_TILES_H
 #define TESTS_TILES_H
@@ -11,18 +11,18 @@
 
 struct tiles {
     const struct mesh *mesh;
-    const struct picture_request *request; /* borrowed, as the mesh */
+    const struct picture_request *request; /* borrowed, as is the mesh */
     uint32_t columns;
-    uint32_t *first;   /* of a tile's, and one more */
-    uint32_t *corners; /* of each triangle the first, as in mesh->indices */
+    uint32_t *first;   /* start of each tile's list in `corners`, and the end of the last */
+    uint32_t *corners; /* first index of each triangle in mesh->indices */
 };
 
-/* The whole mesh must be before the eye. */
+/* The whole mesh must be in front of the camera. */
 void tiles_init(struct tiles *tiles, const struct mesh *mesh,
                 const struct picture_request *request);
 void tiles_finish(struct tiles *tiles);
 
-/* Where the ray through the centre of pixel i meets the mesh: distances, in no order. */
+/* Intersects the camera ray of pixel i. Writes unsorted distances, and returns their number. */
 size_t tiles_trace(const struct tiles *tiles, size_t i, double *hits, size_t hits_max);
 
 #endif

@@ -1,8 +1,8 @@
-/* trace.c: Moeller and Trumbore 1997 against every triangle. */
+/* trace.c: brute-force ray tracer: Moeller-Trumbore intersection (1997) with every triangle. */
 #include "tests/support/trace.h"
 
 struct crossing {
-    double t; /* HUGE_VAL: none */
+    double t; /* distance; HUGE_VAL if nothing is hit */
     struct vec normal;
 };
 
@@ -19,9 +19,9 @@ static struct vec normal_at(const struct mesh *mesh, uint32_t first, double u, d
     return vec_unit(vec_add(n, v, vec_from(vertices[mesh->indices[first + 2]].normal)));
 }
 
-/* The nearest triangle that a ray crosses outwards (way 1) or inwards (-1). */
-static struct crossing cross_mesh(const struct mesh *mesh, struct vec from, struct vec dir,
-                                  double way)
+/* Returns the nearest intersection with front faces from inside (path 1) or from outside (-1). */
+static struct crossing intersect_mesh(const struct mesh *mesh, struct vec from, struct vec dir,
+                                      double path)
 {
     struct crossing nearest = { .t = HUGE_VAL };
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
@@ -29,7 +29,7 @@ static struct crossing cross_mesh(const struct mesh *mesh, struct vec from, stru
         const struct vec ab = vec_add(position(mesh, i + 1), -1, a);
         const struct vec ac = vec_add(position(mesh, i + 2), -1, a);
         const double facing = vec_dot(vec_cross(ab, ac), dir);
-        if (!(facing * way > 0))
+        if (!(facing * path > 0))
             continue;
         const struct vec p = vec_cross(dir, ac);
         const struct vec s = vec_add(from, -1, a);
@@ -44,8 +44,8 @@ static struct crossing cross_mesh(const struct mesh *mesh, struct vec from, stru
     return nearest;
 }
 
-/* `n` against the light. The reflected direction where it is total; returns whether it is. */
-static bool bend(struct vec *dir, struct vec n, double eta)
+/* Refracts `dir` at `n`, which faces the ray. Reflects it and returns true if that is total. */
+static bool refract(struct vec *dir, struct vec n, double eta)
 {
     const double c = vec_dot(n, *dir);
     const double k = 1 - eta * eta * (1 - c * c);
@@ -59,22 +59,22 @@ static bool bend(struct vec *dir, struct vec n, double eta)
 struct trace_path trace_transmitted(const struct mesh *mesh, struct vec eye, struct vec dir,
                                     double eta, int bounces)
 {
-    struct trace_path way = { .dir = dir };
-    struct crossing c = cross_mesh(mesh, eye, dir, -1);
-    way.hit = c.t < HUGE_VAL;
-    if (!way.hit)
+    struct trace_path path = { .dir = dir };
+    struct crossing c = intersect_mesh(mesh, eye, dir, -1);
+    path.hit = c.t < HUGE_VAL;
+    if (!path.hit)
         return (struct trace_path){ 0 };
     struct vec point = vec_add(eye, c.t, dir);
-    bend(&way.dir, c.normal, eta);
+    refract(&path.dir, c.normal, eta);
     for (;;) {
-        c = cross_mesh(mesh, point, way.dir, 1);
+        c = intersect_mesh(mesh, point, path.dir, 1);
         if (c.t == HUGE_VAL)
-            return way;
-        point = vec_add(point, c.t, way.dir);
-        way.path += c.t;
-        way.left = !bend(&way.dir, vec_scale(c.normal, -1), 1 / eta);
-        if (way.left || way.bounces == bounces)
-            return way;
-        way.bounces++;
+            return path;
+        point = vec_add(point, c.t, path.dir);
+        path.path += c.t;
+        path.left = !refract(&path.dir, vec_scale(c.normal, -1), 1 / eta);
+        if (path.left || path.bounces == bounces)
+            return path;
+        path.bounces++;
     }
 }

@@ -1,5 +1,5 @@
 /*
- * trace.h: traces light through a mesh exactly, by a test of every triangle.
+ * trace.h: brute-force ray tracer: exact refracted paths through a mesh.
  *
  * Normals are interpolated between vertices, as by the rasteriser.
  */
@@ -10,14 +10,14 @@
 #include "tests/support/vec.h"
 
 struct trace_path {
-    bool hit;       /* the ray meets the mesh; else all is 0 */
-    bool left;      /* it has left it again, within the bounces allowed */
-    struct vec dir; /* in which it leaves, unit */
-    double path;    /* inside */
-    int bounces;    /* total reflections inside */
+    bool hit;       /* the ray hits the mesh; all other members are 0 if not */
+    bool left;      /* the path leaves the mesh within the bounces allowed */
+    struct vec dir; /* direction in which it leaves, unit */
+    double path;    /* path length inside */
+    int bounces;    /* total internal reflections */
 };
 
-/* From outside; `eta` is the index outside over the one inside. */
+/* Traces a ray that starts outside. `eta` is the refractive index outside over that inside. */
 struct trace_path trace_transmitted(const struct mesh *mesh, struct vec eye, struct vec dir,
                                     double eta, int bounces);
 

@@ -1,4 +1,4 @@
-/* vec.h: vectors in double, to compute the expected pictures in closed form. */
+/* vec.h: double-precision vectors, to compute expected images in closed form. */
 #ifndef TESTS_VEC_H
 #define TESTS_VEC_H
 
@@ -45,13 +45,13 @@ static inline struct vec vec_unit(struct vec a)
     return vec_scale(a, 1 / vec_norm(a));
 }
 
-/* Degrees between two directions, exact for small angles too. */
+/* Returns the angle between two directions in degrees; accurate for small angles, too. */
 static inline double vec_angle_deg(struct vec a, struct vec b)
 {
     return atan2(vec_norm(vec_cross(a, b)), vec_dot(a, b)) * 57.295779513082321;
 }
 
-/* The largest difference of a component; NaN if any is. */
+/* Returns the largest absolute difference of the components; NaN if any is NaN. */
 static inline double vec_difference(struct vec a, struct vec b)
 {
     const struct vec d = vec_add(a, -1, b);

@@ -1,4 +1,4 @@
-/* whole_device.c: a second device, and a descriptor set on it. */
+/* whole_device.c: creates a second device with all features, and a descriptor set on it. */
 #include "tests/support/whole_device.h"
 
 #include <string.h>

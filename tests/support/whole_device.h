@@ -1,20 +1,20 @@
 /*
- * whole_device.h: a device that has every feature enabled, since firn's enables only what it needs,
- * and a descriptor set of a program's own.
+ * whole_device.h: a device with every supported feature enabled (firn's own device has only those
+ * that it needs), and an application descriptor set.
  */
 #ifndef TESTS_WHOLE_DEVICE_H
 #define TESTS_WHOLE_DEVICE_H
 
 #include "src/gpu/gpu.h"
 
-/* `own` is like `gpu`, with another device. */
+/* Creates a device in `own`, which is otherwise a copy of `gpu`. */
 void whole_device_open(struct gpu *own, const struct gpu *gpu);
 void whole_device_close(const struct gpu *own);
 
-/* Whether it builds acceleration structures, and shaders trace them. */
+/* Returns true if the device supports acceleration structures and ray queries. */
 bool whole_device_has_rays(const struct gpu *gpu);
 
-/* A storage buffer of constant words, at binding 0, for fragment and compute shaders. */
+/* A descriptor set with a constant storage buffer at binding 0, for fragment and compute. */
 struct own_set {
     VkDescriptorSetLayout layout;
     VkDescriptorPool pool;
