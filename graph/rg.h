@@ -47,7 +47,7 @@ enum {
     RG_MAX_ROWS = 1 << 24,     /* entries of any other table, at most */
 };
 
-/* How a pass accesses a resource. compile/access.c maps it to Vulkan stages, accesses and usage. */
+/* How a pass accesses a resource. compile/access_table.c maps it to Vulkan stages, accesses and usage. */
 enum rg_access {
     RG_ACCESS_NONE,        /* no access; for an import: undefined content */
     RG_COLOR,              /* colour attachment; only derived from rg_pass.color */
@@ -117,7 +117,7 @@ enum rg_memory {
  */
 struct rg_image {
     const char *name;       /* unique among resources; shown in dumps, captures and messages */
-    VkFormat format;        /* required; one of those in compile/format.c */
+    VkFormat format;        /* required; one of those in compile/format_table.c */
     uint32_t width, height; /* texels; 0 means the view's size times `scale` */
     float scale;            /* factor on the view's size, rounded up to a texel; 0 means 1 */
     uint32_t layers;        /* array layers; 0 means 1, or 6 for a cube */
@@ -146,7 +146,7 @@ struct rg_buffer {
     VkDeviceSize size_per_texel; /* additional bytes per texel of rg_compile_params.max_region */
     enum rg_memory memory;       /* persistent and imported buffers must be RG_MEMORY_DEVICE */
     bool persistent;             /* keeps its content between frames; zero-initialised */
-    /* texel format for RG_SAMPLED and rg_use.texels, one of compile/format.c; 0 means none */
+    /* texel format for RG_SAMPLED and rg_use.texels, one of compile/format_table.c; 0 means none */
     VkFormat format;
 };
 

@@ -32,7 +32,7 @@
 #define CONSTANT_REFRACT_EXITS   17 /* maximum number of exits: refract_bounce.exits */
 #define CONSTANT_ORTHOGRAPHIC    18 /* 1 if the projection is orthographic */
 #define CONSTANT_TRACE           19 /* TRACE_ flags of refract_trace.h */
-#define CONSTANT_AO              20 /* 1: ambient occlusion by objects (contact.c) */
+#define CONSTANT_AO              20 /* 1: ambient occlusion by objects (ao.c) */
 #define CONSTANT_CRACKS_TRACED   21 /* 1: refracted rays intersect cracks.hits */
 #define CONSTANT_COUNT           22
 

@@ -1,5 +1,5 @@
 /*
- * cracks_hits.glsl: main() of the crack hits for refraction models that continue the ray at a gap
+ * cracks_hit.frag: main() of the crack hits for refraction models that continue the ray at a gap
  * (refract_cracks.glsl); the clipping method defines crack_is_inside(). A gap that is highly
  * reflective along the straight ray hides weaker ones, however near they are.
  */

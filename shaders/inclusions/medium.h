@@ -16,7 +16,7 @@
 /* Binding of the density grids, MEDIUM_SIZE array layers each. A texel holds the density of its own
  * layer and of the next one, so that one bilinear lookup gives both for interpolation along z. */
 #define MEDIUM_TEXELS 16
-#define MEDIUM_AROUND 17 /* binding of LIT_ENVIRONMENT_BINDING in refract_in_scatter.glsl */
+#define MEDIUM_AROUND 17 /* binding of LIT_ENVIRONMENT_BINDING in refract_medium.glsl */
 
 #define MEDIUM_RIM        0.18f /* relative depth down to which the ice is clear */
 #define MEDIUM_VEIL       0.42f /* relative depth at which the thin veil reaches its full density */

@@ -1,4 +1,4 @@
-/* sun_shadow.glsl: sunlight on surroundings of the ice: shadow map and caustic map of
+/* sun_shadow_caustics.glsl: sunlight on surroundings of the ice: shadow map and caustic map of
  * ice_caustics.c. */
 #ifndef SUN_SHADOW_CAUSTICS_GLSL
 #define SUN_SHADOW_CAUSTICS_GLSL

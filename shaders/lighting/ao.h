@@ -1,5 +1,5 @@
-/* ao.h: uniform data and bindings of the ambient occlusion, shared by contact.c,
- * ao_map.frag and lib/contact.glsl. */
+/* ao.h: uniform data and bindings of the ambient occlusion, shared by ao.c,
+ * ao_map.frag and lib/ao.glsl. */
 #ifndef SHADERS_LIGHTING_AO_H
 #define SHADERS_LIGHTING_AO_H
 #include "abi.h"

@@ -29,7 +29,7 @@
 #define ICE_CAUSTICS_COUNTS 4 /* maps of red, green and blue side by side */
 #define ICE_CAUSTICS_NORMAL 5 /* w: 1 where the sun sees the ice */
 
-/* Binding in shaders that look up the caustic map (lib/ice_light.glsl). */
+/* Binding in shaders that look up the caustic map (lib/sun_light_space.glsl). */
 #define ICE_CAUSTICS_MAP 9 /* rgb: caustics; a: coverage of the ice's shadow */
 
 /* View of the caustic map: the sun's view of the ice, widened by the factor `reach`. */

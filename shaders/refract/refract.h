@@ -19,7 +19,7 @@
 #define REFRACT_MATERIAL_FRONT 9
 #define REFRACT_MATERIAL_BACK  10
 #define REFRACT_MATERIAL_BASE  11
-/* Image of cracks for models that intersect refracted rays with them (cracks_hits.glsl). */
+/* Image of cracks for models that intersect refracted rays with them (cracks_hit.frag). */
 #define REFRACT_CRACKS    6
 #define REFRACT_COMPOSITE 1 /* image that refract_composite.frag composites */
 
@@ -37,7 +37,7 @@
 /* Varyings written by refract_fullscreen.vert. */
 #define REFRACT_VIEW_RAY         0
 #define REFRACT_FULLSCREEN_FRAME 1 /* locations 1 to 8 (refract_uniforms.glsl) */
-/* mean radiance, 1 / nearest distance (refract_seen_mean.vert) */
+/* mean radiance, 1 / nearest distance (refract_fullscreen_mean.vert) */
 #define REFRACT_FULLSCREEN_MEAN 9
 
 /* Varyings of all these vertex shaders for highlight.glsl. */

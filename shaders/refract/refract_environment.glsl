@@ -5,7 +5,7 @@
  * alone, as if everything were infinitely far away. REFRACT_LOOKUP_DISTANCE marches the ray through
  * the cube's distances to the first hit (after Szirmay-Kalos et al. 2005, Approximate Ray-Tracing
  * on the GPU with Distance Impostors); it fails for surfaces hidden from the centre.
- * REFRACT_LOOKUP_BOX projects onto a box (lib/local_cube.glsl).
+ * REFRACT_LOOKUP_BOX projects onto a box (lib/box_projection.glsl).
  */
 #ifndef REFRACT_ENVIRONMENT_GLSL
 #define REFRACT_ENVIRONMENT_GLSL

@@ -1,5 +1,5 @@
 /*
- * refract_in_scatter.glsl: scattering media in the raster refraction models, with REFRACT_MEDIUM.
+ * refract_medium.glsl: scattering media in the raster refraction models, with REFRACT_MEDIUM.
  */
 #ifndef REFRACT_MEDIUM_GLSL
 #define REFRACT_MEDIUM_GLSL

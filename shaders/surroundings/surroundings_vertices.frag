@@ -1,5 +1,5 @@
 /* surroundings_vertices.frag: main() of the fragment shader for surroundings lit per vertex
- * (surroundings_vertices_vert.glsl); SURROUNDINGS_CAUSTICS adds the ice's caustics and shadow. */
+ * (surroundings_vertices.vert); SURROUNDINGS_CAUSTICS adds the ice's caustics and shadow. */
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/alpha_test.glsl"

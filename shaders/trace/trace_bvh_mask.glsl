@@ -1,4 +1,4 @@
-/* trace_pop_pending.glsl: selects the BVHs that a path segment may hit, to skip other traversals.
+/* trace_bvh_mask.glsl: selects the BVHs that a path segment may hit, to skip other traversals.
  */
 #ifndef TRACE_BVH_MASK_GLSL
 #define TRACE_BVH_MASK_GLSL

@@ -1,5 +1,5 @@
 /*
- * trace_denoise_inputs.glsl: outputs of ray-traced diffuse lighting for the denoise pass, an
+ * trace_denoise.glsl: outputs of ray-traced diffuse lighting for the denoise pass, an
  * edge-avoiding filter (src/render/denoise.c) that averages them over pixels of the same surface.
  *
  * Written are traced minus unoccluded lighting, the surface's share of the pixel's throughput, and

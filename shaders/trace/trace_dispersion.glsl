@@ -1,4 +1,4 @@
-/* trace_all_channels.glsl: dispersion: traces red, green and blue separately if their indices
+/* trace_dispersion.glsl: dispersion: traces red, green and blue separately if their indices
  * differ. */
 #ifndef TRACE_DISPERSION_GLSL
 #define TRACE_DISPERSION_GLSL

@@ -1,4 +1,4 @@
-/* trace_object_material.glsl: textured surface parameters at ray hits (in C:
+/* trace_material.glsl: textured surface parameters at ray hits (in C:
  * src/reference/radiance.c). */
 #ifndef TRACE_MATERIAL_GLSL
 #define TRACE_MATERIAL_GLSL

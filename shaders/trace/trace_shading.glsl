@@ -1,8 +1,8 @@
-/* trace_shade.glsl: shading of surroundings at ray hits: material, sun, environment, lights. */
+/* trace_shading.glsl: shading of surroundings at ray hits: material, sun, environment, lights. */
 #ifndef TRACE_SHADING_GLSL
 #define TRACE_SHADING_GLSL
 #define LIT_NO_DERIVATIVES
-#ifndef TRACE_PHOTONS /* photon tracing itself generates the map that sun_shadow.glsl reads */
+#ifndef TRACE_PHOTONS /* photon tracing itself generates the map that sun_shadow_caustics.glsl reads */
 #include "lib/sun_shadow_caustics.glsl"
 #endif
 #include "lib/brdf_shading.glsl"

@@ -37,15 +37,11 @@ struct scene {
     vec3s background_color; /* linear radiance, for SCENE_COLOR */
     bool is_hidden;         /* write alpha 0 for the background, which still lights surfaces */
     struct environment environment;
-    vec4s *material_table; /* GPU table (material_table.h); NULL if no material needs one */
-    vec4s *
-        /* GPU table (punctual_light.h); NULL if no surface is lit by punctual lights */
-        punctual_light_table;
-    vec4s *vertex_extra_table; /* GPU table of vertex extras (material_table.h); NULL for none */
-    uint16_t *brdf_table; /* BRDF table (prefiltered_environment.h); present if material_table is */
-    uint16_t *
-        /* prefiltered environment (prefiltered_environment.h); NULL if not needed */
-        prefiltered_environment;
+    vec4s *material_table;       /* GPU table (material_table.h); NULL if no material needs one */
+    vec4s *punctual_light_table; /* GPU table; NULL if no surface is lit by punctual lights */
+    vec4s *vertex_extra_table;   /* GPU table of vertex extras (material_table.h); NULL for none */
+    uint16_t *brdf_table; /* BRDF table (image_based_lighting.h); present if material_table is */
+    uint16_t *prefiltered_environment; /* NULL if not needed */
     struct environment cube; /* replaces the environment cube that env_cube renders; may be {0} */
     struct bump_maps bump;   /* bump map of the object's surface; {0} for none */
     struct box box;          /* bounding box of the object, or of the pool */

@@ -159,7 +159,7 @@ enum {
     FRAME_DENOISE_COUNT = 3
 };
 
-/* Outputs of shaders/trace_denoise_inputs.glsl for the denoise pass: light and the fraction of
+/* Outputs of shaders/trace_denoise.glsl for the denoise pass: light and the fraction of
  * samples that gathered it, throughput, position. They are not offered as layers of --aov. */
 extern const struct frame_layer frame_denoise_layers[FRAME_DENOISE_COUNT];
 

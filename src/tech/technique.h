@@ -32,10 +32,10 @@ enum technique_purpose {
 struct technique_choice {
     const struct settings *settings;
     enum technique_purpose purpose;
-    const struct technique *
-        refraction; /* refraction model; may be NULL in a pool and for purposes other than images */
-    bool is_convex; /* the object is known to be convex */
-    bool has_pool;  /* the scene is a pool of water */
+    /* refraction model; may be NULL in a pool and for purposes other than images */
+    const struct technique *refraction;
+    bool is_convex;     /* the object is known to be convex */
+    bool has_pool;      /* the scene is a pool of water */
     bool has_materials; /* surroundings have materials (scene.material_table) */
     bool has_extras;    /* surroundings have scene.vertex_extra_table */
     bool has_mirrors;   /* surroundings have reflective surfaces */

@@ -64,26 +64,26 @@ class Watch(WatchCase):
     def test_a_saved_shader_is_shown(self):
         inverted = bytes(255 - value for value in self.first)
         turned = LAST.replace('tonemap_encode', '1.0 - tonemap_encode')
-        self.save('tonemap.frag', LAST, turned)
+        self.save('output/tonemap.frag', LAST, turned)
         self.expect(inverted)
         self.expect_words('my shaders/output/tonemap.frag: compiled')
         shot = self.shoot(self.window, 1)
         self.assertEqual(png_pixels(shot), inverted)  # in files, too
-        self.save('tonemap.frag', turned, turned.replace('_encode', '_encdoe'))
+        self.save('output/tonemap.frag', turned, turned.replace('_encode', '_encdoe'))
         self.expect_words('firn: ', 'tonemap.frag:', "'tonemap_encdoe'", 'previous shaders stay')
         self.assertEqual(self.desktop.pixels(self.window), inverted)
-        self.save('tonemap.frag', turned.replace('_encode', '_encdoe'), LAST)
+        self.save('output/tonemap.frag', turned.replace('_encode', '_encdoe'), LAST)
         self.expect(self.first)
         self.quit()
 
     @long
     def test_an_included_file(self):
         """Shaders that include it change together, or not at all."""
-        path = 'cracks_vert.glsl'  # of two shaders
+        path = 'inclusions/cracks.vert'  # of two shaders
         text = (self.shaders / path).read_text()
         self.save(path, text, '#error not yet\n' + text)
         self.expect_words('firn: ', 'not yet', 'previous shaders stay')
-        self.save('present.frag', 'shown = vec4(', 'shown = 1.0 - vec4(')
+        self.save('output/present.frag', 'shown = vec4(', 'shown = 1.0 - vec4(')
         self.expect_words('firn: ', 'not yet', 'previous shaders stay', times=2)
         self.assertEqual(self.desktop.pixels(self.window), self.first)
         self.save(path, '#error not yet\n', '')
@@ -94,7 +94,7 @@ class Watch(WatchCase):
     @long
     def test_a_file_of_several_shaders(self):
         """Each is compiled with flags of its own."""
-        name = 'refract_paper.frag'
+        name = 'refract/refract_paper.frag'
         text = (self.shaders / name).read_text()
         fault = text + '#if defined REFRACT_BUMP && !defined REFRACT_LAYERS\n#error bumps\n#endif\n'
         self.save(name, text, fault)
@@ -105,18 +105,18 @@ class Watch(WatchCase):
         self.quit()
 
     def test_a_binding_that_no_pass_gives(self):
-        self.save('tonemap.frag', 'void main()', 'layout(set = 0, binding = 9) uniform sampler2D '
+        self.save('output/tonemap.frag', 'void main()', 'layout(set = 0, binding = 9) uniform sampler2D '
                                                  'more;\nvoid main()')
-        self.save('tonemap.frag', 'gl_FragCoord.xy), 0).rgb',
+        self.save('output/tonemap.frag', 'gl_FragCoord.xy), 0).rgb',
                   'gl_FragCoord.xy), 0).rgb * texelFetch(more, ivec2(0), 0).rgb')
         self.expect_words('firn: ', 'tonemap.frag', 'binding 9')
         self.assertEqual(self.desktop.pixels(self.window), self.first)
         self.quit()
 
     def test_a_file_that_is_gone(self):
-        (self.shaders / 'tonemap.frag').unlink()
+        (self.shaders / 'output' / 'tonemap.frag').unlink()
         self.expect_words('firn: ', 'tonemap.frag', 'deleted')
-        shutil.copy(SHADERS / 'tonemap.frag', self.shaders)
+        shutil.copy(SHADERS / 'output' / 'tonemap.frag', self.shaders / 'output')
         self.expect_words('tonemap.frag: compiled')
         self.expect(self.first)
         self.quit()
@@ -132,9 +132,9 @@ class WatchWithPanels(WatchCase):
 
     def test_the_fault_is_in_the_panel(self):
         self.assertFalse(self.is_red())
-        self.save('tonemap.frag', LAST, '#error not yet\n' + LAST)
+        self.save('output/tonemap.frag', LAST, '#error not yet\n' + LAST)
         wait_until('the fault in red', self.is_red)
-        self.save('tonemap.frag', '#error not yet\n', '')
+        self.save('output/tonemap.frag', '#error not yet\n', '')
         wait_until('no fault', lambda: not self.is_red())
         self.quit()
 

@@ -1,4 +1,4 @@
-/* bvh_part.c: triangle lists of scene parts; tests for overlap and closed meshes. */
+/* bvh_scene_parts.c: triangle lists of scene parts; tests for overlap and closed meshes. */
 #include "src/scene/bvh/bvh_scene_parts.h"
 #include <float.h>
 #include <math.h>

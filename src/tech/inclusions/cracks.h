@@ -31,7 +31,7 @@ struct cracks_params {
 extern const struct rg_image cracks_color;
 
 /* Depth and normal of the most reflective gap in a pixel, for refraction models that continue the
- * path there (shaders/cracks_hits.glsl); 0 if there is none. Only written if cracks_are_traced().
+ * path there (shaders/cracks_hit.frag); 0 if there is none. Only written if cracks_are_traced().
  */
 extern const struct rg_image cracks_hits;
 

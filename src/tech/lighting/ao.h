@@ -3,7 +3,7 @@
 #define FIRN_TECH_LIGHTING_AO_H
 #include "src/tech/technique.h"
 
-/* Uses of passes whose shaders include lib/contact.glsl. */
+/* Uses of passes whose shaders include lib/ao.glsl. */
 extern const struct rg_use ao_uses[];
 
 extern const struct setting_group ao_settings;

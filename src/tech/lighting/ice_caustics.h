@@ -23,7 +23,7 @@ extern const struct setting_group ice_caustics_settings;
 
 extern const struct technique ice_caustics;
 
-/* Uses of passes whose shaders include lib/sun_shadow.glsl; ends at {0}. */
+/* Uses of passes whose shaders include lib/sun_shadow_caustics.glsl; ends at {0}. */
 extern const struct rg_use ice_caustics_uses[];
 
 /* Write the contents of the two buffers (struct technique_upload). */

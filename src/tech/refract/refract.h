@@ -38,7 +38,7 @@ struct refract_params {
  */
 float refract_outside(const struct scene *scene, const struct settings *settings);
 
-/* Variants of a model's shaders that render scattering media (shaders/refract_in_scatter.glsl). */
+/* Variants of a model's shaders that render scattering media (shaders/refract_medium.glsl). */
 struct refract_medium_shaders {
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag, *material_frag,
         *material_layers_frag, *nested_frag, *nested_layers_frag, *ssr_frag, *ssr_material_frag;
@@ -81,7 +81,7 @@ extern const struct rg_use refract_material_uses[], refract_medium_uses[];
  * shader for them and bump mapping is off. */
 void refract_choose(struct technique_choice *choice, const struct scene *scene);
 
-/* Use of the environment cube by models with refract_seen_mean.vert. */
+/* Use of the environment cube by models with refract_fullscreen_mean.vert. */
 #define REFRACT_USE_FULLSCREEN_CUBE \
     FRAME_SAMPLE(frame_env_cube, REFRACT_ENV_CUBE, .sampler = &frame_linear, \
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \

@@ -188,7 +188,7 @@ static bool is_below(const struct rg_frame *frame, uint32_t repetition)
 {
     const struct water_push push = pool_push_of(frame->settings);
     const vec3s eye = frame->view.eye;
-    const vec2s at = { { eye.x, -eye.z } }; /* pool coordinates (lib/pool.glsl) */
+    const vec2s at = { { eye.x, -eye.z } }; /* pool coordinates (lib/pool_walls.glsl) */
     const float half = 0.5f * push.pool.size;
     (void)repetition;
     return fabsf(at.x) < half && fabsf(at.y) < half && eye.y > -push.pool.depth &&

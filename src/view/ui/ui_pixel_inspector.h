@@ -1,4 +1,4 @@
-/* ui_set_theme.h: panel of the pixel inspector. */
+/* ui_pixel_inspector.h: panel of the pixel inspector. */
 #ifndef FIRN_VIEW_UI_UI_PIXEL_INSPECTOR_H
 #define FIRN_VIEW_UI_UI_PIXEL_INSPECTOR_H
 
