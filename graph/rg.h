@@ -47,7 +47,8 @@ enum {
     RG_MAX_ROWS = 1 << 24,     /* entries of any other table, at most */
 };
 
-/* How a pass accesses a resource. compile/access_table.c maps it to Vulkan stages, accesses and usage. */
+/* How a pass accesses a resource. compile/access_table.c maps it to Vulkan stages, accesses and
+ * usage. */
 enum rg_access {
     RG_ACCESS_NONE,        /* no access; for an import: undefined content */
     RG_COLOR,              /* colour attachment; only derived from rg_pass.color */

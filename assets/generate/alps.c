@@ -6,8 +6,8 @@
  * height field is coarser, too.
  *
  * Radiance is linear; 1 is that of a white horizontal surface. Sky, aerial perspective and ground
- * lighting use one atmosphere model (src/scene/environment/atmosphere.h). The file stores the sun as
- * ENVIRONMENT_SUN_TEXT (src/scene/environment/environment.h).
+ * lighting use one atmosphere model (src/scene/environment/atmosphere.h). The file stores the sun
+ * as ENVIRONMENT_SUN_TEXT (src/scene/environment/environment.h).
  */
 #include "assets/generate/alps.h"
 #include <cglm/struct.h>

@@ -156,8 +156,8 @@ def png_colors(rows):
 
 def exr(rows, sun=None):
     """ZIP-compressed OpenEXR image of half floats; a row is lists of R, G and B; rows from the top.
-    `sun`: azimuth and elevation (as in src/scene/environment/environment.h), radiance of a white surface that
-    faces it."""
+    `sun`: azimuth and elevation (as in src/scene/environment/environment.h), radiance of a white
+    surface that faces it."""
     width, height = len(rows[0][0]), len(rows)
 
     def attribute(name, kind, data):

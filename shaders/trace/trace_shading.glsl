@@ -2,7 +2,8 @@
 #ifndef TRACE_SHADING_GLSL
 #define TRACE_SHADING_GLSL
 #define LIT_NO_DERIVATIVES
-#ifndef TRACE_PHOTONS /* photon tracing itself generates the map that sun_shadow_caustics.glsl reads */
+/* photon tracing itself generates the map that sun_shadow_caustics.glsl reads */
+#ifndef TRACE_PHOTONS
 #include "lib/sun_shadow_caustics.glsl"
 #endif
 #include "lib/brdf_shading.glsl"

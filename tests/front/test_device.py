@@ -1,7 +1,8 @@
 """test_device.py: tests firn with failing Vulkan calls: every call fails in turn.
 
 Usage: see case.py. FAIL_LAYER in the environment is the folder of fail_layer.json, the manifest of
-tests/support/fail_layer.c. FAIL_SAMPLE=1: only the first, middle and last call of each command, for
+tests/support/fail_vulkan_layer.c. FAIL_SAMPLE=1: only the first, middle and last call of each
+command, for
 slow builds with sanitizers.
 """
 import collections
@@ -19,7 +20,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from case import NO_DEVICE, PLAIN, Case, long, main, unsanitized  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LAYER = ROOT / 'tests/support/fail_layer.c'
+LAYER = ROOT / 'tests/support/fail_vulkan_layer.c'
 REGISTRY = pathlib.Path('/usr/share/vulkan/registry/vk.xml')
 FAILED, TRY_AGAIN = 1, 75
 PARTS = 8  # of all faults

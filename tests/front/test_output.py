@@ -1,6 +1,6 @@
 """test_output.py: tests output files when the disk fails or the process is killed during a write.
 
-Usage: see case.py. FAIL_CALL in the environment is the library of tests/support/fail_call.c.
+Usage: see case.py. FAIL_CALL in the environment is the library of tests/support/fail_system_call.c.
 """
 import fcntl
 import os

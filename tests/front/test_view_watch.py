@@ -105,8 +105,8 @@ class Watch(WatchCase):
         self.quit()
 
     def test_a_binding_that_no_pass_gives(self):
-        self.save('output/tonemap.frag', 'void main()', 'layout(set = 0, binding = 9) uniform sampler2D '
-                                                 'more;\nvoid main()')
+        self.save('output/tonemap.frag', 'void main()',
+                  'layout(set = 0, binding = 9) uniform sampler2D more;\nvoid main()')
         self.save('output/tonemap.frag', 'gl_FragCoord.xy), 0).rgb',
                   'gl_FragCoord.xy), 0).rgb * texelFetch(more, ivec2(0), 0).rgb')
         self.expect_words('firn: ', 'tonemap.frag', 'binding 9')

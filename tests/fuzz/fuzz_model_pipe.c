@@ -8,7 +8,7 @@
 #include "src/scene/import/model_pipe.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/fuzz_scene.h"
-#include "tests/support/pipe_stream.h"
+#include "tests/support/memory_pipe.h"
 
 enum {
     SIZE_MAX_OF_ALL = 1 << 20,
@@ -16,9 +16,9 @@ enum {
     MOST_EDITS = 4,
 };
 
-static void read_model(struct pipe_stream *stream)
+static void read_model(struct memory_pipe *stream)
 {
-    const struct pipe_source source = { pipe_stream_read, stream, SIZE_MAX_OF_ALL };
+    const struct pipe_source source = { memory_pipe_read, stream, SIZE_MAX_OF_ALL };
     struct model model;
     if (model_pipe_read_model(&source, &model) != PIPE_OK) {
         fuzz_check_no_model(&model);
@@ -28,9 +28,9 @@ static void read_model(struct pipe_stream *stream)
     model_finish(&model);
 }
 
-static void read_environment(struct pipe_stream *stream)
+static void read_environment(struct memory_pipe *stream)
 {
-    const struct pipe_source source = { pipe_stream_read, stream, SIZE_MAX_OF_ALL };
+    const struct pipe_source source = { memory_pipe_read, stream, SIZE_MAX_OF_ALL };
     struct environment environment;
     if (model_pipe_read_environment(&source, &environment) != PIPE_OK) {
         fuzz_check_no_environment(&environment);
@@ -40,9 +40,9 @@ static void read_environment(struct pipe_stream *stream)
     environment_finish(&environment);
 }
 
-static void read_head(struct pipe_stream *stream)
+static void read_head(struct memory_pipe *stream)
 {
-    const struct pipe_source source = { pipe_stream_read, stream, SIZE_MAX_OF_ALL };
+    const struct pipe_source source = { memory_pipe_read, stream, SIZE_MAX_OF_ALL };
     struct image_header head;
     const bool is_whole = image_pipe_read_header(&source, &head) == PIPE_OK;
     FUZZ_CHECK(is_whole == (head.image.planes != NULL));
@@ -53,19 +53,19 @@ static void read_head(struct pipe_stream *stream)
 }
 
 /* A head of a picture with two planes, a place and a text. */
-static void make_head(struct pipe_stream *stream)
+static void make_head(struct memory_pipe *stream)
 {
     struct image_header head = { .has_window = true, .window = { 1, 2, 8, 8 } };
     image_init(&head.image, 4, 4);
     FUZZ_CHECK(image_header_add_plane(&head, "R", true) &&
                image_header_add_plane(&head, "Z", false) &&
                image_header_add_text(&head, "firn/tile", "1 of 2x2", 8));
-    FUZZ_CHECK(image_pipe_write_header(&(struct pipe_sink){ pipe_stream_write, stream }, &head));
+    FUZZ_CHECK(image_pipe_write_header(&(struct pipe_sink){ memory_pipe_write, stream }, &head));
     image_header_finish(&head);
 }
 
 /* A sound one: two objects of a triangle, a camera, two textures; or a panorama of 2 x 1. */
-static void make(struct pipe_stream *stream, bool is_model)
+static void make(struct memory_pipe *stream, bool is_model)
 {
     struct mesh_vertex vertices[4] = { 0 };
     uint32_t indices[6] = { 0, 1, 2, 2, 3, 0 };
@@ -104,12 +104,12 @@ static void make(struct pipe_stream *stream, bool is_model)
         .has_ior = true,
     };
     const struct environment environment = { halfs, 2, 1 };
-    const struct pipe_sink sink = { pipe_stream_write, stream };
+    const struct pipe_sink sink = { memory_pipe_write, stream };
     FUZZ_CHECK(is_model ? model_pipe_write_model(&sink, &model)
                         : model_pipe_write_environment(&sink, &environment));
 }
 
-static void edit(struct pipe_stream *stream, const uint8_t *data, size_t size)
+static void edit(struct memory_pipe *stream, const uint8_t *data, size_t size)
 {
     for (size_t i = 0; i < MOST_EDITS && size >= (i + 1) * EDIT_SIZE; i++) {
         const uint8_t *what = data + i * EDIT_SIZE;
@@ -120,12 +120,12 @@ static void edit(struct pipe_stream *stream, const uint8_t *data, size_t size)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    struct pipe_stream stream = { .size = 0 };
+    struct memory_pipe stream = { .size = 0 };
     if (size == 0)
         return 0;
     const bool is_model = data[0] & 1, is_head = data[0] & 4;
     if (data[0] & 2) {
-        stream.size = size - 1 < PIPE_STREAM_SIZE ? size - 1 : PIPE_STREAM_SIZE;
+        stream.size = size - 1 < MEMORY_PIPE_SIZE ? size - 1 : MEMORY_PIPE_SIZE;
         memcpy(stream.bytes, data + 1, stream.size);
     } else {
         if (is_head)

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "graph/rg.h"
-#include "tests/support/hazard.h"
+#include "tests/support/hazard_checker.h"
 #include "tests/support/random_graph.h"
 #include "tests/support/random_graph_private.h"
 

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "tests/gpu/shaders/optics.h"
 #include "tests/gpu/test_shaders.h"

@@ -4,7 +4,7 @@
  * The sides of the box have positions as colours, and these are linear: what a pixel shows says
  * where its ray ended.
  */
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 

@@ -5,8 +5,8 @@
 #include <cglm/struct.h>
 #include <stdlib.h>
 
-#include "tests/support/bumps.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
+#include "tests/support/bump_reference.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 
@@ -70,7 +70,7 @@ static struct vec refracted(struct vec e, struct vec n)
 static double error_of(const struct bump_picture *p, const struct bumps *bumps, double a, size_t i)
 {
     const struct vec e = picture_pixel_ray(&p->request, i);
-    const struct vec n_f = bumps_normal(bumps, picture_at(p->normal, i), e);
+    const struct vec n_f = bump_reference_normal(bumps, picture_at(p->normal, i), e);
     const struct vec n_r = vec_add(vec_scale(n_f, 1 - a), -a, picture_at(p->back, i));
     return vec_angle_deg(picture_at(p->exit, i), refracted(e, n_r));
 }
@@ -83,7 +83,8 @@ static void check_sphere(struct gpu *gpu, const char *refraction, double a, stru
     const struct settings settings =
         settings_of_bumps("bump.strength=0.5", "bump.mapping=triplanar");
     /* the strength leaves half of it, the mask four fifths */
-    bumps_even(&scene, bumps.slope_u / 0.5 / 0.8, bumps.slope_v / 0.5 / 0.8, 0.2, 1);
+    bump_reference_make_constant(&scene, bumps.slope_u / 0.5 / 0.8, bumps.slope_v / 0.5 / 0.8, 0.2,
+                                 1);
     struct bump_picture p = draw(gpu, &scene, refraction, &settings, time);
     size_t count = 0;
     for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
@@ -136,7 +137,7 @@ static void smooth_is_smooth(void **state)
     struct bump_picture smooth = draw(*state, &scene, "paper", &off, 0);
     struct bump_picture no_maps = draw(*state, &scene, "paper", &on, 0);
     check_same(&smooth, &no_maps, 1e-3);
-    bumps_even(&scene, 1, 1, 1, 0);
+    bump_reference_make_constant(&scene, 1, 1, 1, 0);
     struct bump_picture masked = draw(*state, &scene, "paper", &on, 0);
     check_same(&smooth, &masked, 1e-3);
     render_result_finish(&smooth.result);
@@ -173,14 +174,14 @@ static void check_square(struct gpu *gpu, const char *mapping, struct vec gradie
 {
     struct scene scene = square_scene();
     const struct settings settings = settings_of_bumps("bump.strength=1", mapping);
-    bumps_even(&scene, 0.3, 0.1, 0, 1);
+    bump_reference_make_constant(&scene, 0.3, 0.1, 0, 1);
     struct bump_picture p = draw(gpu, &scene, "one-sided", &settings, 0);
     size_t count = 0;
     for (size_t i = 0; i < (size_t)SIZE * SIZE; i++) {
         const struct vec e = picture_pixel_ray(&p.request, i);
         if (!picture_is_object(p.exit, i))
             continue;
-        const struct vec n_f = bumps_bend(gradient, (struct vec){ 1, 0, 0 }, e);
+        const struct vec n_f = bump_reference_perturb(gradient, (struct vec){ 1, 0, 0 }, e);
         CHECK_NEAR(vec_angle_deg(picture_at(p.exit, i), refracted(e, n_f)), 0, 0.05);
         count++;
     }
@@ -201,7 +202,7 @@ static void no_uv_is_smooth(void **state)
     struct scene scene = picture_sphere_scene(origin, 960);
     const struct settings on = settings_of_bumps("bump.strength=0.5", "bump.mapping=uv");
     const struct settings off = settings_of_bumps("bump.strength=0", "bump.mapping=uv");
-    bumps_even(&scene, 1, 1, 0, 0);
+    bump_reference_make_constant(&scene, 1, 1, 0, 0);
     struct bump_picture smooth = draw(*state, &scene, "paper", &off, 0);
     struct bump_picture bumped = draw(*state, &scene, "paper", &on, 0);
     check_same(&smooth, &bumped, 1e-3);

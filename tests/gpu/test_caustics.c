@@ -11,13 +11,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
+#include "tests/support/caustic_map.h"
 #include "tests/support/lavapipe.h"
-#include "tests/support/light_map.h"
 
 enum {
-    SIZE = LIGHT_MAP_SIZE,
+    SIZE = CAUSTIC_MAP_SIZE,
 };
 
 static const double pi = 3.14159265358979323846;
@@ -29,7 +29,7 @@ static double mean(const struct light_map *map, double x_0, double x_1)
     size_t count = 0;
     for (size_t y = SIZE / 8; y < SIZE - SIZE / 8; y++) {
         for (size_t x = 0; x < SIZE; x++) {
-            if (light_map_place(map, 0, x) < x_0 || light_map_place(map, 0, x) > x_1)
+            if (caustic_map_position(map, 0, x) < x_0 || caustic_map_position(map, 0, x) > x_1)
                 continue;
             sum += (double)map->texels[y * SIZE + x];
             count++;
@@ -87,7 +87,7 @@ static void check_cosine(struct gpu *gpu, const char *method, const struct cosin
     (void)snprintf(words[3], sizeof(words[3]), "pool.depth=%.9g", c->depth);
     (void)snprintf(words[4], sizeof(words[4]), "pool.size=%.9g", 4 * length);
     struct light_map map =
-        light_map_trace(gpu, &(struct light_map_params){ method, 90, assignments });
+        caustic_map_trace(gpu, &(struct caustic_map_params){ method, 90, assignments });
     const double near = 0.02 * length;
     const double crest = (mean(&map, -near, near) + mean(&map, length - near, length + near)) / 2;
     const double trough = mean(&map, length / 2 - near, length / 2 + near);
@@ -145,12 +145,12 @@ static void check_backtrace(struct gpu *gpu, bool published)
         NULL,
     };
     struct light_map map =
-        light_map_trace(gpu, &(struct light_map_params){ "backtrace", 90, assignments });
+        caustic_map_trace(gpu, &(struct caustic_map_params){ "backtrace", 90, assignments });
     double sum = 0;
     for (int i = 0; i < 10000; i++)
         sum += bell(turned(0.02 * 2 * pi * sin(2 * pi * i / 10000), published)) / 10000;
     for (size_t i = 0; i < SIZE; i++) {
-        const double x = light_map_place(&map, 0, i);
+        const double x = caustic_map_position(&map, 0, i);
         const double texel = (double)map.texels[(size_t)SIZE / 2 * SIZE + i];
         const double expected = bell(turned(0.02 * 2 * pi * sin(2 * pi * x), published)) / sum;
         if (fabs(x) < 1.99) /* as much as a texel of the map that is half in the pool */
@@ -183,13 +183,13 @@ static void check_level(struct gpu *gpu, const char *method, double noise)
     const char *const assignments[] = { "water.height=0", "caustics.sun=1", "caustics.cone=2",
                                         "caustics.directions=24", NULL };
     struct light_map map =
-        light_map_trace(gpu, &(struct light_map_params){ method, 50, assignments });
+        caustic_map_trace(gpu, &(struct caustic_map_params){ method, 50, assignments });
     double sum = 0;
     size_t lit = 0;
-    for (size_t i = 0; i < LIGHT_MAP_COUNT; i++) {
+    for (size_t i = 0; i < CAUSTIC_MAP_COUNT; i++) {
         const double middle = map.shift_x - shade(50) / 2;
-        const double x = fabs(light_map_place(&map, 0, i % SIZE) - middle) + shade(50) / 2;
-        const double y = fabs(light_map_place(&map, 1, i / SIZE));
+        const double x = fabs(caustic_map_position(&map, 0, i % SIZE) - middle) + shade(50) / 2;
+        const double y = fabs(caustic_map_position(&map, 1, i / SIZE));
         const double light = (double)map.texels[i];
         if (fmax(x, y) > map.size / 2 + 0.04)
             CHECK_NEAR(light, 0, 0);
@@ -220,10 +220,10 @@ static void no_light_is_lost(void **state)
     static const char *const assignments[] = { NULL };
     static const double elevations[] = { 90, 60, 35 };
     for (size_t i = 0; i < 3; i++) {
-        struct light_map area = light_map_trace(
-            *state, &(struct light_map_params){ "area", elevations[i], assignments });
-        struct light_map naive = light_map_trace(
-            *state, &(struct light_map_params){ "naive", elevations[i], assignments });
+        struct light_map area = caustic_map_trace(
+            *state, &(struct caustic_map_params){ "area", elevations[i], assignments });
+        struct light_map naive = caustic_map_trace(
+            *state, &(struct caustic_map_params){ "naive", elevations[i], assignments });
         print_message("sun at %g: area %.4f, naive %.4f\n", elevations[i], area.total, naive.total);
         CHECK_NEAR(area.total, naive.total, 0.01);
         CHECK_NEAR(area.total, 1 - shade(elevations[i]) / area.size, 0.02);
@@ -238,9 +238,9 @@ static void slivers_give_no_negative_light(void **state)
     static const char *const assignments[] = { "water.scale=0.1", "pool.depth=0.5", NULL };
     static const double elevations[] = { 15, 35, 55 };
     for (size_t i = 0; i < 3; i++) {
-        struct light_map map = light_map_trace(
-            *state, &(struct light_map_params){ "area", elevations[i], assignments, 1 });
-        for (size_t t = 0; t < LIGHT_MAP_COUNT; t++)
+        struct light_map map = caustic_map_trace(
+            *state, &(struct caustic_map_params){ "area", elevations[i], assignments, 1 });
+        for (size_t t = 0; t < CAUSTIC_MAP_COUNT; t++)
             assert_true(map.texels[t] >= 0.0F);
         free(map.texels);
     }

@@ -8,10 +8,10 @@
 #include <string.h>
 
 #include "src/scene/generate/generate.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
-#include "tests/support/tiles.h"
+#include "tests/support/screen_tiles.h"
 
 enum {
     SIZE = 224,
@@ -128,17 +128,17 @@ static void count_fragments(struct tally *tally, const struct picture_request *r
     const float *intervals = image_find(image, "intervals.Z");
     struct tiles cracks;
     struct tiles object;
-    tiles_init(&cracks, &request->scene->cracks, request);
-    tiles_init(&object, &request->scene->model.object, request);
+    screen_tiles_init(&cracks, &request->scene->cracks, request);
+    screen_tiles_init(&object, &request->scene->model.object, request);
     for (size_t i = 0; i < PIXELS; i += step) {
         double at[HITS_MAX];
         double faces[HITS_MAX];
         if (alpha[i] == 0.0f && i % (intervals[i] == 0.0f ? 16 : 4) != 0)
             continue;
-        const bool one = tiles_trace(&cracks, i, at, HITS_MAX) == 1;
+        const bool one = screen_tiles_trace(&cracks, i, at, HITS_MAX) == 1;
         if (!one && i % 8 != 0)
             continue;
-        const size_t face_count = tiles_trace(&object, i, faces, HITS_MAX);
+        const size_t face_count = screen_tiles_trace(&object, i, faces, HITS_MAX);
         tally->pixels++;
         tally->wrong_counts += 2 * (size_t)intervals[i] != face_count;
         if (!one)
@@ -150,8 +150,8 @@ static void count_fragments(struct tally *tally, const struct picture_request *r
         tally->inside += inside;
         tally->left_out += inside && !kept;
     }
-    tiles_finish(&cracks);
-    tiles_finish(&object);
+    screen_tiles_finish(&cracks);
+    screen_tiles_finish(&object);
 }
 
 /* Seed after seed, until enough fragments have been seen. */

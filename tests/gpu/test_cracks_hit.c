@@ -2,7 +2,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/scene/generate/generate.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 

@@ -1,9 +1,9 @@
 /* test_exec.c: what raster passes of the executor draw, to the bit. */
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/feature.h"
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
-#include "tests/support/painted.h"
+#include "tests/support/rectangle_rows.h"
 
 static void record_extent(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
@@ -63,8 +63,8 @@ static void loads_and_targets(void **state)
         { .color = { { 6, 7, 8, 9 } }, TOP_HALF },
         { .color = { { 1, 2, 3, 4 } }, ALL },
     };
-    PAINTED_EVERYWHERE(state, load_rows, paints, check_loads,
-                       .outputs = { &load_color_out, &load_first_out, &load_second_out });
+    PAINTED_VARIANTS(state, load_rows, paints, check_loads,
+                     .outputs = { &load_color_out, &load_first_out, &load_second_out });
 }
 
 /* ---- rows repeated by layer and by mip ---- */
@@ -93,9 +93,9 @@ static void row_per_layer(void **state)
         { .color = { { 0, 0, 0, 100 } }, ALL },
     };
     const struct run_params *params = &feature_per_layer.params;
-    run_everywhere(*state, params,
-                   &(struct rg_frame){ .rows = params->technique.passes, .paints = paints },
-                   check_cube);
+    run_variants(*state, params,
+                 &(struct rg_frame){ .rows = params->technique.passes, .paints = paints },
+                 check_cube);
 }
 
 static void check_mips(struct run *run)
@@ -114,9 +114,9 @@ static void row_per_mip(void **state)
         { .color = { { 0, 100, 0, 0 } }, ALL },
     };
     const struct run_params *params = &feature_per_mip.params;
-    run_everywhere(*state, params,
-                   &(struct rg_frame){ .rows = params->technique.passes, .paints = paints },
-                   check_mips);
+    run_variants(*state, params,
+                 &(struct rg_frame){ .rows = params->technique.passes, .paints = paints },
+                 check_mips);
 }
 
 enum {
@@ -193,7 +193,7 @@ static void mips_from_mips(void **state)
             .record = run_record_read,
         };
     }
-    PAINTED_EVERYWHERE(
+    PAINTED_VARIANTS(
         state, rows, paints, check_chain, .view = { CHAIN_WIDTH, CHAIN_HEIGHT },
         .outputs = { &chain_out[0], &chain_out[1], &chain_out[2], &chain_out[3], &chain_out[4] });
 }
@@ -238,8 +238,8 @@ static void check_sizes(struct run *run)
 
 static void sizes_follow_the_view(void **state)
 {
-    PAINTED_EVERYWHERE(state, size_rows, NULL, check_sizes, .view = { 13, 7 },
-                       .outputs = { &size_out[0], &size_out[1], &size_out[2], &size_out[3] });
+    PAINTED_VARIANTS(state, size_rows, NULL, check_sizes, .view = { 13, 7 },
+                     .outputs = { &size_out[0], &size_out[1], &size_out[2], &size_out[3] });
 }
 
 /* ---- memory ---- */
@@ -288,7 +288,7 @@ static void memory_is_shared(void **state)
         { .color = { { 100, 200, 300, 400 } }, ALL },
         { .color = { { 1000, 2000, 3000, 4000 } }, ALL },
     };
-    PAINTED_EVERYWHERE(state, link_rows, paints, check_links, .outputs = { &links_out });
+    PAINTED_VARIANTS(state, link_rows, paints, check_links, .outputs = { &links_out });
 }
 
 int main(void)

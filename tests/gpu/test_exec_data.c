@@ -1,9 +1,9 @@
 /* test_exec_data.c: compute and transfer passes, buffers, imports and frames in flight. */
 #include <math.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/feature.h"
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
 
 enum {
@@ -32,8 +32,8 @@ static void check_numbers(struct run *run, uint32_t value)
 
 static void storage_is_read_back(void **state)
 {
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        const struct run_params params = run_way(&feature_storage.params, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        const struct run_params params = run_variant(&feature_storage.params, way);
         struct run run;
         run_open(&run, *state, &params);
         assert_int_equal(rg_exec_begin(run.exec, &run.slot), VK_SUCCESS);
@@ -47,8 +47,8 @@ static void storage_is_read_back(void **state)
 
 static void buffer_is_sampled(void **state)
 {
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        const struct run_params params = run_way(&feature_texels.params, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        const struct run_params params = run_variant(&feature_texels.params, way);
         struct run run;
         run_open(&run, *state, &params);
         for (uint32_t frame = 0; frame < 3; frame++) {
@@ -433,7 +433,7 @@ static void check_imports(struct run *run, uint32_t number)
 static void imports_are_added_to(void **state)
 {
     static const struct painted_series series = { 5, begin_imports, check_imports };
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
         struct gpu *gpu = *state;
         struct gpu_image image;
         struct gpu_buffer buffer;
@@ -462,7 +462,7 @@ static void imports_are_added_to(void **state)
             { .image = image.image },
             { .buffer = buffer.buffer },
         };
-        struct run_params params = run_way(&feature_imports.params, way);
+        struct run_params params = run_variant(&feature_imports.params, way);
         params.objects = objects;
         painted_series(gpu, &params, &series);
         gpu_image_destroy(gpu, &image);
@@ -515,7 +515,7 @@ static void commands_come_from_shaders(void **state)
                                        indices, sizeof(indices), "indices"),
                      STATUS_OK);
     indirect_mesh = (struct rg_mesh){ vertex_buffer.buffer, index_buffer.buffer, 0 };
-    painted_series_everywhere(gpu, &feature_indirect.params, &series);
+    painted_series_variants(gpu, &feature_indirect.params, &series);
     gpu_buffer_destroy(gpu, &vertex_buffer);
     gpu_buffer_destroy(gpu, &index_buffer);
 }

@@ -1,9 +1,9 @@
 /* test_exec_fallback.c: what shaders sample where nothing provides an image. */
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "tests/gpu/shaders/data.h"
 #include "tests/support/lavapipe.h"
-#include "tests/support/painted.h"
+#include "tests/support/rectangle_rows.h"
 
 enum {
     SAMPLED_COUNT = 6,
@@ -90,7 +90,7 @@ static void check(struct run *run)
 
 static void fallbacks_are_sampled(void **state)
 {
-    PAINTED_EVERYWHERE(state, rows, paints, check, .outputs = { &sampled_out, &drawn_out });
+    PAINTED_VARIANTS(state, rows, paints, check, .outputs = { &sampled_out, &drawn_out });
 }
 
 /* The content is written once, before the first of several frames. */

@@ -1,8 +1,8 @@
 /* test_exec_history.c: persistent images and buffers: zero at first, then what the frame before
  * has left, with two frames in flight. */
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/feature.h"
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
 
 enum {
@@ -80,7 +80,7 @@ static void check_images(struct run *run, uint32_t number)
 static void images_are_kept(void **state)
 {
     static const struct painted_series series = { FRAMES, begin_images, check_images };
-    painted_series_everywhere(*state, &feature_history.params, &series);
+    painted_series_variants(*state, &feature_history.params, &series);
 }
 
 /* ---- buffers ---- */
@@ -114,7 +114,7 @@ static void check_buffers(struct run *run, uint32_t number)
 static void buffers_are_kept(void **state)
 {
     static const struct painted_series series = { FRAMES, begin_buffers, check_buffers };
-    painted_series_everywhere(*state, &feature_history_buffers.params, &series);
+    painted_series_variants(*state, &feature_history_buffers.params, &series);
 }
 
 int main(void)

@@ -1,9 +1,9 @@
 /* test_exec_import_images.c: an import that is several images, and semaphores around a frame. */
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/feature.h"
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
 
 enum {
@@ -141,13 +141,13 @@ static void frames_choose_their_image(void **state)
     (void)state;
     struct gpu gpu;
     open_device(&gpu);
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
         struct gpu_image images[IMAGE_COUNT];
         struct run run;
         make_images(&gpu, images);
         const VkImage handles[IMAGE_COUNT] = { images[0].image, images[1].image };
         const struct rg_exec_import object = { .images = handles, .image_count = IMAGE_COUNT };
-        struct run_params params = run_way(&feature_present.params, way);
+        struct run_params params = run_variant(&feature_present.params, way);
         params.objects = &object;
         run_open(&run, &gpu, &params);
         draw_frames(&run);

@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/feature.h"
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
 
 /* ---- what fails, and when ---- */
@@ -245,8 +245,8 @@ static void frames_allocate_nothing(void **state)
         &feature_per_layer, &feature_resolve,         &feature_storage,
     };
     for (size_t i = 0; i < sizeof(features) / sizeof(features[0]); i++) {
-        for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-            const struct run_params changed = run_way(&features[i]->params, way);
+        for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+            const struct run_params changed = run_variant(&features[i]->params, way);
             check_allocations(*state, &changed);
         }
     }

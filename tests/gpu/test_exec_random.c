@@ -2,19 +2,19 @@
  * test_exec_random.c: random graphs leave what their tables say, to the last bit, and the
  * validation layer is silent.
  *
- * What the tables say, interpret.c works out on the CPU. Plans are run carelessly: what a plan says
- * is undefined gets other content.
+ * What the tables say, interpret_graph.c works out on the CPU. Plans are run carelessly: what a
+ * plan says is undefined gets other content.
  *
  * Without arguments all seeds run; `test-exec_random SEED` runs one and prints its plan.
  */
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
+#include "tests/support/all_features_device.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/run_random.h"
-#include "tests/support/whole_device.h"
 
 enum {
     SEEDS = 200,
@@ -280,14 +280,14 @@ static bool run_seed(const struct gpu *gpu, struct device *device, uint32_t seed
 /* With every feature, for counted draws. */
 static void open_device(struct device *device, const struct gpu *gpu)
 {
-    whole_device_open(&device->gpu, gpu);
-    own_set_make(&device->own, &device->gpu, interpret_own, sizeof(interpret_own));
+    all_features_device_open(&device->gpu, gpu);
+    own_set_create(&device->own, &device->gpu, interpret_set_words, sizeof(interpret_set_words));
 }
 
 static void close_device(struct device *device)
 {
-    own_set_free(&device->own, &device->gpu);
-    whole_device_close(&device->gpu);
+    own_set_destroy(&device->own, &device->gpu);
+    all_features_device_close(&device->gpu);
 }
 
 static void random_graphs_leave_what_their_tables_say(void **state)

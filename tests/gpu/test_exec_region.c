@@ -1,8 +1,8 @@
 /* test_exec_region.c: a region of the view drawn alone, and where its fragments look. */
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "tests/support/lavapipe.h"
-#include "tests/support/painted.h"
+#include "tests/support/rectangle_rows.h"
 
 static const struct rg_image under = COLOR_IMAGE("under");
 static const struct rg_image map = COLOR_IMAGE("map");
@@ -195,8 +195,8 @@ static void only_a_region(void **state)
         .max_region = { 4, 3 },
     };
     const struct rg_frame frame = { .rows = rows, .paints = paints };
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        const struct run_params params = run_way(&all, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        const struct run_params params = run_variant(&all, way);
         struct run run;
         open_noted(&run, *state, &params);
         rg_exec_set_region(run.exec, &wanted);
@@ -338,8 +338,8 @@ static void areas_of_rows(void **state)
         .outputs = { &board_out, &spot_out },
     };
     const struct rg_frame frame = { .rows = area_rows, .paints = area_paints };
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        const struct run_params params = run_way(&all, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        const struct run_params params = run_variant(&all, way);
         struct run run;
         open_noted(&run, *state, &params);
         for (int is_part = 0; is_part < 2; is_part++) {
@@ -394,8 +394,8 @@ static void further_rows_of_a_pass(void **state)
         .outputs = { &board_out },
     };
     const struct rg_frame frame = { .rows = further_rows, .paints = further_paints };
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        const struct run_params params = run_way(&all, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        const struct run_params params = run_variant(&all, way);
         struct run run;
         open_noted(&run, *state, &params);
         noted.count = noted.begun = 0;

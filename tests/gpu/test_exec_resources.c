@@ -6,11 +6,11 @@
  */
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/feature.h"
+#include "tests/support/all_features_device.h"
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
-#include "tests/support/whole_device.h"
 
 enum {
     SEED = 20,
@@ -50,8 +50,8 @@ static void check_volume(struct run *run)
 
 static void volume_is_stored_and_sampled(void **state)
 {
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        const struct run_params params = run_way(&feature_volume.params, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        const struct run_params params = run_variant(&feature_volume.params, way);
         struct run run;
         run_open(&run, *state, &params);
         run_seeded(&run, NULL);
@@ -81,16 +81,16 @@ static void array_is_read_and_own_set_bound(void **state)
 {
     struct gpu gpu;
     struct own_set own;
-    whole_device_open(&gpu, *state);
-    own_set_make(&own, &gpu, factors, sizeof(factors));
+    all_features_device_open(&gpu, *state);
+    own_set_create(&own, &gpu, factors, sizeof(factors));
     const struct rg_exec_set sets[] = { { &feature_array_set, own.layout } };
     const struct rg_frame frame = {
         .rows = feature_array.params.technique.passes,
         .paints = everywhere,
         .set = own.set,
     };
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        struct run_params params = run_way(&feature_array.params, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        struct run_params params = run_variant(&feature_array.params, way);
         struct run run;
         params.sets = sets;
         run_open(&run, &gpu, &params);
@@ -101,8 +101,8 @@ static void array_is_read_and_own_set_bound(void **state)
         check_sums(&run);
         run_close(&run);
     }
-    own_set_free(&own, &gpu);
-    whole_device_close(&gpu);
+    own_set_destroy(&own, &gpu);
+    all_features_device_close(&gpu);
 }
 
 static void layout_of_a_set_is_missed(void **state)
@@ -156,10 +156,10 @@ static void draws_are_counted(void **state)
 {
     struct gpu gpu;
     struct gpu_buffer buffers[2];
-    whole_device_open(&gpu, *state);
+    all_features_device_open(&gpu, *state);
     const struct rg_frame frame = { .mesh = square(&gpu, buffers) };
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        const struct run_params params = run_way(&feature_count.params, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        const struct run_params params = run_variant(&feature_count.params, way);
         struct run run;
         run_open(&run, &gpu, &params);
         for (uint32_t count = 0; count < COUNT_MAX + 2; count++) {
@@ -172,7 +172,7 @@ static void draws_are_counted(void **state)
     }
     gpu_buffer_destroy(&gpu, &buffers[0]);
     gpu_buffer_destroy(&gpu, &buffers[1]);
-    whole_device_close(&gpu);
+    all_features_device_close(&gpu);
 }
 
 /* ---- acceleration structures ---- */
@@ -181,13 +181,13 @@ static void rays_meet_what_was_built(void **state)
 {
     static const vec3s triangle[] = { { { 0, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 0, 0 } } };
     struct gpu gpu;
-    if (!whole_device_has_rays(*state)) {
+    if (!all_features_device_has_rays(*state)) {
         print_message("skipped: the device has no acceleration structures and ray queries\n");
         skip();
     }
-    whole_device_open(&gpu, *state);
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        const struct run_params params = run_way(&feature_structure.params, way);
+    all_features_device_open(&gpu, *state);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        const struct run_params params = run_variant(&feature_structure.params, way);
         struct run run;
         run_open(&run, &gpu, &params);
         for (uint32_t frame = 0; frame < 3; frame++) {
@@ -204,7 +204,7 @@ static void rays_meet_what_was_built(void **state)
         }
         run_close(&run);
     }
-    whole_device_close(&gpu);
+    all_features_device_close(&gpu);
 }
 
 /* Without a device the plan is the same, so it can be compiled here. */
@@ -213,7 +213,7 @@ static void devices_without_rays_are_told(void **state)
     struct run_params params = feature_structure.params;
     struct run run;
     params.no_device = true;
-    if (whole_device_has_rays(*state))
+    if (all_features_device_has_rays(*state))
         skip();
     run_compile(&run, *state, &params);
     assert_int_equal(run_create(&run, run.plan), VK_ERROR_FEATURE_NOT_PRESENT);

@@ -1,11 +1,11 @@
 /* test_exec_sampler.c: samplers as their descriptions say. */
 #include <math.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "tests/gpu/shaders/data.h"
 #include "tests/support/lavapipe.h"
-#include "tests/support/painted.h"
+#include "tests/support/rectangle_rows.h"
 
 enum {
     SAMPLED_COUNT = 8,

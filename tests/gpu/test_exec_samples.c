@@ -1,7 +1,7 @@
 /* test_exec_samples.c: targets of four samples a texel: what they resolve to, and one by one. */
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/feature.h"
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
 
 #include <cglm/struct.h>
@@ -126,7 +126,7 @@ static void samples_are_resolved(void **state)
     static const struct painted_series series = { FRAMES, begin_resolve, check_resolve };
     const struct gpu *gpu = *state;
     assert_true(gpu->properties.limits.standardSampleLocations);
-    painted_series_everywhere(*state, &feature_resolve.params, &series);
+    painted_series_variants(*state, &feature_resolve.params, &series);
 }
 
 /* ---- what is resolved to, where the driver would not show it ---- */
@@ -222,8 +222,8 @@ static void check_parts(struct gpu *gpu, const struct run_params *params)
 
 static void parts_are_resolved_to(void **state)
 {
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        const struct run_params params = run_way(&feature_resolve.params, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        const struct run_params params = run_variant(&feature_resolve.params, way);
         check_parts(*state, &params);
     }
 }
@@ -262,7 +262,7 @@ static void check_samples(struct run *run, uint32_t number)
 static void samples_are_fetched(void **state)
 {
     static const struct painted_series series = { FRAMES, begin_samples, check_samples };
-    painted_series_everywhere(*state, &feature_samples.params, &series);
+    painted_series_variants(*state, &feature_samples.params, &series);
 }
 
 /* ---- how many there may be ---- */

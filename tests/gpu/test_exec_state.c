@@ -1,10 +1,10 @@
 /* test_exec_state.c: the fixed-function state of raster passes: depth, blend, faces, vertices. */
 #include <math.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "tests/support/lavapipe.h"
-#include "tests/support/painted.h"
+#include "tests/support/rectangle_rows.h"
 
 /* ---- depth ---- */
 
@@ -106,9 +106,9 @@ static void depth_is_tested(void **state)
         { .color = { { 5, 5, 5, 5 } }, ALL, .depth = 0.3F },
         { .color = { { 8, 8, 8, 8 } }, ALL },
     };
-    PAINTED_EVERYWHERE(state, depth_rows, paints, check_depth,
-                       .outputs = { &depth_out, &reversed_out, &near_out, &reversed_near_out,
-                                    &tested_out, &seen_out });
+    PAINTED_VARIANTS(state, depth_rows, paints, check_depth,
+                     .outputs = { &depth_out, &reversed_out, &near_out, &reversed_near_out,
+                                  &tested_out, &seen_out });
 }
 
 /* ---- blending ---- */
@@ -156,7 +156,7 @@ static void targets_are_blended(void **state)
         { .color = { { 0.25F, 0.5F, 0.125F, 0.5F } }, ALL },
         { .color = { { 16, 32, 64, 128 } }, LEFT_HALF },
     };
-    PAINTED_EVERYWHERE(state, blend_rows, paints, check_blend, .outputs = { &over_out, &sum_out });
+    PAINTED_VARIANTS(state, blend_rows, paints, check_blend, .outputs = { &over_out, &sum_out });
 }
 
 /* ---- any blend ---- */
@@ -207,8 +207,8 @@ static void any_blend_is_drawn(void **state)
         { .color = { { 0.5F, 2, 0.5F, 2 } }, ALL },
         { .color = { { 7, 8, 9, 10 } }, ALL },
     };
-    PAINTED_EVERYWHERE(state, mixed_rows, paints, check_mixed,
-                       .outputs = { &product_out, &masked_out });
+    PAINTED_VARIANTS(state, mixed_rows, paints, check_mixed,
+                     .outputs = { &product_out, &masked_out });
 }
 
 /* ---- stencil, and a bias of depth ---- */
@@ -279,7 +279,7 @@ static void stencil_is_tested(void **state)
         { .color = { { 2, 2, 2, 2 } }, LEFT_HALF, .depth = 0.5F },
         { .color = { { 3, 3, 3, 3 } }, .from = { { -1, -1 } }, .to = { { 0, 0 } }, .depth = 0.5F },
     };
-    PAINTED_EVERYWHERE(state, stencil_rows, paints, check_stencil, .outputs = { &inside_out });
+    PAINTED_VARIANTS(state, stencil_rows, paints, check_stencil, .outputs = { &inside_out });
 }
 
 /* ---- faces and topology ---- */
@@ -322,7 +322,7 @@ static void faces_are_culled(void **state)
         { .color = { { 3, 3, 3, 3 } }, ALL },
         { .color = { { 4, 4, 4, 4 } }, ALL },
     };
-    PAINTED_EVERYWHERE(state, faces_rows, paints, check_faces, .outputs = { &faces_out });
+    PAINTED_VARIANTS(state, faces_rows, paints, check_faces, .outputs = { &faces_out });
 }
 
 /* ---- vertices from a buffer ---- */
@@ -417,12 +417,12 @@ static void mesh_is_drawn(void **state)
         .paints = &paint,
         .mesh = { vertex_buffer.buffer, index_buffer.buffer, 6 },
     };
-    run_everywhere(gpu,
-                   &(struct run_params){
-                       .technique = RG_TECHNIQUE("test", drawn_rows),
-                       .outputs = { &drawn_out, &part_out },
-                   },
-                   &frame, check_drawn);
+    run_variants(gpu,
+                 &(struct run_params){
+                     .technique = RG_TECHNIQUE("test", drawn_rows),
+                     .outputs = { &drawn_out, &part_out },
+                 },
+                 &frame, check_drawn);
     gpu_buffer_destroy(gpu, &vertex_buffer);
     gpu_buffer_destroy(gpu, &index_buffer);
 }
@@ -485,12 +485,12 @@ static void instances_are_drawn(void **state)
         .paints = &paint,
         .mesh = { buffers[0].buffer, buffers[1].buffer, 6, 3, &buffers[2].buffer },
     };
-    run_everywhere(gpu,
-                   &(struct run_params){
-                       .technique = RG_TECHNIQUE("test", instance_rows),
-                       .outputs = { &instances_out },
-                   },
-                   &frame, check_instances);
+    run_variants(gpu,
+                 &(struct run_params){
+                     .technique = RG_TECHNIQUE("test", instance_rows),
+                     .outputs = { &instances_out },
+                 },
+                 &frame, check_instances);
     for (int i = 0; i < 3; i++)
         gpu_buffer_destroy(gpu, &buffers[i]);
 }
@@ -532,9 +532,9 @@ static void constants_reach_shaders(void **state)
     };
     static const VkSpecializationInfo info = { 2, entries, sizeof(values), values };
     static const struct paint_push paints[] = { { ALL } };
-    PAINTED_EVERYWHERE(state, special_rows, paints, check_defaults, .outputs = { &special_out });
-    PAINTED_EVERYWHERE(state, special_rows, paints, check_special, .outputs = { &special_out },
-                       .constants = &info);
+    PAINTED_VARIANTS(state, special_rows, paints, check_defaults, .outputs = { &special_out });
+    PAINTED_VARIANTS(state, special_rows, paints, check_special, .outputs = { &special_out },
+                     .constants = &info);
 }
 
 int main(void)

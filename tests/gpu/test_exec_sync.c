@@ -6,12 +6,12 @@
  */
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "tests/gpu/shaders/data.h"
-#include "tests/support/damage.h"
 #include "tests/support/lavapipe.h"
-#include "tests/support/painted.h"
+#include "tests/support/plan_mutation.h"
+#include "tests/support/rectangle_rows.h"
 
 /* ---- graphs ---- */
 
@@ -192,7 +192,7 @@ struct damage_case {
     struct rg_technique technique;
     const void *resource;  /* of the barrier that is damaged */
     VkAccessFlags2 before; /* and what it comes before */
-    const char *damage;    /* see damage.c */
+    const char *damage;    /* see plan_mutation.c */
     uint32_t frames;       /* 0 means 1 */
     bool dynamic;          /* recorded with dynamic rendering */
     bool layout;           /* breaks a rule about layouts too */
@@ -222,8 +222,8 @@ static uint32_t find_barrier(const struct rg_plan *plan, const struct damage_cas
 
 static size_t find_damage(const char *name)
 {
-    for (size_t i = 0; i < damage_count(); i++) {
-        if (!strcmp(damage_name(i), name))
+    for (size_t i = 0; i < plan_mutation_count(); i++) {
+        if (!strcmp(plan_mutation_name(i), name))
             return i;
     }
     fail_msg("no damage %s", name);
@@ -245,7 +245,7 @@ static bool is_old_layer(void)
 
 static void check_case(struct gpu *gpu, const struct damage_case *c)
 {
-    struct damage_copy copy;
+    struct plan_mutant copy;
     struct run_tables tables;
     struct run run;
     const uint32_t frames = c->frames ? c->frames : 1;
@@ -264,7 +264,8 @@ static void check_case(struct gpu *gpu, const struct damage_case *c)
     const uint32_t barrier = find_barrier(run.plan, c);
     uint32_t next = barrier;
     run_tables_init(&tables, &run.params, NULL);
-    assert_true(damage_init(&copy, run.plan, &tables.compile, find_damage(c->damage), &next));
+    assert_true(
+        plan_mutation_init(&copy, run.plan, &tables.compile, find_damage(c->damage), &next));
     assert_int_equal(next, barrier + 1);
     messages = run_frames(&run, &copy.plan, frames);
     print_message("%s: %u hazards, %u others\n", c->what, messages.hazards, messages.others);
@@ -278,7 +279,7 @@ static void check_case(struct gpu *gpu, const struct damage_case *c)
     else if (!c->blind && !(c->blind_since && !is_old_layer()))
         assert_true(messages.hazards > 0);
     gpu->message_count = 0;
-    damage_finish(&copy);
+    plan_mutation_finish(&copy);
     run_close(&run);
 }
 

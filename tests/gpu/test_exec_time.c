@@ -2,9 +2,9 @@
  * test_exec_time.c: what is measured of a frame, by every clock: counts that are known, and times
  * that fit into each other. How long anything takes is no test's business.
  */
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/feature.h"
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
 
 enum {
@@ -90,8 +90,8 @@ static void check_times(const struct rg_times *times, enum rg_clock clock)
 
 static void every_clock_times_every_pass(void **state)
 {
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        struct run_params wanted = run_way(&params, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        struct run_params wanted = run_variant(&params, way);
         wanted.measure = (struct rg_measure){ RG_CLOCK_EXACT, true };
         struct run run;
         run_open(&run, *state, &wanted);
@@ -156,8 +156,8 @@ static void work_is_counted(void **state)
         [FILL] = { .invocations = FEATURE_TEXELS },
     };
 
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        struct run_params wanted = run_way(&params, way);
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
+        struct run_params wanted = run_variant(&params, way);
         wanted.measure.statistics = true;
         struct run run;
         run_open(&run, *state, &wanted);

@@ -6,9 +6,9 @@
  */
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/feature.h"
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
 
 /* ---- counting ---- */
@@ -208,7 +208,7 @@ static void check_frame(struct run *run, uint32_t frames)
 
 static struct run_params changed(unsigned way, uint32_t width, uint32_t height, bool other)
 {
-    struct run_params p = run_way(&params, way);
+    struct run_params p = run_variant(&params, way);
     p.view = (VkExtent2D){ width, height };
     if (other)
         p.technique = (struct rg_technique)RG_TECHNIQUE("test", other_rows);
@@ -281,7 +281,7 @@ static void each_missing_feature_is_named(void **state)
 
 static void content_stays(void **state)
 {
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
         const struct run_params first = changed(way, 8, 8, false);
         const struct run_params second = changed(way, 16, 8, true);
         struct run run;
@@ -303,7 +303,7 @@ static void content_stays(void **state)
 /* Within the largest view, memory and pipelines stay; with the same plan, all. */
 static void what_is_the_same_stays(void **state)
 {
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
+    for (unsigned way = 0; way < RUN_VARIANT_COUNT; way++) {
         const struct run_params first = changed(way, 8, 8, false);
         const struct run_params larger = changed(way, 16, 8, false);
         const struct run_params other = changed(way, 8, 8, true);

@@ -1,7 +1,7 @@
 /* test_exec_when.c: conditional passes: what they leave stays until they run again. */
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/feature.h"
+#include "tests/support/feature_graphs.h"
 #include "tests/support/lavapipe.h"
 
 enum {
@@ -98,7 +98,7 @@ static void check(struct run *run, uint32_t number)
 static void passes_run_when_wanted(void **state)
 {
     static const struct painted_series series = { FRAMES, begin, check };
-    painted_series_everywhere(*state, &feature_when.params, &series);
+    painted_series_variants(*state, &feature_when.params, &series);
 }
 
 int main(void)

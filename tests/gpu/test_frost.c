@@ -4,11 +4,11 @@
  */
 #include <stdlib.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/image/half.h"
 #include "src/scene/mip_levels.h"
-#include "tests/support/bumps.h"
+#include "tests/support/bump_reference.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 
@@ -99,10 +99,10 @@ static void frost_is_as_computed(void **state)
 {
     struct scene scene = sphere_in_directions();
     struct frost_picture bare = draw(*state, &scene, "frost.amount=0", "frost.roughness=1");
-    bumps_even(&scene, 0, 0, 0, 1);
+    bump_reference_make_constant(&scene, 0, 0, 0, 1);
     struct frost_picture full = draw(*state, &scene, "frost.amount=1", "frost.roughness=1");
     struct frost_picture thin = draw(*state, &scene, "frost.amount=0.3", "frost.roughness=0.6");
-    bumps_even(&scene, 0, 0, 0.2, 0.6);
+    bump_reference_make_constant(&scene, 0, 0, 0.2, 0.6);
     struct frost_picture part = draw(*state, &scene, "frost.amount=0.8", "frost.roughness=0");
     check_pixels(&bare, &full, 1, mean_cosine(1));
     check_pixels(&bare, &thin, 0.3, mean_cosine(0.6));
@@ -121,7 +121,7 @@ static void white_stays_white(void **state)
     struct scene scene = picture_sphere_scene((vec3s){ { 0, 0, 0 } }, 960);
     scene.background = SCENE_COLOR;
     scene.background_color = (vec3s){ { 1, 1, 1 } };
-    bumps_even(&scene, 0, 0, 0, 1);
+    bump_reference_make_constant(&scene, 0, 0, 0, 1);
     struct frost_picture p = draw(*state, &scene, "frost.amount=0.7", "frost.roughness=1");
     for (size_t i = 0; i < PIXEL_COUNT; i++)
         CHECK_NEAR(vec_difference(picture_at(p.beauty, i), (struct vec){ 1, 1, 1 }), 0, 2e-3);

@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/gpu/gpu_internal.h"
 #include "tests/support/lavapipe.h"

@@ -4,8 +4,8 @@
  */
 #include <stdlib.h>
 
-#include "tests/support/bumps.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
+#include "tests/support/bump_reference.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 
@@ -45,7 +45,7 @@ static struct surface_picture draw(struct gpu *gpu, const char *const *assignmen
     p.scene.background = SCENE_COLOR;
     p.scene.background_color = (vec3s){ { (float)gray, (float)gray, (float)gray } };
     if (bumps)
-        bumps_even(&p.scene, bumps->slope_u, bumps->slope_v, 0, 0);
+        bump_reference_make_constant(&p.scene, bumps->slope_u, bumps->slope_v, 0, 0);
     assert_int_equal(settings_set(&p.settings, "highlight.shininess=300"), STATUS_OK);
     for (; *assignments; assignments++)
         assert_int_equal(settings_set(&p.settings, *assignments), STATUS_OK);
@@ -96,7 +96,7 @@ static void check_pixels(const struct surface_picture *p, double azimuth, size_t
             CHECK_NEAR(vec_norm(seen), gray * sqrt(3), 1e-4);
             continue;
         }
-        const struct vec n = bumps_normal(bumps ? bumps : &none, mesh_n, e);
+        const struct vec n = bump_reference_normal(bumps ? bumps : &none, mesh_n, e);
         double sum = gray;
         for (size_t k = 0; k < light_count; k++)
             sum += 2 * strength * shine(light_at(azimuth, k, light_count), mesh_n, n, e);

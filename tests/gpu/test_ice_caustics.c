@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/settings/scene_settings.h"
 #include "tests/support/lavapipe.h"

@@ -10,7 +10,7 @@
 #include "src/scene/generate/generate.h"
 #include "src/tech/refract/refract.h"
 #include "src/tech/techniques.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
 #include "tests/support/vec.h"

@@ -9,7 +9,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/scene/generate/random.h"
 #include "src/scene/scene.h"

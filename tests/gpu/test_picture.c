@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "shaders/output/tonemap.h"
 #include "src/render/accumulate.h"

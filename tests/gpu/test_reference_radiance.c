@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "shaders/output/tonemap.h"
 #include "src/reference/reference.h"

@@ -7,12 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/scene/generate/generate.h"
+#include "tests/support/brute_force_trace.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
-#include "tests/support/trace.h"
 
 static const double eta = 1.0003 / 1.3091;
 

@@ -1,7 +1,7 @@
 /* test_sphere.c: the layers of a sphere against closed forms and against each other. */
 #include <stdlib.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/render/uploaded_scene.h"
 #include "src/scene/generate/generate.h"

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"

@@ -2,13 +2,13 @@
  * ice in it. */
 #include <math.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "shaders/water/water.h"
 #include "src/tech/water/pool.h"
+#include "tests/support/brute_force_trace.h"
 #include "tests/support/lavapipe.h"
 #include "tests/support/picture.h"
-#include "tests/support/trace.h"
 
 enum {
     WIDTH = 96,

@@ -4,7 +4,7 @@
  */
 #include <math.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/settings/settings.h"
 #include "src/tech/water/pool.h"

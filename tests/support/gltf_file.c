@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     TEXT_SIZE = 16384,

@@ -1,4 +1,5 @@
-/* hazard_memory.c: checks memory: sizes, usages, alignment, blocks, lifetimes and aliasing. */
+/* hazard_check_memory.c: checks memory: sizes, usages, alignment, blocks, lifetimes and aliasing.
+ */
 #include "tests/support/hazard_private.h"
 
 static const char *name_of(const struct hazard_resource *resource)
@@ -6,18 +7,19 @@ static const char *name_of(const struct hazard_resource *resource)
     return resource->image ? resource->image->name : resource->buffer->name;
 }
 
-struct hazard_place hazard_memory_place(const struct hazard *h,
-                                        const struct hazard_resource *resource)
+struct hazard_binding hazard_memory_binding(const struct hazard *h,
+                                            const struct hazard_resource *resource)
 {
     if (resource->plan == RG_NONE)
-        return (struct hazard_place){ .block = RG_NONE };
+        return (struct hazard_binding){ .block = RG_NONE };
     if (resource->image) {
         const struct rg_plan_image *image = &h->plan->images[resource->plan];
-        return (struct hazard_place){ image->block, image->offset, image->size, image->persistent };
+        return (struct hazard_binding){ image->block, image->offset, image->size,
+                                        image->persistent };
     }
     const struct rg_plan_buffer *buffer = &h->plan->buffers[resource->plan];
-    return (struct hazard_place){ buffer->block, buffer->offset, buffer->memory_size,
-                                  buffer->persistent };
+    return (struct hazard_binding){ buffer->block, buffer->offset, buffer->memory_size,
+                                    buffer->persistent };
 }
 
 static bool belongs_in_block(const struct hazard_resource *resource)
@@ -74,34 +76,34 @@ static struct rg_memory_requirements buffer_need(const struct hazard *h,
 
 static void check_place(struct hazard *h, const struct hazard_resource *resource)
 {
-    struct hazard_place place = hazard_memory_place(h, resource);
+    struct hazard_binding place = hazard_memory_binding(h, resource);
     const char *name = name_of(resource);
     if (place.persistent != resource->persistent)
-        hazard_find(h, "'%s' has the wrong persistence", name);
+        hazard_report(h, "'%s' has the wrong persistence", name);
     struct rg_memory_requirements need = { 0 };
     if (!resource->import)
         need = resource->image ? image_need(h, resource) : buffer_need(h, resource);
     VkDeviceSize alignment = need.alignment ? need.alignment : 1;
     if (place.size < need.size && (resource->persistent || belongs_in_block(resource)))
-        hazard_find(h, "'%s' has too little memory", name);
+        hazard_report(h, "'%s' has too little memory", name);
     if (!belongs_in_block(resource)) {
         if (place.block != RG_NONE)
-            hazard_find(h, "'%s' is not transient but has memory in a block", name);
+            hazard_report(h, "'%s' is not transient but has memory in a block", name);
         return;
     }
     if (place.block >= h->plan->block_count) {
-        hazard_find(h, "'%s' has no block", name);
+        hazard_report(h, "'%s' has no block", name);
         return;
     }
     const struct rg_block *block = &h->plan->blocks[place.block];
     if (block->buffers != (resource->buffer != NULL))
-        hazard_find(h, "'%s' is in a block for the other kind of resource", name);
+        hazard_report(h, "'%s' is in a block for the other kind of resource", name);
     if (place.size > block->size || place.offset > block->size - place.size)
-        hazard_find(h, "'%s' ends beyond its block", name);
+        hazard_report(h, "'%s' ends beyond its block", name);
     if (place.offset % alignment != 0 || block->alignment % alignment != 0)
-        hazard_find(h, "'%s' is misaligned", name);
+        hazard_report(h, "'%s' is misaligned", name);
     if (!block->type_bits || (block->type_bits & ~need.type_bits))
-        hazard_find(h, "'%s' does not support its block's memory types", name);
+        hazard_report(h, "'%s' does not support its block's memory types", name);
 }
 
 static void check_image(struct hazard *h, const struct hazard_resource *resource)
@@ -111,11 +113,11 @@ static void check_image(struct hazard *h, const struct hazard_resource *resource
         image->extent.height != resource->extent.height || image->depth != resource->depth ||
         image->layers != resource->layers || image->mips != resource->mips ||
         image->aspects != resource->aspects || image->samples != resource->samples)
-        hazard_find(h, "'%s' has another shape than declared", name_of(resource));
+        hazard_report(h, "'%s' has another shape than declared", name_of(resource));
     if (resource->image->cube && !(image->flags & VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT))
-        hazard_find(h, "'%s' cannot be viewed as a cube", name_of(resource));
+        hazard_report(h, "'%s' cannot be viewed as a cube", name_of(resource));
     if (resource->persistent && !(image->usage & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
-        hazard_find(h, "'%s' cannot be filled with zeros", name_of(resource));
+        hazard_report(h, "'%s' cannot be filled with zeros", name_of(resource));
 }
 
 static void check_import(struct hazard *h, const struct hazard_resource *resource, bool imported,
@@ -124,7 +126,7 @@ static void check_import(struct hazard *h, const struct hazard_resource *resourc
     uint32_t expected =
         resource->import ? (uint32_t)(resource->import - h->params->imports) : RG_NONE;
     if (imported != (resource->import != NULL) || import != expected)
-        hazard_find(h, "'%s' names the wrong import", name_of(resource));
+        hazard_report(h, "'%s' names the wrong import", name_of(resource));
 }
 
 /* Checks usage flags for an access. `texels`: shaders write through a storage texel buffer view. */
@@ -140,7 +142,7 @@ static void check_usage(struct hazard *h, const struct hazard_resource *resource
     else
         allowed = !(of_buffer & ~h->plan->buffers[resource->plan].usage);
     if (!allowed)
-        hazard_find(h, "'%s' lacks a usage flag for access %d", name_of(resource), (int)access);
+        hazard_report(h, "'%s' lacks a usage flag for access %d", name_of(resource), (int)access);
 }
 
 /* Computes the first and last pass that uses each resource, and checks its usage flags. */
@@ -154,7 +156,7 @@ static void check_uses(struct hazard *h)
                 resource->first = p;
             resource->last = p;
             if (resource->plan == RG_NONE)
-                hazard_find(h, "'%s' is used but not in the plan", name_of(resource));
+                hazard_report(h, "'%s' is used but not in the plan", name_of(resource));
             else
                 check_usage(h, resource, h->uses[u].access,
                             h->uses[u].use && h->uses[u].use->texels);
@@ -166,7 +168,7 @@ static void check_uses(struct hazard *h)
             continue;
         resource->last = h->plan->pass_count;
         if (resource->plan == RG_NONE)
-            hazard_find(h, "output '%s' is not in the plan", name_of(resource));
+            hazard_report(h, "output '%s' is not in the plan", name_of(resource));
         else
             check_usage(h, resource, resource->output->access, false);
     }
@@ -183,11 +185,11 @@ static void check_life(struct hazard *h, const struct hazard_resource *resource)
         last = h->plan->buffers[resource->plan].last;
     }
     if ((first != resource->first && resource->first != RG_NONE) || last != resource->last)
-        hazard_find(h, "'%s' lives from pass %u to %u, but is used from %u to %u",
-                    name_of(resource), first, last, resource->first, resource->last);
+        hazard_report(h, "'%s' lives from pass %u to %u, but is used from %u to %u",
+                      name_of(resource), first, last, resource->first, resource->last);
 }
 
-static bool overlap(struct hazard_place a, struct hazard_place b)
+static bool overlap(struct hazard_binding a, struct hazard_binding b)
 {
     return a.block != RG_NONE && a.block == b.block && a.offset < b.offset + b.size &&
            b.offset < a.offset + a.size;
@@ -196,25 +198,25 @@ static bool overlap(struct hazard_place a, struct hazard_place b)
 static void find_aliases(struct hazard *h, uint32_t index)
 {
     struct hazard_resource *a = &h->resources[index];
-    struct hazard_place place = hazard_memory_place(h, a);
+    struct hazard_binding place = hazard_memory_binding(h, a);
     a->first_alias = h->alias_count;
     for (uint32_t i = 0; i < h->resource_count; i++) {
         const struct hazard_resource *b = &h->resources[i];
-        if (i == index || !overlap(place, hazard_memory_place(h, b)))
+        if (i == index || !overlap(place, hazard_memory_binding(h, b)))
             continue;
         h->aliases =
-            hazard_grow(h->aliases, &h->alias_room, h->alias_count + 1, sizeof(*h->aliases));
+            hazard_grow(h->aliases, &h->alias_capacity, h->alias_count + 1, sizeof(*h->aliases));
         h->aliases[h->alias_count++] = i;
         a->alias_count++;
         if (i > index && h->params->sharing == RG_SHARE_NOTHING)
-            hazard_find(h, "'%s' and '%s' share memory", name_of(a), name_of(b));
+            hazard_report(h, "'%s' and '%s' share memory", name_of(a), name_of(b));
         else if (i > index && a->first <= b->last && b->first <= a->last)
-            hazard_find(h, "'%s' and '%s' share memory while both are alive", name_of(a),
-                        name_of(b));
+            hazard_report(h, "'%s' and '%s' share memory while both are alive", name_of(a),
+                          name_of(b));
     }
 }
 
-void hazard_memory(struct hazard *h)
+void hazard_check_memory(struct hazard *h)
 {
     check_uses(h);
     for (uint32_t r = 0; r < h->resource_count; r++) {
@@ -231,9 +233,9 @@ void hazard_memory(struct hazard *h)
             const struct rg_plan_buffer *buffer = &h->plan->buffers[resource->plan];
             check_import(h, resource, buffer->imported, buffer->import);
             if (buffer->size != resource->size)
-                hazard_find(h, "'%s' has another size than declared", name_of(resource));
+                hazard_report(h, "'%s' has another size than declared", name_of(resource));
             if (resource->persistent && !(buffer->usage & VK_BUFFER_USAGE_TRANSFER_DST_BIT))
-                hazard_find(h, "'%s' cannot be filled with zeros", name_of(resource));
+                hazard_report(h, "'%s' cannot be filled with zeros", name_of(resource));
         }
     }
     for (uint32_t r = 0; r < h->resource_count; r++)

@@ -164,7 +164,7 @@ struct hazard_node {
     uint32_t next; /* index of the next node; RG_NONE at the end */
 };
 
-struct hazard_cell {
+struct hazard_subresource {
     uint32_t resource;
     bool written; /* true if `write` holds the last write */
     struct hazard_record write;
@@ -193,7 +193,7 @@ struct hazard {
     struct hazard_resource *resources;
     struct hazard_pass *passes; /* all rows of the tables, in their order */
     struct hazard_use *uses;
-    struct hazard_cell *cells;
+    struct hazard_subresource *cells;
     struct hazard_barrier *barriers; /* parallel to the plan's barriers, initial ones included */
     struct hazard_node *nodes;
     struct hazard_expected *expected; /* `expected_count` for each frame */
@@ -203,7 +203,8 @@ struct hazard {
     struct hazard_reach *reach;                         /* one row for each slot and stage */
     uint32_t resource_count, pass_count, use_count, cell_count, node_count;
     uint32_t expected_count, alias_count;
-    uint32_t resource_room, pass_room, use_room, cell_room, node_room, alias_room;
+    uint32_t resource_capacity, pass_capacity, use_capacity, cell_capacity, node_capacity,
+        alias_capacity;
 };
 
 /* An access to check: by a pass, by the outside after the frame, or by a layout transition. */
@@ -212,22 +213,23 @@ struct hazard_event {
     uint32_t stages;
     VkAccessFlags2 reads, writes;
     const struct hazard_barrier *transition; /* NULL unless the event is a transition */
-    bool handed_back; /* returned import: its user waits for earlier accesses of this kind */
+    bool returned; /* returned import: its user waits for earlier accesses of this kind */
 };
 
-/* hazard.c */
-void hazard_find(struct hazard *h, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void hazard_find_cell(struct hazard *h, uint32_t cell, const char *format, ...)
+/* hazard_checker.c */
+void hazard_report(struct hazard *h, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void hazard_report_subresource(struct hazard *h, uint32_t cell, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-void *hazard_grow(void *array, uint32_t *room, uint32_t count, size_t size);
+void *hazard_grow(void *array, uint32_t *capacity, uint32_t count, size_t size);
 /* Iterates over the subresources of a range: start with `index` 0; RG_NONE at the end. */
-uint32_t hazard_next_cell(const struct hazard_resource *resource,
-                          const VkImageSubresourceRange *range, uint32_t *index);
+uint32_t hazard_next_subresource(const struct hazard_resource *resource,
+                                 const VkImageSubresourceRange *range, uint32_t *index);
 
-/* hazard_tables.c: fills resources, passes, uses and subresources. */
+/* hazard_graph_tables.c: fills resources, passes, uses and subresources. */
 void hazard_tables(struct hazard *h);
 
-/* hazard_expect.c: passes that are useful; expected content before passes and after frames. */
+/* hazard_expected_content.c: passes that are useful; expected content before passes and after
+ * frames. */
 void hazard_expect_useful(struct hazard *h);
 void hazard_expect(struct hazard *h);
 struct hazard_expected *hazard_expected(const struct hazard *h, const struct hazard_use *use,
@@ -235,31 +237,31 @@ struct hazard_expected *hazard_expected(const struct hazard *h, const struct haz
 bool hazard_runs(const struct hazard *h, const struct hazard_pass *pass, uint32_t frame);
 
 /* Memory that the plan binds to a resource. */
-struct hazard_place {
+struct hazard_binding {
     uint32_t block;
     VkDeviceSize offset, size;
     bool persistent;
 };
 
-/* hazard_memory.c: checks sizes, flags, memory and lifetimes; fills the alias lists. */
-void hazard_memory(struct hazard *h);
-struct hazard_place hazard_memory_place(const struct hazard *h,
-                                        const struct hazard_resource *resource);
+/* hazard_check_memory.c: checks sizes, flags, memory and lifetimes; fills the alias lists. */
+void hazard_check_memory(struct hazard *h);
+struct hazard_binding hazard_memory_binding(const struct hazard *h,
+                                            const struct hazard_resource *resource);
 
-/* hazard_batches.c: minimum number of barrier batches without memory aliasing. */
-uint32_t hazard_batches(const struct hazard *h);
+/* hazard_min_batches.c: minimum number of barrier batches without memory aliasing. */
+uint32_t hazard_min_batches(const struct hazard *h);
 
-/* hazard_optimal.c: checks the plan's own statistics of memory and batches. */
-void hazard_optimal(struct hazard *h);
+/* hazard_check_statistics.c: checks the plan's own statistics of memory and batches. */
+void hazard_check_statistics(struct hazard *h);
 
-/* hazard_sync.c: tracks synchronization of one subresource. */
-void hazard_sync_forget(struct hazard *h, uint32_t cell); /* resets to no history */
+/* hazard_synchronization.c: tracks synchronization of one subresource. */
+void hazard_sync_reset(struct hazard *h, uint32_t cell); /* resets to no history */
 void hazard_sync_event(struct hazard *h, uint32_t cell, const struct hazard_event *event);
 void hazard_sync_barrier(struct hazard *h, uint32_t cell, uint32_t barrier);
-void hazard_sync_arrive(struct hazard *h, uint32_t cell, uint32_t slot, enum rg_access access);
-bool hazard_sync_lost(const struct hazard *h, uint32_t cell); /* overwritten by alias */
+void hazard_sync_import(struct hazard *h, uint32_t cell, uint32_t slot, enum rg_access access);
+bool hazard_sync_overwritten(const struct hazard *h, uint32_t cell); /* overwritten by alias */
 
-/* hazard_frame.c: simulates what precedes the first frame, and frame h->frame. */
+/* hazard_simulate_frame.c: simulates what precedes the first frame, and frame h->frame. */
 void hazard_frame_before(struct hazard *h);
 void hazard_frame(struct hazard *h);
 

@@ -7,7 +7,7 @@
 #ifndef TESTS_LAVAPIPE_H
 #define TESTS_LAVAPIPE_H
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/gpu/gpu.h"
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/frame/frame_uniforms.h"
 #include "src/frame/pass_list.h"

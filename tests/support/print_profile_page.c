@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include "src/profile/html.h"
 #include "src/profile/json.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/profile_sample.h"
 
 static void make_point(struct profile *p, const char *path, double number)

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static const struct {
     const char *name, *technique;

@@ -67,7 +67,7 @@ bool random_graph_chance(struct random_tables *t, uint32_t percent);
 const char *random_graph_name(struct random_tables *t, char kind, uint32_t index, uint32_t slot);
 bool random_graph_exists(const struct random_tables *t, uint32_t resource);
 
-/* random_graph_pass.c: generates the next row; adds none if the random choices do not fit. */
+/* random_graph_passes.c: generates the next row; adds none if the random choices do not fit. */
 void random_graph_draw(struct random_tables *t);
 
 /* Adds a pass that writes all of image 0, so that there is an output. */

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "graph/exec/vulkan_functions.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static void log_line(void *user, const char *what, VkResult result)
 {
@@ -166,19 +166,19 @@ void *run_data(struct run *run, const struct rg_buffer *buffer)
     return data;
 }
 
-struct run_params run_way(const struct run_params *params, unsigned way)
+struct run_params run_variant(const struct run_params *params, unsigned variant)
 {
     struct run_params changed = *params;
-    changed.render_passes = way & 1;
-    changed.sharing = way & 2 ? RG_SHARE_NOTHING : RG_SHARE_LEAST_MEMORY;
+    changed.render_passes = variant & 1;
+    changed.sharing = variant & 2 ? RG_SHARE_NOTHING : RG_SHARE_LEAST_MEMORY;
     return changed;
 }
 
-void run_everywhere(struct gpu *gpu, const struct run_params *params, const struct rg_frame *frame,
-                    void (*check)(struct run *run))
+void run_variants(struct gpu *gpu, const struct run_params *params, const struct rg_frame *frame,
+                  void (*check)(struct run *run))
 {
-    for (unsigned way = 0; way < RUN_WAY_COUNT; way++) {
-        const struct run_params changed = run_way(params, way);
+    for (unsigned variant = 0; variant < RUN_VARIANT_COUNT; variant++) {
+        const struct run_params changed = run_variant(params, variant);
         struct run run;
         run_open(&run, gpu, &changed);
         run_frame(&run, frame);

@@ -77,18 +77,18 @@ void run_frame(struct run *run, const struct rg_frame *frame);
 void *run_data(struct run *run, const struct rg_buffer *buffer);
 
 enum {
-    RUN_WAY_COUNT = 4,
+    RUN_VARIANT_COUNT = 4,
 };
 
-/* Returns the params changed to one of the four variants of run_everywhere(). */
-struct run_params run_way(const struct run_params *params, unsigned way);
+/* Returns the params changed to one of the four variants of run_variants(). */
+struct run_params run_variant(const struct run_params *params, unsigned variant);
 
 /*
  * Runs a frame and checks it in four variants that must give equal results: dynamic rendering or
  * VkRenderPass objects, with or without memory aliasing of transient resources.
  */
-void run_everywhere(struct gpu *gpu, const struct run_params *params, const struct rg_frame *frame,
-                    void (*check)(struct run *run));
+void run_variants(struct gpu *gpu, const struct run_params *params, const struct rg_frame *frame,
+                  void (*check)(struct run *run));
 
 /* A row that copies an image, or a range of it (.mip = 1, ...), to a buffer. */
 #define RUN_READ_PART(title, from, to, ...) \

@@ -3,12 +3,12 @@
  *
  * Equal seeds give equal tables. They have all kinds of passes, loads, ranges, repeats and buffers,
  * and some passes that no output needs, but no imports and no resolves. Their results are exactly
- * defined; the reference interpreter (interpret.h) computes them.
+ * defined; the reference interpreter (interpret_graph.h) computes them.
  */
 #ifndef TESTS_RUN_RANDOM_H
 #define TESTS_RUN_RANDOM_H
 
-#include "tests/support/interpret.h"
+#include "tests/support/interpret_graph.h"
 #include "tests/support/run_graph.h"
 
 /* Descriptor set that some rows name; it is bound from rg_frame.own. */

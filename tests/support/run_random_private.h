@@ -75,7 +75,7 @@ bool run_random_chance(struct run_random_tables *t, uint32_t percent);
 void run_random_add_buffer(struct run_random_tables *t, enum rg_memory memory, VkDeviceSize size);
 void run_random_name(struct run_random_tables *t, char kind, uint32_t slot, const char **name);
 
-/* run_random_row.c: generates the next row; adds none if the random choices do not fit. */
+/* run_random_shader_rows.c: generates the next row; adds none if the random choices do not fit. */
 void run_random_draw(struct run_random_tables *t);
 
 /* run_random_begin() starts an unconditional row without repetition; run_random_end() adds it. */
@@ -106,14 +106,16 @@ struct rg_use *run_random_use(struct run_random_tables *t, uint32_t resource, en
 
 uint32_t run_random_mip_size(uint32_t size, uint32_t mip);
 
-/* run_random_state.c: randomly adds blending, or a colour write mask, to a target that is kept. */
+/* run_random_blend_stencil.c: randomly adds blending, or a colour write mask, to a target that is
+ * kept. */
 void run_random_blend(struct run_random_tables *t, struct rg_target *target, bool sum);
 
 /* Randomly adds a stencil test. It overwrites a stencil that begins undefined; a row that draws
  * whole images gets no other. */
 void run_random_stencil(struct run_random_tables *t, struct rg_pass *pass, bool whole);
 
-/* run_random_copy.c: generate transfer passes, and one that copies to a new readback buffer. */
+/* run_random_transfer_rows.c: generate transfer passes, and one that copies to a new readback
+ * buffer. */
 void run_random_draw_copy(struct run_random_tables *t);
 void run_random_draw_output(struct run_random_tables *t);
 

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 const struct rg_shader small_graph_shader = { .name = "shader" };
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "src/image/half.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     CELL = ADAPTIVE_CELL,

@@ -9,7 +9,7 @@
 #include "src/frame/frame_plan.h"
 #include "src/frame/frame_uniforms.h"
 #include "src/scene/bump_maps.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     TEXT_SIZE = 512

@@ -2,7 +2,7 @@
 #include <cglm/struct.h>
 
 #include "src/scene/ao_light.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* Puts a box, of 12 triangles, into arrays; indices[0] is that of its first vertex. */
 static void put_box(struct mesh_vertex *vertices, uint32_t *indices, vec3s min, vec3s max)

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "src/scene/environment/atmosphere.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #define PI 3.14159265358979
 

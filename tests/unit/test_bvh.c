@@ -7,7 +7,7 @@
 
 #include "src/scene/bvh/bvh.h"
 #include "src/scene/generate/generate.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static float pick(uint32_t *seed)
 {

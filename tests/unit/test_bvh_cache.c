@@ -9,7 +9,7 @@
 #include "src/base/disk_cache.h"
 #include "src/scene/bvh/bvh_cache.h"
 #include "src/scene/bvh/bvh_two_level.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     TRIANGLES = 300,

@@ -4,7 +4,7 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static const vec2s still = { { 0, 0 } };
 

@@ -5,7 +5,7 @@
 #include "src/scene/generate/generate.h"
 #include "src/scene/geometry/closed_mesh.h"
 #include "src/scene/geometry/mesh_depth_complexity.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* Evenly spread, without end. */
 static vec3s spread(uint32_t i, float size)

@@ -6,7 +6,7 @@
 #include "src/metric/flip_color.h"
 #include "src/metric/heat_map.h"
 #include "src/metric/quantile.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static void test_order(void **state)
 {

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "shaders/inclusions/cracks_reflectance.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static const double pi = 3.14159265358979323846;
 static const double index_of_ice = 1.31;

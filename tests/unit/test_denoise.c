@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 #include "src/render/denoise.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     WIDTH = 48,

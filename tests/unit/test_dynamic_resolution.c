@@ -3,7 +3,7 @@
 #include "src/settings/scene_settings.h"
 #include "src/view/draft_renderer.h"
 #include "src/view/dynamic_resolution.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* Frames of a picture that takes `passes` seconds in full size, and `rest` for all else. */
 static void run(struct dynamic_resolution *m, double passes, double rest, uint32_t count)

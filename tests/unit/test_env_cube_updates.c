@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "shaders/mesh_layout.h"
 #include "src/frame/env_cube_updates.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 struct fixture {
     struct scene scene;

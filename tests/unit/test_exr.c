@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include "src/image/exr.h"
 #include "src/image/file_io.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static char path[] = "/tmp/firn-test-exr-XXXXXX";
 

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/image/exr.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static char path[] = "/tmp/firn-test-exr-foreign-XXXXXX";
 

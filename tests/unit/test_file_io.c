@@ -10,8 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "src/image/file_io.h"
-#include "tests/support/check.h"
-#include "tests/support/folder.h"
+#include "tests/support/assertions.h"
+#include "tests/support/temporary_folder.h"
 
 static int count_files(void)
 {
@@ -267,7 +267,8 @@ static void test_file_stdout(void **state)
     assert_int_equal(count_files(), 0);
 }
 
-#define TEST(name) cmocka_unit_test_setup_teardown(name, folder_enter, folder_leave)
+#define TEST(name) \
+    cmocka_unit_test_setup_teardown(name, temporary_folder_enter, temporary_folder_leave)
 
 int main(void)
 {

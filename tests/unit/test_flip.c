@@ -8,7 +8,7 @@
 #include "src/metric/flip.h"
 #include "src/metric/flip_color.h"
 #include "src/metric/flip_filter.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static void check_color(vec3s got, double x, double y, double z, double tolerance)
 {

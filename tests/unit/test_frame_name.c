@@ -1,7 +1,7 @@
 /* Names of files with a frame's number in them. */
 #include <stdlib.h>
 #include "src/app/frame_name.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static void check_name(const char *path, int32_t frame, const char *expected)
 {

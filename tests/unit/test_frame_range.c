@@ -4,7 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/app/options/frame_range.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* "1 2 3", as the text says. */
 static void check_frames(const char *text, const char *expected)

@@ -9,7 +9,7 @@
 #include "src/frame/thin_lens.h"
 #include "src/tech/inclusions/bubbles.h"
 #include "src/tech/lighting/ice_caustics.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static const vec3s center = { { 0.0f, 0.0f, 0.0f } };
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "shaders/water/water.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 typedef bool (*generate_fn)(struct mesh *mesh, uint32_t triangles);
 

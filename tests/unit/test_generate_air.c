@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "src/scene/generate/generate.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static const struct box box = { { { 1, 2, 3 } }, { { 3, 6, 7 } } };
 static const struct generate_air usual = { .count = 19, .seed = 1, .size = 0.01F, .frequency = 24 };

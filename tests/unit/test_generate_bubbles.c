@@ -5,7 +5,7 @@
 
 #include "src/scene/generate/generate.h"
 #include "src/scene/generate/random.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static void make(struct bubbles *bubbles, const struct mesh *mesh, uint32_t count, float size)
 {

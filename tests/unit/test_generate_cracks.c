@@ -4,7 +4,7 @@
 
 #include "shaders/inclusions/cracks.h"
 #include "src/scene/generate/generate.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static const struct box box = { { { 3, -2, 7 } }, { { 5, 0, 8 } } };
 

@@ -4,10 +4,10 @@
 #include <meshoptimizer.h>
 #include <stdlib.h>
 #include <string.h>
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/draco_file.h"
-#include "tests/support/folder.h"
 #include "tests/support/gltf_file.h"
+#include "tests/support/temporary_folder.h"
 
 /* An octahedron, stretched along x. */
 static const float positions[18] = { 2, 0, 0, -2, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1 };
@@ -513,20 +513,28 @@ static void extensions_are_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(quantized, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(sparse, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(whole_numbers_with_a_point, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(meshopt, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(draco, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(instances, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(strips_and_fans, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(materials, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(material_defaults, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(textures_of_materials, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(unread_pictures, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(buffers_without_bytes, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(colors_of_ice, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(extensions_are_named, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(quantized, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(sparse, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(whole_numbers_with_a_point, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(meshopt, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(draco, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(instances, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(strips_and_fans, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(materials, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(material_defaults, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(textures_of_materials, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(unread_pictures, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(buffers_without_bytes, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(colors_of_ice, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(extensions_are_named, temporary_folder_enter,
+                                        temporary_folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 #include "src/scene/model_transform.h"
-#include "tests/support/check.h"
-#include "tests/support/folder.h"
+#include "tests/support/assertions.h"
 #include "tests/support/gltf_file.h"
+#include "tests/support/temporary_folder.h"
 
 static const float positions[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 0 };
 
@@ -212,12 +212,18 @@ static void named_nodes_are_objects(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(cameras_are_listed, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(cameras_are_checked, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(animations_are_listed, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(lights_are_listed, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(lights_are_checked, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(named_nodes_are_objects, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(cameras_are_listed, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(cameras_are_checked, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(animations_are_listed, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(lights_are_listed, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(lights_are_checked, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(named_nodes_are_objects, temporary_folder_enter,
+                                        temporary_folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,9 +3,9 @@
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
-#include "tests/support/check.h"
-#include "tests/support/folder.h"
+#include "tests/support/assertions.h"
 #include "tests/support/gltf_file.h"
+#include "tests/support/temporary_folder.h"
 
 static const float positions[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 0 };
 
@@ -167,12 +167,14 @@ static void skins(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(nodes_move, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(channels_without_nodes_are_skipped, folder_enter,
-                                        folder_leave),
-        cmocka_unit_test_setup_teardown(animations_are_checked, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(morph_targets, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(skins, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(nodes_move, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(channels_without_nodes_are_skipped, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(animations_are_checked, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(morph_targets, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(skins, temporary_folder_enter, temporary_folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /* test_gpu_limits.c: pictures that a device cannot hold, said before it tries. */
 #include <sys/resource.h>
 #include "src/gpu/gpu.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static const VkDeviceSize mib = 1 << 20;
 

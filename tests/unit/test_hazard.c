@@ -1,10 +1,10 @@
 /* The checker of plans judges a plan written by hand: its barriers and memory. */
-#include "tests/support/hazard.h"
+#include "tests/support/hazard_checker.h"
 
 #include <stdio.h>
 
 #include "graph/rg.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     SIZE = 16, /* texels, of the hand-written images */

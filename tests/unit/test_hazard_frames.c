@@ -2,8 +2,8 @@
 #include <stdio.h>
 
 #include "graph/rg.h"
-#include "tests/support/check.h"
-#include "tests/support/hazard.h"
+#include "tests/support/assertions.h"
+#include "tests/support/hazard_checker.h"
 
 enum {
     SIZE = 16, /* texels of the view */

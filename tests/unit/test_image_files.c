@@ -8,8 +8,8 @@
 #include <unistd.h>
 #include "src/image/hdr.h"
 #include "src/image/png.h"
-#include "tests/support/check.h"
-#include "tests/support/folder.h"
+#include "tests/support/assertions.h"
+#include "tests/support/temporary_folder.h"
 
 static void save(const char *path, const void *data, size_t size)
 {
@@ -297,7 +297,8 @@ static void test_hdr_refuses_png(void **state)
     assert_int_equal(hdr_read("a.png", &image), STATUS_DATA);
 }
 
-#define TEST(name) cmocka_unit_test_setup_teardown(name, folder_enter, folder_leave)
+#define TEST(name) \
+    cmocka_unit_test_setup_teardown(name, temporary_folder_enter, temporary_folder_leave)
 
 int main(void)
 {

@@ -1,8 +1,8 @@
 /* test_image_pipe.c: the head of a picture comes through the same, and nothing else does. */
 #include <math.h>
 #include "src/reader/image_reader.h"
-#include "tests/support/check.h"
-#include "tests/support/pipe_stream.h"
+#include "tests/support/assertions.h"
+#include "tests/support/memory_pipe.h"
 
 enum {
     WIDTH_AT = 8, /* bytes from the beginning */
@@ -30,27 +30,27 @@ static struct image_header make_head(void)
     return head;
 }
 
-static struct pipe_stream write_head(void)
+static struct memory_pipe write_head(void)
 {
     struct image_header head = make_head();
-    struct pipe_stream stream = { .size = 0 };
-    assert_true(image_pipe_write_header(&(struct pipe_sink){ pipe_stream_write, &stream }, &head));
+    struct memory_pipe stream = { .size = 0 };
+    assert_true(image_pipe_write_header(&(struct pipe_sink){ memory_pipe_write, &stream }, &head));
     image_header_finish(&head);
     return stream;
 }
 
-static enum pipe_fault read_head(struct pipe_stream *stream, struct image_header *head)
+static enum pipe_fault read_head(struct memory_pipe *stream, struct image_header *head)
 {
     stream->at = 0;
     return image_pipe_read_header(
-        &(struct pipe_source){ pipe_stream_read, stream, PIPE_STREAM_SIZE }, head);
+        &(struct pipe_source){ memory_pipe_read, stream, MEMORY_PIPE_SIZE }, head);
 }
 
 static void heads_come_back(void **state)
 {
     (void)state;
     struct image_header head, wanted = make_head();
-    struct pipe_stream stream = write_head();
+    struct memory_pipe stream = write_head();
     assert_int_equal(read_head(&stream, &head), PIPE_OK);
     assert_int_equal(stream.at, stream.size);
     assert_true(image_header_matches(&head, &wanted.image, NULL, 0));
@@ -67,7 +67,7 @@ static void short_ones_are_refused(void **state)
 {
     (void)state;
     for (size_t size = write_head().size; size-- > 0;) {
-        struct pipe_stream stream = write_head();
+        struct memory_pipe stream = write_head();
         struct image_header head;
         stream.size = size;
         assert_int_equal(read_head(&stream, &head), PIPE_SHORT);
@@ -77,7 +77,7 @@ static void short_ones_are_refused(void **state)
 
 static void refuse(size_t at, uint32_t word, enum pipe_fault wanted)
 {
-    struct pipe_stream stream = write_head();
+    struct memory_pipe stream = write_head();
     struct image_header head;
     memcpy(stream.bytes + at, &word, sizeof(word));
     const enum pipe_fault fault = read_head(&stream, &head);
@@ -115,7 +115,7 @@ static void unended_names_are_refused(void **state)
 {
     (void)state;
     for (size_t i = 0; i < 2; i++) {
-        struct pipe_stream stream = write_head();
+        struct memory_pipe stream = write_head();
         struct image_header head;
         memset(stream.bytes + (i ? TEXT_AT : PLANES_AT), 'x', IMAGE_NAME_SIZE);
         assert_int_equal(read_head(&stream, &head), PIPE_TEXT);

@@ -8,7 +8,7 @@
 #include "src/scene/geometry/vertex_weld.h"
 #include "src/scene/melt/melt.h"
 #include "src/scene/melt/melt_curvature_flow.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static void check_between(double value, double least, double most)
 {

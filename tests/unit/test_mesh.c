@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "src/scene/generate/generate.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* Two triangles of a square in the plane z = 0, facing +Z. */
 static struct mesh make_square(float side)

@@ -4,7 +4,7 @@
 #include "src/image/half.h"
 #include "src/scene/generate/noise.h"
 #include "src/scene/mip_levels.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* Two layers of 4 x 4 texels of two bytes: each byte's mean is rounded up, rows first. */
 static void bytes_of_layers(void **state)

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/scene/import/model.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* one texel wide, two high: red above green */
 static const uint8_t red_over_green_png[] = {

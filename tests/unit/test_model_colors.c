@@ -6,8 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/scene/import/model.h"
-#include "tests/support/check.h"
-#include "tests/support/folder.h"
+#include "tests/support/assertions.h"
+#include "tests/support/temporary_folder.h"
 
 static const char obj[] = "colors.obj", mtl[] = "colors.mtl";
 
@@ -143,10 +143,12 @@ static void transmissive_materials_are_objects(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(factors_are_shares, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(transmissive_materials_are_objects, folder_enter,
-                                        folder_leave),
-        cmocka_unit_test_setup_teardown(unlit_colors_are_radiances, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(factors_are_shares, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(transmissive_materials_are_objects, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(unlit_colors_are_radiances, temporary_folder_enter,
+                                        temporary_folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

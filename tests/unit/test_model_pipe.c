@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "src/scene/import/model_pipe.h"
-#include "tests/support/check.h"
-#include "tests/support/pipe_stream.h"
+#include "tests/support/assertions.h"
+#include "tests/support/memory_pipe.h"
 
 enum {
     /* where things are in the stream of make_model() */
@@ -157,18 +157,18 @@ static struct model make_model(void)
     return model;
 }
 
-static struct pipe_stream make_stream(void)
+static struct memory_pipe make_stream(void)
 {
-    struct pipe_stream stream = { .size = 0 };
+    struct memory_pipe stream = { .size = 0 };
     struct model model = make_model();
-    assert_true(model_pipe_write_model(&(struct pipe_sink){ pipe_stream_write, &stream }, &model));
+    assert_true(model_pipe_write_model(&(struct pipe_sink){ memory_pipe_write, &stream }, &model));
     model_finish(&model);
     return stream;
 }
 
-static enum pipe_fault read_model(struct pipe_stream *stream, struct model *model)
+static enum pipe_fault read_model(struct memory_pipe *stream, struct model *model)
 {
-    const struct pipe_source source = { pipe_stream_read, stream, PIPE_STREAM_SIZE };
+    const struct pipe_source source = { memory_pipe_read, stream, MEMORY_PIPE_SIZE };
     return model_pipe_read_model(&source, model);
 }
 
@@ -188,7 +188,7 @@ static void check_mesh(const struct mesh *mesh, const struct mesh *wanted)
 static void model_comes_through(void **state)
 {
     (void)state;
-    struct pipe_stream stream = make_stream();
+    struct memory_pipe stream = make_stream();
     struct model wanted = make_model(), model;
     assert_int_equal(read_model(&stream, &model), PIPE_OK);
     assert_int_equal(stream.at, stream.size);
@@ -231,7 +231,7 @@ static void model_comes_through(void **state)
 static void refuse(size_t at, const void *bytes, size_t size, enum pipe_fault wanted)
 {
     const struct model nothing = { 0 };
-    struct pipe_stream stream = make_stream();
+    struct memory_pipe stream = make_stream();
     struct model model;
     memset(&model, 0xff, sizeof(model));
     memcpy(stream.bytes + at, bytes, size);
@@ -471,7 +471,7 @@ static void materials_are_checked(void **state)
 static void every_length_but_one_is_short(void **state)
 {
     (void)state;
-    struct pipe_stream stream = make_stream();
+    struct memory_pipe stream = make_stream();
     const size_t size = stream.size;
     struct model model;
     for (stream.size = 0; stream.size < size; stream.size++) {
@@ -488,9 +488,9 @@ static void environments(void **state)
     static const uint16_t bad[] = { 0x7c00, 0x7e00, 0x8000, 0xbc00 }; /* infinity, NaN, -0, -1 */
     struct environment environment = { .texels = texels, .width = 2, .height = 1 }, found;
     environment.sun = (struct environment_sun){ { { 0, 0.6F, 0.8F } }, { { 3, 2, 1 } } };
-    struct pipe_stream stream = { .size = 0 };
-    const struct pipe_source source = { pipe_stream_read, &stream, 16 };
-    const struct pipe_sink sink = { pipe_stream_write, &stream };
+    struct memory_pipe stream = { .size = 0 };
+    const struct pipe_source source = { memory_pipe_read, &stream, 16 };
+    const struct pipe_sink sink = { memory_pipe_write, &stream };
     assert_true(model_pipe_write_environment(&sink, &environment));
     assert_int_equal(model_pipe_read_environment(&source, &found), PIPE_OK);
     assert_int_equal(found.width, 2);
@@ -499,16 +499,16 @@ static void environments(void **state)
     assert_memory_equal(&found.sun, &environment.sun, sizeof(found.sun));
     environment_finish(&found);
     for (size_t i = 0; i < 6; i++) { /* light may not be below 0, nor a direction too long */
-        struct pipe_stream copy = stream;
-        const struct pipe_source other = { pipe_stream_read, &copy, 16 };
+        struct memory_pipe copy = stream;
+        const struct pipe_source other = { memory_pipe_read, &copy, 16 };
         const float wrong = i < 3 ? 2.0F : -1.0F;
         copy.at = 0;
         memcpy(copy.bytes + 12 + 4 * i, &wrong, sizeof(wrong));
         assert_int_equal(model_pipe_read_environment(&other, &found), PIPE_HEAD);
     }
     for (size_t i = 0; i < 8 * sizeof(bad) / sizeof(bad[0]); i++) {
-        struct pipe_stream copy = stream;
-        const struct pipe_source other = { pipe_stream_read, &copy, 16 };
+        struct memory_pipe copy = stream;
+        const struct pipe_source other = { memory_pipe_read, &copy, 16 };
         const size_t at = i % 8;
         copy.at = 0;
         memcpy(copy.bytes + 36 + 2 * at, &bad[i / 8], sizeof(bad[0]));
@@ -516,7 +516,7 @@ static void environments(void **state)
         assert_null(found.texels);
     }
     stream.at = 0;
-    const struct pipe_source narrow = { pipe_stream_read, &stream, 15 };
+    const struct pipe_source narrow = { memory_pipe_read, &stream, 15 };
     assert_int_equal(model_pipe_read_environment(&narrow, &found), PIPE_SIZE);
     stream = make_stream();
     assert_int_equal(model_pipe_read_environment(&source, &found), PIPE_HEAD);
@@ -528,15 +528,15 @@ static void cubes(void **state)
     (void)state;
     uint16_t texels[24] = { 0x3c00, 0x3c00, 0x3c00, 0x1234, 0, 0, 0, 0 };
     struct environment environment = { .texels = texels, .width = 1, .height = 6 }, found;
-    struct pipe_stream stream = { .size = 0 };
-    const struct pipe_source source = { pipe_stream_read, &stream, sizeof(texels) };
-    const struct pipe_sink sink = { pipe_stream_write, &stream };
+    struct memory_pipe stream = { .size = 0 };
+    const struct pipe_source source = { memory_pipe_read, &stream, sizeof(texels) };
+    const struct pipe_sink sink = { memory_pipe_write, &stream };
     assert_true(model_pipe_write_environment(&sink, &environment));
     assert_int_equal(model_pipe_read_environment(&source, &found), PIPE_OK);
     assert_true(found.is_cube);
     assert_memory_equal(found.texels, texels, sizeof(texels));
     environment_finish(&found);
-    stream = (struct pipe_stream){ .size = 0 };
+    stream = (struct memory_pipe){ .size = 0 };
     environment.height = 5;
     assert_true(model_pipe_write_environment(&sink, &environment));
     assert_int_equal(model_pipe_read_environment(&source, &found), PIPE_SIZE);

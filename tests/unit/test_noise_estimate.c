@@ -1,7 +1,7 @@
 /* test_noise_estimate.c: the noise of a mean is that of its samples. */
 #include <math.h>
 #include "src/view/noise_estimate.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     WIDTH = 20, /* the last blocks are narrower */

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/scene/import/model.h"
-#include "tests/support/check.h"
-#include "tests/support/folder.h"
+#include "tests/support/assertions.h"
+#include "tests/support/temporary_folder.h"
 
 static void write_bytes(const char *path, const char *bytes, size_t size)
 {
@@ -367,17 +367,23 @@ static void ply_refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(obj_forms, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(obj_polygons, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(obj_numbers, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(obj_parts, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(obj_colors, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(obj_refusals, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(ply_text, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(ply_names_what_it_leaves_out, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(mtl_names_unread_pictures, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(ply_binary, folder_enter, folder_leave),
-        cmocka_unit_test_setup_teardown(ply_refusals, folder_enter, folder_leave),
+        cmocka_unit_test_setup_teardown(obj_forms, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(obj_polygons, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(obj_numbers, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(obj_parts, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(obj_colors, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(obj_refusals, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(ply_text, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(ply_names_what_it_leaves_out, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(mtl_names_unread_pictures, temporary_folder_enter,
+                                        temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(ply_binary, temporary_folder_enter, temporary_folder_leave),
+        cmocka_unit_test_setup_teardown(ply_refusals, temporary_folder_enter,
+                                        temporary_folder_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/view/key_bindings.h"
 #include "src/view/orbit_camera.h"

@@ -1,5 +1,5 @@
 /* test_pack.c: where transient resources lie, against brute force and the bound. */
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include <stdio.h>
 #include <string.h>

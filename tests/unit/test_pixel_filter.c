@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static void jitter_stays_in_the_pixel(void **state)
 {

@@ -15,8 +15,8 @@
 #include "src/tech/refract/refract.h"
 #include "src/tech/trace/refract_trace.h"
 #include "src/tech/water/caustics.h"
-#include "tests/support/check.h"
-#include "tests/support/feature.h"
+#include "tests/support/assertions.h"
+#include "tests/support/feature_graphs.h"
 
 enum list_kind {
     LIST_FRAME,

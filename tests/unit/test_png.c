@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/image/png.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     WIDTH = 9,

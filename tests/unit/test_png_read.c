@@ -7,7 +7,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 #include "src/image/png.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     WIDTH = 7,

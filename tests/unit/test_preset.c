@@ -1,7 +1,7 @@
 /* test_preset.c: lines come through the pipe the same, and nothing else does. */
 #include "src/reader/preset.h"
-#include "tests/support/check.h"
-#include "tests/support/pipe_stream.h"
+#include "tests/support/assertions.h"
+#include "tests/support/memory_pipe.h"
 
 enum {
     COUNT_AT = 4, /* bytes from the beginning */
@@ -9,26 +9,26 @@ enum {
     TEXT_AT = 16,
 };
 
-static struct pipe_stream write_two(void)
+static struct memory_pipe write_two(void)
 {
     struct preset_line lines[] = { { 3, "a.b=1" }, { 0, "c.d=on" } };
     const struct preset preset = { lines, 2 };
-    struct pipe_stream stream = { .size = 0 };
-    assert_true(preset_pipe_write(&(struct pipe_sink){ pipe_stream_write, &stream }, &preset));
+    struct memory_pipe stream = { .size = 0 };
+    assert_true(preset_pipe_write(&(struct pipe_sink){ memory_pipe_write, &stream }, &preset));
     return stream;
 }
 
-static enum pipe_fault read_back(struct pipe_stream *stream, struct preset *preset)
+static enum pipe_fault read_back(struct memory_pipe *stream, struct preset *preset)
 {
     stream->at = 0;
-    return preset_pipe_read(&(struct pipe_source){ pipe_stream_read, stream, PIPE_STREAM_SIZE },
+    return preset_pipe_read(&(struct pipe_source){ memory_pipe_read, stream, MEMORY_PIPE_SIZE },
                             preset);
 }
 
 static void lines_come_back(void **state)
 {
     (void)state;
-    struct pipe_stream stream = write_two();
+    struct memory_pipe stream = write_two();
     struct preset preset;
     assert_int_equal(read_back(&stream, &preset), PIPE_OK);
     assert_int_equal(stream.at, stream.size);
@@ -44,7 +44,7 @@ static void short_ones_are_refused(void **state)
 {
     (void)state;
     for (size_t size = write_two().size; size-- > 0;) {
-        struct pipe_stream stream = write_two();
+        struct memory_pipe stream = write_two();
         struct preset preset;
         stream.size = size;
         assert_int_equal(read_back(&stream, &preset), PIPE_SHORT);
@@ -70,7 +70,7 @@ static void others_are_refused(void **state)
     };
 
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-        struct pipe_stream stream = write_two();
+        struct memory_pipe stream = write_two();
         struct preset preset;
         memcpy(stream.bytes + cases[i].at, &cases[i].value, sizeof(cases[i].value));
         assert_int_equal(read_back(&stream, &preset), cases[i].fault);

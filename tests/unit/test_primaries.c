@@ -1,7 +1,7 @@
 /* test_primaries.c: matrices from other primaries to those of Rec.709. */
 #include <math.h>
 #include "src/image/primaries.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static const struct primaries acescg = {
     { 0.713F, 0.293F },

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "src/profile/json.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/profile_sample.h"
 
 static const char path[] = "a.json";

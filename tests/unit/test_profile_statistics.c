@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "src/profile/statistics.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     MANY = 21 /* more than are taken exactly */

@@ -5,8 +5,8 @@
 #include <string.h>
 #include "src/profile/sweep.h"
 #include "src/profile/text_format.h"
-#include "tests/support/check.h"
-#include "tests/support/printed.h"
+#include "tests/support/assertions.h"
+#include "tests/support/captured_output.h"
 #include "tests/support/profile_sample.h"
 
 /* What --sweep may not be. */
@@ -35,7 +35,7 @@ static void test_wrong_words(void **state)
 static char *make_numbers(const char *name, int count)
 {
     struct printed printed;
-    FILE *out = printed_begin(&printed);
+    FILE *out = captured_output_begin(&printed);
     fprintf(out, "%s=", name);
     for (int i = 0; i < count; i++)
         fprintf(out, "%s%d", i ? "," : "", i);
@@ -185,24 +185,24 @@ static void test_sweep_table(void **state)
     struct printed printed;
     make_sweep(&sweep, "cracks.a_name_that_is_much_too_long_for_a_column=0,1,20");
     memset(sweep.points[1].rows[2].name, 'n', PROFILE_NAME_SIZE - 1);
-    assert_int_equal(profile_sweep_table(&sweep, printed_begin(&printed)), STATUS_OK);
-    printed_end(&printed, PROFILE_COLUMNS);
-    assert_non_null(strstr(printed_line(&printed, "20 "), " refract_paper.color 100 %"));
-    assert_non_null(strstr(printed_line(&printed, "0 "), " other.pass  40 %"));
-    (void)printed_line(&printed, "frame ");
+    assert_int_equal(profile_sweep_table(&sweep, captured_output_begin(&printed)), STATUS_OK);
+    captured_output_end(&printed, PROFILE_COLUMNS);
+    assert_non_null(strstr(captured_output_line(&printed, "20 "), " refract_paper.color 100 %"));
+    assert_non_null(strstr(captured_output_line(&printed, "0 "), " other.pass  40 %"));
+    (void)captured_output_line(&printed, "frame ");
     free(printed.text);
     profile_sweep_finish(&sweep);
 
     make_sweep(&sweep, "size=8x8,16x8");
-    assert_int_equal(profile_sweep_table(&sweep, printed_begin(&printed)), STATUS_OK);
-    printed_end(&printed, PROFILE_COLUMNS);
+    assert_int_equal(profile_sweep_table(&sweep, captured_output_begin(&printed)), STATUS_OK);
+    captured_output_end(&printed, PROFILE_COLUMNS);
     assert_non_null(strstr(printed.text, "factor * pixels ^ exponent"));
     free(printed.text);
     profile_sweep_finish(&sweep);
 
     make_sweep(&sweep, "switch=on,off");
-    assert_int_equal(profile_sweep_table(&sweep, printed_begin(&printed)), STATUS_OK);
-    printed_end(&printed, PROFILE_COLUMNS);
+    assert_int_equal(profile_sweep_table(&sweep, captured_output_begin(&printed)), STATUS_OK);
+    captured_output_end(&printed, PROFILE_COLUMNS);
     assert_null(strstr(printed.text, "exponent"));
     free(printed.text);
     profile_sweep_finish(&sweep);

@@ -6,15 +6,15 @@
 #include "src/profile/table.h"
 #include "src/profile/table_rows.h"
 #include "src/profile/text_format.h"
-#include "tests/support/check.h"
-#include "tests/support/printed.h"
+#include "tests/support/assertions.h"
+#include "tests/support/captured_output.h"
 #include "tests/support/profile_sample.h"
 
 static struct printed print_table(const struct profile *p, bool each)
 {
     struct printed printed;
-    assert_int_equal(profile_table(p, each, printed_begin(&printed)), STATUS_OK);
-    printed_end(&printed, PROFILE_COLUMNS);
+    assert_int_equal(profile_table(p, each, captured_output_begin(&printed)), STATUS_OK);
+    captured_output_end(&printed, PROFILE_COLUMNS);
     return printed;
 }
 
@@ -26,7 +26,7 @@ struct times {
 static struct times read_times(const struct printed *printed, const char *name)
 {
     struct times t;
-    const char *line = printed_line(printed, name) + strlen(name);
+    const char *line = captured_output_line(printed, name) + strlen(name);
     assert_int_equal(sscanf(line, "%lf %lf ± %lf %lf %lf %lf %lf %%", &t.of[0], &t.of[1], &t.of[2],
                             &t.of[3], &t.of[4], &t.of[5], &t.of[6]),
                      7);
@@ -66,9 +66,9 @@ static void test_table(void **state)
     CHECK_NEAR(third.of[5], summary.max, 0.0006);
     assert_non_null(strstr(printed.text, "run 7: refract_paper.color 24.131 ms, 3.0x its median"));
     assert_non_null(strstr(printed.text, "measurement overhead: +2.0 %"));
-    (void)printed_line(&printed, "clock: timestamps: agree with");
-    (void)printed_line(&printed, "BVH: 14400 triangles, 31.000 ms, 3.0 MiB");
-    (void)printed_line(&printed, "acceleration structures: 4.2500 ms, 2.0 MiB");
+    (void)captured_output_line(&printed, "clock: timestamps: agree with");
+    (void)captured_output_line(&printed, "BVH: 14400 triangles, 31.000 ms, 3.0 MiB");
+    (void)captured_output_line(&printed, "acceleration structures: 4.2500 ms, 2.0 MiB");
     free(printed.text);
     profile_finish(&p);
 }
@@ -79,8 +79,8 @@ static void test_each(void **state)
     struct profile p;
     profile_sample(&p, 1);
     struct printed printed = print_table(&p, true);
-    (void)printed_line(&printed, "env_cube.objects [0] ");
-    (void)printed_line(&printed, "env_cube.objects [1] ");
+    (void)captured_output_line(&printed, "env_cube.objects [0] ");
+    (void)captured_output_line(&printed, "env_cube.objects [1] ");
     assert_null(strstr(printed.text, "x2"));
     free(printed.text);
     profile_finish(&p);
@@ -116,19 +116,19 @@ static void test_no_runs_stand_out(void **state)
     profile_sample(&p, 1);
     p.run_count = 7; /* the outlier is in the eighth */
     struct printed printed = print_table(&p, false);
-    (void)printed_line(&printed, "outliers (runs count from 0): none");
+    (void)captured_output_line(&printed, "outliers (runs count from 0): none");
     free(printed.text);
     p.run_count = 1;
     printed = print_table(&p, false);
-    (void)printed_line(&printed, "1 run after 3 warm-up runs");
+    (void)captured_output_line(&printed, "1 run after 3 warm-up runs");
     free(printed.text);
     p.run_count = SAMPLE_RUN_COUNT;
     for (uint32_t i = 0; i < p.row_count; i++)
         p.rows[i].ms[3] = p.rows[i].ms[4] = 30 + i;
     printed = print_table(&p, true);
-    const char *worst = printed_line(&printed, "run 3: unattributed 37.000 ms, 3");
+    const char *worst = captured_output_line(&printed, "run 3: unattributed 37.000 ms, 3");
     assert_memory_equal(strchr(worst, '\n') + 1, "run 4: unattributed 37.000", 20);
-    (void)printed_line(&printed, "and 9 smaller ones");
+    (void)captured_output_line(&printed, "and 9 smaller ones");
     free(printed.text);
     profile_finish(&p);
 }
@@ -141,22 +141,22 @@ static void test_words(void **state)
     memset(text, 'a', sizeof(text));
     text[60] = text[61] = ' ';
     text[259] = '\0';
-    profile_print_wrapped(text, 4, printed_begin(&printed));
-    printed_end(&printed, PROFILE_COLUMNS);
+    profile_print_wrapped(text, 4, captured_output_begin(&printed));
+    captured_output_end(&printed, PROFILE_COLUMNS);
     assert_memory_equal(printed.text + 59, "a\n    a", 7);
     assert_int_equal(printed.size, 259 - 2 + 3 * 5 + 1);
     free(printed.text);
 
-    profile_print_name("env_cube.objects", 9, printed_begin(&printed));
+    profile_print_name("env_cube.objects", 9, captured_output_begin(&printed));
     profile_print_name("ö", 3, printed.out);
     fputc('\n', printed.out);
-    printed_end(&printed, PROFILE_COLUMNS);
+    captured_output_end(&printed, PROFILE_COLUMNS);
     assert_string_equal(printed.text, "env_…ectsö  \n");
     free(printed.text);
 
-    profile_print_name("\x1b\x7f\xc2\x9b\xc2\xa0\xff", 6, printed_begin(&printed));
+    profile_print_name("\x1b\x7f\xc2\x9b\xc2\xa0\xff", 6, captured_output_begin(&printed));
     fputc('\n', printed.out);
-    printed_end(&printed, PROFILE_COLUMNS);
+    captured_output_end(&printed, PROFILE_COLUMNS);
     assert_string_equal(printed.text, "???\xc2\xa0? \n");
     free(printed.text);
 
@@ -170,16 +170,16 @@ static struct printed compare(const struct profile *base, const struct profile *
 {
     struct printed printed;
     bool is_slower = !slower;
-    assert_int_equal(profile_compare(base, now, each, printed_begin(&printed), &is_slower),
+    assert_int_equal(profile_compare(base, now, each, captured_output_begin(&printed), &is_slower),
                      STATUS_OK);
-    printed_end(&printed, PROFILE_COLUMNS);
+    captured_output_end(&printed, PROFILE_COLUMNS);
     assert_int_equal(is_slower, slower);
     return printed;
 }
 
 static void check_verdict(const struct printed *printed, const char *name, const char *verdict)
 {
-    const char *line = printed_line(printed, name), *end = strchr(line, '\n');
+    const char *line = captured_output_line(printed, name), *end = strchr(line, '\n');
     const size_t size = strlen(verdict);
     assert_true((size_t)(end - line) > size);
     if (memcmp(end - size, verdict, size) != 0)
@@ -218,7 +218,7 @@ static void test_comparison(void **state)
     check_verdict(&printed, "other.copy ", "new");
     check_verdict(&printed, "copy \"quoted\" <b> ", "gone");
     check_verdict(&printed, "frame ", "faster");
-    assert_non_null(strstr(printed_line(&printed, "wave.simulate "), " 1.200 ["));
+    assert_non_null(strstr(captured_output_line(&printed, "wave.simulate "), " 1.200 ["));
     assert_non_null(strstr(printed.text, "Holm's correction for 8 tests"));
     free(printed.text);
 
@@ -241,7 +241,8 @@ static void test_comparison_below_0(void **state)
     scale_row(&base, 7, -1);
     struct printed printed = compare(&base, &now, false, true);
     check_verdict(&printed, "unattributed ", "slower");
-    assert_non_null(strstr(printed_line(&printed, "unattributed "), "   -0.100    0.100      - "));
+    assert_non_null(
+        strstr(captured_output_line(&printed, "unattributed "), "   -0.100    0.100      - "));
     free(printed.text);
     profile_finish(&base);
     profile_finish(&now);
@@ -261,13 +262,17 @@ static void test_conditions(void **state)
     snprintf(now.settings[1].name, PROFILE_NAME_SIZE, "cracks.count");
     /* three times as slow, but too few runs to say so of that many passes */
     struct printed printed = compare(&base, &now, true, false);
-    (void)printed_line(&printed, "warning: different width: 1024 in the baseline, 640 now");
-    (void)printed_line(&printed, "warning: different device: llvmpipe (LLVM");
-    (void)printed_line(&printed, "warning: different clock: timestamps in the baseline, subm");
-    (void)printed_line(&printed, "warning: different refract.ior: 1.3091 in the baseline, 1.5");
-    (void)printed_line(&printed, "warning: different tonemap.curve: neutral in the baseline, n");
-    (void)printed_line(&printed, "warning: different cracks.count: none in the baseline, neut");
-    (void)printed_line(&printed, "With 5 and 5 runs no difference can be significant in");
+    (void)captured_output_line(&printed, "warning: different width: 1024 in the baseline, 640 now");
+    (void)captured_output_line(&printed, "warning: different device: llvmpipe (LLVM");
+    (void)captured_output_line(&printed,
+                               "warning: different clock: timestamps in the baseline, subm");
+    (void)captured_output_line(&printed,
+                               "warning: different refract.ior: 1.3091 in the baseline, 1.5");
+    (void)captured_output_line(&printed,
+                               "warning: different tonemap.curve: neutral in the baseline, n");
+    (void)captured_output_line(&printed,
+                               "warning: different cracks.count: none in the baseline, neut");
+    (void)captured_output_line(&printed, "With 5 and 5 runs no difference can be significant in");
     free(printed.text);
     profile_finish(&base);
     profile_finish(&now);

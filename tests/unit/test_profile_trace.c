@@ -7,7 +7,7 @@
 #include <string.h>
 #include "src/profile/chrome_trace.h"
 #include "src/profile/csv.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/profile_sample.h"
 
 enum {

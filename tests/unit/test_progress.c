@@ -1,7 +1,7 @@
 /* test_progress.c: what a line of progress says. */
 #include <string.h>
 #include "src/app/progress.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static void check_line(const struct progress *p, uint32_t done, uint32_t all, double seconds,
                        const char *wanted)

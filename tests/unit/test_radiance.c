@@ -1,7 +1,7 @@
 /* test_radiance.c: textures and environment pictures of the traced reference, between texels. */
 #include <math.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/image/half.h"
 #include "src/reference/radiance.h"

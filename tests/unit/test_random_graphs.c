@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "graph/rg.h"
-#include "tests/support/check.h"
-#include "tests/support/hazard.h"
+#include "tests/support/assertions.h"
+#include "tests/support/hazard_checker.h"
 #include "tests/support/random_graph.h"
 
 enum {

@@ -7,9 +7,9 @@
 #include <string.h>
 
 #include "src/scene/generate/generate.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/picture.h"
-#include "tests/support/seen.h"
+#include "tests/support/reference_ray.h"
 
 static const double air = 1.0003;
 static const double ice = 1.3091;
@@ -32,10 +32,11 @@ static struct scene sphere_scene(void)
 
 /* Facets lie a little off the sphere: what weighs depends on the incidence that is met.
  * Along -Z, past the centre on +X. */
-static struct seen look_at_sphere(const struct scene *scene, const struct settings *settings,
-                                  double impact)
+static struct reference_ray look_at_sphere(const struct scene *scene,
+                                           const struct settings *settings, double impact)
 {
-    return seen_look(scene, settings, (struct vec){ impact, 0, 4 }, seen_direction(0));
+    return reference_ray_trace(scene, settings, (struct vec){ impact, 0, 4 },
+                               reference_ray_direction(0));
 }
 
 static void test_sphere(void **state)
@@ -47,9 +48,9 @@ static void test_sphere(void **state)
         const double b = impacts[i];
         const double in = asin(b);
         const double inside = asin(b * air / ice);
-        const struct seen seen = look_at_sphere(&scene, &settings, b);
-        assert_true(vec_angle_deg(seen.exit, seen_direction(-2 * (in - inside))) < 0.01);
-        CHECK_NEAR(seen.fresnel, seen_fresnel(asin(seen.normal.x), air, ice), 1e-5);
+        const struct reference_ray seen = look_at_sphere(&scene, &settings, b);
+        assert_true(vec_angle_deg(seen.exit, reference_ray_direction(-2 * (in - inside))) < 0.01);
+        CHECK_NEAR(seen.fresnel, reference_ray_fresnel(asin(seen.normal.x), air, ice), 1e-5);
         CHECK_NEAR(seen.path, 2 * cos(inside), 1e-4);
         CHECK_NEAR(seen.bounces, 0, 0);
         CHECK_NEAR(seen.tir, 0, 0);
@@ -68,7 +69,7 @@ static struct settings settings_of_bounces(int bounces)
 }
 
 /* What leaves after each of the first reflections inside, by letting light meet one surface more:
- * it weighs (1 - F)^2 F^k and has turned by 2 (i - t) + k (SEEN_PI - 2 t). */
+ * it weighs (1 - F)^2 F^k and has turned by 2 (i - t) + k (REFERENCE_RAY_PI - 2 t). */
 static void test_reflections_inside(void **state)
 {
     struct scene scene = sphere_scene();
@@ -78,16 +79,16 @@ static void test_reflections_inside(void **state)
         const double in = asin(impacts[i]);
         const double inside = asin(impacts[i] * air / ice);
         struct settings settings = settings_of_bounces(2);
-        struct seen last = look_at_sphere(&scene, &settings, impacts[i]);
-        const double f = seen_fresnel(asin(last.normal.x), air, ice);
+        struct reference_ray last = look_at_sphere(&scene, &settings, impacts[i]);
+        const double f = reference_ray_fresnel(asin(last.normal.x), air, ice);
         CHECK_NEAR(last.remaining.x, 1 - f, 1e-5);
         for (int k = 0; k < 4; k++) {
             const double weight = (1 - f) * (1 - f) * pow(f, k);
-            const double turn = 2 * (in - inside) + k * (SEEN_PI - 2 * inside);
+            const double turn = 2 * (in - inside) + k * (REFERENCE_RAY_PI - 2 * inside);
             settings = settings_of_bounces(3 + k);
-            const struct seen seen = look_at_sphere(&scene, &settings, impacts[i]);
+            const struct reference_ray seen = look_at_sphere(&scene, &settings, impacts[i]);
             const struct vec light = vec_add(seen.color, -1, last.color);
-            const struct vec want = picture_direction_color(seen_direction(-turn));
+            const struct vec want = picture_direction_color(reference_ray_direction(-turn));
             assert_true(vec_difference(light, vec_scale(want, weight)) < 1e-3 * weight + 1e-6);
             CHECK_NEAR(last.remaining.x - seen.remaining.x, weight, 1e-5);
             last = seen;
@@ -181,15 +182,15 @@ static void test_slab(void **state)
     for (uint32_t i = 0; i < quad->vertex_count; i++)
         quad->vertices[i].color.x = quad->vertices[i].position.x / 100;
     for (size_t i = 0; i < ANGLE_COUNT; i++) {
-        const double in = angles_deg[i] * SEEN_PI / 180;
+        const double in = angles_deg[i] * REFERENCE_RAY_PI / 180;
         const double inside = asin(sin(in) * air / ice);
         const double shift = thickness * sin(in - inside) / cos(inside);
         const double straight = (3 - wall) * tan(in);
-        const struct seen seen =
-            seen_look(&scene, &settings, (struct vec){ 0, 0, 3 }, seen_direction(in));
-        assert_true(vec_angle_deg(seen.exit, seen_direction(in)) < 0.01);
+        const struct reference_ray seen = reference_ray_trace(
+            &scene, &settings, (struct vec){ 0, 0, 3 }, reference_ray_direction(in));
+        assert_true(vec_angle_deg(seen.exit, reference_ray_direction(in)) < 0.01);
         CHECK_NEAR(seen.path, thickness / cos(inside), 1e-4);
-        const double f = seen_fresnel(in, air, ice);
+        const double f = reference_ray_fresnel(in, air, ice);
         CHECK_NEAR(seen.refraction.x / (1 - f) * 100, straight - shift / cos(in), 1e-3);
     }
     scene_finish(&scene);
@@ -211,9 +212,9 @@ static void test_absorption(void **state)
                                  .color = { { 1, 1, 1 } },
                                  .material = MESH_UNLIT,
                              });
-    const struct seen seen =
-        seen_look(&scene, &settings, (struct vec){ 0, 0, 3 }, seen_direction(0));
-    const double passed = 1 - seen_fresnel(0, air, ice);
+    const struct reference_ray seen =
+        reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 3 }, reference_ray_direction(0));
+    const double passed = 1 - reference_ray_fresnel(0, air, ice);
     const double got[3] = { seen.refraction.x, seen.refraction.y, seen.refraction.z };
     const double left[3] = { seen.remaining.x, seen.remaining.y, seen.remaining.z };
     for (int c = 0; c < 3; c++) {
@@ -232,15 +233,15 @@ static void test_dispersion(void **state)
     struct scene scene = slab_scene(2);
     (void)state;
     scene.background_color = glms_vec3_one();
-    const struct seen seen =
-        seen_look(&scene, &settings, (struct vec){ 0, 0, 3 }, seen_direction(1));
+    const struct reference_ray seen =
+        reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 3 }, reference_ray_direction(1));
     const double got[3] = { seen.color.x, seen.color.y, seen.color.z };
     const double left[3] = { seen.remaining.x, seen.remaining.y, seen.remaining.z };
     for (int c = 0; c < 3; c++) {
-        CHECK_NEAR(got[c], seen_fresnel(1, air, indices[c]), 1e-5);
-        CHECK_NEAR(left[c], 1 - seen_fresnel(1, air, indices[c]), 1e-5);
+        CHECK_NEAR(got[c], reference_ray_fresnel(1, air, indices[c]), 1e-5);
+        CHECK_NEAR(left[c], 1 - reference_ray_fresnel(1, air, indices[c]), 1e-5);
     }
-    CHECK_NEAR(seen.fresnel, seen_fresnel(1, air, 1.5), 1e-5);
+    CHECK_NEAR(seen.fresnel, reference_ray_fresnel(1, air, 1.5), 1e-5);
     CHECK_NEAR(seen.reflection.x, 1, 1e-5);
     scene_finish(&scene);
 }
@@ -249,20 +250,21 @@ static void test_dispersion(void **state)
 static void test_prism(void **state)
 {
     static const double incidences_deg[] = { 20, 30, 40, 55, 75 };
-    const double apex = 50 * SEEN_PI / 180;
+    const double apex = 50 * REFERENCE_RAY_PI / 180;
     const struct vec points[3] = { { 0, 0, 0 }, { 20, 0, 0 }, { 20, 0, -20 * tan(apex) } };
     const struct settings settings = settings_default();
     struct scene scene = prism_scene(points, 3);
     (void)state;
     for (size_t i = 0; i < 5; i++) {
-        const double in = incidences_deg[i] * SEEN_PI / 180;
+        const double in = incidences_deg[i] * REFERENCE_RAY_PI / 180;
         const double first = asin(sin(in) * air / ice);
         const double second = apex - first;
         const double out = asin(sin(second) * ice / air);
         const struct vec entry = { 10, 0, 0 };
-        const struct vec dir = seen_direction(-in); /* toward the apex */
-        const struct seen seen = seen_look(&scene, &settings, vec_add(entry, -2, dir), dir);
-        assert_true(vec_angle_deg(seen.exit, seen_direction(out - apex)) < 0.01);
+        const struct vec dir = reference_ray_direction(-in); /* toward the apex */
+        const struct reference_ray seen =
+            reference_ray_trace(&scene, &settings, vec_add(entry, -2, dir), dir);
+        assert_true(vec_angle_deg(seen.exit, reference_ray_direction(out - apex)) < 0.01);
         CHECK_NEAR(seen.tir, 0, 0);
     }
     scene_finish(&scene);
@@ -275,9 +277,9 @@ static void test_total_reflection(void **state)
     const struct settings settings = SETTINGS("refract.ior=1.5");
     struct scene scene = prism_scene(points, 3);
     (void)state;
-    const struct seen seen =
-        seen_look(&scene, &settings, (struct vec){ 2, 0, 3 }, seen_direction(0));
-    assert_true(vec_angle_deg(seen.exit, seen_direction(SEEN_PI)) < 0.01);
+    const struct reference_ray seen =
+        reference_ray_trace(&scene, &settings, (struct vec){ 2, 0, 3 }, reference_ray_direction(0));
+    assert_true(vec_angle_deg(seen.exit, reference_ray_direction(REFERENCE_RAY_PI)) < 0.01);
     CHECK_NEAR(seen.path, 20, 1e-4);
     CHECK_NEAR(seen.bounces, 2, 0);
     CHECK_NEAR(seen.tir, 1, 0);
@@ -290,7 +292,8 @@ static void tilt_wall(struct scene *scene, uint32_t wall, double degrees)
 {
     for (uint32_t k = 0; k < 4; k++) {
         vec3s *n = &scene->model.object.vertices[4 * wall + k].normal;
-        *n = glms_vec3_rotate(*n, (float)(degrees * SEEN_PI / 180), (vec3s){ { 0, 1, 0 } });
+        *n =
+            glms_vec3_rotate(*n, (float)(degrees * REFERENCE_RAY_PI / 180), (vec3s){ { 0, 1, 0 } });
     }
 }
 
@@ -302,9 +305,9 @@ static void test_reflected_to_the_wrong_side(void **state)
     struct scene scene = prism_scene(points, 3);
     (void)state;
     tilt_wall(&scene, 1, -25);
-    const struct seen seen =
-        seen_look(&scene, &settings, (struct vec){ 2, 0, 3 }, seen_direction(0));
-    assert_true(vec_angle_deg(seen.exit, seen_direction(SEEN_PI)) < 0.01);
+    const struct reference_ray seen =
+        reference_ray_trace(&scene, &settings, (struct vec){ 2, 0, 3 }, reference_ray_direction(0));
+    assert_true(vec_angle_deg(seen.exit, reference_ray_direction(REFERENCE_RAY_PI)) < 0.01);
     CHECK_NEAR(seen.path, 20, 1e-4);
     CHECK_NEAR(seen.bounces, 2, 0);
     scene_finish(&scene);
@@ -320,15 +323,16 @@ static void test_tilted_front(void **state)
     (void)state;
     scene.background_color = glms_vec3_one();
     tilt_wall(&scene, 0, 8);
-    const double in = 80 * SEEN_PI / 180;
+    const double in = 80 * REFERENCE_RAY_PI / 180;
     const struct vec entry = { 5, 3, 0 }; /* on no edge */
-    const struct vec eye = vec_add(entry, -3, seen_direction(in));
-    struct seen seen = seen_look(&scene, &tilted, eye, seen_direction(in));
+    const struct vec eye = vec_add(entry, -3, reference_ray_direction(in));
+    struct reference_ray seen =
+        reference_ray_trace(&scene, &tilted, eye, reference_ray_direction(in));
     CHECK_NEAR(seen.reflection.x, 1, 1e-5);
-    CHECK_NEAR(seen.fresnel, seen_fresnel(88 * SEEN_PI / 180, air, ice), 1e-5);
-    seen = seen_look(&scene, &flat, eye, seen_direction(in));
-    CHECK_NEAR(seen.fresnel, seen_fresnel(in, air, ice), 1e-5);
-    assert_true(vec_angle_deg(seen.exit, seen_direction(in)) < 0.01);
+    CHECK_NEAR(seen.fresnel, reference_ray_fresnel(88 * REFERENCE_RAY_PI / 180, air, ice), 1e-5);
+    seen = reference_ray_trace(&scene, &flat, eye, reference_ray_direction(in));
+    CHECK_NEAR(seen.fresnel, reference_ray_fresnel(in, air, ice), 1e-5);
+    assert_true(vec_angle_deg(seen.exit, reference_ray_direction(in)) < 0.01);
     scene_finish(&scene);
 }
 
@@ -348,13 +352,13 @@ static void check_furnace(bool (*generate)(struct mesh *, uint32_t), uint32_t tr
         .width = 96,
         .height = 72,
         .samples = 2,
-        .layers = seen_layers(),
+        .layers = reference_ray_layers(),
         .linear = true,
     };
     const struct renderer_shot shot = {
         .camera = camera_orbit(30, 20, 3, box_center(scene.box), 45),
     };
-    struct render_result result = seen_trace(&request, &shot);
+    struct render_result result = reference_ray_render_image(&request, &shot);
     const struct picture_layer color = picture_layer(&result.image, "");
     const struct picture_layer rest = picture_layer(&result.image, "remaining");
     double left = 0;
@@ -401,13 +405,13 @@ static void test_roulette(void **state)
         .width = SIDE,
         .height = SIDE,
         .samples = 64,
-        .layers = seen_layers(),
+        .layers = reference_ray_layers(),
         .linear = true,
     };
     const struct renderer_shot shot = {
         .camera = camera_orbit(30, 20, 3, box_center(scene.box), 35),
     };
-    struct render_result result = seen_trace(&request, &shot);
+    struct render_result result = reference_ray_render_image(&request, &shot);
     const float *green = image_find(&result.image, "G");
     const float *rest = image_find(&result.image, "remaining.G");
     double sum = 0, square = 0;

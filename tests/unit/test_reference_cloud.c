@@ -10,9 +10,9 @@
 #include "src/reference/microfacet.h"
 #include "src/reference/volume_scattering.h"
 #include "src/scene/geometry/distance_field.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/picture.h"
-#include "tests/support/seen.h"
+#include "tests/support/reference_ray.h"
 
 enum {
     SAMPLES = 1 << 14,
@@ -54,7 +54,7 @@ static void test_depth_in_ring(void **state)
     struct distance_field field;
     (void)state;
     assert_true(mesh_init(&ring, AROUND * SIDES, AROUND * SIDES * 6));
-    const double turn = 2 * SEEN_PI;
+    const double turn = 2 * REFERENCE_RAY_PI;
     for (uint32_t i = 0; i < AROUND * SIDES; i++) {
         const uint32_t place = i / SIDES, side = i % SIDES;
         const double a = turn * (double)place / AROUND, b = turn * (double)side / SIDES;
@@ -202,12 +202,12 @@ static struct render_result picture_of(const struct scene *scene, const struct s
         .width = 12,
         .height = 12,
         .samples = samples,
-        .layers = seen_layers(),
+        .layers = reference_ray_layers(),
         .linear = true,
         .threads = threads,
     };
     const struct renderer_shot shot = { .camera = { .eye = { { 0, 0, 8 } }, .fov_deg = fov_deg } };
-    return seen_trace(&request, &shot);
+    return reference_ray_render_image(&request, &shot);
 }
 
 static double mean_of(const struct render_result *result, const char *plane)
@@ -285,8 +285,8 @@ static void test_threads(void **state)
                             sizeof(float) * 144);
     render_result_finish(&one);
     render_result_finish(&four);
-    const struct seen seen =
-        seen_look(&scene, &settings, (struct vec){ 0, 0, 0 }, seen_direction(0.3));
+    const struct reference_ray seen = reference_ray_trace(
+        &scene, &settings, (struct vec){ 0, 0, 0 }, reference_ray_direction(0.3));
     CHECK_NEAR(seen.z, 1, 0.01);
     finish(&scene);
 }
@@ -300,14 +300,15 @@ static void test_eye_inside(void **state)
     (void)state;
     scene.background = SCENE_COLOR;
     scene.background_color = glms_vec3_one();
-    struct seen seen = seen_look(&scene, &settings, (struct vec){ 0, 0, 0 }, seen_direction(0));
+    struct reference_ray seen =
+        reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 0 }, reference_ray_direction(0));
     CHECK_NEAR(seen.color.x + seen.remaining.x, 1, 1e-4);
     CHECK_NEAR(seen.z, 1, 0.01);
     picture_use_directions(&scene, 64);
     double turned = 0;
     for (int i = 0; i < 40; i++) {
-        const struct vec dir = seen_direction(0.15 * i);
-        seen = seen_look(&scene, &settings, (struct vec){ 0, 0, 0 }, dir);
+        const struct vec dir = reference_ray_direction(0.15 * i);
+        seen = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 0 }, dir);
         turned += vec_difference(seen.color, picture_direction_color(dir)) > 0.2;
     }
     assert_true(turned > 20); /* light does not come straight through so dense a cloud */

@@ -6,10 +6,10 @@
 #include "shaders/lighting/bump_normal.h"
 #include "src/reference/inclusions.h"
 #include "src/scene/generate/generate.h"
-#include "tests/support/bumps.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
+#include "tests/support/bump_reference.h"
 #include "tests/support/picture.h"
-#include "tests/support/seen.h"
+#include "tests/support/reference_ray.h"
 
 static const double air = 1.0003;
 static const double ice = 1.3091;
@@ -94,17 +94,17 @@ static void test_bubble(void **state)
     add_bubble(&scene, (vec3s){ { 0, 0, -5 } }, 1);
     for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
         const double b = table[i][0];
-        const double turn = table[i][1] * SEEN_PI / 180;
-        const struct seen seen =
-            seen_look(&scene, &settings, (struct vec){ b, 0, 0 }, seen_direction(0));
-        assert_true(vec_angle_deg(seen.exit, seen_direction(outside_of(turn))) < 0.001);
-        CHECK_NEAR(seen.fresnel, seen_fresnel(asin(b), ice, air), 1e-6);
+        const double turn = table[i][1] * REFERENCE_RAY_PI / 180;
+        const struct reference_ray seen = reference_ray_trace(
+            &scene, &settings, (struct vec){ b, 0, 0 }, reference_ray_direction(0));
+        assert_true(vec_angle_deg(seen.exit, reference_ray_direction(outside_of(turn))) < 0.001);
+        CHECK_NEAR(seen.fresnel, reference_ray_fresnel(asin(b), ice, air), 1e-6);
         CHECK_NEAR(seen.position.x, b, 1e-6);
         CHECK_NEAR(seen.position.z, -5 + sqrt(1 - b * b), 1e-6);
         CHECK_NEAR(seen.tir, 0, 0);
     }
-    const struct seen rim =
-        seen_look(&scene, &settings, (struct vec){ 0.77, 0, 0 }, seen_direction(0));
+    const struct reference_ray rim = reference_ray_trace(
+        &scene, &settings, (struct vec){ 0.77, 0, 0 }, reference_ray_direction(0));
     CHECK_NEAR(rim.fresnel, 1, 0); /* beyond 1.0003 / 1.3091 */
     scene_finish(&scene);
 }
@@ -133,7 +133,7 @@ static double through_ellipse(double x, double a, double c, double turn)
         at[1] += t * dir[1];
         /* of the normal, from +Z toward +X in the world; light from above it is turned */
         const double normal = atan2(at[0] / (a * a), at[1] / (c * c)) - turn;
-        const double in = side ? angle + normal - SEEN_PI : angle + normal;
+        const double in = side ? angle + normal - REFERENCE_RAY_PI : angle + normal;
         angle += side ? bent(in, air, ice) - in : bent(in, ice, air) - in;
     }
     return angle;
@@ -146,7 +146,7 @@ static void test_shapes(void **state)
     const struct settings settings = settings_default();
     (void)state;
     for (size_t i = 0; i < 11; i++) {
-        const double turn = turns[i % 4] * SEEN_PI / 180, x = 0.05 * ((double)i - 5);
+        const double turn = turns[i % 4] * REFERENCE_RAY_PI / 180, x = 0.05 * ((double)i - 5);
         const double stretch = i / 4 == 1 ? -0.5 : 1;
         struct scene scene = block_scene();
         add_shape(&scene, (struct bubble){
@@ -156,9 +156,9 @@ static void test_shapes(void **state)
                               .axis = { { (float)cos(turn), 0, (float)sin(turn) } },
                           });
         const double out = outside_of(through_ellipse(x, 1 + stretch, 1, turn));
-        const struct seen seen =
-            seen_look(&scene, &settings, (struct vec){ 1 + x, 2, 0 }, seen_direction(0));
-        assert_true(vec_angle_deg(seen.exit, seen_direction(out)) < 0.001);
+        const struct reference_ray seen = reference_ray_trace(
+            &scene, &settings, (struct vec){ 1 + x, 2, 0 }, reference_ray_direction(0));
+        assert_true(vec_angle_deg(seen.exit, reference_ray_direction(out)) < 0.001);
         scene_finish(&scene);
     }
 }
@@ -176,14 +176,15 @@ static void test_capsule(void **state)
         add_shape(&scene, worm);
         const double b = axis == 2 ? 0.6 : 0.4;
         const double inner = asin(b) - bent(asin(b), ice, air); /* below 0: outward */
-        const double side = SEEN_PI / 2 - asin(air / ice * cos(inner));
+        const double side = REFERENCE_RAY_PI / 2 - asin(air / ice * cos(inner));
         const double turns[3] = { 0, -2 * inner, side };
-        const struct seen seen =
-            seen_look(&scene, &settings, (struct vec){ b, 0, 0 }, seen_direction(0));
-        assert_true(vec_angle_deg(seen.exit, seen_direction(outside_of(turns[axis]))) < 0.001);
+        const struct reference_ray seen = reference_ray_trace(
+            &scene, &settings, (struct vec){ b, 0, 0 }, reference_ray_direction(0));
+        assert_true(vec_angle_deg(seen.exit, reference_ray_direction(outside_of(turns[axis]))) <
+                    0.001);
         CHECK_NEAR(seen.z, axis == 2 ? 2 - sqrt(1 - b * b) : 5 - (axis == 1 ? sqrt(1 - b * b) : 1),
                    1e-6);
-        CHECK_NEAR(seen.fresnel, seen_fresnel(axis == 0 ? 0 : asin(b), ice, air), 1e-6);
+        CHECK_NEAR(seen.fresnel, reference_ray_fresnel(axis == 0 ? 0 : asin(b), ice, air), 1e-6);
         scene_finish(&scene);
     }
 }
@@ -196,12 +197,15 @@ static void test_bubble_in_the_surface(void **state)
     struct scene scene = block_scene();
     (void)state;
     add_bubble(&scene, (vec3s){ { 0, 0, 50 } }, 1);
-    struct seen seen = seen_look(&scene, &settings, (struct vec){ 0.5, 0, 60 }, seen_direction(0));
+    struct reference_ray seen = reference_ray_trace(&scene, &settings, (struct vec){ 0.5, 0, 60 },
+                                                    reference_ray_direction(0));
     CHECK_NEAR(seen.z, 10 + sqrt(0.75), 1e-5); /* the pit's floor, which the bubble leaves */
-    CHECK_NEAR(seen.fresnel, seen_fresnel(SEEN_PI / 6, air, ice), 1e-5);
-    seen = seen_look(&scene, &settings, (struct vec){ 0, 0, 50.5 }, seen_direction(0));
+    CHECK_NEAR(seen.fresnel, reference_ray_fresnel(REFERENCE_RAY_PI / 6, air, ice), 1e-5);
+    seen = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 50.5 },
+                               reference_ray_direction(0));
     CHECK_NEAR(seen.z, 1.5, 1e-5); /* the eye inside the bubble, outside of the ice */
-    seen = seen_look(&scene, &settings, (struct vec){ 0, 0, 49.5 }, seen_direction(0));
+    seen = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 49.5 },
+                               reference_ray_direction(0));
     CHECK_NEAR(seen.z, 0.5, 1e-5); /* inside both */
     scene_finish(&scene);
 }
@@ -220,22 +224,23 @@ static void test_crack(void **state)
     (void)state;
     add_sheet(&scene.cracks, -2);
     for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
-        const double in = table[i][0] * SEEN_PI / 180;
+        const double in = table[i][0] * REFERENCE_RAY_PI / 180;
         for (int back = 0; back < 2; back++) {
-            const double turn = back ? SEEN_PI - in : in;
-            const struct seen seen = seen_look(
-                &scene, &settings, (struct vec){ 0, 0, back ? -4 : 0 }, seen_direction(turn));
+            const double turn = back ? REFERENCE_RAY_PI - in : in;
+            const struct reference_ray seen =
+                reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, back ? -4 : 0 },
+                                    reference_ray_direction(turn));
             CHECK_NEAR(seen.fresnel, table[i][1], 2e-5);
             CHECK_NEAR(seen.z, 2 / cos(in), 1e-4);
             if (in > 0.7) /* it meets another side of the block first */
                 continue;
             const double out = outside_of(in);
-            assert_true(vec_angle_deg(seen.exit, seen_direction(back ? SEEN_PI - out : out)) <
-                        0.01);
+            assert_true(vec_angle_deg(seen.exit, reference_ray_direction(
+                                                     back ? REFERENCE_RAY_PI - out : out)) < 0.01);
         }
     }
-    const struct seen beyond =
-        seen_look(&scene, &settings, (struct vec){ 0, 0, 0 }, seen_direction(0.9));
+    const struct reference_ray beyond = reference_ray_trace(
+        &scene, &settings, (struct vec){ 0, 0, 0 }, reference_ray_direction(0.9));
     CHECK_NEAR(beyond.fresnel, 1, 0);
     scene_finish(&scene);
 }
@@ -249,11 +254,14 @@ static void test_crack_in_air(void **state)
     add_sheet(&scene.cracks, 52);
     add_sheet(&scene.cracks, -5);
     add_bubble(&scene, (vec3s){ { 0, 0, -5 } }, 1);
-    struct seen seen = seen_look(&scene, &settings, (struct vec){ 0, 0, 60 }, seen_direction(0));
+    struct reference_ray seen = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 60 },
+                                                    reference_ray_direction(0));
     CHECK_NEAR(seen.z, 10, 1e-4);
-    seen = seen_look(&scene, &settings, (struct vec){ 0, 0, -4.5 }, seen_direction(0));
+    seen = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, -4.5 },
+                               reference_ray_direction(0));
     CHECK_NEAR(seen.z, 1.5, 1e-5);
-    seen = seen_look(&scene, &settings, (struct vec){ 1.5, 0, -4.5 }, seen_direction(0));
+    seen = reference_ray_trace(&scene, &settings, (struct vec){ 1.5, 0, -4.5 },
+                               reference_ray_direction(0));
     CHECK_NEAR(seen.z, 0.5, 1e-5);
     scene_finish(&scene);
 }
@@ -278,14 +286,17 @@ static void test_air(void **state)
     add_sheet(&scene.air, 52);
     add_sheet(&scene.air, -1);
     add_sheet(&scene.air, -2);
-    struct seen seen = seen_look(&scene, &settings, (struct vec){ 1, 2, 0 }, seen_direction(0));
+    struct reference_ray seen =
+        reference_ray_trace(&scene, &settings, (struct vec){ 1, 2, 0 }, reference_ray_direction(0));
     const double cover = 1 - clear * clear;
     assert_true(vec_difference(seen.color, (struct vec){ cover, cover / 2, cover * 2 }) < 1e-5);
     CHECK_NEAR(seen.z, 50, 1e-3);
     CHECK_NEAR(seen.remaining.x, 1 - cover, 1e-5);
-    seen = seen_look(&scene, &settings, (struct vec){ 0, 0, -1.5 }, seen_direction(acos(0.15)));
+    seen = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, -1.5 },
+                               reference_ray_direction(acos(0.15)));
     CHECK_NEAR(seen.color.x, 1 - edge, 1e-5);
-    seen = seen_look(&scene, &settings, (struct vec){ 0, 0, 60 }, seen_direction(0));
+    seen = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 60 },
+                               reference_ray_direction(0));
     CHECK_NEAR(seen.color.x, 0, 0);
     scene.air_layers = (struct air_layers){ 0 };
     scene_finish(&scene);
@@ -312,9 +323,11 @@ static void test_met(void **state)
 
     for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
         const struct vec eye = { table[i].x, 0, 60 }, inner = { table[i].x, 0, table[i].z };
-        CHECK_NEAR(seen_look(&scene, &settings, inner, seen_direction(0)).met, table[i].met, 0);
+        CHECK_NEAR(reference_ray_trace(&scene, &settings, inner, reference_ray_direction(0)).met,
+                   table[i].met, 0);
         if (table[i].z >= 0)
-            CHECK_NEAR(seen_look(&scene, &settings, eye, seen_direction(0)).met, table[i].met, 0);
+            CHECK_NEAR(reference_ray_trace(&scene, &settings, eye, reference_ray_direction(0)).met,
+                       table[i].met, 0);
     }
     scene.air_layers = (struct air_layers){ 0 };
     scene_finish(&scene);
@@ -346,7 +359,7 @@ static void test_bumps_on_planes(void **state)
     const struct settings settings = SETTINGS("frost.amount=0.5");
     struct scene scene = block_scene();
     (void)state;
-    bumps_even(&scene, 0.8, -0.4, 0.25, 0.5);
+    bump_reference_make_constant(&scene, 0.8, -0.4, 0.25, 0.5);
     for (int i = 0; i < 200; i++) {
         const double up = 0.99 * sin(0.7 * i);
         const double flat = sqrt(1 - up * up);
@@ -359,7 +372,8 @@ static void test_bumps_on_planes(void **state)
         const struct embree_scene_hit hit = { .surface = { .position = normal } };
         const struct inclusions_surface found =
             inclusions_surface_at(&inclusions, NULL, &hit, normal);
-        assert_true(vec_difference(world_normal(&found, n, e), bumps_normal(&bumps, n, e)) < 1e-3);
+        assert_true(
+            vec_difference(world_normal(&found, n, e), bump_reference_normal(&bumps, n, e)) < 1e-3);
         CHECK_NEAR(found.frost, 0.5 * 0.75 * 0.5, 1e-3);
     }
     scene_finish(&scene);
@@ -373,7 +387,7 @@ static void test_bumps_by_uv(void **state)
     struct mesh *box = &scene.model.object;
     vec3s positions[24];
     (void)state;
-    bumps_even(&scene, 0.8, -0.4, 0, 0);
+    bump_reference_make_constant(&scene, 0.8, -0.4, 0, 0);
     for (int mirrored = 0; mirrored < 2; mirrored++) {
         const double sign = mirrored ? -1 : 1;
         for (uint32_t i = 0; i < box->vertex_count; i++) {
@@ -392,8 +406,8 @@ static void test_bumps_by_uv(void **state)
             const struct inclusions_surface found =
                 inclusions_surface_at(&inclusions, &embree_scene, &hit, (vec3s){ { 0, 0, out } });
             const struct vec gradient = { 0.4 * sign, -0.2, 0 };
-            assert_true(vec_difference(world_normal(&found, n, e), bumps_bend(gradient, n, e)) <
-                        1e-3);
+            assert_true(vec_difference(world_normal(&found, n, e),
+                                       bump_reference_perturb(gradient, n, e)) < 1e-3);
         }
     }
     scene_finish(&scene);
@@ -406,14 +420,14 @@ static void test_bumpy_pane(void **state)
     const struct settings settings = SETTINGS("bump.strength=0.5");
     struct scene scene = block_scene();
     (void)state;
-    bumps_even(&scene, 0.4, 0, 0, 0); /* on the sides across z: along x */
-    const struct seen seen =
-        seen_look(&scene, &settings, (struct vec){ 3, 2, 60 }, seen_direction(0));
-    CHECK_NEAR(seen.fresnel, seen_fresnel(atan(0.2), air, ice), 1e-4);
+    bump_reference_make_constant(&scene, 0.4, 0, 0, 0); /* on the sides across z: along x */
+    const struct reference_ray seen = reference_ray_trace(
+        &scene, &settings, (struct vec){ 3, 2, 60 }, reference_ray_direction(0));
+    CHECK_NEAR(seen.fresnel, reference_ray_fresnel(atan(0.2), air, ice), 1e-4);
     const double inside = atan(0.2) - asin(air / ice * sin(atan(0.2)));
     const double in = atan(0.2) + inside; /* at the far side, which slopes the other way */
-    assert_true(vec_angle_deg(seen.exit, seen_direction(asin(ice / air * sin(in)) - atan(0.2))) <
-                0.05);
+    assert_true(vec_angle_deg(seen.exit, reference_ray_direction(asin(ice / air * sin(in)) -
+                                                                 atan(0.2))) < 0.05);
     scene_finish(&scene);
 }
 
@@ -422,16 +436,18 @@ static void test_bumpy_pane(void **state)
 static void test_bumps_keep_sides(void **state)
 {
     const struct settings settings = SETTINGS("bump.strength=0.5");
-    const double in = 75 * SEEN_PI / 180;
+    const double in = 75 * REFERENCE_RAY_PI / 180;
     struct scene scene = block_scene();
     (void)state;
-    bumps_even(&scene, -1.2, 0, 0, 0);
-    struct seen seen = seen_look(&scene, &settings, (struct vec){ 0, 0, -49 }, seen_direction(in));
+    bump_reference_make_constant(&scene, -1.2, 0, 0, 0);
+    struct reference_ray seen = reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, -49 },
+                                                    reference_ray_direction(in));
     CHECK_NEAR(seen.fresnel, 1, 0); /* as an even surface; by the slope it would leave upwards */
     picture_use_directions(&scene, 1024);
-    bumps_even(&scene, -0.6, 0, 0, 0);
-    seen = seen_look(&scene, &settings, (struct vec){ -20, 0, 55 }, seen_direction(in));
-    const struct vec up = picture_direction_color(seen_direction(SEEN_PI - in));
+    bump_reference_make_constant(&scene, -0.6, 0, 0, 0);
+    seen = reference_ray_trace(&scene, &settings, (struct vec){ -20, 0, 55 },
+                               reference_ray_direction(in));
+    const struct vec up = picture_direction_color(reference_ray_direction(REFERENCE_RAY_PI - in));
     assert_true(vec_difference(seen.reflection, up) < 0.02);
     scene_finish(&scene);
 }
@@ -456,7 +472,7 @@ static void test_frost_is_roughness(void **state)
         scene.model.objects = &object;
         scene.model.materials = &material;
         scene.model.object_count = scene.model.material_count = 1;
-        bumps_even(&scene, 0, 0, 0, 1);
+        bump_reference_make_constant(&scene, 0, 0, 0, 1);
         const struct reference_request request = {
             .scene = &scene,
             .settings = &settings,
@@ -466,7 +482,7 @@ static void test_frost_is_roughness(void **state)
             .linear = true,
         };
         const struct renderer_shot shot = { .camera = { .eye = { { 0, 0, 6 } }, .fov_deg = 18 } };
-        results[i] = seen_trace(&request, &shot);
+        results[i] = reference_ray_render_image(&request, &shot);
         scene.model.objects = NULL;
         scene.model.materials = NULL;
         scene.model.object_count = scene.model.material_count = 0;
@@ -524,7 +540,7 @@ static struct render_result whole_picture(const struct scene *scene,
         .threads = threads,
     };
     const struct renderer_shot shot = { .camera = { .eye = { { 1, 1.5F, 3 } }, .fov_deg = 40 } };
-    return seen_trace(&request, &shot);
+    return reference_ray_render_image(&request, &shot);
 }
 
 /* In light of 1, ice shows 1, but for what rough surfaces lose; never more. */
@@ -536,7 +552,7 @@ static void test_white_furnace(void **state)
     for (int frosty = 0; frosty < 2; frosty++) {
         const struct settings settings =
             SETTINGS(frosts[frosty], "bump.strength=0.5", "reference.cutoff=0.01");
-        struct render_result result = whole_picture(&scene, &settings, 0, seen_layers());
+        struct render_result result = whole_picture(&scene, &settings, 0, reference_ray_layers());
         const float *red = image_find(&result.image, "R");
         const float *rest = image_find(&result.image, "remaining.R");
         const float *path = image_find(&result.image, "path.Z");
@@ -561,8 +577,8 @@ static void test_threads(void **state)
 {
     const struct settings settings = SETTINGS("frost.amount=0.7", "reference.cutoff=0.05");
     struct scene scene = whole_scene();
-    struct render_result one = whole_picture(&scene, &settings, 1, seen_layers());
-    struct render_result four = whole_picture(&scene, &settings, 4, seen_layers());
+    struct render_result one = whole_picture(&scene, &settings, 1, reference_ray_layers());
+    struct render_result four = whole_picture(&scene, &settings, 4, reference_ray_layers());
     struct render_result bare = whole_picture(&scene, &settings, 1, 0);
     (void)state;
     for (uint32_t i = 0; i < one.image.plane_count; i++)

@@ -10,9 +10,9 @@
 #include "src/reference/nested_media.h"
 #include "src/scene/generate/generate.h"
 #include "src/tech/refract/refract.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/picture.h"
-#include "tests/support/seen.h"
+#include "tests/support/reference_ray.h"
 
 static const double glass = 1.5;
 static const double water = 1.333;
@@ -158,16 +158,16 @@ static void test_glass_water_glass(void **state)
     for (uint32_t i = 0; i < scene.model.surroundings.vertex_count; i++)
         scene.model.surroundings.vertices[i].color = glms_vec3_zero();
     for (size_t i = 0; i < sizeof(angles) / sizeof(angles[0]); i++) {
-        const double in = angles[i] * SEEN_PI / 180;
+        const double in = angles[i] * REFERENCE_RAY_PI / 180;
         const double in_glass = asin(sin(in) / glass);
-        const double outer = seen_fresnel(in, 1, glass);
-        const double inner = seen_fresnel(in_glass, glass, water);
+        const double outer = reference_ray_fresnel(in, 1, glass);
+        const double inner = reference_ray_fresnel(in_glass, glass, water);
         const double surfaces[] = { outer, inner, inner, outer };
-        const struct seen seen =
-            seen_look(&scene, &settings, (struct vec){ 0, 0, 3 }, seen_direction(in));
+        const struct reference_ray seen = reference_ray_trace(
+            &scene, &settings, (struct vec){ 0, 0, 3 }, reference_ray_direction(in));
         CHECK_NEAR(seen.color.x, 1 - reflected(surfaces, 4), 1e-4);
         CHECK_NEAR(seen.fresnel, outer, 1e-5);
-        assert_true(vec_angle_deg(seen.exit, seen_direction(in)) < 0.01);
+        assert_true(vec_angle_deg(seen.exit, reference_ray_direction(in)) < 0.01);
     }
     scene_finish(&scene);
 }
@@ -186,8 +186,8 @@ static void test_attenuation(void **state)
     add_slab(&scene, -1, -4, red);
     add_slab(&scene, -2, -3, blue); /* inside: 1 m of blue, 2 m of red */
     rank(&scene);
-    const struct seen seen =
-        seen_look(&scene, &settings, (struct vec){ 0, 0, 3 }, seen_direction(0));
+    const struct reference_ray seen =
+        reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, 3 }, reference_ray_direction(0));
     CHECK_NEAR(seen.color.x, 0.5, 1e-5);
     CHECK_NEAR(seen.color.y, 0.5 * 0.5, 1e-5);
     CHECK_NEAR(seen.color.z, 0.25, 1e-5);
@@ -207,19 +207,22 @@ static void test_snells_window(void **state)
     add_slab(&scene, 0, -40, clear(water));
     rank(&scene);
     for (size_t i = 0; i < sizeof(inside) / sizeof(inside[0]); i++) {
-        const double in = inside[i] * SEEN_PI / 180;
+        const double in = inside[i] * REFERENCE_RAY_PI / 180;
         const double out = asin(sin(in) * water);
-        const struct seen seen =
-            seen_look(&scene, &settings, (struct vec){ 0, 0, -2 }, seen_direction(SEEN_PI - in));
-        CHECK_NEAR(seen.fresnel, seen_fresnel(in, water, 1), 1e-4);
-        assert_true(vec_angle_deg(seen.exit, seen_direction(SEEN_PI - out)) < 0.05);
+        const struct reference_ray seen =
+            reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, -2 },
+                                reference_ray_direction(REFERENCE_RAY_PI - in));
+        CHECK_NEAR(seen.fresnel, reference_ray_fresnel(in, water, 1), 1e-4);
+        assert_true(vec_angle_deg(seen.exit, reference_ray_direction(REFERENCE_RAY_PI - out)) <
+                    0.05);
         CHECK_NEAR(seen.z, 2 / cos(in), 1e-4);
     }
     const double limit = asin(1 / water);
-    CHECK_NEAR(limit * 180 / SEEN_PI, 48.6, 0.05);
+    CHECK_NEAR(limit * 180 / REFERENCE_RAY_PI, 48.6, 0.05);
     for (int sign = -1; sign <= 1; sign += 2) {
-        const struct seen seen = seen_look(&scene, &settings, (struct vec){ 0, 0, -2 },
-                                           seen_direction(SEEN_PI - limit - sign * 0.002));
+        const struct reference_ray seen =
+            reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, -2 },
+                                reference_ray_direction(REFERENCE_RAY_PI - limit - sign * 0.002));
         assert_int_equal(seen.fresnel >= 1, sign > 0);
     }
     scene_finish(&scene);
@@ -239,11 +242,11 @@ static void test_thin_wall(void **state)
     add_slab(&scene, -1, -2, pane); /* two panes */
     rank(&scene);
     const double in = 1;
-    const double one = seen_fresnel(in, 1, glass);
-    const struct seen seen =
-        seen_look(&scene, &settings, (struct vec){ 0, 0, 3 }, seen_direction(in));
+    const double one = reference_ray_fresnel(in, 1, glass);
+    const struct reference_ray seen = reference_ray_trace(
+        &scene, &settings, (struct vec){ 0, 0, 3 }, reference_ray_direction(in));
     CHECK_NEAR(seen.fresnel, 2 * one / (1 + one), 1e-5);
-    assert_true(vec_angle_deg(vec_unit(seen.exit), seen_direction(in)) < 1e-3);
+    assert_true(vec_angle_deg(vec_unit(seen.exit), reference_ray_direction(in)) < 1e-3);
     CHECK_NEAR(seen.path, 0, 0);
     assert_true(seen.refraction.y < 0.6 && seen.refraction.z < seen.refraction.y);
     scene_finish(&scene);
@@ -259,9 +262,11 @@ static void test_open_sheet(void **state)
     scene.model.object.index_count = 36;
     rank(&scene);
     memset(&scene.model.object.indices[24], 0, 6 * sizeof(uint32_t)); /* no side at z = -2 */
-    const struct seen seen =
-        seen_look(&scene, &settings, (struct vec){ 0, 0, -4 }, seen_direction(SEEN_PI - 0.5));
-    CHECK_NEAR(seen.fresnel, seen_fresnel(0.5, glass, 1), 1e-5); /* leaves what it never entered */
+    const struct reference_ray seen =
+        reference_ray_trace(&scene, &settings, (struct vec){ 0, 0, -4 },
+                            reference_ray_direction(REFERENCE_RAY_PI - 0.5));
+    CHECK_NEAR(seen.fresnel, reference_ray_fresnel(0.5, glass, 1),
+               1e-5); /* leaves what it never entered */
     scene_finish(&scene);
 }
 
@@ -289,13 +294,13 @@ static void test_rough_ball(void **state)
             .width = 24,
             .height = 24,
             .samples = 16,
-            .layers = seen_layers(),
+            .layers = reference_ray_layers(),
             .linear = true,
         };
         const struct renderer_shot shot = {
             .camera = { .eye = { { 0, 0, 6 } }, .fov_deg = 18 },
         };
-        struct render_result result = seen_trace(&request, &shot);
+        struct render_result result = reference_ray_render_image(&request, &shot);
         const float *red = image_find(&result.image, "R");
         const float *fresnel = image_find(&result.image, "fresnel.Z");
         double sum = 0;

@@ -6,9 +6,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/picture.h"
-#include "tests/support/seen.h"
+#include "tests/support/reference_ray.h"
 
 static const double ratio = 1.3091 / 1.0003;
 
@@ -76,7 +76,7 @@ static struct render_result look_down(const struct scene *scene, const struct se
                                             .target = { { 0, eye - 1, -1e-4F } },
                                             .fov_deg = 2 * atanf(half / height) * 57.29578F,
                                         } };
-    return seen_trace(&request, &shot);
+    return reference_ray_render_image(&request, &shot);
 }
 
 /* Returns the mean of pixels within a distance of the middle, metres. */
@@ -118,8 +118,8 @@ static void test_slab(void **state)
             means[k] = mean_within(&result, 1.5, 9);
             render_result_finish(&result);
         }
-        const double angle = degrees[i] * SEEN_PI / 180;
-        const double r = seen_fresnel(angle, 1.0003, 1.3091);
+        const double angle = degrees[i] * REFERENCE_RAY_PI / 180;
+        const double r = reference_ray_fresnel(angle, 1.0003, 1.3091);
         const double kept = exp(-0.5 * 0.25 / sqrt(1 - pow(sin(angle) / ratio, 2)));
         const double passing = (1 - r) * (1 - r) * kept / (1 - r * r * kept * kept);
         CHECK_NEAR((means[0] - means[2]) / (means[1] - means[2]) / passing, 1, 0.01);
@@ -138,7 +138,7 @@ static double focussed(double plane, double distance)
     for (int i = 0; i < steps; i++) {
         const double b = (i + 0.5) / steps;
         const double turn = 2 * (asin(b) - asin(b / ratio));
-        const double r = seen_fresnel(asin(b), 1.0003, 1.3091);
+        const double r = reference_ray_fresnel(asin(b), 1.0003, 1.3091);
         const double at = (b - plane * sin(turn)) / cos(turn);
         sum += fabs(at) < distance ? 2 * b * (1 - r) * (1 - r) / steps : 0;
     }
@@ -204,7 +204,7 @@ static void test_shadow(void **state)
     }
     /* the shadow of a ball on level ground: an ellipse, as wide as the ball and longer by the sun's
      * height; what the ball's face reflects is the rest */
-    CHECK_NEAR(hidden * 100.0 / PIXELS, SEEN_PI / sin(SEEN_PI / 4), 0.6);
+    CHECK_NEAR(hidden * 100.0 / PIXELS, REFERENCE_RAY_PI / sin(REFERENCE_RAY_PI / 4), 0.6);
     assert_memory_equal(reds[2], reds[4], PIXELS * sizeof(float));
     for (int k = 0; k < 5; k++)
         render_result_finish(&results[k]);

@@ -6,9 +6,9 @@
 #include <math.h>
 
 #include "src/scene/scene.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/picture.h"
-#include "tests/support/seen.h"
+#include "tests/support/reference_ray.h"
 
 enum {
     SIDE = 41, /* pixels, the middle one among them */
@@ -39,7 +39,7 @@ static struct render_result look(const struct settings *settings, float height, 
         .settings = settings,
         .width = SIDE,
         .height = SIDE,
-        .layers = seen_layers(),
+        .layers = reference_ray_layers(),
         .linear = true,
     };
     const struct renderer_shot shot = { .camera = {
@@ -47,7 +47,7 @@ static struct render_result look(const struct settings *settings, float height, 
                                             .target = { { 0, height + up, -1e-4F } },
                                             .fov_deg = up > 0 ? 120 : 90,
                                         } };
-    return seen_trace(&request, &shot);
+    return reference_ray_render_image(&request, &shot);
 }
 
 #define STILL "water.height=0", "water.red=0", "water.green=0", "water.blue=0"
@@ -63,15 +63,15 @@ static void test_window(void **state)
     const float *fresnel = image_find(&result.image, "fresnel.Z");
     int inside = 0, outside = 0;
     (void)state;
-    CHECK_NEAR(edge * 180 / SEEN_PI, 48.6, 0.05);
+    CHECK_NEAR(edge * 180 / REFERENCE_RAY_PI, 48.6, 0.05);
     for (int i = 0; i < PIXELS; i++) {
         const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2;
-        const double angle = atan(hypot(x, y) * 2 / SIDE * tan(SEEN_PI / 3));
+        const double angle = atan(hypot(x, y) * 2 / SIDE * tan(REFERENCE_RAY_PI / 3));
         if (fabs(angle - edge) < 0.002)
             continue;
         assert_true((fresnel[i] >= 1) == (angle > edge));
         if (angle < 0.95 * edge)
-            CHECK_NEAR(fresnel[i], seen_fresnel(angle, 1.333, 1), 2e-3);
+            CHECK_NEAR(fresnel[i], reference_ray_fresnel(angle, 1.333, 1), 2e-3);
         inside += angle < edge;
         outside += angle > edge;
     }
@@ -142,7 +142,7 @@ static void test_absorption(void **state)
         light_at(&night[i], places, &sky[i], 1, 0);
     }
     const double seen = exp(-0.5 * 0.6);
-    const double down = 1 / sqrt(1 - pow(cos(50 * SEEN_PI / 180) / 1.333, 2));
+    const double down = 1 / sqrt(1 - pow(cos(50 * REFERENCE_RAY_PI / 180) / 1.333, 2));
     CHECK_NEAR(sky[1] / sky[0], exp(-0.5 * 1.2) * seen, 1e-3);
     CHECK_NEAR((light[1] - sky[1]) / (light[0] - sky[0]), exp(-0.5 * 1.2 * down) * seen, 1e-3);
     /* Photons bring the same. */

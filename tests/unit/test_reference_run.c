@@ -7,7 +7,7 @@
 #include "src/reference/reference.h"
 #include "src/reference/reference_layers.h"
 #include "src/reference/reference_sample_sums.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/picture.h"
 
 enum {

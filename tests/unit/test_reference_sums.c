@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "src/reference/reference_sample_sums.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     WIDTH = 3,

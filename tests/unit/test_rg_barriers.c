@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "graph/rg.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/small_graph.h"
 
 #define ANY_SHADER \

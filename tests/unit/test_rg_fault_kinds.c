@@ -1,6 +1,6 @@
 /* Faults of samples, resolves, history and conditions. */
 #include "graph/rg.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/fault_case.h"
 
 #define COLOR_FORMAT VK_FORMAT_R8G8B8A8_UNORM

@@ -6,7 +6,7 @@
 
 #include "graph/rg.h"
 #include "graph/rg_exec.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/fault_case.h"
 
 #define COLOR_FORMAT VK_FORMAT_R8G8B8A8_UNORM

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "graph/rg.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/support/small_graph.h"
 
 enum {

@@ -2,7 +2,7 @@
  * many, and memory packed about as tightly as it can be. */
 #include "tests/bench/graph/measure.h"
 #include "tests/bench/graph/yardstick.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* Of MEASURE_SEED, counted by another program. */
 static const struct {

@@ -13,7 +13,7 @@
 #include "src/base/log.h"
 #include "src/scene/import/model_pipe.h"
 #include "src/scene/import/sandboxed_load.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* Far more than any of them needs. */
 enum {

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "src/tech/techniques.h"
 #include "src/view/session_file.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* Lines as the reader of a file sends them. */
 static struct preset lines_of(const char *text)

@@ -8,7 +8,7 @@
 #include "src/frame/output_layers.h"
 #include "src/settings/quality.h"
 #include "src/settings/settings.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 typedef void row_fn(const struct setting_group *group, const struct setting *row);
 

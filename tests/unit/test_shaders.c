@@ -9,7 +9,7 @@
 #include "graph/compile/spirv_reflection.h"
 #include "src/frame/pass_list.h"
 #include "src/tech/techniques.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 #include "tests/unit/shared_headers.inc"
 
 extern const struct technique VIEW_DECLARED;

@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include "src/app/signals.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     UNTOUCHED = 7 /* exit code of a child that no signal ends */

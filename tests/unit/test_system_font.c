@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 #include "src/view/ui/system_font.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* No system has to have fonts; what is found can be read. */
 static void what_is_found_is_a_file(void **state)

@@ -1,7 +1,7 @@
 /* test_tile.c: tiles of pictures of many sizes: nothing twice, nothing left out. */
 #include <stdlib.h>
 #include "src/base/tile.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* How often each pixel is in a tile: once. */
 static void check_cover(const struct tiling *tiling)

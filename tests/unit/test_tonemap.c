@@ -1,6 +1,6 @@
 /* test_tonemap.c: tone curves, against values that were computed from the published formulas. */
 #include "shaders/output/tonemap.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static const struct {
     uint32_t curve;

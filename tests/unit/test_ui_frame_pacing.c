@@ -1,6 +1,6 @@
 /* What frames wait for, from running means. */
 #include "src/view/ui/ui_frame_pacing.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static const char *limit_of(double device, double screen, double limit)
 {

@@ -2,7 +2,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include "src/view/ui/ui_input_queue.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static void move(struct ui_input_queue *input, double x)
 {

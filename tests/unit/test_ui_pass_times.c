@@ -3,7 +3,7 @@
 #include <string.h>
 #include "graph/rg.h"
 #include "src/view/ui/ui_pass_times.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 /* A frame of two passes, 2 ms and `second` ms. */
 static void add(struct ui_pass_times *times, const char *second_name, uint64_t second)

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <wordexp.h>
 #include "src/view/ui/ui_render_command.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 struct fixture {
     wordexp_t words; /* the options point into them */

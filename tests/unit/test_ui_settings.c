@@ -3,7 +3,7 @@
 #include "src/view/key_bindings.h"
 #include "src/view/ui/ui_search_synonyms.h"
 #include "src/view/ui/ui_settings.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static enum ui_widget widget_of(const char *name)
 {

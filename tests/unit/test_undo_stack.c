@@ -1,7 +1,7 @@
 /* test_undo_stack.c: changes are taken back and done again. */
 #include <string.h>
 #include "src/view/undo_stack.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static struct view_state state_with(double count)
 {

@@ -6,7 +6,7 @@
 #include <unistd.h>
 #include "src/scene/scene.h"
 #include "src/view/user_files.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 static void touch(const char *folder, const char *name)
 {

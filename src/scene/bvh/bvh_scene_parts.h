@@ -1,5 +1,6 @@
 /*
- * bvh_scene_parts.h: triangle lists of the scene's parts (shaders/trace/bvh_layout.h), grouped by object.
+ * bvh_scene_parts.h: triangle lists of the scene's parts (shaders/trace/bvh_layout.h), grouped by
+ * object.
  */
 #ifndef FIRN_SCENE_BVH_BVH_SCENE_PARTS_H
 #define FIRN_SCENE_BVH_BVH_SCENE_PARTS_H

@@ -1,5 +1,5 @@
-/* ui_pixel_inspector.c: panel of the pixel inspector: layer, channel, histogram, pixel values, magnifier.
- */
+/* ui_pixel_inspector.c: panel of the pixel inspector: layer, channel, histogram, pixel values,
+ * magnifier. */
 #include "src/view/ui/ui_pixel_inspector.h"
 #include <math.h>
 #include <stdio.h>

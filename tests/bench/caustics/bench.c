@@ -11,13 +11,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
-#include "tests/support/light_map.h"
+#include "tests/support/caustic_map.h"
 
 enum {
     BLOCK = 4,
-    SIDE = LIGHT_MAP_SIZE / BLOCK,
+    SIDE = CAUSTIC_MAP_SIZE / BLOCK,
     DEPTH_COUNT = 3,
     ASSIGNMENT_COUNT = 8,
 };
@@ -59,8 +59,8 @@ static struct light_map trace(struct gpu *gpu, const struct row *row, const char
         NULL,
     };
     (void)snprintf(words, sizeof(words), "pool.depth=%s", depth);
-    return light_map_trace(gpu,
-                           &(struct light_map_params){ row->method, 90, assignments, run_count });
+    return caustic_map_trace(
+        gpu, &(struct caustic_map_params){ row->method, 90, assignments, run_count });
 }
 
 /* Mean light of a block; NAN where it is not all on the floor. */
@@ -69,10 +69,10 @@ static double block(const struct light_map *map, size_t column, size_t row)
     double sum = 0;
     for (size_t y = row * BLOCK; y < (row + 1) * BLOCK; y++) {
         for (size_t x = column * BLOCK; x < (column + 1) * BLOCK; x++) {
-            if (fmax(fabs(light_map_place(map, 0, x)), fabs(light_map_place(map, 1, y))) >
+            if (fmax(fabs(caustic_map_position(map, 0, x)), fabs(caustic_map_position(map, 1, y))) >
                 0.48 * map->size)
                 return (double)NAN;
-            sum += (double)map->texels[y * LIGHT_MAP_SIZE + x];
+            sum += (double)map->texels[y * CAUSTIC_MAP_SIZE + x];
         }
     }
     return sum / (BLOCK * BLOCK);

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "tests/bench/frame/by_hand.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "src/base/clock.h"
 

@@ -3,7 +3,7 @@
 #define BENCH_BY_HAND_PRIVATE_H
 
 #include "tests/bench/frame/by_hand.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     CUBE, /* images, and views of all of them */

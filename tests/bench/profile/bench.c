@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 #include "shaders/embedded.h"
 #include "shaders/output/timestamp_check.h"

@@ -12,7 +12,7 @@
 #include "src/base/clock.h"
 #include "src/frame/frame_plan.h"
 #include "src/gpu/gpu.h"
-#include "tests/support/check.h"
+#include "tests/support/assertions.h"
 
 enum {
     RUN_COUNT = 25

@@ -1,0 +1,58 @@
+"""embed_spirv.py: embeds SPIR-V files in a C file as `const struct rg_shader`; writes its header.
+
+The assembler includes the binary modules: a C array would be half a million numbers to parse.
+
+Usage: embed_spirv.py C_FILE HEADER MODULE... [-- ORIGIN...]
+
+A shader is named like its file, with '_' for '.'; <stem>_all lists all shaders and ends at NULL.
+<stem>_origins, in the same order, lists sources: ORIGIN is a GLSL file and compiler flags,
+separated by spaces.
+"""
+import hashlib
+import pathlib
+import sys
+
+
+def write(path, text):
+    """Writes a file unless it is unchanged, so that its dependents are not rebuilt."""
+    file = pathlib.Path(path)
+    if not file.exists() or file.read_text(encoding='utf-8') != text:
+        file.write_text(text, encoding='utf-8')
+
+
+source_path, header_path, *modules = sys.argv[1:]
+origins = []
+if '--' in modules:
+    end = modules.index('--')
+    modules, origins = modules[:end], modules[end + 1:]
+names = [pathlib.Path(module).stem.replace('.', '_') for module in modules]
+stem = pathlib.Path(header_path).stem
+source = f'#include "{stem}.h"\n#include <stddef.h>\n'
+header = f'#ifndef {stem.upper()}_H\n#define {stem.upper()}_H\n#include "graph/rg.h"\n'
+for name, module in zip(names, modules):
+    path = pathlib.Path(module).resolve()
+    data = path.read_bytes()
+    sum_ = hashlib.sha1(data).hexdigest()  # makes the C file change with the module
+    source += f'''
+__asm__(".pushsection .rodata\\n.globl {name}_words\\n.hidden {name}_words\\n"
+        ".balign 4\\n{name}_words: .incbin \\"{path}\\" /* {sum_} */\\n.popsection\\n");
+extern const uint32_t {name}_words[];
+const struct rg_shader {name} = {{ "{name}", {name}_words, {len(data) // 4} }};
+'''
+    header += f'extern const struct rg_shader {name};\n'
+source += f'\nconst struct rg_shader *const {stem}_all[] = {{\n    '
+source += ',\n    '.join([*(f'&{name}' for name in names), 'NULL']) + ',\n};\n'
+header += f'extern const struct rg_shader *const {stem}_all[];\n'
+if origins:
+    most = max(len(origin.split()) for origin in origins)  # file + flags = flags + NULL
+    header += f'struct {stem}_origin {{\n'
+    header += f'    const char *file, *flags[{most}]; /* ends at NULL */\n}};\n'
+    header += f'extern const struct {stem}_origin {stem}_origins[{len(origins)}];\n'
+    source += f'\nconst struct {stem}_origin {stem}_origins[] = {{\n'
+    for origin in origins:
+        file, *flags = origin.split()
+        flags = ', '.join([*(f'"{flag}"' for flag in flags), 'NULL'])
+        source += f'    {{ "{file}", {{ {flags} }} }},\n'
+    source += '};\n'
+write(source_path, source)
+write(header_path, header + '#endif\n')

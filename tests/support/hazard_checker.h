@@ -1,0 +1,26 @@
+/*
+ * hazard_checker.h: an independent checker of synchronization hazards in compiled plans (test
+ * oracle).
+ *
+ * It simulates several frames of a plan on a queue, without waits between them, by the rules of
+ * Vulkan 1.3 ("Synchronization and Cache Control", "Memory Aliasing"): which accesses race (RAW,
+ * WAR, WAW), which layout and content every subresource has, which memory is aliased. It repeats
+ * this for many combinations of conditions. The expected content, the number of batches and the
+ * peak memory are derived from the tables; nothing here uses the compiler's results or code.
+ */
+#ifndef TESTS_SUPPORT_HAZARD_CHECKER_H
+#define TESTS_SUPPORT_HAZARD_CHECKER_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "graph/rg.h"
+
+/*
+ * Returns the number of findings, 0 for a correct plan, and writes a line about each of the first
+ * findings to `report`, which may be NULL. `params` are those that the plan was compiled with.
+ */
+uint32_t hazard_check(const struct rg_plan *plan, const struct rg_compile_params *params,
+                      FILE *report);
+
+#endif

@@ -1,0 +1,174 @@
+/*
+ * hazard_min_batches.c: lower bound of barrier batches, without memory aliasing.
+ *
+ * Each change of a subresource's use needs a barrier in some batch between its previous pass and
+ * its next pass. The fewest batches are a minimum set of points that stabs all these intervals:
+ * greedy by interval end.
+ */
+#include "tests/support/hazard_private.h"
+
+#include <stdlib.h>
+
+/* Batches `first` to `last` that may contain a barrier; batch p precedes pass p. */
+struct interval {
+    uint32_t first, last;
+};
+
+/* State of a subresource between two barriers: its accesses so far. */
+struct state {
+    bool any, writes;
+    enum rg_access access; /* the last access */
+    VkImageLayout layout;
+    uint32_t stages; /* stages of all accesses */
+    uint32_t last;   /* index of the last pass */
+};
+
+struct intervals {
+    struct interval *array;
+    uint32_t count, capacity;
+};
+
+static void add(struct intervals *intervals, uint32_t first, uint32_t last)
+{
+    intervals->array = hazard_grow(intervals->array, &intervals->capacity, intervals->count + 1,
+                                   sizeof(*intervals->array));
+    intervals->array[intervals->count++] = (struct interval){ first, last };
+}
+
+static struct state state_of(const struct hazard_resource *resource, enum rg_access access,
+                             uint32_t stages, uint32_t pass)
+{
+    const struct hazard_rule *rule = hazard_rule(access);
+    return (struct state){
+        .any = true,
+        .writes = rule->writes != 0 || access == RG_PRESENT,
+        .access = access,
+        .layout = resource->image ? rule->layout : VK_IMAGE_LAYOUT_UNDEFINED,
+        .stages = rule->stages ? rule->stages : stages,
+        .last = pass,
+    };
+}
+
+/* Returns true if no barrier is needed: both are reads in the same layout. */
+static bool needs_no_barrier(const struct state *before, const struct state *after)
+{
+    return before->any && !before->writes && !after->writes && before->layout == after->layout;
+}
+
+/* Returns true if an import arrives ready for this read: right layout, stages and access. */
+static bool has_arrived(const struct hazard_resource *resource, const struct state *state)
+{
+    if (!resource->import || resource->import->access == RG_ACCESS_NONE)
+        return false;
+    struct state arrival = state_of(resource, resource->import->access, HAZARD_SHADERS, 0);
+    return needs_no_barrier(&arrival, state) && !(state->stages & ~arrival.stages) &&
+           hazard_rule(state->access)->reads == hazard_rule(arrival.access)->reads;
+}
+
+/* Returns true if the first access of a frame needs a barrier, in any batch up to its pass. */
+static bool begins(const struct hazard_resource *resource, const struct state *first,
+                   const struct state *last)
+{
+    if (resource->buffer && resource->buffer->memory != RG_MEMORY_DEVICE)
+        return false;
+    if (resource->persistent) {
+        struct state out = *last;
+        if (resource->output)
+            out = state_of(resource, resource->output->access, HAZARD_SHADERS, last->last);
+        return !needs_no_barrier(&out, first); /* false: a barrier of the previous frame suffices */
+    }
+    return !has_arrived(resource, first);
+}
+
+static void end(struct intervals *intervals, const struct hazard_resource *resource,
+                const struct state *last, uint32_t pass_count)
+{
+    enum rg_access access = RG_ACCESS_NONE;
+    if (resource->output)
+        access = resource->output->access;
+    else if (resource->import)
+        access = resource->import->access;
+    if (access == RG_ACCESS_NONE)
+        return;
+    struct state out = state_of(resource, access, HAZARD_SHADERS, pass_count);
+    bool same = !resource->output && last->access == access && last->stages == out.stages;
+    if (!needs_no_barrier(last, &out) && !same)
+        add(intervals, last->last + 1, pass_count);
+}
+
+/* Adds the barrier of an imported output that no pass accesses, if its access changes. */
+static void pass_through(struct intervals *intervals, const struct hazard_resource *resource,
+                         uint32_t pass_count)
+{
+    if (!resource->output || !resource->import)
+        return;
+    struct state out = state_of(resource, resource->output->access, HAZARD_SHADERS, pass_count);
+    if (resource->import->access != resource->output->access && !has_arrived(resource, &out))
+        add(intervals, 0, pass_count);
+}
+
+/* Adds an access to a subresource. `states`: its first state and its current state. */
+static void add_access(struct intervals *intervals, struct state states[2], const struct state *now)
+{
+    uint32_t stages = now->stages;
+    if (!states[0].any)
+        states[0] = *now;
+    else if (needs_no_barrier(&states[1], now))
+        stages |= states[1].stages;
+    else
+        add(intervals, states[1].last + 1, now->last);
+    states[1] = *now;
+    states[1].stages = stages;
+}
+
+static int compare(const void *a, const void *b)
+{
+    uint32_t x = ((const struct interval *)a)->last, y = ((const struct interval *)b)->last;
+    return (x > y) - (x < y);
+}
+
+static uint32_t stab(const struct intervals *intervals)
+{
+    uint32_t count = 0, next = 0; /* batches from `next` on are not chosen yet */
+    if (intervals->count)
+        qsort(intervals->array, intervals->count, sizeof(*intervals->array), compare);
+    for (uint32_t i = 0; i < intervals->count; i++)
+        if (intervals->array[i].first >= next) {
+            next = intervals->array[i].last + 1;
+            count++;
+        }
+    return count;
+}
+
+uint32_t hazard_min_batches(const struct hazard *h)
+{
+    struct intervals intervals = { 0 };
+    uint32_t capacity = 0;
+    struct state(*states)[2] = hazard_grow(NULL, &capacity, h->cell_count + 1, sizeof(*states));
+    for (uint32_t p = 0; p < h->plan->pass_count; p++) {
+        const struct hazard_pass *pass = &h->passes[h->plan_passes[p]];
+        for (uint32_t u = pass->first_use; u < pass->first_use + pass->use_count; u++) {
+            const struct hazard_use *use = &h->uses[u];
+            const struct hazard_resource *resource = &h->resources[use->resource];
+            struct state now = state_of(resource, use->access, use->stages, p);
+            uint32_t cell;
+            for (uint32_t i = 0;
+                 (cell = hazard_next_subresource(resource, &use->range, &i)) != RG_NONE;)
+                add_access(&intervals, states[cell], &now);
+        }
+    }
+    for (uint32_t i = 0; i < h->cell_count; i++) {
+        const struct hazard_resource *resource = &h->resources[h->cells[i].resource];
+        if (!states[i][0].any) {
+            pass_through(&intervals, resource, h->plan->pass_count);
+            continue;
+        }
+        if (begins(resource, &states[i][0], &states[i][1]))
+            add(&intervals, 0, states[i][0].last);
+        end(&intervals, resource, &states[i][1], h->plan->pass_count);
+    }
+    uint32_t count = stab(&intervals);
+    free(intervals.array);
+    free(states);
+    return count;
+}

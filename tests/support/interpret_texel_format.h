@@ -1,0 +1,20 @@
+/* interpret_texel_format.h: texel formats of the reference interpreter: four 32-bit values per
+ * texel. */
+#ifndef TESTS_SUPPORT_INTERPRET_TEXEL_FORMAT_H
+#define TESTS_SUPPORT_INTERPRET_TEXEL_FORMAT_H
+
+#include "graph/rg.h"
+
+/* Return the mask of a channel's bits, and the bytes of a texel (of the depth aspect only). */
+uint32_t interpret_format_mask(VkFormat format);
+uint32_t interpret_format_size(VkFormat format);
+
+/* Stores a value as shaders read it: missing channels become 0, 0, 1. With a stencil format, the
+ * second value is the stencil. */
+void interpret_format_store(uint32_t *texel, VkFormat format, const uint32_t value[4]);
+
+/* Convert a texel from and to its little-endian bytes. */
+void interpret_format_decode(uint32_t *texel, VkFormat format, const unsigned char *bytes);
+void interpret_format_encode(unsigned char *bytes, VkFormat format, const uint32_t *texel);
+
+#endif
