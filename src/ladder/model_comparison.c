@@ -165,7 +165,7 @@ static enum status make_masks(struct masks *masks, struct ladder *ladder,
     const float *tir = image_find(&ladder->reference.image, "tir.Z");
     const float *bounces = image_find(&ladder->reference.image, "bounces.Z");
     const size_t count = pixel_count(ladder);
-    const float *met = image_find(&ladder->reference.image, "met.Z");
+    const float *met = image_find(&ladder->reference.image, "inclusions.Z");
     masks->object = calloc((2 + LADDER_PATH_CLASS_COUNT + LADDER_INCLUSION_COUNT) * count,
                            sizeof(*masks->object));
     if (!masks->object || !path || !tir || !bounces || !met)

@@ -31,7 +31,7 @@ static const struct {
     SEEN("path.Z", path),
     SEEN("bounces.Z", bounces),
     SEEN("tir.Z", tir),
-    SEEN("met.Z", met),
+    SEEN("inclusions.Z", met),
     SEEN("refraction.R", refraction.x),
     SEEN("refraction.G", refraction.y),
     SEEN("refraction.B", refraction.z),

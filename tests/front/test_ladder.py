@@ -108,10 +108,10 @@ class Numbers(LadderCase):
                          'path,met' if rung == 'reference' else 'path', '-o', f'{rung}.exr')
         ours, test = (Exr((self.folder / f'{name}.exr').read_bytes())
                       for name in ('reference', 'bounce'))
-        ours = ours.read_planes([*'RGB', 'path.Z', 'met.Z'])
+        ours = ours.read_planes([*'RGB', 'path.Z', 'inclusions.Z'])
         test = test.read_planes([*'RGB'])
         for name, bit in (('clear', 0), ('bubbles', 1), ('cracks', 2), ('air', 4)):
-            inside = [i for i, (path, met) in enumerate(zip(ours['path.Z'], ours['met.Z']))
+            inside = [i for i, (path, met) in enumerate(zip(ours['path.Z'], ours['inclusions.Z']))
                       if path > 0 and (int(met) & bit if bit else met == 0)]
             self.assertEqual(said[f'{name}_pixels'], len(inside))
             errors = [abs(min(max(ours[c][i], 0), 1) - min(max(test[c][i], 0), 1))

@@ -1,7 +1,7 @@
 """shared_structs.py: writes the structs of headers that C and GLSL share as rows of a C table.
 
 Usage: shared_structs.py FOLDER HEADERS STRUCTS
-Reads all headers of the folder. Writes lines that include those with structs, and the rows:
+Reads all headers below the folder. Writes lines that include those with structs, and the rows:
 { "name", sizeof(struct name), { { "member", offset, size }, ... } },
 """
 import pathlib
@@ -10,7 +10,7 @@ import sys
 
 
 def members(body):
-    """The names that a struct's body declares, in their order."""
+    """Yields the names of a struct's members, in order."""
     body = re.sub(r'/\*.*?\*/|//[^\n]*', '', body, flags=re.S)
     for declaration in body.split(';'):
         words = declaration.strip()
@@ -21,7 +21,7 @@ def members(body):
 
 
 def write(path, lines):
-    """Leaves a file alone that has these lines, so that nothing is built anew."""
+    """Writes a file only if its content changes, so that dependants are not rebuilt."""
     text = ''.join(lines)
     path = pathlib.Path(path)
     if not path.exists() or path.read_text(encoding='utf-8') != text:
@@ -30,10 +30,11 @@ def write(path, lines):
 
 def main():
     includes, rows = [], []
-    for header in sorted(pathlib.Path(sys.argv[1]).glob('*.h')):
+    root = pathlib.Path(sys.argv[1])
+    for header in sorted(root.rglob('*.h')):
         text = header.read_text(encoding='utf-8')
         structs = re.findall(r'^struct (\w+) \{\n(.*?)^\};', text, re.S | re.M)
-        includes += [f'#include "shaders/{header.name}"\n'] if structs else []
+        includes += [f'#include "shaders/{header.relative_to(root)}"\n'] if structs else []
         for name, body in structs:
             fields = ', '.join(f'{{ "{m}", offsetof(struct {name}, {m}), '
                                f'sizeof(((struct {name} *)0)->{m}) }}' for m in members(body))

@@ -65,10 +65,10 @@ static void factors_are_shares(void **state)
 {
     (void)state;
     check("", "0.5 1 0", (vec3s){ { 0.5F, 1, 0 } }, "");
-    check("", "3e38 1.5 -2", (vec3s){ { 1, 1, 0 } }, "of 1 materials and 0 vertices");
-    check("0.5 0.5 0.5", "3e38 1 1", (vec3s){ { 0.5F, 0.5F, 0.5F } }, "of 1 materials");
+    check("", "3e38 1.5 -2", (vec3s){ { 1, 1, 0 } }, "in 1 materials and 0 vertices");
+    check("0.5 0.5 0.5", "3e38 1 1", (vec3s){ { 0.5F, 0.5F, 0.5F } }, "in 1 materials");
     check("3e38 -1 0.25", "0.5 0.5 0.5", (vec3s){ { 1, 0, 0.125F } },
-          "of 0 materials and 3 vertices");
+          "in 0 materials and 3 vertices");
     check("2 0 0", "0.5 1 1", (vec3s){ { 1, 0, 0 } }, "");
 }
 
@@ -76,7 +76,7 @@ static void unlit_colors_are_radiances(void **state)
 {
     (void)state;
     check("4 0.5 65504", "", (vec3s){ { 4, 0.5F, 65504 } }, "");
-    check("3e38 65505 -1", "", (vec3s){ { 65504, 65504, 0 } }, "of 0 materials and 3 vertices");
+    check("3e38 65505 -1", "", (vec3s){ { 65504, 65504, 0 } }, "in 0 materials and 3 vertices");
 }
 
 /* A box's side of the material beside one that is opaque; *found is the material. Returns whether

@@ -267,7 +267,7 @@ static void test_unknown_names(void **state)
 {
     (void)state;
     check_refused("refract.iro=1.5", "did you mean 'refract.ior'?");
-    check_refused("refact_paper.a=0.5", "did you mean 'refract_paper.back_weight'?");
+    check_refused("refact_paper.back_weight=0.5", "did you mean 'refract_paper.back_weight'?");
     check_refused("sky.sun_elevatoin=10", "did you mean 'sky.sun_elevation'?");
     check_refused(" refract.ior=1.5", "did you mean 'refract.ior'?");
     check_refused("refract.ior =1.5", "did you mean 'refract.ior'?");

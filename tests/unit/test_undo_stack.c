@@ -85,10 +85,10 @@ static void words_say_what_differs(void **state)
     const struct view_state a = state_with(2);
     struct view_state b = state_with(5);
     undo_stack_describe(&a, &b, text, sizeof(text));
-    assert_string_equal(text, "cracks.count 2 -> 5");
+    assert_string_equal(text, "Cracks 2 -> 5");
     settings_set_value(&b.settings, settings_find("tonemap.exposure"), 1);
     undo_stack_describe(&a, &b, text, sizeof(text));
-    assert_string_equal(text, "cracks.count 2 -> 5 and 1 more");
+    assert_string_equal(text, "Cracks 2 -> 5 and 1 more");
     undo_stack_describe(&a, &b, text, 10);
     assert_true(strlen(text) < 10);
 }

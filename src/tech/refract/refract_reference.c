@@ -72,7 +72,7 @@ static const struct frame_layer layers[] = {
     },
     {
         .name = "inclusions",
-        .planes = { "met.Z" },
+        .planes = { "inclusions.Z" },
         .help = "inclusions hit by the path of layer exit, as a sum: 1 bubbles, 2 cracks, 4 air",
     },
     {
