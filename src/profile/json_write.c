@@ -9,7 +9,9 @@
 #include "src/profile/text_format.h"
 
 /* Key, offset and size of a struct member, for struct profile_field. */
-#define AT(object, name) #name, offsetof(struct object, name), sizeof(((struct object *)0)->name)
+#define KEY(key, object, member) \
+    key, offsetof(struct object, member), sizeof(((struct object *)0)->member)
+#define AT(object, member) KEY(#member, object, member)
 #define FIELDS(table) \
     { \
         (table), sizeof(table) / sizeof((table)[0]) \
@@ -18,7 +20,7 @@
 static const struct profile_field of_profile[] = {
     { PROFILE_FIELD_HEAP, AT(profile, command) },
     { PROFILE_FIELD_HEAP, AT(profile, scene) },
-    { PROFILE_FIELD_TEXT, AT(profile, refraction) },
+    { PROFILE_FIELD_TEXT, KEY("rung", profile, refraction) },
     { PROFILE_FIELD_TEXT, AT(profile, material) },
     { PROFILE_FIELD_U32, AT(profile, width) },
     { PROFILE_FIELD_U32, AT(profile, height) },

@@ -34,7 +34,7 @@ class Contact(Case):
                                 (False, (*BOX[:3], *OFF)), (False, ('valley',)),
                                 (False, (*BOX[:3], '--preset', 'paper'))):
             done = self.succeed('graph', *words, env=NO_DRIVER)
-            found = re.search(r'(?m)^pass \d+ contact\.', done.stdout.decode())
+            found = re.search(r'(?m)^pass \d+ ao\.', done.stdout.decode())
             self.assertEqual(bool(found), is_drawn, words)
 
     @unsanitized

@@ -147,8 +147,8 @@ class Bake(Case):
         """The surroundings are one, as are six numbers that are not inside out."""
         box = ('render', *SMALL, '-q', '-o', 'a.exr', '--set', 'refract.lookup=box')
         bare = ('sphere', '--background', '1,1,1')
-        sides = dict(left=-2, right=2, bottom=-2, top=2, back=-2, front=2)
-        words = [word for side, at in sides.items() for word in ('--set', f'local.{side}={at}')]
+        sides = dict(min_x=-2, max_x=2, min_y=-2, max_y=2, min_z=-2, max_z=2)
+        words = [word for side, at in sides.items() for word in ('--set', f'env_box.{side}={at}')]
         self.assertEqual(self.succeed(*box, 'room').stderr, b'')
         self.assertEqual(self.succeed(*box, *bare, *words).stderr, b'')
         for wrong in ((), (*words, '--set', 'env_box.max_y=-3'), ('--set', 'env_box.min_x=-1')):
@@ -174,8 +174,8 @@ class Bake(Case):
 
     def test_box_of_a_model(self):
         """It is as good as one of the settings, which count before it."""
-        sides = dict(left=-2, right=3, bottom=-1.5, top=2, back=-4, front=2.5)
-        words = [word for side, at in sides.items() for word in ('--set', f'local.{side}={at}')]
+        sides = dict(min_x=-2, max_x=3, min_y=-1.5, max_y=2, min_z=-4, max_z=2.5)
+        words = [word for side, at in sides.items() for word in ('--set', f'env_box.{side}={at}')]
         common = ('sphere', *SMALL, *SMOOTH, '--surroundings', 'walls.gltf', '--set',
                   'refract.lookup=box')
         (self.folder / 'faces.exr').write_bytes(strip(4))

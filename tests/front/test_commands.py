@@ -405,7 +405,7 @@ class Layers(Case):
         picture = Exr(self.render('a.exr', '--set', 'refract_paper.back_weight=0.25'))
         version = self.succeed('--version').stdout.decode().split()[1]
         self.assertIn(version, picture.text('firn/version'))
-        self.assertRegex(picture.text('firn/settings'), r'refract_paper\.a=0\.25\b')
+        self.assertRegex(picture.text('firn/settings'), r'refract_paper\.back_weight=0\.25\b')
         matrix = picture.matrix('worldToCamera')
         self.assertEqual(matrix[3::4], (0, 0, 0, 1))  # affine, row vectors
         for axis in (matrix[0:3], matrix[4:7], matrix[8:11]):  # a rotation

@@ -157,7 +157,7 @@ class Numbers(Diff):
         b = self.exr('b.exr', 5, 2, planes([turned(d) for d in (0, 2, 4, 6, 90)] + [none] +
                                            [turned(0)] * 2 + [none] * 2, [1] * 7 + [0] * 3))
         said = self.diff(a, b)
-        for key, want in (('mean', 20.4), ('median', 4), ('percentile_95', 90), ('largest', 90)):
+        for key, want in (('mean', 20.4), ('median', 4), ('most_95', 90), ('largest', 90)):
             self.near(said['exit'][key], want, 1e-4)
         self.assertEqual([said['exit'][key] for key in ('pixels', 'only_reference', 'only_test')],
                          [5, 1, 2])

@@ -558,7 +558,7 @@ class Scenes(Case):
         (self.folder / 'a.gltf').write_text(json.dumps(scene))
         self.assertEqual(self.succeed('info', 'a.gltf', env=NO_DRIVER).stderr,
                          b'firn: warning: a.gltf: the largest of 1 textures has 2049 texels a '
-                         b'side, of which 2048 are drawn\n')
+                         b'side and is downsampled to 2048\n')
 
     def test_metallic_is_not_of_what_light_passes(self):
         """Said only of a material that states it."""

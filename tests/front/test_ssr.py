@@ -41,7 +41,7 @@ class Mirror(Case):
                                 (False, (*BOX[:3], '--set', 'ground.shading=vertices')),
                                 (False, (*BOX[:3], '--preset', 'paper'))):
             done = self.succeed('graph', *words, env=NO_DRIVER)
-            found = re.search(r'(?m)^pass \d+ mirror\.', done.stdout.decode())
+            found = re.search(r'(?m)^pass \d+ ssr\.', done.stdout.decode())
             self.assertEqual(bool(found), is_drawn, words)
 
     def errors(self, *ways):

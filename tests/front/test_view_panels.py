@@ -242,7 +242,7 @@ class Panels(PanelsCase):
             window, 'cracks.count', 0.2, 0.7))
         self.press(window, 'Escape')
         self.press_until(window, 'b', 'why a change took long', lambda: len(self.said(
-            r'cracks.count \d+ -> \d+ \(scene rebuilt.*')) > 1)  # and below
+            r'Cracks \d+ -> \d+ \(scene rebuilt.*')) > 1)  # and below
         for key in ('F1', 'ctrl+t', 'ctrl+plus'):
             self.press_until(window, key, key, lambda: self.desktop.pixels(window) not in shown)
             shown.add(self.desktop.pixels(window))
@@ -348,8 +348,9 @@ class Panels(PanelsCase):
     def misspelt(self, window):
         """The palette finds what some letters, or a wrong one, or another word, are for."""
         self.press_until(window, 'ctrl+k', 'the palette', lambda: self.control('palette'))
-        for typed, found in (('wtr ampl', 'water.amplitude'), ('anisotrpoy', 'texture.anisotropy'),
-                             ('turntable', 'motion.ice')):
+        for typed, found in (('wtr ampl', 'First octave amplitude (water.amplitude)'),
+                             ('anisotrpoy', 'Anisotropic filtering (texture.anisotropy)'),
+                             ('spin', 'Turntable (motion.ice)')):
             self.assertIsNone(self.control(found))  # no panel shows it
             wait_until(found, lambda found=found: self.control(found) and not self.control(
                 'open pool'), self.words, act=lambda typed=typed: self.desktop.do(

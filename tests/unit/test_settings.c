@@ -281,6 +281,31 @@ static void test_unknown_names(void **state)
 }
 
 /* Names as long as the longest that is looked up, and much longer. */
+/* Each former name sets its setting, with one note that names both. */
+static void check_former_name(const struct setting_group *group, const struct setting *row)
+{
+    char assignment[128], said[4096];
+    struct settings settings = settings_default();
+    (void)group;
+    if (!row->renamed_from)
+        return;
+    const char *value = row->type == SETTING_CHOICE   ? row->choices[(size_t)row->max]
+                        : row->type == SETTING_SWITCH ? "on"
+                                                      : "1";
+    snprintf(assignment, sizeof(assignment), "%s=%s", row->renamed_from, value);
+    assert_int_equal(set(&settings, assignment, said, sizeof(said)), STATUS_OK);
+    assert_non_null(strstr(said, row->renamed_from));
+    assert_non_null(strstr(said, row->name));
+    assert_int_equal(strcspn(said, "\n"), strlen(said) - 1);
+    CHECK_NEAR(settings_get(&settings, row), row->type == SETTING_CHOICE ? row->max : 1.0, 0);
+}
+
+static void test_former_names(void **state)
+{
+    (void)state;
+    for_each_row(check_former_name);
+}
+
 static void test_long_names(void **state)
 {
     (void)state;
@@ -399,6 +424,7 @@ int main(void)
         cmocka_unit_test(test_round_trips),
         cmocka_unit_test(test_prints_as_people_write),
         cmocka_unit_test(test_unknown_names),
+        cmocka_unit_test(test_former_names),
         cmocka_unit_test(test_long_names),
         cmocka_unit_test(test_values_that_are_none),
         cmocka_unit_test(test_unusual_numbers),
