@@ -127,7 +127,7 @@ static enum status list_settings(void)
             printf("  %-22s %s; default ", row->name, row->help);
             settings_print(&defaults, row, stdout);
             print_range(row, row->choices ? ", one of " : ", ");
-            printf("\n");
+            printf(row->renamed_from ? "; formerly %s\n" : "\n", row->renamed_from);
         }
     }
     return STATUS_OK;

@@ -151,7 +151,8 @@ class Technique(Case):
 
     def test_what_the_page_adds(self):
         files = files_of(self.page)
-        self.assertEqual(sorted(files), ['shaders/fog.frag', 'shaders/fog.h', 'src/tech/fog.c'])
+        self.assertEqual(sorted(files), ['shaders/output/fog.frag', 'shaders/output/fog.h',
+                                         'src/tech/output/fog.c'])
         self.assertEqual([path for path, _, _ in edits_of(self.page)], ['meson.build'])
         must([sys.executable, self.tree / 'tests' / 'style.py', self.tree])
 
