@@ -192,7 +192,7 @@ class Technique(Case):
             must([self.build / test], cwd=self.build)
 
     def test_a_wrong_binding_is_found(self):
-        shader = self.tree / 'shaders' / 'fog.frag'
+        shader = self.tree / 'shaders' / 'output' / 'fog.frag'
         text = shader.read_text(encoding='utf-8')
         wrong = text.replace('binding = FOG_POSITION', 'binding = 7')
         self.assertNotEqual(text, wrong)

@@ -81,7 +81,8 @@ class Sheets(Case):
             names = [line.split()[0] for line in lines if line.startswith('  ')]
             names = [rung for rung in names if rung != 'reference']  # which no window draws with
             self.assertIn(what + ','.join(names), self.words(name))
-            self.assertRegex(text, rf'(?m)^\| `{name}.png` \| .* \| rendered by `firn sheet`; MIT \|$')
+            self.assertRegex(text, rf'(?m)^\| `{name}.png` \| .* \| rendered by '
+                                   r'`firn sheet`; MIT \|$')
 
     @long
     def test_their_commands_draw_them(self):

@@ -19,7 +19,8 @@ LAYERS = ('Z', 'N.X', 'N.Y', 'N.Z', 'P.X', 'P.Y', 'P.Z',
           'exit.X', 'exit.Y', 'exit.Z',
           'refraction.R', 'refraction.G', 'refraction.B',
           'reflection.R', 'reflection.G', 'reflection.B', 'fresnel.Z', 'path.Z', 'bounces.Z',
-          'tir.Z', 'object.last.Z', 'inclusions.Z', 'remaining.R', 'remaining.G', 'remaining.B', 'error.Z')
+          'tir.Z', 'object.last.Z', 'inclusions.Z', 'remaining.R', 'remaining.G', 'remaining.B',
+          'error.Z')
 SMOOTH = [word for name in ('cracks.count', 'air.count', 'bubbles.count', 'bump.strength',
                             'light.count') for word in ('--set', f'{name}=0')]
 

@@ -386,7 +386,8 @@ class Trace(Case):
         for name in ('sphere', 'two.gltf'):  # that bounce draws, and trace
             self.assertIn(b'\nBVH for ray tracing: ',
                           self.succeed('info', name, env=NO_DRIVER).stdout)
-        self.assertRegex(self.succeed('list', 'devices').stdout, b'(?m); (traces rays|not usable: ).*$')
+        self.assertRegex(self.succeed('list', 'devices').stdout,
+                         b'(?m); (traces rays|not usable: ).*$')
 
     def test_settings_without_effect_are_named(self):
         words = ('render', 'sphere', *FLAT, '--plain', '-s', '16x12', '-o', 'a.exr', '--set',
