@@ -1,4 +1,4 @@
-/* hazard_check_memory.c: checks memory: sizes, usages, alignment, blocks, lifetimes and aliasing.
+/* hazard_memory.c: checks memory: sizes, usages, alignment, blocks, lifetimes and aliasing.
  */
 #include "tests/support/hazard_private.h"
 

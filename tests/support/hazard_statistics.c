@@ -1,4 +1,4 @@
-/* hazard_check_statistics.c: recomputes the plan's statistics of memory and barrier batches. */
+/* hazard_statistics.c: recomputes the plan's statistics of memory and barrier batches. */
 #include "tests/support/hazard_private.h"
 
 /* Returns the pass from which a resource occupies memory: that of its first barrier or use. */
