@@ -27,9 +27,9 @@ void main()
         return;
     }
     vec4 from_sun = push.shadow_from_world * vec4(position.xyz + 0.02 * normal, 1.0);
-    bool is_seen = all(lessThan(abs(from_sun.xyz), vec3(1.0))); /* by the shadow map */
-    float depth = is_seen ? texture(shadow, 0.5 * from_sun.xy + 0.5).r : 1.0;
-    float sunny = float(!is_seen || from_sun.z < depth + 0.001);
-    float sun = sunny * max(0.0, dot(normal, sun_dir));
+    bool in_shadow_map = all(lessThan(abs(from_sun.xyz), vec3(1.0))); /* by the shadow map */
+    float depth = in_shadow_map ? texture(shadow, 0.5 * from_sun.xy + 0.5).r : 1.0;
+    float sun_visibility = float(!in_shadow_map || from_sun.z < depth + 0.001);
+    float sun = sun_visibility * max(0.0, dot(normal, sun_dir));
     lit = vec4(color.rgb * (vec3(0.1, 0.13, 0.18) + 0.8 * sun + color.a), 1.0);
 }

@@ -1,7 +1,5 @@
-/*
- * example.h: framework of the examples: creates a device, renders frames and writes an image file.
- * C17 and C++20. A real program has its own device; see docs/render-graph.md.
- */
+/* example.h: framework of the examples (C17 and C++20): creates a device, renders frames, writes an
+ * image file. A real program has its own device; see docs/render-graph.md. */
 #ifndef EXAMPLE_H
 #define EXAMPLE_H
 

@@ -3,5 +3,5 @@ struct Particle {
     vec2 position; /* clip space */
     vec2 velocity; /* per second */
     vec3 color;
-    float end; /* end of life in seconds; 0: not yet spawned */
+    float end; /* seconds; 0 if not yet spawned */
 };

@@ -1,10 +1,9 @@
 /*
  * rg_cmd.h: commands that a record function may call: draws, dispatches, copies.
  *
- * When a record function is called, the pipeline, descriptor set 0, targets, viewport and scissor
- * of its row are bound: only push constants, buffers and draws are left. All functions here record
- * into the command buffer of the pass, in the thread of rg_exec_submit(). None returns an error,
- * and a `cmd` is valid only until its record function returns.
+ * The pipeline, descriptor set 0, targets, viewport and scissor of the pass are already bound. All
+ * functions record into the pass's command buffer, in the thread of rg_exec_submit(), and return no
+ * error. A `cmd` is valid only until its record function returns.
  */
 #ifndef RG_CMD_H
 #define RG_CMD_H
@@ -17,10 +16,10 @@ extern "C" {
 
 /* ---- the pass being recorded ---- */
 
-/* Returns the row that is being recorded. */
+/* Returns the declaration (table row) of the pass being recorded. */
 RG_API const struct rg_pass *rg_cmd_pass(const struct rg_cmd *cmd);
 
-/* Returns the index of the repetition, from 0: the cube face if a row is repeated per layer. */
+/* Returns the index of the repetition, from 0: the cube face if a pass is repeated per layer. */
 RG_API uint32_t rg_cmd_repetition(const struct rg_cmd *cmd);
 
 /* Returns the size of the pass's targets in texels; the view's size if it has no targets. */
@@ -29,10 +28,10 @@ RG_API VkExtent2D rg_cmd_extent(const struct rg_cmd *cmd);
 /* ---- drawing and computing ---- */
 
 /* Binds the program's own descriptor set as set 1; its layout is the one in rg_exec_params.sets for
- * the row's `set`. The set must exist, unmodified, until the frame has been executed. */
+ * the pass's `set`. The set must exist, unmodified, until the frame has been executed. */
 RG_API void rg_cmd_bind_set(struct rg_cmd *cmd, VkDescriptorSet set);
 
-/* Writes push constants from byte 0 on, for all stages; `size` must equal the row's push_size. */
+/* Writes push constants from byte 0 on, for all stages; `size` must equal the pass's push_size. */
 RG_API void rg_cmd_push(struct rg_cmd *cmd, const void *data, uint32_t size);
 
 /* Draws one instance of `vertex_count` vertices without vertex buffers. */
@@ -42,15 +41,13 @@ RG_API void rg_cmd_draw(struct rg_cmd *cmd, uint32_t vertex_count);
 RG_API void rg_cmd_draw_instances(struct rg_cmd *cmd, uint32_t vertex_count,
                                   uint32_t instance_count);
 
-/* Indexed triangles. The buffers must exist until the frame has been executed: the program's own,
- * or those of rg_cmd_buffer(). */
+/* Indexed triangles. The buffers must exist until the frame has been executed. */
 struct rg_mesh {
     VkBuffer vertices; /* first binding of rg_pass.vertices */
     VkBuffer indices;  /* uint32_t per index */
     uint32_t index_count;
     uint32_t instance_count; /* 0 means 1 */
-    /* one buffer per further vertex layout (rg_vertex_layout.next); NULL if there is none */
-    const VkBuffer *more;
+    const VkBuffer *more;    /* buffers for rg_vertex_layout.next; may be NULL */
 };
 
 /* Draws all indices of a mesh; does nothing if it has none. */
@@ -64,15 +61,13 @@ RG_API void rg_cmd_draw_mesh_part(struct rg_cmd *cmd, const struct rg_mesh *mesh
  * Drawing is always clipped to the targets and to rg_exec_set_region(). */
 RG_API void rg_cmd_scissor(struct rg_cmd *cmd, VkRect2D rectangle);
 
-/* Dispatches x * y * z workgroups of the row's compute shader. */
+/* Dispatches x * y * z workgroups of the pass's compute shader. */
 RG_API void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z);
 
-/*
- * Draw or dispatch with parameters from a buffer that the row declares as RG_INDIRECT. At byte
+/* Draw or dispatch with parameters from a buffer that the pass declares as RG_INDIRECT. At byte
  * `offset`, a multiple of 4, it holds one VkDrawIndirectCommand, VkDrawIndexedIndirectCommand
  * (overrides the mesh's index_count) or VkDispatchIndirectCommand. `firstInstance` must be 0 unless
- * the device feature drawIndirectFirstInstance is enabled.
- */
+ * the device feature drawIndirectFirstInstance is enabled. */
 RG_API void rg_cmd_draw_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                  VkDeviceSize offset);
 RG_API void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
@@ -80,54 +75,50 @@ RG_API void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *
 RG_API void rg_cmd_dispatch_indirect(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                      VkDeviceSize offset);
 
-/* Indirect draws whose count is in a buffer. The row declares both (or one) as RG_INDIRECT. */
+/* Indirect draws whose count is in a buffer. The pass declares all buffers as RG_INDIRECT. */
 struct rg_indirect_count {
     /* VkDrawIndirectCommand or VkDrawIndexedIndirectCommand, tightly packed */
     const struct rg_buffer *commands;
-    VkDeviceSize offset;           /* of the first command, in bytes; a multiple of 4 */
-    const struct rg_buffer *count; /* holds the number of draws as a uint32_t */
+    VkDeviceSize offset;           /* bytes, a multiple of 4 */
+    const struct rg_buffer *count; /* a uint32_t: number of draws */
     VkDeviceSize count_offset;     /* bytes, a multiple of 4 */
-    uint32_t max_count;            /* upper limit of the number of draws */
+    uint32_t max_count;            /* maximum number of draws */
 };
 
-/* Draw with a count from a buffer. Without the feature drawIndirectCount, the error goes to the
- * log, and rg_exec_submit() fails with VK_ERROR_FEATURE_NOT_PRESENT. */
+/* Draw a number of times that a buffer holds. Without the feature drawIndirectCount,
+ * rg_exec_submit() logs the error and fails with VK_ERROR_FEATURE_NOT_PRESENT. */
 RG_API void rg_cmd_draw_indirect_count(struct rg_cmd *cmd, const struct rg_indirect_count *draws);
 RG_API void rg_cmd_draw_mesh_indirect_count(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                             const struct rg_indirect_count *draws);
 
 /* ---- copying ---- */
 
-/*
- * Copies a mip level of an image to a buffer, from byte `offset` on: layer after layer, rows
- * tightly packed. The row declares the image as RG_COPY_SRC, whose range selects the layers and
- * whose first mip level is copied, and the buffer as RG_COPY_DST. A copy beyond the end of the
- * buffer is logged (rg_exec_params.log), and rg_exec_submit() fails with
- * VK_ERROR_VALIDATION_FAILED_EXT.
- */
+/* Copies a mip level of an image to a buffer from byte `offset` on: layer after layer, rows tightly
+ * packed. The pass declares the image as RG_COPY_SRC, whose range selects the layers and (as the
+ * first) the mip level, and the buffer as RG_COPY_DST. If the copy exceeds the buffer,
+ * rg_exec_submit() logs it and fails with VK_ERROR_VALIDATION_FAILED_EXT. */
 RG_API void rg_cmd_copy_image_to_buffer(struct rg_cmd *cmd, const struct rg_image *image,
                                         const struct rg_buffer *buffer, VkDeviceSize offset);
 
-/* Copies texels from a buffer to an image, in the layout of rg_cmd_copy_image_to_buffer(). The row
+/* Copies texels from a buffer to an image, in the layout of rg_cmd_copy_image_to_buffer(). The pass
  * declares the buffer as RG_COPY_SRC and the image as RG_COPY_DST. */
 RG_API void rg_cmd_copy_buffer_to_image(struct rg_cmd *cmd, const struct rg_buffer *buffer,
                                         VkDeviceSize offset, const struct rg_image *image);
 
 /* ---- acceleration structures ---- */
 
-/* Return the acceleration structure in a buffer, owned by the executor, and the device address of
- * the structure or of an RG_BUILD_INPUT or RG_BUILD_SCRATCH buffer. The row declares the buffer.
- * Build with vkCmdBuildAccelerationStructuresKHR() on rg_cmd_vulkan(). */
+/* Return the acceleration structure in a buffer that the pass declares (owned by the executor), and
+ * the device address of a structure, RG_BUILD_INPUT or RG_BUILD_SCRATCH buffer. */
 RG_API VkAccelerationStructureKHR rg_cmd_acceleration(const struct rg_cmd *cmd,
                                                       const struct rg_buffer *buffer);
 RG_API VkDeviceAddress rg_cmd_address(const struct rg_cmd *cmd, const struct rg_buffer *buffer);
 
-/* ---- Vulkan itself, for everything else ---- */
+/* ---- direct Vulkan access ---- */
 
 /* Returns the command buffer being recorded, for direct Vulkan calls. */
 RG_API VkCommandBuffer rg_cmd_vulkan(struct rg_cmd *cmd);
 
-/* Returns the image, or this frame slot's buffer, of a resource that the row uses, owned by the
+/* Return the image, or this frame slot's buffer, of a resource that the pass uses, owned by the
  * executor. A use that is bound to its fallback has no image. */
 RG_API VkImage rg_cmd_image(const struct rg_cmd *cmd, const struct rg_image *image);
 RG_API VkBuffer rg_cmd_buffer(const struct rg_cmd *cmd, const struct rg_buffer *buffer);

@@ -1,16 +1,13 @@
 /*
  * rg_exec.h: executor of a plan on a VkDevice: creates Vulkan objects, records and submits frames.
  *
- * rg_exec_create() creates everything that a plan needs: memory, images, views, samplers,
- * descriptors, pipelines, command buffers. A frame allocates nothing. The device needs Vulkan 1.3
- * with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
- * separateDepthStencilLayouts enabled, independentBlend where the targets of a row blend
- * differently, depthBiasClamp where a bias is clamped, fragmentStoresAndAtomics or
- * vertexPipelineStoresAndAtomics where such shaders write, accelerationStructure and
- * bufferDeviceAddress where rows build or trace, and those of the shaders' OpCapabilities.
- * rg_exec_create() logs each missing feature. Functions are loaded through the program's own
- * vkGetInstanceProcAddr: no loader is linked, nothing is global, and executors of several instances
- * can exist side by side.
+ * rg_exec_create() creates everything that a plan needs; a frame allocates nothing. It
+ * requires Vulkan 1.3 with dynamicRendering, synchronization2, maintenance4, scalarBlockLayout and
+ * separateDepthStencilLayouts enabled. Tables may also require independentBlend, depthBiasClamp,
+ * fragmentStoresAndAtomics, vertexPipelineStoresAndAtomics, accelerationStructure,
+ * bufferDeviceAddress and the features of the shaders' OpCapabilities. rg_exec_create() logs each
+ * missing feature. Functions are loaded through the program's own vkGetInstanceProcAddr, without a
+ * linked loader, so that executors of several instances can exist side by side.
  *
  *     while (...) {
  *         rg_exec_begin(exec, &slot);                    waits until the slot is free
@@ -21,9 +18,8 @@
  *     }
  *
  * Ownership:     the plan, its tables, the device and imported objects outlive the executor.
- * Errors:        VkResult. The log callback receives the failed call and the name of the pass,
- *                image or buffer that it concerns. After a failure only rg_exec_destroy() may be
- *                called.
+ * Errors:        VkResult. The log callback receives the failed call and the name of its object.
+ *                After a failure only rg_exec_destroy() may be called.
  * Thread-safety: one thread at a time per executor, and for creating and destroying executors that
  *                share rg_exec_params.pipelines. The queue is used only by rg_exec_submit(),
  *                rg_exec_submit_synced() and rg_exec_warm_up().
@@ -41,26 +37,22 @@ extern "C" {
 struct rg_exec_import {
     VkImage image;                           /* same image in every frame */
     VkBuffer buffer;                         /* of an imported buffer */
-    VkAccelerationStructureKHR acceleration; /* held by `buffer`, if rows trace or build it */
-    /* Instead of `image`: several images of which each frame uses one, such as those of a
-     * swapchain. All such imports have the same number of images, and a frame uses the same index
-     * in all of them. */
+    VkAccelerationStructureKHR acceleration; /* in `buffer`; for tracing and builds */
+    /* instead of `image`: images of which each frame uses one, such as a swapchain's; all such
+     * imports have equally many images and use the same index */
     const VkImage *images;
     uint32_t image_count;
 };
 
 /* Layout of a descriptor set that the program owns (set 1 in shaders). */
 struct rg_exec_set {
-    const struct rg_set *set;     /* as referenced by rows */
-    VkDescriptorSetLayout layout; /* borrowed; must outlive executor and rg_exec_params.pipelines */
+    const struct rg_set *set;     /* as referenced by passes */
+    VkDescriptorSetLayout layout; /* outlives executor and rg_exec_params.pipelines */
 };
 
-/*
- * Cache of pipelines from destroyed executors of one device. The next executor created with it
- * takes all of them, and does not recompile equal ones. Pipelines that neither this nor the
- * following executor needs are freed. The cache outlives the executors, and is destroyed before the
- * device.
- */
+/* Cache that passes the pipelines of a destroyed executor to the next one of the same device, to
+ * avoid recompilation. Pipelines that two consecutive executors do not need are freed. It outlives
+ * the executors, and is destroyed before the device. */
 struct rg_pipelines;
 
 /* Creates an empty cache. Returns NULL if out of memory. */
@@ -83,32 +75,26 @@ struct rg_exec_params {
     PFN_vkGetInstanceProcAddr get_proc_addr; /* the loader's vkGetInstanceProcAddr, or volk's */
     VkPhysicalDevice physical;
     VkDevice device;
-    VkQueue queue;                  /* must support graphics and compute */
-    uint32_t queue_family;          /* of the queue */
-    VkPipelineCache pipeline_cache; /* VK_NULL_HANDLE is allowed */
-    struct rg_pipelines *pipelines; /* pipelines of destroyed executors to reuse; NULL: none */
-    uint32_t frames_in_flight;      /* maximum number of unfinished frames; 0 means 2 */
-    /* in the order of the compile params' imports; only read by rg_exec_create() */
-    const struct rg_exec_import *imports;
+    VkQueue queue;                        /* must support graphics and compute */
+    uint32_t queue_family;                /* of the queue */
+    VkPipelineCache pipeline_cache;       /* VK_NULL_HANDLE is allowed */
+    struct rg_pipelines *pipelines;       /* cache to reuse, or NULL */
+    uint32_t frames_in_flight;            /* maximum unfinished frames; 0 means 2 */
+    const struct rg_exec_import *imports; /* parallel to rg_compile_params.imports; not kept */
     size_t import_count;
-    /* one for each set that rows refer to; must outlive the executor */
-    const struct rg_exec_set *sets;
+    const struct rg_exec_set *sets; /* one per rg_set; outlives executor */
     size_t set_count;
-    float max_anisotropy; /* the device's limit; 0: samplerAnisotropy is not enabled */
-    /* uses VkRenderPass objects instead of dynamic rendering, which some releases of the
-     * synchronization validation do not check */
+    float max_anisotropy; /* device limit; 0 without samplerAnisotropy */
+    /* VkRenderPass instead of dynamic rendering, for older synchronization validation layers */
     bool render_passes;
-    /* only for rg_exec_warm_up(): ignores `imports`, has no content; excludes render_passes */
+    /* for rg_exec_warm_up() only: ignores `imports`, has no content; not with render_passes */
     bool warm_up_only;
-    bool measured; /* enables rg_time.h */
-    /* rg_time.h can count work; needs pipelineStatisticsQuery and occlusionQueryPrecise */
-    bool statistics;
-    /* Specialization constants for all shaders; a shader ignores ids that it does not declare. Only
-     * read by rg_exec_create(). NULL: default values. */
+    bool measured;   /* enables rg_time.h */
+    bool statistics; /* needs pipelineStatisticsQuery and occlusionQueryPrecise */
+    /* specialization constants of all shaders, where declared; NULL: default values. Not kept. */
     const VkSpecializationInfo *constants;
     rg_replace_shader_fn *replace_shader; /* called by rg_exec_create(); NULL: no replacement */
-    /* Features enabled on the device, with VkPhysicalDeviceVulkan12Features and ...13Features in
-     * pNext. NULL: all that it supports. Only read by rg_exec_create(). */
+    /* features enabled on the device (pNext: Vulkan 1.2 and 1.3 features); NULL: all supported */
     const VkPhysicalDeviceFeatures2 *features;
     rg_log_fn *log; /* NULL: failures are not logged */
     void *user;     /* passed to both callbacks */
@@ -116,22 +102,21 @@ struct rg_exec_params {
 
 struct rg_exec; /* an executor of one plan */
 
-/* Creates an executor, which the caller destroys. Returns NULL on failure. *result gets the reason,
- * or VK_SUCCESS; `result` may be NULL. */
+/* Creates an executor, which the caller destroys; NULL on failure, with *result (optional) set. */
 RG_API struct rg_exec *rg_exec_create(const struct rg_exec_params *params, VkResult *result);
 
 /*
- * Replaces the executor's plan. What both plans have in common is kept: memory, images (with their
- * content if persistent), descriptors, and pipelines (compared by content, not by address). So the
- * cost of changing the view, a technique or constants is that of the difference, and with
- * rg_compile_params.max_view a change of the view keeps all memory and pipelines. Pipelines that
- * the plan does not need are kept for one more update, so that switching back is cheap.
+ * Replaces the executor's plan. Objects common to both plans are kept: memory, images (with their
+ * content if persistent), descriptors, and pipelines (compared by content). The cost is that of the
+ * difference; with rg_compile_params.max_view, a change of the view keeps all memory and pipelines.
+ * Pipelines that the plan does not need are kept for one more update, so that switching back is
+ * cheap.
  *
- * Of `params` only plan, imports, max_anisotropy, constants, replace_shader and user are used; the
- * rest remains as created. Waits for all submitted frames; must not be called between
- * rg_exec_begin() and a submit. The previous plan and its tables must exist until it returns. The
- * results of rg_exec_image(), rg_exec_block() and rg_exec_mapped() become invalid, and the region
- * is reset. Returns an error if a Vulkan call fails.
+ * Of `params` only plan, imports, max_anisotropy, constants, replace_shader and user are used.
+ * Waits for all submitted frames; must not be called between rg_exec_begin() and a submit. The
+ * previous plan and its tables must exist until it returns. Results of rg_exec_image(),
+ * rg_exec_block() and rg_exec_mapped() become invalid, and the region is reset. Returns an error if
+ * a Vulkan call fails.
  */
 RG_API VkResult rg_exec_update(struct rg_exec *exec, const struct rg_exec_params *params);
 
@@ -140,72 +125,59 @@ RG_API void rg_exec_destroy(struct rg_exec *exec);
 
 /* ---- a frame ---- */
 
-/* Begins a frame in the next slot (0 to frames_in_flight - 1), after waiting until that slot's
- * previous frame is finished. *slot gets the slot. */
+/* Begins a frame in the next slot, after its previous frame has finished. Sets *slot. */
 RG_API VkResult rg_exec_begin(struct rg_exec *exec, uint32_t *slot);
 
-/* Records the plan into the slot begun last, and submits it. `frame` is passed to the rows'
- * callbacks, which are called before this returns. */
+/* Records the plan into the slot begun last, calling the callbacks with `frame`, and submits it. */
 RG_API VkResult rg_exec_submit(struct rg_exec *exec, const struct rg_frame *frame);
 
 /* Synchronisation of a frame with work outside its queue. {0}: none. */
 struct rg_exec_external_sync {
-    uint32_t image_index;              /* index into rg_exec_import.images that this frame uses */
-    VkSemaphore wait;                  /* binary semaphore to wait for, or VK_NULL_HANDLE */
-    VkPipelineStageFlags2 wait_stages; /* pipeline stages that wait for `wait`; 0 means all */
-    VkSemaphore signal; /* binary semaphore to signal after all commands, or VK_NULL_HANDLE */
+    uint32_t image_index;              /* index into rg_exec_import.images */
+    VkSemaphore wait;                  /* binary semaphore, or VK_NULL_HANDLE */
+    VkPipelineStageFlags2 wait_stages; /* stages that wait; 0 means all */
+    VkSemaphore signal;                /* binary semaphore, or VK_NULL_HANDLE */
 };
 
-/* Like rg_exec_submit(), with an image index and semaphores. `sync` is only read by the call; the
- * semaphores belong to the caller. */
+/* Like rg_exec_submit(), with an image index and semaphores, which belong to the caller. */
 RG_API VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *frame,
                                       const struct rg_exec_external_sync *sync);
 
 /* Waits until the frame submitted in a slot is finished; then its readback buffers may be read. */
 RG_API VkResult rg_exec_wait(struct rg_exec *exec, uint32_t slot);
 
-/* Returns the mapped memory of an RG_MEMORY_UPLOAD or RG_MEMORY_READBACK buffer in a slot, owned by
- * the executor; NULL if the plan does not use the buffer. Write upload buffers between
- * rg_exec_begin() and rg_exec_submit(). */
+/* Returns the mapped memory of an upload or readback buffer in a slot, owned by the executor; NULL
+ * if the plan does not use the buffer. Write it between rg_exec_begin() and rg_exec_submit(). */
 RG_API void *rg_exec_mapped(struct rg_exec *exec, const struct rg_buffer *buffer, uint32_t slot);
 
 /* A region of the view, for tiled rendering of images that are too large to draw at once. */
 struct rg_exec_region {
-    /* in the view; not empty, at most as many texels as rg_compile_params.max_region */
-    VkRect2D region;
-    /* in the view, of any size: area that fragments sample besides their own texel */
+    VkRect2D region; /* nonempty; at most max_region texels */
+    /* area of the view, of any size, that fragments sample besides their own texel */
     VkRect2D reach;
 };
 
-/*
- * Restricts frames from the next submit on to a region of the view. They draw only the region, with
- * values bit-identical to those of the whole image, and leave the rest undefined. This applies to
- * images of the view's size that are neither imported nor persistent: to rows that draw into them,
- * and to rows that only copy from them to buffers, which receive only the texels of `region`, rows
- * tightly packed. Images that a row samples without rg_use.same_texel are also drawn in `reach`.
- * Everything else is drawn whole. Even offsets are required where fragments take derivatives.
- */
+/* Restricts later frames to a region of the view, with values bit-identical to those of a whole
+ * frame; the rest is undefined. Affects passes that draw into images of the view's size that are
+ * neither imported nor persistent, or that only copy from these to buffers, which receive `region`
+ * tightly packed. Images that a pass samples without rg_use.same_texel are also drawn in `reach`.
+ * Fragment derivatives require even offsets. */
 RG_API void rg_exec_set_region(struct rg_exec *exec, const struct rg_exec_region *region);
 
 /* ---- objects ---- */
 
-/* Returns the image of a declaration, for example to import it elsewhere; owned by the executor.
- * VK_NULL_HANDLE if the plan does not use it. */
+/* Returns the executor's image of a declaration; VK_NULL_HANDLE if the plan does not use it. */
 RG_API VkImage rg_exec_image(const struct rg_exec *exec, const struct rg_image *image);
 
-/* Returns the device memory of a block of the plan (below rg_plan.block_count), owned by the
- * executor. Its content is undefined between frames. */
+/* Returns the executor's memory of a block of the plan; content is undefined between frames. */
 RG_API VkDeviceMemory rg_exec_block(const struct rg_exec *exec, uint32_t block);
 
-/* ---- for drivers that compile a pipeline only at its first draw ---- */
+/* ---- pipeline warm-up ---- */
 
-/*
- * Draws a pass without visible effect, and waits, to make the driver compile its pipeline: one
- * triangle for each draw that the record function issues. Skips passes that do not draw, that have
- * a descriptor set of the program's own, or whose condition is false for `frame`. Typically called
- * in another thread, on an executor created with `warm_up_only` on its own device; that pays off if
- * the driver keeps compiled code in a cache common to both devices.
- */
+/* Draws a pass without visible effect and waits, so that the driver compiles its pipeline. Skips
+ * passes that do not draw, that have a descriptor set of the program's own, or whose condition is
+ * false for `frame`. Typically called in another thread on an executor with `warm_up_only` on its
+ * own device, which pays off if the driver's cache serves both devices. */
 RG_API VkResult rg_exec_warm_up(struct rg_exec *exec, const struct rg_frame *frame, uint32_t pass);
 
 /* ---- compiling for a device ---- */

@@ -1,8 +1,4 @@
-/*
- * rg_plan.h: struct rg_plan, the result of rg_compile(), and its arrays. Included by rg.h.
- *
- * A plan belongs to the caller of rg_compile() and is immutable; its arrays live as long as it.
- */
+/* rg_plan.h: struct rg_plan, the immutable result of rg_compile(). Included by rg.h. */
 #ifndef RG_PLAN_H
 #define RG_PLAN_H
 
@@ -21,37 +17,36 @@ extern "C" {
 struct rg_plan_image {
     const struct rg_image *image; /* the declaration */
     VkExtent2D extent;            /* texels of mip 0 */
-    uint32_t depth;               /* depth of mip 0; 1 unless the image is 3D */
+    uint32_t depth;               /* texels along z; 1 unless 3D */
     uint32_t layers, mips;
     VkImageAspectFlags aspects; /* of the format */
     VkImageUsageFlags usage;    /* for all accesses */
     VkImageCreateFlags flags;
     uint32_t samples;          /* per texel */
     bool imported, persistent; /* neither: transient */
-    uint32_t import;           /* index into the params' imports, or RG_NONE */
-    uint32_t first, last;      /* plan passes that access it; for an output, `last` is pass_count */
+    uint32_t import;           /* index into rg_compile_params.imports, or RG_NONE */
+    uint32_t first, last;      /* lifetime; `last` is pass_count for outputs */
     uint32_t block;            /* index into blocks; RG_NONE unless transient */
-    VkDeviceSize offset, size; /* position in the block, and memory size, in bytes */
+    VkDeviceSize offset, size; /* bytes; `offset` is within the block */
 };
 
 /* A buffer that passes of the plan access. */
 struct rg_plan_buffer {
-    const struct rg_buffer *buffer; /* the declaration */
-    VkDeviceSize size;              /* bytes, without alignment */
-    VkDeviceSize max_size;     /* bytes in a view of max_view: the size allocated in host memory */
-    VkBufferUsageFlags usage;  /* for all accesses */
-    bool imported, persistent; /* neither: transient */
-    uint32_t import;           /* index into the params' imports, or RG_NONE */
-    uint32_t first, last;      /* plan passes that access it; for an output, `last` is pass_count */
-    uint32_t block;            /* RG_NONE unless transient and RG_MEMORY_DEVICE */
-    /* position in the block, and memory size, in bytes; 0 in host memory */
-    VkDeviceSize offset, memory_size;
+    const struct rg_buffer *buffer;   /* the declaration */
+    VkDeviceSize size;                /* bytes, without alignment */
+    VkDeviceSize max_size;            /* bytes allocated in host memory (max_view) */
+    VkBufferUsageFlags usage;         /* for all accesses */
+    bool imported, persistent;        /* neither: transient */
+    uint32_t import;                  /* index into rg_compile_params.imports, or RG_NONE */
+    uint32_t first, last;             /* lifetime; `last` is pass_count for outputs */
+    uint32_t block;                   /* RG_NONE unless transient and RG_MEMORY_DEVICE */
+    VkDeviceSize offset, memory_size; /* bytes; 0 in host memory */
 };
 
 /* A memory allocation in which transient images, or transient buffers, alias. */
 struct rg_block {
     VkDeviceSize size, alignment; /* bytes */
-    uint32_t type_bits;           /* bit mask of memory types allowed for all of them */
+    uint32_t type_bits;           /* mask of allowed memory types */
     bool buffers;                 /* holds buffers; otherwise images */
 };
 
@@ -65,38 +60,38 @@ struct rg_barrier {
     VkImageSubresourceRange range;        /* of an image */
 };
 
-/* An attachment of a pass. */
+/* An attachment of a pass. Its resolve target is in COLOR_ATTACHMENT_OPTIMAL layout. */
 struct rg_plan_target {
-    uint32_t image;      /* index into images */
-    uint32_t mip, layer; /* mip level and layer to render to */
+    uint32_t image; /* index into images */
+    uint32_t mip, layer;
     VkAttachmentLoadOp load;
-    VkAttachmentStoreOp store; /* derived from what later passes and outputs need */
+    VkAttachmentStoreOp store; /* STORE only if needed later */
     VkImageLayout layout;
-    uint32_t resolve; /* index into images, or RG_NONE; in the layout of a colour target */
+    uint32_t resolve; /* index into images, or RG_NONE */
     uint32_t resolve_mip, resolve_layer;
 };
 
 /* A use with its range resolved: a descriptor, or an access without descriptor. */
 struct rg_plan_use {
     const struct rg_use *use;      /* the declaration */
-    uint32_t image, buffer;        /* index into images or buffers; the other is RG_NONE */
+    uint32_t image, buffer;        /* index; the other is RG_NONE */
     VkImageSubresourceRange range; /* of an image */
     VkImageLayout layout;          /* of an image, during the pass */
 };
 
-/* One pass to record: a row, or one repetition of it. */
+/* One pass to record: a row of a pass table, or one repetition of it. */
 struct rg_plan_pass {
     const struct rg_pass *pass; /* the row */
     const struct rg_technique *technique;
-    uint32_t row;        /* index into the technique's passes */
-    uint32_t repetition; /* from 0 */
-    VkExtent2D extent;   /* size of the targets in texels; the view's size without targets */
+    uint32_t row;                          /* index into the technique's passes */
+    uint32_t repetition;                   /* from 0 */
+    VkExtent2D extent;                     /* target size, or the view's */
     uint32_t first_barrier, barrier_count; /* one batch, recorded before the pass */
     uint32_t first_use, use_count;
     uint32_t first_fallback, fallback_count;
     const struct rg_plan_target *color; /* `color_count` elements of rg_plan.colors */
     uint32_t color_count;
-    struct rg_plan_target depth; /* its image is RG_NONE if there is none */
+    struct rg_plan_target depth; /* image may be RG_NONE */
 };
 
 /* A pass removed because no output needs it. */
@@ -112,27 +107,26 @@ struct rg_plan {
     VkExtent2D view, max_region; /* from rg_compile_params */
     uint32_t pass_count, image_count, buffer_count, barrier_count, use_count, block_count;
     uint32_t culled_count, color_count, fallback_count;
-    /* barrier batches: one for each pass that has barriers, and the final one */
-    uint32_t batch_count;
+    uint32_t batch_count;               /* barrier batches, including the final one */
     const struct rg_plan_pass *passes;  /* in execution order */
     const struct rg_plan_image *images; /* in the order of first access */
     const struct rg_plan_buffer *buffers;
-    const struct rg_barrier *barriers; /* barriers of the frame, followed by the initial ones */
+    const struct rg_barrier *barriers;                 /* per frame, followed by initial ones */
     uint32_t first_final_barrier, final_barrier_count; /* one batch, after the last pass */
-    /* Barriers before the first frame, in no batch: from TRANSFER_DST_OPTIMAL, in which persistent
-     * resources have been zero-filled, to the state in which every frame finds and leaves them. */
+    /* Barriers before the first frame: from TRANSFER_DST_OPTIMAL, after zero-filling of persistent
+     * resources, to the state between frames. In no batch. */
     uint32_t first_initial_barrier, initial_barrier_count;
     const struct rg_plan_use *uses;        /* contiguous for each pass */
-    const struct rg_use *const *fallbacks; /* uses bound to their placeholder; in no dump */
+    const struct rg_use *const *fallbacks; /* uses bound to their placeholder */
     const struct rg_plan_target *colors;   /* colour targets; contiguous for each pass */
     const struct rg_block *blocks;
     const struct rg_culled *culled;
     VkDeviceSize memory_used;             /* bytes of all blocks */
     VkDeviceSize memory_without_aliasing; /* bytes if nothing aliased */
-    VkDeviceSize memory_bound;      /* bytes: peak of live memory, a lower bound for any packing */
-    VkDeviceSize memory_least;      /* lower bound in bytes if lifetimes began at the first use */
-    VkDeviceSize memory_persistent; /* bytes of persistent resources, not included above */
-    size_t arena_size;              /* bytes of arena memory used for compiling */
+    VkDeviceSize memory_bound;            /* peak live bytes, a lower bound */
+    VkDeviceSize memory_least;            /* bound with lifetimes from first use */
+    VkDeviceSize memory_persistent;       /* persistent bytes, not included above */
+    size_t arena_size;                    /* arena bytes used by rg_compile() */
 };
 
 #ifdef __cplusplus

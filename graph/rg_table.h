@@ -8,9 +8,8 @@
  *     };
  *     static const struct rg_technique technique = RG_TECHNIQUE("example", passes);
  *
- * In C the arrays are compound literals, which live as long as the enclosing scope, so rows
- * made in a loop need arrays of their own. In C++ they are static and may only refer to static
- * objects. C++ requires designated initialisers in the order in which rg.h declares the fields.
+ * In C the arrays are compound literals, which live as long as the enclosing scope. In C++ they are
+ * static, refer only to static objects, and their initialisers are in the order of the fields.
  */
 #ifndef RG_TABLE_H
 #define RG_TABLE_H
@@ -21,7 +20,7 @@
         .name = (title), .passes = (table), .pass_count = sizeof(table) / sizeof((table)[0]) \
     }
 
-/* RG_TARGETS(): a row's colour targets and color_count. RG_USES(): its zero-terminated uses. */
+/* RG_TARGETS() initialises a pass's colour targets and color_count, RG_USES() its uses. */
 #ifndef __cplusplus
 
 #define RG_TARGETS(...) \

@@ -6,13 +6,9 @@
  *     ... rg_exec_begin(), rg_exec_submit(), rg_exec_wait() ...
  *     struct rg_times times = rg_exec_times(exec);
  *
- * All times are nanoseconds. Nothing here allocates: queries are created with the executor.
- *
- * Which clock is reliable depends on the device: measure passes of known cost with two clocks, and
- * compare. RG_CLOCK_SUBMITS only relies on working fences.
- *
- * The GPU times of passes, `begin`, `record` and `submit` do not overlap if each frame is waited
- * for before the next one begins; the rest of `whole` is not attributed.
+ * All times are nanoseconds. Some devices' timestamps are unreliable; RG_CLOCK_SUBMITS only relies
+ * on fences. The GPU times of passes, `begin`, `record` and `submit` do not overlap if frames are
+ * waited for before the next one begins; the rest of `whole` is not attributed.
  */
 #ifndef RG_TIME_H
 #define RG_TIME_H
@@ -26,12 +22,10 @@ extern "C" {
 /* How the times of individual passes are measured. */
 enum rg_clock {
     RG_CLOCK_NONE, /* not at all */
-    /* a timestamp after each pass: nearly free, but where passes overlap, work of one may be
-     * attributed to its neighbour */
+    /* a timestamp after each pass: nearly free, but misattributes work where passes overlap */
     RG_CLOCK_STREAM,
-    RG_CLOCK_EXACT, /* a timestamp and a full barrier after each pass, which serialises them */
-    /* each pass is submitted alone and waited for, with the host's clock; its submit and wait count
-     * as its device time, not as the frame's */
+    RG_CLOCK_EXACT, /* timestamp and full barrier per pass */
+    /* each pass is submitted alone and timed on the CPU, including its submit and wait */
     RG_CLOCK_SUBMITS,
     RG_CLOCK_COUNT,
 };
@@ -39,18 +33,18 @@ enum rg_clock {
 /* What to measure. {0}: nothing. */
 struct rg_measure {
     enum rg_clock clock;
-    bool statistics; /* also count work of the GPU, at some cost in time */
+    bool statistics; /* pipeline statistics; costs some time */
 };
 
 /* Cost of one pass. Times are 0 without a clock, and counts are 0 without statistics. A pass that
- * is skipped (rg_pass.when) has `end` equal to `begin` with timestamps. */
+ * is skipped (rg_pass.when) has `end` equal to `begin`. */
 struct rg_pass_time {
-    uint64_t begin, end;   /* GPU time, relative to the start of the frame's first pass */
-    uint64_t record_begin; /* CPU time, relative to the frame's start */
-    uint64_t record;       /* CPU time for recording the commands of the pass */
+    uint64_t begin, end;   /* GPU time from first pass's start */
+    uint64_t record_begin; /* CPU time since frame start */
+    uint64_t record;       /* CPU time of recording */
     uint64_t vertices;     /* vertex shader invocations */
-    uint64_t triangles;    /* clipping invocations: triangles that reached the clipper */
-    uint64_t fragments;    /* fragment shader invocations; some drivers count whole blocks */
+    uint64_t triangles;    /* triangles that reached the clipper */
+    uint64_t fragments;    /* fragment shader invocations, perhaps rounded up */
     uint64_t samples;      /* samples that passed the depth test */
     uint64_t invocations;  /* compute shader invocations */
 };
@@ -58,27 +52,25 @@ struct rg_pass_time {
 /* Cost of one frame, from rg_exec_begin() until it has been waited for. */
 struct rg_times {
     struct rg_measure measure;         /* how it was measured */
-    const struct rg_pass_time *passes; /* in the plan's order; NULL if nothing was measured */
+    const struct rg_pass_time *passes; /* per plan pass; NULL without measurement */
     uint32_t pass_count;
     uint64_t start;  /* CLOCK_MONOTONIC of the host */
-    uint64_t begin;  /* rg_exec_begin(): waiting for the previous frame of the slot */
+    uint64_t begin;  /* waiting for the slot's previous frame */
     uint64_t record; /* recording all commands */
     uint64_t submit; /* submitting them to the queue */
     uint64_t wait;   /* waiting for the frame to finish */
     uint64_t whole;  /* from start to end */
 };
 
-/* Returns true if a clock can be used; requires an executor created with `measured`, and for
- * timestamps a queue that supports them. */
+/* Returns true if a clock can be used: requires `measured`, and for timestamps queue support. */
 RG_API bool rg_exec_has_clock(const struct rg_exec *exec, enum rg_clock clock);
 
 /* Sets what frames measure, from the next rg_exec_begin() on. A clock that cannot be used counts as
  * RG_CLOCK_NONE. Has no effect on an executor created without `measured`. */
 RG_API void rg_exec_measure(struct rg_exec *exec, const struct rg_measure *measure);
 
-/* Returns the times of the frame that finished last, as observed by rg_exec_wait(), or by the
- * rg_exec_begin() that reused its slot. `passes` belong to the executor and are valid until the
- * next of these calls. */
+/* Returns the times of the frame that finished last, as observed by rg_exec_wait() or
+ * rg_exec_begin(). `passes` belong to the executor and are valid until the next of these calls. */
 RG_API struct rg_times rg_exec_times(const struct rg_exec *exec);
 
 #ifdef __cplusplus

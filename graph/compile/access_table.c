@@ -81,7 +81,7 @@ const struct rg_access_info rg_access_table[RG_ACCESS_COUNT] = {
                            ADDRESSED(STORAGE_BUFFER_BIT), NO_DESCRIPTOR, .writes_content = true },
     [RG_HOST_READ] = { "host read", STAGE(HOST), ACCESS(HOST_READ), 0, LAYOUT(GENERAL),
                        NO_DESCRIPTOR, .reads_content = true },
-    /* All stages, so that a semaphore signal after all commands covers the layout transition. */
+    /* all stages, so that the semaphore signalled after the frame covers the layout transition */
     [RG_PRESENT] = { "present", STAGE(ALL_COMMANDS), 0, 0, LAYOUT(PRESENT_SRC_KHR), NO_DESCRIPTOR,
                      .reads_content = true },
 };
@@ -101,8 +101,7 @@ VkDescriptorType rg_use_descriptor(const struct rg_use *use)
     return use->texels ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER : info->buffer_descriptor;
 }
 
-/* For shader accesses the lowest of three bits of access.visibility (vertex, fragment, compute);
- * for fixed-function accesses their only bit. */
+/* Bits of access.visibility; shader accesses also use the next two (vertex, fragment, compute). */
 static const uint32_t visibility_bits[RG_ACCESS_COUNT] = {
     [RG_SAMPLED] = 1 << 0,       [RG_STORAGE_READ] = 1 << 3, [RG_UNIFORM] = 1 << 6,
     [RG_COLOR] = 1 << 9,         [RG_DEPTH] = 1 << 10,       [RG_DEPTH_READ] = 1 << 10,
@@ -155,7 +154,7 @@ struct access rg_boundary_access(struct resource *r, enum rg_access kind)
 #define KIND_BIT(kind) (1u << (kind))
 #define BY_SHADERS     (KIND_BIT(RG_RASTER) | KIND_BIT(RG_COMPUTE))
 
-/* Bit masks: the kinds of pass that may have a use with each access. */
+/* Bit masks of the kinds of pass that support each access. */
 static const uint8_t kinds_of_use[RG_ACCESS_COUNT] = {
     [RG_SAMPLED] = BY_SHADERS,
     [RG_STORAGE_READ] = BY_SHADERS,

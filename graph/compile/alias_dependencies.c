@@ -1,16 +1,11 @@
-/*
- * alias_dependencies.c: finds the accesses that must end before an item may reuse its memory.
- *
- * Within a frame these are accesses of items that had some of its bytes before; across frames, of
- * all items that share bytes with it, including itself. Barriers in between do not count, since a
- * barrier only covers the memory of its own resource.
- */
+/* alias_dependencies.c: finds the accesses that must end before a transient resource may reuse
+ * memory: in a frame, those of the previous owners of the same bytes; across frames, those of all
+ * owners, including itself. Barriers in between do not count: each covers only its own resource. */
 #include <string.h>
 #include "graph/compile/compiler.h"
 
 enum {
-    /* beyond it, items count as covering whole segments: barriers wait for more than necessary, but
-     * the cost stays linear */
+    /* limit: beyond it, segments are no longer split, so barriers may wait longer than necessary */
     MAX_SEGMENTS = 256
 };
 
@@ -55,8 +50,7 @@ static bool covers(const struct previous_owner *a, const struct previous_owner *
     return !(b->stages & ~a->stages) && !(b->writes & ~a->writes) && b->end <= a->end;
 }
 
-/* Merges an item's last accesses into the segments of its bytes. A segment that is only partly the
- * item's is split, unless the merge changes nothing or there is no room. */
+/* Adds an item's last accesses to the segments of its bytes; splits partly covered segments. */
 static void record_accesses(struct segments *s, const struct pack_item *item,
                             const struct previous_owner *pending)
 {
@@ -96,13 +90,13 @@ static void find_ends(struct compiler *c, struct segments *s, const struct pack_
         const struct previous_owner pending = { .end = item->last + 1 };
         struct previous_owner *owner = owner_of(c, item);
         merge_owners(s, item, owner);
-        if (owner->end > item->first) /* the owner may end too late if its segment was not split */
+        if (owner->end > item->first) /* an unsplit segment may report a later pass */
             owner->end = item->first;
         record_accesses(s, item, &pending);
     }
 }
 
-/* Merges the last accesses to a resource, and its writes unavailable after the frame. */
+/* Merges the accesses to a resource that are still pending after the frame. */
 static void find_pending(const struct resource *r, struct previous_owner *pending)
 {
     for (uint32_t k = 0; k < r->cell_count; k++) {
@@ -113,7 +107,7 @@ static void find_pending(const struct resource *r, struct previous_owner *pendin
     }
 }
 
-/* Finds the previous owners of a block's items. Accesses common to all items split no segments. */
+/* Finds the previous owners of a block's items. Accesses that all items share need no segments. */
 static void find_owners(struct compiler *c, struct segments *s, const struct pack_item *items,
                         uint32_t count)
 {

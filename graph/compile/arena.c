@@ -70,14 +70,14 @@ void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size)
     return data;
 }
 
-void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t least,
+void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t min_room,
                     size_t element_size)
 {
     if (*room > UINT32_MAX / 2) {
         arena->failed = true;
         return array;
     }
-    uint32_t grown = *room * 2 < least ? least : *room * 2;
+    uint32_t grown = *room * 2 < min_room ? min_room : *room * 2;
     void *copy = rg_arena_alloc(arena, grown, element_size);
     if (!copy)
         return array;

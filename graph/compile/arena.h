@@ -1,7 +1,4 @@
-/*
- * arena.h: arena allocator on the caller's memory and malloc, freed as a whole. Private to
- * graph/compile/.
- */
+/* arena.h: arena allocator on the caller's memory or malloc. Private to graph/compile/. */
 #ifndef RG_COMPILE_ARENA_H
 #define RG_COMPILE_ARENA_H
 
@@ -28,14 +25,14 @@ void *rg_arena_zeroed(struct arena *arena, size_t count, size_t element_size);
 #define ARENA_ARRAY(arena, type, count)  ((type *)rg_arena_alloc((arena), (count), sizeof(type)))
 #define ARENA_ZEROED(arena, type, count) ((type *)rg_arena_zeroed((arena), (count), sizeof(type)))
 
-/* Returns a copy of a full array with twice the room, or `least`; `array` if out of memory. */
-void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t least,
+/* Returns a copy of an array with twice the room, at least `min_room`; `array` if out of memory. */
+void *rg_arena_grow(struct arena *arena, void *array, uint32_t *room, uint32_t min_room,
                     size_t element_size);
 
 /* Ensures room for one more element at array[count]; false if out of memory. */
-#define ARENA_ROOM(arena, array, count, room, least) \
+#define ARENA_ROOM(arena, array, count, room, min_room) \
     ((count) < (room) || \
-     ((array) = rg_arena_grow((arena), (array), &(room), (least), sizeof(*(array))), \
+     ((array) = rg_arena_grow((arena), (array), &(room), (min_room), sizeof(*(array))), \
       !(arena)->failed))
 
 #endif

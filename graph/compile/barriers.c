@@ -1,20 +1,19 @@
 /*
  * barriers.c: emits the plan's barriers and merges them into as few batches as possible.
  *
- * A barrier may be placed anywhere from its release (the accesses it waits for are recorded) to its
- * deadline (the pass that waits for it). A batch is one vkCmdPipelineBarrier2 before a pass. Greedy
- * interval stabbing: barriers are added in the order of their deadlines; each joins the latest
- * batch if that is not before its release, or else opens one at its deadline. This gives the fewest
- * batches for this order of passes, and none waits earlier than necessary.
+ * A batch is one vkCmdPipelineBarrier2 before a pass. A barrier may be recorded between its release
+ * (when the accesses that it waits for are recorded) and its deadline (the pass that waits for it).
+ * Greedy interval stabbing, in the order of deadlines: a barrier joins the latest batch unless that
+ * precedes its release, else it opens one at its deadline. This gives the fewest batches for this
+ * order of passes.
  *
- * A barrier that takes over memory from a previous owner has no source stages, and the item's index
- * in src_access, until rg_complete_alias_barriers() fills them; all other barriers have source
- * stages.
+ * Until rg_complete_alias_barriers(), a barrier that takes over aliased memory has no source
+ * stages, and the item's index in src_access.
  */
 #include <assert.h>
 #include "graph/compile/subresource_state.h"
 
-/* Assigns the newest batch to its pass, or to the end of the frame. */
+/* Stores the range of the newest barrier batch in its pass, or in the plan after the last pass. */
 static void close_batch(struct compiler *c)
 {
     struct rg_plan *plan = c->plan;
@@ -31,7 +30,7 @@ static void close_batch(struct compiler *c)
     }
 }
 
-/* ---- merging barriers that differ only in their subresource ranges ---- */
+/* ---- merging subresource ranges ---- */
 
 static bool has_same_dependency(const struct rg_barrier *a, const struct rg_barrier *b)
 {
@@ -70,18 +69,15 @@ static bool merge(struct compiler *c, uint32_t before)
     return true;
 }
 
-/* Repeatedly merges the two newest barriers of a resource, from index `start` on, if possible. */
+/* Merges the newest barriers of a resource, down to index `start`, as long as possible. */
 static void merge_newest(struct compiler *c, struct resource *r, uint32_t start)
 {
     while (c->barrier_count >= start + 2 && merge(c, c->barrier_count - 2))
         r->last_barrier = c->barrier_count - 1;
 }
 
-/*
- * Tries to avoid the barrier `next`: if another stage reads what an earlier barrier of this frame
- * made visible, extends that barrier's destination scope instead. Returns false if there is no such
- * barrier.
- */
+/* Tries to extend an earlier barrier of this frame to cover a read of the same content, instead of
+ * adding the barrier `next`. Returns false if there is no such barrier. */
 static bool widen(struct compiler *c, const struct cell *s, const struct access *a,
                   const struct rg_barrier *next)
 {
@@ -148,7 +144,7 @@ static bool has_room(struct compiler *c)
     return ARENA_ROOM(c->arena, c->barriers, c->barrier_count, c->barrier_room, c->row_count * 4);
 }
 
-/* Returns true if the frame leaves a subresource of an import in another state than on arrival. */
+/* Returns true if the frame changes the state in which an import's subresource arrived. */
 static bool must_be_restored(const struct cell *s, const struct access *arrival)
 {
     if (!(arrival->flags & ACCESS_WRITES))
@@ -186,9 +182,9 @@ void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass,
     }
 }
 
-/* ---- after the last pass, and before the first frame ---- */
+/* ---- final and initial barriers ---- */
 
-/* Prepares an output for its access, or returns an import to its state of arrival. */
+/* Adds the final barriers of an output, or of an import that returns to its initial state. */
 static void end_resource(struct compiler *c, struct resource *r)
 {
     bool restores_import = r->output == RG_NONE && r->import != RG_NONE;
@@ -203,8 +199,7 @@ static void end_resource(struct compiler *c, struct resource *r)
     rg_add_barriers(c, &a, c->plan->pass_count, restores_import);
 }
 
-/* Adds the initial barriers of a persistent resource: from its zero fill before the first frame to
- * the state in which every frame begins, which is also how every frame ends. */
+/* Adds a persistent resource's initial barriers, from its zero fill to its state between frames. */
 static void begin_history(struct compiler *c, struct resource *r)
 {
     const struct access all = rg_boundary_access(r, RG_ACCESS_NONE);
@@ -232,8 +227,7 @@ static void begin_history(struct compiler *c, struct resource *r)
     merge_newest(c, r, start);
 }
 
-/* Extends the barrier that makes this frame's content visible to a read in the next frame, which
- * relies on it (subresource_state.c). */
+/* Extends a barrier of this frame so that it also covers a read in the next frame. */
 static void extend_to_history_read(struct compiler *c, const struct cell_walk *w,
                                    const struct access *a)
 {

@@ -1,8 +1,8 @@
 /* check_params.c: validates rg_compile_params, images and buffers. */
 #include "graph/compile/compiler.h"
 
-/* Returns true if an import or output of this kind can be in the state of an access. */
-static bool fits(const struct rg_image *image, enum rg_access access)
+/* Returns true if an import or output (image, or buffer if NULL) supports an access. */
+static bool supports_access(const struct rg_image *image, enum rg_access access)
 {
     const struct rg_access_info *info = &rg_access_table[access];
     if (!image)
@@ -25,7 +25,7 @@ bool rg_check_boundary(struct compiler *c, const struct rg_image *image,
     if (!one || (unsigned)access >= RG_ACCESS_COUNT || (!access && !arrives))
         rg_fault_of(c, RG_ERROR_NOT_ONE_RESOURCE, NULL,
                     "an import or output needs exactly one image or buffer, and an access");
-    else if (access && ((arrives && access == RG_HOST_READ) || !fits(image, access)))
+    else if (access && ((arrives && access == RG_HOST_READ) || !supports_access(image, access)))
         rg_fault_of(c, RG_ERROR_ACCESS, image ? image->name : buffer->name,
                     "an import cannot arrive, or an output be left, in the state of this access");
     return one;
@@ -81,7 +81,7 @@ static const char *image_problem(const struct compiler *c, const struct resource
                                  enum rg_error *error)
 {
     const VkImageSubresourceRange *all = &r->all;
-    uint32_t most =
+    uint32_t max_side =
         r->max_extent.width > r->max_extent.height ? r->max_extent.width : r->max_extent.height;
     uint32_t samples = r->image->samples;
     *error = RG_ERROR_FORMAT;
@@ -95,9 +95,9 @@ static const char *image_problem(const struct compiler *c, const struct resource
                             r->image->samples > 1 || all->aspectMask != VK_IMAGE_ASPECT_COLOR_BIT))
         return "depth: expected a colour format, one layer and one sample, no cube and no array";
     *error = RG_ERROR_TOO_LARGE;
-    if (r->image->depth && (most > c->max_volume_size || r->depth > c->max_volume_size))
+    if (r->image->depth && (max_side > c->max_volume_size || r->depth > c->max_volume_size))
         return "make it smaller: the device does not support 3D images of this size";
-    if (most > c->max_image_size || all->layerCount > c->max_layers)
+    if (max_side > c->max_image_size || all->layerCount > c->max_layers)
         return "make it smaller: the device does not support images of this size";
     *error = RG_ERROR_CUBE;
     if (r->image->cube && (all->layerCount % 6 || r->extent.width != r->extent.height))

@@ -1,4 +1,4 @@
-/* check_row.c: validates a row by itself, independently of other rows. */
+/* check_row.c: validates a row (pass declaration) by itself, independently of other rows. */
 #include <float.h>
 #include "graph/compile/compiler.h"
 
@@ -12,14 +12,14 @@ static bool fits_format(const struct rg_use *use)
 {
     const struct rg_format_info *format = rg_format_info(use->image->format);
     bool is_depth = !(format->aspects & VK_IMAGE_ASPECT_COLOR_BIT);
-    float most = is_depth          ? 1.0f
-                 : format->is_uint ? 4294967040.0f
-                 : format->is_sint ? 2147483520.0f
-                                   : FLT_MAX;
-    float least = is_depth || format->is_uint ? 0.0f : -most;
+    float max = is_depth          ? 1.0f
+                : format->is_uint ? 4294967040.0f
+                : format->is_sint ? 2147483520.0f
+                                  : FLT_MAX;
+    float min = is_depth || format->is_uint ? 0.0f : -max;
     for (uint32_t i = 0; i < (is_depth ? 1 : 4); i++) {
         /* negated, to reject NaN */
-        if (!(use->fallback->color[i] >= least && use->fallback->color[i] <= most))
+        if (!(use->fallback->color[i] >= min && use->fallback->color[i] <= max))
             return false;
     }
     return true;
@@ -35,7 +35,7 @@ static void check_use(struct compiler *c, const struct rg_pass *pass, const stru
     }
     const char *problem = rg_use_problem(pass, use);
     rg_fault_if(c, problem, RG_ERROR_ACCESS, name, problem);
-    if (use->image && use->image->samples > 1) { /* multisampled */
+    if (use->image && use->image->samples > 1) {
         rg_fault_if(c, use->access != RG_SAMPLED, RG_ERROR_SAMPLES, name,
                     "a multisampled image can only be sampled or drawn to; resolve it first");
         rg_fault_if(c, use->access == RG_SAMPLED && use->sampler, RG_ERROR_SAMPLES, name,
@@ -57,7 +57,7 @@ static bool is_next_element(const struct rg_use *use, const struct rg_use *befor
            use->stages == before->stages && rg_use_descriptor(use) == rg_use_descriptor(before);
 }
 
-/* Reports duplicate bindings of a row whose bindings are not in ascending order. */
+/* Reports duplicate bindings of a pass whose bindings are not in ascending order. */
 static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32_t use_count)
 {
     if (!c->bindings)
@@ -76,10 +76,10 @@ static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32
 
 static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
-    /* a raster row without targets has been reported already */
+    /* a raster pass without targets has been reported already */
     bool writes =
         pass->kind == RG_RASTER && (color_count || !pass->depth.image || !pass->depth_read_only);
-    bool rising = true;
+    bool ascending = true;
     const struct rg_use *before = NULL; /* the last use with a descriptor */
     uint32_t use_count = 0;
     for (const struct rg_use *use = pass->uses; use && rg_is_use(use); use++, use_count++) {
@@ -88,14 +88,14 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
                             rg_access_table[use->access].writes_content);
         if (!rg_is_shader_access(use->access))
             continue;
-        rising = rising && (use->element || !before || use->binding > before->binding);
+        ascending = ascending && (use->element || !before || use->binding > before->binding);
         rg_fault_if(
             c, use->element && !is_next_element(use, before), RG_ERROR_VALUE, use_name(use),
             "element: expected one more than that of the previous use, with the same binding, "
             "descriptor type and stages");
         before = use;
     }
-    if (!rising)
+    if (!ascending)
         check_bindings(c, pass->uses, use_count);
     rg_fault_if(c, !writes, RG_ERROR_WRITES_NOTHING, NULL,
                 "add a target or a use that writes: otherwise the pass is always culled");

@@ -1,8 +1,8 @@
-/* check_shaders.c: validates a row against the SPIR-V interfaces of its shaders. */
+/* check_shaders.c: validates a pass against the SPIR-V interfaces of its shaders. */
 #include <stdarg.h>
 #include "graph/compile/compiler.h"
 
-/* The row being checked, with its shaders. */
+/* The pass declaration being checked, with its shaders. */
 struct shaders {
     struct compiler *c;
     const struct rg_pass *row;
@@ -37,8 +37,8 @@ static const char *shader_of(const struct spirv *s)
 
 static void check_push(const struct shaders *s)
 {
-    uint32_t least = 0; /* bytes that shaders read */
-    uint32_t most = 0;  /* bytes that shaders declare */
+    uint32_t min_size = 0; /* bytes that shaders read */
+    uint32_t max_size = 0; /* bytes that shaders declare */
     const char *shader = "its shaders";
     const char *block = NULL;
     for (uint32_t i = 0; i < s->count; i++) {
@@ -47,19 +47,19 @@ static void check_push(const struct shaders *s)
             uint32_t size = v->storage == SPIRV_PUSH_CONSTANT
                                 ? (rg_spirv_struct_size(s->stages[i], v->type) + 3) & ~3u
                                 : 0;
-            most = size > most ? size : most;
-            if (!v->used || size <= least)
+            max_size = size > max_size ? size : max_size;
+            if (!v->used || size <= min_size)
                 continue;
-            least = size;
+            min_size = size;
             shader = shader_of(s->stages[i]);
             block = rg_spirv_name(s->stages[i], v);
         }
     }
     uint32_t size = s->row->push_size;
     /* a C struct may have trailing padding up to 16 bytes */
-    if (size < least || size > (most + 15) / 16 * 16)
+    if (size < min_size || size > (max_size + 15) / 16 * 16)
         fault(s, RG_ERROR_SHADER_PUSH, block, "push_size: expected the %u bytes of %s, got %u",
-              least ? least : most, shader, size);
+              min_size ? min_size : max_size, shader, size);
 }
 
 /* ---- descriptors ---- */
@@ -120,7 +120,7 @@ static bool is_bound(const struct shaders *s, uint32_t count, uint32_t binding)
     return false;
 }
 
-/* Returns the use number `index` among those that no shader reads, or NULL. */
+/* Returns the index-th resource use that no shader reads; NULL if there are fewer. */
 static const struct rg_use *find_unused(const struct shaders *s, uint32_t index)
 {
     for (const struct rg_use *use = s->row->uses; use && rg_is_use(use); use++) {
@@ -207,7 +207,7 @@ static uint32_t layer_count(const struct shaders *s, const struct rg_image *imag
     return image->layers ? image->layers : image->cube ? 6 : 1;
 }
 
-/* Compares a shader's declared format of an image or texel buffer with the resource's. */
+/* Compares the texel format that a shader declares with that of the image or texel buffer. */
 static void check_texels(const struct shaders *s, const char *name, const struct spirv_variable *v,
                          const struct spirv_image *declared, const struct rg_use *use)
 {
@@ -239,14 +239,14 @@ static void check_image(const struct shaders *s, const struct spirv *stage,
     uint32_t dim = image->depth ? SPIRV_DIM_3D : SPIRV_DIM_2D;
     bool cube = image->cube && use->access == RG_SAMPLED && named == 6;
     bool array = !cube && (layers > 1 || image->array);
-    bool several = image->samples > 1;
-    const char *is = cube           ? "a cube"
-                     : array        ? "a 2D array"
-                     : several      ? "multisampled"
-                     : image->depth ? "3D"
-                                    : "2D";
+    bool is_multisampled = image->samples > 1;
+    const char *is = cube              ? "a cube"
+                     : array           ? "a 2D array"
+                     : is_multisampled ? "multisampled"
+                     : image->depth    ? "3D"
+                                       : "2D";
     if (declared->dim != (cube ? (uint32_t)SPIRV_DIM_CUBE : dim) || declared->arrayed != array ||
-        declared->multisampled != several)
+        declared->multisampled != is_multisampled)
         fault(s, RG_ERROR_SHADER_BINDING, name, "binding %u: '%s' is %s in the row", v->binding,
               use_name(use), is);
     else
@@ -317,7 +317,7 @@ static void check_elements(const struct shaders *s, const struct spirv *stage,
         check_use(s, stage, v, &first[i], in);
 }
 
-/* Reports a shader's binding that the row lacks; often a use has a wrong binding. */
+/* Reports a shader binding that the pass lacks; names an unused one, as the number may be wrong. */
 static void report_missing(const struct shaders *s, const struct spirv *stage,
                            const struct spirv_variable *v, uint32_t *missing)
 {
@@ -343,7 +343,7 @@ static void check_descriptor(const struct shaders *s, uint32_t i, const struct s
                                                     VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT };
     const struct rg_use *use = v->set ? NULL : find_binding(s->row, v->binding);
     if (v->set == 1 && s->row->set)
-        return; /* a descriptor of the program's own set */
+        return; /* owned by the program */
     if (use)
         check_elements(s, s->stages[i], v, use,
                        s->row->kind == RG_COMPUTE ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
@@ -355,7 +355,7 @@ static void check_descriptor(const struct shaders *s, uint32_t i, const struct s
 static void check_bindings(const struct shaders *s)
 {
     uint32_t missing = 0;
-    bool has_own = false;
+    bool uses_program_set = false;
     for (uint32_t i = 0; i < s->count; i++) {
         for (uint32_t k = 0; k < s->stages[i]->variable_count; k++) {
             const struct spirv_variable *v = &s->stages[i]->variables[k];
@@ -363,20 +363,20 @@ static void check_bindings(const struct shaders *s)
             if (!v->used ||
                 rg_spirv_descriptor(s->stages[i], v, &number) == VK_DESCRIPTOR_TYPE_MAX_ENUM)
                 continue;
-            has_own = has_own || v->set == 1;
+            uses_program_set = uses_program_set || v->set == 1;
             check_descriptor(s, i, v, &missing);
         }
     }
-    if (s->row->set && !has_own)
+    if (s->row->set && !uses_program_set)
         fault(s, RG_ERROR_SHADER_BINDING, s->row->set->name, "set 1: no shader of the row uses it");
     for (const struct rg_use *use; (use = find_unused(s, missing)); missing++)
         fault(s, RG_ERROR_SHADER_BINDING, use_name(use), "binding %u: no shader of the row uses it",
               use->binding);
 }
 
-/* ---- vertex attributes and colour targets ---- */
+/* ---- vertex inputs, colour outputs ---- */
 
-/* Consecutive formats with equally many components; the numeric type of each is f, u or i. */
+/* Consecutive formats of equal component count; `kinds` has each type: f, u, i (? if unknown). */
 struct format_group {
     VkFormat first;
     uint32_t components;
@@ -445,7 +445,7 @@ static void check_attribute(const struct shaders *s, const struct spirv_variable
               component_name(kind));
 }
 
-/* Returns a bit mask of the locations of inputs or outputs. Bit 31 stands for all higher ones. */
+/* Returns a bit mask of the locations of inputs or outputs; bit 31 is set for all from 31 on. */
 static uint32_t locations(const struct spirv *s, uint32_t storage)
 {
     uint32_t bits = 0;
@@ -484,11 +484,11 @@ static void check_output(const struct shaders *s, const struct spirv_variable *v
     }
     char component = rg_spirv_component(frag, v->type, NULL);
     const struct rg_image *image = s->row->color[v->location].image;
-    char wanted = component_of(image->format, 0);
-    if (component != '?' && wanted != '?' && component != wanted)
+    char expected = component_of(image->format, 0);
+    if (component != '?' && expected != '?' && component != expected)
         fault(s, RG_ERROR_SHADER_OUTPUT, rg_spirv_name(frag, v),
               "output %u of '%s' is %s, the target has %s", v->location, shader_of(frag),
-              component_name(component), component_name(wanted));
+              component_name(component), component_name(expected));
 }
 
 /* Compares the fragment shader's inputs with the vertex shader, its outputs with the targets. */
@@ -516,7 +516,7 @@ static void check_fragments(const struct shaders *s)
 
 /* ---- specialization constants ---- */
 
-/* Checks constants in the params against those in shaders, and records which ones exist. */
+/* Checks the specialization constants in the params against shaders, and records which exist. */
 static void check_constants(const struct shaders *s)
 {
     const VkSpecializationInfo *given = s->c->params->constants;
@@ -557,7 +557,7 @@ void rg_end_constants(struct compiler *c)
     }
 }
 
-/* ---- all shaders of a row ---- */
+/* ---- entry point ---- */
 
 static bool open_stage(struct shaders *s, const struct rg_shader *shader,
                        VkShaderStageFlagBits stage)

@@ -3,7 +3,7 @@
 
 /* A plan together with the arena that holds it. */
 struct owned_plan {
-    struct rg_plan plan; /* must be the first member: callers see only this */
+    struct rg_plan plan; /* first member: its address is public */
     struct arena arena;
 };
 
@@ -23,7 +23,7 @@ static bool failed(const struct compiler *c)
 /* Runs all stages; stops at the first that finds a fault or runs out of memory. */
 static void run(struct compiler *c)
 {
-    bool place_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
+    bool pack_first = c->params->sharing == RG_SHARE_LEAST_MEMORY;
     if (!rg_check_params(c))
         return;
     reserve(c);
@@ -39,21 +39,21 @@ static void run(struct compiler *c)
     rg_list_resources(c);
     if (failed(c))
         return;
-    if (place_first) { /* barriers then wait for the previous owners of memory */
+    if (pack_first) { /* place memory before computing barriers */
         rg_pack_blocks(c);
         rg_find_release_passes(c);
     }
     if (!failed(c))
         rg_write_plan_passes(c);
-    if (!failed(c) && !place_first) /* aliases memory only where existing barriers permit it */
+    if (!failed(c) && !pack_first) /* alias only where existing barriers permit */
         rg_pack_blocks(c);
     if (!failed(c))
         rg_complete_alias_barriers(c);
 }
 
-static uint32_t limit(uint32_t of_device, uint32_t most)
+static uint32_t limit(uint32_t device_limit, uint32_t max)
 {
-    return of_device && of_device < most ? of_device : most;
+    return device_limit && device_limit < max ? device_limit : max;
 }
 
 struct rg_plan *rg_compile(const struct rg_compile_params *params)

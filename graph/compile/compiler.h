@@ -17,44 +17,43 @@
 enum {
     CELL_EMPTY,
     CELL_FILLED,
-    CELL_FILLED_BY, /* CELL_FILLED_BY + a pass index: written if that conditional pass runs */
+    CELL_FILLED_BY, /* plus index of the conditional writer */
 };
 
 /* struct access.flags */
 enum {
-    ACCESS_READS = 1 << 0,       /* needs the content that earlier passes left */
+    ACCESS_READS = 1 << 0,       /* needs content of earlier passes */
     ACCESS_WRITES = 1 << 1,      /* leaves content for later passes */
-    ACCESS_OVERWRITES = 1 << 2,  /* discards all earlier content of the range */
-    ACCESS_NEEDED = 1 << 3,      /* a later pass or an output needs the result */
+    ACCESS_OVERWRITES = 1 << 2,  /* discards earlier content of the range */
+    ACCESS_NEEDED = 1 << 3,      /* the result is needed later */
     ACCESS_CONDITIONAL = 1 << 4, /* does not happen in every frame */
-    ACCESS_TEXELS = 1 << 5,      /* through a texel buffer view, which has a format */
+    ACCESS_TEXELS = 1 << 5,      /* through a texel buffer view */
 };
 
 /* struct cell.flags */
 enum {
-    CELL_CERTAIN = 1 << 0, /* the last write happens in every frame, and in this frame */
-    CELL_AWAITED = 1 << 1, /* an unconditional read has waited for the last write */
-    CELL_FRESH = 1 << 2,   /* aliased memory that this frame has not used yet */
-    CELL_CHANGED = 1 << 3, /* this frame has changed the content or layout */
+    CELL_CERTAIN = 1 << 0, /* last write is unconditional, this frame */
+    CELL_AWAITED = 1 << 1, /* unconditional read awaited the last write */
+    CELL_FRESH = 1 << 2,   /* aliased memory, unused in this frame */
+    CELL_CHANGED = 1 << 3, /* content or layout changed this frame */
 };
 
 struct cell {
-    VkPipelineStageFlags2 write_stages; /* of the last write, or stages chained to it */
-    VkAccessFlags2 write_access; /* its accesses of the last write that are not yet available */
-    VkPipelineStageFlags2 read_stages; /* stages that have read since the last write */
-    uint32_t visible;       /* reads to which the last write is visible (access.visibility bits) */
-    uint32_t first_barrier; /* first of the barriers that made the last write visible */
-    /* end of the range of barriers that starts at first_barrier; 0 if empty */
-    uint32_t barrier_end;
+    VkPipelineStageFlags2 write_stages; /* last write's stages, or chained ones */
+    VkAccessFlags2 write_access;        /* its accesses not yet made available */
+    VkPipelineStageFlags2 read_stages;  /* stages that read since the write */
+    uint32_t visible;                   /* visibility bits of synchronised reads */
+    uint32_t first_barrier;             /* barriers that made the write visible */
+    uint32_t barrier_end;               /* range end; 0 if empty */
     VkImageLayout layout;
     uint32_t flags;
-    uint32_t written;     /* index of the pass after the last write */
-    uint32_t touched;     /* index of the pass after the last access */
-    uint32_t last_access; /* during expansion: index of the latest access plus 1 */
+    uint32_t written;     /* pass after the last write */
+    uint32_t touched;     /* pass after the last access */
+    uint32_t last_access; /* latest access plus 1 (expand_rows.c) */
     uint32_t filled;
-    bool is_needed;            /* during culling: later passes or outputs need the content */
-    bool is_needed_next_frame; /* during culling: the next frame needs the content (persistent) */
-    bool changed; /* scratch of rg_each_history_read(): an earlier pass has changed it */
+    bool is_needed;            /* culling: needed later in the frame */
+    bool is_needed_next_frame; /* culling: needed by the next frame */
+    bool changed;              /* scratch of rg_each_history_read() */
 };
 
 #define RG_SIZE_OVERFLOW UINT64_MAX
@@ -63,36 +62,34 @@ struct resource {
     const char *name;             /* "?" if the table has none */
     const struct rg_image *image; /* NULL for a buffer */
     const struct rg_buffer *buffer;
-    struct cell *cells; /* ordered by aspect, then mip level, then layer */
+    struct cell *cells; /* ordered by aspect, mip level, layer */
     uint32_t cell_count;
     bool persistent;
-    bool shared; /* transient: its memory may alias others in its block */
-    /* full subresource range; for a buffer: one mip and layer of the colour aspect */
-    VkImageSubresourceRange all;
-    VkExtent2D extent, max_extent;       /* image size in the view, and in params->max_view */
+    bool shared;                         /* its memory may alias other resources */
+    VkImageSubresourceRange all;         /* full range; buffers: one colour subresource */
+    VkExtent2D extent, max_extent;       /* in the view; in params->max_view */
     uint32_t depth;                      /* 1 unless the image is 3D */
     const struct rg_format_info *format; /* NULL: unknown format, or a buffer */
     VkDeviceSize size, max_size;         /* buffer size in bytes, or RG_SIZE_OVERFLOW */
-    uint32_t import, output; /* index into the params' imports and outputs, or RG_NONE */
-    uint32_t first, last;    /* plan passes that access the resource; first is RG_NONE if unused */
-    VkFlags usage;           /* VkImageUsageFlags or VkBufferUsageFlags */
-    uint32_t plan_image, plan_buffer; /* index into the plan's images and buffers, or RG_NONE */
-    uint32_t item;                    /* index into compiler.owners, or RG_NONE */
-    /* pass before which the resource takes over memory from the previous owner */
-    uint32_t acquired_before;
-    uint32_t last_barrier; /* index of the resource's newest barrier, or RG_NONE */
-    struct cell cell[];    /* inline storage: `cells` of a resource with a single cell */
+    uint32_t import, output;             /* index into params->imports, outputs, or RG_NONE */
+    uint32_t first, last;                /* lifetime in passes; RG_NONE if unused */
+    VkFlags usage;                       /* VkImageUsageFlags or VkBufferUsageFlags */
+    uint32_t plan_image, plan_buffer;    /* indices into the plan, or RG_NONE */
+    uint32_t item;                       /* index into compiler.owners, or RG_NONE */
+    uint32_t acquired_before;            /* pass before which memory is acquired */
+    uint32_t last_barrier;               /* its newest barrier, or RG_NONE */
+    struct cell cell[];                  /* storage for `cells` of single-cell resources */
 };
 
 struct access {
     struct resource *resource;
-    const void *declared; /* a const struct rg_use or const struct rg_target */
+    const void *declared; /* a rg_use or rg_target */
     struct cell *cells;   /* first cell of the range */
     uint32_t cell_count;  /* number of cells in the range */
     VkImageSubresourceRange range;
     enum rg_access kind;
     uint32_t flags;
-    uint32_t visibility; /* (stage, access) pairs of a read as a bit mask */
+    uint32_t visibility; /* reads: mask of (stage, access) pairs */
     VkImageLayout layout;
     VkPipelineStageFlags2 stages;
     VkAccessFlags2 mask; /* all its Vulkan accesses */
@@ -103,64 +100,61 @@ struct pass {
     bool alive; /* not culled */
 };
 
-/* A transient resource (in tests: any byte range) for which pack_memory.c finds an offset in a
- * block. */
+/* A transient resource (in tests: any byte range) to be packed into a memory block. */
 struct pack_item {
     VkDeviceSize size, alignment; /* bytes; a power of two */
-    VkDeviceSize offset;  /* result of packing: offset from the start of the block in bytes */
-    uint32_t first, last; /* live range: passes during which no other item may have its bytes */
-    uint32_t first_use;   /* first pass that accesses the item; not before `first` */
-    uint32_t type_bits;   /* as in VkMemoryRequirements */
+    VkDeviceSize offset;          /* result: bytes from the block's start */
+    uint32_t first, last;         /* live range in passes, inclusive */
+    uint32_t first_use;           /* first access; not before `first` */
+    uint32_t type_bits;           /* as in VkMemoryRequirements */
     struct resource *resource;
     uint32_t block; /* index into the plan's blocks */
 };
 
-/* Pending accesses of the items that occupied an item's bytes before it in the block. */
+/* Pending accesses of the resources that occupied an item's bytes before it. */
 struct previous_owner {
-    VkPipelineStageFlags2 stages; /* stages that may still access the bytes */
+    VkPipelineStageFlags2 stages; /* stages of pending accesses */
     VkAccessFlags2 writes;        /* writes not yet made available */
-    uint32_t end; /* one more than the last pass of this frame that accesses them; 0: none */
+    uint32_t end;                 /* one past the last accessing pass */
 };
 
 struct compiler {
     const struct rg_compile_params *params;
     struct rg_plan *plan;
     struct arena *arena;
-    uint32_t max_image_size, max_layers; /* limits of the device, or the compiler's own if lower */
+    uint32_t max_image_size, max_layers; /* device and compiler limits */
     uint32_t max_volume_size;
     VkExtent2D max_view;
-    uint32_t row_count;          /* rows of all techniques, roughly: initial array sizes */
+    uint32_t row_count;          /* approximate; for initial array sizes */
     struct resource **resources; /* imports and outputs come first */
     uint32_t resource_count, resource_room;
-    uint32_t boundary_count;   /* resources up to the last import or output */
+    uint32_t boundary_count;   /* imports and outputs in `resources` */
     uint32_t persistent_count; /* number of persistent resources */
-    struct map by_address;     /* struct resource by the address of its rg_image or rg_buffer */
+    struct map by_address;     /* struct resource by rg_image or rg_buffer */
     struct string_set resource_names, pass_names;
-    struct map
-        /* images that rows write or imports provide; only filled if a use has a fallback */
-        provided;
+    struct map provided; /* images written or imported; for fallbacks */
 
-    /* The row being processed; NULL and RG_NONE if there is none. */
+    /* The pass declaration being processed; NULL and RG_NONE if there is none. */
     const struct rg_technique *technique;
     uint32_t row;
     uint32_t row_first_fault;
     struct rg_plan_pass *pass; /* its current pass */
-    uint32_t target_samples;   /* sample count of the current pass; 0: no target yet */
-    uint32_t *bindings;        /* bit set of a row's bindings; all 0 outside check_bindings() */
+    uint32_t target_samples;   /* sample count; 0 before any target */
+    uint32_t *bindings;        /* bit set, zero outside check_bindings() */
     struct spirv modules[2];   /* its shaders */
-    bool *known_constants;     /* for each entry of params->constants: it was found in a shader */
+    bool *known_constants;     /* params->constants that a shader declares */
     bool has_shaders_without_code;
 
     struct pass *passes;
-    struct rg_plan_pass *plan_passes; /* parallel to `passes`; culled ones are removed later */
+    struct rg_plan_pass *plan_passes; /* parallel to `passes`, until culled */
     uint32_t pass_count, pass_room, plan_pass_room;
     struct access *accesses;
     uint32_t access_count, access_room;
-    uint32_t color_count;          /* number of accesses that are colour targets */
-    struct pack_item *items;       /* in the order of first use; contiguous for each block */
-    struct previous_owner *owners; /* indexed by resource.item; NULL if not yet known */
+    uint32_t color_count;          /* number of colour target accesses */
+    struct pack_item *items;       /* by first use, contiguous per block */
+    struct previous_owner *owners; /* by resource.item; NULL if unknown */
     uint32_t item_count;
-    VkDeviceSize memory_needed; /* bytes of all resources so far, with alignment padding */
+    VkDeviceSize memory_needed; /* bytes of all resources, with padding */
 
     /* The plan's arrays while they are being written. */
     struct rg_plan_image *images;
@@ -172,19 +166,18 @@ struct compiler {
     struct rg_barrier *barriers;
     uint32_t barrier_count, barrier_room;
     uint32_t batch_first; /* first barrier of the newest batch */
-    uint32_t batch_end;   /* one more than the pass after the newest batch; 0: no batch yet */
+    uint32_t batch_end;   /* index of its pass plus 1 */
     struct rg_fault *faults;
     uint32_t fault_count, fault_room;
 };
 
 /* ---- fault.c ---- */
 
-/* Adds a fault of the current row unless the row already has an equal one. `resource` is a name, or
- * NULL. Cold, so that the compiler keeps calls out of the fault-free path. */
+/* Adds a fault of the current row, unless it already has an equal one. `resource` may be NULL. */
 __attribute__((cold)) void rg_fault(struct compiler *c, enum rg_error error, const char *resource,
                                     const char *hint);
 
-/* Adds a fault that belongs to no row. */
+/* Adds a fault outside any row. */
 __attribute__((cold)) void rg_fault_of(struct compiler *c, enum rg_error error,
                                        const char *resource, const char *hint);
 
@@ -201,16 +194,16 @@ static inline void rg_fault_if(struct compiler *c, bool wrong, enum rg_error err
     rg_fault_if((c), (unsigned)(of)->field > (unsigned)(last), RG_ERROR_VALUE, (resource), \
                 #field ": expected a constant of " type)
 
-/* Returns true if a table is NULL despite its count, or its count exceeds `most`. */
-static inline bool rg_is_bad_table(const void *table, size_t count, size_t most)
+/* Returns true if a table is NULL despite its count, or its count exceeds `max`. */
+static inline bool rg_is_bad_table(const void *table, size_t count, size_t max)
 {
-    return count && (!table || count > most);
+    return count && (!table || count > max);
 }
 
 /* Adds a fault if a table field is NULL despite its count, or too long. */
-#define RG_CHECK_TABLE(c, of, table, count, most, resource) \
-    rg_fault_if((c), rg_is_bad_table((of)->table, (of)->count, (most)), RG_ERROR_TABLE, \
-                (resource), #table ": expected " #count " entries, at most " #most)
+#define RG_CHECK_TABLE(c, of, table, count, max, resource) \
+    rg_fault_if((c), rg_is_bad_table((of)->table, (of)->count, (max)), RG_ERROR_TABLE, (resource), \
+                #table ": expected " #count " entries, at most " #max)
 
 /* ---- access_table.c ---- */
 
@@ -221,8 +214,8 @@ extern const struct rg_access_info rg_access_table[RG_ACCESS_COUNT];
     (VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | \
      VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT)
 
-/* Value of cell.visible if a write is visible to all reads, one bit per (stage, access) pair. Bit
- * 31 stands for pairs without a bit of their own and is never set in cell.visible. */
+/* Value of cell.visible if a write is visible to all reads: one bit per (stage, access) pair. Bit
+ * 31, common to all other pairs, is never set there. */
 #define RG_VISIBLE_TO_ALL UINT32_C(0x7fffffff)
 
 /* Returns true for accesses by shaders through a descriptor. */
@@ -251,23 +244,23 @@ static inline VkFlags rg_usage(const struct resource *r, enum rg_access kind)
 /* Returns the access to an import before the frame, or to an output after the frame. */
 struct access rg_boundary_access(struct resource *r, enum rg_access kind);
 
-/* Returns the shader stages of a use: those declared, or the default of its kind of pass. */
+/* Returns the shader stages of a use: those declared, or the default for the kind of pass. */
 VkPipelineStageFlags2 rg_use_stages(const struct rg_pass *pass, const struct rg_use *use);
 
-/* Returns a hint if a kind of pass cannot have this use, otherwise NULL. */
+/* Returns an error hint if this kind of pass does not support a use, otherwise NULL. */
 const char *rg_use_problem(const struct rg_pass *pass, const struct rg_use *use);
 
-/* ---- for (struct cell_walk w = rg_cells(access); w.cell; rg_next_cell(&w)) ---- */
+/* Cell iterator: for (struct cell_walk w = rg_cells(access); w.cell; rg_next_cell(&w)) */
 
 struct cell_walk {
     const struct access *access;
-    struct cell *cell;          /* current cell; NULL at the end of the range */
-    uint32_t left;              /* remaining cells, including the current one */
-    VkImageAspectFlags aspects; /* remaining aspects; the lowest bit is the current one */
+    struct cell *cell;          /* NULL at the end */
+    uint32_t remaining;         /* cells, including the current one */
+    VkImageAspectFlags aspects; /* remaining aspects, lowest one first */
     uint32_t mip, layer;
 };
 
-/* Returns the cell of a subresource; of depth and stencil together, that of depth. */
+/* Returns the cell of a subresource; for depth and stencil together, the depth cell. */
 static inline struct cell *rg_find_cell(const struct resource *r, VkImageAspectFlags aspects,
                                         uint32_t mip, uint32_t layer)
 {
@@ -281,7 +274,7 @@ static inline struct cell_walk rg_cells(const struct access *a)
     return (struct cell_walk){
         .access = a,
         .cell = a->cells,
-        .left = a->cell_count,
+        .remaining = a->cell_count,
         .aspects = a->range.aspectMask,
         .mip = a->range.baseMipLevel,
         .layer = a->range.baseArrayLayer,
@@ -292,7 +285,7 @@ static inline struct cell_walk rg_cells(const struct access *a)
 static inline void rg_next_cell(struct cell_walk *w)
 {
     const VkImageSubresourceRange *range = &w->access->range;
-    w->cell = --w->left ? w->cell + 1 : NULL;
+    w->cell = --w->remaining ? w->cell + 1 : NULL;
     if (!w->cell || ++w->layer < range->baseArrayLayer + range->layerCount)
         return;
     w->layer = range->baseArrayLayer;
@@ -317,14 +310,14 @@ static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
 /* Counts the rows and checks the tables of the params. Returns true if all tables can be read. */
 bool rg_check_params(struct compiler *c);
 
-/* Checks an import (`arrives`) or an output. Returns true if it names exactly one resource. */
+/* Checks an import (if `arrives`) or output. Returns true if it names exactly one resource. */
 bool rg_check_boundary(struct compiler *c, const struct rg_image *image,
                        const struct rg_buffer *buffer, enum rg_access access, bool arrives);
 
 void rg_check_resource(struct compiler *c, struct resource *r);
 void rg_check_output_memory(struct compiler *c, const struct resource *r);
 
-/* Checks everything about a row, except its name, that does not depend on other rows. */
+/* Checks a pass declaration, except its name, as far as it does not depend on other passes. */
 void rg_check_row(struct compiler *c, const struct rg_pass *pass);
 
 /* ---- check_pipeline_state.c ---- */
@@ -333,7 +326,7 @@ enum {
     ALL_CHANNELS = 0xf /* all bits of VkColorComponentFlags */
 };
 
-/* Return true if blending reads the target's old colour; if any of its old colour may remain. */
+/* Return true if blending reads the old colour, or if some old colour may remain, respectively. */
 bool rg_is_blended(const struct rg_target *target);
 bool rg_keeps_color(const struct rg_target *target);
 
@@ -341,15 +334,14 @@ void rg_check_target(struct compiler *c, const struct rg_target *target);
 void rg_check_vertices(struct compiler *c, const struct rg_vertex_layout *v); /* may be NULL */
 void rg_check_depth(struct compiler *c, const struct rg_pass *pass);
 
-/* check_shaders.c: compares a valid row with its shaders' interfaces, if their code is known. */
+/* check_shaders.c: compares a valid pass with its shaders' interfaces, if their code is known. */
 void rg_check_shaders(struct compiler *c, const struct rg_pass *row);
 
-/* Called before and after all rows, to find specialization constants that no shader has. */
+/* Find specialization constants that no shader has; called before and after all rows. */
 void rg_begin_constants(struct compiler *c);
 void rg_end_constants(struct compiler *c);
 
-/* find_fallbacks.c: binds a sampled use to its fallback if it has one and nothing provides its
- * image. Returns true if bound. */
+/* find_fallbacks.c: binds a use's fallback if nothing provides its image. Returns true if bound. */
 bool rg_use_fallback(struct compiler *c, const struct rg_use *use);
 
 /* Returns true for a use, and false for the zero entry that ends a row's uses. */
@@ -371,7 +363,7 @@ static inline uint32_t rg_color_room(const struct rg_pass *pass)
     return rg_is_bad_table(pass->color, pass->color_count, RG_COLOR_COUNT) ? 0 : pass->color_count;
 }
 
-/* Returns the number of colour targets; the first entry without an image ends them. */
+/* Counts the colour targets before the first entry without an image. */
 static inline uint32_t rg_color_count(const struct rg_pass *pass)
 {
     uint32_t room = rg_color_room(pass);
@@ -381,7 +373,7 @@ static inline uint32_t rg_color_count(const struct rg_pass *pass)
     return count;
 }
 
-/* ---- resource.c: the resources that tables refer to ---- */
+/* ---- resource.c ---- */
 
 /* Adds the imports and outputs, and reports their faults. */
 void rg_add_boundary(struct compiler *c);
@@ -399,7 +391,7 @@ static inline uint32_t rg_mip_side(uint32_t side, uint32_t mip)
 struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image,
                                 const struct rg_buffer *buffer);
 
-/* ---- compiler stages in execution order; each requires the ones before it ---- */
+/* ---- compiler stages in execution order; each requires the previous ones ---- */
 
 /* expand_rows.c: expands rows to passes and accesses; reports the faults of rows. */
 void rg_expand(struct compiler *c);
@@ -407,8 +399,7 @@ void rg_expand(struct compiler *c);
 /* cull_passes.c: decides which passes are alive. */
 void rg_cull(struct compiler *c);
 
-/* memory_requirements.c: lifetimes and memory requirements of resources; the plan's images and
- * buffers. */
+/* memory_requirements.c: lifetimes, memory requirements, and the plan's images and buffers. */
 void rg_find_lifetimes(struct compiler *c);
 void rg_check_formats(struct compiler *c);
 void rg_list_resources(struct compiler *c);
@@ -419,28 +410,26 @@ void rg_pack_blocks(struct compiler *c);
 /* write_passes.c: writes the plan's passes, targets and uses; barriers.c adds the barriers. */
 void rg_write_plan_passes(struct compiler *c);
 
-/* alias_dependencies.c: finds the last accesses to an item's memory by items that had it before.
- * The first function needs item offsets; the second also needs the final state of every cell, and
- * completes the barriers by which memory is taken over. */
+/* alias_dependencies.c: find the last pass, then the last accesses, of the previous owners of each
+ * item's memory. Both require item offsets; the second, also the final cell states. */
 void rg_find_release_passes(struct compiler *c);
 void rg_complete_alias_barriers(struct compiler *c);
 
 /* ---- subresource_state.c ---- */
 
-/* Sets every cell to the state in which a frame begins. */
+/* Sets the synchronisation state of every subresource to that at the start of a frame. */
 void rg_begin_cells(struct compiler *c);
 
 typedef void rg_history_read_fn(struct compiler *c, const struct cell_walk *w,
                                 const struct access *a);
 
-/* Calls `visit` for each read of a persistent subresource that finds the content and layout left by
- * the previous frame. */
+/* Calls `visit` for each read that depends on content or layout left by the previous frame. */
 void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit);
 
 /* ---- barriers.c ---- */
 
-/* Adds the barriers that an access needs. With `restores_import` (an import being returned), only
- * cells that are not in the state of arrival get one. */
+/* Adds the barriers that an access needs. With `restores_import`, which returns an import after the
+ * frame, only subresources whose state has changed get one. */
 void rg_add_barriers(struct compiler *c, const struct access *a, uint32_t pass,
                      bool restores_import);
 
@@ -452,13 +441,12 @@ void rg_end_barriers(struct compiler *c);
 struct pack_result {
     VkDeviceSize size;      /* bytes of the block */
     VkDeviceSize apart;     /* bytes without aliasing */
-    VkDeviceSize bound;     /* peak live bytes; no packing is smaller */
-    VkDeviceSize least;     /* the bound if lifetimes began at the first use */
+    VkDeviceSize bound;     /* peak live bytes, a lower bound */
+    VkDeviceSize least;     /* bound with lifetimes from first use */
     VkDeviceSize alignment; /* the largest of all items */
 };
 
-/* Assigns offsets to items, which are sorted by first use and end at pass `end` at the latest. With
- * `apart`, nothing aliases. */
+/* Assigns offsets to items sorted by first use and ended by pass `end`; `apart`: no aliasing. */
 struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
                            uint32_t end, bool apart);
 

@@ -1,18 +1,13 @@
-/*
- * cull_passes.c: removes passes whose results no output needs.
- *
- * Liveness analysis from the last pass back: a pass is alive if a later live pass or an output
- * needs its result. The next frame needs the content of a persistent resource if the frame reads it
- * before writing it, which is only known after the first pass has been visited, so the walk is
- * repeated until nothing changes.
- */
+/* cull_passes.c: removes passes whose results no output needs, by liveness analysis from the last
+ * pass back. Whether the next frame reads persistent content is only known after the first pass has
+ * been visited, so the analysis is repeated until nothing changes. */
 #include "graph/compile/compiler.h"
 
 enum {
-    MAX_ROUNDS = 4 /* limit of the iteration, after which all persistent content counts as needed */
+    MAX_ROUNDS = 4 /* limit of the iteration; afterwards all persistent content counts as needed */
 };
 
-/* Resets the needed content: in the first round only outputs, later persistent resources too. */
+/* Starts a backward pass: marks outputs, and persistent content that the next frame needs. */
 static void begin_round(struct compiler *c, uint32_t round)
 {
     uint32_t count = round ? c->resource_count : c->boundary_count;
@@ -28,7 +23,7 @@ static void begin_round(struct compiler *c, uint32_t round)
 }
 
 /* Returns true if an access writes anything that later passes or outputs need. */
-static bool is_wanted(const struct access *a)
+static bool writes_needed_content(const struct access *a)
 {
     if (!(a->flags & ACCESS_WRITES))
         return false;
@@ -44,16 +39,15 @@ static bool find_needed(struct access *first, const struct access *end)
 {
     bool any = false;
     for (struct access *a = first; a < end; a++) {
-        bool needed = is_wanted(a);
+        bool needed = writes_needed_content(a);
         a->flags = needed ? a->flags | ACCESS_NEEDED : a->flags & ~(uint32_t)ACCESS_NEEDED;
         any = any || needed;
     }
     return any;
 }
 
-/* Propagates the accesses of a live pass to earlier passes: reads need content, overwrites do not.
- * No access of a pass reads what another access of the same pass overwrites. */
-static void mark_wanted(const struct access *first, const struct access *end)
+/* Marks which content a live pass needs: what it reads, but not what it overwrites. */
+static void mark_needed_content(const struct access *first, const struct access *end)
 {
     for (const struct access *a = first; a < end; a++) {
         if (!(a->flags & (ACCESS_OVERWRITES | ACCESS_READS)))
@@ -73,7 +67,7 @@ static void cull_round(struct compiler *c)
         pass->alive = find_needed(first, end);
         if (!pass->alive)
             continue;
-        mark_wanted(first, end);
+        mark_needed_content(first, end);
         c->plan->pass_count++;
     }
 }

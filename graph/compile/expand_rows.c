@@ -1,8 +1,4 @@
-/*
- * expand_rows.c: expands rows to passes (one per repetition), and targets and uses to accesses.
- *
- * Reports the faults of a row by itself first, then those in combination with other rows.
- */
+/* expand_rows.c: expands rows to passes (one per repetition), and targets and uses to accesses. */
 #include "graph/compile/compiler.h"
 
 /* ---- subresources that an access reads and writes ---- */
@@ -14,7 +10,7 @@ static bool is_filled(const struct compiler *c, const struct cell *cell, rg_when
             c->plan_passes[cell->filled - CELL_FILLED_BY].pass->when == when);
 }
 
-/* Returns true if an access conflicts with an earlier one in the pass to the same subresource. */
+/* Returns true if an access conflicts with the pass's earlier access to the same subresource. */
 static bool is_conflict(const struct compiler *c, const struct cell *cell, const struct access *a)
 {
     const struct access *before = &c->accesses[cell->last_access - 1];
@@ -36,7 +32,7 @@ static bool is_all(const struct resource *r, const VkImageSubresourceRange *rang
            !range->baseArrayLayer && range->levelCount == 1 && range->layerCount == 1;
 }
 
-/* Prepares the next access; keep_access() adds it. Returns NULL if out of memory. */
+/* Initialises an access, which keep_access() adds to the pass. Returns NULL if out of memory. */
 static struct access *next_access(struct compiler *c, struct resource *r, enum rg_access kind,
                                   VkPipelineStageFlags2 stages)
 {
@@ -45,8 +41,7 @@ static struct access *next_access(struct compiler *c, struct resource *r, enum r
     return rg_access_init(&c->accesses[c->access_count], r, kind, stages);
 }
 
-/* Restricts an access, initially to the whole resource, to the cells of its range. Reports a fault
- * and returns false if the range is not within the resource. */
+/* Restricts an access to the cells of its range. Returns false, with a fault, if out of range. */
 static bool find_cells(struct compiler *c, struct access *a)
 {
     const VkImageSubresourceRange *range = &a->range;
@@ -266,9 +261,8 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     c->pass_count++;
 }
 
-/* Returns the number of layers or mip levels of the first image that a row writes, from the first
- * one used; at least 1, so that an index out of range becomes a range fault. 0 if it writes no
- * image. */
+/* Returns a row's number of repetitions: the layers or mip levels, from the first used, of the
+ * first image that it writes; 1 if the first is invalid (a range fault later), 0 without image. */
 static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
 {
     if (pass->repeat == RG_ONCE)

@@ -1,5 +1,4 @@
-/* format_table.c: table of formats that passes can draw to, sample or store: name, size, aspects.
- */
+/* format_table.c: properties of the formats that passes can draw to, sample or store. */
 #include "graph/rg.h"
 
 #define FORMAT(format, bytes, aspects, ...) \

@@ -1,12 +1,10 @@
-/* hash_map.h: arena-allocated hash map keyed by address, and a string set. Private to
- * graph/compile/. */
+/* hash_map.h: arena-allocated pointer map and string set. Private to graph/compile/. */
 #ifndef RG_COMPILE_HASH_MAP_H
 #define RG_COMPILE_HASH_MAP_H
 
 #include "graph/compile/arena.h"
 
-/* Both tables use open addressing with a power of two of slots, at most three quarters full. {0} is
- * empty; slots must be reserved before the first lookup. */
+/* Open addressing, power-of-two capacity, at most 3/4 full. {0} is empty. Reserve before lookup. */
 
 struct map_slot {
     const void *key; /* NULL: empty slot */
@@ -22,8 +20,7 @@ struct map {
 /* Returns the slot of an address, or the empty slot where it would be inserted. */
 static inline struct map_slot *rg_map_find(const struct map *map, const void *address)
 {
-    /* Neighbours in tables stay neighbours in the map (cache locality); mixing in higher bits
-     * spreads tables whose row size is a power of two. */
+    /* adjacent addresses get adjacent slots (locality); higher bits spread power-of-two strides */
     uintptr_t i = ((uintptr_t)address + ((uintptr_t)address >> 9)) >> 4;
     while (map->slots[i & map->mask].key && map->slots[i & map->mask].key != address)
         i++;
@@ -32,8 +29,7 @@ static inline struct map_slot *rg_map_find(const struct map *map, const void *ad
 
 void rg_map_reserve(struct arena *arena, struct map *map, uint32_t count);
 
-/* Inserts an address that is not yet in the map into the empty slot found for it. Returns a pointer
- * to its value, or NULL if out of memory. */
+/* Inserts an address into its empty slot; returns a pointer to its value, NULL if out of memory. */
 void **rg_map_add(struct arena *arena, struct map *map, struct map_slot *slot, const void *address);
 
 /* Returns a pointer to the value of an address, inserting NULL if new; NULL if out of memory. */
@@ -46,7 +42,7 @@ static inline void **rg_map_value(struct arena *arena, struct map *map, const vo
 /* A slot holds a hash and an index rather than the string, to keep probing in few cache lines. */
 struct string_slot {
     uint32_t hash;
-    uint32_t number; /* index in `texts` plus 1; 0: empty slot */
+    uint32_t number; /* `texts` index plus 1; 0: empty */
 };
 
 /* Set of strings, compared by content. */

@@ -1,8 +1,5 @@
-/*
- * memory_blocks.c: groups transient resources into memory blocks and assigns their offsets.
- *
- * Resources with disjoint lifetimes may alias (pack_memory.c). Images and buffers, and resources of
- * different memory types, are in different blocks, so that bufferImageGranularity never applies.
+/* memory_blocks.c: assigns transient resources to memory blocks and offsets (pack_memory.c).
+ * Images, buffers and memory types have separate blocks, so bufferImageGranularity never applies.
  */
 #include <string.h>
 #include "graph/compile/compiler.h"

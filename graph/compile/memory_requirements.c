@@ -19,7 +19,7 @@ VkImageCreateInfo rg_image_create_info(const struct rg_plan_image *image)
     };
 }
 
-/* Assigns indices to a resource when the first live pass accesses it. */
+/* Assigns a resource its index in the plan when the first live pass accesses it. */
 static void add_to_plan(struct compiler *c, struct resource *r, uint32_t pass)
 {
     if (r->image)

@@ -1,22 +1,17 @@
-/*
- * pack_memory.c: packs transient resources into a memory block; only those with disjoint lifetimes
- * alias.
- *
- * This is dynamic storage allocation, which is NP-hard. Several orders are tried and the smallest
- * block wins. Each places items first-fit: at the lowest offset free during the whole lifetime. A
- * try ends once it cannot win; the search ends at the lower bound, the peak of live bytes. The
- * first orders are greedy; each later one moves the item that ends highest forward (squeaky wheel
- * optimization, Joslin and Clements, JAIR 10, 1999).
- */
+/* pack_memory.c: packs transient resources; those with disjoint lifetimes may alias. This dynamic
+ * storage allocation is NP-hard: several orders are tried, each first-fit (at the lowest offset
+ * free during the whole lifetime), until the block reaches its lower bound, the peak of live bytes.
+ * The first orders are greedy; each later one moves the item that ends highest forward (squeaky
+ * wheel optimization, Joslin and Clements, JAIR 10, 1999). */
 #include <string.h>
 #include "graph/compile/compiler.h"
 
 enum {
-    PROMOTIONS = 8,          /* orders tried in addition to those of the greedy rules */
-    MANY_ITEMS = 512,        /* with more items, only RULES_OF_MANY_ITEMS rules are tried */
-    RULES_OF_MANY_ITEMS = 2, /* number of greedy rules tried for many items */
-    FEW_ITEMS = 256,         /* up to this many items, Shell sort is faster than radix sort */
-    /* if on average more items begin during a lifetime, only the time order is tried */
+    PROMOTIONS = 8,          /* orders tried after the greedy rules */
+    MANY_ITEMS = 512,        /* above it, fewer rules are tried */
+    RULES_OF_MANY_ITEMS = 2, /* rules tried for many items */
+    FEW_ITEMS = 256,         /* Shell sort up to this count */
+    /* limit of the mean number of items begun per lifetime; above it, only the time order */
     LONG_LIFE = 32,
 };
 
@@ -35,42 +30,39 @@ enum {
     RULE_COUNT = sizeof(rules) / sizeof(rules[0])
 };
 
-/* Allocated bytes. Lists of spans are ascending and never touch; the first begins at 0 and may be
- * empty, and a sentinel at UINT64_MAX ends the list. */
+/* Range of allocated bytes. A list of spans is ascending, with gaps; the first span begins at 0 and
+ * may be empty, and a sentinel at UINT64_MAX ends the list. */
 struct span {
     VkDeviceSize begin, end;
 };
 
-/*
- * A set of items that are alive at the same pass (a maximal clique of the interval graph). Items
- * that overlap in time do so at the pass where the last of them begins, so no other passes count.
- * Of several such passes between which no item ends, only the last one counts.
- */
+/* Items that are alive at the same pass: a maximal clique of the interval graph, which forms at the
+ * last pass where an item begins before another one ends. */
 struct live_set {
     struct span *spans;
-    struct span *next; /* the span above the gap that fits the current item */
+    struct span *next; /* span above the current item's gap */
     uint32_t alive;    /* number of items */
 };
 
 /* Changes at a pass relative to the previous one; unsigned, so decreases wrap around. */
 struct change {
     VkDeviceSize taken;      /* live bytes */
-    VkDeviceSize used;       /* live bytes if lifetimes began at the first use */
-    struct live_set *newest; /* the newest live set at this pass */
-    uint32_t begun, ended;   /* items that begin at this pass, and items that ended before it */
+    VkDeviceSize used;       /* live bytes counted from first use */
+    struct live_set *newest; /* newest live set */
+    uint32_t begun, ended;   /* items begun here; ended before */
 };
 
 struct packing {
-    struct pack_item *items; /* hold the offsets of the current order */
+    struct pack_item *items; /* with offsets of the current order */
     uint32_t count;
     struct change *changes;     /* one per pass */
     struct live_set *live_sets; /* in ascending order of time */
     struct live_set *live_sets_end;
-    struct span *spans;    /* storage for the span lists of all live sets */
-    VkDeviceSize *offsets; /* best offsets so far, one per item */
-    uint64_t *order;       /* sort key in the upper half, item index in the lower half */
+    struct span *spans;    /* span storage of all live sets */
+    VkDeviceSize *offsets; /* best offsets so far, per item */
+    uint64_t *order;       /* upper half: key; lower half: item */
     uint64_t *sorted;      /* buffer for the next order */
-    uint32_t placed;       /* number of items that the current order placed before it ended */
+    uint32_t placed;       /* items placed by the current order */
 };
 
 static VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment)
@@ -105,8 +97,7 @@ static void find_changes(const struct packing *p, struct pack_result *result)
     }
 }
 
-/* Fills the live sets and the bounds. Returns the number of live items, summed over all passes at
- * which some begin: an upper bound of the spans needed. */
+/* Fills the live sets and bounds. Returns an upper bound of the number of spans that they need. */
 static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_result *result)
 {
     VkDeviceSize taken = 0;
@@ -114,7 +105,7 @@ static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_resu
     struct live_set *newest = p->live_sets;
     struct live_set *next = newest;
     uint32_t alive = 0;
-    uint32_t ended = 1; /* items ended since the newest live set; 1 so that the first set is new */
+    uint32_t ended = 1; /* since the newest set; initially 1 */
     uint64_t live_sum = 0;
     for (struct change *pass = p->changes; pass <= &p->changes[end]; pass++) {
         taken += pass->taken;

@@ -85,9 +85,8 @@ static void size_import(struct resource *r, const struct rg_import *import)
         r->all.levelCount = import->mips;
 }
 
-/* Allocates a resource's cells in the state in which a frame begins, except for what
- * subresource_state.c sets: the state of imports, persistent resources and memory with a previous
- * owner. */
+/* Allocates a resource's cells in their state at the start of a frame; subresource_state.c
+ * completes those of imports, persistent resources and aliased memory. */
 static void add_cells(struct compiler *c, struct resource *r, const struct rg_import *import)
 {
     uint64_t aspects = r->all.aspectMask & (r->all.aspectMask - 1) ? 2 : 1;
@@ -126,8 +125,7 @@ static struct resource *add_resource(struct compiler *c, const struct rg_image *
                     c->row_count * 2) ||
         !r)
         return NULL;
-    /* Sets all fields explicitly: the C compiler clears omitted ones with an instruction that takes
-     * longer than all the rest. */
+    /* all fields set explicitly: the compiler clears omitted ones with a far slower instruction */
     *r = (struct resource){
         .name = NULL,
         .image = image,

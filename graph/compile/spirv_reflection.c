@@ -1,5 +1,4 @@
-/* spirv_reflection.c: SPIR-V parser: records what each id defines, and derives the shader's
- * interface. */
+/* spirv_reflection.c: SPIR-V parser that derives a shader's interface. */
 #include "graph/compile/spirv_reflection.h"
 #include <string.h>
 
@@ -49,17 +48,17 @@ enum {
     DIM_SUBPASS = 6,
     HEADER_WORDS = 5,
     MAGIC = 0x07230203,
-    VERSION_1_4 = 0x00010400, /* since SPIR-V 1.4, entry points list all global variables */
+    VERSION_1_4 = 0x00010400, /* entry points list all globals */
     MAX_DEPTH = 16,           /* nesting of types */
 };
 
-/* What is known about an id. References to instructions and names are word indices; 0: none. */
+/* Parsed properties of a SPIR-V id. References are word indices; 0 if there is none. */
 struct spirv_id {
-    uint32_t definition; /* word index of the instruction that defines the id, if listed above */
+    uint32_t definition; /* word index of the defining instruction */
     uint32_t name;
     uint32_t stride;                       /* of an array in bytes */
-    uint32_t binding, set, location, spec; /* decoration values plus 1; 0: not decorated */
-    uint32_t variable;                     /* index in `variables` plus 1; 0: no variable */
+    uint32_t binding, set, location, spec; /* decorations plus 1; 0: not decorated */
+    uint32_t variable;                     /* `variables` index plus 1; 0: none */
     bool buffer_block, in_interface;
 };
 
@@ -126,7 +125,7 @@ static uint32_t array_length(const struct spirv *s, uint32_t type, uint32_t *ele
 
 /* Memory layout of a struct member. */
 struct member_layout {
-    uint32_t offset, stride; /* bytes; `stride` is that of a matrix's columns or rows */
+    uint32_t offset, stride; /* bytes; `stride` between matrix columns/rows */
     bool row_major;
     const char *name;
 };
@@ -368,7 +367,7 @@ static void decorate(struct spirv *s, const struct instruction *in)
     }
 }
 
-/* Returns which word of an instruction is its result id; 0 if it has none, or an irrelevant one. */
+/* Returns the index of the word with the result id; 0 if there is none, or it is not needed. */
 static uint32_t result_word(uint32_t op)
 {
     if (op == OP_VARIABLE || op == OP_CONSTANT ||

@@ -1,9 +1,6 @@
-/*
- * spirv_reflection.h: SPIR-V reflection of a shader's interface. Private to graph/ and its tests.
- * (Khronos, "SPIR-V Specification" 1.6, sections 2.3 and 3, which define the numbers below.)
- *
- * Modules are untrusted: for any content, reads stay in bounds and all loops terminate.
- */
+/* spirv_reflection.h: SPIR-V reflection of a shader's interface (Khronos, "SPIR-V Specification"
+ * 1.6, sections 2.3 and 3). Safe for malformed modules: reads stay in bounds and loops terminate.
+ * Private to graph/ and its tests. */
 #ifndef RG_COMPILE_SPIRV_REFLECTION_H
 #define RG_COMPILE_SPIRV_REFLECTION_H
 
@@ -27,11 +24,11 @@ enum {
 
 /* A global variable of the module. */
 struct spirv_variable {
-    const char *name; /* "" if it has none; borrowed from the module */
+    const char *name; /* "" if unnamed; borrowed from module */
     uint32_t storage;
     uint32_t type;                   /* id of the type pointed to */
     uint32_t binding, set, location; /* SPIRV_NONE if there is none */
-    bool used;                       /* used by the entry point, as far as its instructions show */
+    bool used;                       /* referenced by the entry point's instructions */
     bool in_interface;               /* listed by the entry point */
 };
 
@@ -43,11 +40,11 @@ struct spirv_constant {
 struct spirv_member {
     const char *name;
     uint32_t type;
-    uint32_t offset, size; /* bytes; the offset is SPIRV_NONE without an Offset decoration */
+    uint32_t offset, size; /* bytes; offset SPIRV_NONE if not decorated */
 };
 
 struct spirv_image {
-    uint32_t dim, format; /* the format is a SPIR-V Image Format number; 0: unknown */
+    uint32_t dim, format; /* SPIR-V Image Format; 0 if unknown */
     char component;       /* as rg_spirv_component() returns */
     bool arrayed, multisampled;
 };
@@ -79,7 +76,7 @@ const char *rg_spirv_name(const struct spirv *s, const struct spirv_variable *v)
 const char *rg_spirv_struct(const struct spirv *s, uint32_t type, uint32_t *member_count);
 struct spirv_member rg_spirv_member(const struct spirv *s, uint32_t type, uint32_t index);
 
-/* Returns the bytes of a struct or array's struct element, without trailing padding; else 0. */
+/* Returns the unpadded size of a struct, or of an array's struct element, in bytes; else 0. */
 uint32_t rg_spirv_struct_size(const struct spirv *s, uint32_t type);
 
 /* Returns false for types that are neither images, sampled images, nor arrays of them. */

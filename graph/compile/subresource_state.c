@@ -22,7 +22,7 @@ static struct cell import_state(const struct compiler *c, struct resource *r)
     return s;
 }
 
-/* ---- persistent resources: a frame begins in the state in which a frame ends ---- */
+/* ---- persistent resources: initial state = state after the previous frame ---- */
 
 static void simulate_access(const struct access *a)
 {
@@ -77,8 +77,8 @@ void rg_each_history_read(struct compiler *c, rg_history_read_fn *visit)
     }
 }
 
-/* Counts a history read as covered if the previous frame makes the write visible to other reads:
- * its barrier is then extended to this read (barriers.c). */
+/* Treats a read of the previous frame's content as synchronised if that frame has a barrier for
+ * other reads of it, which barriers.c then extends to this read. */
 static void expect_history_read(struct compiler *c, const struct cell_walk *w,
                                 const struct access *a)
 {

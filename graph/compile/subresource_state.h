@@ -1,17 +1,12 @@
 /*
- * subresource_state.h: tracks the synchronisation state of a subresource and decides on its
- * barriers.
+ * subresource_state.h: synchronisation state of a subresource, and its barriers.
  *
- * A cell (compiler.h) has the layout, the last write, the stages that have read it since, and the
- * stages and accesses to which the write was made visible. From these follow (Vulkan 1.3, chapter
- * 7): a read needs a barrier unless an earlier barrier covers it; a write always needs one; a
- * layout transition is a write between the barrier's two scopes, and later barriers chain to the
- * stages in the second one.
- *
- * Consecutive frames overlap on one queue, so the first use of any memory waits for its last use in
- * the previous frame, and for the resources that it aliases.
- *
- * Private to graph/compile/.
+ * A cell (compiler.h) has the layout, the last write, its readers so far, and the accesses to which
+ * the write was made visible. From these follow (Vulkan 1.3, chapter 7): a read needs a barrier
+ * unless an earlier one covers it; a write always needs one; a layout transition is a write between
+ * the barrier's two scopes, and later barriers chain to the second. Frames overlap on one queue, so
+ * the first use of any memory waits for its last use in the previous frame, and for the resources
+ * that it aliases. Private to graph/compile/.
  */
 #ifndef RG_COMPILE_SUBRESOURCE_STATE_H
 #define RG_COMPILE_SUBRESOURCE_STATE_H
@@ -33,7 +28,7 @@ static inline bool rg_needs_barrier(const struct cell *s, const struct access *a
     if (!changes && !(a->visibility & ~s->visible))
         return false;
     VkPipelineStageFlags2 readers = changes ? s->read_stages : VK_PIPELINE_STAGE_2_NONE;
-    /* readers have already waited for the write, and a barrier has made it available */
+    /* earlier reads have already waited for the write, so waiting for them is enough */
     bool awaited = readers && s->flags & CELL_AWAITED;
     b->src_stages = awaited ? readers : readers | s->write_stages;
     b->src_access = awaited ? VK_ACCESS_2_NONE : s->write_access;
@@ -45,7 +40,7 @@ static inline bool rg_needs_barrier(const struct cell *s, const struct access *a
     return s->layout != a->layout || b->src_stages || s->flags & CELL_FRESH;
 }
 
-/* Updates the state for an access of a pass; `made_visible`: it was just given a barrier. */
+/* Updates the state after an access of a pass; `made_visible` if a barrier precedes it. */
 static inline void rg_apply_access(struct cell *s, const struct access *a, uint32_t pass,
                                    bool made_visible)
 {
@@ -65,8 +60,8 @@ static inline void rg_apply_access(struct cell *s, const struct access *a, uint3
         return;
     s->flags &= ~(uint32_t)CELL_FRESH;
     s->read_stages |= a->stages;
-    /* Some releases of the synchronization validation layer track that a read waited for the write
-     * only within the frame of the write, so such a read does not count across frames. */
+    /* Some synchronization validation layers track that a read waited for a write only within one
+     * frame, so this is not relied on across frames. */
     if (s->flags & CELL_CERTAIN && !conditional)
         s->flags |= CELL_AWAITED;
     if (made_visible)

@@ -1,7 +1,4 @@
-/*
- * dump.h: formatted output of a plan, shared by all dump formats: names of flags, lines of text
- * with names escaped for the format. Private to graph/dump/.
- */
+/* dump.h: formatted output of a plan, common to all dump formats. Private to graph/dump/. */
 #ifndef RG_DUMP_DUMP_H
 #define RG_DUMP_DUMP_H
 
@@ -23,7 +20,7 @@ struct rg_dump {
  * MiB), %s a string as it is, and %n a name to escape. */
 void rg_dump_print(const struct rg_dump *d, const char *text, ...);
 
-/* Decodes the UTF-8 character at *text (not its end), and advances; U+FFFD if invalid. */
+/* Decodes the UTF-8 character at *text, which is not the end, and advances; U+FFFD if invalid. */
 uint32_t rg_dump_decode_utf8(const char **text);
 
 /* Returns the character, or U+FFFD for control characters and those that XML forbids. */
@@ -61,13 +58,13 @@ struct rg_dump_resource {
     bool imported, persistent;
     bool host; /* in host memory */
     uint32_t first, last, block;
-    VkDeviceSize offset, size; /* bytes: position in the block, and size */
+    VkDeviceSize offset, size; /* bytes; `offset` is within the block */
 };
 
-/* Returns an image or buffer by a joint index: images first, then buffers. */
+/* Returns an image or buffer of the plan; indices continue from images to buffers. */
 struct rg_dump_resource rg_dump_resource(const struct rg_plan *plan, uint32_t index);
 
-/* ---- text_dump.c: each function writes lines of text with newlines ---- */
+/* ---- text_dump.c ---- */
 
 void rg_dump_pass_name(const struct rg_dump *d, const struct rg_pass *pass, uint32_t repetition);
 void rg_dump_image(const struct rg_dump *d, uint32_t index);

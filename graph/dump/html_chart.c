@@ -1,13 +1,11 @@
-/*
- * html_chart.c: SVG timeline of passes and memory. All rows have the same columns: one per pass,
- * and a last one for the end of the frame. Barrier batches are marked between the columns.
- */
+/* html_chart.c: SVG timeline of passes and memory, with one column per pass and a last one for the
+ * end of the frame. Barrier batches are marked between columns. */
 #include <inttypes.h>
 #include "graph/dump/dump.h"
 
 enum {
     AXIS_WIDTH = 190, /* pixels, like all sizes below */
-    LEFT = 36,        /* left of the first column: initial barriers */
+    LEFT = 36,        /* space for the initial barriers */
     MIN_COLUMN = 24,
     MAX_COLUMN = 96,
     CHART_WIDTH = 1200, /* minimum; more with many passes */
@@ -15,13 +13,13 @@ enum {
     MIN_BLOCK_HEIGHT = 96,
     MAX_BLOCK_HEIGHT = 480,
     MAX_NAME_HEIGHT = 240,
-    LABEL_DISTANCE = 900, /* distance of repeated labels on long boxes */
+    LABEL_DISTANCE = 900, /* between repeated labels */
     TICK_COUNT = 4,
 };
 
 struct chart {
     struct rg_dump d;
-    uint32_t column, columns; /* width of a column, and their number */
+    uint32_t column, columns; /* width and number of columns */
 };
 
 enum group {
@@ -228,7 +226,7 @@ static void print_batches(const struct chart *c)
     close_row(c);
 }
 
-/* Begins the SVG group of a resource; its title describes it, with offset and lifetime. */
+/* Begins the SVG group of a resource, with a tooltip (title) of its offset and lifetime. */
 static void open_resource(const struct chart *c, uint32_t index, const struct rg_dump_resource *r)
 {
     const struct rg_plan *plan = c->d.plan;
@@ -309,7 +307,7 @@ static void print_block(const struct chart *c, uint32_t index)
     close_row(c);
 }
 
-/* ---- resources that do not alias ---- */
+/* ---- unaliased resources ---- */
 
 static void print_bar(const struct chart *c, uint32_t index, uint32_t y)
 {

@@ -50,7 +50,7 @@ static const char style[] =
     "background:var(--back);border:1px solid var(--line)}\n"
     "#detail[hidden]{display:none}\n";
 
-/* Also shows tooltips in a panel, for keyboard users and for long lists. */
+/* JavaScript that also shows tooltips in a panel, for keyboard users and for long lists. */
 static const char script[] =
     "const panel=document.getElementById('detail');panel.hidden=false;\n"
     "const show=event=>{const title=event.target.closest('g[tabindex]')?.querySelector('title');\n"

@@ -185,7 +185,7 @@ static void print_use(const struct rg_dump *d, uint32_t index)
     rg_dump_print(d, "}");
 }
 
-/* Prints the first members of a pass, also used for culled ones. */
+/* Prints the leading members of a pass, which culled passes also have. */
 static void print_pass_name(const struct rg_dump *d, const struct rg_pass *pass,
                             uint32_t repetition)
 {

@@ -1,10 +1,5 @@
-/*
- * attachments.c: creates attachment views, and VkRenderPass objects if rg_exec_params requests
- * them.
- *
- * The plan's barriers do all synchronisation; a render pass here has one subpass, no dependency and
- * no layout transition, so that it is equivalent to dynamic rendering.
- */
+/* attachments.c: creates attachment views, and VkRenderPass objects if requested. A render pass has
+ * one subpass, no dependencies and no layout transitions, as the plan's barriers synchronise. */
 #include "graph/exec/executor.h"
 
 uint32_t rg_exec_attachments(const struct rg_plan_pass *pass,

@@ -1,9 +1,5 @@
-/*
- * barrier_batch.c: records the barriers of passes, merging those of skipped ones.
- *
- * Barriers of skipped passes are recorded with those of the next pass that runs, in one call: at
- * each call llvmpipe flushes all pending work, which takes 0.05 to 0.1 ms.
- */
+/* barrier_batch.c: records the barriers of skipped passes with those of the next pass that runs, in
+ * one call, since llvmpipe flushes all pending work at each barrier call (0.05 to 0.1 ms). */
 #include "graph/exec/executor.h"
 
 static VkImageMemoryBarrier2 image_barrier(const struct rg_exec *exec, const struct rg_barrier *b)

@@ -10,7 +10,7 @@ struct features {
     VkPhysicalDeviceRayQueryFeaturesKHR queries;
 };
 
-/* Queries the supported features, less those that the program says are not enabled. */
+/* Queries the supported features, limited to those in rg_exec_params.features. */
 static void find_features(const struct rg_exec *exec, struct features *f)
 {
     const VkPhysicalDeviceFeatures2 *enabled = exec->params.features;
@@ -42,7 +42,7 @@ static void find_features(const struct rg_exec *exec, struct features *f)
     }
 }
 
-/* Returns true if targets of one row have different blend states. */
+/* Returns true if targets of one pass have different blend states. */
 static bool blends_differ(const struct rg_plan *plan)
 {
     for (uint32_t p = 0; p < plan->pass_count; p++) {
@@ -138,7 +138,7 @@ static const struct capability {
     V12(5347, bufferDeviceAddress),
 };
 
-/* Returns true if a shader (valid SPIR-V, as a pipeline uses it) declares a capability. */
+/* Returns true if a shader (known to be valid SPIR-V) declares a capability. */
 static bool declares(const struct rg_exec *exec, const struct rg_shader *shader, uint32_t number)
 {
     enum {

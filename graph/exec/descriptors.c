@@ -89,7 +89,7 @@ static struct exec_descriptor descriptor_of(const struct rg_exec *exec,
     };
 }
 
-/* Returns the index of a binding's entry among the first `count`, or `count` if there is none. */
+/* Returns the index of a binding number in a list of `count`; `count` if it is not found. */
 static uint32_t find_binding(const VkDescriptorSetLayoutBinding *bindings, uint32_t count,
                              uint32_t binding)
 {
@@ -136,7 +136,7 @@ fail:
     return result;
 }
 
-/* Finds or creates a buffer view of a slot's texel buffer; views of imports are never cached. */
+/* Finds or creates the view of a texel buffer for a frame slot; views of imports are not cached. */
 static VkResult find_texels(struct rg_exec *exec, const struct exec_descriptor *d, uint32_t slot,
                             VkBufferView *view)
 {
@@ -206,8 +206,8 @@ fail:
     return result;
 }
 
-/* Creates a pool for the worst case that all descriptors are of the same type. Acceleration
- * structures are included only if the device needs to support them. */
+/* Creates a descriptor pool for the worst case that all descriptors are of the same type. Without
+ * device addresses, acceleration structures (the last entry) are left out. */
 static VkResult make_pool(struct rg_exec *exec, const struct rg_plan_pass *plan, uint64_t key,
                           VkDescriptorPool *pool)
 {
@@ -234,7 +234,7 @@ fail:
     return result;
 }
 
-/* Writes the descriptors of a pass into the set of a slot. */
+/* Writes the descriptors of a pass into the set of a frame slot. */
 static VkResult write_set(struct rg_exec *exec, const struct rg_plan_pass *plan, uint32_t slot,
                           VkDescriptorSet set)
 {
@@ -274,7 +274,7 @@ fail:
     return result;
 }
 
-/* Creates the descriptor sets of a pass, one per slot. */
+/* Creates the descriptor sets of a pass, one per frame slot. */
 static VkResult make_sets(struct rg_exec *exec, const struct exec_image_set *set, uint32_t pass)
 {
     const struct rg_plan_pass *plan = &exec->plan->passes[pass];

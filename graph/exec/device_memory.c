@@ -2,12 +2,12 @@
 #include <string.h>
 #include "graph/exec/executor.h"
 
-/* Returns the first memory type with `needed` and preferably `wanted` properties, or RG_NONE. */
-static uint32_t find_type(const struct rg_exec *exec, uint32_t bits, VkMemoryPropertyFlags wanted,
-                          VkMemoryPropertyFlags needed)
+/* Returns the first memory type with `needed` and preferably `preferred` properties, or RG_NONE. */
+static uint32_t find_type(const struct rg_exec *exec, uint32_t bits,
+                          VkMemoryPropertyFlags preferred, VkMemoryPropertyFlags needed)
 {
     const VkPhysicalDeviceMemoryProperties *p = &exec->memory_properties;
-    const VkMemoryPropertyFlags choices[] = { wanted | needed, needed };
+    const VkMemoryPropertyFlags choices[] = { preferred | needed, needed };
     for (size_t c = 0; c < 2; c++) {
         for (uint32_t i = 0; i < p->memoryTypeCount; i++) {
             if ((bits & 1u << i) && !(choices[c] & ~p->memoryTypes[i].propertyFlags))
@@ -66,8 +66,8 @@ static VkResult make_blocks(struct rg_exec *exec)
     return result;
 }
 
-/* Placement of a resource by the plan. */
-struct place {
+/* Where the plan places a resource in memory. */
+struct placement {
     const char *name; /* of the resource */
     uint32_t block;   /* RG_NONE: dedicated memory */
     VkDeviceSize offset, size;
@@ -76,18 +76,19 @@ struct place {
 
 /* Finds or allocates the memory of a resource. Fails if the plan was compiled for another device,
  * or without one, and gives the resource too little memory. */
-static VkResult find_memory(struct rg_exec *exec, const struct place *place,
+static VkResult find_memory(struct rg_exec *exec, const struct placement *placement,
                             const VkMemoryRequirements *needs, VkDeviceMemory *memory)
 {
-    VkDeviceSize size = needs->size > place->size ? needs->size : place->size;
-    if (place->block == RG_NONE)
-        return allocate_local(exec, size, needs->memoryTypeBits, place->name, place->salt, memory);
-    const struct rg_block *block = &exec->plan->blocks[place->block];
-    *memory = exec->blocks[place->block];
-    if (needs->size > place->size || place->offset % needs->alignment ||
+    VkDeviceSize size = needs->size > placement->size ? needs->size : placement->size;
+    if (placement->block == RG_NONE)
+        return allocate_local(exec, size, needs->memoryTypeBits, placement->name, placement->salt,
+                              memory);
+    const struct rg_block *block = &exec->plan->blocks[placement->block];
+    *memory = exec->blocks[placement->block];
+    if (needs->size > placement->size || placement->offset % needs->alignment ||
         block->type_bits & ~needs->memoryTypeBits)
         return rg_exec_check(exec, VK_ERROR_INCOMPATIBLE_DRIVER,
-                             "a plan for another device: the memory", place->name);
+                             "a plan for another device: the memory", placement->name);
     return VK_SUCCESS;
 }
 
@@ -130,17 +131,20 @@ static uint64_t image_key(const struct rg_exec *exec, const struct rg_plan_image
 VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *plan, uint64_t salt,
                             VkImage *image)
 {
-    const struct place place = { plan->image->name, plan->block, plan->offset, plan->size, salt };
+    const struct placement placement = { plan->image->name, plan->block, plan->offset, plan->size,
+                                         salt };
     const VkImageCreateInfo info = rg_image_create_info(plan);
     VkMemoryRequirements needs;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkResult result;
-    RG_MAKE_KEYED(exec, place.name, image_key(exec, plan, salt), IMAGE, CreateImage, image, &info);
+    RG_MAKE_KEYED(exec, placement.name, image_key(exec, plan, salt), IMAGE, CreateImage, image,
+                  &info);
     const bool is_bound = exec->found;
     exec->vk.GetImageMemoryRequirements(exec->device, *image, &needs);
-    RG_TRY(find_memory(exec, &place, &needs, &memory));
+    RG_TRY(find_memory(exec, &placement, &needs, &memory));
     if (!is_bound)
-        RG_CALL(exec, place.name, BindImageMemory, exec->device, *image, memory, place.offset);
+        RG_CALL(exec, placement.name, BindImageMemory, exec->device, *image, memory,
+                placement.offset);
     exec->found = is_bound ? RG_FOUND_FORMER : RG_NOT_FOUND;
 fail:
     return result;
@@ -191,7 +195,7 @@ static VkResult find_images(struct rg_exec *exec, uint32_t index)
 }
 
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
-                                  VkMemoryPropertyFlags wanted, const char *name, uint32_t slot,
+                                  VkMemoryPropertyFlags preferred, const char *name, uint32_t slot,
                                   struct exec_buffer *buffer)
 {
     uint64_t key = name_key(name, slot);
@@ -200,14 +204,14 @@ VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo
     VkResult result;
     RG_KEY(key, info->size);
     RG_KEY(key, info->usage);
-    RG_KEY(key, wanted);
+    RG_KEY(key, preferred);
     if (!RG_MAKE_KEYED_ARRAY(exec, key, known, 1))
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     *buffer = *known;
     RG_MAKE_KEYED(exec, name, key, BUFFER, CreateBuffer, &buffer->buffer, info);
     exec->vk.GetBufferMemoryRequirements(exec->device, buffer->buffer, &needs);
     uint32_t type =
-        find_type(exec, needs.memoryTypeBits, wanted, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
+        find_type(exec, needs.memoryTypeBits, preferred, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT);
     RG_TRY(allocate(exec, needs.size, type, name, key, &buffer->host));
     if (known->mapped)
         return VK_SUCCESS;
@@ -222,22 +226,23 @@ fail:
 }
 
 static VkResult make_device_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
-                                   const struct place *place, VkBuffer *buffer)
+                                   const struct placement *placement, VkBuffer *buffer)
 {
     VkMemoryRequirements needs;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkResult result;
-    uint64_t key = name_key(place->name, info->usage);
+    uint64_t key = name_key(placement->name, info->usage);
     RG_KEY(key, info->size);
-    RG_KEY(key, place->size);
-    RG_KEY(key, place->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[place->block]);
-    RG_KEY(key, place->offset);
-    RG_MAKE_KEYED(exec, place->name, key, BUFFER, CreateBuffer, buffer, info);
+    RG_KEY(key, placement->size);
+    RG_KEY(key, placement->block == RG_NONE ? VK_NULL_HANDLE : exec->blocks[placement->block]);
+    RG_KEY(key, placement->offset);
+    RG_MAKE_KEYED(exec, placement->name, key, BUFFER, CreateBuffer, buffer, info);
     const bool is_bound = exec->found;
     exec->vk.GetBufferMemoryRequirements(exec->device, *buffer, &needs);
-    RG_TRY(find_memory(exec, place, &needs, &memory));
+    RG_TRY(find_memory(exec, placement, &needs, &memory));
     if (!is_bound)
-        RG_CALL(exec, place->name, BindBufferMemory, exec->device, *buffer, memory, place->offset);
+        RG_CALL(exec, placement->name, BindBufferMemory, exec->device, *buffer, memory,
+                placement->offset);
     exec->found = is_bound ? RG_FOUND_FORMER : RG_NOT_FOUND;
 fail:
     return result;
@@ -261,12 +266,12 @@ fail:
     return result;
 }
 
-/* Finds or creates a buffer of the plan for every slot. */
+/* Finds or creates a buffer of the plan for every frame slot. */
 static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
 {
     const struct rg_plan_buffer *plan = &exec->plan->buffers[index];
-    const struct place place = { plan->buffer->name, plan->block, plan->offset, plan->memory_size,
-                                 0 };
+    const struct placement placement = { plan->buffer->name, plan->block, plan->offset,
+                                         plan->memory_size, 0 };
     bool is_host = !plan->imported && plan->buffer->memory != RG_MEMORY_DEVICE;
     const VkBufferCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
@@ -276,24 +281,24 @@ static VkResult find_buffers(struct rg_exec *exec, uint32_t index)
                                    : plan->size,
         .usage = plan->usage,
     };
-    VkMemoryPropertyFlags wanted = plan->buffer->memory == RG_MEMORY_READBACK
-                                       ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
-                                       : VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    VkMemoryPropertyFlags preferred = plan->buffer->memory == RG_MEMORY_READBACK
+                                          ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
+                                          : VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     VkResult result = VK_SUCCESS;
     for (uint32_t slot = 0; slot < exec->slot_count && result == VK_SUCCESS; slot++) {
         struct exec_buffer *buffer = rg_exec_buffer(exec, index, slot);
         const struct rg_exec_import *import;
         if (is_host) {
-            result = rg_exec_make_host_buffer(exec, &info, wanted, place.name, slot, buffer);
+            result = rg_exec_make_host_buffer(exec, &info, preferred, placement.name, slot, buffer);
         } else if (slot > 0) {
             *buffer = *rg_exec_buffer(exec, index, 0);
         } else if (!rg_exec_is_external(exec, plan->imported)) {
-            result = make_device_buffer(exec, &info, &place, &buffer->buffer);
+            result = make_device_buffer(exec, &info, &placement, &buffer->buffer);
             exec->has_content[exec->plan->image_count + index] = plan->persistent && exec->found;
             if (result == VK_SUCCESS && rg_exec_is_structure(plan))
                 result = make_structure(exec, plan, buffer);
         } else {
-            import = find_import(exec, plan->import, place.name);
+            import = find_import(exec, plan->import, placement.name);
             buffer->buffer = import ? import->buffer : VK_NULL_HANDLE;
             buffer->acceleration = import ? import->acceleration : VK_NULL_HANDLE;
             result = import ? VK_SUCCESS : VK_ERROR_INITIALIZATION_FAILED;

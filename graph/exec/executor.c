@@ -193,7 +193,7 @@ void rg_exec_destroy(struct rg_exec *exec)
     if (!exec)
         return;
     for (uint32_t i = 0; exec->slots && i < exec->slot_count; i++) {
-        if (exec->slots[i].submitted) /* destroys even if the device is lost */
+        if (exec->slots[i].submitted) /* also if the device is lost */
             (void)wait_fence(exec, &exec->slots[i]);
     }
     rg_exec_free_objects(exec);
@@ -275,7 +275,7 @@ static VkResult submit_alone(struct rg_exec *exec, const struct rg_frame *frame)
         slot->passes[p].begin = begin;
         begin += slot->times.submit + rg_time_now() - submitted;
         slot->passes[p].end = begin;
-        slot->times.submit = 0; /* already counted as time of the pass */
+        slot->times.submit = 0; /* already counted in the pass */
     }
 fail:
     return result;

@@ -6,20 +6,17 @@
 #include "graph/rg_exec.h"
 #include "graph/rg_time.h"
 
-/* A buffer in one slot. Only buffers in host memory have a separate object per slot. */
+/* A buffer in one frame slot (frame in flight); only host memory has a separate one per slot. */
 struct exec_buffer {
     VkBuffer buffer;
-    /* acceleration structure in the buffer; null for other buffers */
-    VkAccelerationStructureKHR acceleration;
-    /* null for device memory, as are `mapped` and `coherent` */
-    VkDeviceMemory host;
+    VkAccelerationStructureKHR acceleration; /* in the buffer, or VK_NULL_HANDLE */
+    VkDeviceMemory host;                     /* null for device memory */
     void *mapped;
-    bool coherent; /* host-coherent memory, which needs no flush or invalidate */
+    bool coherent; /* host-coherent: needs no flush or invalidate */
 };
 
 enum {
-    /* maximum attachments of a pass: colours, depth, resolves */
-    RG_ATTACHMENT_COUNT = 2 * RG_COLOR_COUNT + 1
+    RG_ATTACHMENT_COUNT = 2 * RG_COLOR_COUNT + 1 /* colours, depth, resolves */
 };
 
 struct exec_targets {
@@ -37,12 +34,11 @@ struct exec_image_set {
 
 struct exec_pass {
     VkDescriptorSetLayout set_layout; /* shared by a row's repetitions */
-    VkPipelineLayout layout;          /* shared by equal rows, as is `pipeline` */
+    VkPipelineLayout layout;          /* shared by equal rows; also `pipeline` */
     VkPipeline pipeline;
-    /* this pass created the pipeline; neither another pass nor the previous plan had it */
-    bool first;
+    bool first; /* this pass created the pipeline */
     VkRenderPass render_pass;
-    uint32_t coverage; /* which parts of a region the pass draws (render_region.c) */
+    uint32_t coverage; /* COVER_... flags (render_region.c) */
 };
 
 /* The placeholder image of a use that is bound to its fallback. */
@@ -53,11 +49,11 @@ struct exec_fallback {
     VkImageView view;
 };
 
-/* A descriptor of a pass: the use and what it binds. */
+/* A descriptor of a pass: the resource use and the Vulkan object bound to it. */
 struct exec_descriptor {
     const struct rg_use *use;
     VkDescriptorType type; /* VK_DESCRIPTOR_TYPE_MAX_ENUM: no descriptor */
-    uint32_t buffer;       /* index into the plan's buffers, or RG_NONE */
+    uint32_t buffer;       /* index into plan buffers, or RG_NONE */
     VkDescriptorImageInfo image;
 };
 
@@ -71,11 +67,9 @@ struct exec_slot {
     VkCommandBuffer commands;
     VkFence fence;
     bool submitted;
-    /* timings of the slot's current frame, incomplete until it is finished */
-    struct rg_times times;
-    /* times of passes in the slot's current frame; NULL: not measured */
-    struct rg_pass_time *passes;
-    uint32_t stamp_count; /* timestamps written in its current frame */
+    struct rg_times times;       /* of the current frame, perhaps incomplete */
+    struct rg_pass_time *passes; /* per pass; NULL if not measured */
+    uint32_t stamp_count;        /* timestamps written in its current frame */
 };
 
 /* List of the objects that are freed with an executor. */
@@ -85,7 +79,7 @@ struct exec_objects {
     uint32_t next; /* start of the next search */
 };
 
-/* Layout in which the previous plan left a persistent image that is kept. */
+/* Layout in which the previous plan left a persistent image that the new plan keeps. */
 struct exec_transition {
     VkImage image;
     VkImageSubresourceRange range;
@@ -94,10 +88,10 @@ struct exec_transition {
 
 /* Barriers recorded in one call: those of a pass that runs and of the skipped passes before it. */
 struct exec_batch {
-    VkImageMemoryBarrier2 *images; /* capacity for all barriers of the plan */
+    VkImageMemoryBarrier2 *images; /* capacity: all barriers of the plan */
     VkBufferMemoryBarrier2 *buffers;
     uint32_t image_count, buffer_count;
-    VkMemoryBarrier2 all; /* union of the stages and accesses of all barriers */
+    VkMemoryBarrier2 all; /* union of all stages and accesses */
     bool is_merged;       /* contains barriers of several passes */
 };
 
@@ -107,13 +101,13 @@ struct rg_exec {
     const struct rg_plan *plan;
     VkDevice device;
     struct exec_objects objects; /* of the current plan (object_cache.c) */
-    struct exec_objects former;  /* objects of previous plans, while a new plan is being created */
+    struct exec_objects former;  /* of previous plans, during updates */
 
     enum {
         RG_NOT_FOUND,
         RG_FOUND_HERE,   /* also used by the current plan */
         RG_FOUND_FORMER, /* left by the previous plan */
-    } found;             /* where the object looked up last was found */
+    } found;             /* result of the last lookup */
 
     uint32_t slot_count, slot;                     /* `slot` is the one begun last */
     uint32_t image_set_count;                      /* 1 unless imports have several images */
@@ -123,22 +117,22 @@ struct rg_exec {
     struct exec_buffer *buffers;     /* indexed by slot, then plan buffer */
     struct exec_fallback *fallbacks; /* indexed by the plan's fallbacks */
     struct exec_pass *passes;
-    struct exec_descriptor *descriptors; /* scratch: descriptors of the pass being created */
+    struct exec_descriptor *descriptors; /* scratch: of the pass being created */
     VkDescriptorSetLayoutBinding *bindings;
     VkCommandPool command_pool;
     struct exec_slot *slots;
     struct rg_exec_region region;               /* {0}: the whole view */
     struct rg_exec_external_sync external_sync; /* of the frame submitted last */
     struct exec_time *time;                     /* NULL if created without `measured` */
-    bool filled; /* the first frame has initialised persistent resources and placeholders */
-    /* of persistent images, then buffers: true if content of the previous plan is kept */
+    bool filled; /* persistent resources, placeholders are initialised */
+    /* for each plan image, then buffer: true if it keeps content of the previous plan */
     bool *has_content;
     struct exec_transition *transitions;
     uint32_t transition_count;
-    VkResult record_result;  /* error that a record function caused; the submit returns it */
+    VkResult record_result;  /* error of a record function */
     bool has_indirect_count; /* the device has drawIndirectCount */
-    bool has_addresses;      /* the plan has buffers with device addresses */
-    VkBuffer triangle;       /* with `warm_up_only`: a zero-filled vertex and index buffer */
+    bool has_addresses;      /* plan has buffers with device addresses */
+    VkBuffer triangle;       /* zero-filled vertex, index buffer (warm_up_only) */
     struct exec_batch batch;
 };
 
@@ -150,7 +144,7 @@ struct rg_cmd {
     const struct exec_pass *pass;
     VkCommandBuffer commands;
     VkRect2D area; /* render area of a raster pass */
-    bool warm_up;  /* each draw becomes one triangle that the empty scissor rejects */
+    bool warm_up;  /* draw one fully scissored triangle each */
 };
 
 /* ---- object_cache.c: error handling, and creation and caching of Vulkan objects ---- */
@@ -202,20 +196,19 @@ uint64_t rg_exec_key(uint64_t key, const void *data, size_t size);
 #define RG_MAKE_ARRAY(exec, array, count) RG_MAKE_KEYED_ARRAY(exec, RG_NO_KEY, array, count)
 
 void *rg_exec_make_array(struct rg_exec *exec, uint64_t key, size_t count, size_t size);
-VkResult
-rg_exec_reserve_object(struct rg_exec *exec); /* ensures a free entry in the list of objects */
+VkResult rg_exec_reserve_object(struct rg_exec *exec); /* reserves an entry in the list */
 bool rg_exec_find(struct rg_exec *exec, VkObjectType type, uint64_t key, void *handle, size_t size);
 void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t key, uint64_t handle,
                         const char *name);
 /* Frees objects of the previous plan that this plan does not use, except pipelines, which are kept
  * for one more plan, since programs often switch back and forth. */
 void rg_exec_free_former(struct rg_exec *exec);
-/* Makes rg_exec_params.pipelines available as if the pipelines were of a previous plan. */
+/* Takes the pipelines in rg_exec_params.pipelines for reuse, like those of a previous plan. */
 void rg_exec_adopt_pipelines(struct rg_exec *exec);
-/* Frees all objects, except pipelines that go to rg_exec_params.pipelines. */
+/* Frees all objects, except pipelines that are moved to rg_exec_params.pipelines. */
 void rg_exec_free_objects(struct rg_exec *exec);
 
-/* ---- the other files, in the order in which an executor is created ---- */
+/* ---- other files, in order of executor creation ---- */
 
 /* device_memory.c */
 VkResult rg_exec_make_memory(struct rg_exec *exec);
@@ -225,11 +218,11 @@ VkResult rg_exec_make_image(struct rg_exec *exec, const struct rg_plan_image *pl
 VkResult rg_exec_make_view(struct rg_exec *exec, const struct rg_plan_image *plan, VkImage image,
                            VkImageViewType type, const VkImageSubresourceRange *range,
                            VkImageView *view);
-/* Creates a slot's buffer in host memory. `wanted` are optional properties of its memory. */
+/* Creates a frame slot's buffer in host memory, with `preferred` memory properties if possible. */
 VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo *info,
-                                  VkMemoryPropertyFlags wanted, const char *name, uint32_t slot,
+                                  VkMemoryPropertyFlags preferred, const char *name, uint32_t slot,
                                   struct exec_buffer *buffer);
-/* Returns true for a program's own object, whose handle is no cache key: it may be reused. */
+/* Returns true for an object of the program; its handle is no cache key, since it may be reused. */
 bool rg_exec_is_external(const struct rg_exec *exec, bool imported);
 VkImageSubresourceRange rg_exec_whole(const struct rg_plan_image *image);
 struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);
@@ -252,7 +245,7 @@ VkResult rg_exec_make_descriptors(struct rg_exec *exec);
 /* pipelines.c */
 VkResult rg_exec_make_pipelines(struct rg_exec *exec);
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass);
-/* Returns the code of a shader, or of the one that replaces it. */
+/* Returns a shader, or its replacement (rg_exec_params.replace_shader). */
 const struct rg_shader *rg_exec_code(const struct rg_exec *exec, const struct rg_shader *shader);
 
 /* pass_timing.c */
@@ -269,30 +262,28 @@ VkResult rg_time_finish(struct rg_exec *exec, uint32_t index, uint64_t wait_star
 VkResult rg_exec_make_coverage(struct rg_exec *exec);
 /* Returns true if the current region restricts what a pass draws or copies. */
 bool rg_exec_is_limited(const struct rg_cmd *cmd);
-VkRect2D rg_exec_area(const struct rg_cmd *cmd); /* render area of a pass within the region */
+VkRect2D rg_exec_area(const struct rg_cmd *cmd);            /* render area within the region */
 VkRect2D rg_exec_intersect(VkRect2D inner, VkRect2D outer); /* intersection */
 
-/* pipeline_warm_up.c: buffer of the triangle that an executor created with `warm_up_only` draws */
+/* pipeline_warm_up.c: vertex and index buffer for drawing one triangle with `warm_up_only` */
 VkResult rg_exec_make_warm_up(struct rg_exec *exec);
 
 /* check_features.c: checks that the device has the features that the plan needs */
 VkResult rg_exec_check_features(struct rg_exec *exec);
 
-/* initial_content.c: initialisation before the first frame of a plan */
-/* Finds the persistent resources that keep the content of the previous plan. */
+/* initial_content.c: finds the persistent resources that keep the content of the previous plan */
 VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former);
 void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands);
 /* Records a layout transition that synchronises with all commands before and after. */
 void rg_exec_record_transition(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
                                const VkImageSubresourceRange *range, VkImageLayout from,
                                VkImageLayout to);
-/* Clears a new image and leaves it in TRANSFER_DST_OPTIMAL; depth is cleared to the first float. */
+/* Clears a new image and leaves it in TRANSFER_DST_OPTIMAL; depth is set to the first component. */
 void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer commands, VkImage image,
                                 const VkImageSubresourceRange *range,
                                 const VkClearColorValue *color);
 
-/* barrier_batch.c: merges barriers of skipped passes */
-/* Adds barriers of the plan to the pending batch. */
+/* barrier_batch.c: adds barriers of the plan to the pending batch */
 void rg_exec_add_batch(struct rg_exec *exec, VkCommandBuffer commands, uint32_t first,
                        uint32_t count);
 /* Records the pending barriers. */
@@ -303,7 +294,7 @@ extern const VkCommandBufferBeginInfo rg_exec_commands_once; /* for one-time sub
 /* Records passes `first` to `first + count - 1`; after the last pass also the final barriers. */
 VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint32_t first,
                         uint32_t count);
-/* Records the work of a pass between its barriers. */
+/* Records a pass without its barriers. */
 void rg_exec_record_work(struct rg_cmd *cmd, const struct rg_frame *frame);
 
 #endif

@@ -1,6 +1,5 @@
-/* initial_content.c: initialisation before the first frame of a plan: zero-fills persistent
- * resources, unless they keep content of the previous plan, and moves images to the layouts in
- * which frames begin. */
+/* initial_content.c: zero-fills persistent resources before a plan's first frame, unless they keep
+ * content, and moves images to the layouts in which frames begin. */
 #include "graph/exec/executor.h"
 
 static const VkImageLayout clear_layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
@@ -42,7 +41,7 @@ void rg_exec_record_clear_image(const struct rg_exec *exec, VkCommandBuffer comm
         exec->vk.CmdClearDepthStencilImage(commands, image, clear_layout, &depth, 1, range);
 }
 
-/* Adds the layouts in which the previous plan's frames left a persistent image. */
+/* Adds transitions from the layouts in which the previous plan left a persistent image. */
 static void add_moves(struct rg_exec *exec, const struct rg_exec *former, uint32_t index)
 {
     const struct rg_plan *plan = former->plan;
@@ -69,7 +68,7 @@ VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former
         return VK_ERROR_OUT_OF_HOST_MEMORY;
     for (uint32_t i = 0; i < plan->image_count; i++) {
         uint32_t k = 0;
-        while (exec->has_content[i] && /* has_content: the previous plan has it */
+        while (exec->has_content[i] && /* the previous plan has it */
                former->image_sets->images[k] != exec->image_sets->images[i])
             k++;
         exec->has_content[i] &= former->filled || former->has_content[k];

@@ -1,25 +1,20 @@
-/*
- * object_cache.c: error handling of Vulkan calls, and the list of an executor's objects, cached by
- * key.
- *
- * An object with a key is reused: by another user with the same content in one plan, by the next
- * plan, or (pipelines) by another executor. Keys contain handles of other objects. This is safe,
- * since every object of a list was created or found with handles of objects of that list, and lists
- * move as a whole.
- */
+/* object_cache.c: error handling of Vulkan calls, and an executor's objects, cached by key. An
+ * object with a key is reused: for equal content in one plan, by the next plan, or (pipelines) by
+ * another executor. Keys contain handles of other objects, which is safe, since these are in the
+ * same list, and lists move as a whole. */
 #include <stdlib.h>
 #include <string.h>
 #include "graph/exec/executor.h"
 
 enum {
-    UNUSED_MAX = 1, /* number of plans for which an unused pipeline is kept */
+    UNUSED_MAX = 1, /* plans that an unused pipeline survives */
 };
 
 struct exec_object {
-    VkObjectType type; /* UNKNOWN: host memory; MAX_ENUM: moved to another list */
+    VkObjectType type; /* UNKNOWN: host memory; MAX_ENUM: moved */
     uint64_t handle;
     uint64_t key;    /* RG_NO_KEY: never reused */
-    uint32_t unused; /* number of plans since it was last used */
+    uint32_t unused; /* plans since its last use */
 };
 
 VkResult rg_exec_check(const struct rg_exec *exec, VkResult result, const char *call,
@@ -128,7 +123,7 @@ void rg_exec_add_object(struct rg_exec *exec, VkObjectType type, uint64_t key, u
         exec->vk.SetDebugUtilsObjectNameEXT(exec->device, &info);
 }
 
-/* Allocates at least one element, since calloc() may return NULL for none, which is no failure. */
+/* Allocates at least one element, since NULL, which calloc() may return for none, means failure. */
 void *rg_exec_make_array(struct rg_exec *exec, uint64_t key, size_t count, size_t size)
 {
     void *array;
@@ -207,7 +202,7 @@ void rg_exec_free_former(struct rg_exec *exec)
     keep_pipelines(exec, &exec->former);
 }
 
-/* ---- passing pipelines from one executor to another ---- */
+/* ---- pipelines shared across executors ---- */
 
 struct rg_pipelines {
     struct rg_functions vk;

@@ -1,9 +1,6 @@
-/*
- * pass_timing.c: GPU timestamp and pipeline-statistics queries, and host timing, for each pass.
- *
- * The timestamp comes between pass and barrier: with a tile-based software rasteriser, a timestamp
- * after the barrier may be taken after the next pass.
- */
+/* pass_timing.c: GPU timestamp and pipeline-statistics queries, and host timing, for each pass.
+ * Timestamps precede barriers: a tile-based software rasteriser may execute a later timestamp only
+ * after the next pass. */
 #include <string.h>
 #include <time.h>
 #include "graph/exec/executor.h"
@@ -19,13 +16,13 @@ enum {
 
 struct exec_time {
     struct rg_measure measure; /* of future frames */
-    VkQueryPool stamps;        /* per slot: one before the first pass, and one after each */
+    VkQueryPool stamps;        /* per slot: pass count plus 1 */
     VkQueryPool counts, samples;
-    uint64_t stamp_mask;           /* valid bits of a timestamp; 0: the queue has none */
+    uint64_t stamp_mask;           /* valid timestamp bits; 0 if none */
     double period;                 /* nanoseconds per tick */
-    uint64_t *results;             /* buffer for the results of one slot's queries */
+    uint64_t *results;             /* results of one slot's queries */
     struct rg_pass_time *passes;   /* of all slots */
-    uint32_t *ends;                /* for each slot and pass: index of the timestamp that ends it */
+    uint32_t *ends;                /* end timestamp per slot and pass */
     struct rg_pass_time *finished; /* of the frame that finished last */
     struct rg_times times;
 };

@@ -1,5 +1,4 @@
-/* pipeline_warm_up.c: draws without visible effect, for drivers that compile pipelines at the first
- * draw. */
+/* pipeline_warm_up.c: invisible draws, for drivers that compile pipelines at the first draw. */
 #include <string.h>
 #include "graph/exec/executor.h"
 

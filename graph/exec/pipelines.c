@@ -1,4 +1,4 @@
-/* pipelines.c: creates the pipeline of each row of a plan. */
+/* pipelines.c: creates the pipeline of each pass of a plan. */
 #include "graph/exec/executor.h"
 
 VkShaderStageFlags rg_exec_stages(const struct rg_pass *pass)
@@ -92,7 +92,7 @@ static VkPipelineColorBlendAttachmentState blend_state(const struct rg_target *t
     };
 }
 
-/* Pipeline state that depends on the targets of a row. */
+/* Pipeline state that depends on the targets of a pass. */
 struct target_state {
     VkPipelineColorBlendAttachmentState blends[RG_COLOR_COUNT];
     VkFormat formats[RG_COLOR_COUNT];
@@ -231,7 +231,7 @@ fail:
 
 /* ---- cache keys ---- */
 
-/* Returns true if a shader (valid SPIR-V, as a pipeline uses it) has a specialization constant. */
+/* Returns true if a shader (known to be valid SPIR-V) has a specialization constant. */
 static bool has_constant(const struct rg_shader *code, uint32_t id)
 {
     enum {
@@ -282,9 +282,8 @@ static void add_vertices(uint64_t *key, const struct rg_vertex_layout *layout)
     RG_KEY(*key, RG_NONE);
 }
 
-/* Returns the cache key of a pipeline. Drivers compile equal pipelines again, so equal rows share
- * one. The key covers all inputs but the VkRenderPass, since equal targets make render passes
- * compatible. */
+/* Returns the cache key of a pipeline, which equal rows share. It covers all inputs but the
+ * VkRenderPass, since equal targets make render passes compatible. */
 static uint64_t pipeline_key(const struct rg_exec *exec, const struct rg_plan_pass *plan,
                              const struct exec_pass *pass)
 {

@@ -1,10 +1,5 @@
-/*
- * placeholder_images.c: creates the 1x1 placeholder images of uses that are bound to their
- * fallback.
- *
- * Each has the format and view type of the image that nothing provides. It is cleared before the
- * first frame and only sampled from then on.
- */
+/* placeholder_images.c: creates the 1x1 images of uses that are bound to their fallback, with the
+ * format and view type of the missing image. They are cleared before the first frame. */
 #include "graph/exec/executor.h"
 
 static bool is_cube(const struct rg_use *use)

@@ -94,7 +94,7 @@ static void bind(const struct rg_cmd *cmd)
     cmd->exec->vk.CmdSetScissor(cmd->commands, 0, 1, &area);
 }
 
-/* Advances to the same repetition of a row that comes later in the plan. */
+/* Moves `cmd` to the pass of a later row with the same repetition index. */
 static void skip_to(struct rg_cmd *cmd, const struct rg_pass *row)
 {
     const struct rg_plan *plan = cmd->exec->plan;
@@ -294,7 +294,7 @@ void rg_cmd_dispatch(struct rg_cmd *cmd, uint32_t x, uint32_t y, uint32_t z)
     cmd->exec->vk.CmdDispatch(cmd->commands, x, y, z);
 }
 
-/* Returns the row's first use of a resource with `access` (RG_ACCESS_NONE: any). It must exist. */
+/* Returns the pass's first use of a resource with `access` (RG_ACCESS_NONE: any); it must exist. */
 static const struct rg_plan_use *find_use(const struct rg_cmd *cmd, const void *resource,
                                           enum rg_access access)
 {
@@ -337,7 +337,7 @@ void rg_cmd_draw_mesh_indirect(struct rg_cmd *cmd, const struct rg_mesh *mesh,
                                          offset, 1, 0);
 }
 
-/* Returns true if the device supports indirect counts; otherwise fails the frame's submit. */
+/* Returns true if the device supports indirect counts; otherwise rg_exec_submit() will fail. */
 static bool has_indirect_count(const struct rg_cmd *cmd)
 {
     struct rg_exec *exec = cmd->exec;
@@ -399,7 +399,7 @@ static VkBufferImageCopy copy_region(const struct rg_cmd *cmd, const struct rg_p
     };
 }
 
-/* Returns true if a copy stays within the buffer; otherwise fails the frame's submit. */
+/* Returns true if a copy stays within the buffer; otherwise rg_exec_submit() will fail. */
 static bool copy_fits(const struct rg_cmd *cmd, const struct rg_plan_use *image,
                       const struct rg_plan_use *buffer, const VkBufferImageCopy *region)
 {

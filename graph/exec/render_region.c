@@ -1,11 +1,11 @@
-/* render_region.c: finds which part of each pass must be drawn to get a region of the view. */
+/* render_region.c: finds which part of the view each pass must draw to produce a given region. */
 #include <assert.h>
 #include "graph/exec/executor.h"
 
-/* Bit flags: of an image the parts that later passes read, of a pass the parts that it draws. */
+/* Bit flags: which parts of the view later passes read from an image, or a pass draws. */
 enum {
     COVER_REGION = 1, /* the requested region */
-    COVER_REACH = 2,  /* where fragments sample beyond their own texel */
+    COVER_REACH = 2,  /* where fragments sample other texels */
     COVER_ALL = 4,
 };
 
@@ -61,8 +61,7 @@ static uint32_t coverage_read(const struct rg_use *use, uint32_t coverage)
     return use->access == RG_SAMPLED ? COVER_REACH : COVER_ALL;
 }
 
-/* Finds which part of the view a pass draws, and the parts of images that it needs from earlier
- * passes. */
+/* Finds which part of the view a pass draws, and thus needs from earlier passes' images. */
 static void find_coverage(struct rg_exec *exec, uint32_t index, uint8_t *needs)
 {
     const struct rg_plan_pass *pass = &exec->plan->passes[index];

@@ -1,9 +1,5 @@
-/*
- * vulkan_functions.h: table of the Vulkan functions that the executor calls. Private to graph/.
- *
- * Every executor loads them through its instance: no loader is linked, nothing is global, and no
- * name collides with a program that links the loader or has loaded functions by itself.
- */
+/* vulkan_functions.h: table of the Vulkan functions that the executor calls, loaded through each
+ * instance: no loader is linked, nothing is global, and no name collides. Private to graph/. */
 #ifndef RG_EXEC_VULKAN_FUNCTIONS_H
 #define RG_EXEC_VULKAN_FUNCTIONS_H
 
