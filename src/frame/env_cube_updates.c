@@ -1,5 +1,4 @@
-/* env_cube_updates.c: finds the environment-cube faces and object-cast lighting that a frame must
- * redraw. */
+/* env_cube_updates.c: finds the environment-cube faces and caustic maps that a frame redraws. */
 #include "src/frame/env_cube_updates.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -11,7 +10,7 @@
 #include "src/tech/techniques.h"
 
 enum {
-    MOVER_TRIANGLES = 64, /* consecutive moving triangles that share one bounding sphere */
+    MOVER_TRIANGLES = 64, /* consecutive moving triangles per bounding sphere */
 };
 
 static vec3s corner(const struct mesh *mesh, uint32_t triangle, uint32_t i)
@@ -23,15 +22,15 @@ static vec3s corner(const struct mesh *mesh, uint32_t triangle, uint32_t i)
 static struct frame_cube_moving_sphere sphere_around(const struct mesh *mesh,
                                                      const uint32_t *triangles, uint32_t count)
 {
-    struct frame_cube_moving_sphere mover = { 0 };
+    struct frame_cube_moving_sphere sphere = { 0 };
     for (uint32_t i = 0; i < 3 * count; i++)
-        mover.center = glms_vec3_add(mover.center, corner(mesh, triangles[i / 3], i % 3));
-    mover.center = glms_vec3_scale(mover.center, 1.0f / (float)(3 * count));
+        sphere.center = glms_vec3_add(sphere.center, corner(mesh, triangles[i / 3], i % 3));
+    sphere.center = glms_vec3_scale(sphere.center, 1.0f / (float)(3 * count));
     for (uint32_t i = 0; i < 3 * count; i++) {
         const vec3s at = corner(mesh, triangles[i / 3], i % 3);
-        mover.radius = fmaxf(mover.radius, glms_vec3_distance(mover.center, at));
+        sphere.radius = fmaxf(sphere.radius, glms_vec3_distance(sphere.center, at));
     }
-    return mover;
+    return sphere;
 }
 
 static bool moves(const struct mesh *mesh, uint32_t triangle)
@@ -84,14 +83,14 @@ static struct frame_cube_state face_inputs(const struct globals *globals)
 /* Returns true if a sphere may be visible in a face. A point is in the face's frustum if its
  * |right| and |up| are at most its `forward`. */
 static bool may_be_visible(uint32_t face, const struct frame_cube_state *state,
-                           const struct frame_cube_moving_sphere *mover)
+                           const struct frame_cube_moving_sphere *sphere)
 {
     const struct camera_basis basis = camera_cube_basis(face);
-    const vec3s at = glms_vec3_sub(glms_mat4_mulv3(state->world_from_movers, mover->center, 1.0f),
+    const vec3s at = glms_vec3_sub(glms_mat4_mulv3(state->world_from_movers, sphere->center, 1.0f),
                                    state->center);
-    const float most = glms_vec3_dot(at, basis.forward) + sqrtf(2.0f) * mover->radius;
-    return fabsf(glms_vec3_dot(at, basis.right)) <= most &&
-           fabsf(glms_vec3_dot(at, basis.up)) <= most;
+    const float max = glms_vec3_dot(at, basis.forward) + sqrtf(2.0f) * sphere->radius;
+    return fabsf(glms_vec3_dot(at, basis.right)) <= max &&
+           fabsf(glms_vec3_dot(at, basis.up)) <= max;
 }
 
 static bool same_light(const struct frame_cube_state *a, const struct frame_cube_state *b)
@@ -127,8 +126,8 @@ static bool has_changed(const struct frame_cube *cube, uint32_t face,
     return false;
 }
 
-/* Returns true if the object's bounding sphere is not entirely outside the view frustum's sides. */
-static bool is_in_picture(const struct globals *globals)
+/* Frustum culling: returns true if the object's bounding sphere is inside or cuts the sides. */
+static bool is_in_image(const struct globals *globals)
 {
     const mat4s rows = glms_mat4_transpose(globals->clip_from_world);
     const vec4s center = glms_vec4(globals->center, 1.0f);
@@ -142,11 +141,11 @@ static bool is_in_picture(const struct globals *globals)
     return true;
 }
 
-/* Returns true if an enabled technique lights the surroundings through the objects (caustics). */
-static bool has_diffuse_light(const struct frame_view *view)
+/* Returns true if an enabled technique makes the objects cast caustics or shadows. */
+static bool has_caustics(const struct frame_view *view)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
-        if ((*t)->relights && (*t)->is_on(view->settings) && (*t)->relights(view->scene))
+        if ((*t)->affects_light && (*t)->is_on(view->settings) && (*t)->affects_light(view->scene))
             return true;
     }
     return false;
@@ -180,7 +179,7 @@ static bool same_sun_sample(const struct frame_cube_light *a, const struct frame
     return glms_vec2_eqv(a->jitter, b->jitter);
 }
 
-/* Returns true if the light through objects differs from that in the faces as they were drawn. */
+/* Returns true if the caustics have changed since the cube faces were drawn. */
 static bool light_differs(const struct frame_cube *cube, const struct frame_cube_light *now,
                           bool is_first)
 {
@@ -194,13 +193,13 @@ static uint32_t faces_due(const struct frame_cube *cube, const struct frame_view
     const struct env_cube_params *params = settings_of(view->settings, &env_cube_settings);
     const struct frame_cube_state now = face_inputs(globals);
     const bool in_turn = cube->in_turn && cube->drawn == FRAME_CUBE_ALL;
-    const uint32_t most = in_turn ? params->faces : FRAME_CUBE_FACES;
+    const uint32_t max = in_turn ? params->faces : FRAME_CUBE_FACES;
     uint32_t due = 0;
     if (params->always)
         return FRAME_CUBE_ALL;
-    if (!is_in_picture(globals))
+    if (!is_in_image(globals))
         return 0;
-    for (uint32_t i = 0, count = 0; i < FRAME_CUBE_FACES && count < most; i++) {
+    for (uint32_t i = 0, count = 0; i < FRAME_CUBE_FACES && count < max; i++) {
         const uint32_t face = (cube->next + i) % FRAME_CUBE_FACES;
         if (has_changed(cube, face, &now)) {
             due |= 1u << face;
@@ -213,7 +212,7 @@ static uint32_t faces_due(const struct frame_cube *cube, const struct frame_view
 struct frame_updates frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
                                     const struct globals *globals)
 {
-    if (!has_diffuse_light(view))
+    if (!has_caustics(view))
         return (struct frame_updates){ .faces = faces_due(cube, view, globals) };
     const struct frame_cube_light now = light_inputs(view, globals);
     return (struct frame_updates){

@@ -1,14 +1,13 @@
 /*
- * env_cube_updates.h: finds which environment-cube faces and object-cast lighting a frame must
- * redraw.
+ * env_cube_updates.h: finds the environment-cube faces and caustic maps that a frame must redraw.
  *
- * Both are kept from frame to frame. A face is due if it was never drawn, if the light or the
- * cube's centre has changed since it was drawn, or if a moving object was or is visible in it.
- * While the object is outside the image no face is due, because no shader reads them.
+ * Both are cached between frames. A face is due if it was never drawn, if the light or the cube's
+ * centre has changed since, or if a moving object was or is visible in it. While the object is
+ * outside the image no face is due, because no shader reads them.
  *
- * Light through objects (caustics) and their shadows are due if any input has changed, such as the
- * sample point on the sun's disc, which differs in each sample. The faces show what this light
- * hits, too, but only for the first sample: through ice, shadow edges need not be soft.
+ * Caustic and shadow maps of objects are due if any input has changed, such as the sample point on
+ * the sun's disc, which differs in each sample. The faces show caustics of the first sample only:
+ * through ice, shadow edges need not be soft.
  */
 #ifndef FIRN_FRAME_ENV_CUBE_UPDATES_H
 #define FIRN_FRAME_ENV_CUBE_UPDATES_H
@@ -17,7 +16,7 @@
 
 enum {
     FRAME_CUBE_FACES = 6,
-    FRAME_CUBE_ALL = (1 << FRAME_CUBE_FACES) - 1, /* one bit per face, in Vulkan's face order */
+    FRAME_CUBE_ALL = (1 << FRAME_CUBE_FACES) - 1, /* one bit per face */
 };
 
 /* Inputs that determine what a face shows, except for the scene. */
@@ -27,12 +26,11 @@ struct frame_cube_state {
     mat4s world_from_movers;
 };
 
-/* Inputs that determine the light through objects, except for the scene. Members that depend only
- * on the view are set to 0. */
+/* Inputs that determine the caustics, except for the scene. View-dependent members are set to 0. */
 struct frame_cube_light {
     struct settings settings;
     struct globals globals;
-    vec2s jitter; /* sample point on the sun: light_jitter of struct frame_view */
+    vec2s jitter; /* frame_view.light_jitter */
 };
 
 /* Bounding sphere of some moving triangles, in their rest pose (before world_from_movers). */
@@ -42,15 +40,14 @@ struct frame_cube_moving_sphere {
 };
 
 struct frame_cube {
-    struct frame_cube_moving_sphere
-        *movers; /* spheres that together enclose all moving triangles */
+    struct frame_cube_moving_sphere *movers; /* bounding spheres of moving triangles */
     uint32_t orbiting_ball_count;
-    uint32_t drawn; /* one bit per face that was drawn at least once */
-    uint32_t next;  /* the face after the one drawn last */
-    bool in_turn; /* at most env_cube.faces faces are due per frame; if false, there is no limit */
-    struct frame_cube_state states[FRAME_CUBE_FACES]; /* inputs of each face when last drawn */
-    struct frame_cube_light light;       /* inputs of the light drawn last, if has_light */
-    struct frame_cube_light faces_light; /* inputs of the light in the faces, if has_faces_light */
+    uint32_t drawn;                                   /* mask of faces drawn so far */
+    uint32_t next;                                    /* next face in round-robin order */
+    bool in_turn;                                     /* at most env_cube.faces due per frame */
+    struct frame_cube_state states[FRAME_CUBE_FACES]; /* inputs at the last draw */
+    struct frame_cube_light light;                    /* caustics drawn last, if has_light */
+    struct frame_cube_light faces_light;              /* caustics in faces, if has_faces_light */
     bool has_light, has_faces_light;
 };
 
@@ -58,7 +55,8 @@ struct frame_cube {
 MUST_USE enum status frame_cube_init(struct frame_cube *cube, const struct scene *scene);
 void frame_cube_finish(struct frame_cube *cube);
 
-/* Returns the faces and light that a frame must redraw. `globals` is frame_view_globals(). */
+/* Returns the cube faces and caustic maps that a frame must redraw. `globals` is
+ * frame_view_globals(). */
 struct frame_updates frame_cube_due(const struct frame_cube *cube, const struct frame_view *view,
                                     const struct globals *globals);
 

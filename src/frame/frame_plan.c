@@ -1,5 +1,4 @@
-/* frame_plan.c: assembles a frame's tables at run time: passes of techniques, imports and readback.
- */
+/* frame_plan.c: assembles a frame's tables: passes of techniques, imports and readback. */
 #include "src/frame/frame_plan.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,11 +7,11 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/frame.h"
 
-/* Copies the image, the pass's first resource use, to the readback buffer, its second. */
+/* Copies the image (first resource use of the pass) to the readback buffer (second use). */
 static void record_readback(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct rg_use *uses = rg_cmd_pass(cmd)->uses;
-    if (!frame->stays)
+    if (!frame->skips_readback)
         rg_cmd_copy_image_to_buffer(cmd, uses[0].image, uses[1].buffer, 0);
 }
 
@@ -48,7 +47,7 @@ static void add_readback(struct frame_plan *p, const struct rg_image *image)
 static bool is_drawn(const struct frame_plan *p, const struct rg_image *image)
 {
     for (size_t t = 0; image && t < p->list.count; t++) {
-        const struct rg_technique *technique = &p->list.parts[t];
+        const struct rg_technique *technique = &p->list.pass_groups[t];
         for (size_t i = 0; i < technique->pass_count; i++) {
             for (uint32_t c = 0; c < technique->passes[i].color_count; c++) {
                 if (technique->passes[i].color[c].image == image)
@@ -73,7 +72,7 @@ static void add_outputs(struct frame_plan *p, const struct frame_request *reques
         if (request->layers & 1u << i && is_drawn(p, layer->image))
             add_readback(p, layer->image);
     }
-    for (size_t i = 0; i < FRAME_DENOISE_COUNT && request->choice.is_lighting_denoised; i++)
+    for (size_t i = 0; i < FRAME_DENOISE_COUNT && request->config.is_lighting_denoised; i++)
         add_readback(p, frame_denoise_layers[i].image);
     if (request->display)
         add_readback(p, &frame_display);
@@ -150,12 +149,12 @@ static enum status out_of_memory(void)
     return STATUS_TRY_AGAIN;
 }
 
-/* Lists the technique parts, with space for the readback passes. */
+/* Lists the pass groups, with space for the readback passes. */
 static bool list_techniques(struct frame_plan *p)
 {
     p->techniques = calloc(p->list.count + 1, sizeof(const struct rg_technique *));
     for (size_t i = 0; i < p->list.count && p->techniques; i++)
-        p->techniques[p->technique_count++] = &p->list.parts[i];
+        p->techniques[p->technique_count++] = &p->list.pass_groups[i];
     return p->techniques;
 }
 
@@ -163,7 +162,7 @@ static enum status compile(struct frame_plan *p, const struct frame_request *req
 {
     const uint32_t side = request->face_size
                               ? request->face_size
-                              : frame_face_size(request->choice.settings, request->view.height);
+                              : frame_face_size(request->config.settings, request->view.height);
     const VkExtent2D face = { side, side };
     const struct rg_size sizes[] = { { &frame_env_cube, face }, { &frame_env_cube_depth, face } };
     const struct rg_compile_params params = {
@@ -171,7 +170,7 @@ static enum status compile(struct frame_plan *p, const struct frame_request *req
         .technique_count = p->technique_count,
         .view = request->view,
         .max_view = request->max_view,
-        .max_region = request->part,
+        .max_region = request->max_region,
         .outputs = p->outputs,
         .output_count = p->output_count,
         .imports = p->imports,
@@ -190,7 +189,7 @@ static enum status compile(struct frame_plan *p, const struct frame_request *req
 enum status frame_plan_init(struct frame_plan *p, const struct frame_request *request)
 {
     *p = (struct frame_plan){ 0 };
-    enum status status = frame_list_init(&p->list, &request->choice);
+    enum status status = frame_list_init(&p->list, &request->config);
     if (status != STATUS_OK)
         return status;
     if (!list_techniques(p))

@@ -1,5 +1,4 @@
-/* frame_plan.h: compiles a frame's techniques and readback to a render-graph plan. Needs no device.
- */
+/* frame_plan.h: compiles a frame's techniques and readback to a render-graph plan. */
 #ifndef FIRN_FRAME_FRAME_PLAN_H
 #define FIRN_FRAME_FRAME_PLAN_H
 
@@ -9,21 +8,21 @@
 
 enum {
     FRAME_READBACK_COUNT = FRAME_LAYER_MAX + 2
-}; /* greatest number of images that are read back */
+}; /* maximum number of images read back */
 
 /* Description of a frame: what it imports, draws and reads back. */
 struct frame_request {
-    struct technique_choice choice;
-    const struct scene *scene; /* its images are imported; NULL: each is one texel */
+    struct technique_choice config;
+    const struct scene *scene; /* NULL: fallbacks replace its images */
     VkExtent2D view;           /* pixels */
-    uint32_t face_size;        /* width of a cube face, texels; 0: frame_face_size() of `view` */
-    VkExtent2D max_view;  /* largest view for frame_plan_change_view(), pixels; 0: that of `view` */
-    VkExtent2D part;      /* largest region that is drawn at once, pixels; 0: the whole view */
-    uint32_t layers;      /* bit i: read techniques_layer(i) back, if a pass draws it */
-    bool beauty, display; /* read back the linear image; the 8-bit image */
-    bool cube_back;       /* read frame_env_cube_baked back */
-    bool keep_cube;       /* leave frame_env_cube ready to be sampled by other frames */
-    bool keep_display;    /* leave the 8-bit image ready to be sampled by other frames */
+    uint32_t face_size;        /* cube face width, texels; 0: automatic */
+    VkExtent2D max_view;       /* limit of frame_plan_change_view(); 0: `view` */
+    VkExtent2D max_region;     /* largest tile, pixels; 0: whole view */
+    uint32_t layers;           /* bit i: read back techniques_layer(i) */
+    bool beauty, display;      /* read back linear; 8-bit image */
+    bool cube_back;            /* read frame_env_cube_baked back */
+    bool keep_cube;            /* keep frame_env_cube for other frames */
+    bool keep_display;         /* keep the 8-bit image */
     enum rg_sharing sharing;
     const struct rg_device *device; /* may be NULL */
 };
@@ -40,7 +39,7 @@ struct frame_readback {
 struct frame_plan {
     struct rg_plan *plan;
     struct frame_list list;
-    const struct rg_technique **techniques; /* the parts of `list`, and `readback` */
+    const struct rg_technique **techniques; /* pass groups of `list`, and `readback` */
     size_t technique_count;
     struct rg_technique readback;
     struct rg_pass readback_passes[FRAME_READBACK_COUNT];
@@ -52,10 +51,9 @@ struct frame_plan {
     size_t import_count;
 };
 
-/*
- * Compiles the request. Logs every fault of the tables and returns STATUS_FAILED, or logs and
- * returns STATUS_TRY_AGAIN when out of memory; frame_plan_finish() must be called in any case.
- */
+/* Compiles the request; needs no device. Logs every fault of the tables and returns STATUS_FAILED,
+ * or logs and returns STATUS_TRY_AGAIN when out of memory; frame_plan_finish() must always be
+ * called. */
 MUST_USE enum status frame_plan_init(struct frame_plan *plan, const struct frame_request *request);
 
 /* Recompiles the tables for request->view, which must be within the max_view of both requests. On

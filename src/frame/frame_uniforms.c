@@ -41,7 +41,7 @@ struct surroundings_push frame_view_push(const struct frame_view *view)
     const bool is_orthographic = camera->height > 0.0f;
     float up = is_orthographic ? camera->height / 2.0f : tanf(radians(camera->fov_deg) / 2.0f);
     float right = up * width / height;
-    /* A step of a pixel to the right is 2 right / width, a step down is -2 up / height. */
+    /* A pixel is 2 right / width wide and 2 up / height high in the image plane at distance 1. */
     const vec2s at = glms_vec2_add(view->jitter, view->tile);
     vec3s shift = glms_vec3_sub(glms_vec3_scale(basis.right, 2.0f * at.x * right / width),
                                 glms_vec3_scale(basis.up, 2.0f * at.y * up / height));
@@ -94,7 +94,7 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
         *fitted = (vec2s){ { near, far } };
         return clip_from_world;
     }
-    /* z = far / (far - near) (w - near), where w is the distance along the camera axis. */
+    /* Perspective: z = far / (far - near) (w - near), with w the distance along the camera axis. */
     float scale = far / (far - near);
     for (int column = 0; column < 4; column++)
         clip_from_world.raw[column][2] = scale * clip_from_world.raw[column][3];
@@ -103,31 +103,29 @@ mat4s frame_view_fit(const struct camera *camera, mat4s clip_from_world, vec3s c
     return clip_from_world;
 }
 
-/*
- * Computes the first and last pixel that a sphere covers along one axis of the image. The sphere's
- * centre is `ahead` along the camera axis and `aside` along the image axis, metres; `half` is half
- * of the image's width or height, pixels, and `edge` the tangent of half its field of view.
- */
+/* Computes the first and last pixel that a sphere covers along an image axis. Its centre is `ahead`
+ * along the camera axis and `aside` along the image axis, metres; `half` is half the image's width
+ * or height, pixels, and `edge` the tangent of half its field of view. */
 static void span(float aside, float ahead, float radius, float half, float edge, int32_t ends[2])
 {
-    const float most = 4.0f * half;
+    const float bound = 4.0f * half;
     const float middle = atan2f(aside, ahead);
     const float around = asinf(fminf(radius / hypotf(aside, ahead), 1.0f));
     const float limit = 1.57f;
     const float low = tanf(fmaxf(middle - around, -limit)) / edge;
     const float high = tanf(fminf(middle + around, limit)) / edge;
-    ends[0] = (int32_t)floorf(half + fminf(fmaxf(low * half, -most), most)) - REACH_MARGIN;
-    ends[1] = (int32_t)ceilf(half + fminf(fmaxf(high * half, -most), most)) + REACH_MARGIN;
+    ends[0] = (int32_t)floorf(half + fminf(fmaxf(low * half, -bound), bound)) - REACH_MARGIN;
+    ends[1] = (int32_t)ceilf(half + fminf(fmaxf(high * half, -bound), bound)) + REACH_MARGIN;
 }
 
-/* Computes the pixels of a sphere along an axis; orthographic: `scale` is in pixels per metre. */
+/* Orthographic variant of span(); `scale` is in pixels per metre. */
 static void span_orthographic(float aside, float radius, float half, float scale, int32_t ends[2])
 {
-    const float most = 4.0f * half;
+    const float bound = 4.0f * half;
     const float low = (aside - radius) * scale;
     const float high = (aside + radius) * scale;
-    ends[0] = (int32_t)floorf(half + fmaxf(fminf(low, most), -most)) - REACH_MARGIN;
-    ends[1] = (int32_t)ceilf(half + fmaxf(fminf(high, most), -most)) + REACH_MARGIN;
+    ends[0] = (int32_t)floorf(half + fmaxf(fminf(low, bound), -bound)) - REACH_MARGIN;
+    ends[1] = (int32_t)ceilf(half + fmaxf(fminf(high, bound), -bound)) + REACH_MARGIN;
 }
 
 /* Clips the pixel range `ends` to the image; at least one pixel is left. */
@@ -140,8 +138,7 @@ static void clip(const int32_t ends[2], uint32_t side, int32_t *offset, uint32_t
     *extent = (uint32_t)(high - low) + 1;
 }
 
-/* Computes the pixel ranges that a sphere around `center` covers, with a margin and not clipped to
- * the image. Returns false if the camera is too near. */
+/* Computes a sphere's unclipped pixel bounds; returns false if the camera is too near. */
 static bool sphere_extent(const struct frame_view *view, vec3s center, float radius, int32_t x[2],
                           int32_t y[2])
 {
@@ -241,7 +238,7 @@ vec3s frame_sun_light(const struct scene *scene, const struct settings *settings
     return glms_vec3_scale(own, env->sun_strength);
 }
 
-/* Sets the panorama's sun as a light whose disc has the given radius. */
+/* Sets the panorama's sun as a light whose disc has the angular radius `radius`. */
 static void set_environment_sun(const struct frame_view *view, float radius, struct globals *g)
 {
     const struct env_params *params = settings_of(view->settings, &env_settings);
@@ -256,7 +253,7 @@ static void set_environment_sun(const struct frame_view *view, float radius, str
                                            (vec3s){ { 0.0f, 1.0f, 0.0f } });
 }
 
-/* Sets the sun as a light, of the built-in sky or the panorama. Techniques have set its radius. */
+/* Sets the sun of the built-in sky or the panorama as a light. Techniques have set its radius. */
 static void set_sun(const struct frame_view *view, struct globals *g)
 {
     const float radius = g->sun_radius;
@@ -267,7 +264,7 @@ static void set_sun(const struct frame_view *view, struct globals *g)
         set_environment_sun(view, radius, g);
 }
 
-/* Spaces the lights evenly on a circle around the object, which rotates with time. */
+/* Spaces the light sources evenly on a circle around the object; the circle rotates with time. */
 static void set_lights(const struct frame_view *view, struct globals *g)
 {
     const struct light_params *light = settings_of(view->settings, &light_settings);
@@ -281,7 +278,7 @@ static void set_lights(const struct frame_view *view, struct globals *g)
     }
 }
 
-/* Sets the data of an object's medium, if materials override that of the settings. */
+/* Sets the medium of an object whose material overrides the settings. */
 static void set_medium(const struct frame_view *view, uint32_t object, struct globals *g)
 {
     const struct scene *scene = view->scene;

@@ -8,26 +8,22 @@
 /* Returns the push constants of the image's camera. */
 struct surroundings_push frame_view_push(const struct frame_view *view);
 
-/* Returns the clip_from_world matrix of the previous frame, whose camera is `earlier`; if its
- * fov_deg is 0, it had the current camera. */
+/* Returns the previous frame's clip_from_world by its camera (fov_deg 0: the current camera). */
 mat4s frame_view_previous_clip_from_world(const struct frame_view *view,
                                           const struct camera *earlier);
 
-/*
- * Returns the pixels that may show points within `radii` (0 means 1) bounding radii of the object's
+/* Returns the pixels that may show points within `radii` (0 means 1) bounding radii of the object's
  * centre, with a margin for rays that overshoot; the whole image if the camera is within that
- * distance or the object is behind it.
- */
+ * distance or the object is behind it. */
 VkRect2D frame_view_reach(const struct frame_view *view, const struct globals *globals,
                           float radii);
 
 /* Returns true if the object's bounding sphere exceeds the image, or the camera is near it. */
 bool frame_view_exceeds_image(const struct frame_view *view);
 
-/* Returns the pixels of an image of `size` that may show a box around one or all objects, with a
- * margin of a pixel; the whole image if a corner of the box is in front of the near plane. The box
- * rotates with the objects and is enlarged by `room` radii on all sides. `globals` is that of the
- * object, or frame_view_globals(). */
+/* Returns the pixels of an image of `size` that may show the rotated box of one or all objects,
+ * enlarged by `room` radii and one pixel; the whole image if a corner of the box is in front of the
+ * near plane. `globals` is that of the object, or frame_view_globals(). */
 VkRect2D frame_view_box_area(const struct frame_view *view, const struct globals *globals,
                              struct box box, VkExtent2D size, float room);
 

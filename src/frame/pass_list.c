@@ -21,56 +21,55 @@ enum {
     FACE_SIZE_MAX = 2048,
 };
 
-static bool is_applicable(const struct technique *technique, const struct technique_part *part,
-                          const struct technique_choice *choice)
+static bool is_applicable(const struct technique *technique,
+                          const struct technique_pass_group *group,
+                          const struct technique_choice *config)
 {
-    const uint32_t purposes = part->purposes ? part->purposes : 1u << TECHNIQUE_IMAGE;
-    const enum technique_scene scene = choice->has_pool ? SCENE_OF_POOL : SCENE_OF_OBJECT;
-    if (!(purposes & 1u << choice->purpose))
+    const uint32_t purposes = group->purposes ? group->purposes : 1u << TECHNIQUE_IMAGE;
+    const enum technique_scene scene = config->has_pool ? SCENE_OF_POOL : SCENE_OF_OBJECT;
+    if (!(purposes & 1u << config->purpose))
         return false;
-    if (part->scene != SCENE_OF_ANY && part->scene != scene)
+    if (group->scene != SCENE_OF_ANY && group->scene != scene)
         return false;
-    return !technique->refraction.name || technique == choice->refraction;
+    return !technique->refraction.name || technique == config->refraction;
 }
 
-/* Returns the passes of a technique's part, or none if it is disabled. */
-static struct rg_technique part_rows(const struct technique *technique,
-                                     const struct technique_part *part,
-                                     const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+/* Returns the passes of a pass group, or none if the technique is off. */
+static struct rg_technique passes_of_group(const struct technique *technique,
+                                           const struct technique_pass_group *group,
+                                           const struct technique_choice *config,
+                                           struct pass_builder *builder)
 {
     const bool is_traced =
-        technique->is_hit && choice->refraction && choice->refraction->refraction.traces_bvh;
+        technique->is_hit && config->refraction && config->refraction->refraction.traces_bvh;
 
-    if (is_traced || !is_applicable(technique, part, choice))
+    if (is_traced || !is_applicable(technique, group, config))
         return (struct rg_technique){ 0 };
-    if (part->rows)
-        return part->rows(choice, builder);
-    if (technique->is_on && !technique->is_on(choice->settings))
+    if (group->make_passes)
+        return group->make_passes(config, builder);
+    if (technique->is_on && !technique->is_on(config->settings))
         return (struct rg_technique){ 0 };
-    return part->graph;
+    return group->graph;
 }
 
-static bool add_phase(struct frame_list *list, const struct technique_choice *choice,
+static bool add_phase(struct frame_list *list, const struct technique_choice *config,
                       enum technique_phase phase)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
         for (size_t p = 0; p < TECHNIQUE_PART_COUNT; p++) {
-            const struct technique_part *part = &(*t)->parts[p];
-            if (part->phase != phase || (!part->rows && !part->graph.passes))
+            const struct technique_pass_group *group = &(*t)->pass_groups[p];
+            if (group->phase != phase || (!group->make_passes && !group->graph.passes))
                 continue;
-            struct rg_technique *made = &list->parts[list->count];
-            *made = part_rows(*t, part, choice, &list->builder);
-            if (!made->pass_count)
+            struct rg_technique *added = &list->pass_groups[list->count];
+            *added = passes_of_group(*t, group, config, &list->builder);
+            if (!added->pass_count)
                 continue;
-            made[1] = low_res_inclusions_apply(&list->small, choice, phase, made);
-            list->count += made[1].pass_count ? 2 : 1;
+            added[1] = low_res_inclusions_apply(&list->small, config, phase, added);
+            list->count += added[1].pass_count ? 2 : 1;
         }
     }
     return !list->builder.failed;
 }
-
-/* ---- several objects ---- */
 
 /* Returns the uniform buffer of the object at a position in the depth order. */
 static const struct rg_buffer *globals_at(struct frame_list *list, uint32_t depth_index)
@@ -89,20 +88,20 @@ static const struct rg_buffer *globals_at(struct frame_list *list, uint32_t dept
     return buffer;
 }
 
-/* Returns a copy of a pass's resource uses with another uniform buffer than frame_globals. */
+/* Returns a copy of a pass's resource uses with frame_globals replaced by another buffer. */
 static const struct rg_use *uses_with(struct pass_builder *builder, const struct rg_use *uses,
                                       const struct rg_buffer *globals)
 {
-    struct rg_use *own = pass_builder_copy_uses(builder, uses);
-    for (struct rg_use *use = own; use && use->access; use++) {
+    struct rg_use *copy = pass_builder_copy_uses(builder, uses);
+    for (struct rg_use *use = copy; use && use->access; use++) {
         if (use->buffer == &frame_globals)
             use->buffer = globals;
     }
-    return own;
+    return copy;
 }
 
-/* Assigns the parts from `first` on to the object at a position in the depth order: copies their
- * passes, with the object's uniform buffer and unique names. */
+/* Assigns the pass groups from `first` on to the object at a position in the depth order: copies
+ * their passes, with the object's uniform buffer and unique names. */
 static bool assign_to_object(struct frame_list *list, size_t first, uint32_t depth_index,
                              bool for_layers)
 {
@@ -114,69 +113,70 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
     char suffix[24];
     snprintf(suffix, sizeof(suffix), for_layers ? "%u.layers" : "%u", depth_index);
     for (size_t i = first; i < list->count; i++)
-        object.row_count += list->parts[i].pass_count;
-    object.rows = pass_builder_alloc(&list->builder, (object.row_count + 1) * sizeof(*object.rows));
+        object.pass_count += list->pass_groups[i].pass_count;
+    object.passes =
+        pass_builder_alloc(&list->builder, (object.pass_count + 1) * sizeof(*object.passes));
     object.names =
-        pass_builder_alloc(&list->builder, (object.row_count + 1) * sizeof(*object.names));
-    if (!object.rows || !object.names || !object.globals)
+        pass_builder_alloc(&list->builder, (object.pass_count + 1) * sizeof(*object.names));
+    if (!object.passes || !object.names || !object.globals)
         return false;
     size_t count = 0;
     for (size_t i = first; i < list->count; i++) {
-        struct rg_technique *part = &list->parts[i];
-        struct rg_pass *rows = &object.rows[count];
-        memcpy(rows, part->passes, part->pass_count * sizeof(*rows));
-        part->passes = rows;
-        count += part->pass_count;
+        struct rg_technique *group = &list->pass_groups[i];
+        struct rg_pass *passes = &object.passes[count];
+        memcpy(passes, group->passes, group->pass_count * sizeof(*passes));
+        group->passes = passes;
+        count += group->pass_count;
     }
     for (size_t r = 0; r < count; r++) {
-        struct rg_pass *row = &object.rows[r];
+        struct rg_pass *pass = &object.passes[r];
         object.names[r] =
-            for_layers ? pass_builder_name(&list->builder, row->name, "layers") : row->name;
+            for_layers ? pass_builder_name(&list->builder, pass->name, "layers") : pass->name;
         if (depth_index || for_layers)
-            row->name = pass_builder_name(&list->builder, row->name, suffix);
-        row->uses = uses_with(&list->builder, row->uses, object.globals);
+            pass->name = pass_builder_name(&list->builder, pass->name, suffix);
+        pass->uses = uses_with(&list->builder, pass->uses, object.globals);
     }
     list->objects[list->object_count++] = object;
     return !list->builder.failed;
 }
 
-/* Adds each object's passes up to phase `last`, for the image or, if that is later, for layers. */
-static bool add_objects(struct frame_list *list, const struct technique_choice *choice,
+/* Adds the passes of every object: for the image if `last` is PHASE_REFRACTION, else for layers. */
+static bool add_objects(struct frame_list *list, const struct technique_choice *config,
                         enum technique_phase last)
 {
-    struct technique_choice own = *choice;
+    struct technique_choice copy = *config;
     const bool for_layers = last != PHASE_REFRACTION;
     bool done = true;
-    own.keeps_depth = for_layers;
-    for (uint32_t depth_index = 0; depth_index < choice->object_count && done; depth_index++) {
+    copy.keeps_depth = for_layers;
+    for (uint32_t depth_index = 0; depth_index < config->object_count && done; depth_index++) {
         const size_t first = list->count;
-        own.is_limited = depth_index && !for_layers;
+        copy.is_limited = depth_index && !for_layers;
         if (last != PHASE_FACES)
-            done = add_phase(list, &own, PHASE_DEPTHS) && add_phase(list, &own, PHASE_NORMALS);
-        done = done && add_phase(list, &own, last) &&
+            done = add_phase(list, &copy, PHASE_DEPTHS) && add_phase(list, &copy, PHASE_NORMALS);
+        done = done && add_phase(list, &copy, last) &&
                assign_to_object(list, first, depth_index, for_layers);
     }
     return done;
 }
 
-/* Returns the object whose passes contain `row`, or NULL. */
+/* Returns the object that owns the pass, or NULL. */
 static const struct frame_list_object *owner(const struct frame_list *list,
-                                             const struct rg_pass *row)
+                                             const struct rg_pass *pass)
 {
     for (size_t i = 0; i < list->object_count; i++) {
         const struct frame_list_object *object = &list->objects[i];
-        if (row >= object->rows && row < object->rows + object->row_count)
+        if (pass >= object->passes && pass < object->passes + object->pass_count)
             return object;
     }
     return NULL;
 }
 
-static bool touches(const struct rg_pass *row, const struct rg_image *image)
+static bool uses_image(const struct rg_pass *pass, const struct rg_image *image)
 {
-    bool found = row->depth.image == image;
-    for (uint32_t i = 0; i < row->color_count; i++)
-        found = found || row->color[i].image == image;
-    for (const struct rg_use *use = row->uses; use && use->access; use++)
+    bool found = pass->depth.image == image;
+    for (uint32_t i = 0; i < pass->color_count; i++)
+        found = found || pass->color[i].image == image;
+    for (const struct rg_use *use = pass->uses; use && use->access; use++)
         found = found || use->image == image;
     return found;
 }
@@ -185,9 +185,9 @@ static bool touches(const struct rg_pass *row, const struct rg_image *image)
 static bool is_used_elsewhere(const struct frame_list *list, const struct rg_image *image)
 {
     for (size_t i = 0; i < list->count; i++) {
-        const struct rg_technique *part = &list->parts[i];
-        for (size_t p = 0; p < part->pass_count && !owner(list, part->passes); p++) {
-            if (touches(&part->passes[p], image))
+        const struct rg_technique *group = &list->pass_groups[i];
+        for (size_t p = 0; p < group->pass_count && !owner(list, group->passes); p++) {
+            if (uses_image(&group->passes[p], image))
                 return true;
         }
     }
@@ -196,8 +196,8 @@ static bool is_used_elsewhere(const struct frame_list *list, const struct rg_ima
 
 static bool reads(const struct frame_list_object *object, const struct rg_image *image)
 {
-    for (size_t r = 0; r < object->row_count; r++) {
-        for (const struct rg_use *use = object->rows[r].uses; use && use->access; use++) {
+    for (size_t r = 0; r < object->pass_count; r++) {
+        for (const struct rg_use *use = object->passes[r].uses; use && use->access; use++) {
             if (use->image == image)
                 return true;
         }
@@ -230,29 +230,29 @@ static bool is_local(const struct frame_list *list, const struct rg_target *targ
            (!image || target->load == RG_LOAD_KEEP || !is_used_elsewhere(list, image));
 }
 
-/* Makes a pass keep the content of shared targets, and limits its drawing to the pixels that rays
- * look up, so that many small objects cost no more than a few large ones. */
-static void keep_shared_in_row(struct frame_list *list, const struct frame_list_object *object,
-                               struct rg_pass *row)
+/* Makes a pass keep the content of shared targets and draw only the pixels that rays look up, so
+ * that many small objects cost no more than a few large ones. */
+static void keep_shared_in_pass(struct frame_list *list, const struct frame_list_object *object,
+                                struct rg_pass *pass)
 {
     struct rg_target *color =
-        pass_builder_copy_targets(&list->builder, row->color, row->color_count);
-    for (uint32_t c = 0; color && c < row->color_count; c++) {
+        pass_builder_copy_targets(&list->builder, pass->color, pass->color_count);
+    for (uint32_t c = 0; color && c < pass->color_count; c++) {
         if (is_shared(list, object, color[c].image))
             color[c].load = RG_LOAD_KEEP;
     }
-    row->color = color;
-    if (row->depth.image && is_shared(list, object, row->depth.image))
-        row->depth.load = RG_LOAD_KEEP;
-    bool is_local_to_objects = is_local(list, &row->depth);
-    for (uint32_t c = 0; color && c < row->color_count; c++)
+    pass->color = color;
+    if (pass->depth.image && is_shared(list, object, pass->depth.image))
+        pass->depth.load = RG_LOAD_KEEP;
+    bool is_local_to_objects = is_local(list, &pass->depth);
+    for (uint32_t c = 0; color && c < pass->color_count; c++)
         is_local_to_objects = is_local_to_objects && is_local(list, &color[c]);
-    if (!is_local_to_objects || row->kind != RG_RASTER) {
+    if (!is_local_to_objects || pass->kind != RG_RASTER) {
         list->is_local_to_objects = list->is_local_to_objects && object->is_for_layers;
         return;
     }
-    row->area = frame_object_drawn;
-    row->more = frame_object_more;
+    pass->area = frame_object_drawn;
+    pass->more = frame_object_next_pass;
 }
 
 /* Makes the passes of all objects except the first keep the content of shared targets. */
@@ -261,39 +261,39 @@ static bool keep_shared(struct frame_list *list)
     list->is_local_to_objects = true;
     for (size_t i = 0; i < list->object_count; i++) {
         const struct frame_list_object *object = &list->objects[i];
-        for (size_t r = 0; object->depth_index && r < object->row_count; r++)
-            keep_shared_in_row(list, object, &object->rows[r]);
+        for (size_t r = 0; object->depth_index && r < object->pass_count; r++)
+            keep_shared_in_pass(list, object, &object->passes[r]);
     }
     return !list->builder.failed;
 }
 
-static bool add_all(struct frame_list *list, const struct technique_choice *choice)
+static bool add_all(struct frame_list *list, const struct technique_choice *config)
 {
-    const bool are_many = (choice->object_count > 1 || choice->is_nested) && choice->refraction &&
-                          !choice->refraction->refraction.is_whole;
+    const bool are_many = (config->object_count > 1 || config->is_nested) && config->refraction &&
+                          !config->refraction->refraction.draws_all_objects;
     bool done = true;
     for (int i = 0; i < PHASE_COUNT && done; i++) {
         const enum technique_phase phase = (enum technique_phase)i;
         const bool is_before = phase == PHASE_DEPTHS || phase == PHASE_NORMALS;
         if (are_many &&
             (phase == PHASE_REFRACTION || phase == PHASE_LAYERS || phase == PHASE_FACES))
-            done = add_objects(list, choice, phase);
+            done = add_objects(list, config, phase);
         else if (!are_many || !is_before)
-            done = add_phase(list, choice, phase);
+            done = add_phase(list, config, phase);
     }
     return done && keep_shared(list);
 }
 
-enum status frame_list_init(struct frame_list *list, const struct technique_choice *choice)
+enum status frame_list_init(struct frame_list *list, const struct technique_choice *config)
 {
     const size_t object_count =
-        choice->object_count > 1 || choice->is_nested ? 3 * (size_t)choice->object_count : 1;
-    *list = (struct frame_list){ .small.builder = &list->builder, .is_nested = choice->is_nested };
-    /* inclusions.scale at most doubles the number of parts */
-    list->parts = calloc(2 * techniques_count * TECHNIQUE_PART_COUNT * object_count + 1,
-                         sizeof(*list->parts));
+        config->object_count > 1 || config->is_nested ? 3 * (size_t)config->object_count : 1;
+    *list = (struct frame_list){ .small.builder = &list->builder, .is_nested = config->is_nested };
+    /* inclusions.scale at most doubles the number of pass groups */
+    list->pass_groups = calloc(2 * techniques_count * TECHNIQUE_PART_COUNT * object_count + 1,
+                               sizeof(*list->pass_groups));
     list->objects = calloc(object_count, sizeof(*list->objects));
-    if (list->parts && list->objects && add_all(list, choice))
+    if (list->pass_groups && list->objects && add_all(list, config))
         return STATUS_OK;
     frame_list_finish(list);
     return log_out_of_memory(NULL);
@@ -302,7 +302,7 @@ enum status frame_list_init(struct frame_list *list, const struct technique_choi
 void frame_list_finish(struct frame_list *list)
 {
     pass_builder_finish(&list->builder);
-    free(list->parts);
+    free(list->pass_groups);
     free(list->objects);
     *list = (struct frame_list){ 0 };
 }
@@ -315,15 +315,15 @@ bool frame_draws_cube(const struct settings *settings, const struct scene *scene
 
 struct settings frame_settings(const struct settings *settings, const struct scene *scene)
 {
-    struct settings own = *settings;
-    settings_set_value(&own,
+    struct settings copy = *settings;
+    settings_set_value(&copy,
                        settings_row(&env_cube_settings, offsetof(struct env_cube_params, dynamic)),
                        frame_draws_cube(settings, scene));
     for (const struct technique *const *t = techniques; *t; t++) {
         if ((*t)->follow_scene)
-            (*t)->follow_scene(&own, scene);
+            (*t)->follow_scene(&copy, scene);
     }
-    return own;
+    return copy;
 }
 
 uint32_t frame_face_size(const struct settings *settings, uint32_t height)
@@ -338,19 +338,19 @@ uint32_t frame_face_size(const struct settings *settings, uint32_t height)
 struct settings frame_resolve_settings(const struct settings *settings,
                                        const struct technique *refraction, uint32_t height)
 {
-    struct settings own = *settings;
+    struct settings copy = *settings;
     for (const struct technique *const *t = techniques; *t; t++) {
-        if ((*t)->settle)
-            (*t)->settle(&own, refraction);
+        if ((*t)->resolve_auto)
+            (*t)->resolve_auto(&copy, refraction);
     }
-    settings_set_value(&own,
+    settings_set_value(&copy,
                        settings_row(&env_cube_settings, offsetof(struct env_cube_params, size)),
                        frame_face_size(settings, height));
-    return own;
+    return copy;
 }
 
-const char *frame_list_row_name(const struct frame_list *list, const struct rg_pass *row)
+const char *frame_list_pass_name(const struct frame_list *list, const struct rg_pass *pass)
 {
-    const struct frame_list_object *object = owner(list, row);
-    return object ? object->names[row - object->rows] : row->name;
+    const struct frame_list_object *object = owner(list, pass);
+    return object ? object->names[pass - object->passes] : pass->name;
 }

@@ -1,5 +1,4 @@
-/* thin_lens.c: thin-lens camera: samples the aperture and shears the projection (depth of field).
- */
+/* thin_lens.c: thin-lens camera: samples the aperture and shears the projection. */
 #include "src/frame/thin_lens.h"
 #include <cglm/struct.h>
 #include <math.h>

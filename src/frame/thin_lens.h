@@ -1,9 +1,9 @@
 /*
  * thin_lens.h: thin-lens camera model for depth of field (settings lens.*).
  *
- * Each sample of an image is taken from another point of the aperture, the first one from its
- * centre. The focal plane is perpendicular to the camera axis and stays fixed in the image. This
- * works with every refraction model, but blur consists of as many copies as there are samples.
+ * Each sample of an image is taken from another point of the aperture, sample 0 from its centre.
+ * The focal plane is perpendicular to the camera axis and stays fixed in the image. This works with
+ * every refraction model, but blur consists of as many copies as there are samples.
  */
 #ifndef FIRN_FRAME_THIN_LENS_H
 #define FIRN_FRAME_THIN_LENS_H
@@ -11,8 +11,8 @@
 #include "src/tech/frame.h"
 
 struct frame_lens {
-    vec3s aside; /* offset from the camera to the sample's point on the lens, world space, metres */
-    float focus; /* distance of the focal plane along the camera axis, metres, above 0 */
+    vec3s aside; /* camera to lens point, world, metres */
+    float focus; /* focal plane distance, metres, above 0 */
 };
 
 /* Returns the lens point of view->sample; offset {0} without a lens or for orthographic cameras. */

@@ -28,10 +28,10 @@ struct gpu_window_system {
 };
 
 struct gpu_params {
-    const char *device; /* index in gpu_list() or part of the name in any case; NULL: the best */
+    const char *device; /* device index or name substring; NULL: best */
     bool validate; /* enable validation and synchronization validation, if the layer is installed */
-    bool no_cache; /* do not read or write the file of compiled pipelines */
-    const struct gpu_window_system *windows; /* must outlive the gpu; NULL: no windows */
+    bool no_cache; /* disable the pipeline cache file */
+    const struct gpu_window_system *windows; /* NULL: no windows; outlives the gpu */
 };
 
 struct gpu {
@@ -39,33 +39,32 @@ struct gpu {
     VkPhysicalDevice physical;
     VkDevice device;
     const struct gpu_window_system *windows; /* from the params */
-    VkQueue queue; /* graphics, compute and transfer; with windows, presentation too */
+    VkQueue queue; /* graphics, compute, transfer; presentation with windows */
     uint32_t queue_family;
     VkPhysicalDeviceProperties properties;
     VkPhysicalDeviceMemoryProperties memory;
     VkPipelineCache pipeline_cache;
-    struct rg_pipelines *pipelines; /* for reuse by later executors; NULL if memory was short */
-    bool no_cache;                  /* from the params */
-    VkCommandPool pool;             /* for uploads */
-    bool portability_subset;        /* the device has this extension, so it must be enabled */
-    float max_anisotropy;           /* of samplers; 0 if not supported */
-    bool has_host_memory; /* CPU device with windows: can render to images in host memory */
-    bool has_rays;        /* supports acceleration structures and ray queries */
-    bool has_statistics;  /* supports pipeline statistics and exact occlusion queries */
-    bool validated;       /* the validation layer was found and is enabled */
-    struct gpu_acceleration
-        *rays; /* those of the previous animation pose, for reuse; may be NULL */
+    /* pipelines for reuse by later executors; NULL if memory was short */
+    struct rg_pipelines *pipelines;
+    bool no_cache;           /* from the params */
+    VkCommandPool pool;      /* for uploads */
+    bool portability_subset; /* VK_KHR_portability_subset must be enabled */
+    float max_anisotropy;    /* of samplers; 0 if not supported */
+    bool has_host_memory;    /* CPU: can render to host memory */
+    bool has_rays;           /* supports acceleration structures and ray queries */
+    bool has_statistics;     /* pipeline statistics, exact occlusion queries */
+    bool validated;          /* the validation layer is enabled */
+    /* acceleration structures of the previous pose, for reuse; may be NULL */
+    struct gpu_acceleration *rays;
     VkDebugUtilsMessengerEXT messenger;
-    uint32_t message_count; /* warnings and errors of the validation layer so far */
+    uint32_t message_count; /* validation warnings and errors so far */
 };
 
 /* Opens a device into *gpu, which must not be moved afterwards. On failure *gpu is {0}. */
 MUST_USE enum status gpu_create(struct gpu *gpu, const struct gpu_params *params);
 
-/*
- * Waits for the device, saves the pipeline cache and frees everything. A {0} or half-built gpu is
- * fine. *gpu is then {0} except for message_count, which includes messages about leaked objects.
- */
+/* Waits for the device, saves the pipeline cache and frees everything. A {0} or half-built gpu is
+ * fine. *gpu is then {0} except for message_count, which includes messages about leaked objects. */
 void gpu_destroy(struct gpu *gpu);
 
 /* Waits for the device and returns true if it is lost; then only gpu_destroy() may be called. */
@@ -78,37 +77,34 @@ struct gpu_secondary_device {
 };
 
 /* Creates a second logical device; returns false on failure and logs nothing. */
-MUST_USE bool gpu_secondary_device_create(struct gpu_secondary_device *twin, const struct gpu *gpu);
+MUST_USE bool gpu_secondary_device_create(struct gpu_secondary_device *secondary,
+                                          const struct gpu *gpu);
 void gpu_secondary_device_destroy(
-    struct gpu_secondary_device *twin); /* waits for the device first */
+    struct gpu_secondary_device *secondary); /* waits for the device first */
 
 /* One entry of gpu_list(). */
 struct gpu_device {
     char name[VK_MAX_PHYSICAL_DEVICE_NAME_SIZE];
     VkPhysicalDeviceType type;
-    const char *kind;  /* the type in words: "discrete GPU", "integrated GPU", "CPU", ... */
-    char refused[128]; /* why firn cannot use it; "" if it can */
-    char version[64];  /* versions of Vulkan and driver: "1.3.230, Mesa 22.3.6 (LLVM 15.0.6)" */
-    bool has_rays;     /* supports ray queries; set by gpu_list() only */
+    const char *kind;  /* "discrete GPU", "integrated GPU", "CPU", ... */
+    char refused[128]; /* why it is unusable, or "" */
+    char version[64];  /* "1.3.230, Mesa 22.3.6 (LLVM 15.0.6)" */
+    bool has_rays;     /* ray queries; only by gpu_list() */
 };
 
 /* Fills *device with a description of the open device, as gpu_list() does. */
 void gpu_describe(const struct gpu *gpu, struct gpu_device *device);
 
-/*
- * Lists the devices of this machine in the order of --device numbers in *devices, which the caller
- * frees with free(). Without a loader or a device the list is empty and the result STATUS_OK.
- */
+/* Lists the devices of this machine in the order of --device numbers in *devices, which the caller
+ * frees with free(). Without a loader or a device the list is empty and the result STATUS_OK. */
 MUST_USE enum status gpu_list(struct gpu_device **devices, uint32_t *count);
 
 /* Returns the VkResult's name, for example "VK_ERROR_DEVICE_LOST". */
 const char *gpu_result_name(VkResult result);
 
-/*
- * Returns the status for a VkResult, as described above; only VK_SUCCESS is STATUS_OK.
+/* Returns the status for a VkResult, as described above; only VK_SUCCESS is STATUS_OK.
  * VK_ERROR_UNKNOWN is STATUS_TRY_AGAIN if the memory of this process is limited, because drivers
- * return it when they reach the limit.
- */
+ * return it when they reach the limit. */
 enum status gpu_status(VkResult result);
 
 /* Logs "WHAT: NAME OF THE RESULT" and what to do about it; returns gpu_status(result). */
@@ -131,10 +127,8 @@ struct gpu_image {
     uint32_t mips, layers;
 };
 
-/*
- * Creates a device-local buffer of `size` bytes and fills it with `data` through a staging buffer.
- * Waits until the data are visible to later commands of the queue. *buffer is {0} for size 0.
- */
+/* Creates a device-local buffer of `size` bytes and fills it with `data` through a staging buffer.
+ * Waits until the data are visible to later commands of the queue. *buffer is {0} for size 0. */
 MUST_USE enum status gpu_buffer_create(struct gpu *gpu, struct gpu_buffer *buffer,
                                        VkBufferUsageFlags usage, const void *data,
                                        VkDeviceSize size, const char *name);
@@ -144,30 +138,26 @@ struct gpu_image_params {
     VkFormat format;
     uint32_t width, height;
     uint32_t layers;         /* array layers; 0 means 1 */
-    bool cube;               /* the image is a cube map; it has six square layers */
-    bool mipmaps;            /* generate the mip chain with blits from mip level 0 */
-    bool levels;             /* `texels` contains the whole mip chain, level after level */
-    const void *texels;      /* texels of level 0 or all levels; layer after layer, rows packed */
-    size_t texels_size;      /* bytes; must fit the format and size */
+    bool cube;               /* cube map with six layers */
+    bool mipmaps;            /* generate mips from level 0 */
+    bool levels;             /* `texels` has all mip levels */
+    const void *texels;      /* layer after layer, rows packed */
+    size_t texels_size;      /* size of `texels`, bytes */
     VkImageUsageFlags usage; /* besides SAMPLED and TRANSFER */
 };
 
-/*
- * Creates a device-local 2D (array) image, fills it and leaves it in SHADER_READ_ONLY_OPTIMAL,
+/* Creates a device-local 2D (array) image, fills it and leaves it in SHADER_READ_ONLY_OPTIMAL,
  * visible to every later command of the queue. Logs and returns STATUS_NO_DEVICE if the device
  * cannot create, sample linearly or (for mipmaps) blit the format, and STATUS_DATA if the width or
- * height is 0 or over the device's limits, or texels_size is wrong.
- */
+ * height is 0 or over the device's limits, or texels_size is wrong. */
 MUST_USE enum status gpu_image_create(struct gpu *gpu, struct gpu_image *image,
                                       const struct gpu_image_params *params);
 
 void gpu_buffer_destroy(struct gpu *gpu, struct gpu_buffer *buffer);
 
-/*
- * Check before any allocation that an image is not too large: sizes in pixels against the device's
+/* Check before any allocation that an image is not too large: sizes in pixels against the device's
  * limits (STATUS_USAGE), and `device_size` bytes of device memory with `host_size` bytes of
- * host-visible memory against the heaps (STATUS_TRY_AGAIN). Errors are logged.
- */
+ * host-visible memory against the heaps (STATUS_TRY_AGAIN). Errors are logged. */
 MUST_USE enum status gpu_check_size(const struct gpu *gpu, uint32_t width, uint32_t height);
 /* `side`: width of a face, texels */
 MUST_USE enum status gpu_check_cube(const struct gpu *gpu, uint32_t side);

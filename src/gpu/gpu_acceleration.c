@@ -70,7 +70,7 @@ static void describe_tlas(struct build *build, VkDeviceAddress instances, uint32
     describe(build, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, count);
 }
 
-/* Returns the size of a structure, bytes, and raises rays->scratch_size to that of its build. */
+/* Returns the size of a structure, bytes, and raises rays->scratch_size to what its build needs. */
 static VkDeviceSize size_of(const struct gpu *gpu, struct gpu_acceleration *rays,
                             const struct build *build)
 {
@@ -85,8 +85,6 @@ static VkDeviceSize size_of(const struct gpu *gpu, struct gpu_acceleration *rays
     return (sizes.accelerationStructureSize + OFFSET_ALIGNMENT - 1) / OFFSET_ALIGNMENT *
            OFFSET_ALIGNMENT;
 }
-
-/* ---- creation ---- */
 
 /* Creates the structures in one buffer, one after another. */
 static enum status create_structures(struct gpu *gpu, struct gpu_buffer *memory,
@@ -203,8 +201,6 @@ void gpu_acceleration_destroy(struct gpu *gpu, struct gpu_acceleration *rays)
     free(rays);
 }
 
-/* ---- builds ---- */
-
 /* Buffers that the builds read, and their scratch memory. */
 struct inputs {
     struct gpu_buffer corners, instances, scratch;
@@ -292,7 +288,7 @@ static enum status allocate_scratch(struct gpu *gpu, struct inputs *inputs,
     return status;
 }
 
-/* Records a build and a barrier: builds run one after another, and later commands see them. */
+/* Records a build and a barrier, so that the next build and later commands can use the result. */
 static void record(VkCommandBuffer commands, struct build *build, VkAccelerationStructureKHR to,
                    VkDeviceAddress scratch)
 {

@@ -17,8 +17,8 @@
  * no alternative: lavapipe (Mesa 25.0) reads it at an invalid address for rays that miss. */
 struct gpu_blas_group {
     uint32_t first, count; /* triangles; the count is not 0 */
-    uint8_t mask;          /* instance mask: rays with none of these bits skip the group */
-    bool is_kept;          /* vertices are those of the last build, so the BLAS is kept */
+    uint8_t mask;          /* instance mask of ray queries */
+    bool is_kept;          /* unchanged, so keep its BLAS */
     VkTransformMatrixKHR place;
 };
 
@@ -26,7 +26,7 @@ struct gpu_blas_groups {
     struct gpu_blas_group *all;
     uint32_t count;
     float (*corners)[3][3]; /* vertex positions of the triangles */
-    float margin;           /* metres by which each triangle is enlarged on every side */
+    float margin;           /* enlargement of each triangle, metres */
 };
 
 /* Frees the content of groups; {0} is fine. */
@@ -37,21 +37,19 @@ struct gpu_acceleration {
     VkAccelerationStructureKHR *blas_handles; /* BLAS of each group, in `blas_memory` */
     VkAccelerationStructureKHR tlas;          /* TLAS that shaders trace; in `tlas_memory` */
     VkDeviceSize size;                        /* size of all structures, bytes */
-    VkDeviceSize scratch_size;                /* maximum scratch size of a build, bytes */
-    double ms;                    /* time of the last build, milliseconds; set by the caller */
-    uint32_t count;               /* number of groups */
-    struct gpu_blas_groups built; /* groups of the last build */
+    VkDeviceSize scratch_size;                /* maximum of all builds, bytes */
+    double ms;                                /* last build's milliseconds; by the caller */
+    uint32_t count;                           /* number of groups */
+    struct gpu_blas_groups built;             /* groups of the last build */
 };
 
-/* Creates structures without content for groups, of which only the counts are read. Fails if memory
- * is too small (gpu_check_acceleration_memory()). Needs gpu->has_rays. On failure *rays is NULL. */
+/* Creates empty structures for groups, of which only the counts are read. Fails if memory is too
+ * small (gpu_check_acceleration_memory()). Needs gpu->has_rays. On failure *rays is NULL. */
 MUST_USE enum status gpu_acceleration_create(struct gpu *gpu, struct gpu_acceleration **rays,
                                              const struct gpu_blas_groups *groups);
 
-/*
- * Builds the BLAS of groups that are not kept, and the TLAS. Moves the groups into *rays: *groups
- * is then {0}. Waits until shaders can trace the structures; nothing may trace them meanwhile.
- */
+/* Builds the BLAS of groups that are not kept, and the TLAS. Moves the groups into *rays: *groups
+ * is then {0}. Waits until shaders can trace the structures; nothing may trace them meanwhile. */
 MUST_USE enum status gpu_acceleration_build(struct gpu *gpu, struct gpu_acceleration *rays,
                                             struct gpu_blas_groups *groups);
 

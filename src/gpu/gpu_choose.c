@@ -40,7 +40,7 @@ static uint32_t type_rank(VkPhysicalDeviceType type)
 
 struct feature {
     const char *name;
-    size_t offset; /* offset of the feature's VkBool32 in struct gpu_features */
+    size_t offset; /* in struct gpu_features */
 };
 
 #define CORE(feature) #feature, offsetof(struct gpu_features, core.features.feature)
@@ -97,32 +97,33 @@ static void chain(struct gpu_features *features, bool rays)
 
 /* Enables the feature if the device has it. Returns true if it does. */
 static bool enable(const struct feature *feature, const struct gpu_features *has,
-                   struct gpu_features *wanted)
+                   struct gpu_features *requested)
 {
     VkBool32 supported = VK_FALSE;
     memcpy(&supported, (const char *)has + feature->offset, sizeof(supported));
-    memcpy((char *)wanted + feature->offset, &supported, sizeof(supported));
+    memcpy((char *)requested + feature->offset, &supported, sizeof(supported));
     return supported;
 }
 
-const char *gpu_features_choose(VkPhysicalDevice physical, bool rays, struct gpu_features *wanted)
+const char *gpu_features_choose(VkPhysicalDevice physical, bool rays,
+                                struct gpu_features *requested)
 {
     struct gpu_features has;
     const char *missing = NULL;
     chain(&has, rays);
-    chain(wanted, rays);
+    chain(requested, rays);
     vkGetPhysicalDeviceFeatures2(physical, &has.core);
     for (size_t i = 0; i < sizeof(required) / sizeof(required[0]); i++) {
-        if (!enable(&required[i], &has, wanted) && !missing)
+        if (!enable(&required[i], &has, requested) && !missing)
             missing = required[i].name;
     }
     for (size_t i = 0; i < sizeof(optional) / sizeof(optional[0]); i++)
-        (void)enable(&optional[i], &has, wanted);
+        (void)enable(&optional[i], &has, requested);
     for (size_t i = 0; i < sizeof(ray_features) / sizeof(ray_features[0]) && rays; i++)
-        wanted->rays = enable(&ray_features[i], &has, wanted) && wanted->rays;
-    if (!wanted->rays) {
-        wanted->v12.bufferDeviceAddress = VK_FALSE;
-        wanted->v13.pNext = NULL;
+        requested->rays = enable(&ray_features[i], &has, requested) && requested->rays;
+    if (!requested->rays) {
+        requested->v12.bufferDeviceAddress = VK_FALSE;
+        requested->v13.pNext = NULL;
     }
     return missing;
 }
@@ -179,14 +180,14 @@ static void find_refusal(const struct gpu *gpu, VkPhysicalDevice physical,
 {
     const VkPhysicalDeviceLimits *limits = &properties->limits;
     const uint32_t version = properties->apiVersion;
-    struct gpu_features wanted;
+    struct gpu_features requested;
     const char *missing = NULL;
 
     refused[0] = '\0';
     if (version < VK_API_VERSION_1_3)
         snprintf(refused, size, "expected Vulkan 1.3, got %u.%u", VK_API_VERSION_MAJOR(version),
                  VK_API_VERSION_MINOR(version));
-    else if ((missing = gpu_features_choose(physical, false, &wanted)))
+    else if ((missing = gpu_features_choose(physical, false, &requested)))
         snprintf(refused, size, "no %s", missing);
     else if (gpu->windows && !has_swapchain(physical))
         snprintf(refused, size, "no %s, which windows need", VK_KHR_SWAPCHAIN_EXTENSION_NAME);
@@ -230,24 +231,24 @@ void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
     find_refusal(gpu, physical, properties, device->refused, sizeof(device->refused));
 }
 
-/* Returns true if `name` contains `part`, ignoring case. */
-static bool contains(const char *name, const char *part)
+/* Returns true if `name` contains `substring`, ignoring case. */
+static bool contains(const char *name, const char *substring)
 {
-    const size_t length = strlen(part);
+    const size_t length = strlen(substring);
     for (; *name; name++) {
-        if (strncasecmp(name, part, length) == 0)
+        if (strncasecmp(name, substring, length) == 0)
             return true;
     }
     return length == 0;
 }
 
-static bool matches(const struct gpu_device *device, uint32_t number, const char *wanted)
+static bool matches(const struct gpu_device *device, uint32_t number, const char *requested)
 {
-    if (!wanted)
+    if (!requested)
         return true;
-    if (wanted[0] && strspn(wanted, "0123456789") == strlen(wanted))
-        return strtoull(wanted, NULL, 10) == number;
-    return contains(device->name, wanted);
+    if (requested[0] && strspn(requested, "0123456789") == strlen(requested))
+        return strtoull(requested, NULL, 10) == number;
+    return contains(device->name, requested);
 }
 
 /* Writes "0: NAME, 1: NAME (no synchronization2)" to `text`, truncated to `size` bytes. */
@@ -264,7 +265,7 @@ static void list_names(const struct gpu_device *devices, uint32_t count, char *t
     }
 }
 
-enum status gpu_choose(const struct gpu_device *devices, uint32_t count, const char *wanted,
+enum status gpu_choose(const struct gpu_device *devices, uint32_t count, const char *requested,
                        uint32_t *index)
 {
     const struct gpu_device *best = NULL;
@@ -272,7 +273,7 @@ enum status gpu_choose(const struct gpu_device *devices, uint32_t count, const c
     char names[1024];
 
     for (uint32_t i = 0; i < count; i++) {
-        if (!matches(&devices[i], i, wanted))
+        if (!matches(&devices[i], i, requested))
             continue;
         if (devices[i].refused[0])
             refused = refused ? refused : &devices[i];
@@ -286,10 +287,10 @@ enum status gpu_choose(const struct gpu_device *devices, uint32_t count, const c
     list_names(devices, count, names, sizeof(names));
     if (count == 0)
         log_error("no Vulkan device: %s", gpu_driver_advice());
-    else if (wanted && refused)
+    else if (requested && refused)
         log_error("%s: %s", refused->name, refused->refused);
-    else if (wanted)
-        log_error("unknown Vulkan device '%s': available are %s", wanted, names);
+    else if (requested)
+        log_error("unknown Vulkan device '%s': available are %s", requested, names);
     else
         log_error("no usable Vulkan device: %s", names);
     return STATUS_NO_DEVICE;

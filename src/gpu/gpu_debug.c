@@ -27,7 +27,7 @@ VkDebugUtilsMessengerCreateInfoEXT gpu_debug_messenger(struct gpu *gpu)
         .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
         .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
                            VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
-        /* without PERFORMANCE, which gives advice for hardware that this machine may lack */
+        /* no PERFORMANCE messages: they advise on hardware that this machine may lack */
         .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT |
                        VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
         .pfnUserCallback = count_message,

@@ -18,7 +18,7 @@ static VkResult find_devices(VkInstance instance, VkPhysicalDevice *devices, uin
     if (result == VK_SUCCESS || result == VK_INCOMPLETE)
         return VK_SUCCESS;
     *count = 0;
-    /* Some loaders return this if there is no device. */
+    /* Some loaders return VK_ERROR_INITIALIZATION_FAILED if there is no device. */
     return result == VK_ERROR_INITIALIZATION_FAILED ? VK_SUCCESS : result;
 }
 
@@ -37,7 +37,7 @@ static enum status open_instance(struct gpu *gpu, bool validate)
     return STATUS_NO_DEVICE;
 }
 
-static enum status choose(struct gpu *gpu, const char *wanted)
+static enum status choose(struct gpu *gpu, const char *requested)
 {
     VkPhysicalDevice physical[DEVICES_MAX];
     struct gpu_device devices[DEVICES_MAX];
@@ -48,7 +48,7 @@ static enum status choose(struct gpu *gpu, const char *wanted)
         return gpu_failed("vkEnumeratePhysicalDevices", result);
     for (uint32_t i = 0; i < count; i++)
         gpu_choose_describe(gpu, physical[i], &devices[i]);
-    const enum status status = gpu_choose(devices, count, wanted, &index);
+    const enum status status = gpu_choose(devices, count, requested, &index);
     if (status != STATUS_OK)
         return status;
     gpu->physical = physical[index];
@@ -65,7 +65,7 @@ static VkResult create_device(const struct gpu *gpu, const struct gpu_features *
     const float priority = 1.0F;
     const char *extensions[3 + GPU_RAY_EXTENSION_COUNT];
     uint32_t extension_count = 0;
-    if (gpu->portability_subset) /* must be enabled if the device offers it */
+    if (gpu->portability_subset) /* if offered, it must be enabled */
         extensions[extension_count++] = "VK_KHR_portability_subset";
     if (gpu->windows)
         extensions[extension_count++] = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
@@ -164,20 +164,20 @@ void gpu_destroy(struct gpu *gpu)
     *gpu = (struct gpu){ .message_count = gpu->message_count };
 }
 
-bool gpu_secondary_device_create(struct gpu_secondary_device *twin, const struct gpu *gpu)
+bool gpu_secondary_device_create(struct gpu_secondary_device *secondary, const struct gpu *gpu)
 {
     struct gpu_features features;
     (void)gpu_features_choose(gpu->physical, gpu->has_rays, &features);
-    if (create_device(gpu, &features, &twin->device) != VK_SUCCESS)
+    if (create_device(gpu, &features, &secondary->device) != VK_SUCCESS)
         return false;
-    vkGetDeviceQueue(twin->device, gpu->queue_family, 0, &twin->queue);
+    vkGetDeviceQueue(secondary->device, gpu->queue_family, 0, &secondary->queue);
     return true;
 }
 
-void gpu_secondary_device_destroy(struct gpu_secondary_device *twin)
+void gpu_secondary_device_destroy(struct gpu_secondary_device *secondary)
 {
-    (void)vkDeviceWaitIdle(twin->device);
-    vkDestroyDevice(twin->device, NULL);
+    (void)vkDeviceWaitIdle(secondary->device);
+    vkDestroyDevice(secondary->device, NULL);
 }
 
 bool gpu_is_lost(const struct gpu *gpu)

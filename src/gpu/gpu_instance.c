@@ -13,7 +13,7 @@ enum {
     WINDOW_EXTENSION_COUNT = 8,
 };
 
-/* Which of the optional layers and extensions are available. */
+/* Availability of the optional layers and extensions. */
 struct offer {
     bool layer, validation_features, debug_utils, portability;
 };

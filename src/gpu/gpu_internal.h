@@ -1,8 +1,4 @@
-/*
- * gpu_internal.h: declarations shared by the files of src/gpu and their tests.
- *
- * Functions that return an enum status log their errors.
- */
+/* gpu_internal.h: declarations shared within src/gpu. Functions with a status log their errors. */
 #ifndef FIRN_GPU_INTERNAL_H
 #define FIRN_GPU_INTERNAL_H
 
@@ -33,19 +29,17 @@ void gpu_debug_name(const struct gpu *gpu, VkObjectType type, uint64_t handle, c
 void gpu_choose_describe(const struct gpu *gpu, VkPhysicalDevice physical,
                          struct gpu_device *device);
 
-/*
- * Chooses a device from a list as --device does: the device with that number if `wanted` is all
- * digits, else the best one with `wanted` in its name (NULL: the best of all). Types from best to
- * worst are discrete, integrated, virtual, CPU; of one type the first device is chosen.
- */
+/* Chooses a device from a list as --device does: by number if `requested` is all digits, else the
+ * best one with `requested` in its name (NULL: the best of all). Types from best to worst are
+ * discrete, integrated, virtual, CPU; of one type the first device is chosen. */
 MUST_USE enum status gpu_choose(const struct gpu_device *devices, uint32_t count,
-                                const char *wanted, uint32_t *index);
+                                const char *requested, uint32_t *index);
 
 /* Returns the first queue family with graphics and compute (which implies transfer) that, if
  * gpu->windows is set, can also present; UINT32_MAX if there is none. */
 uint32_t gpu_choose_queue_family(const struct gpu *gpu, VkPhysicalDevice physical);
 
-/* Optional extensions that a device has, of those that firn uses. */
+/* Extensions that firn uses if a device has them. */
 struct gpu_device_extensions {
     bool portability_subset, swapchain;
     bool host_memory; /* VK_EXT_external_memory_host: images in host memory */
@@ -70,13 +64,14 @@ struct gpu_features {
     VkPhysicalDeviceVulkan13Features v13;
     VkPhysicalDeviceAccelerationStructureFeaturesKHR structures; /* chained if `rays` */
     VkPhysicalDeviceRayQueryFeaturesKHR queries;
-    bool rays; /* structures, ray queries and buffer device addresses are enabled */
+    bool rays; /* ray features are enabled */
 };
 
-/* Chains *wanted and sets the features that firn requires, and optional ones that the device has.
- * Ray features are set only if `rays`: the device has gpu_ray_extensions. Returns the name of the
- * first required feature that is missing, or NULL. The device must support Vulkan 1.3. */
-const char *gpu_features_choose(VkPhysicalDevice physical, bool rays, struct gpu_features *wanted);
+/* Chains *requested and sets the features that firn requires, and optional ones that the device
+ * has. Ray features are set only if `rays`: the device has gpu_ray_extensions. Returns the name of
+ * the first required feature that is missing, or NULL. The device must support Vulkan 1.3. */
+const char *gpu_features_choose(VkPhysicalDevice physical, bool rays,
+                                struct gpu_features *requested);
 
 /* Creates gpu->pipeline_cache from an earlier run's file. Warns of a damaged file. */
 MUST_USE enum status gpu_pipeline_cache_load(struct gpu *gpu);
@@ -97,7 +92,7 @@ uint32_t gpu_memory_type(const VkPhysicalDeviceMemoryProperties *memory, uint32_
 enum gpu_memory_kind {
     GPU_MEMORY_DEVICE,  /* device-local */
     GPU_MEMORY_HOST,    /* host-visible */
-    GPU_MEMORY_ADDRESS, /* device-local, for a buffer with a device address */
+    GPU_MEMORY_ADDRESS, /* device-local, with a buffer address */
 };
 
 /* Allocates memory for `needs`. Returns STATUS_TRY_AGAIN if that is more than the device has. */
@@ -117,8 +112,8 @@ struct gpu_upload {
     void *mapped; /* staging.size bytes */
     VkCommandBuffer commands;
     VkFence fence;
-    const char *name; /* name of the buffer or image to fill, for messages; may be NULL */
-    bool submitted;   /* `commands` are submitted and may still be executing */
+    const char *name; /* for messages; may be NULL */
+    bool submitted;   /* `commands` may still be executing */
 };
 
 /* Creates a staging buffer of at most GPU_STAGING_SIZE bytes, and begins to record `commands`. */

@@ -76,8 +76,8 @@ static VkDeviceSize heap_size(const struct gpu *gpu, uint32_t heap)
     const long pages = sysconf(_SC_PHYS_PAGES), page_size = sysconf(_SC_PAGESIZE);
     if (gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU || pages < 1 || page_size < 1)
         return size;
-    const VkDeviceSize most = (VkDeviceSize)pages / 4 * 3 * (VkDeviceSize)page_size;
-    return most > size ? most : size;
+    const VkDeviceSize limit = (VkDeviceSize)pages / 4 * 3 * (VkDeviceSize)page_size;
+    return limit > size ? limit : size;
 }
 
 enum status gpu_check_memory(const struct gpu *gpu, VkExtent2D view, VkDeviceSize device_size,

@@ -1,5 +1,4 @@
-/* gpu_pipeline_cache.c: saves the Vulkan pipeline cache in a file between runs, followed by a hash.
- */
+/* gpu_pipeline_cache.c: saves the Vulkan pipeline cache in a file, followed by a hash. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

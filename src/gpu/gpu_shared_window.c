@@ -1,5 +1,4 @@
-/* gpu_shared_window.c: creates window images in imported host memory (VK_EXT_external_memory_host).
- */
+/* gpu_shared_window.c: window images in imported memory (VK_EXT_external_memory_host). */
 #include "src/gpu/gpu_shared_window.h"
 #include "src/gpu/gpu_internal.h"
 
@@ -19,7 +18,7 @@ static VkDeviceSize find_alignment(const struct gpu *gpu)
     return imports.minImportedHostPointerAlignment;
 }
 
-/* Returns true if the device supports such an image in imported host memory. */
+/* Returns true if the device supports an image of this description in imported host memory. */
 static bool is_supported(const struct gpu *gpu, const VkImageCreateInfo *image)
 {
     const VkPhysicalDeviceExternalImageFormatInfo external = {
@@ -41,11 +40,11 @@ static bool is_supported(const struct gpu *gpu, const VkImageCreateInfo *image)
         .sType = VK_STRUCTURE_TYPE_IMAGE_FORMAT_PROPERTIES_2,
         .pNext = &imports,
     };
-    const VkExtent3D *most = &has.imageFormatProperties.maxExtent;
+    const VkExtent3D *limit = &has.imageFormatProperties.maxExtent;
     return vkGetPhysicalDeviceImageFormatProperties2(gpu->physical, &info, &has) == VK_SUCCESS &&
            imports.externalMemoryProperties.externalMemoryFeatures &
                VK_EXTERNAL_MEMORY_FEATURE_IMPORTABLE_BIT &&
-           most->width >= image->extent.width && most->height >= image->extent.height;
+           limit->width >= image->extent.width && limit->height >= image->extent.height;
 }
 
 /* Imports host memory as device memory. Returns false if it is NULL or cannot back the image. */

@@ -5,7 +5,8 @@
  * through a socket: Mesa 22.3 does so on X servers without DRI3 (Xvfb, VNC). With shared memory,
  * frames are rendered and read in place, without a copy.
  *
- * Ownership: the window owns the canvas, which outlives the images; these own their memory import.
+ * Ownership: the window owns the canvas (struct gpu_shared_window), which outlives the images; each
+ * image owns its memory import.
  */
 #ifndef FIRN_GPU_GPU_SHARED_WINDOW_H
 #define FIRN_GPU_GPU_SHARED_WINDOW_H
@@ -13,8 +14,7 @@
 #include "src/gpu/gpu.h"
 
 enum {
-    GPU_SHARED_WINDOW_IMAGE_COUNT =
-        2, /* double buffering: one is drawn while the server reads the other */
+    GPU_SHARED_WINDOW_IMAGE_COUNT = 2, /* double buffering */
 };
 
 /* Callbacks by which a window provides shared memory and presents images in it. */

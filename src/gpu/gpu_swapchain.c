@@ -30,7 +30,7 @@ static const struct {
 enum {
     FORMAT_COUNT = sizeof(formats) / sizeof(formats[0]),
     MODE_COUNT = sizeof(modes) / sizeof(modes[0]),
-    OFFER_MAX = 128, /* formats or modes; further ones are ignored */
+    OFFER_MAX = 128, /* maximum number of formats or modes */
 };
 
 const char *gpu_swapchain_mode_name(VkPresentModeKHR mode)
@@ -52,8 +52,6 @@ bool gpu_swapchain_mode_find(const char *name, VkPresentModeKHR *mode)
     }
     return false;
 }
-
-/* ---- capabilities of the surface ---- */
 
 static enum status choose_format(const struct gpu *gpu, struct gpu_swapchain *s)
 {
@@ -78,7 +76,7 @@ static enum status choose_format(const struct gpu *gpu, struct gpu_swapchain *s)
 }
 
 static enum status choose_mode(const struct gpu *gpu, struct gpu_swapchain *s,
-                               VkPresentModeKHR wanted)
+                               VkPresentModeKHR requested)
 {
     VkPresentModeKHR available[OFFER_MAX];
     uint32_t count = OFFER_MAX;
@@ -87,15 +85,15 @@ static enum status choose_mode(const struct gpu *gpu, struct gpu_swapchain *s,
     if (result != VK_SUCCESS && result != VK_INCOMPLETE)
         return gpu_failed("vkGetPhysicalDeviceSurfacePresentModesKHR", result);
     s->mode = VK_PRESENT_MODE_FIFO_KHR;
-    if (wanted == GPU_SWAPCHAIN_ANY)
+    if (requested == GPU_SWAPCHAIN_ANY)
         return STATUS_OK;
     for (uint32_t i = 0; i < count; i++) {
-        if (available[i] == wanted)
-            s->mode = wanted;
+        if (available[i] == requested)
+            s->mode = requested;
     }
-    if (s->mode != wanted)
+    if (s->mode != requested)
         log_warning("--present %s: this window does not support the mode; using fifo",
-                    gpu_swapchain_mode_name(wanted));
+                    gpu_swapchain_mode_name(requested));
     return STATUS_OK;
 }
 
@@ -132,8 +130,6 @@ enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *s, VkSurfa
         status = find_usage(gpu, s);
     return status;
 }
-
-/* ---- the images ---- */
 
 static void free_images(const struct gpu *gpu, struct gpu_swapchain *s)
 {
@@ -289,8 +285,6 @@ void gpu_swapchain_finish(struct gpu *gpu, struct gpu_swapchain *s)
         vkDestroySwapchainKHR(gpu->device, s->swapchain, NULL);
     *s = (struct gpu_swapchain){ 0 };
 }
-
-/* ---- a frame ---- */
 
 enum status gpu_swapchain_acquire(struct gpu *gpu, struct gpu_swapchain *s, uint32_t slot,
                                   uint32_t *index)

@@ -37,27 +37,25 @@ enum {
 
 struct gpu_swapchain {
     VkSurfaceKHR surface;
-    VkSwapchainKHR swapchain; /* VK_NULL_HANDLE while the surface has no size, and with a canvas */
+    VkSwapchainKHR swapchain;               /* VK_NULL_HANDLE without size, with canvas */
     const struct gpu_shared_window *canvas; /* NULL: the driver owns the images */
     struct gpu_shared_window_image canvas_images[GPU_SHARED_WINDOW_IMAGE_COUNT];
-    uint32_t shown; /* index of the canvas image that is displayed */
+    uint32_t shown; /* index of the displayed canvas image */
     VkFormat format;
-    bool encodes; /* the format encodes linear colours that are written to it as sRGB */
-    bool copies;  /* the images are usable as transfer destinations */
+    bool encodes; /* colours are sRGB-encoded on writing */
+    bool copies;  /* usable as transfer destinations */
     VkPresentModeKHR mode;
     VkExtent2D extent; /* pixels */
-    VkImage *images;   /* render targets; content is undefined when acquired */
+    VkImage *images;   /* undefined when acquired */
     uint32_t image_count;
     VkSemaphore acquired[GPU_SWAPCHAIN_SLOT_COUNT];
     VkSemaphore *drawn; /* one per image */
-    bool stale;         /* must be recreated: it does not fit the surface */
+    bool stale;         /* must be recreated */
 };
 
-/*
- * Chooses a format with eight bits per channel, without sRGB encoding if possible, and a present
+/* Chooses a format with eight bits per channel, without sRGB encoding if possible, and a present
  * mode: `mode` or, with a warning, FIFO, which every surface supports. Creates no images: `stale`
- * is true. The canvas may be NULL.
- */
+ * is true. The canvas may be NULL. */
 MUST_USE enum status gpu_swapchain_init(struct gpu *gpu, struct gpu_swapchain *swapchain,
                                         VkSurfaceKHR surface, VkPresentModeKHR mode,
                                         const struct gpu_shared_window *canvas);

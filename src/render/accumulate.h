@@ -10,11 +10,9 @@
 /* Adds a layer's planes, filled with 0, to the image. Returns false when out of memory. */
 bool accumulate_add_planes(struct image *image, const struct frame_layer *layer);
 
-/*
- * Adds one sample of a layer to a rectangle of the image's planes. `texels` is the layer's image as
+/* Adds one sample of a layer to a rectangle of the image's planes. `texels` is the layer's image as
  * read back, rows tightly packed. Layers that are not averaged (IDs, depth) use only sample 0,
- * which is at the pixel centre.
- */
+ * which is at the pixel centre. */
 void accumulate_sample(struct image *image, const struct tile *tile,
                        const struct frame_layer *layer, const void *texels, uint32_t sample);
 

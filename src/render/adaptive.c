@@ -7,8 +7,8 @@
 
 enum {
     CELL = ADAPTIVE_CELL,
-    FIRST_END = 4, /* samples of the first round; each further round goes to four times as many */
-    RECTANGLE_COST = 64, /* fixed cost of another rectangle, from full-size passes, in cells */
+    FIRST_END = 4,       /* samples of the first round; later rounds quadruple it */
+    RECTANGLE_COST = 64, /* cost per rectangle in cells, since some passes draw the full image */
 };
 
 bool adaptive_init(struct adaptive *adaptive, uint32_t width, uint32_t height)

@@ -29,10 +29,10 @@ struct adaptive {
     uint32_t width, height; /* size of the image, pixels */
     uint32_t columns, rows; /* number of cells across and down */
     float *sums,
-        *alternate_sums;     /* brightness per pixel: sum over all samples; over every other one */
-    uint32_t *counts;        /* number of samples drawn so far, per cell */
-    bool *is_noisy;          /* per cell: still noisy, needs more samples */
-    struct tile *rectangles; /* pixel rectangles to draw until they have `end` samples */
+        *alternate_sums; /* brightness sums per pixel: of all samples, and of every other sample */
+    uint32_t *counts;    /* samples drawn per cell */
+    bool *is_noisy;      /* per cell: needs more samples */
+    struct tile *rectangles; /* draw these until `end` samples */
     uint32_t rectangle_count, end;
 };
 

@@ -8,8 +8,8 @@
 #include "src/scene/geometry/similarity_transform.h"
 
 enum {
-    GROUPS_MAX = 1 << 17,           /* maximum per part; above it, the part is one group */
-    INCLUSIONS_AT = BVH_INCLUSIONS, /* part of inclusions, without acceleration structures */
+    GROUPS_MAX = 1 << 17,           /* per BVH root; else one group */
+    INCLUSIONS_AT = BVH_INCLUSIONS, /* BVH root without a BLAS */
 };
 
 static const double barycentric_epsilon = 1e-6; /* tolerance of the test in trace_bvh.glsl */
@@ -21,8 +21,6 @@ static double float_from_bits(uint32_t word)
     memcpy(&x, &word, sizeof(x));
     return (double)x;
 }
-
-/* ---- vertices ---- */
 
 /* Affine map of a triangle from world space to barycentric coordinates and plane distance. */
 struct affine_map {
@@ -103,8 +101,6 @@ static void write_group(struct gpu_blas_groups *groups, const struct bvh *bvh,
     }
 }
 
-/* ---- groups ---- */
-
 static const uint32_t *vertex_data(const struct bvh *bvh, uint32_t triangle, uint32_t k)
 {
     return bvh->corners.all[(size_t)triangle * BVH_CORNER_WORDS + k];
@@ -130,14 +126,14 @@ static void visit(uint32_t child, uint32_t range[static 2], uint32_t *stack, uin
     }
 }
 
-/* Finds the triangles of a part of the BVH: indices from range[0] to before range[1]. */
-static void find_triangle_range(const struct bvh *bvh, uint32_t part, uint32_t range[static 2])
+/* Finds the triangles below a BVH root: indices from range[0] to before range[1]. */
+static void find_triangle_range(const struct bvh *bvh, uint32_t root, uint32_t range[static 2])
 {
     uint32_t stack[BVH_DEPTH_MAX + 2], top = 0;
     range[0] = UINT32_MAX;
     range[1] = 0;
-    if (bvh->roots[part] != BVH_NONE)
-        stack[top++] = bvh->roots[part];
+    if (bvh->roots[root] != BVH_NONE)
+        stack[top++] = bvh->roots[root];
     while (top) {
         const uint32_t(*words)[4] =
             (const uint32_t(*)[4]) & bvh->nodes.all[(size_t)stack[--top] * BVH_NODE_WORDS];
@@ -146,9 +142,9 @@ static void find_triangle_range(const struct bvh *bvh, uint32_t part, uint32_t r
     }
 }
 
-/* Adds the groups of a part, or only counts them if `groups->all` is not allocated yet. */
-static uint32_t add_part(struct gpu_blas_groups *groups, const struct bvh *bvh, uint32_t part,
-                         bool by_objects)
+/* Adds the groups of a BVH root, or only counts them if `groups->all` is not allocated yet. */
+static uint32_t add_root_groups(struct gpu_blas_groups *groups, const struct bvh *bvh,
+                                uint32_t root, bool by_objects)
 {
     static const VkTransformMatrixKHR in_world = { {
         { 1, 0, 0, 0 },
@@ -156,13 +152,13 @@ static uint32_t add_part(struct gpu_blas_groups *groups, const struct bvh *bvh, 
         { 0, 0, 1, 0 },
     } };
     uint32_t range[2], count = 0;
-    find_triangle_range(bvh, part, range);
+    find_triangle_range(bvh, root, range);
     for (uint32_t i = range[0]; i < range[1]; i++) {
         const bool is_first =
             i == range[0] || (by_objects && object_id_of(bvh, i) != object_id_of(bvh, i - 1));
         if (is_first && groups->all)
             groups->all[groups->count + count] = (struct gpu_blas_group){
-                .first = i, .mask = (uint8_t)(1u << part), .place = in_world
+                .first = i, .mask = (uint8_t)(1u << root), .place = in_world
             };
         count += is_first;
         if (groups->all)
@@ -175,14 +171,14 @@ static bool add_parts(struct gpu_blas_groups *groups, const struct bvh *bvh, boo
 {
     bool too_many[BVH_PART_COUNT] = { false };
     uint32_t count = 0;
-    for (uint32_t part = 0; part < INCLUSIONS_AT; part++) {
-        const uint32_t own = add_part(groups, bvh, part, by_objects);
-        too_many[part] = own > GROUPS_MAX;
-        count += too_many[part] ? 1 : own;
+    for (uint32_t root = 0; root < INCLUSIONS_AT; root++) {
+        const uint32_t own = add_root_groups(groups, bvh, root, by_objects);
+        too_many[root] = own > GROUPS_MAX;
+        count += too_many[root] ? 1 : own;
     }
     groups->all = calloc(count + (size_t)1, sizeof(*groups->all));
-    for (uint32_t part = 0; part < INCLUSIONS_AT && groups->all; part++)
-        groups->count += add_part(groups, bvh, part, by_objects && !too_many[part]);
+    for (uint32_t root = 0; root < INCLUSIONS_AT && groups->all; root++)
+        groups->count += add_root_groups(groups, bvh, root, by_objects && !too_many[root]);
     return groups->all;
 }
 
@@ -190,10 +186,10 @@ static bool add_parts(struct gpu_blas_groups *groups, const struct bvh *bvh, boo
 static double extent_of(const struct bvh *bvh)
 {
     double largest = 0.0;
-    for (uint32_t part = 0; part < INCLUSIONS_AT; part++) {
-        if (bvh->roots[part] == BVH_NONE)
+    for (uint32_t root = 0; root < INCLUSIONS_AT; root++) {
+        if (bvh->roots[root] == BVH_NONE)
             continue;
-        const struct bvh_box box = bvh_nodes_extent(bvh, part);
+        const struct bvh_box box = bvh_nodes_extent(bvh, root);
         for (int k = 0; k < 3; k++)
             largest = fmax(largest, fmax(fabs((double)box.low[k]), fabs((double)box.high[k])));
     }
@@ -216,8 +212,6 @@ enum status blas_groups_init(struct gpu_blas_groups *groups, const struct bvh *b
         write_group(groups, bvh, &groups->all[i], (double)groups->margin);
     return STATUS_OK;
 }
-
-/* ---- rigid motion of a group ---- */
 
 static const float *vertex_at(const void *of, uint32_t corner)
 {

@@ -1,13 +1,11 @@
 /*
- * blas_groups.h: groups of the BVH's triangles for acceleration structures
- * (src/gpu/gpu_acceleration.h).
+ * blas_groups.h: groups of the BVH's triangles, one BLAS each (src/gpu/gpu_acceleration.h).
  *
  * A ray query must report every triangle that the shader's own BVH test would hit, whatever
  * rounding a device has. So vertices are derived from the BVH's encoded triangles, and each
- * triangle is enlarged on every side by a small fraction of the scene. A part of the scene is a
- * group; in an animated model each object is one. A group that has only been moved, rotated or
- * scaled uniformly since its structure was built keeps the structure and gets a new instance
- * transform.
+ * triangle is enlarged on every side by a small fraction of the scene. Each BVH root is a group; in
+ * an animated model each object is one. A group that has only been moved, rotated or scaled
+ * uniformly since its structure was built keeps the structure and gets a new instance transform.
  *
  * Ownership: gpu_blas_groups_finish() frees the content of the groups.
  */
@@ -22,9 +20,8 @@
 MUST_USE enum status blas_groups_init(struct gpu_blas_groups *groups, const struct bvh *bvh,
                                       bool by_objects);
 
-/* Marks as kept the groups that have only moved since the structures of `built` were made: they get
- * the vertices of `built` and an instance transform. Returns false if the number of groups or the
- * size of any group differs. */
+/* Marks groups as kept that have only moved since `built`: they get its vertices and an instance
+ * transform. Returns false if the number of groups or the size of any group differs. */
 bool blas_groups_keep(struct gpu_blas_groups *groups, const struct gpu_blas_groups *built);
 
 #endif

@@ -5,9 +5,8 @@
 #include <stdlib.h>
 
 enum {
-    STEPS = 4, /* filter iterations; iteration i reaches 2 << i pixels */
-    WINDOW_RADIUS =
-        3, /* radius in pixels of the window from which mean and variance are estimated */
+    STEPS = 4,         /* iteration i reaches 2 << i pixels */
+    WINDOW_RADIUS = 3, /* radius of the variance window, pixels */
 };
 
 /* Sample count above which a pixel skips an iteration; the widest iterations are skipped first. */
@@ -16,14 +15,15 @@ static const float enough_samples[STEPS] = { DENOISE_SAMPLES_ENOUGH, 16.0f, 8.0f
 /* Lighting of a pixel, without albedo, as the difference from the light of an unoccluded sky. */
 struct light {
     vec3s mean;
-    float count;                /* number of samples in `mean`; 0 if there are none */
-    float local_mean, variance; /* mean brightness over the window; variance of that mean */
+    float count;                /* samples in `mean`; 0 for none */
+    float local_mean, variance; /* mean over the window; its variance */
 };
 
 struct surface {
     vec3s position, normal;
-    float spacing_x, spacing_y; /* metres to the same surface in the next pixel; 0 if it ends */
-    float count;                /* number of samples that gathered light */
+    /* distance to the surface point of the next pixel, metres; 0 at an edge */
+    float spacing_x, spacing_y;
+    float count; /* number of samples that gathered light */
     bool is_diffuse;
 };
 
@@ -56,7 +56,7 @@ static float spacing(const struct surface *s, const struct surface *other)
     return other->is_diffuse ? glms_vec3_distance(s->position, other->position) : INFINITY;
 }
 
-/* Computes a pixel's spacing on its surface in x and y, each from the nearer of two neighbours. */
+/* Computes the distances on the surface to a pixel's nearer neighbour in x and in y. */
 static void find_spacing(struct denoiser *s, int x, int y)
 {
     struct surface *own = &s->surfaces[y * s->width + x];
@@ -73,7 +73,7 @@ static void find_spacing(struct denoiser *s, int x, int y)
     own->spacing_y = spacing_y < INFINITY ? spacing_y : 0.0f;
 }
 
-/* Returns the weight, 0 to 1, by which pixel b, at offset dx, dy, shows the surface of a. */
+/* Returns the edge-stopping weight, 0 to 1, for pixel b at offset dx, dy from pixel a. */
 static float geometric_weight(const struct surface *a, const struct surface *b, int dx, int dy)
 {
     if (!b->is_diffuse)
@@ -81,11 +81,11 @@ static float geometric_weight(const struct surface *a, const struct surface *b, 
     const float expected = a->spacing_x * (float)abs(dx) + a->spacing_y * (float)abs(dy) +
                            1e-3f * (a->spacing_x + a->spacing_y);
     const vec3s between = glms_vec3_sub(b->position, a->position);
-    const float away2 = glms_vec3_norm2(between), towards = glms_vec3_dot(a->normal, b->normal);
-    if (away2 > 6.0f * expected * expected || towards <= 0.0f)
+    const float distance2 = glms_vec3_norm2(between), cosine = glms_vec3_dot(a->normal, b->normal);
+    if (distance2 > 6.0f * expected * expected || cosine <= 0.0f)
         return 0.0f;
     const float above = fabsf(glms_vec3_dot(between, a->normal));
-    const float t2 = towards * towards, t4 = t2 * t2;
+    const float t2 = cosine * cosine, t4 = t2 * t2;
     return t4 * t4 * fmaxf(1.0f - above / (0.5f * expected + 1e-12f), 0.0f);
 }
 
@@ -205,19 +205,19 @@ static void replace(struct denoiser *s, int index)
     s->next = previous;
 }
 
-static void add(const struct denoiser *s, struct image *picture, const struct image *ground)
+static void add(const struct denoiser *s, struct image *image, const struct image *ground)
 {
     static const char *const throughputs[] = { "throughput.R", "throughput.G", "throughput.B" };
     static const char *const colors[] = { "R", "G", "B" };
     for (int c = 0; c < 3; c++) {
-        float *plane = image_find(picture, colors[c]);
+        float *plane = image_find(image, colors[c]);
         const float *throughput = image_find(ground, throughputs[c]);
         for (size_t i = 0; plane && i < (size_t)s->width * (size_t)s->height; i++)
             plane[i] = fmaxf(plane[i] + throughput[i] * s->lights[i].mean.raw[c], 0.0f);
     }
 }
 
-bool denoise_light(struct image *picture, const struct image *ground)
+bool denoise_light(struct image *image, const struct image *ground)
 {
     struct denoiser s = { 0 };
     const bool is_read = read_planes(&s, ground);
@@ -228,7 +228,7 @@ bool denoise_light(struct image *picture, const struct image *ground)
         }
         for (int i = -1; i < STEPS; i++)
             replace(&s, i);
-        add(&s, picture, ground);
+        add(&s, image, ground);
     }
     free(s.surfaces);
     free(s.lights);

@@ -24,7 +24,7 @@ static enum status check_memory(const struct gpu *gpu, const struct rg_plan *pla
 {
     const bool is_cpu = cpu_driver_is(gpu);
     const VkDeviceSize texels = (VkDeviceSize)plan->max_region.width * plan->max_region.height;
-    const VkDeviceSize parts =
+    const VkDeviceSize tile_count =
         is_cpu ? (VkDeviceSize)plan->view.width * plan->view.height / texels : 1;
     VkDeviceSize host_size = 0;
     for (uint32_t i = 0; i < plan->buffer_count; i++) {
@@ -32,7 +32,7 @@ static enum status check_memory(const struct gpu *gpu, const struct rg_plan *pla
         if (!buffer->imported && buffer->buffer->memory != RG_MEMORY_DEVICE)
             host_size += FRAMES_IN_FLIGHT * buffer->size;
     }
-    return gpu_check_memory(gpu, view, plan->memory_used / parts + plan->memory_persistent,
+    return gpu_check_memory(gpu, view, plan->memory_used / tile_count + plan->memory_persistent,
                             host_size);
 }
 
@@ -90,7 +90,7 @@ void frame_exec_describe(struct frame_exec_params *described, const struct frame
         .import_count = frame_exec->frame->import_count,
         .max_anisotropy = fminf(gpu->max_anisotropy, (float)texture->anisotropy),
         .frames_in_flight = FRAMES_IN_FLIGHT,
-        /* because some synchronization validation ignores dynamic rendering */
+        /* use render passes: some synchronization validation ignores dynamic rendering */
         .render_passes = gpu->validated,
         .measured = params->measured,
         .statistics = gpu->has_statistics,

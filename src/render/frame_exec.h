@@ -1,8 +1,4 @@
-/*
- * frame_exec.h: a frame's plan and its executor, for the renderer and for the shader warm-up.
- *
- * Errors: logged once; the statuses are those of renderer.h.
- */
+/* frame_exec.h: a frame's plan and its executor. Errors are logged once; see renderer.h. */
 #ifndef FIRN_RENDER_FRAME_EXEC_H
 #define FIRN_RENDER_FRAME_EXEC_H
 

@@ -6,7 +6,8 @@
 #include "src/base/log.h"
 
 struct frame_object_distance {
-    float distance; /* metres, box centre to camera or an orthographic camera's plane */
+    /* distance of the box centre from the camera (orthographic: its plane), metres */
+    float distance;
     uint32_t object;
 };
 
@@ -142,23 +143,23 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
 {
     const struct frame_list *list = &frame_exec->frame->list;
     const VkExtent2D size = frame_exec->frame->plan->view;
-    struct frame_view drawn = *view; /* the view at the size of one interleaved tile */
+    struct frame_view drawn = *view; /* view of one interleaved tile */
     drawn.width = size.width;
     drawn.height = size.height;
     if (!objects->count)
         return;
     const uint32_t count = sort(objects->order, view, globals, list->is_nested);
     for (size_t i = 0; i < objects->count; i++) {
-        const struct frame_list_object *rows = &list->objects[i];
-        const uint32_t index = objects->order[rows->depth_index].object;
+        const struct frame_list_object *entry = &list->objects[i];
+        const uint32_t index = objects->order[entry->depth_index].object;
         const struct object *object = &view->scene->model.objects[index];
         const struct globals own = frame_view_object_globals(view, globals, index);
-        void *memory = rg_exec_mapped(frame_exec->exec, rows->globals, slot);
+        void *memory = rg_exec_mapped(frame_exec->exec, entry->globals, slot);
         if (memory)
             memcpy(memory, &own, sizeof(own));
         objects->all[i] = (struct frame_object){
-            .rows = rows->rows,
-            .row_count = rows->row_count,
+            .passes = entry->passes,
+            .pass_count = entry->pass_count,
             .first_index = object->first_index,
             .index_count = object->index_count,
             .area = frame_view_box_area(view, &own, object->box, size, 0.0f),
@@ -167,7 +168,7 @@ void frame_objects_place(struct frame_objects *objects, const struct frame_exec 
         };
         objects->all[i].drawn = objects->all[i].reach;
         /* The farthest object's passes clear the whole G-buffer, which may be an output layer. */
-        if (!(reach > 0.0f) && rows->depth_index)
+        if (!(reach > 0.0f) && entry->depth_index)
             objects->all[i].lookup_area =
                 frame_view_box_area(view, &own, object->box, size, LOOKUP_MARGIN);
     }

@@ -8,7 +8,7 @@
 
 /* Memory for the objects of a plan's frames; {0} if the plan has no passes for several objects. */
 struct frame_objects {
-    struct frame_object *all; /* one for each object entry of the plan's list */
+    struct frame_object *all; /* one per object of the plan */
     size_t count;
     struct frame_object_distance *order; /* the scene's objects, back to front */
 };

@@ -15,17 +15,13 @@ enum pixel_filter {
 /* Names of the filters, as in the values of the option --pixel-filter. */
 extern const char *const pixel_filter_names[PIXEL_FILTER_COUNT];
 
-/*
- * Returns the offset of a sample from the pixel centre, pixels, to the right and down. Every sample
+/* Returns the offset of a sample from the pixel centre, pixels, to the right and down. Every sample
  * has the same weight, because the sample density follows the filter (filter importance sampling;
- * Ernst, Stamminger and Greiner 2006). Sample 0 is at the centre.
- */
+ * Ernst, Stamminger and Greiner 2006). Sample 0 is at the centre. */
 vec2s pixel_filter_offset(enum pixel_filter filter, uint32_t sample);
 
-/*
- * Returns a sample offset of the box filter, pixels, in [-0.5, 0.5). Samples follow Roberts' R2
- * low-discrepancy sequence, which covers the pixel evenly at any count; sample 0 is at the centre.
- */
+/* Returns a sample offset of the box filter, pixels, in [-0.5, 0.5). Samples follow Roberts' R2
+ * low-discrepancy sequence, evenly distributed at any count; sample 0 is at the centre. */
 vec2s pixel_filter_jitter(uint32_t sample);
 
 #endif

@@ -90,7 +90,7 @@ enum status renderer_upload_bvh(struct renderer *r)
     enum status status = STATUS_OK;
     if (!r->bvh.imports)
         status = uploaded_scene_init_bvh(&r->bvh, p->gpu, p->scene);
-    if (status == STATUS_OK && renderer_image_request(p).choice.queries)
+    if (status == STATUS_OK && renderer_image_request(p).config.queries)
         status = uploaded_scene_build_acceleration(&r->bvh, p->gpu, p->scene);
     return status;
 }
@@ -112,8 +112,8 @@ static enum status upload(struct renderer *r)
     return status;
 }
 
-/* Returns the offset of an interleaved tile's pixels, in pixels of the image, from the centre of
- * the block of pixels to which each tile contributes one. */
+/* Returns the offset, in image pixels, of an interleaved tile's pixels from the centre of their
+ * block: every tile contributes one pixel to each block. */
 static vec2s tile_offset(const struct renderer_params *params, uint32_t tile)
 {
     if (!renderer_is_interleaved(params))
@@ -148,14 +148,14 @@ enum status renderer_build_bvh(struct renderer *r)
 {
     if (!r->params.scene->bvh) {
         r->own_scene = *r->params.scene;
-        r->own_scene.bvh = &r->own_tree;
+        r->own_scene.bvh = &r->own_bvh;
         r->params.scene = &r->own_scene;
     }
     const enum status status = scene_build_bvh(r->params.scene, !r->params.gpu->no_cache);
     struct bvh *bvh = r->params.scene->bvh;
-    const uint32_t most = r->params.gpu->properties.limits.maxTexelBufferElements;
+    const uint32_t limit = r->params.gpu->properties.limits.maxTexelBufferElements;
     if (status == STATUS_OK && !bvh->is_stored)
-        bvh->is_stored = bvh_words_max(bvh) > most;
+        bvh->is_stored = bvh_words_max(bvh) > limit;
     r->costs.bvh = bvh->ms;
     r->costs.bvh_triangles = bvh->triangle_count;
     r->costs.bvh_size = bvh_size(bvh);
@@ -176,13 +176,13 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
         status = renderer_build_bvh(r);
     const double start = clock_ms();
     if (status == STATUS_OK)
-        status = frame_exec_compile(&r->picture, &r->params, renderer_image_request(&r->params));
+        status = frame_exec_compile(&r->image, &r->params, renderer_image_request(&r->params));
     r->costs.compile = clock_ms() - start;
     if (status == STATUS_OK && params->warm_up)
-        r->warm_up = shader_warm_up_begin(&r->picture, &r->params);
+        r->warm_up = shader_warm_up_begin(&r->image, &r->params);
     const double compiled = clock_ms();
     if (status == STATUS_OK)
-        status = frame_objects_init(&r->objects, &r->picture.frame->list, params->scene);
+        status = frame_objects_init(&r->objects, &r->image.frame->list, params->scene);
     if (status == STATUS_OK)
         status = frame_cube_init(&r->cube, params->scene);
     if (status == STATUS_OK)
@@ -196,7 +196,7 @@ enum status renderer_create(struct renderer **renderer, const struct renderer_pa
         status = renderer_compile(r, &r->resolve, renderer_resolve_request(&r->params));
     const double begin = clock_ms();
     if (status == STATUS_OK)
-        status = realise(r, &r->picture);
+        status = realise(r, &r->image);
     r->costs.realise = clock_ms() - begin;
     if (status == STATUS_OK)
         *renderer = r;
@@ -211,13 +211,13 @@ void renderer_destroy(struct renderer *renderer)
         return;
     shader_warm_up_end(renderer->warm_up);
     frame_exec_destroy(&renderer->resolve);
-    frame_exec_destroy(&renderer->picture);
+    frame_exec_destroy(&renderer->image);
     frame_exec_destroy(&renderer->capture);
     frame_objects_finish(&renderer->objects);
     frame_cube_finish(&renderer->cube);
     uploaded_scene_finish(&renderer->own, renderer->params.gpu);
     uploaded_scene_finish(&renderer->bvh, renderer->params.gpu);
-    bvh_finish(&renderer->own_tree);
+    bvh_finish(&renderer->own_bvh);
     image_finish(&renderer->sums);
     image_finish(&renderer->lighting);
     free(renderer->meshes);
@@ -242,13 +242,12 @@ static void write_uploads(const struct frame_view *view, const struct globals *g
     }
 }
 
-/* Returns the pixels in which shaders may look up the object's faces. Rays begin up to 0.02 radii
- * inside (shaders/refract/refract_march_ray.glsl). Layers and floating ice in a pool need the whole
- * image. */
+/* Returns the pixels in which shaders may look up the object's faces: rays begin up to 0.02 radii
+ * inside it. Layers and floating ice in a pool need the whole image. */
 static VkRect2D lookup_area(const struct renderer *r, const struct frame_view *view,
                             const struct globals *globals, VkExtent2D size)
 {
-    const struct technique *refraction = r->params.refraction; /* NULL if only the cube is drawn */
+    const struct technique *refraction = r->params.refraction; /* NULL: only the cube */
     const bool is_all = !refraction || refraction->refraction.reach > 0.0f || r->params.layers ||
                         view->scene->has_pool;
     return is_all ? (VkRect2D){ .extent = size }
@@ -265,7 +264,7 @@ static void restrict_to_tile(const struct renderer *r, const struct frame_view *
         .reach = frame_view_reach(view, globals, r->params.refraction->refraction.reach),
     };
     if (r->tiling.columns * r->tiling.rows > 1 || r->params.is_adaptive)
-        rg_exec_set_region(r->picture.exec, &region);
+        rg_exec_set_region(r->image.exec, &region);
 }
 
 enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
@@ -295,13 +294,13 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         .scene = r->params.scene,
         .object = uploaded_scene_mesh(&s->object, r->params.is_coarse),
         .surroundings = uploaded_scene_mesh(&s->surroundings, r->params.is_coarse),
-        .objects = frame_exec == &r->picture ? r->objects.all : NULL,
-        .object_count = frame_exec == &r->picture ? r->objects.count : 0,
+        .objects = frame_exec == &r->image ? r->objects.all : NULL,
+        .object_count = frame_exec == &r->image ? r->objects.count : 0,
         .meshes = r->meshes,
         .view = frame_view_push(&view),
         .time = shot->time,
         .light_jitter = view.light_jitter,
-        .stays = r->stays,
+        .skips_readback = r->skips_readback,
     };
     const struct globals globals = frame_view_globals(&view, &frame.view);
     for (uint32_t face = 0; face < FRAME_CUBE_FACES; face++)
@@ -310,12 +309,12 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
     frame.object_area = frame_view_box_area(&view, &globals, view.scene->box, size, 0.0f);
     frame.lookup_area = lookup_area(r, &view, &globals, size);
     frame.ground_area = frame_view_reflection_area(&view, &globals, size);
-    frame.due = frame_exec == &r->picture ? frame_cube_due(&r->cube, &view, &globals)
-                                          : (struct frame_updates){ FRAME_CUBE_ALL, true };
+    frame.due = frame_exec == &r->image ? frame_cube_due(&r->cube, &view, &globals)
+                                        : (struct frame_updates){ FRAME_CUBE_ALL, true };
     VkResult result = rg_exec_begin(frame_exec->exec, slot);
     if (result == VK_SUCCESS) {
         write_uploads(&view, &globals, frame_exec->exec, *slot);
-        if (frame_exec == &r->picture) {
+        if (frame_exec == &r->image) {
             frame_objects_place(&r->objects, frame_exec, *slot, &view, &globals,
                                 r->params.refraction ? r->params.refraction->refraction.reach
                                                      : 0.0f);
@@ -323,7 +322,7 @@ enum status renderer_run(struct renderer *r, struct frame_exec *frame_exec,
         }
         result = rg_exec_submit(frame_exec->exec, &frame);
     }
-    if (frame_exec == &r->picture && result == VK_SUCCESS)
+    if (frame_exec == &r->image && result == VK_SUCCESS)
         frame_cube_mark_drawn(&r->cube, &view, &globals, frame.due);
     return gpu_status(result);
 }
@@ -345,14 +344,14 @@ static bool wants_layer(const struct renderer *r, uint32_t layer)
 enum status renderer_read_sample(struct renderer *r, struct image *image, const struct tile *tile,
                                  uint32_t sample, uint32_t slot)
 {
-    enum status status = gpu_status(rg_exec_wait(r->picture.exec, slot));
+    enum status status = gpu_status(rg_exec_wait(r->image.exec, slot));
     if (status != STATUS_OK)
         return status;
-    const void *beauty = renderer_read_back(&r->picture, frame_beauty.image, slot);
+    const void *beauty = renderer_read_back(&r->image, frame_beauty.image, slot);
     if (beauty)
         accumulate_sample(image, tile, &frame_beauty, beauty, sample);
     for (uint32_t i = 0; techniques_layer(i); i++) {
-        const void *texels = renderer_read_back(&r->picture, techniques_layer(i)->image, slot);
+        const void *texels = renderer_read_back(&r->image, techniques_layer(i)->image, slot);
         if (wants_layer(r, i) && texels)
             accumulate_sample(image, tile, techniques_layer(i), texels, sample);
     }
@@ -360,7 +359,6 @@ enum status renderer_read_sample(struct renderer *r, struct image *image, const 
     return STATUS_OK;
 }
 
-/* Draws the environment cube once, before the first sample, unless it is dynamic. */
 enum status renderer_capture_cube(struct renderer *r, const struct renderer_shot *shot)
 {
     const struct motion_params *motion = settings_of(r->params.settings, &motion_settings);
@@ -377,20 +375,20 @@ enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
 {
     enum status status = renderer_capture_cube(r, shot);
     r->cube.in_turn = true;
-    r->stays = true;
+    r->skips_readback = true;
     if (status == STATUS_OK)
-        status = renderer_run(r, &r->picture, shot, 0, &r->last_slot);
+        status = renderer_run(r, &r->image, shot, 0, &r->last_slot);
     return status;
 }
 
 enum status renderer_wait(struct renderer *r)
 {
-    return gpu_status(rg_exec_wait(r->picture.exec, r->last_slot));
+    return gpu_status(rg_exec_wait(r->image.exec, r->last_slot));
 }
 
 VkImage renderer_display_image(const struct renderer *r)
 {
-    return rg_exec_image(r->picture.exec, &frame_display);
+    return rg_exec_image(r->image.exec, &frame_display);
 }
 
 struct renderer_costs renderer_costs(const struct renderer *r)
@@ -400,22 +398,22 @@ struct renderer_costs renderer_costs(const struct renderer *r)
 
 void renderer_measure(struct renderer *r, const struct rg_measure *measure)
 {
-    rg_exec_measure(r->picture.exec, measure);
+    rg_exec_measure(r->image.exec, measure);
 }
 
 struct rg_times renderer_times(const struct renderer *r)
 {
-    return rg_exec_times(r->picture.exec);
+    return rg_exec_times(r->image.exec);
 }
 
 const struct rg_plan *renderer_frame(const struct renderer *r)
 {
-    return r->picture.frame->plan;
+    return r->image.frame->plan;
 }
 
 const char *renderer_row_name(const struct renderer *r, const struct rg_pass *row)
 {
-    return frame_list_row_name(&r->picture.frame->list, row);
+    return frame_list_pass_name(&r->image.frame->list, row);
 }
 
 static enum status draw_samples(struct renderer *r, const struct renderer_shot *shot,
@@ -424,12 +422,12 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
     const struct tile pixels = { .width = image->width, .height = image->height };
     enum status status = renderer_capture_cube(r, shot);
     r->cube.in_turn = false; /* draw all faces: an image must not depend on earlier ones */
-    r->stays = false;
+    r->skips_readback = false;
     /* The device draws one sample while the host accumulates the previous one. */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {
         uint32_t slot_before = r->last_slot;
         if (i < r->params.samples)
-            status = renderer_run(r, &r->picture, shot, i, &r->last_slot);
+            status = renderer_run(r, &r->image, shot, i, &r->last_slot);
         if (i == 0 || status != STATUS_OK)
             continue;
         status = renderer_read_sample(r, image, &pixels, i - 1, slot_before);
@@ -530,7 +528,7 @@ enum status renderer_render(struct renderer *r, const struct renderer_shot *shot
     if (status == STATUS_OK && r->resolve.exec) {
         status = resolve_display(r, &result->image, &result->rgba);
     } else if (status == STATUS_OK && r->params.display) {
-        result->rgba = copy_display(r, &r->picture, r->last_slot, r->tile.width);
+        result->rgba = copy_display(r, &r->image, r->last_slot, r->tile.width);
         status = result->rgba ? STATUS_OK : STATUS_TRY_AGAIN;
     }
     if (status != STATUS_OK)

@@ -27,9 +27,9 @@ struct renderer;
 
 struct render_result {
     struct image image; /* linear: beauty and layers */
-    uint16_t *rgba_16;  /* like rgba, with 16 bits; NULL unless callers fill it in */
-    uint8_t *rgba;      /* sRGB-encoded, width * height * 4 bytes; NULL if not asked for */
-    float samples;      /* samples per pixel, averaged over the image */
+    uint16_t *rgba_16;  /* filled by callers; otherwise NULL */
+    uint8_t *rgba;      /* 8-bit sRGB; NULL if not requested */
+    float samples;      /* mean samples per pixel */
 };
 
 /* Called after every sample. If it returns false, rendering stops silently with STATUS_FAILED. */
@@ -39,12 +39,10 @@ typedef bool renderer_progress_fn(void *user, uint32_t done, uint32_t all);
 MUST_USE enum status renderer_create(struct renderer **renderer,
                                      const struct renderer_params *params);
 
-/*
- * Switches to other params with the same gpu, scene and `uploaded`, and the same `measured`.
+/* Switches to other params with the same gpu, scene and `uploaded`, and the same `measured`.
  * Memory, images and pipelines that both need are kept; drawn images are lost. Waits for all
  * frames. On failure the renderer may only be destroyed; after STATUS_TRY_AGAIN a new one may still
- * fit into memory, since this call needs that of both.
- */
+ * fit into memory, since this call needs that of both. */
 MUST_USE enum status renderer_change(struct renderer *renderer,
                                      const struct renderer_params *params);
 
@@ -59,9 +57,9 @@ MUST_USE enum status renderer_change(struct renderer *renderer,
  */
 struct renderer_shot {
     struct camera camera;
-    float time;            /* seconds since the start of the animation */
+    float time;            /* animation time, seconds */
     uint32_t tile;         /* below columns * rows */
-    struct camera earlier; /* camera of the previous frame; fov_deg 0: use `camera` */
+    struct camera earlier; /* previous frame's; fov_deg 0: `camera` */
 };
 
 /* Draws all samples of a shot. *result must be {0} or finished; on failure it is {0}. With tiles it
@@ -70,17 +68,13 @@ MUST_USE enum status renderer_render(struct renderer *renderer, const struct ren
                                      struct render_result *result, renderer_progress_fn *progress,
                                      void *user);
 
-/*
- * Submits the shot's sample 0 and returns without waiting for it, except that at most two frames
- * are in flight. For renderers with params.keep.
- */
+/* Submits the shot's sample 0 and returns without waiting for it, except that at most two frames
+ * are in flight. For renderers with params.keep. */
 MUST_USE enum status renderer_draw(struct renderer *renderer, const struct renderer_shot *shot);
 
-/*
- * Draws the environment cube at `time`, seconds, into an image in the layout of environment.h: six
+/* Draws the environment cube at `time`, seconds, into an image in the layout of environment.h: six
  * faces, one below the other, planes R, G, B, A of half floats. Uses only gpu, scene, uploaded,
- * settings, sharing and width (of a face) of params. *image must be {0}; on failure it stays {0}.
- */
+ * settings, sharing and width (of a face) of params. *image must be {0} and stays so on failure. */
 MUST_USE enum status renderer_bake(const struct renderer_params *params, float time,
                                    struct image *image);
 
@@ -111,14 +105,14 @@ VkImage renderer_display_image(const struct renderer *renderer);
 
 /* Host time spent by renderer_create(), milliseconds, and sizes of what it built. */
 struct renderer_costs {
-    double bvh;             /* build time of the BVH, which stays with the scene */
-    uint32_t bvh_triangles; /* 0 if the refraction model has no BVH */
+    double bvh;             /* BVH build time */
+    uint32_t bvh_triangles; /* 0 without a BVH */
     uint64_t bvh_size;      /* bytes */
     double rays;            /* build time of acceleration structures */
     uint64_t rays_size;     /* bytes; 0 if there are none */
     double upload;          /* time to upload the scene */
-    double compile;         /* time to compile the frame's tables to a plan */
-    double realise;         /* time to create memory, images, descriptors and pipelines */
+    double compile;         /* plan compilation */
+    double realise;         /* memory, images, descriptors and pipelines */
 };
 struct renderer_costs renderer_costs(const struct renderer *renderer);
 

@@ -11,12 +11,12 @@ static enum status draw_tiles(struct renderer *r, const struct renderer_shot *sh
     enum status status = STATUS_OK;
     for (uint32_t p = 0; p < adaptive->rectangle_count && status == STATUS_OK; p++) {
         r->tile = adaptive->rectangles[p];
-        status = renderer_run(r, &r->picture, shot, sample, &r->last_slot);
+        status = renderer_run(r, &r->image, shot, sample, &r->last_slot);
         if (status == STATUS_OK)
             status = renderer_read_sample(r, image, &r->tile, sample, r->last_slot);
         if (status == STATUS_OK)
             adaptive_add(adaptive, &r->tile,
-                         renderer_read_back(&r->picture, frame_beauty.image, r->last_slot), sample);
+                         renderer_read_back(&r->image, frame_beauty.image, r->last_slot), sample);
     }
     return status;
 }
@@ -32,7 +32,7 @@ enum status renderer_draw_adaptive(struct renderer *r, const struct renderer_sho
         return log_out_of_memory(NULL);
     enum status status = renderer_capture_cube(r, shot);
     r->cube.in_turn = false; /* draw all faces: an image must not depend on earlier ones */
-    r->stays = false;
+    r->skips_readback = false;
     while (status == STATUS_OK && (sample < adaptive.end || adaptive_next_round(&adaptive))) {
         status = draw_tiles(r, shot, &result->image, &adaptive, sample++);
         if (status == STATUS_OK && progress && !progress(user, sample, ADAPTIVE_SAMPLES))

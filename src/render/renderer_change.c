@@ -28,7 +28,7 @@ static enum status update(struct renderer *r, struct frame_exec *frame_exec,
                             : renderer_compile(r, frame_exec, request);
 }
 
-/* The image imports the cube of `capture`, which is updated before it and destroyed after it. */
+/* Updates all executors: `capture` first and destroyed last, because the image imports its cube. */
 static enum status update_all(struct renderer *r)
 {
     const bool captures = renderer_wants_capture(&r->params);
@@ -40,7 +40,7 @@ static enum status update_all(struct renderer *r)
     else
         r->capture = (struct frame_exec){ 0 };
     if (status == STATUS_OK)
-        status = update(r, &r->picture, renderer_image_request(&r->params));
+        status = update(r, &r->image, renderer_image_request(&r->params));
     if (!captures)
         frame_exec_destroy(&unused);
     if (!resolves)
@@ -64,7 +64,7 @@ enum status renderer_change(struct renderer *r, const struct renderer_params *pa
 {
     shader_warm_up_end(r->warm_up); /* the warm-up reads the plan */
     r->warm_up = NULL;
-    /* rg_exec_update() of the image does not wait for `capture` */
+    /* Wait here, because rg_exec_update() of the image does not wait for `capture`. */
     enum status status = renderer_wait(r);
     renderer_set_params(r, params);
     discard_images(r);
@@ -79,6 +79,6 @@ enum status renderer_change(struct renderer *r, const struct renderer_params *pa
         status = update_all(r);
     frame_objects_finish(&r->objects);
     if (status == STATUS_OK)
-        status = frame_objects_init(&r->objects, &r->picture.frame->list, r->params.scene);
+        status = frame_objects_init(&r->objects, &r->image.frame->list, r->params.scene);
     return status;
 }

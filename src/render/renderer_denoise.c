@@ -28,7 +28,7 @@ void renderer_denoise_accumulate(struct renderer *r, const struct tile *tile, ui
 {
     for (size_t i = 0; i < FRAME_DENOISE_COUNT && r->lighting.planes; i++) {
         const struct frame_layer *layer = &frame_denoise_layers[i];
-        const void *texels = renderer_read_back(&r->picture, layer->image, slot);
+        const void *texels = renderer_read_back(&r->image, layer->image, slot);
         if (texels)
             accumulate_sample(&r->lighting, tile, layer, texels, sample);
     }

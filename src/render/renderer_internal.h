@@ -13,32 +13,32 @@ struct adaptive;
 struct warm_up;
 
 struct renderer {
-    struct renderer_params params;      /* if interleaved, width and height are those of a tile */
-    uint32_t width, height;             /* pixels of the image, at the view size that is set */
-    struct tiling tiling;               /* one tile if the tiles are interleaved */
-    struct tile tile;                   /* the rectangle of `tiling` that is drawn at present */
+    struct renderer_params params;      /* interleaved: width, height of a tile */
+    uint32_t width, height;             /* current image size, pixels */
+    struct tiling tiling;               /* a single tile if interleaved */
+    struct tile tile;                   /* tile of `tiling` being drawn */
     struct uploaded_scene own;          /* {0} if params.uploaded is set */
     const struct uploaded_scene *scene; /* `own` or params.uploaded */
-    struct uploaded_scene bvh;          /* the scene's BVH, if the refraction model traces it */
-    struct bvh own_tree; /* BVH of a scene without a `tree` of its own; own_scene points to it */
+    struct uploaded_scene bvh;          /* the scene's BVH, if traced */
+    struct bvh own_bvh;                 /* BVH of `own_scene` */
     struct scene own_scene;
-    struct rg_mesh *meshes;       /* meshes of the techniques, in the order of the techniques */
-    struct frame_exec capture;    /* draws the environment cube, if it is not dynamic */
-    struct frame_exec picture;    /* draws one sample of the image */
-    struct frame_objects objects; /* objects drawn by `picture` */
+    struct rg_mesh *meshes;       /* one mesh per technique */
+    struct frame_exec capture;    /* draws a static environment cube */
+    struct frame_exec image;      /* draws one sample of the image */
+    struct frame_objects objects; /* objects drawn by `image` */
     struct frame_exec resolve;    /* tone-maps the mean of many samples */
-    struct warm_up *warm_up;      /* compiles shaders for the first image; may be NULL */
+    struct warm_up *warm_up;      /* shader compilation; may be NULL */
     bool captured;                /* `capture` has drawn the environment cube */
-    struct frame_cube cube;       /* state of the cube that the frames of `picture` draw */
-    bool stays;                   /* the image being drawn stays on the device */
+    struct frame_cube cube;       /* cube state of `image` */
+    bool skips_readback;          /* the image is not read back */
     struct renderer_costs costs;
-    uint32_t last_slot;    /* slot of the picture's executor with the last sample */
+    uint32_t last_slot;    /* `image` slot of the last sample */
     uint32_t sum_count;    /* number of samples in `sums` */
     struct image sums;     /* sums of the samples of renderer_refine() */
-    struct image lighting; /* frame_denoise_layers and "samples"; {0} if nothing is denoised */
+    struct image lighting; /* samples to denoise; {0} if none */
 };
 
-/* Return true if params need a cube that is drawn once, a mean of samples, or a BVH. */
+/* Return true if the params need a static cube, a mean of samples, or a BVH. */
 bool renderer_wants_capture(const struct renderer_params *params);
 bool renderer_wants_resolve(const struct renderer_params *params);
 bool renderer_uses_bvh(const struct renderer_params *params);
@@ -46,7 +46,7 @@ bool renderer_uses_bvh(const struct renderer_params *params);
 /* Copies the params, replaces sizes of 0 by 1, and the size by that of an interleaved tile. */
 void renderer_set_params(struct renderer *renderer, const struct renderer_params *params);
 
-/* Builds the scene's BVH. The renderer owns it if the scene has no place for one. */
+/* Builds the scene's BVH. The renderer owns it if the scene has no storage for one. */
 MUST_USE enum status renderer_build_bvh(struct renderer *renderer);
 
 /* Uploads the BVH, and acceleration structures if ray queries are used, unless already done. */
@@ -70,11 +70,9 @@ MUST_USE enum status renderer_run(struct renderer *renderer, struct frame_exec *
 MUST_USE enum status renderer_read_sample(struct renderer *renderer, struct image *image,
                                           const struct tile *tile, uint32_t sample, uint32_t slot);
 
-/*
- * Denoising of light on surroundings (renderer_denoise.c, denoise.h). In order of use: adds the
+/* Denoising of light on surroundings (renderer_denoise.c, denoise.h). In order of use: adds the
  * planes if the params ask for them; accumulates a sample; rescales sums after adaptive sampling
- * like adaptive_rescale(); filters the light and adds it to the image.
- */
+ * like adaptive_rescale(); filters the light and adds it to the image. */
 bool renderer_denoise_begin(struct renderer *renderer); /* false when out of memory */
 void renderer_denoise_accumulate(struct renderer *renderer, const struct tile *tile,
                                  uint32_t sample, uint32_t slot);

@@ -1,5 +1,4 @@
-/* renderer_progressive.c: progressive rendering: accumulates full-size samples, tone-maps the mean.
- */
+/* renderer_progressive.c: accumulates full-size samples and tone-maps their mean. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -13,11 +12,11 @@ enum status renderer_set_view(struct renderer *r, VkExtent2D view)
     struct frame_request request = renderer_image_request(&r->params);
     if (r->width == view.width && r->height == view.height)
         return STATUS_OK;
-    struct rg_exec_import *imports = renderer_imports(r, r->picture.frame);
+    struct rg_exec_import *imports = renderer_imports(r, r->image.frame);
     if (!imports)
         return log_out_of_memory(NULL);
     request.view = view;
-    const enum status status = frame_exec_change_view(&r->picture, &r->params, request, imports);
+    const enum status status = frame_exec_change_view(&r->image, &r->params, request, imports);
     free(imports);
     if (status == STATUS_OK) {
         r->width = view.width;
@@ -44,15 +43,14 @@ enum status renderer_refine(struct renderer *r, const struct renderer_shot *shot
     if (status == STATUS_OK)
         status = renderer_capture_cube(r, shot);
     r->cube.in_turn = false; /* draw all faces: an image must not depend on earlier ones */
-    r->stays = false;
+    r->skips_readback = false;
     if (status == STATUS_OK)
-        status = renderer_run(r, &r->picture, shot, sample, &r->last_slot);
+        status = renderer_run(r, &r->image, shot, sample, &r->last_slot);
     if (status == STATUS_OK)
         status = renderer_wait(r);
     if (status == STATUS_OK)
         accumulate_sample(&r->sums, &all, &frame_beauty,
-                          renderer_read_back(&r->picture, frame_beauty.image, r->last_slot),
-                          sample);
+                          renderer_read_back(&r->image, frame_beauty.image, r->last_slot), sample);
     r->sum_count = sample + 1;
     return status;
 }

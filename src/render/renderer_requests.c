@@ -1,5 +1,4 @@
-/* renderer_requests.c: translates renderer params into frame requests: techniques, view, outputs.
- */
+/* renderer_requests.c: translates renderer params into frame requests. */
 #include "src/render/renderer_requests.h"
 #include "src/frame/frame_uniforms.h"
 #include "src/render/denoise.h"
@@ -19,7 +18,7 @@ void renderer_set_camera(struct renderer_params *params, const struct camera *ca
         .height = params->height,
     };
     params->is_orthographic = camera->height > 0.0f;
-    params->is_beyond = frame_view_exceeds_image(&view);
+    params->may_exceed_image = frame_view_exceeds_image(&view);
 }
 
 bool renderer_is_interleaved(const struct renderer_params *params)
@@ -29,52 +28,52 @@ bool renderer_is_interleaved(const struct renderer_params *params)
 
 struct tiling renderer_tiling(const struct renderer_params *params)
 {
-    const bool parts = !params->interleaved;
+    const bool is_tiled = !params->interleaved;
     return (struct tiling){
         .width = params->width,
         .height = params->height,
-        .columns = parts && params->columns ? params->columns : 1,
-        .rows = parts && params->rows ? params->rows : 1,
+        .columns = is_tiled && params->columns ? params->columns : 1,
+        .rows = is_tiled && params->rows ? params->rows : 1,
     };
 }
 
 /* Returns true if the image is denoised: it is read back, drawn whole, and has few samples. Images
- * with many samples are left as the window's progressive rendering shows them. */
-static bool is_smoothed(const struct renderer_params *params)
+ * with many samples are left as progressive rendering in the window shows them. */
+static bool should_denoise(const struct renderer_params *params)
 {
     const struct ground_params *ground = settings_of(params->settings, &ground_settings);
     const bool is_read = params->linear || params->display;
-    const bool stays = params->keep || params->scales || params->refines;
+    const bool is_kept = params->keep || params->scales || params->refines;
     const bool is_few = params->is_adaptive || params->samples < DENOISE_SAMPLES_ENOUGH;
-    return ground->denoise && is_few && is_read && !stays && params->columns * params->rows <= 1;
+    return ground->denoise && is_few && is_read && !is_kept && params->columns * params->rows <= 1;
 }
 
 static struct technique_choice choose(const struct renderer_params *params,
                                       enum technique_purpose purpose)
 {
-    struct technique_choice choice = {
+    struct technique_choice config = {
         .settings = params->settings,
         .purpose = purpose,
         .refraction = params->refraction,
         .is_convex = params->scene->is_convex,
         .has_pool = params->scene->has_pool,
         .has_materials = params->scene->material_table != NULL,
-        .is_beyond = purpose == TECHNIQUE_IMAGE && params->is_beyond,
+        .may_exceed_image = purpose == TECHNIQUE_IMAGE && params->may_exceed_image,
         .has_extras = params->scene->vertex_extra_table != NULL,
         .has_mirrors =
             params->scene->material_table && material_table_has_reflective(&params->scene->model),
-        .disperses = frame_media_disperse(params->scene, params->settings),
+        .is_dispersive = frame_media_disperse(params->scene, params->settings),
         .has_cube = params->scene->cube.texels != NULL,
         .has_rays = params->gpu && params->gpu->has_rays, /* `firn graph` has no device */
         .has_fast_rays = params->gpu && params->gpu->has_rays &&
                          params->gpu->properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU,
         .object_count = params->scene->has_pool ? 0 : params->scene->model.object_count,
-        .is_lighting_denoised = purpose == TECHNIQUE_IMAGE && is_smoothed(params),
+        .is_lighting_denoised = purpose == TECHNIQUE_IMAGE && should_denoise(params),
     };
     if (params->refraction && params->refraction->refraction.choose)
-        params->refraction->refraction.choose(&choice, params->scene);
-    choice.is_lighting_denoised = choice.is_lighting_denoised && choice.has_diffuse_light;
-    return choice;
+        params->refraction->refraction.choose(&config, params->scene);
+    config.is_lighting_denoised = config.is_lighting_denoised && config.has_diffuse_light;
+    return config;
 }
 
 bool renderer_denoises(const struct renderer_params *params)
@@ -93,7 +92,7 @@ struct frame_request renderer_image_request(const struct renderer_params *params
     const bool scales = params->scales || params->refines;
     const struct tiling tiling = renderer_tiling(params);
     struct frame_request request = {
-        .choice = choose(params, TECHNIQUE_IMAGE),
+        .config = choose(params, TECHNIQUE_IMAGE),
         .scene = params->scene,
         .face_size = params->face_size,
         .view = { params->width, params->height },
@@ -105,14 +104,15 @@ struct frame_request renderer_image_request(const struct renderer_params *params
         .sharing = params->sharing,
     };
     if (tiling.columns * tiling.rows > 1)
-        request.part = (VkExtent2D){ tile_largest(&tiling).width, tile_largest(&tiling).height };
+        request.max_region =
+            (VkExtent2D){ tile_largest(&tiling).width, tile_largest(&tiling).height };
     return request;
 }
 
 struct frame_request renderer_capture_request(const struct renderer_params *params)
 {
     return (struct frame_request){
-        .choice = choose(params, TECHNIQUE_CAPTURE),
+        .config = choose(params, TECHNIQUE_CAPTURE),
         .scene = params->scene,
         .face_size = params->face_size,
         .view = { params->width, params->height },
@@ -125,7 +125,7 @@ struct frame_request renderer_capture_request(const struct renderer_params *para
 struct frame_request renderer_bake_request(const struct renderer_params *params)
 {
     return (struct frame_request){
-        .choice = choose(params, TECHNIQUE_BAKE),
+        .config = choose(params, TECHNIQUE_BAKE),
         .scene = params->scene,
         .face_size = params->face_size,
         .view = { params->width, params->height },
@@ -140,7 +140,7 @@ struct frame_request renderer_resolve_request(const struct renderer_params *para
     const struct tiling tiling = renderer_tiling(params);
     const struct tile largest = tile_largest(&tiling);
     return (struct frame_request){
-        .choice = choose(params, TECHNIQUE_RESOLVE),
+        .config = choose(params, TECHNIQUE_RESOLVE),
         .view = { largest.width, largest.height },
         .display = params->display,
         .keep_display = params->keep,

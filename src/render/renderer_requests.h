@@ -13,8 +13,8 @@ struct frame_request renderer_capture_request(const struct renderer_params *para
 struct frame_request renderer_bake_request(const struct renderer_params *params);
 struct frame_request renderer_resolve_request(const struct renderer_params *params);
 
-/* Sets the params that depend on the camera, which is that of all shots or, if it moves, of the
- * first one. Scene and image size must be set. */
+/* Sets the params that depend on the camera of all shots or, if it moves, of the first one. Scene
+ * and image size must be set. */
 void renderer_set_camera(struct renderer_params *params, const struct camera *camera);
 
 /* Returns true if faces outside the image are drawn, too, for rays inside the object. Images for
@@ -31,7 +31,8 @@ bool renderer_is_interleaved(const struct renderer_params *params);
 struct tiling renderer_tiling(const struct renderer_params *params);
 
 /* Compiles the plan of a frame as the renderer would, without a device, for `firn graph`. Only
- * rung, size, layers, linear, display, keep, sharing, scene and settings of params are used. */
+ * refraction, size, layers, linear, display, keep, sharing, scene and settings of params are used.
+ */
 MUST_USE enum status renderer_plan(struct frame_plan *plan, const struct renderer_params *params);
 
 #endif

@@ -1,5 +1,4 @@
-/* shader_warm_up.c: parallel shader compilation: threads, each with a logical device and an
- * executor. */
+/* shader_warm_up.c: compiles shaders in parallel, each thread with a logical device of its own. */
 #include "src/render/shader_warm_up.h"
 #include <pthread.h>
 #include <sched.h>
@@ -25,17 +24,17 @@ struct warm_up {
     struct settings settings;
     struct rg_frame frame;
     struct rg_mesh *meshes; /* meshes of the techniques */
-    atomic_int next;        /* index of the next pass to compile; below 0 if all are done */
+    atomic_int next;        /* next pass; below 0: done */
     pthread_t threads[THREAD_COUNT_MAX];
     uint32_t thread_count;
 };
 
-static void compile_passes(struct warm_up *warm_up, const struct gpu_secondary_device *twin)
+static void compile_passes(struct warm_up *warm_up, const struct gpu_secondary_device *secondary)
 {
     struct rg_exec_params params = warm_up->described.params;
     VkResult result;
-    params.device = twin->device;
-    params.queue = twin->queue;
+    params.device = secondary->device;
+    params.queue = secondary->queue;
     struct rg_exec *exec = rg_exec_create(&params, &result);
     for (int pass = 0; result == VK_SUCCESS && pass >= 0;) {
         pass = atomic_fetch_sub(&warm_up->next, 1);
@@ -45,10 +44,8 @@ static void compile_passes(struct warm_up *warm_up, const struct gpu_secondary_d
     rg_exec_destroy(exec);
 }
 
-/*
- * Gives this thread, and the threads that the driver starts for it, the lowest priority, so that
- * they delay neither the renderer nor Mesa's low-priority thread that writes the shader cache.
- */
+/* Gives this thread, and the threads that the driver starts for it, the lowest priority, so that
+ * they delay neither the renderer nor Mesa's low-priority thread that writes the shader cache. */
 static void lower_priority(void)
 {
     (void)pthread_setschedparam(pthread_self(), SCHED_OTHER, &(struct sched_param){ 0 });
@@ -58,12 +55,12 @@ static void lower_priority(void)
 static void *run_thread(void *user)
 {
     struct warm_up *warm_up = user;
-    struct gpu_secondary_device twin;
+    struct gpu_secondary_device secondary;
     lower_priority();
-    if (!gpu_secondary_device_create(&twin, warm_up->gpu))
+    if (!gpu_secondary_device_create(&secondary, warm_up->gpu))
         return NULL;
-    compile_passes(warm_up, &twin);
-    gpu_secondary_device_destroy(&twin);
+    compile_passes(warm_up, &secondary);
+    gpu_secondary_device_destroy(&secondary);
     return NULL;
 }
 
@@ -87,7 +84,7 @@ static void describe(struct warm_up *warm_up, const struct frame_exec *frame_exe
     };
     struct rg_exec_params *exec = &warm_up->described.params;
     exec->pipeline_cache = VK_NULL_HANDLE;
-    exec->pipelines = NULL; /* the renderer's pipelines belong to another device and thread */
+    exec->pipelines = NULL; /* not shared between devices */
     exec->frames_in_flight = 1;
     exec->measured = false;
     exec->warm_up_only = true;
@@ -117,8 +114,8 @@ struct warm_up *shader_warm_up_begin(const struct frame_exec *frame_exec,
         return NULL;
     }
     describe(warm_up, frame_exec, params);
-    const uint32_t most = cores > THREAD_COUNT_MAX ? THREAD_COUNT_MAX : (uint32_t)cores - 1;
-    while (warm_up->thread_count < most &&
+    const uint32_t limit = cores > THREAD_COUNT_MAX ? THREAD_COUNT_MAX : (uint32_t)cores - 1;
+    while (warm_up->thread_count < limit &&
            !pthread_create(&warm_up->threads[warm_up->thread_count], NULL, run_thread, warm_up))
         warm_up->thread_count++;
     return warm_up;

@@ -16,11 +16,9 @@
 
 struct warm_up;
 
-/*
- * Starts the threads for a compiled frame_exec; it, gpu and scene must outlive the result. Returns
+/* Starts the threads for a compiled frame_exec; it, gpu and scene must outlive the result. Returns
  * NULL, which is no error, if the device is not a CPU, there is only one core, validation is on,
- * shaders are replaced, memory is short, or the environment disables the warm-up.
- */
+ * shaders are replaced, memory is short, or the environment disables the warm-up. */
 struct warm_up *shader_warm_up_begin(const struct frame_exec *frame_exec,
                                      const struct renderer_params *params);
 

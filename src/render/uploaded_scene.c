@@ -106,13 +106,13 @@ static enum status upload_buffer(struct uploaded_import *to, struct gpu *gpu,
         bytes = (struct technique_bytes){ zeros, buffer->size };
     const VkPhysicalDeviceLimits *limits = &gpu->properties.limits;
     const bool is_texels = buffer->format;
-    const size_t most =
+    const size_t limit =
         is_texels ? (size_t)limits->maxTexelBufferElements * rg_format_info(buffer->format)->size
                   : limits->maxStorageBufferRange;
-    if (bytes.size > most) {
+    if (bytes.size > limit) {
         log_error("%s has %zu bytes: %s reads at most %zu; use a simpler model, or "
                   "another refraction model",
-                  buffer->name, bytes.size, gpu->properties.deviceName, most);
+                  buffer->name, bytes.size, gpu->properties.deviceName, limit);
         return STATUS_DATA;
     }
     return gpu_buffer_create(gpu, &to->buffer,
@@ -236,7 +236,7 @@ enum status uploaded_scene_build_acceleration(struct uploaded_scene *on_gpu, str
     return status;
 }
 
-/* Destroys the acceleration structures; those of an animated scene are handed to the next pose. */
+/* Destroys the acceleration structures; those of an animated scene are kept for the next pose. */
 static void release_rays(struct uploaded_scene *on_gpu, struct gpu *gpu)
 {
     struct gpu_acceleration *unused = on_gpu->rays;

@@ -9,13 +9,13 @@
 /* Vertex and index buffers of a mesh; {0} if it has no triangles. */
 struct uploaded_mesh {
     struct gpu_buffer vertices, indices;
-    struct gpu_buffer coarse; /* indices of the simplified mesh; {0} if there is none */
+    struct gpu_buffer coarse; /* simplified mesh; {0} without one */
 };
 
 /* An image or a buffer that a technique imports. */
 struct uploaded_import {
     const struct rg_image *declared; /* NULL if it is a buffer */
-    struct gpu_image image; /* {0} if the scene has no such image and there is no fallback */
+    struct gpu_image image;          /* {0} without image and fallback */
     const struct rg_buffer *declared_buffer;
     struct gpu_buffer buffer;
 };
@@ -25,8 +25,8 @@ struct uploaded_scene {
     struct uploaded_mesh *meshes; /* meshes of the techniques, by techniques_index() */
     struct uploaded_import *imports;
     size_t import_count;
-    struct gpu_acceleration *rays; /* NULL if ray queries are not used */
-    bool has_poses;                /* animated: further poses of the scene may follow */
+    struct gpu_acceleration *rays; /* NULL without ray queries */
+    bool has_poses;                /* animated: further poses may follow */
 };
 
 /* Checks before any allocation that the device supports the sizes of the scene's images. If not,
@@ -46,12 +46,10 @@ MUST_USE enum status uploaded_scene_init_bvh(struct uploaded_scene *on_gpu, stru
 MUST_USE enum status uploaded_scene_build_acceleration(struct uploaded_scene *on_gpu,
                                                        struct gpu *gpu, const struct scene *scene);
 
-/*
- * Simplifies the meshes of the object (unless there are several) and of the surroundings, for
+/* Simplifies the meshes of the object (unless there are several) and of the surroundings, for
  * renderers with params.is_coarse. The error is at most 0.003 of the object's size and 0.0003 of
  * the surroundings'. This pays off for CPU drivers, which shade whole pixel blocks for each
- * triangle. Returns STATUS_TRY_AGAIN when out of memory; the scene is then unchanged.
- */
+ * triangle. Returns STATUS_TRY_AGAIN when out of memory; the scene is then unchanged. */
 MUST_USE enum status uploaded_scene_add_simplified(struct uploaded_scene *on_gpu, struct gpu *gpu,
                                                    const struct scene *scene);
 

@@ -61,7 +61,7 @@ const struct rg_image frame_display = {
     .format = VK_FORMAT_R8G8B8A8_UNORM,
 };
 
-/* Sizes are those of the setting's default; frame_plan_init() replaces them. */
+/* The size is the default of env_cube.size; frame_plan_init() replaces it. */
 const struct rg_image frame_env_cube = {
     .name = "env_cube.color",
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
@@ -107,7 +107,7 @@ const struct rg_image frame_textures = {
     .array = true,
 };
 
-const struct rg_image frame_numbers = {
+const struct rg_image frame_data_textures = {
     .name = "frame.numbers",
     .format = VK_FORMAT_R8G8B8A8_UNORM,
     .width = 1,
@@ -168,11 +168,11 @@ const struct rg_sampler frame_texture_sampler = {
 };
 
 /* Returns the object that a pass draws; NULL if the pass draws all objects. */
-static const struct frame_object *owner(const struct rg_pass *row, const struct rg_frame *frame)
+static const struct frame_object *owner(const struct rg_pass *pass, const struct rg_frame *frame)
 {
     for (size_t i = 0; i < frame->object_count; i++) {
         const struct frame_object *object = &frame->objects[i];
-        if (row >= object->rows && row < object->rows + object->row_count)
+        if (pass >= object->passes && pass < object->passes + object->pass_count)
             return object;
     }
     return NULL;
@@ -201,10 +201,11 @@ VkRect2D frame_object_drawn(const struct rg_cmd *cmd, const struct rg_frame *fra
     return object_of(cmd, frame)->drawn;
 }
 
-const struct rg_pass *frame_object_more(const struct rg_pass *row, const struct rg_frame *frame)
+const struct rg_pass *frame_object_next_pass(const struct rg_pass *pass,
+                                             const struct rg_frame *frame)
 {
-    const struct frame_object *object = owner(row, frame);
-    return object->next ? &object->next->rows[row - object->rows] : NULL;
+    const struct frame_object *object = owner(pass, frame);
+    return object->next ? &object->next->passes[pass - object->passes] : NULL;
 }
 
 void frame_draw_object(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -235,20 +236,18 @@ void frame_draw_mesh(struct rg_cmd *cmd, const struct rg_frame *frame,
     rg_cmd_draw_mesh(cmd, &frame->meshes[techniques_index(technique)]);
 }
 
-/* ---- poses ---- */
-
 float frame_time_before(const struct settings *settings, float time)
 {
     const struct motion_params *motion = settings_of(settings, &motion_settings);
     return fmaxf(time - 1.0f / motion->fps, 0.0f);
 }
 
-/* Returns a rotation about the vertical axis through `center` by `turn` radians. */
-static mat4s turned(vec3s center, float turn)
+/* Returns a rotation about the vertical axis through `center` by `angle` radians. */
+static mat4s rotation_about(vec3s center, float angle)
 {
     mat4s there = glms_translate(glms_mat4_identity(), center);
-    mat4s turned = glms_rotate(there, turn, (vec3s){ { 0.0f, 1.0f, 0.0f } });
-    return glms_translate(turned, glms_vec3_negate(center));
+    mat4s rotation_about = glms_rotate(there, angle, (vec3s){ { 0.0f, 1.0f, 0.0f } });
+    return glms_translate(rotation_about, glms_vec3_negate(center));
 }
 
 void frame_rotations(const struct frame_view *view, vec3s center, float time,
@@ -256,6 +255,6 @@ void frame_rotations(const struct frame_view *view, vec3s center, float time,
 {
     const struct motion_params *motion = settings_of(view->settings, &motion_settings);
     const float radians = 0.01745329252f;
-    *world_from_object = turned(center, motion->ice * time * radians);
-    *world_from_movers = turned(center, motion->objects * time * radians);
+    *world_from_object = rotation_about(center, motion->ice * time * radians);
+    *world_from_movers = rotation_about(center, motion->objects * time * radians);
 }

@@ -6,14 +6,13 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-/* KHR_materials_dispersion: the indices of red and blue are n - h and n + h with h = (n - 1) 0.025
- * dispersion. */
-static void disperse(float ior[static 3], float middle, float dispersion)
+/* KHR_materials_dispersion: red n - h, green n, blue n + h, with h = (n - 1) 0.025 dispersion. */
+static void disperse(float ior[static 3], float green, float dispersion)
 {
-    const float half = (middle - 1.0f) * 0.025f * dispersion;
-    ior[0] = middle - half;
-    ior[1] = middle;
-    ior[2] = middle + half;
+    const float half = (green - 1.0f) * 0.025f * dispersion;
+    ior[0] = green - half;
+    ior[1] = green;
+    ior[2] = green + half;
 }
 
 static struct frame_medium medium_of_settings(const struct refract_params *refract,
@@ -88,11 +87,11 @@ struct frame_medium frame_medium_at(const struct scene *scene, const struct sett
     const struct refract_params *refract = settings_of(settings, &refract_settings);
     const struct absorb_params *absorb = settings_of(settings, &absorb_settings);
     const vec3s absorption = { { absorb->red, absorb->green, absorb->blue } };
-    const bool is_bare = frame_media_are_from_settings(scene);
+    const bool is_from_settings = frame_media_are_from_settings(scene);
     struct frame_medium medium = { .tint = glms_vec3_one() };
     if (index + 1 == frame_media_count(scene)) {
         disperse(medium.ior, outside_of(scene, settings), 0.0f);
-    } else if (is_bare) {
+    } else if (is_from_settings) {
         medium = medium_of_settings(refract, absorption);
     } else {
         medium = medium_of(&model->materials[model->objects[index].material],

@@ -6,22 +6,20 @@
 #include "src/settings/settings.h"
 
 struct frame_medium {
-    float ior[3];     /* refractive indices for red, green and blue */
+    float ior[3];     /* refractive indices per colour channel */
     vec3s absorption; /* absorption coefficients, 1 / metre */
-    vec3s tint;       /* colour factor on light transmitted by the surface */
+    vec3s tint;       /* colour factor of transmitted light */
     float roughness;  /* of the surface, 0 to 1 */
-    float opacity;    /* opacity: fraction of unreflected light that reaches the diffuse base */
-    uint32_t rank;    /* medium priority (struct object); 0 is the outside */
-    bool is_thin;     /* thin wall: the same medium on both sides */
+    float opacity;    /* fraction of refracted light that reaches the opaque, diffuse base */
+    uint32_t rank;    /* nesting priority; outside: 0 */
+    bool is_thin;     /* same medium on both sides */
     bool is_textured; /* textured: material_is_textured() */
 };
 
-/*
- * Returns the medium of object `index` or, for the last index, of the outside. refract.ior
+/* Returns the medium of object `index` or, for the last index, of the outside. refract.ior
  * overrides all objects' indices if it differs from the value when the scene was loaded
- * (scene->model_ior); absorb.* and refract.dispersion override if they are not 0. Objects without
- * a material take all values from the settings.
- */
+ * (scene->model_ior); absorb.* and refract.dispersion override if they are not 0. Objects without a
+ * material take all values from the settings. */
 struct frame_medium frame_medium_at(const struct scene *scene, const struct settings *settings,
                                     uint32_t index);
 

@@ -7,7 +7,7 @@
 
 struct rg_image;
 
-/* How the values of a layer are mapped to colours for display. */
+/* Mappings of a layer's values to display colours. */
 enum frame_shown {
     FRAME_SHOWN_COLOR,
     FRAME_SHOWN_AMOUNT,   /* one plane; 0 means no surface */
@@ -18,11 +18,11 @@ enum frame_shown {
 
 struct frame_layer {
     const char *name;
-    const struct rg_image *image; /* NULL if only the CPU reference has the layer */
-    const char *planes[4];        /* channel names in the EXR file; the list ends at NULL */
-    uint32_t first_channel;       /* channel of the image for the first plane */
+    const struct rg_image *image; /* NULL: only in the CPU reference */
+    const char *planes[4];        /* EXR channel names; NULL ends */
+    uint32_t first_channel;       /* image channel of the first plane */
     bool half;                    /* stored as half, otherwise as float */
-    bool mean; /* mean of all samples; otherwise sample 0, at the pixel's centre */
+    bool mean;                    /* mean of samples; otherwise sample 0 */
     enum frame_shown shown;
     const char *help;
 };

@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum {
-    BLOCK_SIZE = 1 << 14 /* bytes; larger objects get a block of their own */
+    BLOCK_SIZE = 1 << 14 /* bytes; larger objects get own blocks */
 };
 
 struct pass_block {

@@ -1,10 +1,8 @@
 /*
  * pass_builder.h: arena allocator for pass tables that a technique builds at run time.
  *
- * Ownership: the builder owns what its functions return, until pass_builder_finish().
- *
- * Errors: functions return NULL when out of memory and set `failed`, so that callers may return no
- * passes and leave the error to the builder's owner.
+ * Functions return NULL when out of memory and set `failed`, so that callers may return no passes
+ * and leave the error to the builder's owner. The builder owns all results.
  */
 #ifndef FIRN_TECH_PASS_BUILDER_H
 #define FIRN_TECH_PASS_BUILDER_H

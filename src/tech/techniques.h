@@ -1,5 +1,6 @@
 /* techniques.h: registry of all techniques, generated from the list in the root meson.build.
- * Setting groups, refraction models, layers, and parts of one phase have the order of this list. */
+ * Setting groups, refraction models, layers, and pass groups of one phase have the order of this
+ * list. */
 #ifndef FIRN_TECH_TECHNIQUES_H
 #define FIRN_TECH_TECHNIQUES_H
 

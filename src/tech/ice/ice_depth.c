@@ -98,5 +98,5 @@ const struct technique ice_depth = {
     .name = "ice_depth",
     .help = "depth maps of the ice's front and back faces, with depth range fitted to the ice",
     .layers = layers,
-    .parts = { { PHASE_DEPTHS, .graph = RG_TECHNIQUE("ice_depth", passes) } },
+    .pass_groups = { { PHASE_DEPTHS, .graph = RG_TECHNIQUE("ice_depth", passes) } },
 };

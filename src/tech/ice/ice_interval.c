@@ -35,10 +35,7 @@ const struct rg_image ice_interval_far[ICE_INTERVAL_MAX] = {
     LAYERS("ice_interval.far", 7), LAYERS("ice_interval.far", 8),
 };
 
-/* ---- rows ---- */
-
-/* Draws all faces; with RG_PER_LAYER once per layer, each keeping the nearest faces not yet peeled.
- */
+/* Draws all faces; with RG_PER_LAYER once per layer, keeping the nearest faces not yet peeled. */
 static const struct rg_pass peel = {
     .depth = { .load = RG_LOAD_CLEAR, .clear = { .depthStencil = { 1.0f, 0 } } },
     .depth_compare = VK_COMPARE_OP_LESS,
@@ -74,29 +71,29 @@ static const struct rg_use *use_before(struct pass_builder *builder, const struc
 }
 
 /* Writes passes for the first layer and, if there are several, for the layers behind it. */
-static struct rg_pass *peel_all(struct rg_pass *row, struct pass_builder *builder,
+static struct rg_pass *peel_all(struct rg_pass *pass, struct pass_builder *builder,
                                 const struct rg_image *layers, const char *first, const char *next)
 {
-    *row = peel;
-    row->name = first;
-    row->depth.image = layers;
-    row++;
+    *pass = peel;
+    pass->name = first;
+    pass->depth.image = layers;
+    pass++;
     if (layers->layers == 1)
-        return row;
-    *row = peel;
-    row->name = next;
-    row->repeat = RG_PER_LAYER;
-    row->depth.image = layers;
-    row->depth.layer = 1;
-    row->uses = use_before(builder, layers, (struct rg_range){ .each = true });
-    row->frag = &ice_interval_next_frag;
-    return row + 1;
+        return pass;
+    *pass = peel;
+    pass->name = next;
+    pass->repeat = RG_PER_LAYER;
+    pass->depth.image = layers;
+    pass->depth.layer = 1;
+    pass->uses = use_before(builder, layers, (struct rg_range){ .each = true });
+    pass->frag = &ice_interval_next_frag;
+    return pass + 1;
 }
 
-static struct rg_technique make_rows(const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+static struct rg_technique make_passes(const struct technique_choice *config,
+                                       struct pass_builder *builder)
 {
-    const uint32_t index = ice_interval_index(choice->settings);
+    const uint32_t index = ice_interval_index(config->settings);
     const struct rg_image *near = &ice_interval_near[index];
     const struct rg_image *far = &ice_interval_far[index];
     const struct rg_use count_uses[] = {
@@ -104,24 +101,22 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
         { .image = far, .access = RG_SAMPLED, .binding = ICE_INTERVAL_FAR, .same_texel = true },
         { 0 },
     };
-    struct rg_pass *rows = pass_builder_alloc(builder, 5 * sizeof(*rows));
-    if (!rows)
+    struct rg_pass *passes = pass_builder_alloc(builder, 5 * sizeof(*passes));
+    if (!passes)
         return (struct rg_technique){ 0 };
-    struct rg_pass *middle =
-        peel_all(rows, builder, near, "ice_interval.first", "ice_interval.next");
+    struct rg_pass *far_first =
+        peel_all(passes, builder, near, "ice_interval.first", "ice_interval.next");
     struct rg_pass *last =
-        peel_all(middle, builder, far, "ice_interval.middle", "ice_interval.last");
-    rows->uses = globals_use;
-    rows->frag = &ice_interval_first_frag;
+        peel_all(far_first, builder, far, "ice_interval.middle", "ice_interval.last");
+    passes->uses = globals_use;
+    passes->frag = &ice_interval_first_frag;
     /* peels behind the last layer of the nearer image */
-    middle->uses = use_before(builder, near, (struct rg_range){ .layer = near->layers - 1 });
-    middle->frag = &ice_interval_next_frag;
+    far_first->uses = use_before(builder, near, (struct rg_range){ .layer = near->layers - 1 });
+    far_first->frag = &ice_interval_next_frag;
     *last = count;
     last->uses = pass_builder_join_uses(builder, (const struct rg_use *const[]){ count_uses }, 1);
-    return (struct rg_technique){ "ice_interval", rows, (size_t)(last + 1 - rows) };
+    return (struct rg_technique){ "ice_interval", passes, (size_t)(last + 1 - passes) };
 }
-
-/* ---- settings ---- */
 
 static const struct setting rows[] = {
     {
@@ -161,6 +156,6 @@ static const struct frame_layer layers[] = {
 const struct technique ice_interval = {
     .name = "ice_interval",
     .help = "intervals of primary rays inside the ice, by depth peeling",
-    .parts = { { PHASE_DEPTHS, .rows = make_rows } },
+    .pass_groups = { { PHASE_DEPTHS, .make_passes = make_passes } },
     .layers = layers,
 };

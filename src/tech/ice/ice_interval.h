@@ -5,13 +5,12 @@
 #include "src/tech/technique.h"
 
 struct ice_interval_params {
-    uint32_t count; /* maximum number of intervals per pixel: 1 to ICE_INTERVAL_MAX */
+    uint32_t count; /* maximum intervals per pixel */
 };
 
 /* Images for k intervals at index k - 1; ice_interval_index() selects the one in use. Each interval
- * has two layers of fitted depth. Nearer and farther half of the layers are separate images,
- * because one image would exceed device limits in large views. Read by
- * shaders/ice/ice_interval.glsl. */
+ * has two layers of fitted depth. The nearer and the farther half of the layers are separate
+ * images, because one image would exceed device limits in large views. */
 extern const struct rg_image ice_interval_near[ICE_INTERVAL_MAX];
 extern const struct rg_image ice_interval_far[ICE_INTERVAL_MAX];
 

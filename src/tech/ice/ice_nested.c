@@ -66,8 +66,6 @@ const struct rg_buffer ice_nested_media = {
     .memory = RG_MEMORY_UPLOAD,
 };
 
-/* ---- rows ---- */
-
 #define FACES(title, at, ...) \
     { \
         .name = (title), \
@@ -136,36 +134,34 @@ static void record_far(struct rg_cmd *cmd, const struct rg_frame *frame)
     record(cmd, frame, true);
 }
 
-/* Redirects a pass to the wide maps. */
-static void widen(struct pass_builder *builder, struct rg_pass *row)
+/* Makes a pass render to the maps that extend beyond the image. */
+static void widen(struct pass_builder *builder, struct rg_pass *pass)
 {
-    struct rg_target *color = pass_builder_copy_targets(builder, row->color, row->color_count);
-    struct rg_use *uses = pass_builder_copy_uses(builder, row->uses);
+    struct rg_target *color = pass_builder_copy_targets(builder, pass->color, pass->color_count);
+    struct rg_use *uses = pass_builder_copy_uses(builder, pass->uses);
     if (!color || !uses)
         return;
     color[0].image = &ice_nested_wide_normals;
     color[1].image = &ice_nested_wide_depths;
     for (struct rg_use *use = uses; use->access; use++)
         use->image = use->image ? &ice_nested_wide_depths : NULL;
-    row->color = color;
-    row->uses = uses;
-    row->depth.image = &wide_depth_test;
-    row->vert = &ice_nested_wide_vert;
+    pass->color = color;
+    pass->uses = uses;
+    pass->depth.image = &wide_depth_test;
+    pass->vert = &ice_nested_wide_vert;
 }
 
-static struct rg_technique make_rows(const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+static struct rg_technique make_passes(const struct technique_choice *config,
+                                       struct pass_builder *builder)
 {
     const size_t count = sizeof(passes) / sizeof(passes[0]);
-    if (!choice->is_nested)
+    if (!config->is_nested)
         return (struct rg_technique){ 0 };
-    struct rg_pass *rows = pass_builder_copy_passes(builder, passes, count);
-    for (size_t i = 0; rows && choice->is_wide && i < count; i++)
-        widen(builder, &rows[i]);
-    return (struct rg_technique){ "ice_nested", rows, rows ? count : 0 };
+    struct rg_pass *copies = pass_builder_copy_passes(builder, passes, count);
+    for (size_t i = 0; copies && config->is_wide && i < count; i++)
+        widen(builder, &copies[i]);
+    return (struct rg_technique){ "ice_nested", copies, copies ? count : 0 };
 }
-
-/* ---- media ---- */
 
 bool ice_nested_is_in(const struct scene *scene)
 {
@@ -212,6 +208,6 @@ static const struct technique_upload uploads[] = {
 const struct technique ice_nested = {
     .name = "ice_nested",
     .help = "depth layers of nested objects and cavities",
-    .parts = { { PHASE_NORMALS, .rows = make_rows } },
+    .pass_groups = { { PHASE_NORMALS, .make_passes = make_passes } },
     .uploads = uploads,
 };

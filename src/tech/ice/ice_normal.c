@@ -93,10 +93,10 @@ static const struct rg_use plain_uses[] = { FRAME_USE_GLOBALS, { 0 } };
 static const struct rg_use bumped_uses[] = { FRAME_USE_GLOBALS, BUMP_USE_MAP, { 0 } };
 
 enum {
-    BACK_ROW = 1, /* indices in `passes` */
-    FRONT_ROW = 3,
-    WIDE_ROW = 4,
-    ROW_COUNT = 6,
+    BACK_PASS = 1, /* indices in `passes` */
+    FRONT_PASS = 3,
+    WIDE_PASS = 4,
+    PASS_COUNT = 6,
 };
 
 #define WIDE_ROW_OF(side, culled) \
@@ -171,7 +171,7 @@ static const struct rg_target textured_fronts[] = {
 #define TEXTURE_USES \
     FRAME_USE_GLOBALS, \
         FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &frame_texture_sampler), \
-        FRAME_SAMPLE(frame_numbers, SURROUNDINGS_DATA_TEXTURES, \
+        FRAME_SAMPLE(frame_data_textures, SURROUNDINGS_DATA_TEXTURES, \
                      .sampler = &frame_texture_sampler), \
         FRAME_SAMPLE(frame_materials, SURROUNDINGS_MATERIALS, .sampler = NULL)
 
@@ -185,15 +185,15 @@ static const struct rg_use front_uses[] = {
 };
 
 /* Makes a G-buffer pass evaluate the textures of an object's material. */
-static void texture_row(struct rg_pass *row, bool is_front)
+static void texture_pass(struct rg_pass *pass, bool is_front)
 {
-    row->color = is_front ? textured_fronts : textured_backs;
-    row->color_count = is_front ? 5 : 2;
-    row->vert = &ice_material_vert;
-    row->frag = is_front ? &ice_material_front_frag : &ice_material_back_frag;
-    row->uses = is_front ? front_uses : back_uses;
-    row->push_size = sizeof(struct ice_material_push);
-    row->record = record_textured;
+    pass->color = is_front ? textured_fronts : textured_backs;
+    pass->color_count = is_front ? 5 : 2;
+    pass->vert = &ice_material_vert;
+    pass->frag = is_front ? &ice_material_front_frag : &ice_material_back_frag;
+    pass->uses = is_front ? front_uses : back_uses;
+    pass->push_size = sizeof(struct ice_material_push);
+    pass->record = record_textured;
 }
 
 static void record_textured(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -214,65 +214,66 @@ static void record_textured(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 /* Returns true if front faces must not be drawn to frame_depth, because it holds a finished image
  * or the depth of other objects, which only the refraction model's own passes may extend. */
-static bool keeps_depth(const struct technique_choice *choice)
+static bool keeps_depth(const struct technique_choice *config)
 {
-    const bool are_many = choice->object_count > 1;
-    return choice->has_pool || choice->keeps_depth ||
-           (are_many && !choice->refraction->refraction.by_pixel);
+    const bool are_many = config->object_count > 1;
+    return config->has_pool || config->keeps_depth ||
+           (are_many && !config->refraction->refraction.by_pixel);
 }
 
 /* Makes a pass clear the normals: in a limited area a clear costs less than an extra pass. */
-static void clear_normals(struct pass_builder *builder, struct rg_pass *row)
+static void clear_normals(struct pass_builder *builder, struct rg_pass *pass)
 {
-    struct rg_target *color = pass_builder_copy_targets(builder, row->color, row->color_count);
+    struct rg_target *color = pass_builder_copy_targets(builder, pass->color, pass->color_count);
     if (color)
         color->load = RG_LOAD_CLEAR;
-    row->color = color;
+    pass->color = color;
 }
 
 /* Returns the G-buffer passes. In a pool they run after the background and have no bump mapping. */
-static struct rg_technique make_rows(const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+static struct rg_technique make_passes(const struct technique_choice *config,
+                                       struct pass_builder *builder)
 {
-    const bool bumped = !choice->has_pool && bump.is_on(choice->settings);
-    const size_t count = choice->is_wide ? ROW_COUNT : WIDE_ROW;
-    struct rg_pass *rows = pass_builder_copy_passes(builder, passes, count);
-    if (!rows || (choice->has_pool && !pool_has_ice(choice->settings)))
+    const bool bumped = !config->has_pool && bump.is_on(config->settings);
+    const size_t count = config->is_wide ? PASS_COUNT : WIDE_PASS;
+    struct rg_pass *copies = pass_builder_copy_passes(builder, passes, count);
+    if (!copies || (config->has_pool && !pool_has_ice(config->settings)))
         return (struct rg_technique){ 0 };
-    rows[FRONT_ROW].vert = bumped ? &refract_bump_vert : &refract_vert;
-    rows[FRONT_ROW].frag = bumped ? &ice_front_bump_frag : &ice_front_frag;
-    rows[FRONT_ROW].uses = bumped ? bumped_uses : plain_uses;
-    if (choice->is_textured) {
-        texture_row(&rows[BACK_ROW], false);
-        texture_row(&rows[FRONT_ROW], true);
+    copies[FRONT_PASS].vert = bumped ? &refract_bump_vert : &refract_vert;
+    copies[FRONT_PASS].frag = bumped ? &ice_front_bump_frag : &ice_front_frag;
+    copies[FRONT_PASS].uses = bumped ? bumped_uses : plain_uses;
+    if (config->is_textured) {
+        texture_pass(&copies[BACK_PASS], false);
+        texture_pass(&copies[FRONT_PASS], true);
     }
-    if (keeps_depth(choice))
-        rows[FRONT_ROW].depth.image = &front_test;
-    if (choice->is_limited) {
-        clear_normals(builder, &rows[BACK_ROW]);
-        clear_normals(builder, &rows[FRONT_ROW]);
-        rows[0] = rows[BACK_ROW];
-        rows[1] = rows[FRONT_ROW];
-        return (struct rg_technique){ "ice_normal", rows, 2 };
+    if (keeps_depth(config))
+        copies[FRONT_PASS].depth.image = &front_test;
+    if (config->is_limited) {
+        clear_normals(builder, &copies[BACK_PASS]);
+        clear_normals(builder, &copies[FRONT_PASS]);
+        copies[0] = copies[BACK_PASS];
+        copies[1] = copies[FRONT_PASS];
+        return (struct rg_technique){ "ice_normal", copies, 2 };
     }
-    return (struct rg_technique){ "ice_normal", rows, count };
+    return (struct rg_technique){ "ice_normal", copies, count };
 }
 
 /* Returns a pass that draws the back faces of all objects for the layer: refraction models
  * overwrite the map per object, so that it ends with those of the last one. */
-static struct rg_technique make_layer(const struct technique_choice *choice,
+static struct rg_technique make_layer(const struct technique_choice *config,
                                       struct pass_builder *builder)
 {
-    const bool are_many =
-        choice->object_count > 1 && choice->refraction && !choice->refraction->refraction.is_whole;
-    struct rg_pass *row = are_many ? pass_builder_copy_passes(builder, &passes[BACK_ROW], 1) : NULL;
-    if (!row)
+    const bool are_many = config->object_count > 1 && config->refraction &&
+                          !config->refraction->refraction.draws_all_objects;
+    struct rg_pass *pass =
+        are_many ? pass_builder_copy_passes(builder, &passes[BACK_PASS], 1) : NULL;
+    if (!pass)
         return (struct rg_technique){ 0 };
-    row->name = "ice_normal.all_back";
-    if (choice->is_textured)
-        texture_row(row, false);
-    clear_normals(builder, row);
-    return (struct rg_technique){ "ice_normal", row, 1 };
+    pass->name = "ice_normal.all_back";
+    if (config->is_textured)
+        texture_pass(pass, false);
+    clear_normals(builder, pass);
+    return (struct rg_technique){ "ice_normal", pass, 1 };
 }
 
 static const struct frame_layer layers[] = {
@@ -289,7 +290,7 @@ static const struct frame_layer layers[] = {
 const struct technique ice_normal = {
     .name = "ice_normal",
     .help = "G-buffers of the ice: outward normals and depth of front and back faces",
-    .parts = { { PHASE_NORMALS, SCENE_OF_ANY, .rows = make_rows },
-               { PHASE_FACES, SCENE_OF_ANY, .rows = make_layer } },
+    .pass_groups = { { PHASE_NORMALS, SCENE_OF_ANY, .make_passes = make_passes },
+                     { PHASE_FACES, SCENE_OF_ANY, .make_passes = make_layer } },
     .layers = layers,
 };

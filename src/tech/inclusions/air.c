@@ -23,7 +23,7 @@
 
 static rg_record_fn record_planes;
 
-/* The scene's struct air_layers, imported; this is the size of the fallback image. */
+/* Imported struct air_layers of the scene, declared with the size of the fallback image. */
 static const struct rg_image air_layers = {
     .name = "frame.air",
     .format = VK_FORMAT_R8G8_UNORM,
@@ -313,5 +313,5 @@ const struct technique air = {
     .imports = imports,
     .write_globals = write_globals,
     .mesh = find_planes,
-    .parts = { { PHASE_INCLUSIONS, .graph = RG_TECHNIQUE("air", passes) } },
+    .pass_groups = { { PHASE_INCLUSIONS, .graph = RG_TECHNIQUE("air", passes) } },
 };

@@ -6,16 +6,14 @@
 #include "src/tech/technique.h"
 
 extern const struct rg_image air_cover; /* combined opacity of all planes */
-extern const struct rg_image air_color; /* premultiplied colour of the AOV layer; 0 without air */
+extern const struct rg_image air_color; /* premultiplied AOV colour; 0 without air */
 
-/* Binding of the environment for composite.vert, which computes the in-scattered light of the air.
- */
+/* Binding of the environment for composite.vert, which computes the air's in-scattered light. */
 #define AIR_USE_ENVIRONMENT \
     FRAME_SAMPLE(frame_environment, COMPOSITE_ENVIRONMENT, .sampler = &frame_environment_sampler, \
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT)
 
-/* Density fields of the scattering media (shaders/inclusions/medium.h), imported; size of the
- * fallback. */
+/* Imported density fields of the scattering media (shaders/inclusions/medium.h). */
 extern const struct rg_image air_media;
 extern const struct rg_sampler air_media_sampler;
 #define AIR_USE_MEDIA FRAME_SAMPLE(air_media, MEDIUM_TEXELS, .sampler = &air_media_sampler)
@@ -28,20 +26,20 @@ extern const struct setting_group air_settings;
 
 enum air_model {
     AIR_PLANES, /* textured planes */
-    AIR_MEDIUM, /* scattering medium, for refraction models that support media */
+    AIR_MEDIUM, /* for refraction models with media */
 };
 
 struct air_params {
-    uint32_t count, seed; /* number of planes; random seed of their transforms and textures */
-    float size;           /* diameter of the largest bubbles, relative to the object's diagonal */
-    float frequency;      /* number of the largest bubbles along that diagonal */
+    uint32_t count, seed; /* number of planes; their random seed */
+    float size;           /* largest bubbles, relative to object diagonal */
+    float frequency;      /* largest bubbles along the object diagonal */
     float strength;       /* maximum opacity of a plane's bubbles */
     float haze;           /* maximum opacity of a plane's haze */
     uint32_t model;       /* enum air_model */
-    float density;    /* optical depth of the medium across the object's width at maximum density */
-    float clouds;     /* factor on material.cloud */
-    float anisotropy; /* Henyey-Greenstein g of all scattering media */
-    uint32_t steps; /* ray march steps per path segment, except in model `trace`; 0 for clear ice */
+    float density;        /* maximum optical depth across the object */
+    float clouds;         /* factor on material.cloud */
+    float anisotropy;     /* Henyey-Greenstein g of all scattering media */
+    uint32_t steps; /* ray march steps per segment, except in model `trace`; 0 renders clear ice */
 };
 
 #endif

@@ -78,7 +78,7 @@ static const struct rg_use uses[] = {
 };
 
 /* Simpler pass for scenes in which all bubbles are spheres. */
-static const struct rg_pass spheres_row = {
+static const struct rg_pass spheres_pass = {
     .name = "bubbles.spheres",
     .color = RG_TARGETS({ &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
     .uses = uses,
@@ -87,7 +87,7 @@ static const struct rg_pass spheres_row = {
     .record = record_bubbles,
 };
 
-static const struct rg_pass shapes_row = {
+static const struct rg_pass shapes_pass = {
     .name = "bubbles.shapes",
     .color = RG_TARGETS({ &bubbles_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
     .uses = uses,
@@ -217,52 +217,50 @@ static bool is_on(const struct settings *settings)
 
 /* Returns true if bubbles can be searched along refracted rays: with several objects, the depth and
  * normal maps hold the nearest faces only. */
-bool bubbles_are_refracted(const struct technique_choice *choice)
+bool bubbles_are_refracted(const struct technique_choice *config)
 {
     const struct inclusion_target_params *target =
-        settings_of(choice->settings, &inclusion_target_settings);
-    return is_on(choice->settings) && choice->refraction &&
-           choice->refraction->refraction.refracts_bubbles &&
-           choice->refraction->refraction.refracts_bubbles(choice->settings) &&
-           choice->object_count <= 1 && target->scale >= 1.0f;
+        settings_of(config->settings, &inclusion_target_settings);
+    return is_on(config->settings) && config->refraction &&
+           config->refraction->refraction.refracts_bubbles &&
+           config->refraction->refraction.refracts_bubbles(config->settings) &&
+           config->object_count <= 1 && target->scale >= 1.0f;
 }
 
-static struct rg_technique make_rows(const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+static struct rg_technique make_passes(const struct technique_choice *config,
+                                       struct pass_builder *builder)
 {
-    const struct bubbles_params *params = settings_of(choice->settings, &bubbles_settings);
+    const struct bubbles_params *params = settings_of(config->settings, &bubbles_settings);
     const bool are_spheres = params->shape == GENERATE_BUBBLES_SPHERE;
     if (!params->count)
         return (struct rg_technique){ 0 };
-    const struct rg_pass *row = are_spheres ? &spheres_row : &shapes_row;
-    if (!bubbles_are_refracted(choice))
-        return (struct rg_technique){ "bubbles", row, 1 };
-    struct rg_pass *refracted_row = pass_builder_copy_passes(builder, row, 1);
-    if (!refracted_row)
+    const struct rg_pass *pass = are_spheres ? &spheres_pass : &shapes_pass;
+    if (!bubbles_are_refracted(config))
+        return (struct rg_technique){ "bubbles", pass, 1 };
+    struct rg_pass *refracted_pass = pass_builder_copy_passes(builder, pass, 1);
+    if (!refracted_pass)
         return (struct rg_technique){ 0 };
-    refracted_row->color = refracted_targets;
-    refracted_row->color_count = sizeof(refracted_targets) / sizeof(refracted_targets[0]);
-    const bool traces_light = !choice->is_nested,
-               renders_media = traces_light && choice->renders_media;
+    refracted_pass->color = refracted_targets;
+    refracted_pass->color_count = sizeof(refracted_targets) / sizeof(refracted_targets[0]);
+    const bool traces_light = !config->is_nested,
+               renders_media = traces_light && config->renders_media;
     const struct rg_use *const all_uses[] = {
         uses,
         refracted_uses,
         !traces_light     ? NULL
-        : choice->is_wide ? traced_wide_uses
+        : config->is_wide ? traced_wide_uses
                           : traced_uses,
         renders_media ? refract_medium_uses : NULL,
     };
-    refracted_row->uses =
+    refracted_pass->uses =
         pass_builder_join_uses(builder, all_uses, sizeof(all_uses) / sizeof(all_uses[0]));
-    refracted_row->frag = refracted_frags[traces_light + renders_media][!are_spheres];
+    refracted_pass->frag = refracted_frags[traces_light + renders_media][!are_spheres];
     if (traces_light) {
-        refracted_row->push_size = sizeof(struct refract_bounce_params);
-        refracted_row->record = record_traced;
+        refracted_pass->push_size = sizeof(struct refract_bounce_params);
+        refracted_pass->record = record_traced;
     }
-    return (struct rg_technique){ "bubbles", refracted_row, 1 };
+    return (struct rg_technique){ "bubbles", refracted_pass, 1 };
 }
-
-/* ---- bubbles of a frame ---- */
 
 struct far_bubble {
     struct bubbles_drawn drawn;
@@ -331,5 +329,5 @@ const struct technique bubbles = {
     .is_hit = true,
     .layers = layers,
     .uploads = uploads,
-    .parts = { { PHASE_INCLUSIONS, .rows = make_rows } },
+    .pass_groups = { { PHASE_INCLUSIONS, .make_passes = make_passes } },
 };

@@ -5,15 +5,13 @@
 
 extern const struct rg_image bubbles_color; /* premultiplied colour; 0 without bubbles */
 
-/* Depth of the nearest bubbles (shaders/refract/inclusion_march.glsl); only written if
- * bubbles_are_refracted(). */
+/* Depth of the nearest bubbles (inclusion_march.glsl); only written if bubbles_are_refracted(). */
 extern const struct rg_image bubbles_depth;
 
 /* Returns true if composite.c shows the bubbles along rays refracted at the ice's surface. */
-bool bubbles_are_refracted(const struct technique_choice *choice);
+bool bubbles_are_refracted(const struct technique_choice *config);
 
-/* Array of BUBBLES_COUNT_MAX struct bubbles_drawn in world space; scene->bubbles.count are valid.
- */
+/* Array of struct bubbles_drawn, world space; the first scene->bubbles.count are valid. */
 extern const struct rg_buffer bubbles_all;
 
 /* Fills bubbles_all back to front, so that nearer bubbles are blended over farther ones. */
@@ -23,10 +21,10 @@ extern const struct technique bubbles;
 extern const struct setting_group bubbles_settings;
 
 struct bubbles_params {
-    uint32_t count, seed; /* maximum number; random seed of positions and sizes */
-    float size;     /* longest diameter of the largest bubble, relative to the object's diagonal */
-    uint32_t shape; /* enum generate_bubbles_shape */
-    float stretch;  /* ratio of the longest to the shortest diameter, except for spheres */
+    uint32_t count, seed; /* maximum number; random seed */
+    float size;           /* largest diameter, relative to object diagonal */
+    uint32_t shape;       /* enum generate_bubbles_shape */
+    float stretch;        /* longest by shortest diameter */
 };
 
 #endif

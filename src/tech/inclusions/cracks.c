@@ -49,13 +49,11 @@ static const struct rg_image cracks_depth = {
     .format = VK_FORMAT_D32_SFLOAT,
 };
 
-/* ---- passes ---- */
-
-/* Clipping method: its shaders, and the resources that they use. */
+/* A clipping method: its shaders and the resources that they use. */
 struct clipping {
     const struct rg_use *uses, *normal_uses;
     const struct rg_shader *vert, *color, *gap, *normal, *hit;
-    bool before_back; /* the depth test rejects fragments behind the ice */
+    bool before_back; /* depth test clips at the back */
 };
 
 static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
@@ -122,22 +120,22 @@ static const struct rg_use *use_intervals(struct pass_builder *builder, uint32_t
 
 /* Returns the clipping method. An object known to be convex has one interval per pixel, from the
  * nearest to the farthest face, so it needs no depth peeling. */
-static struct clipping find_clipping(const struct technique_choice *choice,
+static struct clipping find_clipping(const struct technique_choice *config,
                                      struct pass_builder *builder)
 {
-    const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
+    const struct cracks_params *params = settings_of(config->settings, &cracks_settings);
     struct clipping found = none;
     if (params->clip == CRACKS_CLIP_CONVEX || params->clip == CRACKS_CLIP_INTERVAL)
         found = convex;
-    if (params->clip == CRACKS_CLIP_INTERVAL && !choice->is_convex) {
+    if (params->clip == CRACKS_CLIP_INTERVAL && !config->is_convex) {
         found = interval;
-        found.uses = use_intervals(builder, ice_interval_index(choice->settings));
+        found.uses = use_intervals(builder, ice_interval_index(config->settings));
         found.normal_uses = found.uses;
     }
     return found;
 }
 
-static const struct rg_pass color_row = {
+static const struct rg_pass color_pass = {
     .name = "cracks.color",
     .color = RG_TARGETS({ &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
     .vertices = &frame_mesh_layout,
@@ -145,7 +143,7 @@ static const struct rg_pass color_row = {
     .record = record_cracks,
 };
 
-static const struct rg_pass color_before_back_row = {
+static const struct rg_pass color_before_back_pass = {
     .name = "cracks.color",
     .color = RG_TARGETS({ &cracks_color, RG_LOAD_CLEAR, .blend = RG_BLEND_OVER }),
     ICE_DEPTH_BEFORE_BACK,
@@ -154,7 +152,7 @@ static const struct rg_pass color_before_back_row = {
     .record = record_cracks,
 };
 
-static const struct rg_pass normal_row = {
+static const struct rg_pass normal_pass = {
     .name = "cracks.normal",
     .color = RG_TARGETS({ &ice_normal_back, RG_LOAD_KEEP }),
     .depth = { &cracks_depth, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } },
@@ -164,7 +162,7 @@ static const struct rg_pass normal_row = {
     .record = record_cracks,
 };
 
-static const struct rg_pass hit_row = {
+static const struct rg_pass hit_pass = {
     .name = "cracks.hits",
     .color = RG_TARGETS({ &cracks_hits, RG_LOAD_CLEAR }),
     .depth = { &cracks_depth, RG_LOAD_CLEAR, { .depthStencil = { 1.0f, 0 } } },
@@ -191,8 +189,6 @@ static void record_cracks(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_push(cmd, &params->shading, sizeof(params->shading));
     frame_draw_mesh(cmd, frame, &cracks);
 }
-
-/* ---- settings ---- */
 
 static const char *const clip_names[] = { "convex", "interval", "precut", "none", NULL };
 static const char *const refract_names[] = { "off", "normals", "gap", NULL };
@@ -305,8 +301,6 @@ static const struct setting rows[] = {
 
 const struct setting_group cracks_settings = SETTING_GROUP("cracks", rows, struct cracks_params);
 
-/* ---- techniques ---- */
-
 static bool is_on(const struct settings *settings)
 {
     const struct cracks_params *params = settings_of(settings, &cracks_settings);
@@ -327,47 +321,47 @@ bool cracks_are_traced(const struct settings *settings, const struct technique *
            params->refract == CRACKS_REFRACT_GAP && !params->shading.surface;
 }
 
-/* Makes the colour pass. Without cracks it only clears the layer, and is culled unless requested.
- */
-static struct rg_technique make_color(const struct technique_choice *choice,
+/* Makes the colour pass. Without cracks it only clears the layer; culled unless requested. */
+static struct rg_technique make_color(const struct technique_choice *config,
                                       struct pass_builder *builder)
 {
-    const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
-    const struct clipping clipping = params->count ? find_clipping(choice, builder) : none;
+    const struct cracks_params *params = settings_of(config->settings, &cracks_settings);
+    const struct clipping clipping = params->count ? find_clipping(config, builder) : none;
     const bool are_gaps = params->count && params->refract == CRACKS_REFRACT_GAP;
     const struct rg_use *const uses[] = { clipping.uses, are_gaps ? cube_use : NULL };
-    struct rg_pass *row = pass_builder_copy_passes(
-        builder, clipping.before_back ? &color_before_back_row : &color_row, 1);
-    if (!row)
+    struct rg_pass *pass = pass_builder_copy_passes(
+        builder, clipping.before_back ? &color_before_back_pass : &color_pass, 1);
+    if (!pass)
         return (struct rg_technique){ 0 };
-    row->uses = pass_builder_join_uses(builder, uses, 2);
-    row->vert = clipping.vert;
-    row->frag = are_gaps ? clipping.gap : clipping.color;
-    return (struct rg_technique){ "cracks", row, 1 };
+    pass->uses = pass_builder_join_uses(builder, uses, 2);
+    pass->vert = clipping.vert;
+    pass->frag = are_gaps ? clipping.gap : clipping.color;
+    return (struct rg_technique){ "cracks", pass, 1 };
 }
 
-static struct rg_technique make_normals(const struct technique_choice *choice,
+static struct rg_technique make_normals(const struct technique_choice *config,
                                         struct pass_builder *builder)
 {
-    const struct cracks_params *params = settings_of(choice->settings, &cracks_settings);
-    const bool are_traced = cracks_are_traced(choice->settings, choice->refraction);
+    const struct cracks_params *params = settings_of(config->settings, &cracks_settings);
+    const bool are_traced = cracks_are_traced(config->settings, config->refraction);
     if (!are_traced && (!params->count || params->refract != CRACKS_REFRACT_NORMALS))
         return (struct rg_technique){ 0 };
-    const struct clipping clipping = find_clipping(choice, builder);
-    struct rg_pass *row = pass_builder_copy_passes(builder, are_traced ? &hit_row : &normal_row, 1);
-    if (!row)
+    const struct clipping clipping = find_clipping(config, builder);
+    struct rg_pass *pass =
+        pass_builder_copy_passes(builder, are_traced ? &hit_pass : &normal_pass, 1);
+    if (!pass)
         return (struct rg_technique){ 0 };
-    row->uses = clipping.normal_uses;
-    row->vert = &cracks_vert;
-    row->frag = are_traced ? clipping.hit : clipping.normal;
-    return (struct rg_technique){ are_traced ? "cracks_hits" : "cracks_normal", row, 1 };
+    pass->uses = clipping.normal_uses;
+    pass->vert = &cracks_vert;
+    pass->frag = are_traced ? clipping.hit : clipping.normal;
+    return (struct rg_technique){ are_traced ? "cracks_hits" : "cracks_normal", pass, 1 };
 }
 
-static struct rg_technique make_composite(const struct technique_choice *choice,
+static struct rg_technique make_composite(const struct technique_choice *config,
                                           struct pass_builder *builder)
 {
     (void)builder;
-    if (!is_on(choice->settings) || cracks_are_in_ice(choice->settings))
+    if (!is_on(config->settings) || cracks_are_in_ice(config->settings))
         return (struct rg_technique){ 0 };
     return (struct rg_technique)RG_TECHNIQUE("cracks_composite", composite_passes);
 }
@@ -401,9 +395,9 @@ const struct technique cracks = {
     .is_traced = true,
     .is_ice_only = true,
     .is_hit = true,
-    .parts = { { PHASE_NORMALS, .rows = make_normals },
-               { PHASE_INCLUSIONS, .rows = make_color },
-               { PHASE_FINISH, .rows = make_composite } },
+    .pass_groups = { { PHASE_NORMALS, .make_passes = make_normals },
+                     { PHASE_INCLUSIONS, .make_passes = make_color },
+                     { PHASE_FINISH, .make_passes = make_composite } },
     .layers = layers,
     .mesh = find_sheets,
     .write_constants = write_constants,

@@ -6,23 +6,23 @@
 
 /* Methods of clipping cracks to the ice. */
 enum cracks_clip {
-    CRACKS_CLIP_CONVEX,   /* between the nearest front face and the farthest back face */
+    CRACKS_CLIP_CONVEX,   /* nearest front to farthest back face */
     CRACKS_CLIP_INTERVAL, /* to the intervals of ice_interval */
-    CRACKS_CLIP_PRECUT,   /* not at draw time: cut when the scene was loaded */
+    CRACKS_CLIP_PRECUT,   /* clipped at load time */
     CRACKS_CLIP_NONE,     /* no clipping */
 };
 
 /* Effect of cracks on what is visible through the ice. */
 enum cracks_refract {
     CRACKS_REFRACT_OFF,
-    CRACKS_REFRACT_NORMALS, /* their normals replace those of the back faces */
-    CRACKS_REFRACT_GAP,     /* they reflect the environment as thin air gaps */
+    CRACKS_REFRACT_NORMALS, /* replace normals of the back faces */
+    CRACKS_REFRACT_GAP,     /* reflect the environment as air gaps */
 };
 
 struct cracks_params {
     struct cracks_shading shading;
-    uint32_t count, seed; /* number and random seed of the cracks */
-    float size;           /* factor on the width of the sheets */
+    uint32_t count, seed; /* number of cracks; random seed */
+    float size;           /* factor on the sheet width */
     uint32_t clip;        /* enum cracks_clip */
     uint32_t refract;     /* enum cracks_refract */
 };
@@ -30,17 +30,16 @@ struct cracks_params {
 /* Premultiplied colour: highlights, and reflections of air gaps. */
 extern const struct rg_image cracks_color;
 
-/* Depth and normal of the most reflective gap in a pixel, for refraction models that continue the
- * path there (shaders/cracks_hit.frag); 0 if there is none. Only written if cracks_are_traced().
- */
+/* Depth and normal of a pixel's most reflective gap, for refraction models that continue the path
+ * there; 0 if there is none. Only written if cracks_are_traced(). */
 extern const struct rg_image cracks_hits;
 
 extern const struct setting_group cracks_settings;
 
 extern const struct technique cracks;
 
-/* Returns true if cracks are clipped to the ice, which composite.c composites; otherwise they are
- * drawn over the finished image. */
+/* Returns true if cracks are clipped to the ice and drawn by composite.c; otherwise they are drawn
+ * over the finished image. */
 bool cracks_are_in_ice(const struct settings *settings);
 
 /* Returns true if a refraction model, which may be NULL, traces reflections at cracks. */

@@ -51,7 +51,7 @@ static const struct rg_pass passes[] = {
         .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP, .blend = RG_BLEND_OVER }),
         .depth = { &frame_depth, RG_LOAD_KEEP },
         .depth_read_only = true,
-        .depth_compare = VK_COMPARE_OP_EQUAL, /* only pixels of the front faces already drawn */
+        .depth_compare = VK_COMPARE_OP_EQUAL, /* only visible front faces */
         .uses = RG_USES(FRAME_USE_GLOBALS, BUMP_USE_MAP,
                         { .image = &frost_blurred,
                           .access = RG_SAMPLED,
@@ -128,5 +128,5 @@ const struct technique frost = {
     .is_on = is_on,
     .is_traced = true,
     .is_ice_only = true,
-    .parts = { { PHASE_FINISH, .graph = RG_TECHNIQUE("frost", passes) } },
+    .pass_groups = { { PHASE_FINISH, .graph = RG_TECHNIQUE("frost", passes) } },
 };

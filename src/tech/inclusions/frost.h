@@ -7,8 +7,8 @@ extern const struct technique frost;
 extern const struct setting_group frost_settings;
 
 struct frost_params {
-    float amount;    /* fraction of light that the thickest frost scatters; 0 for no frost */
-    float roughness; /* of the crystals' slopes; GGX alpha is its square */
+    float amount;    /* maximum scattered fraction of light; 0 for no frost */
+    float roughness; /* of the slopes; squared: GGX alpha */
 };
 
 #endif

@@ -42,13 +42,10 @@ static const struct rg_image *make(struct low_res_images *small, const struct rg
     return &made->image;
 }
 
-/* ---- rows ---- */
-
-/* Makes a pass read reduced images instead of full ones: its own texel if it is reduced, too,
- * otherwise bilinearly. */
-static void read_small(struct low_res_images *small, struct rg_pass *row, bool is_small)
+/* Makes a pass read reduced images: by texel fetches if it is reduced itself, else bilinearly. */
+static void read_small(struct low_res_images *small, struct rg_pass *pass, bool is_small)
 {
-    struct rg_use *uses = pass_builder_copy_uses(small->builder, row->uses);
+    struct rg_use *uses = pass_builder_copy_uses(small->builder, pass->uses);
     for (struct rg_use *use = uses; use && use->access; use++) {
         const struct rg_image *found = use->image ? find(small, use->image) : NULL;
         if (!found)
@@ -58,20 +55,20 @@ static void read_small(struct low_res_images *small, struct rg_pass *row, bool i
         if (!is_small)
             use->sampler = &frame_linear;
     }
-    row->uses = uses;
+    pass->uses = uses;
 }
 
-/* Makes a pass draw to reduced images. */
-static void draw_small(struct low_res_images *small, struct rg_pass *row, float scale)
+/* Makes a pass draw to reduced-resolution images. */
+static void draw_small(struct low_res_images *small, struct rg_pass *pass, float scale)
 {
     struct rg_target *colors =
-        pass_builder_copy_targets(small->builder, row->color, row->color_count);
-    for (uint32_t c = 0; colors && c < row->color_count; c++)
+        pass_builder_copy_targets(small->builder, pass->color, pass->color_count);
+    for (uint32_t c = 0; colors && c < pass->color_count; c++)
         colors[c].image = make(small, colors[c].image, scale);
-    row->color = colors;
-    if (row->depth.image)
-        row->depth.image = make(small, row->depth.image, scale);
-    read_small(small, row, true);
+    pass->color = colors;
+    if (pass->depth.image)
+        pass->depth.image = make(small, pass->depth.image, scale);
+    read_small(small, pass, true);
 }
 
 /* Returns a pass that upsamples a reduced image to the view's size. */
@@ -96,61 +93,62 @@ static struct rg_pass upsample(struct low_res_images *small, const struct rg_ima
     };
 }
 
-/* ---- parts ---- */
-
-/* Returns passes that draw the part's depth maps again, at reduced resolution. */
+/* Returns passes that draw the group's depth maps again, at reduced resolution. */
 static struct rg_technique draw_depths_again(struct low_res_images *small,
-                                             const struct rg_technique *part, float scale)
+                                             const struct rg_technique *group, float scale)
 {
-    struct rg_pass *rows = pass_builder_copy_passes(small->builder, part->passes, part->pass_count);
+    struct rg_pass *passes =
+        pass_builder_copy_passes(small->builder, group->passes, group->pass_count);
     size_t count = 0;
-    for (size_t i = 0; rows && i < part->pass_count; i++) {
-        if (part->passes[i].color_count)
+    for (size_t i = 0; passes && i < group->pass_count; i++) {
+        if (group->passes[i].color_count)
             continue; /* draws a layer */
-        rows[count] = part->passes[i];
-        rows[count].name = pass_builder_name(small->builder, rows[count].name, "small");
-        draw_small(small, &rows[count++], scale);
+        passes[count] = group->passes[i];
+        passes[count].name = pass_builder_name(small->builder, passes[count].name, "small");
+        draw_small(small, &passes[count++], scale);
     }
-    return (struct rg_technique){ part->name, rows, count };
+    return (struct rg_technique){ group->name, passes, count };
 }
 
 /* Reduces the passes that blend inclusions into an image, and adds upsampling for its readers. */
-static void change_inclusions(struct low_res_images *small, struct rg_technique *part, float scale)
+static void change_inclusions(struct low_res_images *small, struct rg_technique *group, float scale)
 {
-    struct rg_pass *rows = pass_builder_alloc(small->builder, 2 * part->pass_count * sizeof(*rows));
+    struct rg_pass *passes =
+        pass_builder_alloc(small->builder, 2 * group->pass_count * sizeof(*passes));
     size_t count = 0;
-    for (size_t i = 0; i < part->pass_count && !small->builder->failed; i++) {
-        rows[count++] = part->passes[i];
-        if (!part->passes[i].color->blend)
+    for (size_t i = 0; i < group->pass_count && !small->builder->failed; i++) {
+        passes[count++] = group->passes[i];
+        if (!group->passes[i].color->blend)
             continue;
-        draw_small(small, &rows[count - 1], scale);
-        rows[count++] = upsample(small, part->passes[i].color->image);
+        draw_small(small, &passes[count - 1], scale);
+        passes[count++] = upsample(small, group->passes[i].color->image);
     }
-    *part = (struct rg_technique){ part->name, rows, count };
+    *group = (struct rg_technique){ group->name, passes, count };
 }
 
-static void change_readers(struct low_res_images *small, struct rg_technique *part)
+static void change_readers(struct low_res_images *small, struct rg_technique *group)
 {
-    struct rg_pass *rows = pass_builder_copy_passes(small->builder, part->passes, part->pass_count);
-    for (size_t i = 0; rows && i < part->pass_count; i++)
-        read_small(small, &rows[i], false);
-    part->passes = rows;
+    struct rg_pass *passes =
+        pass_builder_copy_passes(small->builder, group->passes, group->pass_count);
+    for (size_t i = 0; passes && i < group->pass_count; i++)
+        read_small(small, &passes[i], false);
+    group->passes = passes;
 }
 
 struct rg_technique low_res_inclusions_apply(struct low_res_images *small,
-                                             const struct technique_choice *choice,
-                                             enum technique_phase phase, struct rg_technique *part)
+                                             const struct technique_choice *config,
+                                             enum technique_phase phase, struct rg_technique *group)
 {
     const struct inclusion_target_params *params =
-        settings_of(choice->settings, &inclusion_target_settings);
+        settings_of(config->settings, &inclusion_target_settings);
     struct rg_technique more = { 0 };
-    if (params->scale >= 1.0f || choice->has_pool || small->builder->failed)
+    if (params->scale >= 1.0f || config->has_pool || small->builder->failed)
         return more;
     if (phase == PHASE_DEPTHS)
-        more = draw_depths_again(small, part, params->scale);
+        more = draw_depths_again(small, group, params->scale);
     else if (phase == PHASE_INCLUSIONS)
-        change_inclusions(small, part, params->scale);
+        change_inclusions(small, group, params->scale);
     else if (phase == PHASE_COMPOSITE)
-        change_readers(small, part);
+        change_readers(small, group);
     return more;
 }

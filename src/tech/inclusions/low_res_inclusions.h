@@ -7,20 +7,17 @@
 
 /* The images of a frame that have reduced resolution. */
 struct low_res_images {
-    struct pass_builder *builder; /* owns the images and the passes that draw them */
+    struct pass_builder *builder; /* owner of images and passes */
     struct low_res_image *first;
 };
 
-/*
- * Changes the passes of a part for inclusions.scale. Depth maps inside the object are drawn once
- * more at that resolution, by the returned passes. Inclusions are drawn at that resolution and
- * upsampled for readers. Passes that composite inclusions read the reduced images.
- *
- * With inclusions.scale=1, and in a pool, nothing is changed. When out of memory, `failed` of the
- * builder is set.
- */
+/* Changes a pass group for inclusions.scale: inclusions are drawn at reduced resolution and
+ * upsampled for readers; passes that composite them read the reduced images. Returns passes that
+ * draw the object's depth maps again at that resolution. With inclusions.scale=1, and in a pool,
+ * changes nothing. Sets `failed` of the builder when out of memory. */
 struct rg_technique low_res_inclusions_apply(struct low_res_images *small,
-                                             const struct technique_choice *choice,
-                                             enum technique_phase phase, struct rg_technique *part);
+                                             const struct technique_choice *config,
+                                             enum technique_phase phase,
+                                             struct rg_technique *group);
 
 #endif

@@ -40,7 +40,7 @@ static const struct rg_image map = {
     .format = VK_FORMAT_R16G16B16A16_SFLOAT,
     .width = AO_MAP_SIZE,
     .height = AO_MAP_SIZE,
-    .persistent = true, /* also read in frames that do not update it */
+    .persistent = true, /* read between updates, too */
 };
 
 /* Height fields of the surroundings, from above: upward faces, and the lowest undersides. */
@@ -120,7 +120,8 @@ static const struct rg_pass passes[] = {
     },
 };
 
-static const float reach = 4.0f; /* half side of the map, radii of the objects' bounding sphere */
+/* half side of the ambient occlusion map, in radii of the bounding sphere */
+static const float reach = 4.0f;
 
 static const struct setting rows[] = {
     {
@@ -150,8 +151,6 @@ static bool is_on(const struct settings *settings)
     return strength_of(settings) > 0.0f;
 }
 
-/* ---- media ---- */
-
 /* Returns the mean density of a medium in a ball or cube (equal depth distributions). */
 static float cloud_mean(void)
 {
@@ -174,26 +173,24 @@ static struct ao_medium medium_of(const struct frame_view *view, const struct gl
     struct ao_medium medium = { .ior = 1.0f };
     for (uint32_t i = 0; i < shape->member_count; i++) {
         const struct ao_member *member = &shape->members[i];
-        const struct frame_medium own =
+        const struct frame_medium object_medium =
             frame_medium_at(view->scene, view->settings, member->object);
         const struct medium_field cloud =
             medium_field_of(view->scene, view->settings, member->object);
         const float weight = fmaxf(member->share, 0.0f);
-        medium.ior += weight * (own.ior[1] / around - 1.0f);
-        medium.absorption = glms_vec3_muladds(own.absorption, weight, medium.absorption);
+        medium.ior += weight * (object_medium.ior[1] / around - 1.0f);
+        medium.absorption = glms_vec3_muladds(object_medium.absorption, weight, medium.absorption);
         medium.scattering += weight * reduced * cloud.extinction;
         if (i == 0) {
-            medium.tint = own.tint;
-            medium.shine = own.opacity;
+            medium.tint = object_medium.tint;
+            medium.shine = object_medium.opacity;
         }
     }
     medium.ior = fmaxf(medium.ior, 1.0f);
     return medium;
 }
 
-/* ---- occluders ---- */
-
-/* Moves a corner of a shape's box towards its vertical axis, to match the surface area. */
+/* Moves an occluder's corner towards its vertical axis, to match the shape's surface area. */
 static vec3s slimmed_corner(const struct ao_shape *shape, vec3s corner)
 {
     const vec3s middle = box_center(shape->box);
@@ -241,16 +238,16 @@ static void write_bodies(void *memory, const struct frame_view *view, const stru
     }
 }
 
-static struct rg_technique make_rows(const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+static struct rg_technique make_passes(const struct technique_choice *config,
+                                       struct pass_builder *builder)
 {
     (void)builder;
-    if (!is_on(choice->settings) || !choice->has_materials)
+    if (!is_on(config->settings) || !config->has_materials)
         return (struct rg_technique){ 0 };
     return (struct rg_technique)RG_TECHNIQUE("ao", passes);
 }
 
-static bool relights(const struct scene *scene)
+static bool affects_light(const struct scene *scene)
 {
     return scene->ao.count > 0;
 }
@@ -273,9 +270,9 @@ const struct technique ao = {
     .is_on = is_on,
     .is_traced = true,
     .is_hit = true,
-    .relights = relights,
+    .affects_light = affects_light,
     .title = "ambient occlusion",
-    .parts = { { PHASE_LIGHT, SCENE_OF_OBJECT, .rows = make_rows } },
+    .pass_groups = { { PHASE_LIGHT, SCENE_OF_OBJECT, .make_passes = make_passes } },
     .uploads = uploads,
     .write_constants = write_constants,
 };

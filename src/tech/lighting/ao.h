@@ -9,7 +9,7 @@ extern const struct rg_use ao_uses[];
 extern const struct setting_group ao_settings;
 
 struct ao_params {
-    float strength; /* factor on the occlusion; 0 switches it off */
+    float strength; /* factor on the occlusion */
 };
 
 #endif

@@ -11,23 +11,23 @@
 #include "shaders/lighting/bump.h"
 #include "src/tech/technique.h"
 
-/* The scene's bump map, imported; this is the size of the fallback image. */
+/* Imported bump map of the scene, declared with the size of the fallback image. */
 extern const struct rg_image bump_map;
 
 extern const struct technique bump;
 extern const struct setting_group bump_settings;
 
 struct bump_params {
-    float strength;   /* root mean square of the slopes; 0 for no bumps: the map is not read */
-    float scale;      /* tiles across the object's bounding sphere, or per unit of uv */
-    float mask;       /* fraction of the surface that is smooth */
+    float strength;   /* RMS slope; 0: no bumps */
+    float scale;      /* tiles per object or uv unit */
+    float mask;       /* smooth fraction of the surface */
     uint32_t mapping; /* BUMP_TRIPLANAR, ... */
     uint32_t seed;
 };
 
 enum {
-    BUMP_TRIPLANAR, /* blends projections along the three axes of object space */
-    BUMP_UV,        /* the mesh's uv; a mesh without uv has no bumps */
+    BUMP_TRIPLANAR, /* blended projections along object axes */
+    BUMP_UV,        /* needs uv; otherwise no bumps */
 };
 
 /* Binding of the bump map in a pass's uses. */

@@ -126,7 +126,7 @@ static const struct rg_use photon_uses[] = {
     { 0 },
 };
 
-/* Added to the uses of the refraction model `trace`. */
+/* Resources added to the photon pass of the refraction model `trace`. */
 static const struct rg_use traced_uses[] = {
     USE_LIGHT,
     FRAME_READ(ice_caustics_ground, ICE_CAUSTICS_GROUND),
@@ -136,7 +136,7 @@ static const struct rg_use traced_uses[] = {
 static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
 enum {
-    PHOTONS_ROW = 4 /* index in `passes` */
+    PHOTONS_PASS = 4 /* index in `passes` */
 };
 
 static bool is_due(const struct rg_frame *frame, uint32_t repetition)
@@ -245,7 +245,7 @@ static const struct rg_pass passes[] = {
 
 static const struct rg_use globals_use[] = { FRAME_USE_GLOBALS, { 0 } };
 
-static const struct rg_pass layer_row = {
+static const struct rg_pass layer_pass = {
     .name = "ice_caustics.layers",
     .color = RG_TARGETS({ &caustics_layer, RG_LOAD_CLEAR }),
     .depth = { &frame_depth, RG_LOAD_KEEP },
@@ -297,15 +297,15 @@ static void record_bumps(struct rg_cmd *cmd, const struct rg_frame *frame)
 }
 
 /* Makes the photon pass rasterise the front faces, with bump-mapped normals. */
-static void draw_bumps(struct rg_pass *row)
+static void draw_bumps(struct rg_pass *pass)
 {
-    row->depth = (struct rg_target){ &photons_depth, RG_LOAD_CLEAR };
-    row->depth_compare = VK_COMPARE_OP_GREATER;
-    row->vert = &refract_bump_vert;
-    row->frag = &ice_caustics_photons_bump_frag;
-    row->vertices = &frame_mesh_layout;
-    row->cull = VK_CULL_MODE_BACK_BIT;
-    row->record = record_bumps;
+    pass->depth = (struct rg_target){ &photons_depth, RG_LOAD_CLEAR };
+    pass->depth_compare = VK_COMPARE_OP_GREATER;
+    pass->vert = &refract_bump_vert;
+    pass->frag = &ice_caustics_photons_bump_frag;
+    pass->vertices = &frame_mesh_layout;
+    pass->cull = VK_CULL_MODE_BACK_BIT;
+    pass->record = record_bumps;
 }
 
 static void record_clear(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -390,43 +390,41 @@ static bool is_on(const struct settings *settings)
     return params->light != ICE_CAUSTICS_NONE;
 }
 
-static struct rg_technique make_maps(const struct technique_choice *choice,
+static struct rg_technique make_maps(const struct technique_choice *config,
                                      struct pass_builder *builder)
 {
     const size_t count = sizeof(passes) / sizeof(passes[0]);
     const struct rg_use *const uses[] = { photon_uses, bump_uses };
-    if (!is_on(choice->settings))
+    if (!is_on(config->settings))
         return (struct rg_technique){ 0 };
-    const bool is_traced = choice->refraction && choice->refraction->refraction.trace_photons &&
-                           choice->hits_surroundings;
-    if (!is_traced && !bump.is_on(choice->settings))
+    const bool is_traced = config->refraction && config->refraction->refraction.trace_photons &&
+                           config->hits_surroundings;
+    if (!is_traced && !bump.is_on(config->settings))
         return (struct rg_technique)RG_TECHNIQUE("ice_caustics", passes);
     struct rg_pass *made = pass_builder_copy_passes(builder, passes, count);
     if (!made)
         return (struct rg_technique){ 0 };
     if (is_traced) {
-        choice->refraction->refraction.trace_photons(&made[PHOTONS_ROW], choice, builder,
+        config->refraction->refraction.trace_photons(&made[PHOTONS_PASS], config, builder,
                                                      traced_uses);
         return (struct rg_technique){ "ice_caustics", made, count };
     }
-    made[PHOTONS_ROW].uses = pass_builder_join_uses(builder, uses, 2);
-    draw_bumps(&made[PHOTONS_ROW]);
+    made[PHOTONS_PASS].uses = pass_builder_join_uses(builder, uses, 2);
+    draw_bumps(&made[PHOTONS_PASS]);
     return (struct rg_technique){ "ice_caustics", made, count };
 }
 
 /* Makes the pass of the AOV layer: sunlight on the visible surroundings. */
-static struct rg_technique make_layer(const struct technique_choice *choice,
+static struct rg_technique make_layer(const struct technique_choice *config,
                                       struct pass_builder *builder)
 {
     const struct rg_use *const uses[] = { globals_use, ice_caustics_uses };
-    struct rg_pass *row = pass_builder_copy_passes(builder, &layer_row, 1);
-    if (!row || !is_on(choice->settings))
+    struct rg_pass *pass = pass_builder_copy_passes(builder, &layer_pass, 1);
+    if (!pass || !is_on(config->settings))
         return (struct rg_technique){ 0 };
-    row->uses = pass_builder_join_uses(builder, uses, 2);
-    return (struct rg_technique){ "ice_caustics", row, 1 };
+    pass->uses = pass_builder_join_uses(builder, uses, 2);
+    return (struct rg_technique){ "ice_caustics", pass, 1 };
 }
-
-/* ---- sun's view ---- */
 
 /* Returns a camera in the sun's direction, so distant that its rays are nearly parallel. */
 static struct camera sun_camera(const struct globals *globals)
@@ -446,7 +444,7 @@ void ice_caustics_write_globals(void *memory, const struct frame_view *view,
     struct globals *sun = memory;
     const struct camera camera = sun_camera(globals);
     *sun = *globals;
-    sun->lod_bias = 0.0f; /* the sun's view is never rendered in tiles */
+    sun->lod_bias = 0.0f; /* the shadow map is never tiled */
     sun->eye = camera.eye;
     sun->forward = glms_vec3_negate(globals->sun_dir);
     sun->clip_from_world =
@@ -477,7 +475,7 @@ void ice_caustics_write_light(void *memory, const struct frame_view *view,
     }
 }
 
-static bool relights(const struct scene *scene)
+static bool affects_light(const struct scene *scene)
 {
     (void)scene;
     return true;
@@ -502,9 +500,10 @@ const struct technique ice_caustics = {
     .settings = { &ice_caustics_settings },
     .is_on = is_on,
     .is_traced = true,
-    .relights = relights,
+    .affects_light = affects_light,
     .title = "caustics of the ice",
-    .parts = { { PHASE_LIGHT, .rows = make_maps }, { PHASE_FINISH, .rows = make_layer } },
+    .pass_groups = { { PHASE_LIGHT, .make_passes = make_maps },
+                     { PHASE_FINISH, .make_passes = make_layer } },
     .uploads = uploads,
     .write_constants = write_constants,
 };

@@ -5,10 +5,11 @@
 #include "src/tech/technique.h"
 
 struct ice_caustics_params {
-    uint32_t light;  /* ICE_CAUSTICS_NONE, ... */
-    float reach;     /* half width of the map, radii of the object's bounding sphere */
-    uint32_t shadow; /* 1: the ice blocks direct sunlight; only its caustics reach the shadow */
-    uint32_t ground; /* 1: surroundings cast shadows on each other */
+    uint32_t light; /* ICE_CAUSTICS_NONE, ... */
+    float reach;    /* half map width, bounding radii */
+    /* 1: the ice blocks direct sunlight, so that only its caustics light the shadow */
+    uint32_t shadow;
+    uint32_t ground; /* 1: surroundings shadow each other */
 };
 
 /* Upload buffers for the sun's view. */

@@ -68,13 +68,13 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
            (target->scale < 1.0f ? COMPOSITE_IS_LOW_RES : 0u);
 }
 
-static struct rg_technique make_rows(const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+static struct rg_technique make_passes(const struct technique_choice *config,
+                                       struct pass_builder *builder)
 {
-    const uint32_t bits = layers_of(choice->settings, choice->refraction, choice->renders_media);
+    const uint32_t bits = layers_of(config->settings, config->refraction, config->renders_media);
     struct rg_use changed[sizeof(uses) / sizeof(uses[0])];
-    struct rg_pass *rows = pass_builder_copy_passes(builder, passes, 1);
-    if (!(bits & ~COMPOSITE_IS_LOW_RES) || !rows)
+    struct rg_pass *copies = pass_builder_copy_passes(builder, passes, 1);
+    if (!(bits & ~COMPOSITE_IS_LOW_RES) || !copies)
         return (struct rg_technique){ 0 };
     memcpy(changed, uses, sizeof(uses));
     for (struct rg_use *use = changed; use->access; use++) {
@@ -82,15 +82,15 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
                               use->binding == COMPOSITE_CRACKS;
         if (use->image && is_layer && !(bits & 1u << use->binding))
             use->image = &highlight_radiance;
-        if (use->image == &bubbles_color && bubbles_are_refracted(choice))
+        if (use->image == &bubbles_color && bubbles_are_refracted(config))
             use->same_texel = false;
     }
-    const bool shows_refracted = (bits & COMPOSITE_HAS_BUBBLES) && bubbles_are_refracted(choice);
-    rows->uses = pass_builder_join_uses(
+    const bool shows_refracted = (bits & COMPOSITE_HAS_BUBBLES) && bubbles_are_refracted(config);
+    copies->uses = pass_builder_join_uses(
         builder, (const struct rg_use *const[]){ changed, shows_refracted ? bent_uses : NULL }, 2);
-    rows->vert = shows_refracted ? &composite_refracted_vert : &composite_vert;
-    rows->frag = shows_refracted ? &composite_refracted_frag : &composite_frag;
-    return (struct rg_technique){ "over", rows, 1 };
+    copies->vert = shows_refracted ? &composite_refracted_vert : &composite_vert;
+    copies->frag = shows_refracted ? &composite_refracted_frag : &composite_frag;
+    return (struct rg_technique){ "over", copies, 1 };
 }
 
 static void record_area(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -109,6 +109,6 @@ static void write_constants(const struct technique_inputs *subject, uint32_t *va
 const struct technique composite = {
     .name = "composite",
     .help = "compositing of air, bubbles, cracks and highlights over the ice",
-    .parts = { { PHASE_COMPOSITE, .rows = make_rows } },
+    .pass_groups = { { PHASE_COMPOSITE, .make_passes = make_passes } },
     .write_constants = write_constants,
 };

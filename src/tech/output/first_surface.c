@@ -206,5 +206,5 @@ const struct technique first_surface = {
     .layers = layers,
     .uploads = uploads,
     .imports = imports,
-    .parts = { { PHASE_SURFACES, .graph = RG_TECHNIQUE("first_surface", passes) } },
+    .pass_groups = { { PHASE_SURFACES, .graph = RG_TECHNIQUE("first_surface", passes) } },
 };

@@ -107,5 +107,5 @@ const struct technique gbuffer = {
     .name = "gbuffer",
     .help = "normal, position and depth of the nearest surface",
     .layers = layers,
-    .parts = { { PHASE_SURFACES, SCENE_OF_ANY, .graph = RG_TECHNIQUE("gbuffer", passes) } },
+    .pass_groups = { { PHASE_SURFACES, SCENE_OF_ANY, .graph = RG_TECHNIQUE("gbuffer", passes) } },
 };

@@ -4,7 +4,7 @@
 #include "shaders/output/gbuffer.h"
 #include "src/tech/technique.h"
 
-extern const struct rg_image gbuffer_normal; /* xyz: unit, outward, world; 0 without a surface */
+extern const struct rg_image gbuffer_normal; /* unit, outward, world; 0: no surface */
 /* xyz: world, metres; w: distance along the view axis, metres, or GBUFFER_NOTHING */
 extern const struct rg_image gbuffer_position;
 extern const struct rg_image gbuffer_depth; /* reversed depth of surroundings and object */

@@ -28,6 +28,6 @@ static void record_upload(struct rg_cmd *cmd, const struct rg_frame *frame)
 const struct technique resolve = {
     .name = "resolve",
     .help = "mean of all samples, uploaded to the device",
-    .parts = { { PHASE_ENVIRONMENT, SCENE_OF_ANY, .purposes = 1u << TECHNIQUE_RESOLVE,
-                 .graph = RG_TECHNIQUE("resolve", passes) } },
+    .pass_groups = { { PHASE_ENVIRONMENT, SCENE_OF_ANY, .purposes = 1u << TECHNIQUE_RESOLVE,
+                       .graph = RG_TECHNIQUE("resolve", passes) } },
 };

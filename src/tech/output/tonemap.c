@@ -86,8 +86,8 @@ const struct technique tonemap = {
     .name = "tonemap",
     .help = "tone mapping of linear colour to 8-bit sRGB",
     .settings = { &tonemap_settings },
-    .parts = { { PHASE_DISPLAY, SCENE_OF_ANY,
-                 .purposes = 1u << TECHNIQUE_IMAGE | 1u << TECHNIQUE_RESOLVE,
-                 .graph = RG_TECHNIQUE("tonemap", passes) } },
+    .pass_groups = { { PHASE_DISPLAY, SCENE_OF_ANY,
+                       .purposes = 1u << TECHNIQUE_IMAGE | 1u << TECHNIQUE_RESOLVE,
+                       .graph = RG_TECHNIQUE("tonemap", passes) } },
     .write_constants = write_constants,
 };

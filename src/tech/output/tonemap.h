@@ -6,7 +6,7 @@
 struct tonemap_params {
     float exposure;  /* stops */
     uint32_t curve;  /* TONEMAP_NEUTRAL, ... */
-    uint32_t dither; /* 1: adds noise of one step to 8-bit PNG files, which hides banding */
+    uint32_t dither; /* 1: dither 8-bit PNG files */
 };
 
 extern const struct setting_group tonemap_settings;

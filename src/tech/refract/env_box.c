@@ -1,4 +1,4 @@
-/* env_box.c: box of projected environment lookups (refract.lookup=box). */
+/* env_box.c: box of parallax-corrected environment lookups (refract.lookup=box). */
 #include "src/tech/refract/env_box.h"
 #include <math.h>
 #include "src/tech/frame.h"

@@ -1,4 +1,4 @@
-/* env_box.h: box of projected environment lookups (refract.lookup=box). */
+/* env_box.h: box of parallax-corrected environment lookups (refract.lookup=box). */
 #ifndef FIRN_TECH_REFRACT_ENV_BOX_H
 #define FIRN_TECH_REFRACT_ENV_BOX_H
 #include "src/scene/geometry/mesh.h"

@@ -36,8 +36,6 @@ const struct rg_image refract_path = {
     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
 };
 
-/* ---- rows ---- */
-
 static const struct rg_target color_targets[] = {
     [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
     /* negative: marks pixels without ice */
@@ -72,14 +70,14 @@ static const struct rg_use bump_uses[] = { BUMP_USE_MAP, { 0 } };
 
 /* Passes that draw front faces find the nearest by a depth test; those that shade a full-screen
  * triangle use the depth of ice_normal.front. */
-static const struct rg_pass color_row = {
+static const struct rg_pass color_pass = {
     .color = color_targets,
     .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
     .depth = { &frame_depth, RG_LOAD_CLEAR }, /* cleared to 0: infinity */
     .depth_compare = VK_COMPARE_OP_GREATER,
 };
 
-static const struct rg_pass pixel_color_row = {
+static const struct rg_pass pixel_color_pass = {
     .color = color_targets,
     .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
     .depth = { &frame_depth, RG_LOAD_KEEP },
@@ -87,7 +85,7 @@ static const struct rg_pass pixel_color_row = {
     .depth_compare = VK_COMPARE_OP_LESS,
 };
 
-static const struct rg_pass layer_row = {
+static const struct rg_pass layer_pass = {
     .color = layer_targets,
     .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
     .depth = { &frame_depth, RG_LOAD_KEEP },
@@ -95,7 +93,7 @@ static const struct rg_pass layer_row = {
     .depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL,
 };
 
-static const struct rg_pass pixel_layer_row = {
+static const struct rg_pass pixel_layer_pass = {
     .color = layer_targets,
     .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
 };
@@ -113,112 +111,110 @@ const struct rg_use refract_medium_uses[] = {
     { 0 },
 };
 
-static bool has_bumps(const struct technique_choice *choice)
+static bool has_bumps(const struct technique_choice *config)
 {
-    return choice->refraction->refraction.rows->bump_frag && bump.is_on(choice->settings);
+    return config->refraction->refraction.shaders->bump_frag && bump.is_on(config->settings);
 }
 
 bool refract_has_medium(const struct technique *refraction, const struct scene *scene,
                         const struct settings *settings)
 {
     const struct air_params *air_of = settings_of(settings, &air_settings);
-    return refraction && !refraction->refraction.traces_bvh && refraction->refraction.rows &&
-           refraction->refraction.rows->medium_shaders && air_of->steps > 0 &&
+    return refraction && !refraction->refraction.traces_bvh && refraction->refraction.shaders &&
+           refraction->refraction.shaders->medium_shaders && air_of->steps > 0 &&
            medium_field_exists(scene, settings);
 }
 
-void refract_choose(struct technique_choice *choice, const struct scene *scene)
+void refract_choose(struct technique_choice *config, const struct scene *scene)
 {
-    choice->is_textured = choice->refraction->refraction.rows->material_frag &&
-                          scene_has_textured_objects(scene) && !bump.is_on(choice->settings);
-    choice->renders_media = refract_has_medium(choice->refraction, scene, choice->settings);
+    config->is_textured = config->refraction->refraction.shaders->material_frag &&
+                          scene_has_textured_objects(scene) && !bump.is_on(config->settings);
+    config->renders_media = refract_has_medium(config->refraction, scene, config->settings);
 }
 
-/* Makes a pass draw the front faces, with Fresnel reflectance by eq. 4 at the vertices. */
-static void draw_faces(struct rg_pass *row, const struct refract_shaders *refraction, bool bumped)
+/* Makes a pass draw front faces, with Fresnel reflectance at the vertices by eq. 4 of the paper. */
+static void draw_faces(struct rg_pass *pass, const struct refract_shaders *refraction, bool bumped)
 {
-    row->vert = refraction->vert ? refraction->vert : bumped ? &refract_bump_vert : &refract_vert;
-    row->vertices = &frame_mesh_layout;
-    row->cull = VK_CULL_MODE_BACK_BIT;
+    pass->vert = refraction->vert ? refraction->vert : bumped ? &refract_bump_vert : &refract_vert;
+    pass->vertices = &frame_mesh_layout;
+    pass->cull = VK_CULL_MODE_BACK_BIT;
 }
 
-static const struct rg_shader *plain_frag(const struct technique_choice *choice, bool bumped,
+static const struct rg_shader *plain_frag(const struct technique_choice *config, bool bumped,
                                           bool is_layers)
 {
-    const struct refract_shaders *refraction = choice->refraction->refraction.rows;
-    if (choice->is_nested)
+    const struct refract_shaders *refraction = config->refraction->refraction.shaders;
+    if (config->is_nested)
         return is_layers ? refraction->nested_layers_frag : refraction->nested_frag;
-    if (choice->is_textured)
+    if (config->is_textured)
         return is_layers ? refraction->material_layers_frag : refraction->material_frag;
     if (bumped)
         return is_layers ? refraction->bump_layers_frag : refraction->bump_frag;
     return is_layers ? refraction->layers_frag : refraction->frag;
 }
 
-static const struct rg_shader *scattering_frag(const struct technique_choice *choice, bool bumped,
+static const struct rg_shader *scattering_frag(const struct technique_choice *config, bool bumped,
                                                bool is_layers)
 {
     const struct refract_medium_shaders *medium_shaders =
-        choice->refraction->refraction.rows->medium_shaders;
-    if (choice->is_nested)
+        config->refraction->refraction.shaders->medium_shaders;
+    if (config->is_nested)
         return is_layers ? medium_shaders->nested_layers_frag : medium_shaders->nested_frag;
-    if (choice->is_textured)
+    if (config->is_textured)
         return is_layers ? medium_shaders->material_layers_frag : medium_shaders->material_frag;
     if (bumped)
         return is_layers ? medium_shaders->bump_layers_frag : medium_shaders->bump_frag;
     return is_layers ? medium_shaders->layers_frag : medium_shaders->frag;
 }
 
-static struct rg_technique make_row(const struct technique_choice *choice,
-                                    struct pass_builder *builder, const struct rg_pass *base,
-                                    bool is_layers)
+static struct rg_technique make_pass(const struct technique_choice *config,
+                                     struct pass_builder *builder, const struct rg_pass *base,
+                                     bool is_layers)
 {
-    const struct technique *technique = choice->refraction;
-    const struct refract_shaders *refraction = technique->refraction.rows;
-    const bool bumped = has_bumps(choice);
+    const struct technique *technique = config->refraction;
+    const struct refract_shaders *refraction = technique->refraction.shaders;
+    const bool bumped = has_bumps(config);
     assert(technique->refraction.choose || !refraction->material_frag);
     const struct rg_use *const uses[] = {
         technique->refraction.by_pixel ? pixel_uses : face_uses,
         technique->refraction.by_pixel && is_layers ? scene_uses : NULL,
-        choice->is_nested && choice->is_wide ? refraction->nested_wide_uses
-        : choice->is_nested                  ? refraction->nested_uses
-        : choice->is_wide                    ? refraction->wide_uses
+        config->is_nested && config->is_wide ? refraction->nested_wide_uses
+        : config->is_nested                  ? refraction->nested_uses
+        : config->is_wide                    ? refraction->wide_uses
                                              : refraction->uses,
         bumped ? bump_uses : NULL,
-        choice->is_textured ? refract_material_uses : NULL,
-        choice->renders_media ? refract_medium_uses : NULL,
+        config->is_textured ? refract_material_uses : NULL,
+        config->renders_media ? refract_medium_uses : NULL,
     };
-    struct rg_pass *row = pass_builder_copy_passes(builder, base, 1);
-    if (!row)
+    struct rg_pass *pass = pass_builder_copy_passes(builder, base, 1);
+    if (!pass)
         return (struct rg_technique){ 0 };
-    row->name = pass_builder_name(builder, technique->name, is_layers ? "layers" : "color");
-    row->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    pass->name = pass_builder_name(builder, technique->name, is_layers ? "layers" : "color");
+    pass->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     if (technique->refraction.by_pixel)
-        row->vert = refraction->vert ? refraction->vert : &refract_fullscreen_vert;
+        pass->vert = refraction->vert ? refraction->vert : &refract_fullscreen_vert;
     else
-        draw_faces(row, refraction, bumped);
-    row->frag = choice->renders_media ? scattering_frag(choice, bumped, is_layers)
-                                      : plain_frag(choice, bumped, is_layers);
-    row->push_size = refraction->push_size;
-    row->record = refraction->record ? refraction->record : frame_draw_object;
-    return (struct rg_technique){ technique->name, row, 1 };
+        draw_faces(pass, refraction, bumped);
+    pass->frag = config->renders_media ? scattering_frag(config, bumped, is_layers)
+                                       : plain_frag(config, bumped, is_layers);
+    pass->push_size = refraction->push_size;
+    pass->record = refraction->record ? refraction->record : frame_draw_object;
+    return (struct rg_technique){ technique->name, pass, 1 };
 }
 
-struct rg_technique refract_image_passes(const struct technique_choice *choice,
+struct rg_technique refract_image_passes(const struct technique_choice *config,
                                          struct pass_builder *builder)
 {
-    const bool by_pixel = choice->refraction->refraction.by_pixel;
-    return make_row(choice, builder, by_pixel ? &pixel_color_row : &color_row, false);
+    const bool by_pixel = config->refraction->refraction.by_pixel;
+    return make_pass(config, builder, by_pixel ? &pixel_color_pass : &color_pass, false);
 }
 
-struct rg_technique refract_layer_passes(const struct technique_choice *choice,
+struct rg_technique refract_layer_passes(const struct technique_choice *config,
                                          struct pass_builder *builder)
 {
-    const bool by_pixel = choice->refraction->refraction.by_pixel;
-    return make_row(choice, builder, by_pixel ? &pixel_layer_row : &layer_row, true);
+    const bool by_pixel = config->refraction->refraction.by_pixel;
+    return make_pass(config, builder, by_pixel ? &pixel_layer_pass : &layer_pass, true);
 }
-
-/* ---- settings ---- */
 
 static const char *const fresnels[] = {
     [REFRACT_FRESNEL_PAPER] = "paper",
@@ -323,8 +319,7 @@ float refract_outside(const struct scene *scene, const struct settings *settings
     return scene->has_pool ? REFRACT_IOR_AIR : params->outside;
 }
 
-/* KHR_materials_dispersion: the indices of red and blue are n - h and n + h with h = (n - 1) 0.025
- * dispersion. */
+/* KHR_materials_dispersion: red n - h, green n, blue n + h, with h = (n - 1) 0.025 dispersion. */
 static void write_globals(const struct frame_view *view, struct globals *g)
 {
     const struct refract_params *params = settings_of(view->settings, &refract_settings);
@@ -336,20 +331,21 @@ static void write_globals(const struct frame_view *view, struct globals *g)
     g->refract_crossfade = params->crossfade;
 }
 
-static void settle_row(struct settings *settings, size_t offset, uint32_t automatic, uint32_t value)
+static void resolve_auto_row(struct settings *settings, size_t offset, uint32_t automatic,
+                             uint32_t value)
 {
     const struct setting *row = settings_row(&refract_settings, offset);
     if (settings_get(settings, row) >= automatic)
         settings_set_value(settings, row, value);
 }
 
-static void settle(struct settings *settings, const struct technique *refraction)
+static void resolve_auto(struct settings *settings, const struct technique *refraction)
 {
     const bool is_printed = refraction && refraction->refraction.follows_paper;
-    settle_row(settings, offsetof(struct refract_params, fresnel), REFRACT_FRESNEL_AUTO,
-               is_printed ? REFRACT_FRESNEL_PAPER : REFRACT_FRESNEL_EXACT);
-    settle_row(settings, offsetof(struct refract_params, lookup), REFRACT_LOOKUP_AUTO,
-               is_printed ? REFRACT_LOOKUP_INFINITE : REFRACT_LOOKUP_DISTANCE);
+    resolve_auto_row(settings, offsetof(struct refract_params, fresnel), REFRACT_FRESNEL_AUTO,
+                     is_printed ? REFRACT_FRESNEL_PAPER : REFRACT_FRESNEL_EXACT);
+    resolve_auto_row(settings, offsetof(struct refract_params, lookup), REFRACT_LOOKUP_AUTO,
+                     is_printed ? REFRACT_LOOKUP_INFINITE : REFRACT_LOOKUP_DISTANCE);
 }
 
 static void write_constants(const struct technique_inputs *subject, uint32_t *values)
@@ -359,8 +355,6 @@ static void write_constants(const struct technique_inputs *subject, uint32_t *va
     values[CONSTANT_REFRACT_LOOKUP] = params->lookup;
     values[CONSTANT_REFRACT_STEPS] = params->steps;
 }
-
-/* ---- layers ---- */
 
 static const struct frame_layer layers[] = {
     {
@@ -423,7 +417,7 @@ const struct technique refract = {
     .help = "settings and layers shared by all refraction models",
     .settings = { &refract_settings },
     .layers = layers,
-    .settle = settle,
+    .resolve_auto = resolve_auto,
     .write_globals = write_globals,
     .write_constants = write_constants,
 };

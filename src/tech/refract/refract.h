@@ -1,16 +1,14 @@
 /*
  * refract.h: layers, settings and passes shared by the raster refraction models (refract_*.c).
  *
- * A model may use images of other techniques (env_cube, ice_normal); passes with unused images are
- * culled.
+ * A model may use images of other techniques; passes whose images are not used are culled.
  */
 #ifndef FIRN_TECH_REFRACT_REFRACT_H
 #define FIRN_TECH_REFRACT_REFRACT_H
 #include "shaders/refract/refract.h"
 #include "src/tech/technique.h"
 
-/* Layers on the ice's front faces; 0 elsewhere. With dispersion, exit and path are those of green.
- */
+/* Layers on the ice's front faces; 0 elsewhere. With dispersion, exit and path are for green. */
 extern const struct rg_image refract_exit;       /* unit exit direction of the path */
 extern const struct rg_image refract_refraction; /* linear refracted radiance */
 extern const struct rg_image refract_reflection; /* linear reflected radiance */
@@ -22,9 +20,9 @@ extern const struct rg_image refract_path;
 extern const struct setting_group refract_settings;
 
 struct refract_params {
-    float ior;     /* refractive index of the object, for green */
-    float outside; /* index of the outside; REFRACT_IOR_AIR counts as 1 for files with materials */
-    float dispersion; /* 20 / Abbe number, as in KHR_materials_dispersion; 0 if not dispersive */
+    float ior;        /* of the object, for green */
+    float outside;    /* outside index; REFRACT_IOR_AIR counts as 1 for files with materials */
+    float dispersion; /* 20 / Abbe number; 0: not dispersive */
     uint32_t fresnel; /* REFRACT_FRESNEL_PAPER ...; frame_resolve_settings() resolves AUTO */
     float crossfade;  /* transmitted fraction with REFRACT_FRESNEL_CROSSFADE */
     uint32_t lookup;  /* REFRACT_LOOKUP_INFINITE ... */
@@ -34,39 +32,37 @@ struct refract_params {
 /* Refractive index of air (The Cg Tutorial; Seipel and Nivfors 2006, eq. 2). */
 #define REFRACT_IOR_AIR 1.0003f
 
-/* Returns the refractive index around the objects: refract.ior_outside, or that of air in a pool.
- */
+/* Returns the refractive index around the objects: refract.ior_outside, or air in a pool. */
 float refract_outside(const struct scene *scene, const struct settings *settings);
 
-/* Variants of a model's shaders that render scattering media (shaders/refract_medium.glsl). */
+/* Variants of a model's shaders for scattering media (shaders/refract/refract_medium.glsl). */
 struct refract_medium_shaders {
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag, *material_frag,
         *material_layers_frag, *nested_frag, *nested_layers_frag, *ssr_frag, *ssr_material_frag;
 };
 
-/* Shaders and inputs of a raster refraction model; refract_*_rows() build its passes. */
+/* Shaders and inputs of a raster refraction model; refract_*_passes() build its passes. */
 struct refract_shaders {
     /* Shaders for image and layers, compiled from refract_STEM.frag without and with bump mapping.
      * NULL bump_frag: the model has no bump mapping. */
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
-    /* Variants that apply ice_normal's material images; NULL: the model ignores tints and textures.
-     */
+    /* Variants for ice_normal's material images; NULL: the model ignores tints and textures. */
     const struct rg_shader *material_frag, *material_layers_frag;
     /* Variants for nested objects, if technique_choice.is_nested. */
     const struct rg_shader *nested_frag, *nested_layers_frag;
-    const struct refract_medium_shaders
-        *medium_shaders; /* NULL: scattering media are rendered clear */
+    /* NULL: scattering media are rendered clear */
+    const struct refract_medium_shaders *medium_shaders;
     /* Shading of the object for rays reflected by surroundings (ssr.c), without and with
      * material images; uses the model's `vert` and `uses`. NULL: they read the image. */
     const struct rg_shader *ssr_frag, *ssr_material_frag;
     /* Vertex shader; NULL: refract.vert, refract_bump.vert with bump mapping, or
      * refract_fullscreen.vert for models shaded by pixel. */
     const struct rg_shader *vert;
-    const struct rg_use *uses;      /* in addition to frame_globals and the bump map; ends at {0} */
-    const struct rg_use *wide_uses; /* replaces `uses` if technique_choice.is_wide */
+    const struct rg_use *uses;             /* besides globals and bump map */
+    const struct rg_use *wide_uses;        /* replaces `uses` if technique_choice.is_wide */
     const struct rg_use *nested_uses;      /* replaces `uses` if technique_choice.is_nested */
     const struct rg_use *nested_wide_uses; /* replaces `uses` if both are set */
-    uint32_t push_size;                    /* bytes of push constants; 0 if there are none */
+    uint32_t push_size;                    /* push constants, bytes; 0 if none */
     rg_record_fn *record;                  /* NULL: frame_draw_object() */
 };
 
@@ -79,7 +75,7 @@ extern const struct rg_use refract_material_uses[], refract_medium_uses[];
 
 /* Implements refraction_model.choose for raster models: material images are used if there is a
  * shader for them and bump mapping is off. */
-void refract_choose(struct technique_choice *choice, const struct scene *scene);
+void refract_choose(struct technique_choice *config, const struct scene *scene);
 
 /* Use of the environment cube by models with refract_fullscreen_mean.vert. */
 #define REFRACT_USE_FULLSCREEN_CUBE \
@@ -87,14 +83,13 @@ void refract_choose(struct technique_choice *choice, const struct scene *scene);
                  .stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | \
                            VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT)
 
-/* Parts of a frame drawn by a refraction model. The image pass runs before the background, so that
- * the depth test rejects hidden background; the layer pass after it: surroundings may hide the
- * object. */
+/* Make a refraction model's passes. The image pass precedes the background, so that the depth test
+ * rejects hidden background; the layer pass follows it, since surroundings may hide the object. */
 technique_passes_fn refract_image_passes, refract_layer_passes;
-#define REFRACT_PARTS \
+#define REFRACT_PASS_GROUPS \
     { \
-        { PHASE_REFRACTION, .rows = refract_image_passes }, \
-            { PHASE_LAYERS, .rows = refract_layer_passes }, \
+        { PHASE_REFRACTION, .make_passes = refract_image_passes }, \
+            { PHASE_LAYERS, .make_passes = refract_layer_passes }, \
     }
 
 #endif

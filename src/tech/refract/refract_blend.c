@@ -62,6 +62,6 @@ const struct technique refract_blend = {
     .name = "refract_blend",
     .help = "single refraction by a blended normal that adds up the deflections of front and back",
     .settings = { &refract_blend_settings },
-    .parts = REFRACT_PARTS,
-    .refraction = { .name = "blend", .rows = &refraction, .choose = refract_choose },
+    .pass_groups = REFRACT_PASS_GROUPS,
+    .refraction = { .name = "blend", .shaders = &refraction, .choose = refract_choose },
 };

@@ -2,8 +2,8 @@
  * refract_bounce.c: refraction model with total internal reflections, ray marched in image space.
  *
  * The ray is marched as in refract_search.c, but among front and back faces, and continued where it
- * is reflected, totally or in part. What remains after refract_bounce.exits faces through which
- * light leaves, or after the last bounce, is given the mean radiance of the surroundings.
+ * is reflected, totally or in part. After refract_bounce.exits faces through which light leaves, or
+ * after the last bounce, the remaining light is given the mean radiance of the surroundings.
  *
  * Error: as small as that of refract_search.c; with total internal reflections one or a few degrees
  * on average on convex objects, because small errors grow from bounce to bounce. Of a slightly
@@ -222,9 +222,8 @@ static const struct setting rows[] = {
 const struct setting_group refract_bounce_settings =
     SETTING_GROUP("refract_bounce", rows, struct refract_bounce_params);
 
-/* Value of mesh_depth_complexity() from which an object is rendered with all its faces, not only
- * the nearest. The irregular ice cube has 0 and, with nearest faces only, an error of 0.0075; the
- * teapot 0.09, 0.039. */
+/* Minimum mesh_depth_complexity() of objects whose faces are all rendered, not only the nearest:
+ * the ice cube has 0 and an error of 0.0075 with nearest faces only, the teapot 0.09 and 0.039. */
 static const float depth_complexity_min = 0.05f;
 
 bool refract_bounce_is_nested(const struct settings *settings, const struct scene *scene)
@@ -239,19 +238,19 @@ bool refract_bounce_is_nested(const struct settings *settings, const struct scen
            !scene_has_textured_objects(scene) && cracks_of->refract == CRACKS_REFRACT_OFF;
 }
 
-/* Completes a choice; the wide maps have no variants with material images or cracks. */
-static void choose(struct technique_choice *choice, const struct scene *scene)
+/* Completes a configuration; the wide maps have no variants with material images or cracks. */
+static void choose(struct technique_choice *config, const struct scene *scene)
 {
     const struct refract_bounce_params *params =
-        settings_of(choice->settings, &refract_bounce_settings);
-    const struct cracks_params *cracks_of = settings_of(choice->settings, &cracks_settings);
-    refract_choose(choice, scene);
-    choice->is_nested =
-        choice->object_count > 0 && refract_bounce_is_nested(choice->settings, scene);
-    if (choice->is_nested)
-        choice->object_count = ice_nested_outermost_count(scene);
-    choice->is_wide = params->margin && choice->is_beyond && choice->object_count == 1 &&
-                      !choice->is_textured && cracks_of->refract == CRACKS_REFRACT_OFF;
+        settings_of(config->settings, &refract_bounce_settings);
+    const struct cracks_params *cracks_of = settings_of(config->settings, &cracks_settings);
+    refract_choose(config, scene);
+    config->is_nested =
+        config->object_count > 0 && refract_bounce_is_nested(config->settings, scene);
+    if (config->is_nested)
+        config->object_count = ice_nested_outermost_count(scene);
+    config->is_wide = params->margin && config->may_exceed_image && config->object_count == 1 &&
+                      !config->is_textured && cracks_of->refract == CRACKS_REFRACT_OFF;
 }
 
 static bool refracts_cracks(const struct settings *settings)
@@ -288,11 +287,11 @@ const struct technique refract_bounce = {
     .name = "refract_bounce",
     .help = "refraction with total internal reflections, ray marched among front and back faces",
     .settings = { &refract_bounce_settings },
-    .parts = REFRACT_PARTS,
+    .pass_groups = REFRACT_PASS_GROUPS,
     .write_constants = write_constants,
     .write_globals = write_globals,
     .refraction = { .name = "bounce",
-                    .rows = &refraction,
+                    .shaders = &refraction,
                     .by_pixel = true,
                     .refracts_cracks = refracts_cracks,
                     .refracts_bubbles = refracts_bubbles,

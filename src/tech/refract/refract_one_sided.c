@@ -39,6 +39,6 @@ static const struct refract_shaders refraction = {
 const struct technique refract_one_sided = {
     .name = "refract_one_sided",
     .help = "refraction at the front face only",
-    .parts = REFRACT_PARTS,
-    .refraction = { .name = "one-sided", .rows = &refraction, .choose = refract_choose },
+    .pass_groups = REFRACT_PASS_GROUPS,
+    .refraction = { .name = "one-sided", .shaders = &refraction, .choose = refract_choose },
 };

@@ -64,9 +64,9 @@ const struct technique refract_paper = {
     .name = "refract_paper",
     .help = "refraction by blended front and back normals (Seipel and Nivfors 2006)",
     .settings = { &refract_paper_settings },
-    .parts = REFRACT_PARTS,
+    .pass_groups = REFRACT_PASS_GROUPS,
     .refraction = { .name = "paper",
-                    .rows = &refraction,
+                    .shaders = &refraction,
                     .choose = refract_choose,
                     .follows_paper = true },
 };

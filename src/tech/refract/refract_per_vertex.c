@@ -29,6 +29,6 @@ static const struct refract_shaders refraction = {
 const struct technique refract_per_vertex = {
     .name = "refract_per_vertex",
     .help = "refraction at the front face only, with directions computed at the vertices",
-    .parts = REFRACT_PARTS,
-    .refraction = { .name = "per-vertex", .rows = &refraction, .choose = refract_choose },
+    .pass_groups = REFRACT_PASS_GROUPS,
+    .refraction = { .name = "per-vertex", .shaders = &refraction, .choose = refract_choose },
 };

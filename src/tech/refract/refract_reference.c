@@ -1,5 +1,4 @@
-/* refract_reference.c: settings of the CPU reference ray tracer (src/reference), a refraction model
- * without passes, because the device draws nothing. */
+/* refract_reference.c: settings of the CPU reference, a refraction model without passes. */
 #include "src/tech/refract/refract_reference.h"
 
 static const char *const normals[] = {
@@ -15,7 +14,7 @@ static const struct setting rows[] = {
         .type = SETTING_FLOAT,
         .offset = offsetof(struct reference_params, cutoff),
         .initial = 1e-3,
-        .min = 1e-6, /* the number of branches grows quickly in concave objects */
+        .min = 1e-6, /* branches multiply in concave objects */
         .max = 1,
         .help = "path throughput below which a path is terminated (see layer remaining)",
     },

@@ -4,7 +4,7 @@
 #include "src/tech/technique.h"
 
 enum reference_normals {
-    REFERENCE_NORMALS_INTERPOLATED, /* interpolated from the vertices, as in rasterisation */
+    REFERENCE_NORMALS_INTERPOLATED, /* from the vertices */
     REFERENCE_NORMALS_FLAT,         /* geometric normals of the triangles */
 };
 
@@ -14,9 +14,9 @@ enum {
 
 struct reference_params {
     float cutoff;      /* throughput below which paths are terminated */
-    uint32_t bounces;  /* maximum number of surfaces on a path, at most REFERENCE_BOUNCES_MAX */
+    uint32_t bounces;  /* maximum surfaces on a path */
     uint32_t roulette; /* 1: Russian roulette instead of termination */
-    uint32_t photons;  /* number of photons from the sun for ice_caustics.light; 0 if off */
+    uint32_t photons;  /* sun photons for caustics; 0: off */
     uint32_t normals;  /* of the object: enum reference_normals */
 };
 

@@ -73,6 +73,6 @@ const struct technique refract_search = {
     .name = "refract_search",
     .help = "two refractions; the exit point is found by ray marching the depth of back faces",
     .settings = { &refract_search_settings },
-    .parts = REFRACT_PARTS,
-    .refraction = { .name = "search", .rows = &refraction, .choose = refract_choose },
+    .pass_groups = REFRACT_PASS_GROUPS,
+    .refraction = { .name = "search", .shaders = &refraction, .choose = refract_choose },
 };

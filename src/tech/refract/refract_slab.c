@@ -31,6 +31,6 @@ static const struct refract_shaders refraction = {
 const struct technique refract_slab = {
     .name = "refract_slab",
     .help = "refraction as by a window pane: light is displaced without changing its direction",
-    .parts = REFRACT_PARTS,
-    .refraction = { .name = "slab", .rows = &refraction, .choose = refract_choose },
+    .pass_groups = REFRACT_PASS_GROUPS,
+    .refraction = { .name = "slab", .shaders = &refraction, .choose = refract_choose },
 };

@@ -31,6 +31,6 @@ static const struct refract_shaders refraction = {
 const struct technique refract_sphere = {
     .name = "refract_sphere",
     .help = "two refractions, as by a sphere that touches the front face",
-    .parts = REFRACT_PARTS,
-    .refraction = { .name = "sphere", .rows = &refraction, .choose = refract_choose },
+    .pass_groups = REFRACT_PASS_GROUPS,
+    .refraction = { .name = "sphere", .shaders = &refraction, .choose = refract_choose },
 };

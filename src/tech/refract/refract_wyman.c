@@ -35,7 +35,10 @@ static const struct refract_shaders refraction = {
 const struct technique refract_wyman = {
     .name = "refract_wyman",
     .help = "two refractions; the exit point is estimated from two thicknesses (Wyman 2005)",
-    .parts = REFRACT_PARTS,
-    /* the lookup along the normal reaches a diameter further */
-    .refraction = { .name = "wyman", .rows = &refraction, .choose = refract_choose, .reach = 3.0f },
+    .pass_groups = REFRACT_PASS_GROUPS,
+    /* reach 3: the lookup along the normal extends one diameter farther */
+    .refraction = { .name = "wyman",
+                    .shaders = &refraction,
+                    .choose = refract_choose,
+                    .reach = 3.0f },
 };

@@ -48,27 +48,27 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
-static struct rg_technique make_rows(const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+static struct rg_technique make_passes(const struct technique_choice *config,
+                                       struct pass_builder *builder)
 {
-    const struct env_cube_params *params = settings_of(choice->settings, &env_cube_settings);
-    const bool is_picture = choice->purpose == TECHNIQUE_IMAGE;
-    const bool is_baked = choice->purpose == TECHNIQUE_BAKE;
-    const struct surroundings_rows rows = {
+    const struct env_cube_params *params = settings_of(config->settings, &env_cube_settings);
+    const bool is_image = config->purpose == TECHNIQUE_IMAGE;
+    const bool is_baked = config->purpose == TECHNIQUE_BAKE;
+    const struct surroundings_pass_params pass_params = {
         .name = "env_cube",
         .color = is_baked ? &frame_env_cube_baked : &frame_env_cube,
         .depth = is_baked ? &env_cube_baked_depth : &frame_env_cube_depth,
-        .caustics = is_picture && ice_caustics.is_on(choice->settings),
-        .has_materials = choice->has_materials,
-        .has_extras = choice->has_extras,
+        .caustics = is_image && ice_caustics.is_on(config->settings),
+        .has_materials = config->has_materials,
+        .has_extras = config->has_extras,
         .repeat = RG_PER_LAYER,
         .record_surroundings = record_surroundings,
         .record_sky = record_sky,
         .when = is_baked ? NULL : is_due,
     };
-    if (is_picture && (!params->dynamic || choice->has_cube))
+    if (is_image && (!params->dynamic || config->has_cube))
         return (struct rg_technique){ 0 };
-    return surroundings_make(builder, &rows);
+    return surroundings_make(builder, &pass_params);
 }
 
 static struct technique_texels find_cube(const struct scene *scene)
@@ -90,8 +90,9 @@ static const struct technique_import imports[] = {
 const struct technique env_cube = {
     .name = "env_cube",
     .help = "cube map of the scene without the ice, from the ice's centre",
-    .parts = { { PHASE_ENVIRONMENT,
-                 .purposes = 1u << TECHNIQUE_IMAGE | 1u << TECHNIQUE_CAPTURE | 1u << TECHNIQUE_BAKE,
-                 .rows = make_rows } },
+    .pass_groups = { { PHASE_ENVIRONMENT,
+                       .purposes =
+                           1u << TECHNIQUE_IMAGE | 1u << TECHNIQUE_CAPTURE | 1u << TECHNIQUE_BAKE,
+                       .make_passes = make_passes } },
     .imports = imports,
 };

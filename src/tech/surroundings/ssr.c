@@ -28,7 +28,7 @@
 #include "src/tech/refract/refract.h"
 #include "src/tech/refract/refract_bounce.h"
 
-static const float edge_fraction = 0.08f; /* width of the fade-out in the scissored area */
+static const float edge_fraction = 0.08f; /* fade-out width at image edges */
 
 static rg_record_fn record_copy, record_half, record_find, record_refracted, record_screen;
 
@@ -177,7 +177,7 @@ static VkRect2D area_at(VkRect2D area, uint32_t mip, int32_t margin, VkExtent2D 
                          (uint32_t)((last_y < height ? last_y : height) - first_y) } };
 }
 
-/* Scissored; each mip level has a smaller margin, so that it reads only texels that are written. */
+/* Copies with a smaller margin for each mip level, so that only written texels are read. */
 static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     rg_cmd_scissor(cmd, area_at(frame->object_area, 0, 4, rg_cmd_extent(cmd)));
@@ -200,11 +200,11 @@ static float thickness_of(const struct scene *scene)
 }
 
 /* Writes an area to the push constants. Edges shared with the image are moved far outside. */
-static void write_area(struct ssr_push *push, VkRect2D area, VkExtent2D picture)
+static void write_area(struct ssr_push *push, VkRect2D area, VkExtent2D image_size)
 {
     const int32_t first[2] = { area.offset.x, area.offset.y };
     const uint32_t size[2] = { area.extent.width, area.extent.height };
-    const uint32_t sides[2] = { picture.width, picture.height };
+    const uint32_t sides[2] = { image_size.width, image_size.height };
     for (int axis = 0; axis < 2; axis++) {
         const uint32_t last = (uint32_t)first[axis] + size[axis];
         push->area_min.raw[axis] = first[axis] > 0 ? (float)first[axis] : -1e6f;
@@ -285,50 +285,50 @@ static bool is_on(const struct settings *settings)
     return params->steps > 0;
 }
 
-bool ssr_is_drawn(const struct technique_choice *choice)
+bool ssr_is_drawn(const struct technique_choice *config)
 {
-    const struct ground_params *ground = settings_of(choice->settings, &ground_settings);
-    return is_on(choice->settings) && ground->shading == GROUND_PIXELS && choice->has_mirrors &&
-           !choice->has_pool && choice->purpose == TECHNIQUE_IMAGE && choice->refraction &&
-           !choice->refraction->refraction.traces_bvh;
+    const struct ground_params *ground = settings_of(config->settings, &ground_settings);
+    return is_on(config->settings) && ground->shading == GROUND_PIXELS && config->has_mirrors &&
+           !config->has_pool && config->purpose == TECHNIQUE_IMAGE && config->refraction &&
+           !config->refraction->refraction.traces_bvh;
 }
 
-static struct rg_technique make_object_rows(const struct technique_choice *choice,
-                                            struct pass_builder *builder)
+static struct rg_technique make_object_passes(const struct technique_choice *config,
+                                              struct pass_builder *builder)
 {
     (void)builder;
-    if (!ssr_is_drawn(choice))
+    if (!ssr_is_drawn(config))
         return (struct rg_technique){ 0 };
     return (struct rg_technique)RG_TECHNIQUE("ssr", object_passes);
 }
 
 /* Returns the shader that refracts reflected rays in the object, or NULL to reuse the camera's
  * view. With several or nested objects, the depth and normal maps no longer exist at this point. */
-static const struct rg_shader *refracted_frag(const struct technique_choice *choice)
+static const struct rg_shader *refracted_frag(const struct technique_choice *config)
 {
-    const struct ssr_params *params = settings_of(choice->settings, &ssr_settings);
-    const struct refract_shaders *refraction = choice->refraction->refraction.rows;
-    if (!params->refract || !refraction || choice->object_count > 1 || choice->is_nested)
+    const struct ssr_params *params = settings_of(config->settings, &ssr_settings);
+    const struct refract_shaders *refraction = config->refraction->refraction.shaders;
+    if (!params->refract || !refraction || config->object_count > 1 || config->is_nested)
         return NULL;
-    if (choice->renders_media)
-        return choice->is_textured ? refraction->medium_shaders->ssr_material_frag
+    if (config->renders_media)
+        return config->is_textured ? refraction->medium_shaders->ssr_material_frag
                                    : refraction->medium_shaders->ssr_frag;
-    return choice->is_textured ? refraction->ssr_material_frag : refraction->ssr_frag;
+    return config->is_textured ? refraction->ssr_material_frag : refraction->ssr_frag;
 }
 
-static struct rg_technique make_refracted_rows(const struct technique_choice *choice,
-                                               struct pass_builder *builder)
+static struct rg_technique make_refracted_passes(const struct technique_choice *config,
+                                                 struct pass_builder *builder)
 {
-    const struct rg_shader *frag = ssr_is_drawn(choice) ? refracted_frag(choice) : NULL;
+    const struct rg_shader *frag = ssr_is_drawn(config) ? refracted_frag(config) : NULL;
     struct rg_pass *own = frag ? pass_builder_copy_passes(builder, refracted_passes, 2) : NULL;
     if (!own)
         return (struct rg_technique){ 0 };
-    const struct refract_shaders *refraction = choice->refraction->refraction.rows;
+    const struct refract_shaders *refraction = config->refraction->refraction.shaders;
     const struct rg_use *const uses[] = {
         refracted_uses,
-        choice->is_wide ? refraction->wide_uses : refraction->uses,
-        choice->is_textured ? refract_material_uses : NULL,
-        choice->renders_media ? refract_medium_uses : NULL,
+        config->is_wide ? refraction->wide_uses : refraction->uses,
+        config->is_textured ? refract_material_uses : NULL,
+        config->renders_media ? refract_medium_uses : NULL,
     };
     own[1].uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
     own[1].vert = refraction->vert;
@@ -336,11 +336,11 @@ static struct rg_technique make_refracted_rows(const struct technique_choice *ch
     return (struct rg_technique){ "ssr", own, 2 };
 }
 
-static struct rg_technique make_screen_rows(const struct technique_choice *choice,
-                                            struct pass_builder *builder)
+static struct rg_technique make_screen_passes(const struct technique_choice *config,
+                                              struct pass_builder *builder)
 {
     (void)builder;
-    if (!ssr_is_drawn(choice))
+    if (!ssr_is_drawn(config))
         return (struct rg_technique){ 0 };
     return (struct rg_technique)RG_TECHNIQUE("ssr", screen_passes);
 }
@@ -353,7 +353,7 @@ const struct technique ssr = {
     .is_traced = true,
     .is_hit = true,
     .title = "screen-space reflections",
-    .parts = { { PHASE_COMPOSITE, SCENE_OF_OBJECT, .rows = make_object_rows },
-               { PHASE_FINISH, SCENE_OF_OBJECT, .rows = make_refracted_rows },
-               { PHASE_FINISH, SCENE_OF_OBJECT, .rows = make_screen_rows } },
+    .pass_groups = { { PHASE_COMPOSITE, SCENE_OF_OBJECT, .make_passes = make_object_passes },
+                     { PHASE_FINISH, SCENE_OF_OBJECT, .make_passes = make_refracted_passes },
+                     { PHASE_FINISH, SCENE_OF_OBJECT, .make_passes = make_screen_passes } },
 };

@@ -3,18 +3,18 @@
 #define FIRN_TECH_SURROUNDINGS_SSR_H
 #include "src/tech/technique.h"
 
-/* Inputs written by the passes of the surroundings: SURROUNDINGS_OUT_SURFACE and _GLOSSY
+/* Inputs written by the passes of the surroundings: SURROUNDINGS_OUT_SURFACE and _SPECULAR
  * (shaders/surroundings/surroundings.h). Undefined in pixels without materials. */
 extern const struct rg_image ssr_surface, ssr_specular;
 
 extern const struct setting_group ssr_settings;
 
 struct ssr_params {
-    uint32_t steps;   /* ray march steps; 0 switches reflections off */
-    uint32_t refract; /* 1: reflected rays are refracted by the object that they hit */
+    uint32_t steps;   /* ray march steps; 0: no SSR */
+    uint32_t refract; /* 1: refract reflected rays in objects */
 };
 
 /* Returns true if a frame draws screen-space reflections. */
-bool ssr_is_drawn(const struct technique_choice *choice);
+bool ssr_is_drawn(const struct technique_choice *config);
 
 #endif

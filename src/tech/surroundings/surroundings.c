@@ -36,7 +36,8 @@ static const struct rg_use material_uses[] = {
 static const struct rg_use texture_uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &frame_texture_sampler),
-    FRAME_SAMPLE(frame_numbers, SURROUNDINGS_DATA_TEXTURES, .sampler = &frame_texture_sampler),
+    FRAME_SAMPLE(frame_data_textures, SURROUNDINGS_DATA_TEXTURES,
+                 .sampler = &frame_texture_sampler),
     { 0 },
 };
 
@@ -52,7 +53,7 @@ static const struct rg_sampler square_sampler = {
 static const struct rg_use cube_texture_uses[] = {
     FRAME_USE_GLOBALS,
     FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &square_sampler),
-    FRAME_SAMPLE(frame_numbers, SURROUNDINGS_DATA_TEXTURES, .sampler = &square_sampler),
+    FRAME_SAMPLE(frame_data_textures, SURROUNDINGS_DATA_TEXTURES, .sampler = &square_sampler),
     { 0 },
 };
 
@@ -69,7 +70,7 @@ static const struct rg_use sky_uses[] = {
     { 0 },
 };
 
-/* Fixed part of the passes; surroundings_make() adds names, targets, uses and record functions. */
+/* Common members of the passes; surroundings_make() adds names, targets, uses, record functions. */
 static const struct rg_pass passes[] = {
     {
         .depth_compare = VK_COMPARE_OP_GREATER,
@@ -110,83 +111,84 @@ static const struct rg_shader *const vertices_frags[2] = {
     &surroundings_vertices_caustics_frag,
 };
 
-static void light_vertices(struct rg_pass *row, struct pass_builder *builder,
-                           const struct surroundings_rows *wanted)
+static void light_vertices(struct rg_pass *pass, struct pass_builder *builder,
+                           const struct surroundings_pass_params *params)
 {
-    struct rg_use *uses = pass_builder_copy_uses(builder, row->uses);
+    struct rg_use *uses = pass_builder_copy_uses(builder, pass->uses);
     for (struct rg_use *u = uses; u && (u->image || u->buffer); u++)
         u->stages = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    row->vert = vertices_verts[wanted->has_extras][wanted->caustics];
-    row->frag = vertices_frags[wanted->caustics];
-    row->uses = uses;
+    pass->vert = vertices_verts[params->has_extras][params->caustics];
+    pass->frag = vertices_frags[params->caustics];
+    pass->uses = uses;
 }
 
 struct rg_technique surroundings_make(struct pass_builder *builder,
-                                      const struct surroundings_rows *wanted)
+                                      const struct surroundings_pass_params *params)
 {
     /* The sky covers all pixels without surroundings, so the colour needs no clear. */
-    const enum rg_load color_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
-    const enum rg_load depth_load = wanted->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
-    const bool has_extras = wanted->has_materials && wanted->has_extras;
+    const enum rg_load color_load = params->keep ? RG_LOAD_KEEP : RG_LOAD_DISCARD;
+    const enum rg_load depth_load = params->keep ? RG_LOAD_KEEP : RG_LOAD_CLEAR;
+    const bool has_extras = params->has_materials && params->has_extras;
     const struct rg_use *const textures =
-        wanted->repeat == RG_PER_LAYER || wanted->per_vertex ? cube_texture_uses : texture_uses;
+        params->repeat == RG_PER_LAYER || params->per_vertex ? cube_texture_uses : texture_uses;
     const struct rg_use *const uses[] = {
-        wanted->has_materials ? textures : plain_uses, wanted->has_materials ? material_uses : NULL,
-        wanted->caustics ? ice_caustics_uses : NULL,   has_extras ? extra_uses : NULL,
-        wanted->has_materials ? ao_uses : NULL,
+        params->has_materials ? textures : plain_uses, params->has_materials ? material_uses : NULL,
+        params->caustics ? ice_caustics_uses : NULL,   has_extras ? extra_uses : NULL,
+        params->has_materials ? ao_uses : NULL,
     };
-    struct rg_pass *rows = pass_builder_copy_passes(builder, passes, 2);
-    if (!rows)
+    struct rg_pass *copies = pass_builder_copy_passes(builder, passes, 2);
+    if (!copies)
         return (struct rg_technique){ 0 };
     const struct rg_target targets[] = {
-        { wanted->color, color_load },
+        { params->color, color_load },
         [SURROUNDINGS_OUT_SURFACE] = { &ssr_surface, RG_LOAD_DISCARD },
         [SURROUNDINGS_OUT_SPECULAR] = { &ssr_specular, RG_LOAD_DISCARD },
     };
-    const uint32_t target_count = wanted->has_ssr ? SURROUNDINGS_OUT_SPECULAR + 1 : 1;
-    rows[0].name = pass_builder_name(builder, wanted->name, "mesh");
-    rows[0].color = pass_builder_copy_targets(builder, targets, target_count);
-    rows[0].depth = (struct rg_target){ wanted->depth, depth_load };
+    const uint32_t target_count = params->has_ssr ? SURROUNDINGS_OUT_SPECULAR + 1 : 1;
+    copies[0].name = pass_builder_name(builder, params->name, "mesh");
+    copies[0].color = pass_builder_copy_targets(builder, targets, target_count);
+    copies[0].depth = (struct rg_target){ params->depth, depth_load };
     if (has_extras)
-        rows[0].vert = &surroundings_extra_vert;
-    rows[0].frag =
-        (wanted->has_ssr ? ssr_frags
-                         : frags)[has_extras ? 2 : wanted->has_materials][wanted->caustics];
-    rows[0].uses = pass_builder_join_uses(builder, uses, 5);
-    rows[0].record = wanted->record_surroundings;
-    if (wanted->per_vertex && wanted->has_materials)
-        light_vertices(&rows[0], builder, wanted);
-    rows[1].name = pass_builder_name(builder, wanted->name, "sky");
-    rows[1].color = pass_builder_target(builder, (struct rg_target){ wanted->color, RG_LOAD_KEEP });
-    rows[1].depth = (struct rg_target){ wanted->depth, RG_LOAD_KEEP };
-    rows[1].record = wanted->record_sky;
+        copies[0].vert = &surroundings_extra_vert;
+    copies[0].frag =
+        (params->has_ssr ? ssr_frags
+                         : frags)[has_extras ? 2 : params->has_materials][params->caustics];
+    copies[0].uses = pass_builder_join_uses(builder, uses, 5);
+    copies[0].record = params->record_surroundings;
+    if (params->per_vertex && params->has_materials)
+        light_vertices(&copies[0], builder, params);
+    copies[1].name = pass_builder_name(builder, params->name, "sky");
+    copies[1].color =
+        pass_builder_target(builder, (struct rg_target){ params->color, RG_LOAD_KEEP });
+    copies[1].depth = (struct rg_target){ params->depth, RG_LOAD_KEEP };
+    copies[1].record = params->record_sky;
     for (size_t i = 0; i < 2; i++) {
-        rows[i].color_count = i == 0 ? target_count : 1;
-        rows[i].repeat = wanted->repeat;
-        rows[i].when = wanted->when;
+        copies[i].color_count = i == 0 ? target_count : 1;
+        copies[i].repeat = params->repeat;
+        copies[i].when = params->when;
     }
-    return (struct rg_technique){ wanted->name, rows, 2 };
+    return (struct rg_technique){ params->name, copies, 2 };
 }
 
 /* Makes the passes that draw the background: before the water of a pool, but after an object. */
-static struct rg_technique make_rows(const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+static struct rg_technique make_passes(const struct technique_choice *config,
+                                       struct pass_builder *builder)
 {
-    const struct ground_params *ground = settings_of(choice->settings, &ground_settings);
-    const struct surroundings_rows rows = {
+    const struct ground_params *ground = settings_of(config->settings, &ground_settings);
+    const struct surroundings_pass_params params = {
         .name = "surroundings",
         .color = &frame_color,
         .depth = &frame_depth,
-        .keep = !choice->has_pool,
-        .caustics = !choice->has_pool && ice_caustics.is_on(choice->settings),
-        .has_materials = choice->has_materials,
-        .has_extras = choice->has_extras,
+        .keep = !config->has_pool,
+        .caustics = !config->has_pool && ice_caustics.is_on(config->settings),
+        .has_materials = config->has_materials,
+        .has_extras = config->has_extras,
         .per_vertex = ground->shading == GROUND_VERTICES,
-        .has_ssr = ssr_is_drawn(choice),
+        .has_ssr = ssr_is_drawn(config),
         .record_surroundings = record_surroundings,
         .record_sky = record_sky,
     };
-    return surroundings_make(builder, &rows);
+    return surroundings_make(builder, &params);
 }
 
 static void record_sky(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -200,8 +202,6 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
     rg_cmd_push(cmd, &frame->view, sizeof(frame->view));
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
-
-/* ---- images of the scene ---- */
 
 static struct technique_texels find_environment(const struct scene *scene)
 {
@@ -301,7 +301,7 @@ static const uint8_t white[4] = { 255, 255, 255, 255 };
 static const struct technique_import imports[] = {
     { &frame_environment, find_environment, black },
     { &frame_textures, find_textures, white },
-    { &frame_numbers, find_numbers, white },
+    { &frame_data_textures, find_numbers, white },
     { &frame_materials, find_materials, nothing },
     { &frame_extras, find_extras, nothing },
     { &frame_lights, find_lights, nothing },
@@ -313,7 +313,7 @@ static const struct technique_import imports[] = {
 const struct technique surroundings = {
     .name = "surroundings",
     .help = "sky or environment map, and the surroundings",
-    .parts = { { PHASE_LIGHT, SCENE_OF_POOL, .rows = make_rows },
-               { PHASE_BACKGROUND, SCENE_OF_OBJECT, .rows = make_rows } },
+    .pass_groups = { { PHASE_LIGHT, SCENE_OF_POOL, .make_passes = make_passes },
+                     { PHASE_BACKGROUND, SCENE_OF_OBJECT, .make_passes = make_passes } },
     .imports = imports,
 };

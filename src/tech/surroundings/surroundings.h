@@ -5,14 +5,14 @@
 #include "src/tech/technique.h"
 
 /* Parameters of the passes that draw the surroundings, and then the sky in the remaining pixels. */
-struct surroundings_rows {
-    const char *name;                     /* of the technique, prefix of the passes' names */
+struct surroundings_pass_params {
+    const char *name;                     /* technique name; prefixes pass names */
     const struct rg_image *color, *depth; /* reversed depth: 0 is infinity */
-    bool keep;     /* load the images instead of clearing: the object has been drawn */
-    bool caustics; /* apply the caustics and shadow of ice_caustics.c */
-    bool has_materials, has_extras; /* as in technique_choice */
-    bool per_vertex; /* lighting per vertex of surroundings with materials; excludes `mirrors` */
-    bool has_ssr;    /* write the inputs of the screen-space reflections */
+    bool keep;                            /* load instead of clear the images */
+    bool caustics;                        /* apply ice caustics and shadow */
+    bool has_materials, has_extras;       /* as in technique_choice */
+    bool per_vertex;                      /* per-vertex lighting; excludes `has_ssr` */
+    bool has_ssr;                         /* write the SSR inputs */
     enum rg_repeat repeat;
     rg_record_fn *record_surroundings, *record_sky; /* both push a struct surroundings_push */
     rg_when_fn *when;                               /* condition for both passes */
@@ -20,6 +20,6 @@ struct surroundings_rows {
 
 /* Builds the two passes in memory that `builder` owns. */
 struct rg_technique surroundings_make(struct pass_builder *builder,
-                                      const struct surroundings_rows *wanted);
+                                      const struct surroundings_pass_params *params);
 
 #endif

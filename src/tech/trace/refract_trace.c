@@ -31,7 +31,7 @@
 #include "src/tech/trace/trace_settings.h"
 
 static rg_record_fn record_objects;
-static technique_passes_fn color_rows, layer_rows;
+static technique_passes_fn make_color_passes, make_layer_passes;
 
 const struct rg_image trace_media = {
     .name = "refract_trace.media",
@@ -60,8 +60,6 @@ const struct frame_layer frame_denoise_layers[FRAME_DENOISE_COUNT] = {
       .planes = { "position.X", "position.Y", "position.Z", "normal" } },
 };
 
-/* ---- what is uploaded ---- */
-
 static const struct rg_buffer frame_buffer = {
     .name = "refract_trace.frame",
     .size = sizeof(struct trace_frame),
@@ -85,7 +83,7 @@ static const struct rg_buffer structure = { "refract_trace.structure", .size = 1
 
 static const struct {
     const struct rg_buffer *texels, *stored;
-    size_t at; /* offset of the data in struct tree */
+    size_t at; /* offset in struct bvh */
 } bvh_buffers[] = {
     { &nodes, &stored_nodes, offsetof(struct bvh, nodes) },
     { &triangles, &stored_triangles, offsetof(struct bvh, triangles) },
@@ -206,8 +204,6 @@ static const struct technique_upload uploads[] = {
     { 0 },
 };
 
-/* ---- rows ---- */
-
 static const struct rg_target color_targets[] = {
     [REFRACT_OUT_COLOR] = { &frame_color, RG_LOAD_DISCARD },
     /* negative: marks pixels without ice */
@@ -277,7 +273,7 @@ static const struct rg_sampler around = { .linear = true, .repeat_u = true };
 static const struct rg_use surface_uses[] = {
     AIR_USE_MEDIA,
     FRAME_SAMPLE(frame_textures, SURROUNDINGS_TEXTURES, .sampler = &repeated),
-    FRAME_SAMPLE(frame_numbers, SURROUNDINGS_DATA_TEXTURES, .sampler = &repeated),
+    FRAME_SAMPLE(frame_data_textures, SURROUNDINGS_DATA_TEXTURES, .sampler = &repeated),
     FRAME_SAMPLE(frame_materials, SURROUNDINGS_MATERIALS, .sampler = NULL),
     { 0 },
 };
@@ -302,14 +298,14 @@ static const struct rg_use sun_uses[] = {
     { 0 },
 };
 
-static const struct rg_pass color_row = {
+static const struct rg_pass color_pass = {
     .color = color_targets,
     .color_count = sizeof(color_targets) / sizeof(color_targets[0]),
     .depth = { &frame_depth, RG_LOAD_CLEAR }, /* cleared to 0: infinity */
     .depth_compare = VK_COMPARE_OP_ALWAYS,
 };
 
-static const struct rg_pass layer_row = {
+static const struct rg_pass layer_pass = {
     .color = layer_targets,
     .color_count = sizeof(layer_targets) / sizeof(layer_targets[0]),
 };
@@ -319,8 +315,8 @@ static const struct refract_shaders refraction = {
     .layers_frag = &refract_trace_aov_frag,
 };
 
-static struct rg_technique make_row(const struct technique_choice *choice,
-                                    struct pass_builder *builder, bool is_layers)
+static struct rg_technique make_pass(const struct technique_choice *config,
+                                     struct pass_builder *builder, bool is_layers)
 {
     static const struct rg_shader *const frags[2][2][2][2] = {
         { { { &refract_trace_frag, &refract_trace_aov_frag },
@@ -340,51 +336,53 @@ static struct rg_technique make_row(const struct technique_choice *choice,
     };
     const struct rg_use *const uses[] = {
         bvh_uses,
-        choice->hits_surroundings ? surface_uses : cube_uses,
-        choice->hits_surroundings ? light_uses : NULL,
-        choice->hits_surroundings ? sun_uses
+        config->hits_surroundings ? surface_uses : cube_uses,
+        config->hits_surroundings ? light_uses : NULL,
+        config->hits_surroundings ? sun_uses
         : is_layers               ? scene_uses
                                   : NULL,
         is_layers ? layer_uses : NULL,
-        choice->queries ? query_uses : NULL,
+        config->queries ? query_uses : NULL,
     };
-    struct rg_pass *row = pass_builder_copy_passes(builder, is_layers ? &layer_row : &color_row, 1);
-    if (!row)
+    struct rg_pass *pass =
+        pass_builder_copy_passes(builder, is_layers ? &layer_pass : &color_pass, 1);
+    if (!pass)
         return (struct rg_technique){ 0 };
-    row->name = pass_builder_name(builder, refract_trace.name, is_layers ? "layers" : "color");
-    row->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
-    row->vert =
-        choice->hits_surroundings ? &refract_fullscreen_vert : &refract_fullscreen_mean_vert;
-    row->frag = frags[choice->queries][choice->hits_surroundings][choice->disperses][is_layers];
-    if (choice->is_lighting_denoised && !is_layers) {
-        row->color = denoise_targets;
-        row->color_count = sizeof(denoise_targets) / sizeof(denoise_targets[0]);
-        row->frag = denoise_frags[choice->queries][choice->disperses];
+    pass->name = pass_builder_name(builder, refract_trace.name, is_layers ? "layers" : "color");
+    pass->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    pass->vert =
+        config->hits_surroundings ? &refract_fullscreen_vert : &refract_fullscreen_mean_vert;
+    pass->frag =
+        frags[config->queries][config->hits_surroundings][config->is_dispersive][is_layers];
+    if (config->is_lighting_denoised && !is_layers) {
+        pass->color = denoise_targets;
+        pass->color_count = sizeof(denoise_targets) / sizeof(denoise_targets[0]);
+        pass->frag = denoise_frags[config->queries][config->is_dispersive];
     }
-    row->record = choice->has_diffuse_light || is_layers ? frame_draw_screen : record_objects;
-    return (struct rg_technique){ refract_trace.name, row, 1 };
+    pass->record = config->has_diffuse_light || is_layers ? frame_draw_screen : record_objects;
+    return (struct rg_technique){ refract_trace.name, pass, 1 };
 }
 
-static void trace_photons(struct rg_pass *row, const struct technique_choice *choice,
+static void trace_photons(struct rg_pass *pass, const struct technique_choice *config,
                           struct pass_builder *builder, const struct rg_use *own)
 {
     const struct rg_use *const uses[] = { bvh_uses, surface_uses, own };
-    row->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
-    row->vert = &refract_fullscreen_vert;
-    row->frag = choice->disperses ? &refract_trace_rays_photons_dispersion_frag
-                                  : &refract_trace_rays_photons_frag;
+    pass->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
+    pass->vert = &refract_fullscreen_vert;
+    pass->frag = config->is_dispersive ? &refract_trace_rays_photons_dispersion_frag
+                                       : &refract_trace_rays_photons_frag;
 }
 
-static struct rg_technique color_rows(const struct technique_choice *choice,
-                                      struct pass_builder *builder)
+static struct rg_technique make_color_passes(const struct technique_choice *config,
+                                             struct pass_builder *builder)
 {
-    return make_row(choice, builder, false);
+    return make_pass(config, builder, false);
 }
 
-static struct rg_technique layer_rows(const struct technique_choice *choice,
-                                      struct pass_builder *builder)
+static struct rg_technique make_layer_passes(const struct technique_choice *config,
+                                             struct pass_builder *builder)
 {
-    return make_row(choice, builder, true);
+    return make_pass(config, builder, true);
 }
 
 static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
@@ -393,17 +391,15 @@ static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-/* ---- refraction model ---- */
-
-static void choose(struct technique_choice *choice, const struct scene *scene)
+static void choose(struct technique_choice *config, const struct scene *scene)
 {
-    const struct trace_params *params = settings_of(choice->settings, &trace_settings);
-    choice->queries = params->rays == TRACE_BY_DEVICE
-                          ? choice->has_fast_rays
-                          : params->rays == TRACE_BY_QUERY && choice->has_rays;
-    choice->hits_surroundings = trace_hits_surroundings(scene, choice->settings);
-    choice->has_diffuse_light =
-        choice->hits_surroundings && trace_has_diffuse_light(scene, choice->settings);
+    const struct trace_params *params = settings_of(config->settings, &trace_settings);
+    config->queries = params->rays == TRACE_BY_DEVICE
+                          ? config->has_fast_rays
+                          : params->rays == TRACE_BY_QUERY && config->has_rays;
+    config->hits_surroundings = trace_hits_surroundings(scene, config->settings);
+    config->has_diffuse_light =
+        config->hits_surroundings && trace_has_diffuse_light(scene, config->settings);
 }
 
 static void write_constants(const struct technique_inputs *subject, uint32_t *values)
@@ -434,11 +430,12 @@ const struct technique refract_trace = {
     .name = "refract_trace",
     .help = "ray-traced refraction and reflection among the triangles of all objects",
     .settings = { &trace_settings },
-    .parts = { { PHASE_REFRACTION, .rows = color_rows }, { PHASE_LAYERS, .rows = layer_rows } },
+    .pass_groups = { { PHASE_REFRACTION, .make_passes = make_color_passes },
+                     { PHASE_LAYERS, .make_passes = make_layer_passes } },
     .refraction = { .name = "trace",
-                    .rows = &refraction,
+                    .shaders = &refraction,
                     .by_pixel = true,
-                    .is_whole = true,
+                    .draws_all_objects = true,
                     .traces_bvh = true,
                     .choose = choose,
                     .trace_photons = trace_photons },

@@ -8,8 +8,6 @@
 #include "src/tech/inclusions/medium_field.h"
 #include "src/tech/lighting/ice_caustics.h"
 
-/* ---- settings ---- */
-
 static const char *const surroundings[] = {
     [TRACE_AUTO] = "auto",
     [TRACE_CUBE] = "cube",
@@ -75,8 +73,6 @@ static const struct setting rows[] = {
 };
 
 const struct setting_group trace_settings = SETTING_GROUP("trace", rows, struct trace_params);
-
-/* ---- what the scene has ---- */
 
 /* Roughness below which a surface counts as smooth; src/reference/whitted.c has the same limit. */
 #define ROUGHNESS_MIN 1e-3f

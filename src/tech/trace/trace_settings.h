@@ -13,11 +13,11 @@ enum trace_surroundings {
 enum trace_rays_by {
     TRACE_BY_DEVICE, /* the faster one on this device */
     TRACE_BY_BVH,
-    TRACE_BY_QUERY, /* hardware ray queries, if the device has them */
+    TRACE_BY_QUERY, /* hardware ray queries, if available */
 };
 
 struct trace_params {
-    float branch; /* minimum throughput of reflected paths; below 0: depends on the scene */
+    float branch;          /* minimum throughput; below 0: automatic */
     uint32_t surroundings; /* enum trace_surroundings */
     uint32_t rays;         /* enum trace_rays_by */
     uint32_t footprint;    /* filter lookups by ray differentials: 0 or 1 */

@@ -279,8 +279,8 @@ static const struct setting rows[] = {
 const struct setting_group caustics_settings =
     SETTING_GROUP("caustics", rows, struct caustics_params);
 
-static struct rg_technique make_rows(const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+static struct rg_technique make_passes(const struct technique_choice *config,
+                                       struct pass_builder *builder)
 {
     static const struct rg_technique methods_rows[] = {
         [CAUSTICS_NONE] = { 0 },
@@ -289,7 +289,7 @@ static struct rg_technique make_rows(const struct technique_choice *choice,
         [CAUSTICS_BACKTRACE] = RG_TECHNIQUE("caustics", backtrace_passes),
         [CAUSTICS_AREA] = RG_TECHNIQUE("caustics", area_passes),
     };
-    const struct caustics_params *params = settings_of(choice->settings, &caustics_settings);
+    const struct caustics_params *params = settings_of(config->settings, &caustics_settings);
     (void)builder;
     return methods_rows[params->method];
 }
@@ -323,7 +323,7 @@ const struct technique caustics = {
     .name = "caustics",
     .help = "caustics of the sun on the floor of a pool",
     .settings = { &caustics_settings },
-    .parts = { { PHASE_DEPTHS, SCENE_OF_POOL, .rows = make_rows } },
+    .pass_groups = { { PHASE_DEPTHS, SCENE_OF_POOL, .make_passes = make_passes } },
     .layers = layers,
     .write_globals = write_globals,
 };

@@ -11,10 +11,10 @@ extern const struct rg_image caustics_light;
  * or without the ice (ice_caustics.h); 0 in other pixels. */
 extern const struct rg_image caustics_layer;
 
-extern const struct technique caustics;              /* the passes depend on the chosen method */
+extern const struct technique caustics;              /* passes depend on the method */
 extern const struct setting_group caustics_settings; /* struct caustics_params */
 
-/* Returns true if a method other than `none` is chosen. */
+/* Returns true if pool caustics are on: any method other than `none`. */
 bool caustics_are_lit(const struct settings *settings);
 
 #endif

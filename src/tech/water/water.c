@@ -56,7 +56,7 @@ static const struct rg_use ice_uses[] = {
     { 0 },
 };
 
-static const struct rg_pass gbuffer_row = {
+static const struct rg_pass gbuffer_pass = {
     .name = "water.gbuffer",
     .color = RG_TARGETS({ &gbuffer_normal, RG_LOAD_KEEP }, { &gbuffer_position, RG_LOAD_KEEP }),
     .depth = { &gbuffer_depth, RG_LOAD_KEEP },
@@ -69,7 +69,7 @@ static const struct rg_pass gbuffer_row = {
     .record = record_surface,
 };
 
-static const struct rg_pass color_row = {
+static const struct rg_pass color_pass = {
     .name = "water.color",
     .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP }),
     .depth = { &frame_depth, RG_LOAD_KEEP },
@@ -82,7 +82,7 @@ static const struct rg_pass color_row = {
 };
 
 /* Draws the part of the floating ice above the water. */
-static const struct rg_pass ice_row = {
+static const struct rg_pass ice_pass = {
     .name = "water.ice",
     .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP }),
     .depth = { &frame_depth, RG_LOAD_KEEP },
@@ -95,7 +95,7 @@ static const struct rg_pass ice_row = {
     .when = is_above,
 };
 
-static const struct rg_pass layers_row = {
+static const struct rg_pass layers_pass = {
     .name = "water.layers",
     .color = RG_TARGETS({ &caustics_layer, RG_LOAD_CLEAR }),
     .depth = { &frame_depth, RG_LOAD_KEEP },
@@ -107,7 +107,7 @@ static const struct rg_pass layers_row = {
     .record = record_surface,
 };
 
-static const struct rg_pass below_row = {
+static const struct rg_pass below_pass = {
     .name = "water.below",
     .color = RG_TARGETS({ &frame_color, RG_LOAD_KEEP }),
     .vert = &water_below_vert,
@@ -116,7 +116,7 @@ static const struct rg_pass below_row = {
     .when = is_below,
 };
 
-static const struct rg_pass below_layers_row = {
+static const struct rg_pass below_layers_pass = {
     .name = "water.below_layers",
     .color = RG_TARGETS({ &caustics_layer, RG_LOAD_KEEP }),
     .vert = &water_below_vert,
@@ -126,7 +126,7 @@ static const struct rg_pass below_layers_row = {
 };
 
 enum {
-    ROW_COUNT = 6
+    PASS_COUNT = 6
 };
 
 /* Shader variants: without and with ice, without and with caustics. */
@@ -150,35 +150,36 @@ static const struct rg_shader *const below_layers_frags[2] = {
 };
 
 /* Appends a pass; `uses` are shared by all shading passes. */
-static void add_row(struct rg_technique *technique, struct rg_pass *rows, const struct rg_pass *row,
-                    const struct rg_use *uses, const struct rg_shader *frag)
+static void add_pass(struct rg_technique *technique, struct rg_pass *passes,
+                     const struct rg_pass *pass, const struct rg_use *uses,
+                     const struct rg_shader *frag)
 {
-    struct rg_pass *own = &rows[technique->pass_count++];
-    *own = *row;
-    own->uses = uses;
-    own->frag = frag;
+    struct rg_pass *added = &passes[technique->pass_count++];
+    *added = *pass;
+    added->uses = uses;
+    added->frag = frag;
 }
 
-static struct rg_technique make_rows(const struct technique_choice *choice,
-                                     struct pass_builder *builder)
+static struct rg_technique make_passes(const struct technique_choice *config,
+                                       struct pass_builder *builder)
 {
-    const bool lit = caustics_are_lit(choice->settings);
-    const bool iced = pool_has_ice(choice->settings);
+    const bool lit = caustics_are_lit(config->settings);
+    const bool iced = pool_has_ice(config->settings);
     const struct rg_use *const lists[] = { surface_uses, lit ? caustics_uses : NULL,
                                            iced ? ice_uses : NULL };
     const struct rg_use *uses = pass_builder_join_uses(builder, lists, 3);
-    struct rg_pass *rows = pass_builder_alloc(builder, ROW_COUNT * sizeof(*rows));
-    if (!rows)
+    struct rg_pass *passes = pass_builder_alloc(builder, PASS_COUNT * sizeof(*passes));
+    if (!passes)
         return (struct rg_technique){ 0 };
-    struct rg_technique technique = { "water", rows, 1 };
-    rows[0] = gbuffer_row;
-    add_row(&technique, rows, &color_row, uses, color_frags[iced][lit]);
+    struct rg_technique technique = { "water", passes, 1 };
+    passes[0] = gbuffer_pass;
+    add_pass(&technique, passes, &color_pass, uses, color_frags[iced][lit]);
     if (iced)
-        add_row(&technique, rows, &ice_row, uses, ice_frags[lit]);
-    add_row(&technique, rows, &below_row, uses, below_frags[iced][lit]);
+        add_pass(&technique, passes, &ice_pass, uses, ice_frags[lit]);
+    add_pass(&technique, passes, &below_pass, uses, below_frags[iced][lit]);
     if (lit) {
-        add_row(&technique, rows, &layers_row, uses, layers_frags[iced]);
-        add_row(&technique, rows, &below_layers_row, uses, below_layers_frags[iced]);
+        add_pass(&technique, passes, &layers_pass, uses, layers_frags[iced]);
+        add_pass(&technique, passes, &below_layers_pass, uses, below_layers_frags[iced]);
     }
     return technique;
 }
@@ -224,5 +225,5 @@ static void record_below(struct rg_cmd *cmd, const struct rg_frame *frame)
 const struct technique water = {
     .name = "water",
     .help = "pool of water and the ground below it",
-    .parts = { { PHASE_REFRACTION, SCENE_OF_POOL, .rows = make_rows } },
+    .pass_groups = { { PHASE_REFRACTION, SCENE_OF_POOL, .make_passes = make_passes } },
 };
