@@ -1,5 +1,4 @@
-/* disk_cache.c: disk cache of files that only save time, with hash, ownership check and LRU
- * eviction. */
+/* disk_cache.c: disk cache with content hashes, ownership check and LRU eviction. */
 #include "src/base/disk_cache.h"
 #include <dirent.h>
 #include <fcntl.h>
@@ -15,7 +14,7 @@ enum {
     PATH_SIZE = FOLDER_SIZE + 152,
 };
 
-/* Returns the 64-bit FNV-1a hash. It detects damage, because drivers may crash on damaged data. */
+/* Returns the 64-bit FNV-1a hash, which detects damaged files, on which drivers may crash. */
 static uint64_t hash(const unsigned char *data, size_t size)
 {
     uint64_t value = 0xcbf29ce484222325;
@@ -34,7 +33,7 @@ bool disk_cache_is_intact(const void *data, size_t size)
     return stored == hash(data, size);
 }
 
-/* Returns the folder "$XDG_CACHE_HOME/firn" or "$HOME/.cache/firn"; only absolute paths count. */
+/* Writes the cache folder's path: "$XDG_CACHE_HOME/firn" or "$HOME/.cache/firn", if absolute. */
 static bool find_folder(char folder[static FOLDER_SIZE])
 {
     const char *cache = getenv("XDG_CACHE_HOME");
@@ -75,32 +74,32 @@ static bool write_all(int file, const char *data, size_t size)
     return true;
 }
 
-/* Returns true if only the user can have written a file or folder: drivers trust the data. */
+/* Returns true if no other user can have written a file or folder, since drivers trust the data. */
 static bool is_own(const struct stat *info)
 {
     return info->st_uid == geteuid() && !(info->st_mode & (S_IWGRP | S_IWOTH));
 }
 
-/* Reads an open regular file if it is small enough and passes is_sound(). */
-static char *read_valid(int file, const struct stat *info, const struct disk_cache_file *wanted)
+/* Reads an open file if it is regular, small enough and passes is_sound(). */
+static char *read_valid(int file, const struct stat *info, const struct disk_cache_file *request)
 {
     if (!S_ISREG(info->st_mode) || info->st_size <= 0 ||
-        (uint64_t)info->st_size > (uint64_t)wanted->size_max)
+        (uint64_t)info->st_size > (uint64_t)request->size_max)
         return NULL;
     const size_t size = (size_t)info->st_size;
     char *data = malloc(size);
-    if (data && read_all(file, data, size) && wanted->is_sound(wanted->user, data, size))
+    if (data && read_all(file, data, size) && request->is_sound(request->user, data, size))
         return data;
     free(data);
     return NULL;
 }
 
-void *disk_cache_read(const struct disk_cache_file *wanted, size_t *size)
+void *disk_cache_read(const struct disk_cache_file *request, size_t *size)
 {
     char folder[FOLDER_SIZE];
     char path[PATH_SIZE];
     struct stat info = { 0 }, folder_info;
-    if (!find_folder(folder) || !find_path(folder, wanted->name, path))
+    if (!find_folder(folder) || !find_path(folder, request->name, path))
         return NULL;
     const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (file < 0)
@@ -111,11 +110,11 @@ void *disk_cache_read(const struct disk_cache_file *wanted, size_t *size)
         log_warning("%s: ignored because other users can write it or its folder", path);
         return NULL;
     }
-    char *data = is_regular ? read_valid(file, &info, wanted) : NULL;
+    char *data = is_regular ? read_valid(file, &info, request) : NULL;
     if (data)
         (void)futimens(file, NULL);
     close(file);
-    if (!data && !wanted->is_quiet)
+    if (!data && !request->is_quiet)
         log_warning("%s: ignored because it is damaged; it will be rewritten", path);
     *size = data ? (size_t)info.st_size : 0;
     return data;
@@ -151,9 +150,7 @@ void disk_cache_write(const char *name, void *data, size_t size)
         (void)unlink(temporary);
 }
 
-/* ---- eviction ---- */
-
-/* Files with a common prefix: their total size and the least recently used one. */
+/* Disk usage of files with a common prefix, and the least recently used of them. */
 struct cache_usage {
     uint64_t bytes;
     struct timespec used;
@@ -165,13 +162,13 @@ static bool is_before(const struct timespec *a, const struct timespec *b)
     return a->tv_sec < b->tv_sec || (a->tv_sec == b->tv_sec && a->tv_nsec < b->tv_nsec);
 }
 
-static struct cache_usage scan_folder(DIR *folder, const char *beginning)
+static struct cache_usage scan_folder(DIR *folder, const char *prefix)
 {
     struct cache_usage usage = { .bytes = 0 };
     rewinddir(folder);
     for (const struct dirent *entry = readdir(folder); entry; entry = readdir(folder)) {
         struct stat info;
-        if (strncmp(entry->d_name, beginning, strlen(beginning)) != 0 ||
+        if (strncmp(entry->d_name, prefix, strlen(prefix)) != 0 ||
             fstatat(dirfd(folder), entry->d_name, &info, AT_SYMLINK_NOFOLLOW) != 0 ||
             !S_ISREG(info.st_mode))
             continue;
@@ -184,14 +181,14 @@ static struct cache_usage scan_folder(DIR *folder, const char *beginning)
     return usage;
 }
 
-void disk_cache_evict(const char *beginning, uint64_t most)
+void disk_cache_evict(const char *prefix, uint64_t bytes_max)
 {
     char path[FOLDER_SIZE];
     DIR *folder = find_folder(path) ? opendir(path) : NULL;
     if (!folder)
         return;
-    for (struct cache_usage usage = scan_folder(folder, beginning);
-         usage.bytes > most && usage.name[0]; usage = scan_folder(folder, beginning)) {
+    for (struct cache_usage usage = scan_folder(folder, prefix);
+         usage.bytes > bytes_max && usage.name[0]; usage = scan_folder(folder, prefix)) {
         if (unlinkat(dirfd(folder), usage.name, 0) != 0)
             break;
     }

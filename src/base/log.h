@@ -1,15 +1,14 @@
 /*
- * log.h: messages for the user on stderr, one line each.
- *
- * Thread-safety: any thread may log; a line is written with one call, so lines do not interleave.
+ * log.h: messages for the user on stderr, one line each. Any thread may log: a line is written with
+ * one call, so that lines do not interleave.
  */
 #ifndef FIRN_BASE_LOG_H
 #define FIRN_BASE_LOG_H
 
 #include "src/base/status.h"
 
-/* Replaces terminal control characters and bidirectional control characters by '?', in place: file
- * names and names in files may contain them. */
+/* Replaces control characters, including bidirectional ones, by '?' in place, since file names and
+ * names in files may contain them. */
 void log_sanitize(char *text);
 
 /* Writes "firn: ", the formatted and sanitised message, and a newline. */
@@ -18,11 +17,11 @@ void log_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Writes "firn: warning: ", the formatted and sanitised message, and a newline. */
 void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Writes "firn: note: ", the formatted and sanitised message, and a newline: purely informative. */
+/* Writes an informative message: "firn: note: ", the formatted and sanitised text, a newline. */
 void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Logs "WHAT: out of memory", or "out of memory" if `what` is NULL, and returns STATUS_TRY_AGAIN.
- * Inline, so that static analysers know that it never returns STATUS_OK. */
+ * Inline, so that static analysers know that the result is never STATUS_OK. */
 static inline enum status log_out_of_memory(const char *what)
 {
     if (what)

@@ -1,4 +1,4 @@
-/* path.c: file name functions. */
+/* path.c: file name helpers. */
 #include "src/base/path.h"
 #include <string.h>
 #include <strings.h>

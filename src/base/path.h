@@ -1,10 +1,10 @@
-/* path.h: file name functions. */
+/* path.h: file name helpers. */
 #ifndef FIRN_BASE_PATH_H
 #define FIRN_BASE_PATH_H
 
 #include <stdbool.h>
 
-/* Returns true if a file name's extension is `ending`, with the dot (".exr"), ignoring case. */
+/* Returns true if a file name ends in an extension such as ".exr", ignoring case. */
 bool path_ends_in(const char *path, const char *ending);
 
 #endif

@@ -1,4 +1,4 @@
-/* suggest.h: finds the known name that is closest to a misspelt one, for error messages. */
+/* suggest.h: finds the known name closest to a misspelt one, for error messages. */
 #ifndef FIRN_BASE_SUGGEST_H
 #define FIRN_BASE_SUGGEST_H
 
@@ -12,25 +12,25 @@ enum {
     SUGGEST_HINT_SIZE = SUGGEST_NAME_SIZE + 32, /* bytes */
 };
 
-/* A search for the closest name; initialise it with { .word = the unknown name }. */
+/* Search for the name closest to `word`; initialise with { .word = the unknown name }. */
 struct suggest {
     const char *word;
-    const char *best; /* NULL if no close name was offered; borrowed from suggest_offer() */
+    const char *best; /* borrowed; NULL if there is none */
     size_t distance;  /* edit distance between `word` and `best` */
 };
 
 /*
- * Offers a known name as a candidate. It is close if its edit distance to the word is at most 2 and
- * below the word's length, or if they share a prefix of at least 3 characters. `best` becomes the
- * close name with the smallest distance, the first one if there are several.
+ * Offers a known name. It is a candidate if its edit distance to the word is at most 2 and below
+ * the word's length, or if they share a prefix of at least 3 characters. `best` becomes the first
+ * candidate of smallest distance.
  */
 void suggest_offer(struct suggest *suggest, const char *name);
 
-/* Writes ": did you mean 'BEST'?", or "" if there is no close name, to `hint`. Returns `hint`. */
+/* Writes ": did you mean 'BEST'?" to `hint`, or "" if there is no candidate. Returns `hint`. */
 const char *suggest_hint(const struct suggest *suggest, char hint[static SUGGEST_HINT_SIZE]);
 
-/* Message text that lists the known names with their numbers: "0 'Left', 1 'Right'". Names that do
- * not fit become "...". Initialise it with {0}. */
+/* List of known names with their numbers as message text: "0 'Left', 1 'Right'". Names that do not
+ * fit become "...". Initialise with {0}. */
 struct suggest_list {
     char text[SUGGEST_LIST_SIZE];
     uint32_t count;
@@ -38,7 +38,7 @@ struct suggest_list {
 
 void suggest_list_add(struct suggest_list *list, const char *name);
 
-/* Returns true if a word consists of digits and is a number below `count`, which *index then is. */
+/* Returns true if a word is a decimal number below `count`, and stores it in *index. */
 bool suggest_number(const char *word, uint32_t count, uint32_t *index);
 
 #endif

@@ -7,23 +7,23 @@ bool tile_fits(const struct tiling *tiling)
            (tiling->rows <= 1 || tiling->height / 2 >= tiling->rows);
 }
 
-/* Returns the first pixel of part `index`; for `index` = `parts`, the end of the last part. */
-static uint32_t part_begin(uint32_t side, uint32_t parts, uint32_t index)
+/* Returns the first pixel of interval `index`; for `index` = `count`, the end of the last one. */
+static uint32_t tile_begin(uint32_t side, uint32_t count, uint32_t index)
 {
-    const uint64_t at = (uint64_t)side * index / parts;
-    return index == parts ? side : (uint32_t)at & ~UINT32_C(1);
+    const uint64_t at = (uint64_t)side * index / count;
+    return index == count ? side : (uint32_t)at & ~UINT32_C(1);
 }
 
 struct tile tile_at(const struct tiling *tiling, uint32_t index)
 {
     const uint32_t column = index % tiling->columns, row = index / tiling->columns;
-    const uint32_t x = part_begin(tiling->width, tiling->columns, column);
-    const uint32_t y = part_begin(tiling->height, tiling->rows, row);
+    const uint32_t x = tile_begin(tiling->width, tiling->columns, column);
+    const uint32_t y = tile_begin(tiling->height, tiling->rows, row);
     return (struct tile){
         .x = x,
         .y = y,
-        .width = part_begin(tiling->width, tiling->columns, column + 1) - x,
-        .height = part_begin(tiling->height, tiling->rows, row + 1) - y,
+        .width = tile_begin(tiling->width, tiling->columns, column + 1) - x,
+        .height = tile_begin(tiling->height, tiling->rows, row + 1) - y,
     };
 }
 

@@ -1,9 +1,7 @@
 /*
- * tile.h: division of an image into tiles for tiled rendering.
- *
- * The tiles of an image form columns and rows and are numbered row by row from 0. They begin at
- * even pixels, so that no tile boundary divides a 2x2 quad, in which a device computes derivatives.
- * Apart from that their sizes are as equal as possible.
+ * tile.h: division of an image into columns and rows of tiles, numbered row by row from 0. Tiles
+ * begin at even pixels, so that no boundary divides a 2x2 quad, in which a device computes
+ * derivatives. Otherwise their sizes are as equal as possible.
  */
 #ifndef FIRN_BASE_TILE_H
 #define FIRN_BASE_TILE_H
@@ -26,7 +24,7 @@ bool tile_fits(const struct tiling *tiling);
 /* Returns the pixels of tile `index`, below columns * rows. tile_fits() must hold. */
 struct tile tile_at(const struct tiling *tiling, uint32_t index);
 
-/* Returns a tile at (0, 0) with the maximum width and the maximum height of all tiles. */
+/* Returns a tile at (0, 0) with the maximum width and maximum height of all tiles. */
 struct tile tile_largest(const struct tiling *tiling);
 
 #endif

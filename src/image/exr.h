@@ -2,8 +2,8 @@
  * exr.h: reads and writes OpenEXR files with the OpenEXR Core C API.
  *
  * Files are written as a single part with scan lines, ZIP compression, channels sorted by name,
- * half or float per plane, and no timestamp, so that equal images give bit-identical files. When
- * reading, one part is used: scan lines or tiles (level 0), channels of any pixel type.
+ * half or float per plane, and no timestamp, so that equal images give bit-identical files. Reading
+ * uses one part: scan lines or tiles (level 0), channels of any pixel type.
  */
 #ifndef FIRN_IMAGE_EXR_H
 #define FIRN_IMAGE_EXR_H
@@ -13,64 +13,62 @@
 #include "src/image/image_header.h"
 
 struct exr_header {
-    const struct image_text *texts; /* string attributes; may be NULL if text_count is 0 */
+    const struct image_text *texts; /* string attributes; may be NULL */
     uint32_t text_count;
-    const float *world_to_camera; /* 16 floats in EXR's row-vector order; may be NULL */
-    const float *world_to_ndc;    /* 16 floats in EXR's row-vector order; may be NULL */
+    const float *world_to_camera; /* row-vector order; may be NULL */
+    const float *world_to_ndc;    /* row-vector order; may be NULL */
     struct image_window window;
-    double frames_per_second; /* frame rate of a sequence; 0 to write no attribute */
+    double frames_per_second; /* 0 omits the attribute */
 };
 
 /*
  * Encodes an image into memory: *data (malloc'd, freed by the caller) of *size bytes. Rec.709
- * chromaticities are always written. In half planes, values beyond the range of half, including
- * infinities, are clamped to +-65504, and NaN is kept; float planes are stored unchanged. There
- * must be at least one plane. On failure logs, sets *data to NULL, and returns STATUS_TRY_AGAIN
- * (memory) or STATUS_FAILED.
+ * chromaticities are always written. Half planes are clamped to +-65504, infinities included, and
+ * keep NaN; float planes are stored unchanged. At least one plane is required. On failure logs,
+ * sets *data to NULL, and returns STATUS_TRY_AGAIN (memory) or STATUS_FAILED.
  */
 MUST_USE enum status exr_encode(const struct image *image, const struct exr_header *header,
                                 void **data, size_t *size);
 
-/* Fills *rows with the image's rows from y on; rows->height is their number. */
+/* Callback that fills *rows with the image's rows from y on; rows->height is their number. */
 typedef enum status exr_rows_fn(void *user, uint32_t y, struct image *rows);
 
 /*
- * Encodes an image like exr_encode(), but without holding all of it in memory: `image` gives size
- * and planes, whose texels are not used, and `fill` is called for successive groups of rows. If
- * `fill` fails, returns its status.
+ * Encodes an image like exr_encode(), but never holds all of it in memory: `image` gives size and
+ * planes, whose texels are not used, and `fill` is called for successive groups of rows. If `fill`
+ * fails, returns its status.
  */
 MUST_USE enum status exr_encode_rows(const struct image *image, const struct exr_header *header,
                                      exr_rows_fn *fill, void *user, void **data, size_t *size);
 
-/* An EXR file that is read row by row. */
 struct exr_file;
 
 /*
  * Opens a file and reads its header into *head, which the caller finishes: the data window and
  * channels of one part. The part is the first with channels R, G and B, else the first that is not
- * deep; a file with several parts causes a warning. The limits of image.h are checked before any
- * allocation. Deep data, subsampled channels, DWAA and DWAB are not supported: STATUS_DATA. Logs
- * and returns STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *file is then NULL and *head {0}.
+ * deep; several parts cause a warning. The limits of image.h are checked before any allocation.
+ * Deep data, subsampled channels, DWAA and DWAB are not supported: STATUS_DATA. Logs and returns
+ * STATUS_NO_INPUT, STATUS_DATA or STATUS_TRY_AGAIN; *file is then NULL and *head {0}.
  */
 MUST_USE enum status exr_open(struct exr_file **file, const char *path, struct image_header *head);
 
-/* Returns row y of a plane in *row, owned by the file and valid until the next call. Non-finite
- * texels are returned unchanged. Reading rows in ascending order is fastest. */
+/* Returns row y of a plane in *row, owned by the file and valid until the next call, with
+ * non-finite texels unchanged. Reading rows in ascending order is fastest. */
 MUST_USE enum status exr_row(struct exr_file *file, uint32_t plane, uint32_t y, const float **row);
 
 void exr_close(struct exr_file *file); /* may be NULL */
 
-/* Reads a file into *image, which must be {0}, as it is after an error. Errors: see exr_open(). */
+/* Reads a file into *image, which must be {0} and remains so on failure. Errors: see exr_open(). */
 MUST_USE enum status exr_read(const char *path, struct image *image);
 
-/* Reads a file and its header like exr_read(); the caller finishes *head, {0} on failure. */
+/* Reads image and header like exr_read(). The caller finishes *head, which is {0} on failure. */
 MUST_USE enum status exr_read_all(const char *path, struct image *image, struct image_header *head);
 
 /* Decodes a file to its end to check it, and returns its header like exr_open(). */
 MUST_USE enum status exr_check(const char *path, struct image_header *head);
 
-/* Returns true if a file with header `head` could be exr_encode()'s output for the image and
- * header: same size, windows, planes, and at least these texts. Texels and matrices are ignored. */
+/* Returns true if `head` matches what exr_encode() writes for the image and header: same size,
+ * windows, planes, and at least these texts. Texels and matrices are ignored. */
 bool exr_matches(const struct image_header *head, const struct image *image,
                  const struct exr_header *header);
 

@@ -10,7 +10,7 @@
 struct source {
     FILE *file;
     int64_t size;
-    char message[256];  /* the library's first error message */
+    char message[256];  /* first message of the OpenEXR library */
     bool out_of_memory; /* for planes; not for damaged chunks */
 };
 
@@ -22,9 +22,9 @@ struct exr_file {
     exr_storage_t storage;
     exr_attr_box2i_t window; /* data window: the image */
     uint32_t height;         /* of the image */
-    int32_t chunk_width;     /* width of a tile; else of the image */
-    struct image rows;       /* the decoded row of chunks, as high as a chunk */
-    uint32_t first;          /* image row at which `rows` begins */
+    int32_t chunk_width;     /* tile width, else image width */
+    struct image rows;       /* decoded row of chunks */
+    uint32_t first;          /* first image row in `rows` */
     bool is_read;            /* `rows` is filled */
 };
 
@@ -59,7 +59,7 @@ static void keep_message(exr_const_context_t context, exr_result_t code, const c
         snprintf(source->message, sizeof(source->message), "%s", text);
 }
 
-/* Allocates the library's buffers zeroed, because it accepts chunks that decompress too short. */
+/* Allocates zeroed memory for the OpenEXR library, which accepts chunks that decompress short. */
 static void *allocate(size_t size)
 {
     return calloc(1, size);
@@ -70,8 +70,6 @@ static exr_result_t fault(struct exr_file *file, const char *text)
     snprintf(file->source.message, sizeof(file->source.message), "%s", text);
     return EXR_ERR_FILE_BAD_HEADER;
 }
-
-/* ---- header ---- */
 
 static bool has_channel(const exr_attr_chlist_t *channels, const char *name)
 {
@@ -88,7 +86,7 @@ static bool is_flat(const struct exr_file *file, int part, exr_storage_t *storag
            (*storage == EXR_STORAGE_SCANLINE || *storage == EXR_STORAGE_TILED);
 }
 
-/* Selects the first part with channels R, G and B; if there is none, the first that is not deep. */
+/* Selects the first part with channels R, G and B; if none, the first that is not deep. */
 static exr_result_t choose_part(struct exr_file *file)
 {
     int count = 0, chosen = -1;
@@ -117,7 +115,7 @@ static exr_result_t choose_part(struct exr_file *file)
     return exr_get_storage(file->context, chosen, &file->storage);
 }
 
-/* Checks the image size and the channel count before anything of that size is allocated. */
+/* Checks image size and channel count before anything of that size is allocated. */
 static exr_result_t read_size(struct exr_file *file, const exr_attr_chlist_t **list)
 {
     exr_result_t result = exr_get_data_window(file->context, file->part, &file->window);
@@ -138,8 +136,8 @@ static exr_result_t read_size(struct exr_file *file, const exr_attr_chlist_t **l
     return EXR_ERR_SUCCESS;
 }
 
-/* Reads the chunk size: a tile, or the scan lines that are compressed together. The library reports
- * 0 for the latter if the header has an attribute `tiles`. */
+/* Reads the chunk size: a tile, or the scan lines that are compressed together. For the latter the
+ * library reports 0 if the header has an attribute `tiles`. */
 static exr_result_t read_chunk_size(struct exr_file *file)
 {
     int32_t height;
@@ -254,8 +252,6 @@ static bool fill_head(const struct exr_file *file, struct image_header *head)
     return done && add_texts(file, head);
 }
 
-/* ---- texels ---- */
-
 /* Sets the decoder's output pointers; channels and planes are both in file order. */
 static void set_channels(exr_decode_pipeline_t *pipeline, const struct image *rows, size_t first)
 {
@@ -269,7 +265,7 @@ static void set_channels(exr_decode_pipeline_t *pipeline, const struct image *ro
     }
 }
 
-/* Decodes a chunk, with a new pipeline: a reused one keeps stale pointers and buffers. */
+/* Decodes a chunk with a new pipeline, because a reused one has stale pointers and buffers. */
 static exr_result_t read_chunk(const struct exr_file *file, const exr_chunk_info_t *chunk, size_t x)
 {
     const struct image *rows = &file->rows;
@@ -302,7 +298,7 @@ static exr_result_t find_chunk(const struct exr_file *file, uint32_t column, uin
                                         chunk);
 }
 
-/* Reads the row of chunks that begins at row `first` of the image. */
+/* Decodes the row of chunks that begins at image row `first`. */
 static exr_result_t read_rows(const struct exr_file *file, uint32_t first)
 {
     const size_t chunk_width = (size_t)file->chunk_width;
@@ -317,9 +313,7 @@ static exr_result_t read_rows(const struct exr_file *file, uint32_t first)
     return result;
 }
 
-/* ---- files ---- */
-
-/* Logs the error, if there is any, and returns its status. */
+/* Logs an error of the OpenEXR library, if any, and returns its status. */
 static enum status report(const struct exr_file *file, exr_result_t result)
 {
     const struct source *source = &file->source;
@@ -350,7 +344,7 @@ static exr_result_t open_context(struct exr_file *file)
     start.max_image_height = IMAGE_MAX_SIDE;
     start.max_tile_width = IMAGE_MAX_SIDE;
     start.max_tile_height = IMAGE_MAX_SIDE;
-    /* Files with missing chunks are rejected, so the chunk table need not be reconstructed. */
+    /* Rejects files with missing chunks instead of reconstructing the chunk table. */
     start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
     return exr_start_read(&file->context, file->path, &start);
 }
@@ -481,11 +475,11 @@ enum status exr_check(const char *path, struct image_header *head)
 bool exr_matches(const struct image_header *head, const struct image *image,
                  const struct exr_header *header)
 {
-    const struct image_window *window = &head->window, *wanted = &header->window;
+    const struct image_window *window = &head->window, *expected = &header->window;
     if (!head->has_window || !image_header_matches(head, image, header->texts, header->text_count))
         return false;
-    if (!wanted->width)
+    if (!expected->width)
         return window->width == image->width && window->height == image->height;
-    return window->x == wanted->x && window->y == wanted->y && window->width == wanted->width &&
-           window->height == wanted->height;
+    return window->x == expected->x && window->y == expected->y &&
+           window->width == expected->width && window->height == expected->height;
 }

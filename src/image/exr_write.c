@@ -8,7 +8,7 @@
 #include "src/image/exr.h"
 #include "src/image/half.h"
 
-/* Longer attribute and channel names need a flag in the file, which old readers reject. */
+/* Maximum name length: longer names need a flag in the file that old readers reject. */
 enum {
     SHORT_NAME_MAX = 31
 };
@@ -19,7 +19,7 @@ struct sink {
     bool out_of_memory;
 };
 
-/* Writes to the memory buffer: chunks in order after a gap, which the chunk table fills last. */
+/* Writes into memory: chunks in order after a gap, which is later filled with the chunk table. */
 static int64_t sink_write(exr_const_context_t context, void *user, const void *bytes, uint64_t size,
                           uint64_t offset, exr_stream_error_func_ptr_t report)
 {
@@ -45,7 +45,7 @@ static int64_t sink_write(exr_const_context_t context, void *user, const void *b
     return (int64_t)size;
 }
 
-/* Error handler that suppresses the library's output; its result codes suffice. */
+/* Suppresses the OpenEXR library's error output; its result codes suffice. */
 static void ignore_message(exr_const_context_t context, exr_result_t code, const char *text)
 {
     (void)context;
@@ -76,7 +76,7 @@ static exr_result_t declare_matrix(exr_context_t context, const char *name, cons
     return exr_attr_set_m44f(context, 0, name, &value);
 }
 
-/* Writes the frame rate as a rational. NTSC rates such as 23.976 are multiples of 1000 / 1001. */
+/* Writes the frame rate as a rational; NTSC rates such as 23.976 are multiples of 1000 / 1001. */
 static exr_result_t declare_rate(exr_context_t context, double rate)
 {
     const double whole = round(rate), television = round(rate * 1.001);
@@ -93,7 +93,7 @@ static exr_result_t declare_rate(exr_context_t context, double rate)
 
 static exr_result_t declare_attributes(exr_context_t context, const struct exr_header *header)
 {
-    /* Rec.709 primaries and white point (ITU-R BT.709-6, items 1.3 and 1.4) */
+    /* Rec.709 primaries and white point (ITU-R BT.709-6, items 1.3 and 1.4). */
     static const exr_attr_chromaticities_t rec709 = {
         .red_x = 0.64f,
         .red_y = 0.33f,
@@ -119,11 +119,11 @@ static exr_result_t declare_attributes(exr_context_t context, const struct exr_h
     return result;
 }
 
-/* Sets both windows; like exr_initialize_required_attr_simple() if the image is whole. */
+/* Sets data and display window; for a whole image as exr_initialize_required_attr_simple() does. */
 static exr_result_t declare_windows(exr_context_t context, int part, const struct image *image,
                                     const struct image_window *window)
 {
-    const exr_attr_v2f_t middle = { .x = 0.0f, .y = 0.0f };
+    const exr_attr_v2f_t center = { .x = 0.0f, .y = 0.0f };
     const int32_t x = (int32_t)window->x, y = (int32_t)window->y;
     const exr_attr_box2i_t data = {
         .min = { .x = x, .y = y },
@@ -135,7 +135,7 @@ static exr_result_t declare_windows(exr_context_t context, int part, const struc
         display = (exr_attr_box2i_t){
             .max = { .x = (int32_t)window->width - 1, .y = (int32_t)window->height - 1 },
         };
-    return exr_initialize_required_attr(context, part, &display, &data, 1.0f, &middle, 1.0f,
+    return exr_initialize_required_attr(context, part, &display, &data, 1.0f, &center, 1.0f,
                                         EXR_LINEORDER_INCREASING_Y, EXR_COMPRESSION_ZIP);
 }
 
@@ -164,17 +164,17 @@ static const struct image_plane *find_plane(const struct image *image, const cha
     return plane;
 }
 
-/* Source of texels: a whole image, or groups of rows filled by a callback. */
+/* Source of texels: a whole image, or groups of rows from a callback. */
 struct origin {
     const struct image *image;
-    uint32_t y;        /* row of the display window at which the image begins */
-    exr_rows_fn *fill; /* NULL if the image has texels */
+    uint32_t y;        /* display window row of `image`'s top */
+    exr_rows_fn *fill; /* NULL for a whole image */
     void *user;
-    struct image rows;  /* group of rows for `fill` */
-    enum status status; /* of the last call of `fill` */
+    struct image rows;  /* row group filled by `fill` */
+    enum status status; /* last result of `fill` */
 };
 
-/* Passes the image's rows from y on to the pipeline; half planes are converted into `halves`. */
+/* Passes rows from y on to the encoder; half planes are first converted into `halves`. */
 static void set_channels(exr_encode_pipeline_t *pipeline, const struct image *image, uint32_t y,
                          uint16_t *halves)
 {
@@ -206,8 +206,8 @@ struct compressor {
 
 /*
  * Wraps the library's compressor. Readers take a chunk as uncompressed if it is as long as its
- * content, but version 3.1.5 of the library also writes compressed chunks of that length, which
- * nobody can read. Such chunks are stored uncompressed.
+ * content, but version 3.1.5 also writes compressed chunks of that length, which cannot be read.
+ * Such chunks are stored uncompressed.
  */
 static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
 {
@@ -219,7 +219,7 @@ static exr_result_t compress_chunk(exr_encode_pipeline_t *pipeline)
     return result;
 }
 
-/* Encodes a chunk, with a new pipeline: a reused one keeps stale pointers and buffers. */
+/* Encodes a chunk with a new pipeline, because a reused one has stale pointers and buffers. */
 static exr_result_t write_chunk(exr_context_t context, struct origin *origin, uint32_t y,
                                 uint16_t *halves)
 {
@@ -259,7 +259,7 @@ static bool allocate_rows(struct origin *origin, uint32_t lines)
     return ok;
 }
 
-/* Fills the next group of rows; the last group may have fewer. */
+/* Fills the next group of rows, which may be smaller at the end of the image. */
 static exr_result_t fill_rows(struct origin *origin, uint32_t y, uint32_t lines)
 {
     const uint32_t left = origin->image->height - y;
@@ -334,7 +334,7 @@ static enum status encode(struct origin *origin, const struct exr_header *header
     free(sink.bytes);
     if (origin->status != STATUS_OK)
         return origin->status; /* already logged by `fill` */
-    /* Our own data cannot be corrupt: OpenEXR returns this code if zlib runs out of memory. */
+    /* OpenEXR returns this code if zlib runs out of memory, because our data is never corrupt. */
     if (sink.out_of_memory || result == EXR_ERR_CORRUPT_CHUNK)
         result = EXR_ERR_OUT_OF_MEMORY;
     log_error("the EXR image could not be encoded: %s", exr_get_default_error_message(result));

@@ -1,4 +1,4 @@
-/* file_io.c: writes output files atomically by a locked temporary file and rename(). */
+/* file_io.c: writes output files atomically, by a locked temporary file and rename(). */
 #define _XOPEN_SOURCE 700 /* realpath() */
 #include "src/image/file_io.h"
 #include <dirent.h>
@@ -24,14 +24,14 @@ static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVW
 
 /* Resolved location of an output file. */
 struct target {
-    bool is_direct;          /* the file is written directly: it exists and is not a regular file */
+    bool is_direct;          /* not a regular file: written directly */
     int folder;              /* descriptor, or -1 */
-    char name[NAME_MAX + 1]; /* within the folder */
+    char name[NAME_MAX + 1]; /* file name within the folder */
 };
 
-static enum status cannot_create(const char *path, const char *why)
+static enum status cannot_create(const char *path, const char *reason)
 {
-    log_error("%s: cannot be created: %s", path, why);
+    log_error("%s: cannot be created: %s", path, reason);
     return STATUS_CANT_CREATE;
 }
 
@@ -91,13 +91,13 @@ static enum status target_find(struct target *target, const char *path)
     return ok ? STATUS_OK : cannot_create(path, strerror(errno));
 }
 
-/* A temporary file, locked while it is open. */
+/* Temporary file, locked while it is open. */
 struct temporary {
     int file;                /* descriptor, or -1 */
-    char name[NAME_MAX + 1]; /* within the target's folder */
+    char name[NAME_MAX + 1]; /* file name within the target's folder */
 };
 
-/* Returns the length of the prefix ".NAME." of a file's temporaries; NAME may be truncated. */
+/* Returns the length of the prefix ".NAME." of NAME's temporaries; NAME may be truncated. */
 static int prefix_length(const char *name)
 {
     const int longest = NAME_MAX - (RANDOM_LENGTH + (int)strlen(suffix));
@@ -105,7 +105,7 @@ static int prefix_length(const char *name)
     return length < longest ? length : longest;
 }
 
-/* Generates a name ".NAME.XXXXXX.tmp" with unpredictable letters. */
+/* Generates a temporary file's name ".NAME.XXXXXX.tmp" with unpredictable letters. */
 static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1])
 {
     unsigned char random[RANDOM_LENGTH];
@@ -118,7 +118,7 @@ static bool name_temporary(const char *name, char temporary[static NAME_MAX + 1]
     return true;
 }
 
-/* Returns true if `entry` is the name of a temporary file of the output file `name`. */
+/* Returns true if `entry` names a temporary of the output file `name`. */
 static bool is_temporary(const char *entry, const char *name)
 {
     const int length = prefix_length(name);
@@ -141,7 +141,7 @@ static void remove_temporary(const struct target *target, struct temporary *temp
     close(temporary->file);
 }
 
-/* Returns the mode of the file to be replaced, or -1 if there is none. */
+/* Returns the mode of the file that will be replaced, or -1 if there is none. */
 static int find_mode(const struct target *target)
 {
     struct stat old_mode;
@@ -150,9 +150,9 @@ static int find_mode(const struct target *target)
     return (int)(old_mode.st_mode & 0777);
 }
 
-/* Creates and locks a temporary file, readable only by users who may read the old file, whose mode
- * is `old_mode` (-1 if there is none). Between these two steps another process may regard it as
- * abandoned and remove it; then another name is tried. */
+/* Creates and locks a temporary, readable only by users who may read the old file, whose mode is
+ * `old_mode` (-1 if none). Until it is locked, another process may remove it as abandoned; then
+ * another name is tried. */
 static bool open_temporary(const struct target *target, int old_mode, struct temporary *temporary)
 {
     const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
@@ -175,8 +175,8 @@ static bool open_temporary(const struct target *target, int old_mode, struct tem
 }
 
 /*
- * Returns true if an open temporary is abandoned. A lock ends with its process, on any machine; on
- * file systems without locks, a file not modified for an hour counts as abandoned.
+ * Returns true if an open temporary is abandoned: not locked, since a lock ends with its process on
+ * any machine; or, on file systems without locks, not modified for an hour.
  */
 static bool is_stale(int file, time_t now)
 {
@@ -199,8 +199,8 @@ static void remove_if_stale(int folder, const char *entry, time_t now)
     close(file);
 }
 
-/* Removes abandoned temporaries except `own`, whose modification time is taken as now. */
-static void remove_stale(const struct target *target, const struct temporary *own)
+/* Removes abandoned temporaries except `writer_temporary`, whose mtime is taken as now. */
+static void remove_stale(const struct target *target, const struct temporary *writer_temporary)
 {
     const int folder_copy = openat(target->folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     DIR *entries = folder_copy >= 0 ? fdopendir(folder_copy) : NULL;
@@ -209,9 +209,10 @@ static void remove_stale(const struct target *target, const struct temporary *ow
         close(folder_copy);
     if (!entries)
         return;
-    const time_t now = fstat(own->file, &info) == 0 ? info.st_mtime : 0;
+    const time_t now = fstat(writer_temporary->file, &info) == 0 ? info.st_mtime : 0;
     for (const struct dirent *entry; (entry = readdir(entries));) {
-        if (is_temporary(entry->d_name, target->name) && strcmp(entry->d_name, own->name) != 0)
+        if (is_temporary(entry->d_name, target->name) &&
+            strcmp(entry->d_name, writer_temporary->name) != 0)
             remove_if_stale(target->folder, entry->d_name, now);
     }
     closedir(entries);
@@ -231,13 +232,13 @@ static bool write_all(int file, const unsigned char *data, size_t size)
     return true;
 }
 
-/* Closes a descriptor. On Linux it is closed even if close() fails with EINTR. */
+/* Closes a descriptor. EINTR counts as success: Linux closes it in any case. */
 static bool close_file(int file)
 {
     return close(file) == 0 || errno == EINTR;
 }
 
-/* Syncs a folder, so that a rename is durable. Some file systems cannot and return EINVAL. */
+/* Syncs a folder, so that a rename is durable. EINVAL is ignored: some file systems return it. */
 static bool sync_folder(int folder)
 {
     return fsync(folder) == 0 || errno == EINVAL;
@@ -263,8 +264,7 @@ static enum status write_direct(const char *path, const void *data, size_t size)
     return status;
 }
 
-/* Replaces a file atomically. The temporary is closed only after the rename, because another
- * process may remove an unlocked temporary. */
+/* Renames a temporary over its target, then closes it: unlocked, it may be removed by others. */
 static enum status replace(const struct target *target, const char *path, const void *data,
                            size_t size)
 {
@@ -345,16 +345,16 @@ enum status file_io_check(const char *path)
 enum status file_io_open(const char *path, FILE **file, int64_t *size)
 {
     struct stat info;
-    bool known;
+    bool is_known;
 
     *size = 0;
     *file = fopen(path, "rb");
-    known = *file && fstat(fileno(*file), &info) == 0;
-    if (known && S_ISREG(info.st_mode)) {
+    is_known = *file && fstat(fileno(*file), &info) == 0;
+    if (is_known && S_ISREG(info.st_mode)) {
         *size = info.st_size;
         return STATUS_OK;
     }
-    log_error("%s: cannot be read: %s", path, known ? "not a regular file" : strerror(errno));
+    log_error("%s: cannot be read: %s", path, is_known ? "not a regular file" : strerror(errno));
     if (*file)
         fclose(*file);
     *file = NULL;

@@ -2,11 +2,11 @@
  * file_io.h: atomic writing of all output files, and opening of input files.
  *
  * A file is written to a temporary file beside it (".NAME.XXXXXX.tmp", X: random letters and
- * digits), with every write checked, then fsynced, renamed and closed, so that other programs find
- * either the complete old file or the complete new one. A failure leaves the old file and no
+ * digits), every write is checked, and it is fsynced, renamed and closed, so that other programs
+ * find either the complete old file or the complete new one. A failure leaves the old file and no
  * temporary. A replaced file keeps its mode; the temporary is never accessible to more users. The
  * writer locks (flock) its temporary. The next write of the same file removes unlocked temporaries
- * left by killed processes; on file systems without locks, those not modified for an hour.
+ * of killed processes; on file systems without locks, those not modified for an hour.
  */
 #ifndef FIRN_IMAGE_FILE_IO_H
 #define FIRN_IMAGE_FILE_IO_H
@@ -18,10 +18,10 @@
 #include "src/base/status.h"
 
 /*
- * Writes `size` bytes to `path`, or to stdout if it is "-". An existing path that is not a regular
- * file (a pipe, a device) is written directly, without a temporary. A symbolic link is followed; a
- * dangling one is rejected. Logs and returns STATUS_CANT_CREATE (cannot be opened or created) or
- * STATUS_WRITE (short write, full disk, failed fsync, close or rename).
+ * Writes `size` bytes to `path`, or to stdout if it is "-". An existing pipe or device is written
+ * directly, without a temporary. A symbolic link is followed; a dangling one is rejected. Logs and
+ * returns STATUS_CANT_CREATE (cannot be opened or created) or STATUS_WRITE (short write, full disk,
+ * failed fsync, close or rename).
  */
 MUST_USE enum status file_io_write(const char *path, const void *data, size_t size);
 
@@ -29,14 +29,14 @@ MUST_USE enum status file_io_write(const char *path, const void *data, size_t si
 bool file_io_is_direct(const char *path);
 
 /*
- * Checks before a long computation that file_io_write() could create `path`: its folder exists and
- * is writable, and `path` is not a folder. If not, logs why and returns STATUS_CANT_CREATE.
+ * Checks before a long computation that file_io_write() could create `path`: that it is no folder
+ * and its folder is writable. If not, logs why and returns STATUS_CANT_CREATE.
  */
 MUST_USE enum status file_io_check(const char *path);
 
 /*
- * Opens a regular file for reading; *size is in bytes. The caller closes it. On failure logs and
- * returns STATUS_NO_INPUT; *file is then NULL.
+ * Opens a regular file for reading, closed by the caller; *size is in bytes. On failure logs,
+ * returns STATUS_NO_INPUT and sets *file to NULL.
  */
 MUST_USE enum status file_io_open(const char *path, FILE **file, int64_t *size);
 

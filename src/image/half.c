@@ -1,16 +1,16 @@
 /* half.c: IEEE 754 half-precision floats. */
 #include "src/image/half.h"
-/* Avoids a dependency on a lookup table in Imath's library. */
+/* Avoids a dependency on the lookup table in Imath's library. */
 #define IMATH_HALF_NO_LOOKUP_TABLE
 #include <Imath/half.h>
 
 uint16_t half_from_float(float value)
 {
-    const float most = 65504.0f; /* the largest finite half */
-    if (value > most)
-        value = most;
-    else if (value < -most)
-        value = -most;
+    const float half_max = 65504.0f; /* maximum finite half */
+    if (value > half_max)
+        value = half_max;
+    else if (value < -half_max)
+        value = -half_max;
     return imath_float_to_half(value);
 }
 

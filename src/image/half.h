@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/* Rounds to nearest even. Values beyond the range of half become +-65504; NaN stays NaN. */
+/* Rounds a float to half, to nearest even. Out-of-range values become +-65504; NaN stays NaN. */
 uint16_t half_from_float(float value);
 
 float half_to_float(uint16_t bits);

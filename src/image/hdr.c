@@ -11,14 +11,14 @@
 struct source {
     FILE *file;
     bool ended;   /* a read was short */
-    bool overrun; /* stb_image has read beyond the end of the file */
+    bool overrun; /* stb_image read beyond the file's end */
 };
 
 /*
- * Reads for stb_image, with line feeds beyond the end of the file. With zeros, stb_image would not
- * notice that a file is truncated, and its run-length decoder would not terminate. Line feeds
- * terminate all of its loops (an empty header line, a run longer than 0). Its large buffered reads
- * may be short at the end; a read of a single texel (4 bytes) must not be.
+ * Reads for stb_image, with line feeds beyond the end of the file, which terminate all of its loops
+ * (an empty header line, a run longer than 0). With zeros, truncation would go unnoticed, and its
+ * run-length decoder would not terminate. Its large buffered reads may be short at the end; a read
+ * of a single texel (4 bytes) must not be.
  */
 static int source_read(void *user, char *data, int size)
 {
@@ -58,7 +58,7 @@ static void source_rewind(struct source *source)
     source->overrun = false;
 }
 
-/* Returns the minimum size of the texel data in bytes: flat, or four channels in runs of 127. */
+/* Returns the minimum bytes of texel data: uncompressed, or four channels in runs of 127. */
 static int64_t min_size(int width, int height)
 {
     const int64_t row =
@@ -66,7 +66,7 @@ static int64_t min_size(int width, int height)
     return row * height;
 }
 
-/* Returns what is wrong with a file's header; NULL if it is valid. */
+/* Returns the fault of a file's header, or NULL if it is valid. */
 static const char *find_fault(struct source *source, int64_t file_size, int *width, int *height)
 {
     int channels;

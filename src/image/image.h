@@ -1,8 +1,6 @@
 /*
- * image.h: an image in memory as named planes of floats.
- *
- * Row 0 is the top row. Colours are linear Rec.709.
- * Ownership: an image owns its planes; image_finish() frees them.
+ * image.h: an image in memory as named planes of floats, which it owns. Row 0 is the top row;
+ * colours are linear Rec.709.
  */
 #ifndef FIRN_IMAGE_IMAGE_H
 #define FIRN_IMAGE_IMAGE_H
@@ -15,17 +13,17 @@ enum {
     IMAGE_NAME_SIZE = 64
 };
 
-/* Limits of the image readers; a file with a larger image is STATUS_DATA. */
+/* Limits of the image readers, beyond which a file is STATUS_DATA. */
 enum {
     IMAGE_MAX_SIDE = 65536,      /* pixels */
     IMAGE_MAX_TEXELS = 1 << 28,  /* texels of one plane */
-    IMAGE_MAX_SAMPLES = 1 << 30, /* texels of all planes together: 4 GiB in memory */
+    IMAGE_MAX_SAMPLES = 1 << 30, /* of all planes: 4 GiB */
     IMAGE_MAX_PLANES = 256,
 };
 
 struct image_plane {
-    char name[IMAGE_NAME_SIZE]; /* channel name as in EXR: "R", "N.X", "fresnel.Z" */
-    bool half;                  /* true to store as half in files; always float in memory */
+    char name[IMAGE_NAME_SIZE]; /* EXR channel name: "R", "N.X", "fresnel.Z" */
+    bool half;                  /* stored as half in files */
     float *texels;              /* width * height floats */
 };
 
@@ -48,11 +46,11 @@ void image_finish(struct image *image);
 
 /*
  * Adds a plane of zeros and returns its texels, or NULL when out of memory. The name is copied; it
- * must be shorter than IMAGE_NAME_SIZE and unique. Pointers to other planes' texels stay valid.
+ * must be unique and shorter than IMAGE_NAME_SIZE. Pointers to other planes' texels stay valid.
  */
 float *image_add_plane(struct image *image, const char *name, bool half);
 
-/* Returns the texels of a plane by its name, or NULL if there is none. */
+/* Returns the texels of a named plane, or NULL if there is none. */
 float *image_find(const struct image *image, const char *name);
 
 #endif

@@ -1,4 +1,4 @@
-/* image_header.c: header of an image file: size, channels, text metadata, windows, matrices. */
+/* image_header.c: adds planes and texts to image headers, compares and frees them. */
 #include "src/image/image_header.h"
 #include <stdlib.h>
 #include <string.h>

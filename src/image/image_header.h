@@ -1,7 +1,6 @@
 /*
- * image_header.h: header of an image file: size, channels, text metadata, windows, matrices.
- *
- * Ownership: a header owns its planes' names and its texts; image_header_finish() frees them.
+ * image_header.h: header of an image file: size, channels, text metadata, windows, matrices. It
+ * owns its planes' names and its texts; image_header_finish() frees them.
  */
 #ifndef FIRN_IMAGE_IMAGE_HEADER_H
 #define FIRN_IMAGE_IMAGE_HEADER_H
@@ -14,16 +13,16 @@
 
 enum {
     IMAGE_TEXT_COUNT_MAX = 16,
-    IMAGE_TEXT_SIZE_MAX = 1 << 20, /* bytes of one text including '\0' */
+    IMAGE_TEXT_SIZE_MAX = 1 << 20, /* of one text, with '\0' */
 };
 
-/* Prefix of the metadata names that firn writes; other texts are dropped. */
+/* Prefix of the names of firn's metadata; other texts are dropped. */
 #define IMAGE_TEXT_PREFIX "firn/"
 
-/* Position of an image within a larger one: EXR's data window relative to the display window. */
+/* Position of an image in a larger one: EXR's data window relative to its display window. */
 struct image_window {
     uint32_t x, y;          /* top left pixel of the image */
-    uint32_t width, height; /* size of the larger image, pixels; 0 if there is none */
+    uint32_t width, height; /* larger image, pixels; 0 if none */
 };
 
 struct image_header {
@@ -34,11 +33,11 @@ struct image_header {
         char *name, *value;
     } texts[IMAGE_TEXT_COUNT_MAX];
 
-    bool has_window; /* false if the data window exceeds the display window */
+    bool has_window; /* data window within the display window */
     struct image_window window;
     bool has_world_to_camera, has_world_to_ndc;
-    bool is_cube_map;   /* EXR attribute `envmap`; not sent by reader processes */
-    bool has_primaries; /* the EXR file has them; not sent by reader processes */
+    bool is_cube_map;   /* EXR attribute `envmap`; not sent to the parent process */
+    bool has_primaries; /* EXR attribute `chromaticities`; not sent to the parent process */
     struct primaries primaries;
     float world_to_camera[16], world_to_ndc[16]; /* EXR's row-vector order */
 };
@@ -49,8 +48,8 @@ void image_header_finish(struct image_header *head);
 MUST_USE bool image_header_add_plane(struct image_header *head, const char *name, bool half);
 
 /*
- * Adds a copy of a text if its name has firn's prefix. Texts that are too long, too many, or
- * contain '\0' are ignored: firn does not write such. Returns false when out of memory.
+ * Adds a copy of a text with firn's prefix. Texts that are too long, too many or contain '\0',
+ * which firn never writes, are ignored. Returns false when out of memory.
  */
 MUST_USE bool image_header_add_text(struct image_header *head, const char *name, const char *value,
                                     size_t value_length);
@@ -58,7 +57,7 @@ MUST_USE bool image_header_add_text(struct image_header *head, const char *name,
 /* Returns a text by its name, or NULL if there is none. */
 const char *image_header_text(const struct image_header *head, const char *name);
 
-/* Returns true if a header has this size, these planes (in any order) and these texts. */
+/* Returns true if a header has this size, these planes in any order, and these texts. */
 bool image_header_matches(const struct image_header *head, const struct image *image,
                           const struct image_text *texts, uint32_t text_count);
 

@@ -10,39 +10,39 @@
 #include "src/image/image_header.h"
 
 struct png_image_source {
-    const uint8_t *rgba;            /* sRGB-encoded texels, rows from the top */
+    const uint8_t *rgba;            /* sRGB-encoded, rows from the top */
     uint32_t width, height;         /* pixels */
-    const struct image_text *texts; /* text metadata; may be NULL if text_count is 0 */
+    const struct image_text *texts; /* metadata; NULL if text_count is 0 */
     uint32_t text_count;
-    const uint16_t *rgba_16; /* 16-bit texels used instead of rgba; NULL for 8 bits */
+    const uint16_t *rgba_16; /* used instead of rgba unless NULL */
     bool has_alpha;          /* write alpha; colours are not premultiplied */
 };
 
 /*
- * Encodes an image as RGB, or as RGBA if it has alpha, into memory: *data (malloc'd, freed by the
- * caller) of *size bytes. Writes an sRGB chunk and the texts (tEXt if they are ASCII, else iTXt in
- * UTF-8; names of at most 79 characters), but no timestamp. Logs and returns STATUS_TRY_AGAIN or
+ * Encodes an image as RGB, or RGBA if it has alpha, into memory: *data (malloc'd, freed by the
+ * caller) of *size bytes. Writes an sRGB chunk and the texts (ASCII as tEXt, else iTXt in UTF-8;
+ * names of at most 79 characters), but no timestamp. Logs and returns STATUS_TRY_AGAIN or
  * STATUS_FAILED; *data is then NULL.
  */
 MUST_USE enum status png_encode(const struct png_image_source *picture, void **data, size_t *size);
 
 /*
  * Reads a PNG file of any colour type into *image, which must be {0}: planes R, G and B, and A if
- * it has alpha or a transparent colour. Colours are decoded to linear and are not premultiplied.
- * 16-bit channels are rounded to 8 bits; files without a colour space are taken as sRGB. Limits,
- * errors and ownership are those of exr_read().
+ * it has alpha or a transparent colour. Colours become linear and are not premultiplied. 16-bit
+ * channels are rounded to 8 bits; files without a colour space are taken as sRGB. Limits, errors
+ * and ownership are those of exr_read().
  */
 MUST_USE enum status png_read(const char *path, struct image *image);
 
-/* Returns size and planes of the image that png_read() would return, from the header only. */
+/* Returns size and planes of what png_read() would return, from the file's header only. */
 MUST_USE enum status png_head(const char *path, struct image_header *head);
 
 /* Checks a whole file by the CRCs of its chunks, without decompressing texels, and returns its
  * header in *head, which the caller finishes. Errors are those of png_read(). */
 MUST_USE enum status png_check(const char *path, struct image_header *head);
 
-/* Returns true if a file with header `head` could be png_encode()'s output for the image: same
- * size, channels and texts. Texels, which may be NULL, are not compared. */
+/* Returns true if `head` matches what png_encode() writes for the image: same size, channels and
+ * texts. Texels may be NULL and are not compared. */
 bool png_matches(const struct image_header *head, const struct png_image_source *picture);
 
 #endif

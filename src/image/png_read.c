@@ -13,8 +13,8 @@ static enum status out_of_memory(const char *path, const png_image *png)
     return STATUS_TRY_AGAIN;
 }
 
-/* Returns true if all chunks end within the file. libpng allocates and clears a chunk's memory
- * before it reads it: up to 2 GiB for a file of a few bytes. */
+/* Returns true if all chunks end within the file. Without this check, libpng would allocate and
+ * clear up to 2 GiB for a chunk of a file of a few bytes. */
 static bool has_whole_chunks(FILE *file, int64_t size)
 {
     uint8_t head[8]; /* length, type */
@@ -74,7 +74,7 @@ static bool fill_image(struct image *image, const png_image *png, const uint8_t 
 
 static enum status read_texels(const char *path, png_image *png, struct image *image)
 {
-    png_image source = *png; /* keeps the file's format: has it alpha? */
+    png_image source = *png; /* the file's format, for has_alpha */
     uint8_t *rgba;
     enum status status = STATUS_OK;
 

@@ -1,7 +1,6 @@
 /*
- * png_write.c: writes PNG files with libpng's simplified interface, which needs no setjmp() but
- * lacks text metadata: text chunks are written and found by hand (PNG specification, 2nd edition,
- * 5.3).
+ * png_write.c: writes PNG files with libpng's simplified interface, which needs no setjmp(). Text
+ * chunks, which it lacks, are encoded here (PNG specification, 2nd edition, 5.3).
  */
 #include <assert.h>
 #include <png.h>
@@ -12,14 +11,12 @@
 #include "src/image/png.h"
 
 enum {
-    CHUNK_SIZE = 12, /* bytes of a chunk without data: length, type, CRC */
+    CHUNK_SIZE = 12, /* chunk overhead: length, type, CRC */
     NAME_MAX_LENGTH = 79,
     HEAD_SIZE = 8 + CHUNK_SIZE + 13, /* signature and IHDR */
 };
 
 static const uint8_t signature[8] = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
-
-/* ---- chunks ---- */
 
 static void write_u32(uint8_t *at, uint32_t value)
 {
@@ -32,7 +29,7 @@ static uint32_t read_u32(const uint8_t *at)
     return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3];
 }
 
-/* Returns the CRC-32 of ISO 3309, computed bitwise: fast enough next to the time of a rendering. */
+/* Returns the CRC-32 of ISO 3309, bitwise: fast enough compared with rendering. */
 static uint32_t crc32_of(const uint8_t *bytes, size_t size)
 {
     uint32_t sum = UINT32_MAX;
@@ -52,7 +49,7 @@ static uint8_t *begin_chunk(uint8_t *chunk, const char *type, size_t data_size)
     return chunk + 8;
 }
 
-/* Writes the chunk's CRC and returns the end of the chunk. */
+/* Writes a chunk's CRC and returns the end of the chunk. */
 static uint8_t *end_chunk(uint8_t *chunk)
 {
     const size_t data_size = read_u32(chunk);
@@ -60,7 +57,7 @@ static uint8_t *end_chunk(uint8_t *chunk)
     return chunk + CHUNK_SIZE + data_size;
 }
 
-/* Returns the size of the chunk at the start of `bytes`; 0 if it is incomplete or damaged. */
+/* Returns the size of the chunk at the start of `bytes`; 0 if it is truncated or damaged. */
 static size_t measure_chunk(const uint8_t *bytes, size_t size)
 {
     if (size < CHUNK_SIZE || read_u32(bytes) > size - CHUNK_SIZE)
@@ -75,8 +72,6 @@ static bool is_chunk(const uint8_t *chunk, const char *type)
 {
     return memcmp(chunk + 4, type, 4) == 0;
 }
-
-/* ---- text chunks ---- */
 
 static bool is_ascii(const char *text)
 {
@@ -114,16 +109,14 @@ static uint8_t *make_texts(const struct png_image_source *picture, size_t *size)
     return chunks;
 }
 
-/* ---- files ---- */
-
 static enum status out_of_memory(const struct png_image_source *picture)
 {
     log_error("out of memory for a PNG image of %u x %u pixels", picture->width, picture->height);
     return STATUS_TRY_AGAIN;
 }
 
-/* Replaces the gAMA chunk at the start of a 16-bit file by the sRGB chunk of 8-bit files: libpng
- * takes 16-bit input as linear and marks it so. */
+/* Replaces the gAMA chunk at the start of a 16-bit file by the sRGB chunk of 8-bit files, because
+ * libpng takes and marks 16-bit input as linear. */
 static void declare_srgb(uint8_t *bytes, size_t *size)
 {
     uint8_t *chunk = bytes + HEAD_SIZE;
@@ -135,7 +128,7 @@ static void declare_srgb(uint8_t *bytes, size_t *size)
     *size -= (size_t)(chunk + old_size - rest);
 }
 
-/* Returns a 16-bit channel, premultiplied: libpng divides by alpha, where that is 0 to white. */
+/* Returns a 16-bit channel, premultiplied because libpng divides by alpha. */
 static uint16_t texel_16(const struct png_image_source *picture, size_t i, size_t c)
 {
     const uint32_t value = picture->rgba_16[4 * i + c], alpha = picture->rgba_16[4 * i + 3];
@@ -168,7 +161,7 @@ static void *make_texels(const struct png_image_source *picture)
     return texels;
 }
 
-/* Encodes the image without text chunks into `bytes`, which is large enough. */
+/* Encodes an image without text chunks into `bytes`, which must be large enough. */
 static enum status encode_texels(const struct png_image_source *picture, uint8_t *bytes,
                                  size_t *size)
 {
@@ -284,7 +277,7 @@ static bool read_size(struct image_header *head, const uint8_t *chunk)
     return done;
 }
 
-/* Visits all chunks. Returns false if one is damaged, or when out of memory. */
+/* Parses all chunks of a file. Returns false if one is damaged, or when out of memory. */
 static bool read_chunks(struct image_header *head, const uint8_t *bytes, size_t size,
                         bool *is_out_of_memory)
 {

@@ -38,7 +38,7 @@ static void apply(const struct matrix *a, const double v[static 3], double resul
         result[i] = a->m[i][0] * v[0] + a->m[i][1] * v[1] + a->m[i][2] * v[2];
 }
 
-/* Returns the cofactor of an element: the signed determinant without its row and column. */
+/* Returns an element's cofactor: the signed determinant without its row and column. */
 static double cofactor(const struct matrix *a, int row, int column)
 {
     const int i = (row + 1) % 3, j = (row + 2) % 3, k = (column + 1) % 3, l = (column + 2) % 3;
@@ -67,7 +67,7 @@ static void xyz_of(const float at[static 2], double xyz[static 3])
     xyz[2] = (1.0 - x - y) / y;
 }
 
-/* Computes the matrix from linear RGB to XYZ, in which white has Y = 1. */
+/* Computes the matrix from linear RGB to XYZ; the white point has Y = 1. */
 static bool xyz_from_rgb(const struct primaries *p, struct matrix *matrix)
 {
     const float *const colors[3] = { p->red, p->green, p->blue };
@@ -92,7 +92,7 @@ static bool xyz_from_rgb(const struct primaries *p, struct matrix *matrix)
     return true;
 }
 
-/* Computes the chromatic adaptation matrix from XYZ under another white to XYZ under D65. */
+/* Computes the chromatic adaptation matrix from XYZ under `white` to XYZ under D65. */
 static bool adapt(const float white[static 2], struct matrix *matrix)
 {
     double from[3], to[3], from_cones[3], to_cones[3];

@@ -12,11 +12,11 @@ struct primaries {
 enum primaries_kind {
     PRIMARIES_REC709, /* equal within rounding */
     PRIMARIES_OTHER,
-    PRIMARIES_INVALID, /* degenerate: they span no colour space */
+    PRIMARIES_INVALID, /* degenerate colour space */
 };
 
 /* Computes the row-major matrix from linear colours with primaries `from` to Rec.709 (Bradford
- * adaptation: white stays white). It is the identity unless the result is PRIMARIES_OTHER. */
+ * adaptation: white stays white). It is the identity unless PRIMARIES_OTHER is returned. */
 enum primaries_kind primaries_to_rec709(const struct primaries *from, float matrix[static 9]);
 
 #endif

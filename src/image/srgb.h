@@ -2,8 +2,8 @@
 #ifndef FIRN_IMAGE_SRGB_H
 #define FIRN_IMAGE_SRGB_H
 
-/* Returns the linear value, 0 to 1, of an sRGB-encoded value, 0 to 1 (IEC 61966-2-1). */
+/* Converts an sRGB-encoded value to linear, both 0 to 1 (IEC 61966-2-1). */
 float srgb_decode(float encoded);
-float srgb_encode(float linear); /* inverse of srgb_decode(); clamps to 0 to 1 */
+float srgb_encode(float linear); /* inverse; clamps its result to 0..1 */
 
 #endif

@@ -5,10 +5,10 @@
 #include <string.h>
 
 enum {
-    GLYPHS_SIZE = 32768, /* bytes of glyph quads, enough for about 120 letters */
+    GLYPHS_SIZE = 32768, /* glyph quads of about 120 letters */
 };
 
-/* Vertex format of stb_easy_font_print(): four vertices per quad, clockwise from the top left. */
+/* Vertex of stb_easy_font_print(): four per quad, clockwise from the top left. */
 struct corner {
     float x, y, z;
     unsigned char color[4];
@@ -34,15 +34,15 @@ void canvas_fill(struct canvas *canvas, const uint32_t box[static 4], const uint
     }
 }
 
-void canvas_draw_image(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *picture)
+void canvas_draw_image(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *source)
 {
     if (x >= canvas->width)
         return;
     const uint32_t left = canvas->width - x;
-    const size_t size = 4 * (size_t)(picture->width < left ? picture->width : left);
-    for (uint32_t row = 0; row < picture->height && y + row < canvas->height; row++)
+    const size_t size = 4 * (size_t)(source->width < left ? source->width : left);
+    for (uint32_t row = 0; row < source->height && y + row < canvas->height; row++)
         memcpy(&canvas->rgba[4 * ((size_t)(y + row) * canvas->width + x)],
-               &picture->rgba[4 * (size_t)row * picture->width], size);
+               &source->rgba[4 * (size_t)row * source->width], size);
 }
 
 void canvas_draw_text(struct canvas *canvas, uint32_t x, uint32_t y, uint32_t scale,

@@ -1,4 +1,4 @@
-/* canvas.h: an RGBA image with functions to draw boxes, images and text. */
+/* canvas.h: RGBA image with functions to draw boxes, images and text. */
 #ifndef FIRN_LADDER_CANVAS_H
 #define FIRN_LADDER_CANVAS_H
 
@@ -6,25 +6,23 @@
 #include <stdint.h>
 
 enum {
-    CANVAS_TEXT_HEIGHT = 12 /* line height in pixels at scale 1 */
+    CANVAS_TEXT_HEIGHT = 12 /* height of a text line, pixels */
 };
 
 struct canvas {
     uint32_t width, height; /* pixels */
-    uint8_t *rgba;          /* sRGB-encoded, rows from top to bottom, opaque */
+    uint8_t *rgba;          /* opaque sRGB, rows top to bottom */
 };
 
-/* Allocates a canvas filled with a grey, which the caller frees. Returns false when out of memory.
- */
+/* Allocates a grey canvas, which the caller frees. Returns false when out of memory. */
 bool canvas_init(struct canvas *canvas, uint32_t width, uint32_t height, uint8_t grey);
 
-/* Draw a filled box, or an image with its top left corner at (x, y). `box` is left, top, width and
- * height in pixels. All drawing is clipped to the canvas. */
+/* Fills a box (left, top, width, height in pixels); canvas_draw_image() copies an image to (x, y).
+ * All drawing is clipped to the canvas. */
 void canvas_fill(struct canvas *canvas, const uint32_t box[static 4], const uint8_t rgb[static 3]);
-void canvas_draw_image(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *picture);
+void canvas_draw_image(struct canvas *canvas, uint32_t x, uint32_t y, const struct canvas *source);
 
-/* Draws light ASCII text at (x, y), its top left corner; each font pixel is scale * scale pixels.
- */
+/* Draws light ASCII text, top left corner at (x, y), with font pixels of scale * scale pixels. */
 void canvas_draw_text(struct canvas *canvas, uint32_t x, uint32_t y, uint32_t scale,
                       const char *text);
 

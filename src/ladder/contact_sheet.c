@@ -1,4 +1,4 @@
-/* contact_sheet.c: writes all images as a PNG contact sheet or as layers of an EXR file. */
+/* contact_sheet.c: encodes all images as a PNG contact sheet or as layers of an EXR file. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,8 +13,8 @@
 enum {
     COLUMNS = 2,    /* cells per row */
     MARGIN = 8,     /* pixels */
-    LABEL = 330,    /* width of a label at scale 1, in pixels; also the minimum width of a cell */
-    TEXT_SCALE = 2, /* text scale in cells that are wide enough */
+    LABEL = 330,    /* minimum cell width: width of a label at scale 1 */
+    TEXT_SCALE = 2, /* text scale in wide cells */
     GREY = 34,
 };
 
@@ -57,8 +57,8 @@ static void write_label(struct canvas *canvas, uint32_t x, uint32_t y, const str
     canvas_draw_text(canvas, x, y, letter_scale(ladder), text);
 }
 
-static bool put_errors(struct canvas *canvas, uint32_t x, uint32_t y, const struct ladder *ladder,
-                       const float *errors)
+static bool draw_errors(struct canvas *canvas, uint32_t x, uint32_t y, const struct ladder *ladder,
+                        const float *errors)
 {
     struct canvas picture;
     if (!canvas_init(&picture, ladder->width, ladder->height, 0))
@@ -70,7 +70,7 @@ static bool put_errors(struct canvas *canvas, uint32_t x, uint32_t y, const stru
     return true;
 }
 
-static void put_reference(struct canvas *canvas, const struct ladder *ladder)
+static void draw_reference(struct canvas *canvas, const struct ladder *ladder)
 {
     const struct canvas picture = { ladder->width, ladder->height, ladder->reference.rgba };
     uint32_t x, y;
@@ -83,7 +83,7 @@ static void put_reference(struct canvas *canvas, const struct ladder *ladder)
                letter_scale(ladder));
 }
 
-static bool put_model(struct canvas *canvas, const struct ladder *ladder, uint32_t index)
+static bool draw_model(struct canvas *canvas, const struct ladder *ladder, uint32_t index)
 {
     const struct ladder_model *model = &ladder->refraction_models[index];
     const struct canvas picture = { ladder->width, ladder->height, model->result.rgba };
@@ -91,8 +91,8 @@ static bool put_model(struct canvas *canvas, const struct ladder *ladder, uint32
     cell_origin(ladder, index + 1, &x, &y);
     write_label(canvas, x, y, ladder, model);
     canvas_draw_image(canvas, x, y + label_height(ladder), &picture);
-    return put_errors(canvas, x + ladder->width + MARGIN, y + label_height(ladder), ladder,
-                      model->flip);
+    return draw_errors(canvas, x + ladder->width + MARGIN, y + label_height(ladder), ladder,
+                       model->flip);
 }
 
 enum status ladder_sheet(const struct ladder_report *report, void **data, size_t *size)
@@ -105,9 +105,9 @@ enum status ladder_sheet(const struct ladder_report *report, void **data, size_t
     bool ok = canvas_init(&canvas, COLUMNS * (cell_width(l) + 2 * MARGIN),
                           rows * (l->height + label_height(l) + MARGIN) + MARGIN, GREY);
     if (ok)
-        put_reference(&canvas, l);
+        draw_reference(&canvas, l);
     for (uint32_t i = 0; i < l->refraction_model_count && ok; i++)
-        ok = put_model(&canvas, l, i);
+        ok = draw_model(&canvas, l, i);
     const struct png_image_source picture = {
         .rgba = canvas.rgba,
         .width = canvas.width,
@@ -118,7 +118,7 @@ enum status ladder_sheet(const struct ladder_report *report, void **data, size_t
     return status;
 }
 
-/* Adds a plane with borrowed texels, which are not const in struct image_plane but not modified. */
+/* Adds a plane with borrowed texels, which are not modified despite their type. */
 static void add_plane(struct image *image, const char *layer, const char *name,
                       float *texels) /* NOLINT(readability-non-const-parameter) */
 {

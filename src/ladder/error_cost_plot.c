@@ -23,11 +23,11 @@ static const char style[] =
     "@media(prefers-color-scheme:dark){svg{background:rgb(22 24 28);color:rgb(221 221 221)}"
     "circle{fill:rgb(109 179 255)}}";
 
-/* smallest error that is drawn, since the axis is logarithmic */
-static const double least_error = 1e-4;
-static const double margin = 1.4; /* factor between the outermost points and the ends of an axis */
+/* lower end of the logarithmic error axis */
+static const double error_min = 1e-4;
+static const double margin = 1.4; /* axis range beyond the points, factor */
 
-/* A logarithmic axis from the value `low` at pixel `start` to `high` at pixel `end`. */
+/* Logarithmic axis: value `low` is at pixel `start`, `high` at `end`. */
 struct axis {
     double low, high, start, end;
 };
@@ -40,7 +40,7 @@ static double to_pixel(const struct axis *axis, double value)
 
 static double error_of(const struct ladder_model *model)
 {
-    return fmax(model->error.flip, least_error);
+    return fmax(model->error.flip, error_min);
 }
 
 static void extend(struct axis *axis, double value)
@@ -49,7 +49,7 @@ static void extend(struct axis *axis, double value)
     axis->high = fmax(axis->high, value * margin);
 }
 
-static void put_tick_across(const struct axis *x, const struct axis *y, double value, FILE *out)
+static void draw_x_tick(const struct axis *x, const struct axis *y, double value, FILE *out)
 {
     const double at = to_pixel(x, value);
     fprintf(out,
@@ -58,7 +58,7 @@ static void put_tick_across(const struct axis *x, const struct axis *y, double v
             at, y->start, at, y->end, at, y->start + 18, value);
 }
 
-static void put_tick_up(const struct axis *x, const struct axis *y, double value, FILE *out)
+static void draw_y_tick(const struct axis *x, const struct axis *y, double value, FILE *out)
 {
     const double at = to_pixel(y, value);
     fprintf(out,
@@ -68,23 +68,23 @@ static void put_tick_up(const struct axis *x, const struct axis *y, double value
 }
 
 /* Draws ticks at 1, 2 and 5 times powers of ten. */
-static void put_ticks(const struct axis *x, const struct axis *y, FILE *out)
+static void draw_ticks(const struct axis *x, const struct axis *y, FILE *out)
 {
     static const double steps[] = { 1.0, 2.0, 5.0 };
     for (int power = -6; power <= 6; power++) {
         for (size_t i = 0; i < sizeof(steps) / sizeof(steps[0]); i++) {
             const double value = steps[i] * pow(10.0, power);
             if (value >= x->low && value <= x->high)
-                put_tick_across(x, y, value, out);
+                draw_x_tick(x, y, value, out);
             if (value >= y->low && value <= y->high)
-                put_tick_up(x, y, value, out);
+                draw_y_tick(x, y, value, out);
         }
     }
 }
 
-static void put_frame(const struct axis *x, const struct axis *y, const char *base, FILE *out)
+static void draw_frame(const struct axis *x, const struct axis *y, const char *base, FILE *out)
 {
-    put_ticks(x, y, out);
+    draw_ticks(x, y, out);
     fprintf(out,
             "<path class=\"axis\" d=\"M%.1f %.1fV%.1fH%.1f\"/>\n"
             "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">cost relative to %s</text>\n"
@@ -94,18 +94,18 @@ static void put_frame(const struct axis *x, const struct axis *y, const char *ba
             (y->start + y->end) / 2);
 }
 
-/* Position of a label: its start, or its end if it is left of its point. */
+/* Text label of a point; right-aligned if it is left of the point. */
 struct label {
     double x, y;
-    bool to_the_left;
+    bool is_left;
 };
 
-/* Places a label beside its point, moved below all labels that it would overlap. */
-static struct label place_label(const struct axis *x, double across, double up,
-                                const struct label *others, uint32_t count)
+/* Positions a label beside its point, then moves it down until it overlaps no other label. */
+static struct label position_label(const struct axis *x, double across, double up,
+                                   const struct label *others, uint32_t count)
 {
     struct label label = { across + 9, up - 6, across > x->start + (x->end - x->start) * 0.8 };
-    if (label.to_the_left)
+    if (label.is_left)
         label.x = across - 9;
     for (uint32_t i = 0; i < count; i++) {
         const bool overlaps =
@@ -113,27 +113,27 @@ static struct label place_label(const struct axis *x, double across, double up,
         if (!overlaps)
             continue;
         label.y = others[i].y + LABEL_HEIGHT;
-        i = UINT32_MAX; /* restarts the loop: checks all labels again */
+        i = UINT32_MAX; /* checks all labels again */
     }
     return label;
 }
 
-static void put_point(const struct axis *x, const struct axis *y, const struct ladder *ladder,
-                      uint32_t index, struct label labels[static LADDER_MODEL_COUNT], FILE *out)
+static void draw_point(const struct axis *x, const struct axis *y, const struct ladder *ladder,
+                       uint32_t index, struct label labels[static LADDER_MODEL_COUNT], FILE *out)
 {
     const struct ladder_model *model = &ladder->refraction_models[index];
     const double ratio = ladder_cost_ratio(ladder, model);
     const double across = to_pixel(x, ratio), up = to_pixel(y, error_of(model));
-    labels[index] = place_label(x, across, up, labels, index);
+    labels[index] = position_label(x, across, up, labels, index);
     fprintf(out,
             "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"5\"><title>%s: FLIP %.4f, cost %.2f</title>"
             "</circle><text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">%s</text>\n",
             across, up, model->refraction->refraction.name, model->error.flip, ratio,
-            labels[index].x, labels[index].y, labels[index].to_the_left ? "end" : "start",
+            labels[index].x, labels[index].y, labels[index].is_left ? "end" : "start",
             model->refraction->refraction.name);
 }
 
-static void put_points(const struct ladder *ladder, FILE *out)
+static void draw_points(const struct ladder *ladder, FILE *out)
 {
     struct label labels[LADDER_MODEL_COUNT];
     struct axis x = { 1.0 / margin, margin, LEFT, WIDTH - RIGHT };
@@ -142,9 +142,9 @@ static void put_points(const struct ladder *ladder, FILE *out)
         extend(&x, ladder_cost_ratio(ladder, &ladder->refraction_models[i]));
         extend(&y, error_of(&ladder->refraction_models[i]));
     }
-    put_frame(&x, &y, ladder_base(ladder)->refraction->refraction.name, out);
+    draw_frame(&x, &y, ladder_base(ladder)->refraction->refraction.name, out);
     for (uint32_t i = 0; i < ladder->refraction_model_count; i++)
-        put_point(&x, &y, ladder, i, labels, out);
+        draw_point(&x, &y, ladder, i, labels, out);
 }
 
 static void print(const struct ladder *ladder, FILE *out)
@@ -154,7 +154,7 @@ static void print(const struct ladder *ladder, FILE *out)
             "aria-label=\"FLIP against cost\">\n<style>%s</style>\n",
             WIDTH, HEIGHT, style);
     if (ladder_base(ladder)->cost > 0.0)
-        put_points(ladder, out);
+        draw_points(ladder, out);
     else
         fputs("<text x=\"20\" y=\"40\">no measured costs (--runs 0)</text>\n", out);
     fputs("</svg>\n", out);

@@ -8,14 +8,15 @@ static struct furnace_row measure(const char *name, const struct image *image,
                                   const struct image *reference)
 {
     static const char *const colors[3] = { "R", "G", "B" };
-    static const char *const rests[3] = { "remaining.R", "remaining.G", "remaining.B" };
+    static const char *const remaining_names[3] = { "remaining.R", "remaining.G", "remaining.B" };
     const float *path = image_find(reference, "path.Z");
-    const float *color[3], *rest[3];
-    struct furnace_row row = { .name = name, .least = (double)INFINITY };
+    const float *color[3], *remaining_planes[3];
+    struct furnace_row row = { .name = name, .min = (double)INFINITY };
     uint64_t count = 0;
     for (int c = 0; c < 3; c++) {
         color[c] = image_find(image, colors[c]);
-        rest[c] = image_find(image, rests[c]); /* NULL for refraction models */
+        remaining_planes[c] =
+            image_find(image, remaining_names[c]); /* NULL for refraction models */
     }
     for (size_t i = 0; i < (size_t)image->width * image->height; i++) {
         bool is_off = false;
@@ -23,9 +24,9 @@ static struct furnace_row measure(const char *name, const struct image *image,
             continue;
         for (int c = 0; c < 3; c++) {
             const double value = (double)color[c][i];
-            const double remaining = rest[c] ? (double)rest[c][i] : 0.0;
-            row.least = fmin(row.least, value);
-            row.greatest = fmax(row.greatest, value);
+            const double remaining = remaining_planes[c] ? (double)remaining_planes[c][i] : 0.0;
+            row.min = fmin(row.min, value);
+            row.max = fmax(row.max, value);
             row.remaining = fmax(row.remaining, remaining);
             row.mean += value;
             is_off = is_off || !(fabs(value + remaining - 1.0) <= furnace_tolerance);
@@ -63,8 +64,8 @@ void furnace_print(const struct furnace *furnace, FILE *out)
             "remaining", "pixels off");
     for (uint32_t i = 0; i < furnace->row_count; i++) {
         const struct furnace_row *row = &furnace->rows[i];
-        fprintf(out, "%-12s %10.6f %10.6f %10.6f %10.6f %10llu\n", row->name, row->least, row->mean,
-                row->greatest, row->remaining, (unsigned long long)row->off);
+        fprintf(out, "%-12s %10.6f %10.6f %10.6f %10.6f %10llu\n", row->name, row->min, row->mean,
+                row->max, row->remaining, (unsigned long long)row->off);
     }
     fprintf(out,
             "\nThe environment has radiance 1 everywhere. The object covers %llu pixels; a pixel "

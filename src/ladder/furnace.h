@@ -1,9 +1,7 @@
 /*
  * furnace.h: the white furnace test, which checks energy conservation: in an environment of
- * radiance 1, an object that neither absorbs nor emits light must have radiance 1 everywhere.
- *
- * The weights of reflection and refraction must add up to 1. Any deviation is energy that a
- * refraction model or the reference loses or creates.
+ * radiance 1, an object that neither absorbs nor emits light must have radiance 1 everywhere. Any
+ * deviation is energy that a refraction model or the reference loses or creates.
  */
 #ifndef FIRN_LADDER_FURNACE_H
 #define FIRN_LADDER_FURNACE_H
@@ -11,15 +9,15 @@
 #include <stdio.h>
 #include "src/ladder/model_comparison.h"
 
-/* Largest deviation from 1 at which a pixel passes. */
+/* Maximum deviation from 1 at which a pixel passes. */
 extern const double furnace_tolerance;
 
-/* Statistics of R, G and B over the object's pixels. */
+/* Furnace test statistics over R, G and B of the object's pixels. */
 struct furnace_row {
     const char *name;
-    double least, mean, greatest;
-    double remaining; /* maximum throughput of terminated rays of the reference */
-    uint64_t off;     /* pixels in which radiance and remaining throughput do not add up to 1 */
+    double min, mean, max;
+    double remaining; /* maximum of the layer `remaining` */
+    uint64_t off;     /* pixels that fail the test */
 };
 
 struct furnace {
@@ -28,10 +26,10 @@ struct furnace {
     uint64_t pixel_count;
 };
 
-/* Measures a comparison that was rendered in a white environment. Names are borrowed. */
+/* Evaluates the furnace test on a comparison rendered in a white environment. Borrows names. */
 struct furnace furnace_measure(const struct ladder *ladder);
 
-/* Returns true if every pixel passes. */
+/* Returns true if every pixel passes the furnace test. */
 bool furnace_holds(const struct furnace *furnace);
 
 void furnace_print(const struct furnace *furnace, FILE *out);

@@ -1,4 +1,4 @@
-/* html_report.c: writes table, plot, image slider and contact sheet as one self-contained HTML. */
+/* html_report.c: writes table, plot, image slider and contact sheet as one HTML file. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +23,7 @@ static const char head[] =
     "#ab [hidden]{display:none}\n"
     "#at{width:16rem;vertical-align:middle}\nlabel{margin-right:1.5rem}\n</style>\n";
 
-/* Comparison slider: the divider follows the mouse or, with the keyboard, the range input. */
+/* Script of the image slider: the divider follows the mouse or the range input (keyboard). */
 static const char script[] =
     "<script>\n\"use strict\";\n"
     "const ab = document.getElementById(\"ab\"), at = document.getElementById(\"at\");\n"
@@ -43,15 +43,14 @@ static const char script[] =
     "rung.addEventListener(\"input\", show);\n"
     "show();\n</script>\n";
 
-/* A PNG file in memory: the image of the reference or of a refraction model. */
+/* PNG file in memory, of the reference or of a refraction model. */
 struct encoded {
     void *data;
     size_t size;
 };
 
-/* Writes text with HTML's special characters escaped, since file names may contain any character.
- */
-static void put_text(const char *text, FILE *out)
+/* Writes text with HTML escapes, since file names may contain any character. */
+static void write_escaped(const char *text, FILE *out)
 {
     for (; *text; text++) {
         if (*text == '<' || *text == '&' || *text == '>')
@@ -62,7 +61,7 @@ static void put_text(const char *text, FILE *out)
 }
 
 /* Writes data in base64 (RFC 4648). */
-static void put_base64(const uint8_t *data, size_t size, FILE *out)
+static void write_base64(const uint8_t *data, size_t size, FILE *out)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < size; i += 3) {
@@ -77,7 +76,7 @@ static void put_base64(const uint8_t *data, size_t size, FILE *out)
     }
 }
 
-static void put_number(double number, int digits, FILE *out)
+static void write_number(double number, int digits, FILE *out)
 {
     if (isnan(number))
         fputs("<td>–", out);
@@ -85,7 +84,7 @@ static void put_number(double number, int digits, FILE *out)
         fprintf(out, "<td>%.*f", digits, number);
 }
 
-static void put_table(const struct ladder *ladder, FILE *out)
+static void write_table(const struct ladder *ladder, FILE *out)
 {
     fputs("<table>\n<tr><th>model<th>FLIP<th>MAE<th>refracted<th>reflected<th>trapped", out);
     for (int c = 0; c < LADDER_INCLUSION_COUNT && ladder->is_whole; c++)
@@ -95,41 +94,41 @@ static void put_table(const struct ladder *ladder, FILE *out)
         const struct ladder_model *model = &ladder->refraction_models[i];
         const struct ladder_error *e = &model->error;
         fprintf(out, "<tr><td>%s", model->refraction->refraction.name);
-        put_number(e->flip, 4, out);
-        put_number(e->mae, 4, out);
+        write_number(e->flip, 4, out);
+        write_number(e->mae, 4, out);
         for (int c = 0; c < LADDER_PATH_CLASS_COUNT; c++)
-            put_number(e->path_class_mae[c], 4, out);
+            write_number(e->path_class_mae[c], 4, out);
         for (int c = 0; c < LADDER_INCLUSION_COUNT && ladder->is_whole; c++)
-            put_number(e->inclusion_mae[c], 4, out);
-        put_number(e->rmse, 4, out);
-        put_number(e->angle, 3, out);
-        put_number(e->angle_95, 3, out);
-        put_number(100.0 * e->tir_differs, 1, out);
+            write_number(e->inclusion_mae[c], 4, out);
+        write_number(e->rmse, 4, out);
+        write_number(e->angle, 3, out);
+        write_number(e->angle_95, 3, out);
+        write_number(100.0 * e->tir_differs, 1, out);
         fputs(isnan(e->tir_differs) ? "" : " %", out);
-        put_number(model->cost > 0.0 ? model->cost : (double)NAN, 2, out);
-        put_number(ladder_cost_ratio(ladder, model), 2, out);
+        write_number(model->cost > 0.0 ? model->cost : (double)NAN, 2, out);
+        write_number(ladder_cost_ratio(ladder, model), 2, out);
         putc('\n', out);
     }
     fputs("</table>\n", out);
 }
 
-static void put_head(const struct ladder_report *report, FILE *out)
+static void write_header(const struct ladder_report *report, FILE *out)
 {
     const struct ladder *l = report->ladder;
     fputs(head, out);
     fputs("<h1>Error of each refraction model against the path-traced reference</h1>\n<p><code>",
           out);
-    put_text(report->command, out);
+    write_escaped(report->command, out);
     fprintf(out,
             "</code>\n<p>%u × %u pixels; the object covers %llu, %llu of them without total "
             "reflection. Reference: ",
             l->width, l->height, (unsigned long long)l->object_count,
-            (unsigned long long)l->straight_count);
-    put_text(l->tracer, out);
+            (unsigned long long)l->angle_count);
+    write_escaped(l->tracer, out);
     fprintf(out, ", %.1f s.", l->reference_cost * 1e-3);
     if (report->device) {
         fputs(" GPU: ", out);
-        put_text(report->device, out);
+        write_escaped(report->device, out);
         putc('.', out);
     }
     putc('\n', out);
@@ -145,16 +144,17 @@ static const char notes[] =
     "total reflection. Other class: pixels with total reflection in only one of the two images. "
     "Cost: median frame time relative to ";
 
-static void put_image(const char *attributes, const char *alt, const struct encoded *png, FILE *out)
+static void write_image(const char *attributes, const char *alt, const struct encoded *png,
+                        FILE *out)
 {
     fprintf(out, "<img %s alt=\"%s\" src=\"data:image/png;base64,", attributes, alt);
-    put_base64(png->data, png->size, out);
+    write_base64(png->data, png->size, out);
     fputs("\">\n", out);
 }
 
-/* Writes the comparison slider: a refraction model left of the divider, the reference right of it.
- * `pictures` begins with that of the reference. Without JavaScript the last model is shown. */
-static void put_slider(const struct ladder *ladder, const struct encoded *pictures, FILE *out)
+/* Writes the image slider: a model left of the divider, the reference right of it. Image 0 is the
+ * reference. Without JavaScript the last model is shown. */
+static void write_slider(const struct ladder *ladder, const struct encoded *images, FILE *out)
 {
     fputs("<h2>Side by side</h2>\n<p><label>Left of the divider: <select id=\"rung\">\n", out);
     for (uint32_t i = 0; i < ladder->refraction_model_count; i++) {
@@ -170,14 +170,14 @@ static void put_slider(const struct ladder *ladder, const struct encoded *pictur
         "it is the reference. The divider follows the mouse, or the arrow keys.\n"
         "<div id=\"ab\" style=\"--at:50%\">\n",
         out);
-    put_image("class=\"truth\"", "reference", &pictures[0], out);
+    write_image("class=\"truth\"", "reference", &images[0], out);
     for (uint32_t i = 0; i < ladder->refraction_model_count; i++)
-        put_image("class=\"rung\"", ladder->refraction_models[i].refraction->refraction.name,
-                  &pictures[i + 1], out);
+        write_image("class=\"rung\"", ladder->refraction_models[i].refraction->refraction.name,
+                    &images[i + 1], out);
     fprintf(out, "</div>\n%s", script);
 }
 
-static enum status encode_pictures(const struct ladder *ladder, struct encoded *pictures)
+static enum status encode_images(const struct ladder *ladder, struct encoded *images)
 {
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i <= ladder->refraction_model_count && status == STATUS_OK; i++) {
@@ -186,42 +186,42 @@ static enum status encode_pictures(const struct ladder *ladder, struct encoded *
             .width = ladder->width,
             .height = ladder->height,
         };
-        status = png_encode(&picture, &pictures[i].data, &pictures[i].size);
+        status = png_encode(&picture, &images[i].data, &images[i].size);
     }
     return status;
 }
 
-static void put_page(const struct ladder_report *report, const char *svg,
-                     const struct encoded *pictures, const struct encoded *sheet, FILE *out)
+static void write_page(const struct ladder_report *report, const char *svg,
+                       const struct encoded *images, const struct encoded *sheet, FILE *out)
 {
     const struct ladder_model *base = ladder_base(report->ladder);
-    put_head(report, out);
-    put_table(report->ladder, out);
+    write_header(report, out);
+    write_table(report->ladder, out);
     fprintf(out, "%s%s, with the frames of all models interleaved.\n%s", notes,
             base->refraction->refraction.name, base->cost > 0.0 ? svg : "");
-    put_slider(report->ladder, pictures, out);
+    write_slider(report->ladder, images, out);
     fputs("<h2>Images</h2>\n<p>Each image is followed by its FLIP error map in the colours of the "
           "scale.\n",
           out);
-    put_image("id=\"sheet\"", "contact sheet", sheet, out);
+    write_image("id=\"sheet\"", "contact sheet", sheet, out);
     fputs("</html>\n", out);
 }
 
 enum status ladder_page(const struct ladder_report *report, char **text, size_t *size)
 {
-    struct encoded pictures[LADDER_MODEL_COUNT + 1] = { 0 };
+    struct encoded images[LADDER_MODEL_COUNT + 1] = { 0 };
     struct encoded sheet = { 0 };
     char *svg = NULL;
     size_t svg_size;
     *text = NULL;
     enum status status = ladder_sheet(report, &sheet.data, &sheet.size);
     if (status == STATUS_OK)
-        status = encode_pictures(report->ladder, pictures);
+        status = encode_images(report->ladder, images);
     if (status == STATUS_OK)
         status = ladder_svg(report, &svg, &svg_size);
     FILE *out = status == STATUS_OK ? open_memstream(text, size) : NULL;
     if (out)
-        put_page(report, svg, pictures, &sheet, out);
+        write_page(report, svg, images, &sheet, out);
     if (status == STATUS_OK && (!out || fclose(out))) {
         free(*text);
         *text = NULL;
@@ -230,6 +230,6 @@ enum status ladder_page(const struct ladder_report *report, char **text, size_t 
     free(svg);
     free(sheet.data);
     for (uint32_t i = 0; i <= report->ladder->refraction_model_count; i++)
-        free(pictures[i].data);
+        free(images[i].data);
     return status;
 }

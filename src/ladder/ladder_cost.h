@@ -7,14 +7,14 @@
 struct ladder_cost_request {
     const struct renderer_params *renderers; /* copied, with `keep` set */
     uint32_t count;                          /* number of renderers */
-    uint32_t run_count;                      /* timed runs, at least 1, after one warm-up run */
+    uint32_t run_count;                      /* timed runs after a warm-up run */
     struct renderer_shot shot;
 };
 
 /*
- * Renders the shot with each renderer in turn, run_count times, and measures the time from the call
- * to completion on the GPU, without readback. costs[i] receives the median of renderer i in
- * milliseconds. Renderers alternate, so that other load on the machine affects all of them equally.
+ * Measures each renderer's frame time, from the call to completion on the GPU, without readback.
+ * costs[i] receives the median of renderer i over run_count runs, in milliseconds. Renderers
+ * alternate, so that other load on the machine affects all of them equally.
  */
 MUST_USE enum status ladder_cost(const struct ladder_cost_request *request, double *costs,
                                  renderer_progress_fn *progress, void *user);

@@ -7,7 +7,7 @@ enum {
     TICKS = 5,
     TICK_LENGTH = 8,    /* pixels */
     NUMBER_COLUMNS = 4, /* characters of a number, "0.25" */
-    LETTER = 7,         /* maximum width of a character at scale 1, pixels */
+    LETTER = 7,         /* maximum character width at scale 1, pixels */
 };
 
 uint32_t legend_numbers(uint32_t scale)
@@ -19,7 +19,7 @@ void legend_put(struct canvas *canvas, const uint32_t box[static 4], uint32_t sc
 {
     const uint32_t x = box[0], y = box[1], width = box[2], height = box[3];
     const uint32_t line = scale * CANVAS_TEXT_HEIGHT;
-    const uint32_t ticks = height >= TICKS * line ? TICKS : 2; /* only the ends if the bar is low */
+    const uint32_t ticks = height >= TICKS * line ? TICKS : 2; /* a low bar has end ticks */
     uint8_t rgb[3];
     for (uint32_t row = 0; row < height; row++) {
         heat_map_srgb(1.0f - ((float)row + 0.5f) / (float)height, rgb);

@@ -1,5 +1,4 @@
-/* model_comparison.c: renders every refraction model, traces the reference, and measures the
- * errors. */
+/* model_comparison.c: renders refraction models and the reference, and measures errors. */
 #include "src/ladder/model_comparison.h"
 #include <math.h>
 #include <stdio.h>
@@ -50,7 +49,7 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
     return !work->progress || work->progress(work->user, work->stage, done, all);
 }
 
-/* Returns the bit mask of the layers that the comparison needs. */
+/* Returns the bit mask of layers needed from the reference or from a model. */
 static uint32_t find_layers(bool of_reference)
 {
     static const char *const names[] = {
@@ -65,7 +64,7 @@ static uint32_t find_layers(bool of_reference)
     return bits;
 }
 
-/* Rounds values to half precision, as image files do, so that errors equal those of `firn diff`. */
+/* Rounds values to half floats, as image files do, so that errors equal those of `firn diff`. */
 static void round_to_half(const struct image *image)
 {
     for (uint32_t p = 0; p < image->plane_count; p++) {
@@ -136,9 +135,10 @@ static enum status draw(struct ladder_model *model, const struct ladder_params *
     return status;
 }
 
-/* Masks of the pixels over which each error is measured. */
+/* Masks of the pixels that each error metric covers. */
 struct masks {
-    bool *object, *straight, *causes[LADDER_PATH_CLASS_COUNT], *inclusions[LADDER_INCLUSION_COUNT];
+    bool *object, *untrapped, *path_classes[LADDER_PATH_CLASS_COUNT],
+        *inclusions[LADDER_INCLUSION_COUNT];
     const bool *truth;
 };
 
@@ -147,15 +147,15 @@ static enum ladder_path_class class_of(float bounces)
     return bounces < 0.5f ? LADDER_REFRACTED : bounces < 1.5f ? LADDER_REFLECTED : LADDER_TRAPPED;
 }
 
-/* Returns true if a path with the bits `met` (enum reference_inclusion) hit a kind of inclusion. */
-static bool has_inclusion(uint32_t met, uint32_t inclusion)
+/* Returns true if `hit_bits` (enum reference_inclusion) contain an inclusion class. */
+static bool has_inclusion(uint32_t hit_bits, uint32_t inclusion)
 {
     static const uint32_t bits[LADDER_INCLUSION_COUNT] = {
         [LADDER_BUBBLES] = REFERENCE_INCLUSION_BUBBLES,
         [LADDER_CRACKS] = REFERENCE_INCLUSION_CRACKS,
         [LADDER_AIR] = REFERENCE_INCLUSION_AIR,
     };
-    return inclusion == LADDER_CLEAR ? met == 0 : met & bits[inclusion];
+    return inclusion == LADDER_CLEAR ? hit_bits == 0 : hit_bits & bits[inclusion];
 }
 
 static enum status make_masks(struct masks *masks, struct ladder *ladder,
@@ -165,31 +165,31 @@ static enum status make_masks(struct masks *masks, struct ladder *ladder,
     const float *tir = image_find(&ladder->reference.image, "tir.Z");
     const float *bounces = image_find(&ladder->reference.image, "bounces.Z");
     const size_t count = pixel_count(ladder);
-    const float *met = image_find(&ladder->reference.image, "inclusions.Z");
+    const float *hit_bits = image_find(&ladder->reference.image, "inclusions.Z");
     masks->object = calloc((2 + LADDER_PATH_CLASS_COUNT + LADDER_INCLUSION_COUNT) * count,
                            sizeof(*masks->object));
-    if (!masks->object || !path || !tir || !bounces || !met)
+    if (!masks->object || !path || !tir || !bounces || !hit_bits)
         return log_out_of_memory(NULL);
-    masks->straight = masks->object + count;
+    masks->untrapped = masks->object + count;
     for (size_t c = 0; c < LADDER_PATH_CLASS_COUNT; c++)
-        masks->causes[c] = masks->object + (2 + c) * count;
+        masks->path_classes[c] = masks->object + (2 + c) * count;
     for (size_t c = 0; c < LADDER_INCLUSION_COUNT; c++)
         masks->inclusions[c] = masks->object + (2 + LADDER_PATH_CLASS_COUNT + c) * count;
     masks->truth = params->truth_counted ? params->truth_counted : masks->object;
     for (size_t i = 0; i < count; i++) {
         masks->object[i] = path[i] > 0.0f;
-        masks->straight[i] = masks->object[i] && tir[i] == 0.0f;
+        masks->untrapped[i] = masks->object[i] && tir[i] == 0.0f;
         if (masks->object[i]) {
             const enum ladder_path_class cause = class_of(bounces[i]);
-            masks->causes[cause][i] = true;
+            masks->path_classes[cause][i] = true;
             ladder->path_class_counts[cause]++;
         }
         for (uint32_t c = 0; c < LADDER_INCLUSION_COUNT && masks->object[i]; c++) {
-            masks->inclusions[c][i] = has_inclusion((uint32_t)met[i], c);
+            masks->inclusions[c][i] = has_inclusion((uint32_t)hit_bits[i], c);
             ladder->inclusion_counts[c] += masks->inclusions[c][i];
         }
         ladder->object_count += masks->object[i];
-        ladder->straight_count += masks->straight[i];
+        ladder->angle_count += masks->untrapped[i];
     }
     return STATUS_OK;
 }
@@ -219,7 +219,7 @@ static enum status measure_flip(struct ladder_model *model, const struct ladder 
 static enum status measure_angle(struct ladder_model *model, const struct ladder *ladder,
                                  const struct masks *masks)
 {
-    struct angle_pair pair = { .counted = masks->straight, .pixel_count = pixel_count(ladder) };
+    struct angle_pair pair = { .counted = masks->untrapped, .pixel_count = pixel_count(ladder) };
     struct angle angle;
     find_planes(&ladder->reference.image, directions, pair.reference);
     find_planes(&model->result.image, directions, pair.test);
@@ -254,7 +254,7 @@ static struct difference measure_colors(const struct image *a, const struct imag
     return difference;
 }
 
-/* Returns the MAE against an image of another renderer; NaN if there is none. */
+/* Returns the MAE against another renderer's image; NaN if there is none. */
 static double measure_truth(const struct image *image, const struct image *truth,
                             const struct masks *masks)
 {
@@ -275,7 +275,7 @@ static enum status compare(struct ladder_model *model, const struct ladder *ladd
     model->error.rmse = difference_rmse(&difference);
     for (int c = 0; c < LADDER_PATH_CLASS_COUNT; c++) {
         const struct difference part =
-            measure_colors(&ladder->reference.image, &model->result.image, masks->causes[c]);
+            measure_colors(&ladder->reference.image, &model->result.image, masks->path_classes[c]);
         model->error.path_class_mae[c] = difference_mae(&part);
     }
     for (int c = 0; c < LADDER_INCLUSION_COUNT; c++) {
@@ -288,7 +288,7 @@ static enum status compare(struct ladder_model *model, const struct ladder *ladd
     return status == STATUS_OK ? measure_angle(model, ladder, masks) : status;
 }
 
-static bool is_wanted(const struct ladder_params *params, uint32_t index)
+static bool is_selected(const struct ladder_params *params, uint32_t index)
 {
     return !params->refraction_models || (params->refraction_models >> index & 1u);
 }
@@ -297,7 +297,7 @@ static uint32_t count_models(const struct ladder_params *params)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; techniques_refraction(i); i++)
-        count += is_wanted(params, i);
+        count += is_selected(params, i);
     return count < LADDER_MODEL_COUNT ? count : LADDER_MODEL_COUNT;
 }
 
@@ -310,7 +310,7 @@ static void choose_models(struct ladder *ladder, const struct ladder_params *par
 {
     for (uint32_t i = 0;
          techniques_refraction(i) && ladder->refraction_model_count < LADDER_MODEL_COUNT; i++) {
-        if (is_wanted(params, i))
+        if (is_selected(params, i))
             ladder->refraction_models[ladder->refraction_model_count++].refraction =
                 techniques_refraction(i);
     }
@@ -332,7 +332,7 @@ static enum status draw_models(struct ladder *ladder, const struct ladder_params
     return status;
 }
 
-/* Measures frame times with one sample per pixel, since the cost is proportional to the samples. */
+/* Measures frame times with one sample per pixel, since cost is proportional to samples. */
 static enum status measure_costs(struct ladder *ladder, const struct ladder_params *params,
                                  struct work *work)
 {

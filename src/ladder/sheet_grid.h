@@ -1,4 +1,4 @@
-/* sheet_grid.h: grid layout of the contact sheets of `firn sheet`, for writing and cutting. */
+/* sheet_grid.h: grid layout of `firn sheet`, used to write and to cut contact sheets. */
 #ifndef FIRN_LADDER_SHEET_GRID_H
 #define FIRN_LADDER_SHEET_GRID_H
 
@@ -6,12 +6,12 @@
 #include "src/ladder/canvas.h"
 
 enum {
-    SHEET_COLUMNS = 4, /* images per row, for the values of one parameter */
-    SHEET_MARGIN = 8,  /* margin around each image, pixels */
-    SHEET_ROOM = 150,  /* room for a label at scale 1, pixels */
+    SHEET_COLUMNS = 4,       /* images per row */
+    SHEET_MARGIN = 8,        /* margin around each image, pixels */
+    SHEET_LABEL_WIDTH = 150, /* label width at scale 1, pixels */
 };
 
-/* A grid of images of equal size, each below a line of text. Lengths are in pixels. */
+/* Grid of images of equal size, each below a line of text. All lengths are in pixels. */
 struct sheet_grid {
     uint32_t columns;       /* images per row */
     uint32_t width, height; /* of an image */
@@ -19,7 +19,7 @@ struct sheet_grid {
 
 static inline uint32_t sheet_letter_scale(const struct sheet_grid *grid)
 {
-    return grid->width >= 2 * SHEET_ROOM ? 2 : 1;
+    return grid->width >= 2 * SHEET_LABEL_WIDTH ? 2 : 1;
 }
 
 static inline uint32_t sheet_label_height(const struct sheet_grid *grid)
@@ -39,7 +39,7 @@ static inline uint32_t sheet_height(const struct sheet_grid *grid, uint32_t coun
     return rows * (grid->height + sheet_label_height(grid) + SHEET_MARGIN) + SHEET_MARGIN;
 }
 
-/* Returns the left edge of image i. Below: the top edge of its label, which is above the image. */
+/* Returns the left edge of image i; sheet_top() returns the top edge of its label. */
 static inline uint32_t sheet_left(const struct sheet_grid *grid, uint32_t i)
 {
     return SHEET_MARGIN + i % grid->columns * (grid->width + SHEET_MARGIN);

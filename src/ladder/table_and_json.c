@@ -21,8 +21,8 @@ static void print_number(double number, int digits, FILE *out)
 static void print_head(const struct ladder_report *report, FILE *out)
 {
     const struct ladder *l = report->ladder;
-    const double share =
-        l->object_count ? 100.0 * (double)l->straight_count / (double)l->object_count : 0.0;
+    const double percent =
+        l->object_count ? 100.0 * (double)l->angle_count / (double)l->object_count : 0.0;
     char scene[512];
     snprintf(scene, sizeof(scene), "scene      %s", report->scene);
     profile_print_wrapped(scene, 11, out);
@@ -30,13 +30,13 @@ static void print_head(const struct ladder_report *report, FILE *out)
         out,
         "pixels     %u x %u, %u sample%s; object: %llu, %.1f %% of them without total reflection\n",
         l->width, l->height, report->samples, report->samples == 1 ? "" : "s",
-        (unsigned long long)l->object_count, share);
+        (unsigned long long)l->object_count, percent);
     fprintf(out, "reference  %s, %.1f s\n", l->tracer, l->reference_cost * 1e-3);
     if (report->device)
         fprintf(out, "device     %s\n", report->device);
 }
 
-/* Prints the line of a refraction model; `ratio` is its cost relative to ladder_base(). */
+/* Prints a refraction model's line; `ratio` is its cost relative to ladder_base(). */
 static void print_row(const char *name, const struct ladder_error *e, double ms, double ratio,
                       FILE *out)
 {
@@ -67,13 +67,13 @@ static void print_rows(const struct ladder *l, FILE *out)
               base > 0.0 ? l->reference_cost / base : none, out);
 }
 
-/* A table of MAE with one column per pixel class. */
+/* MAE table with one column per pixel class. */
 struct columns {
     const char *title;
     const char *const *names;
     const uint64_t *counts;
     int count;
-    size_t offset; /* offset of the errors in struct ladder_error */
+    size_t offset; /* byte offset in struct ladder_error */
 };
 
 static void print_columns(const struct ladder *l, const struct columns *columns, FILE *out)
@@ -94,7 +94,7 @@ static void print_columns(const struct ladder *l, const struct columns *columns,
     }
 }
 
-/* Prints MAE by pixel class in separate tables, since lines have at most 100 columns. */
+/* Prints MAE by pixel class in separate tables, to keep lines below 100 columns. */
 static void print_classes(const struct ladder *l, FILE *out)
 {
     const struct columns paths = { "MAE by path", ladder_path_class_names, l->path_class_counts,
@@ -141,19 +141,19 @@ void ladder_table(const struct ladder_report *report, FILE *out)
     print_classes(l, out);
 }
 
-/* Adds a number; one that is not finite becomes null, since JSON cannot represent it. */
-static bool put_number(json_t *object, const char *key, double number)
+/* Adds a number, or null if it is not finite, which JSON cannot represent. */
+static bool add_number(json_t *object, const char *key, double number)
 {
     return !json_object_set_new(object, key, isfinite(number) ? json_real(number) : json_null());
 }
 
-static bool put_count(json_t *object, const char *key, uint64_t count)
+static bool add_count(json_t *object, const char *key, uint64_t count)
 {
     return !json_object_set_new(object, key, json_integer((json_int_t)count));
 }
 
-/* Adds a string. Bytes that are not UTF-8, as in file names, are replaced. */
-static bool put_text(json_t *object, const char *key, const char *text)
+/* Adds a string; bytes that are not UTF-8, as in file names, are replaced. */
+static bool add_text(json_t *object, const char *key, const char *text)
 {
     char *clean = NULL;
     size_t size;
@@ -169,25 +169,25 @@ static bool put_text(json_t *object, const char *key, const char *text)
     return ok;
 }
 
-/* Adds an error or a pixel count per class: "mae_refracted", "refracted_pixels", ... */
-static bool put_named(json_t *object, const char *const *names, int count, const double *errors,
+/* Adds an error or a pixel count for each class: "mae_refracted", "refracted_pixels", ... */
+static bool add_named(json_t *object, const char *const *names, int count, const double *errors,
                       const uint64_t *counts)
 {
     bool ok = true;
     for (int c = 0; c < count && ok; c++) {
         char key[32];
         snprintf(key, sizeof(key), errors ? "mae_%s" : "%s_pixels", names[c]);
-        ok = errors ? put_number(object, key, errors[c]) : put_count(object, key, counts[c]);
+        ok = errors ? add_number(object, key, errors[c]) : add_count(object, key, counts[c]);
     }
     return ok;
 }
 
-/* Adds the MAE of each pixel class or, if `error` is NULL, the number of pixels in each class. */
-static bool put_classes(json_t *object, const struct ladder *l, const struct ladder_error *error)
+/* Adds each pixel class's MAE or, if `error` is NULL, its number of pixels. */
+static bool add_classes(json_t *object, const struct ladder *l, const struct ladder_error *error)
 {
-    return put_named(object, ladder_path_class_names, LADDER_PATH_CLASS_COUNT,
+    return add_named(object, ladder_path_class_names, LADDER_PATH_CLASS_COUNT,
                      error ? error->path_class_mae : NULL, l->path_class_counts) &&
-           (!l->is_whole || put_named(object, ladder_inclusion_names, LADDER_INCLUSION_COUNT,
+           (!l->is_whole || add_named(object, ladder_inclusion_names, LADDER_INCLUSION_COUNT,
                                       error ? error->inclusion_mae : NULL, l->inclusion_counts));
 }
 
@@ -196,14 +196,14 @@ static json_t *make_model(const struct ladder *ladder, const struct ladder_model
     const struct ladder_error *e = &model->error;
     json_t *object = json_object();
     const bool ok =
-        put_text(object, "name", model->refraction->refraction.name) &&
-        put_number(object, "flip", e->flip) && put_number(object, "mae", e->mae) &&
-        put_number(object, "rmse", e->rmse) && put_classes(object, ladder, e) &&
-        put_number(object, "angle", e->angle) && put_number(object, "angle_95", e->angle_95) &&
-        put_number(object, "tir", e->tir_differs) && put_number(object, "truth", e->truth) &&
-        put_count(object, "not_finite", e->not_finite) &&
-        put_number(object, "ms", model->cost > 0.0 ? model->cost : (double)NAN) &&
-        put_number(object, "cost", ladder_cost_ratio(ladder, model));
+        add_text(object, "name", model->refraction->refraction.name) &&
+        add_number(object, "flip", e->flip) && add_number(object, "mae", e->mae) &&
+        add_number(object, "rmse", e->rmse) && add_classes(object, ladder, e) &&
+        add_number(object, "angle", e->angle) && add_number(object, "angle_95", e->angle_95) &&
+        add_number(object, "tir", e->tir_differs) && add_number(object, "truth", e->truth) &&
+        add_count(object, "not_finite", e->not_finite) &&
+        add_number(object, "ms", model->cost > 0.0 ? model->cost : (double)NAN) &&
+        add_number(object, "cost", ladder_cost_ratio(ladder, model));
     if (ok)
         return object;
     json_decref(object);
@@ -214,15 +214,15 @@ static bool fill(json_t *root, const struct ladder_report *report)
 {
     const struct ladder *l = report->ladder;
     json_t *refraction_models = json_array();
-    bool ok = put_text(root, "scene", report->scene) &&
-              put_text(root, "command", report->command) && put_count(root, "width", l->width) &&
-              put_count(root, "height", l->height) && put_count(root, "samples", report->samples) &&
-              put_count(root, "object_pixels", l->object_count) &&
-              put_count(root, "straight_pixels", l->straight_count) && put_classes(root, l, NULL) &&
-              put_text(root, "reference", l->tracer) &&
-              put_number(root, "reference_ms", l->reference_cost) &&
-              put_number(root, "reference_truth", l->reference_error.truth) &&
-              put_text(root, "device", report->device ? report->device : "");
+    bool ok = add_text(root, "scene", report->scene) &&
+              add_text(root, "command", report->command) && add_count(root, "width", l->width) &&
+              add_count(root, "height", l->height) && add_count(root, "samples", report->samples) &&
+              add_count(root, "object_pixels", l->object_count) &&
+              add_count(root, "straight_pixels", l->angle_count) && add_classes(root, l, NULL) &&
+              add_text(root, "reference", l->tracer) &&
+              add_number(root, "reference_ms", l->reference_cost) &&
+              add_number(root, "reference_truth", l->reference_error.truth) &&
+              add_text(root, "device", report->device ? report->device : "");
     for (uint32_t i = 0; i < l->refraction_model_count && ok; i++)
         ok = !json_array_append_new(refraction_models, make_model(l, &l->refraction_models[i]));
     return !json_object_set_new(root, "rungs", refraction_models) && ok;

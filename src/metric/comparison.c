@@ -28,7 +28,6 @@ static bool is_beauty(const char *plane)
     return strlen(plane) == 1 && strchr("RGB", *plane);
 }
 
-/* Finds three planes in both images. */
 static bool find_planes(const struct comparison_params *params, const char *const names[static 3],
                         const float *reference[static 3], const float *test[static 3])
 {
@@ -41,7 +40,7 @@ static bool find_planes(const struct comparison_params *params, const char *cons
     return found;
 }
 
-static struct comparison_layer *take_layer(struct comparison *c, const char *name, size_t length)
+static struct comparison_layer *add_layer(struct comparison *c, const char *name, size_t length)
 {
     for (uint32_t i = 0; i < c->layer_count; i++) {
         struct comparison_layer *layer = &c->layers[i];
@@ -49,7 +48,7 @@ static struct comparison_layer *take_layer(struct comparison *c, const char *nam
             return layer;
     }
     struct comparison_layer *layer = &c->layers[c->layer_count++];
-    /* the name is shorter than IMAGE_NAME_SIZE, and the struct is zeroed */
+    /* the name fits and the struct is zeroed */
     memcpy(layer->name, name, length);
     return layer;
 }
@@ -62,7 +61,7 @@ static void add_plane(struct comparison *c, const struct comparison_params *para
     const char *name = of_beauty ? beauty : plane->name;
     const bool has_layer = dot && dot != plane->name;
     struct comparison_layer *layer =
-        take_layer(c, name, has_layer ? (size_t)(dot - plane->name) : strlen(name));
+        add_layer(c, name, has_layer ? (size_t)(dot - plane->name) : strlen(name));
     difference_add(&layer->difference, plane->texels, test, params->counted, pixel_count(params));
 }
 
@@ -75,7 +74,7 @@ static bool measure_layers(struct comparison *c, const struct comparison_params 
     if (!c->layers || !c->only_reference || !c->only_test)
         return false;
     if (c->has_beauty)
-        take_layer(c, beauty, strlen(beauty));
+        add_layer(c, beauty, strlen(beauty));
     for (uint32_t i = 0; i < r->plane_count; i++) {
         const float *test = image_find(t, r->planes[i].name);
         if (test)
@@ -128,8 +127,8 @@ static bool measure_exit(struct comparison *c, const struct comparison_params *p
     return c->degrees && angle_measure(&c->angle, &pair, c->degrees);
 }
 
-/* Counts the pixels whose total internal reflection differs. If both images have the layer `exit`,
- * only pixels with an exit direction are compared. */
+/* Counts pixels whose total internal reflection differs: all, or only those with an exit direction
+ * if both images have the layer `exit`. */
 static void measure_tir(struct comparison *c, const struct comparison_params *params)
 {
     static const char *const names[3] = { "exit.X", "exit.Y", "exit.Z" };

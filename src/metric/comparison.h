@@ -1,8 +1,7 @@
 /*
- * comparison.h: compares two images layer by layer: FLIP, RMSE, relMSE, MAE, angles.
- *
- * A layer consists of all planes with the same name before the last dot; R, G and B are the layer
- * "beauty". Only planes that exist in both images are compared.
+ * comparison.h: compares two images layer by layer: FLIP, RMSE, relMSE, MAE, angles. A layer is all
+ * planes with the same name before the last dot; R, G and B are the layer "beauty". Only planes
+ * that exist in both images are compared.
  */
 #ifndef FIRN_METRIC_COMPARISON_H
 #define FIRN_METRIC_COMPARISON_H
@@ -14,12 +13,12 @@
 
 struct comparison_params {
     const struct image *reference, *test; /* must have the same size */
-    const bool *counted;                  /* mask of the pixels to compare; NULL for all */
-    bool display;          /* the images are display-referred: use LDR-FLIP, else HDR-FLIP */
-    bool has_exposure;     /* use LDR-FLIP with `exposure` for scene-referred images, too */
-    double exposure;       /* stops */
-    enum flip_curve curve; /* tone curve of HDR-FLIP */
-    double ppd;            /* pixels per degree of visual angle, 1 to FLIP_PPD_MAX */
+    const bool *counted;                  /* mask of pixels; NULL for all */
+    bool display;                         /* display-referred: LDR-FLIP, else HDR-FLIP */
+    bool has_exposure;                    /* always use LDR-FLIP, at `exposure` */
+    double exposure;                      /* stops */
+    enum flip_curve curve;                /* tone curve of HDR-FLIP */
+    double ppd;                           /* pixels per degree, 1 to FLIP_PPD_MAX */
 };
 
 struct comparison_layer {
@@ -27,13 +26,13 @@ struct comparison_layer {
     struct difference difference;
 };
 
-/* Scalar metrics, which can be checked against a limit. */
+/* Scalar metrics of a comparison, for which users can set limits. */
 enum comparison_metric {
     COMPARISON_FLIP,   /* mean FLIP error of beauty */
     COMPARISON_RMSE,   /* root mean square error of beauty */
-    COMPARISON_RELMSE, /* relative mean squared error of beauty */
-    COMPARISON_MAE,    /* mean absolute error of beauty, clamped to 0..1 */
-    COMPARISON_ANGLE,  /* mean angle of the layer `exit`, degrees */
+    COMPARISON_RELMSE, /* relative MSE of beauty */
+    COMPARISON_MAE,    /* MAE of beauty, clamped to 0..1 */
+    COMPARISON_ANGLE,  /* degrees, mean of the layer `exit` */
     COMPARISON_METRIC_COUNT,
 };
 
@@ -45,13 +44,13 @@ struct comparison {
     double flip;                     /* mean over the pixels */
     bool is_hdr;                     /* `flip` is HDR-FLIP */
     struct flip_exposures exposures; /* exposures used by HDR-FLIP */
-    float *errors;      /* FLIP error of each pixel, 0 outside the mask; NULL without beauty */
-    bool has_exit;      /* both images have exit.X, .Y and .Z */
-    struct angle angle; /* statistics of the layer `exit` */
-    float *degrees;     /* angle of each pixel, from angle_measure(); NULL without `exit` */
-    bool has_tir;       /* both images have the layer `tir` */
-    uint64_t tir_differs, tir_count; /* pixels whose `tir` differs; pixels compared */
-    struct comparison_layer *layers; /* beauty first, then in the reference's order */
+    float *errors;                   /* per pixel; NULL without beauty */
+    bool has_exit;                   /* both have exit.X, .Y and .Z */
+    struct angle angle;              /* statistics of the layer `exit` */
+    float *degrees;                  /* per pixel; NULL without `exit` */
+    bool has_tir;                    /* both images have the layer `tir` */
+    uint64_t tir_differs, tir_count; /* pixels whose `tir` differs; all */
+    struct comparison_layer *layers; /* beauty first, then the reference's order */
     uint32_t layer_count;
     const char **only_reference, **only_test; /* borrowed names of unmatched planes */
     uint32_t only_reference_count, only_test_count;
@@ -68,7 +67,7 @@ const struct comparison_layer *comparison_find(const struct comparison *comparis
 
 /*
  * Returns the layer that a metric measures, or NULL if an image lacks it. *value receives the
- * metric, NaN if no pixel is in the mask.
+ * metric; NaN if no pixel is in the mask.
  */
 const struct comparison_layer *comparison_metric(const struct comparison *comparison,
                                                  enum comparison_metric metric, double *value);

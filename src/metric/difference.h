@@ -12,10 +12,10 @@ struct difference {
     double squares, relative_squares;
     double largest;      /* maximum of |test - reference| */
     uint64_t count;      /* pairs of values in the sums */
-    uint64_t not_finite; /* pairs excluded from the sums because one value is NaN or infinite */
+    uint64_t not_finite; /* excluded pairs with NaN or infinity */
 };
 
-/* Adds a plane of `count` texels. `counted` is a mask of the texels to add; NULL for all. */
+/* Adds a plane of `count` texels; `counted` masks the texels to add, NULL adds all. */
 void difference_add(struct difference *difference, const float *reference, const float *test,
                     const bool *counted, size_t count);
 

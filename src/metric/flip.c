@@ -7,7 +7,7 @@
 #include "src/metric/flip_filter.h"
 #include "src/metric/quantile.h"
 
-/* A filtered image: one side of the comparison. */
+/* Filtered image: the reference or the test. */
 struct side {
     struct flip_plane color[3];    /* YCxCz, filtered, later Hunt-adjusted L*a*b* */
     struct flip_plane edge, point; /* edge and point feature strength */
@@ -23,14 +23,14 @@ struct work {
     float *memory;
 };
 
-/* How both images are mapped to the display. */
+/* Display transform of both images. */
 struct display {
     float scale;
     bool has_curve; /* tone-mapped by `curve`, else clamped */
     enum flip_curve curve;
 };
 
-static struct flip_plane take_plane(struct work *work, float **free_texels)
+static struct flip_plane allocate_plane(struct work *work, float **free_texels)
 {
     const struct flip_plane plane = {
         .width = work->pair->width,
@@ -73,7 +73,7 @@ static bool work_init(struct work *work, const struct flip_pair *pair)
         &work->second,
     };
     for (size_t i = 0; i < PLANE_COUNT; i++)
-        *planes[i] = take_plane(work, &texels);
+        *planes[i] = allocate_plane(work, &texels);
     work->line = texels;
     for (int c = 0; c < FLIP_CHANNEL_COUNT; c++)
         flip_sensitivity_init(&work->sensitivity[c], (enum flip_channel)c, pair->ppd);
@@ -81,7 +81,7 @@ static bool work_init(struct work *work, const struct flip_pair *pair)
     return true;
 }
 
-/* Reads a pixel, clamped to the range of HDR-FLIP. Non-finite pixels get the error 1 elsewhere. */
+/* Loads a pixel, clamped to HDR-FLIP's range. init_errors() handles non-finite pixels. */
 static vec3s load(const float *const planes[static 3], size_t i)
 {
     vec3s v;
@@ -125,7 +125,6 @@ static void filter(struct work *work, const struct flip_plane *in, const struct 
     });
 }
 
-/* Computes the gradient magnitude of luminance for one feature kernel. */
 static void find_feature(struct work *work, const struct flip_plane *y,
                          const struct flip_kernel *kernel, struct flip_plane *strength)
 {
@@ -133,7 +132,7 @@ static void find_feature(struct work *work, const struct flip_plane *y,
     filter(work, y, &work->features.smooth, kernel, &work->second);
     for (size_t i = 0; i < y->stride * y->height; i++) {
         const float a = work->first.texels[i], b = work->second.texels[i];
-        strength->texels[i] = sqrtf(a * a + b * b) / 116.0f; /* from Y to luminance, 1 for white */
+        strength->texels[i] = sqrtf(a * a + b * b) / 116.0f; /* from Y to relative luminance */
     }
 }
 
@@ -189,7 +188,7 @@ static float find_error(const struct work *work, size_t i)
     return powf(flip_color_error(flip_color_distance(a, b)), 1.0f - feature);
 }
 
-/* Raises errors[] to the FLIP errors at one exposure, where these are larger. */
+/* Replaces errors[] by the maximum of errors[] and the FLIP error at one exposure. */
 static void raise_errors(struct work *work, const struct display *display, float *errors)
 {
     const struct flip_pair *pair = work->pair;
@@ -203,7 +202,7 @@ static void raise_errors(struct work *work, const struct display *display, float
     }
 }
 
-/* Initialises errors[] with 1 for pixels that are not finite, else 0. */
+/* Initialises errors[] with 1 for non-finite pixels, else 0. */
 static void init_errors(const struct flip_pair *pair, float *errors)
 {
     for (size_t i = 0; i < (size_t)pair->width * pair->height; i++) {
@@ -226,9 +225,8 @@ bool flip_ldr(const struct flip_pair *pair, double exposure, float *errors)
 }
 
 /*
- * Computes the exposure range of HDR-FLIP from the reference. The paper defines none if at least
- * half of the image is black; the median is then that of the other pixels. Black means below the
- * smallest half float.
+ * Computes HDR-FLIP's exposure range from the reference. If at least half of the pixels are black
+ * (below the smallest half float), where the paper defines none, the others' median is used.
  */
 static bool find_exposures(const struct flip_pair *pair, enum flip_curve curve,
                            struct flip_exposures *exposures)

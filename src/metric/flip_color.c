@@ -2,7 +2,7 @@
 #include "src/metric/flip_color.h"
 #include <math.h>
 
-/* Rows of the matrix from linear Rec.709 to XYZ relative to the D65 white point. */
+/* Matrix from linear Rec.709 to XYZ relative to the D65 white point, by rows. */
 static const float white_from_linear[3][3] = {
     { 0.433895389f, 0.376242373f, 0.189862239f },
     { 0.212636822f, 0.715182982f, 0.072180196f },
@@ -24,7 +24,7 @@ static vec3s multiply(const float matrix[static 3][3], vec3s v)
     return result;
 }
 
-/* Computes opponent colours: of cube roots in CIE L*a*b*, of the values themselves in YCxCz. */
+/* Computes opponent colours: CIE L*a*b* from cube roots of XYZ, YCxCz from XYZ itself. */
 static vec3s oppose(vec3s v)
 {
     return (vec3s){ { 116.0f * v.y - 16.0f, 500.0f * (v.x - v.y), 200.0f * (v.y - v.z) } };
@@ -47,8 +47,7 @@ float flip_color_luminance(float y)
     return (y + 16.0f) / 116.0f;
 }
 
-/* Evaluates the nonlinearity of L*a*b* (CIE 15:2004, 8.2.1): a cube root with a linear part near 0.
- */
+/* Evaluates L*a*b*'s nonlinearity (CIE 15:2004, 8.2.1): a cube root, linear near 0. */
 static float root(float x)
 {
     const float delta = 6.0f / 29.0f;
@@ -72,10 +71,11 @@ float flip_color_distance(vec3s a, vec3s b)
 
 float flip_color_error(float distance)
 {
-    const float most = 41.2760984f; /* HyAB distance of pure green and blue, to the power of 0.7 */
-    const float knee = 0.4f * most, error_at_knee = 0.95f;
+    const float distance_max = 41.2760984f; /* HyAB distance of green and blue, ^0.7 */
+    const float knee = 0.4f * distance_max, error_at_knee = 0.95f;
     const float power = powf(distance, 0.7f);
     if (power < knee)
         return error_at_knee / knee * power;
-    return fminf(error_at_knee + (1.0f - error_at_knee) * (power - knee) / (most - knee), 1.0f);
+    return fminf(error_at_knee + (1.0f - error_at_knee) * (power - knee) / (distance_max - knee),
+                 1.0f);
 }

@@ -4,15 +4,14 @@
 #include <math.h>
 #include <string.h>
 
-/* Texels that are filtered together, so that compilers can vectorise the inner loop. */
+/* Texels per inner loop, constant so that compilers can vectorise it. */
 enum {
     LANES = 16
 };
 
 static const double pi = 3.14159265358979323846;
 
-/* Contrast sensitivity, table 1 of the paper: the sum of a_i sqrt(pi / b_i) exp(-pi^2 degrees^2 /
- * b_i). */
+/* Coefficients a_i and b_i of contrast sensitivity, table 1 of the paper. */
 static const struct {
     uint32_t count;
     double a[2], b[2];
@@ -22,8 +21,8 @@ static const struct {
     [FLIP_BLUE_YELLOW] = { 2, { 34.1, 13.5 }, { 0.04, 0.025 } },
 };
 
-/* Computes the Gaussian weights exp(-x^2 / (2 * deviation^2)), x in texels, and normalises them.
- * Returns their sum before normalisation. */
+/* Computes normalised Gaussian weights exp(-x^2 / (2 * deviation^2)), x in texels. Returns the sum
+ * of the weights before normalisation. */
 static double make_gaussian(struct flip_kernel *kernel, uint32_t radius, double deviation)
 {
     double values[2 * FLIP_RADIUS_MAX + 1], sum = 0.0;
@@ -41,8 +40,8 @@ static double make_gaussian(struct flip_kernel *kernel, uint32_t radius, double 
 
 void flip_sensitivity_init(struct flip_sensitivity *s, enum flip_channel channel, double ppd)
 {
-    const double widest = 0.04; /* largest b of table 1: one radius for all filters */
-    const uint32_t radius = (uint32_t)ceil(3.0 * sqrt(widest / 2.0) / pi * ppd);
+    const double b_max = 0.04; /* maximum b of table 1 */
+    const uint32_t radius = (uint32_t)ceil(3.0 * sqrt(b_max / 2.0) / pi * ppd);
     double fractions[2] = { 0.0 };
     s->count = gaussians[channel].count;
     for (uint32_t i = 0; i < s->count; i++) {
@@ -68,7 +67,7 @@ static void normalise_signed(struct flip_kernel *kernel, const double *values)
 
 void flip_features_init(struct flip_features *features, double ppd)
 {
-    /* half the distance of an edge filter's peaks, 0.082 degrees */
+    /* The peaks of an edge filter are 0.082 degrees apart. */
     const double deviation = 0.5 * 0.082 * ppd;
     const uint32_t radius = (uint32_t)ceil(3.0 * deviation);
     double first[2 * FLIP_RADIUS_MAX + 1], second[2 * FLIP_RADIUS_MAX + 1];

@@ -1,9 +1,8 @@
 /*
- * flip_filter.h: the separable filters of FLIP.
- *
- * The paper cited in flip_color.h, sections 4.1.1 (contrast sensitivity) and 4.2.1 (feature
- * detection). Its 2D filters are sums of Gaussians or of their derivatives, so rows and columns can
- * be filtered one after the other. Texels outside the image are clamped to its edge.
+ * flip_filter.h: the separable filters of FLIP, sections 4.1.1 (contrast sensitivity) and 4.2.1
+ * (feature detection) of the paper cited in flip_color.h. The 2D filters are sums of Gaussians or
+ * of their derivatives, so rows and columns are filtered separately. The addressing mode is clamp
+ * to edge.
  */
 #ifndef FIRN_METRIC_FLIP_FILTER_H
 #define FIRN_METRIC_FLIP_FILTER_H
@@ -14,10 +13,10 @@
 
 enum {
     FLIP_RADIUS_MAX = 64,
-    FLIP_PPD_MAX = 400, /* pixels per degree at which FLIP_RADIUS_MAX suffices; minimum 1 */
+    FLIP_PPD_MAX = 400, /* maximum pixels per degree */
 };
 
-/* Weights of the texels from -radius to +radius of a 1D filter. */
+/* Weights of a 1D filter, from texel -radius to +radius. */
 struct flip_kernel {
     uint32_t radius;
     float weights[2 * FLIP_RADIUS_MAX + 1];
@@ -30,19 +29,19 @@ enum flip_channel {
     FLIP_CHANNEL_COUNT,
 };
 
-/* Contrast sensitivity of a channel: one or two Gaussians, whose fractions add up to 1. */
+/* Contrast sensitivity filter of a channel: one or two Gaussians whose weights add up to 1. */
 struct flip_sensitivity {
     uint32_t count;
     float fractions[2];
     struct flip_kernel kernels[2];
 };
 
-/* Computes the filter of a channel; `ppd` is pixels per degree, 1 to FLIP_PPD_MAX. */
+/* Computes a channel's filter for `ppd` pixels per degree, 1 to FLIP_PPD_MAX. */
 void flip_sensitivity_init(struct flip_sensitivity *s, enum flip_channel channel, double ppd);
 
 /*
- * Edge and point detectors: the kernel `edge` or `point` along one axis, `smooth` along the other.
- * Positive weights add up to 1, negative weights to -1.
+ * Edge and point detection filters: kernel `edge` or `point` along one axis, `smooth` along the
+ * other. Positive weights add up to 1, negative weights to -1.
  */
 struct flip_features {
     struct flip_kernel smooth, edge, point;
@@ -50,25 +49,25 @@ struct flip_features {
 
 void flip_features_init(struct flip_features *features, double ppd);
 
-/* A single-channel image whose rows are `stride` texels apart. */
+/* Single-channel image; consecutive rows are `stride` texels apart. */
 struct flip_plane {
     uint32_t width, height; /* texels */
     size_t stride;
     float *texels;
 };
 
-/* Return the row stride for a width, and the number of floats that flip_filter.line needs. */
+/* Returns the row stride of an image; flip_line_size() returns the floats of flip_filter.line. */
 size_t flip_stride(uint32_t width);
 size_t flip_line_size(uint32_t width);
 
-/* A separable filter and its input and output, which have the same size; `out` may be `in`. */
+/* Separable filter with its input and output, which have the same size; `out` may be `in`. */
 struct flip_filter {
     const struct flip_plane *in;
-    const struct flip_kernel *across, *down; /* kernels along a row and along a column */
+    const struct flip_kernel *across, *down; /* kernels along rows and along columns */
     struct flip_plane *scratch, *out;
-    float *line; /* scratch memory of flip_line_size() floats */
+    float *line; /* scratch memory, flip_line_size() floats */
     float scale; /* factor applied to the result */
-    bool add;    /* add the result to `out` instead of replacing it */
+    bool add;    /* add to `out` instead of replacing */
 };
 
 void flip_filter(const struct flip_filter *filter);

@@ -9,7 +9,7 @@ const char *const flip_curve_names[FLIP_CURVE_COUNT] = {
     [FLIP_REINHARD] = "reinhard",
 };
 
-/* Hable's filmic curve with a doubled argument, divided by its value at the white point 11.2. */
+/* Coefficients of Hable's filmic curve with a doubled argument, normalised at white point 11.2. */
 #define HABLE_A  0.15
 #define HABLE_B  0.50
 #define HABLE_C  0.10
@@ -30,7 +30,7 @@ const char *const flip_curve_names[FLIP_CURVE_COUNT] = {
 static const struct {
     double n2, n1, d2, d1, d0;
 } curves[FLIP_CURVE_COUNT] = {
-    /* multiplied out with the curve's pre-exposure of 0.6 */
+    /* premultiplied with the curve's exposure of 0.6 */
     [FLIP_ACES] = { 0.36 * 2.51, 0.6 * 0.03, 0.36 * 2.43, 0.6 * 0.59, 0.14 },
     [FLIP_HABLE] = { 4 * HABLE_N2 / HABLE_MAX, 2 * HABLE_N1 / HABLE_MAX, 4 * HABLE_D2, 2 * HABLE_D1,
                      HABLE_D0 },
@@ -70,12 +70,13 @@ double flip_tone_inverse(enum flip_curve curve, double shown)
     return -half + sqrt(half * half - c / a);
 }
 
-struct flip_exposures flip_tone_exposures(enum flip_curve curve, double greatest, double median)
+struct flip_exposures flip_tone_exposures(enum flip_curve curve, double luminance_max,
+                                          double median)
 {
     struct flip_exposures exposures = { .count = 2 };
-    if (greatest > 0.0 && median > 0.0) {
+    if (luminance_max > 0.0 && median > 0.0) {
         const double bright = flip_tone_inverse(curve, 0.85);
-        exposures.first = log2(bright / greatest);
+        exposures.first = log2(bright / luminance_max);
         exposures.last = log2(bright / median);
         exposures.count = (uint32_t)fmax(ceil(exposures.last - exposures.first), 2.0);
     }

@@ -6,7 +6,7 @@
 
 /*
  * Converts an error, clamped to 0..1, to an sRGB-encoded colour. Lightness (CIE L*) rises linearly
- * from 2 to 97, so that the map also works in greyscale; the hue goes from blue via red to yellow.
+ * from 2 to 97, so that greyscale prints work; the hue goes from blue via red to yellow.
  */
 void heat_map_srgb(float error, uint8_t rgb[static 3]);
 

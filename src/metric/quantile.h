@@ -10,7 +10,7 @@ void quantile_sort(float *values, size_t count);
 /* Returns the median of at least one sorted value. */
 double quantile_median(const float *sorted, size_t count);
 
-/* Returns the nearest-rank quantile: a fraction of 0 to 1 of all values does not exceed it. */
+/* Returns the nearest-rank quantile, which `fraction` (0 to 1) of all values do not exceed. */
 double quantile_at(const float *sorted, size_t count, double fraction);
 
 #endif

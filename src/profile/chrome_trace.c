@@ -1,4 +1,4 @@
-/* chrome_trace.c: writes a Chrome trace. Times are integer nanoseconds, so that sums are exact. */
+/* chrome_trace.c: writes a Chrome trace, in integer nanoseconds so that sums are exact. */
 #include "src/profile/chrome_trace.h"
 #include <inttypes.h>
 #include <math.h>
@@ -21,11 +21,11 @@ struct event {
 
 struct trace {
     const struct profile *profile;
-    uint64_t *memory_in_use; /* bytes of transient memory in use during each pass */
+    uint64_t *memory_in_use; /* transient memory during each pass, bytes */
     struct event *events;
     uint64_t count, capacity;
     int64_t queue_end; /* end of the last pass */
-    bool is_whole;     /* false once an allocation has failed */
+    bool is_whole;     /* no allocation has failed */
 };
 
 static int64_t nanoseconds(double ms)
@@ -65,7 +65,7 @@ static json_t *add_event(struct trace *trace, json_t *json, int64_t begin, int64
     return json;
 }
 
-/* Adds a span. Returns its end. */
+/* Adds a span of time. Returns its end. */
 static int64_t add_span(struct trace *trace, const char *name, int track, int64_t begin,
                         int64_t duration)
 {
@@ -93,8 +93,7 @@ static void name_row(const struct profile_row *row, char name[static PROFILE_TAB
     profile_table_row_name(&(struct profile_table_row){ .row = row, .row_count = 1 }, name);
 }
 
-/* Adds the CPU spans of a run, and clamps children to their parents. Returns the end of the submit.
- */
+/* Adds a run's CPU spans, with children clamped to their parents. Returns the submit's end. */
 static int64_t add_host(struct trace *trace, uint32_t run, int64_t begin)
 {
     const struct profile *p = trace->profile;
@@ -144,7 +143,7 @@ static void add_queue(struct trace *trace, uint32_t run, int64_t begin)
         add_counter(trace, "transient memory", "bytes", json_integer(0), trace->queue_end);
 }
 
-/* Orders events by time; a span precedes the spans that it contains. */
+/* Compares events by time; a span precedes the spans nested in it. */
 static int compare_events(const void *a, const void *b)
 {
     const struct event *x = a, *y = b;

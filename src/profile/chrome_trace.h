@@ -3,8 +3,8 @@
  * etc.
  *
  * The object form of Google's "Trace Event Format", with events of phase X (complete), C (counter)
- * and M (metadata) only, in chronological order. Spans of a track nest or follow one another. Runs
- * follow one another without gaps; the GPU passes of a run start when the CPU has submitted them.
+ * and M (metadata) in chronological order. Spans of a track are nested or consecutive. Runs are
+ * consecutive; a run's GPU passes start when the CPU has submitted them.
  */
 #ifndef FIRN_PROFILE_CHROME_TRACE_H
 #define FIRN_PROFILE_CHROME_TRACE_H

@@ -11,18 +11,18 @@
 
 enum {
     NAME_COLUMNS = 30,
-    WORDS_SIZE = 1024,
+    TEXT_SIZE = 1024,
     NUMBER_SIZE = 32
 };
 
 static const double significance = 0.01;
 
-/* A line of the comparison table. Its name may exist in only one of the profiles. */
+/* Line of the comparison table, for a name in either or both profiles. */
 struct pair {
     char name[PROFILE_TABLE_ROW_NAME_SIZE];
-    double *base, *now; /* samples in ascending order, owned; NULL if not in the profile */
+    double *base, *now; /* ascending samples, owned; may be NULL */
     struct profile_ratio ratio;
-    double p; /* p-value, adjusted for multiple tests */
+    double p; /* adjusted for multiple tests */
 };
 
 struct comparison {
@@ -33,12 +33,12 @@ struct comparison {
 
 static void note_difference(const char *what, const char *base, const char *now, FILE *out)
 {
-    char words[WORDS_SIZE];
+    char message[TEXT_SIZE];
     if (strcmp(base, now) == 0)
         return;
-    snprintf(words, sizeof(words), "warning: different %s: %s in the baseline, %s now", what, base,
-             now);
-    profile_print_wrapped(words, 2, out);
+    snprintf(message, sizeof(message), "warning: different %s: %s in the baseline, %s now", what,
+             base, now);
+    profile_print_wrapped(message, 2, out);
 }
 
 static void note_numbers(const char *what, double base, double now, FILE *out)
@@ -95,7 +95,7 @@ static double *sorted_copy(const double *samples, uint32_t count)
     return copy;
 }
 
-/* Adds a line to the comparison. One of the samples may be NULL. */
+/* Adds a line to the comparison; the samples of one profile may be NULL. */
 static bool add_pair(struct comparison *c, const char *name, const double *base, const double *now)
 {
     struct pair *pair = &c->pairs[c->count++];
@@ -120,8 +120,7 @@ static const struct profile_table_row *find_line(const struct profile_table_rows
     return NULL;
 }
 
-/* Adds the lines of `now` in their order, then the lines that exist only in `base`, then the frame.
- */
+/* Adds the lines of `now` in order, then those only in `base`, then the frame. */
 static bool add_pairs(struct comparison *c, const struct profile_table_rows *base,
                       const struct profile_table_rows *now, bool each)
 {
@@ -173,7 +172,7 @@ static double median_of(const double *samples, const struct profile *p)
     return profile_quantile(samples, p->run_count, 0.5);
 }
 
-/* Returns 1 if the line is significantly slower, -1 if significantly faster, else 0. */
+/* Returns 1 if a line is significantly slower, -1 if significantly faster, else 0. */
 static int verdict_of(const struct pair *pair, const struct comparison *c)
 {
     if (!pair->base || !pair->now || pair->p > significance)
@@ -224,21 +223,21 @@ static void print_pair(const struct pair *pair, const struct comparison *c, int 
     fprintf(out, " %8.2g  %s\n", pair->p, verdicts[1 + verdict_of(pair, c)]);
 }
 
-/* Warns if there are too few runs for any difference to be significant. */
+/* Warns if too few runs make significant differences impossible. */
 static void print_least(const struct comparison *c, FILE *out)
 {
-    char words[WORDS_SIZE];
+    char message[TEXT_SIZE];
     uint32_t runs = 2;
     if (profile_mann_whitney_least(c->base->run_count, c->now->run_count) * c->tested <=
         significance)
         return;
     while (profile_mann_whitney_least(runs, runs) * c->tested > significance)
         runs++;
-    snprintf(words, sizeof(words),
+    snprintf(message, sizeof(message),
              "With %" PRIu32 " and %" PRIu32 " runs no difference can be significant in %" PRIu32
              " tests: measure at least %" PRIu32 " runs for both.",
              c->base->run_count, c->now->run_count, c->tested, runs);
-    profile_print_wrapped(words, 0, out);
+    profile_print_wrapped(message, 0, out);
 }
 
 static void print_table(const struct comparison *c, FILE *out)
@@ -246,18 +245,18 @@ static void print_table(const struct comparison *c, FILE *out)
     const int decimals =
         profile_decimals(fmax(profile_quantile(c->base->frame, c->base->run_count, 1),
                               profile_quantile(c->now->frame, c->now->run_count, 1)));
-    char words[WORDS_SIZE];
+    char message[TEXT_SIZE];
     profile_print_name("median of ms", NAME_COLUMNS, out);
     fprintf(out, " %8s %8s %6s %16s %8s  %s\n", "baseline", "now", "ratio", "[99 % interval]", "p",
             "verdict");
     for (uint32_t i = 0; i < c->count; i++)
         print_pair(&c->pairs[i], c, decimals, out);
-    snprintf(words, sizeof(words),
+    snprintf(message, sizeof(message),
              "ratio: median of now / baseline over all pairs of runs. p: two-sided Mann-Whitney "
              "test, after Holm's correction for %" PRIu32 " tests; slower and faster: p is "
              "at most %g. Runs: %" PRIu32 ", %" PRIu32 ".",
              c->tested, significance, c->base->run_count, c->now->run_count);
-    profile_print_wrapped(words, 0, out);
+    profile_print_wrapped(message, 0, out);
     print_least(c, out);
 }
 

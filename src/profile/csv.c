@@ -5,7 +5,7 @@
 #include <string.h>
 #include "src/profile/json_fields.h"
 
-static void put_text(const char *text, FILE *out)
+static void write_text(const char *text, FILE *out)
 {
     if (!strpbrk(text, ",\"\r\n")) {
         fputs(text, out);
@@ -20,7 +20,7 @@ static void put_text(const char *text, FILE *out)
     fputc('"', out);
 }
 
-static void put_number(double number, const char *end, FILE *out)
+static void write_number(double number, const char *end, FILE *out)
 {
     const char *point = localeconv()->decimal_point;
     char text[64];
@@ -32,22 +32,22 @@ static void put_number(double number, const char *end, FILE *out)
         fprintf(out, "%s%s", text, end);
 }
 
-static void put_row(const struct profile_row *row, uint32_t run, FILE *out)
+static void write_row(const struct profile_row *row, uint32_t run, FILE *out)
 {
     fprintf(out, "%" PRIu32 ",", run);
-    put_text(row->name, out);
+    write_text(row->name, out);
     fputc(',', out);
-    put_text(row->technique, out);
+    write_text(row->technique, out);
     fprintf(out, ",%" PRIu32 ",%s,", row->repetition, profile_kind_names[row->kind]);
-    put_number(row->ms[run], ",", out);
-    put_number(row->begin_ms[run], ",", out);
-    put_number(row->record_ms[run], "\r\n", out);
+    write_number(row->ms[run], ",", out);
+    write_number(row->begin_ms[run], ",", out);
+    write_number(row->record_ms[run], "\r\n", out);
 }
 
-static void put_whole(const char *name, double ms, uint32_t run, FILE *out)
+static void write_frame_row(const char *name, double ms, uint32_t run, FILE *out)
 {
     fprintf(out, "%" PRIu32 ",%s,,0,whole,", run, name);
-    put_number(ms, ",0,0\r\n", out);
+    write_number(ms, ",0,0\r\n", out);
 }
 
 void profile_csv(const struct profile *p, FILE *out)
@@ -55,9 +55,9 @@ void profile_csv(const struct profile *p, FILE *out)
     fputs("run,row,technique,repetition,kind,ms,begin_ms,record_ms\r\n", out);
     for (uint32_t run = 0; run < p->run_count; run++) {
         for (uint32_t i = 0; i < p->row_count; i++)
-            put_row(&p->rows[i], run, out);
-        put_whole("frame", p->frame[run], run, out);
-        put_whole("plain", p->plain[run], run, out);
-        put_whole("wait", p->wait[run], run, out);
+            write_row(&p->rows[i], run, out);
+        write_frame_row("frame", p->frame[run], run, out);
+        write_frame_row("plain", p->plain[run], run, out);
+        write_frame_row("wait", p->wait[run], run, out);
     }
 }

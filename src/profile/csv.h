@@ -9,7 +9,7 @@
  * Writes a header line, then a record for each run and row:
  * run,row,technique,repetition,kind,ms,begin_ms,record_ms. Frame, plain and wait are rows of kind
  * "whole". The format is RFC 4180 with CRLF. Numbers have a decimal point in every locale, and full
- * precision. Callers check ferror(out) afterwards.
+ * precision. Callers check ferror(out).
  */
 void profile_csv(const struct profile *profile, FILE *out);
 

@@ -20,9 +20,9 @@ static char *put(char *at, const char *text, size_t size)
     return at + size;
 }
 
-/* Copies JSON with '<' escaped, because "</script>" or "<!--" in a string would end the script
- * element. In JSON '<' occurs only in strings. */
-static char *put_data(char *at, const char *json)
+/* Copies JSON with '<', which occurs only in strings, escaped: "</script>" would end the element.
+ */
+static char *write_data(char *at, const char *json)
 {
     for (; *json; json++)
         at = *json == '<' ? put(at, "\\u003c", 6) : put(at, json, 1);
@@ -40,7 +40,7 @@ static char *fill_page(const char *const data[static PAGE_PART_COUNT - 1], size_
         return NULL;
     char *at = put(text, page_parts[0].text, page_parts[0].size);
     for (size_t i = 0; i + 1 < PAGE_PART_COUNT; i++)
-        at = put(put_data(at, data[i]), page_parts[i + 1].text, page_parts[i + 1].size);
+        at = put(write_data(at, data[i]), page_parts[i + 1].text, page_parts[i + 1].size);
     *at = 0;
     return text;
 }

@@ -1,6 +1,6 @@
 /*
- * html.h: writes a profile as a self-contained HTML page with plots of the embedded JSON, which
- * needs no network and supports keyboard, dark mode and printing. Its sources are in page/.
+ * html.h: writes a profile as a self-contained HTML page with plots, which needs no network and
+ * supports keyboard, dark mode and printing. Its sources are in page/.
  */
 #ifndef FIRN_PROFILE_HTML_H
 #define FIRN_PROFILE_HTML_H
@@ -10,9 +10,9 @@
 #include "src/profile/sweep.h"
 
 /*
- * Writes the page to *text, which the caller frees; it ends with a newline and a terminating 0 that
- * *size does not count. `sweep` may be NULL; else it is drawn beside the profile, which may be one
- * of its points. When out of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL.
+ * Writes the page to *text, which the caller frees; it ends with a newline and a '\0' that *size
+ * does not count. `sweep`, which may be NULL, is drawn beside the profile, which may be one of its
+ * points. When out of memory logs, returns STATUS_TRY_AGAIN and sets *text to NULL.
  */
 MUST_USE enum status profile_write_html(const struct profile *profile,
                                         const struct profile_sweep *sweep, char **text,

@@ -1,4 +1,4 @@
-/* json_fields.h: tables of a profile's JSON keys, internal to json_write.c and json_read.c. */
+/* json_fields.h: tables of profile JSON keys, internal to json_write.c and json_read.c. */
 #ifndef FIRN_PROFILE_JSON_FIELDS_H
 #define FIRN_PROFILE_JSON_FIELDS_H
 
@@ -7,8 +7,8 @@
 
 enum {
     PROFILE_JSON_FORMAT = 1,
-    PROFILE_JSON_DIGITS = 17, /* significant digits of numbers; enough for all bits of a double */
-    PROFILE_TRACE_DIGITS = 15 /* significant digits of microseconds; three decimals up to 11 days */
+    PROFILE_JSON_DIGITS = 17, /* significant digits, exact for doubles */
+    PROFILE_TRACE_DIGITS = 15 /* microseconds: three decimals up to 11 days */
 };
 
 enum profile_field_kind {
@@ -25,7 +25,7 @@ struct profile_field {
     enum profile_field_kind kind;
     const char *key;
     size_t offset, size;
-    bool is_optional; /* the key may be missing from a file; the value is then 0 */
+    bool is_optional; /* defaults to 0 in files */
 };
 
 struct profile_fields {
@@ -33,25 +33,25 @@ struct profile_fields {
     uint32_t count;
 };
 
-/* Numbers and strings of each struct, in file order. */
+/* Descriptors of the numbers and strings in each profile struct, in file order. */
 extern const struct profile_fields profile_fields, profile_setting_fields, profile_resource_fields,
     profile_row_fields;
 
 extern const char *const profile_kind_names[PROFILE_KIND_COUNT];
 
-/* Adds all keys of docs/profile.md except `format` and `type`. Without samples, `settings` and
- * `residents` are omitted, too. Returns false when out of memory. */
+/* Adds all keys of docs/profile.md except `format` and `type`; without samples, also omits
+ * `settings` and `residents`. Returns false when out of memory. */
 bool profile_json_add_all(json_t *json, const struct profile *profile, bool with_samples);
 
 /* Moves ownership of a new value to a key of an object, or appends it to an array if `key` is NULL,
  * and returns it. Returns NULL if `json` or `value` is NULL, or when out of memory. */
 json_t *profile_json_put(json_t *json, const char *key, json_t *value);
 
-/* Returns a JSON string, in which bytes that are not UTF-8 are replaced by '?'. */
+/* Returns a JSON string; bytes that are not UTF-8 become '?'. */
 json_t *profile_json_string(const char *text);
 
-/* Writes a value and a newline to *text, which the caller frees, and releases the value, which may
- * be NULL. If `is_whole` is false or memory is exhausted, logs and returns STATUS_TRY_AGAIN. */
+/* Writes a JSON value (may be NULL, is released) and a newline to *text, which the caller frees. If
+ * `is_whole` is false or memory is exhausted, logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status profile_json_end(json_t *root, bool is_whole, size_t digits, char **text,
                                       size_t *size);
 

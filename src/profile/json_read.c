@@ -11,23 +11,22 @@
 #include "src/profile/json_fields.h"
 
 enum {
-    MAX_FILE_SIZE = 64 * 1024 * 1024, /* jansson needs about 20 times as much memory */
-    PLACE_SIZE = 64
+    MAX_FILE_SIZE = 64 * 1024 * 1024, /* jansson needs 20 times as much */
+    JSON_PATH_SIZE = 64
 };
 
-static const double max_number =
-    1e8; /* 27 hours in ms; keeps sums finite and table columns within their width */
+static const double max_number = 1e8; /* limit of numbers: 27 hours in ms */
 
-/* The file, and the JSON path that error messages name: "rows[3]", or "" at top level. */
+/* File being read, and the JSON path that error messages name: "rows[3]", or "" at top level. */
 struct reader {
     const char *path;
-    char place[PLACE_SIZE];
+    char json_path[JSON_PATH_SIZE];
 };
 
 static enum status fault(const struct reader *reader, const char *key, const char *what)
 {
-    log_error("%s: \"%s%s%s\" %s; write the profile again with --json", reader->path, reader->place,
-              reader->place[0] ? "." : "", key, what);
+    log_error("%s: \"%s%s%s\" %s; write the profile again with --json", reader->path,
+              reader->json_path, reader->json_path[0] ? "." : "", key, what);
     return STATUS_DATA;
 }
 
@@ -41,10 +40,10 @@ static bool is_number(const json_t *value)
     return json_is_number(value) && fabs(json_number_value(value)) <= max_number;
 }
 
-/* Returns an error message if a value does not fit a field, else NULL. */
+/* Returns an error message if a JSON value is invalid for a field, else NULL. */
 static const char *find_fault(const struct profile_field *field, const json_t *value)
 {
-    const json_int_t most = field->kind == PROFILE_FIELD_U32 ? UINT32_MAX : INT64_MAX;
+    const json_int_t max = field->kind == PROFILE_FIELD_U32 ? UINT32_MAX : INT64_MAX;
 
     switch (field->kind) {
     case PROFILE_FIELD_TEXT:
@@ -58,7 +57,7 @@ static const char *find_fault(const struct profile_field *field, const json_t *v
     case PROFILE_FIELD_U64:
         if (!json_is_integer(value))
             return "is not a whole number";
-        return json_integer_value(value) >= 0 && json_integer_value(value) <= most
+        return json_integer_value(value) >= 0 && json_integer_value(value) <= max
                    ? NULL
                    : "is out of range";
     case PROFILE_FIELD_DOUBLE:
@@ -80,8 +79,7 @@ static bool find_kind(const char *name, enum profile_kind *kind)
     return false;
 }
 
-/* Stores a value of the correct type. Returns false for an unknown row kind or when out of memory.
- */
+/* Stores a value of the correct type. Returns false if out of memory or for an unknown row kind. */
 static bool set_value(const struct profile_field *field, const json_t *value, void *object)
 {
     void *at = (char *)object + field->offset;
@@ -150,7 +148,7 @@ static enum status read_samples(const struct reader *reader, const json_t *json,
     return STATUS_OK;
 }
 
-/* Finds an array of objects and allocates one element for each. */
+/* Finds a JSON array of objects and allocates one element for each. */
 static enum status read_array(const struct reader *reader, const json_t *root, const char *key,
                               uint32_t *count, void **elements, size_t element_size)
 {
@@ -160,7 +158,7 @@ static enum status read_array(const struct reader *reader, const json_t *root, c
     *elements = calloc(json_array_size(array) + 1, element_size);
     if (!*elements)
         return no_memory(reader);
-    *count = (uint32_t)json_array_size(array); /* cannot overflow, since the file size is limited */
+    *count = (uint32_t)json_array_size(array); /* cannot overflow: file size is limited */
     return STATUS_OK;
 }
 
@@ -171,11 +169,11 @@ static enum status read_settings(struct reader *reader, const json_t *root, stru
         read_array(reader, root, "settings", &p->setting_count, &elements, sizeof(*p->settings));
     p->settings = elements;
     for (uint32_t i = 0; i < p->setting_count && status == STATUS_OK; i++) {
-        snprintf(reader->place, PLACE_SIZE, "settings[%" PRIu32 "]", i);
+        snprintf(reader->json_path, JSON_PATH_SIZE, "settings[%" PRIu32 "]", i);
         status = read_fields(reader, json_array_get(json_object_get(root, "settings"), i),
                              &profile_setting_fields, &p->settings[i]);
     }
-    reader->place[0] = '\0';
+    reader->json_path[0] = '\0';
     return status;
 }
 
@@ -187,18 +185,18 @@ static enum status read_residents(struct reader *reader, const json_t *root, str
     p->residents = elements;
     for (uint32_t i = 0; i < p->resident_count && status == STATUS_OK; i++) {
         struct profile_resource *resident = &p->residents[i];
-        snprintf(reader->place, PLACE_SIZE, "residents[%" PRIu32 "]", i);
+        snprintf(reader->json_path, JSON_PATH_SIZE, "residents[%" PRIu32 "]", i);
         status = read_fields(reader, json_array_get(json_object_get(root, "residents"), i),
                              &profile_resource_fields, resident);
         if (status == STATUS_OK &&
             (resident->last_pass >= p->pass_count || resident->first_pass > resident->last_pass))
             status = fault(reader, "last_pass", "is not a pass at or after first_pass");
     }
-    reader->place[0] = '\0';
+    reader->json_path[0] = '\0';
     return status;
 }
 
-/* Checks the declared numbers of rows and samples before memory is allocated for them. */
+/* Checks the declared numbers of rows and samples before allocating memory for them. */
 static enum status check_counts(const struct reader *reader, const json_t *root,
                                 const struct profile *p)
 {
@@ -226,7 +224,7 @@ static enum status read_row(const struct reader *reader, const json_t *json,
                             const struct profile *p, uint32_t index)
 {
     struct profile_row *row = &p->rows[index];
-    const struct profile_row expected = *row; /* name and kind of the rows after the passes */
+    const struct profile_row expected = *row; /* name and kind of non-pass rows */
     enum status status = read_fields(reader, json, &profile_row_fields, row);
     if (status == STATUS_OK)
         status = read_samples(reader, json, "ms", row->ms, p->run_count);
@@ -246,7 +244,7 @@ static enum status read_row(const struct reader *reader, const json_t *json,
                        "is out of order: expected record, submit, unattributed at the end");
 }
 
-/* Checks that the rows of each run add up to its frame time, apart from rounding. */
+/* Checks that each run's rows add up to its frame time, apart from rounding. */
 static enum status check_sums(const struct reader *reader, const struct profile *p)
 {
     for (uint32_t run = 0; run < p->run_count; run++) {
@@ -278,15 +276,15 @@ static enum status read_rows(struct reader *reader, const json_t *root, struct p
     if (json_array_size(rows) != p->row_count)
         return fault(reader, "rows", "does not have pass_count + 3 elements");
     for (uint32_t i = 0; i < p->row_count && status == STATUS_OK; i++) {
-        snprintf(reader->place, PLACE_SIZE, "rows[%" PRIu32 "]", i);
+        snprintf(reader->json_path, JSON_PATH_SIZE, "rows[%" PRIu32 "]", i);
         status = read_row(reader, json_array_get(rows, i), p, i);
     }
     for (size_t i = 0; i < sizeof(whole) / sizeof(whole[0]) && status == STATUS_OK; i++) {
-        snprintf(reader->place, PLACE_SIZE, "%s", whole[i].key);
+        snprintf(reader->json_path, JSON_PATH_SIZE, "%s", whole[i].key);
         status = read_samples(reader, json_object_get(root, whole[i].key), "ms", whole[i].samples,
                               p->run_count);
     }
-    reader->place[0] = '\0';
+    reader->json_path[0] = '\0';
     return status == STATUS_OK ? check_sums(reader, p) : status;
 }
 

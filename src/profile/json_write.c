@@ -8,7 +8,7 @@
 #include "src/profile/table_rows.h"
 #include "src/profile/text_format.h"
 
-/* Key, offset and size of a struct member, for struct profile_field. */
+/* Key, offset and size of a struct member, for initialisers of struct profile_field. */
 #define KEY(key, object, member) \
     key, offsetof(struct object, member), sizeof(((struct object *)0)->member)
 #define AT(object, member) KEY(#member, object, member)
@@ -36,9 +36,9 @@ static const struct profile_field of_profile[] = {
     { PROFILE_FIELD_U32, AT(profile, run_count) },
     { PROFILE_FIELD_DOUBLE, AT(profile, time) },
     { PROFILE_FIELD_DOUBLE, AT(profile, time_step) },
-    { PROFILE_FIELD_DOUBLE, AT(profile, tree), .is_optional = true },
-    { PROFILE_FIELD_U32, AT(profile, tree_triangles), .is_optional = true },
-    { PROFILE_FIELD_U64, AT(profile, tree_size), .is_optional = true },
+    { PROFILE_FIELD_DOUBLE, KEY("tree", profile, tree), .is_optional = true },
+    { PROFILE_FIELD_U32, KEY("tree_triangles", profile, tree_triangles), .is_optional = true },
+    { PROFILE_FIELD_U64, KEY("tree_size", profile, tree_size), .is_optional = true },
     { PROFILE_FIELD_DOUBLE, AT(profile, rays), .is_optional = true },
     { PROFILE_FIELD_U64, AT(profile, rays_size), .is_optional = true },
     { PROFILE_FIELD_DOUBLE, AT(profile, upload) },

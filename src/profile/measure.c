@@ -30,7 +30,7 @@ static uint64_t target_size(const struct rg_plan *plan, const struct rg_plan_pas
            rg_format_info(image->image->format)->size;
 }
 
-/* Names a row. Passes of the same name, one per object or cube face, become its repetitions. */
+/* Names a row. Passes of the same name, one per object or cube face, are repetitions of it. */
 static void name_pass(const struct measure *m, uint32_t index, struct profile_row *row)
 {
     const struct rg_plan *plan = m->plan;
@@ -189,8 +189,7 @@ static void keep_counts(struct profile *p, const struct rg_times *times)
     }
 }
 
-/* Renders the measured and the unmeasured frame of a run, in alternating order because of caches.
- */
+/* Renders a run's measured and unmeasured frame, alternating their order because of caches. */
 static enum status run_once(struct measure *m, uint32_t index)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
@@ -214,7 +213,7 @@ static enum status run_once(struct measure *m, uint32_t index)
     return status;
 }
 
-/* Captures one frame with RenderDoc, rendered without measurement. */
+/* Captures one unmeasured frame with RenderDoc. */
 static enum status capture(struct measure *m)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
@@ -226,8 +225,7 @@ static enum status capture(struct measure *m)
     return status == STATUS_OK ? ended : status;
 }
 
-/* Renders the frames before the runs: the first one, one with pipeline statistics, a captured one.
- */
+/* Renders frames before the runs: the first, one with pipeline statistics, one captured. */
 static enum status begin(struct measure *m)
 {
     const struct rg_measure nothing = { RG_CLOCK_NONE, false };
@@ -243,7 +241,7 @@ static enum status begin(struct measure *m)
     return status == STATUS_OK && m->request->capture ? capture(m) : status;
 }
 
-/* Interleaves the runs: each run is rendered by all renderers in turn. */
+/* Interleaves the runs: all renderers render run i before run i + 1. */
 static enum status run_all(struct measure *all, const struct profile_run *run)
 {
     const uint32_t run_count = all->request->warmup + all->request->run_count;

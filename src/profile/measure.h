@@ -1,9 +1,8 @@
 /*
  * measure.h: renders a frame repeatedly and measures its passes.
  *
- * Each run renders the frame twice, once with measurement of each pass and once without; their
- * order alternates. The difference is the measurement overhead. There is no readback: the image
- * stays on the GPU.
+ * Each run renders the frame twice, with and without measurement of its passes, in alternating
+ * order; the difference is the measurement overhead. The image stays on the GPU, without readback.
  */
 #ifndef FIRN_PROFILE_MEASURE_H
 #define FIRN_PROFILE_MEASURE_H
@@ -17,25 +16,24 @@ enum {
 };
 
 struct profile_request {
-    /* Only these members are used: gpu, scene, settings, rung, width, height, sharing. */
+    /* Renderer; only gpu, scene, settings, rung, width, height and sharing are used. */
     struct renderer_params renderer;
     struct camera camera;
     const struct profile_clock *clock;
-    uint32_t warmup, run_count; /* warm-up runs; measured runs, at least 1 */
-    char *capture; /* NULL, or MEASURE_PATH_SIZE bytes for the path of a RenderDoc capture */
-    double time, time_step; /* seconds: scene time of the first run; time step per run */
+    uint32_t warmup, run_count; /* `run_count` must be at least 1 */
+    char *capture;              /* path, MEASURE_PATH_SIZE bytes, or NULL */
+    double time, time_step;     /* seconds: first run's scene time, step */
 };
 
-/* Called after each run, warm-up included. Returns false to stop with STATUS_FAILED, without a log.
- */
+/* Callback after each run, warm-up included. Returns false to stop with STATUS_FAILED. */
 typedef bool profile_progress_fn(void *user, uint32_t done, uint32_t all);
 
-/* Profiles that are measured together. */
+/* Profiles that are measured together, with interleaved runs. */
 struct profile_run {
-    const struct profile_request *requests; /* all with the same `warmup` and `run_count` */
-    struct profile *profiles;               /* receive the results */
-    uint32_t count;                         /* number of requests and profiles, at least 1 */
-    profile_progress_fn *progress;          /* may be NULL; counts the runs of all profiles */
+    const struct profile_request *requests; /* equal `warmup` and `run_count` */
+    struct profile *profiles;
+    uint32_t count;                /* number of requests and profiles */
+    profile_progress_fn *progress; /* may be NULL; counts all runs */
     void *user;
 };
 

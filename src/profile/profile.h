@@ -2,13 +2,11 @@
  * profile.h: struct profile: the time of a frame, by pass, in each of several runs.
  *
  * A run renders the frame twice: once without measurement (`plain`), once with measurement of each
- * pass. The rows of a run add up to its `frame`: GPU passes; `record` and `submit` on the CPU; and
- * `unattributed`, the remainder. That is slightly negative if the GPU starts before the submit call
- * returns on the CPU.
+ * pass. A run's rows add up to its `frame`: GPU passes; `record` and `submit` on the CPU; and the
+ * remainder `unattributed`, slightly negative if the GPU starts before the submit call returns.
  *
- * Units:     milliseconds, bytes, texels.
- * Ownership: a profile owns all that it points to; profile_finish() frees it and accepts {0}.
- * Errors:    logged; STATUS_TRY_AGAIN when out of memory.
+ * Units: milliseconds, bytes, texels. Ownership: a profile owns all that it points to;
+ * profile_finish() frees it and accepts {0}. Errors: logged; STATUS_TRY_AGAIN when out of memory.
  */
 #ifndef FIRN_PROFILE_PROFILE_H
 #define FIRN_PROFILE_PROFILE_H
@@ -22,7 +20,7 @@ enum {
 };
 
 enum profile_kind {
-    PROFILE_RASTER, /* kinds of GPU passes */
+    PROFILE_RASTER, /* first kind of GPU pass */
     PROFILE_COMPUTE,
     PROFILE_TRANSFER,
     PROFILE_HOST, /* record, submit */
@@ -30,24 +28,24 @@ enum profile_kind {
     PROFILE_KIND_COUNT,
 };
 
-/* A pass, in execution order, or one of the rows after the passes. */
+/* Row of a profile: a pass, in execution order, or one of the rows after the passes. */
 struct profile_row {
     char name[PROFILE_NAME_SIZE];      /* "env_cube.objects", "record", ... */
-    char technique[PROFILE_NAME_SIZE]; /* "env_cube"; "" if the row is no pass */
+    char technique[PROFILE_NAME_SIZE]; /* "env_cube"; "" for other rows */
     enum profile_kind kind;
-    /* index and number of repetitions of a pass that runs per cube face or object; else 0 of 1 */
+    /* Index and number of a pass's repetitions, one per cube face or object; else 0 of 1. */
     uint32_t repetition, repetition_count;
-    uint32_t width, height; /* size of its render targets; 0 if it has none */
-    uint64_t target_bytes;  /* total size of its render targets */
-    /* Pipeline statistics of one frame, from a separate run; 0 unless has_statistics: */
+    uint32_t width, height; /* of the render targets; else 0 */
+    uint64_t target_bytes;  /* total size of the render targets */
+    /* Pipeline statistics of one frame, from a separate run; 0 unless has_statistics. */
     uint64_t vertices, triangles, fragments, invocations; /* rg_time.h */
-    uint64_t covered;  /* samples that passed the depth test, including those overdrawn later */
-    double *ms;        /* duration in each run */
-    double *begin_ms;  /* start in each run, relative to the first pass; 0 if the row is no pass */
-    double *record_ms; /* CPU time of recording the pass, part of `record`; else 0 */
+    uint64_t covered;  /* samples passing depth tests, with overdraw */
+    double *ms;        /* per run */
+    double *begin_ms;  /* per run, after the first pass */
+    double *record_ms; /* CPU recording time per run, or 0 */
 };
 
-/* Lifetime and memory of a transient image or buffer, for the plot of memory aliasing. */
+/* Lifetime and memory block of a transient image or buffer, for the memory aliasing plot. */
 struct profile_resource {
     char name[PROFILE_NAME_SIZE];
     uint32_t first_pass, last_pass; /* indices of rows */
@@ -62,40 +60,40 @@ struct profile_setting {
 
 struct profile {
     char *command; /* the whole command line */
-    char *scene;   /* scene name as on the command line */
+    char *scene;   /* as on the command line */
     char refraction[PROFILE_NAME_SIZE], material[PROFILE_NAME_SIZE];
     uint32_t width, height; /* of the image */
     struct profile_setting *settings;
     uint32_t setting_count;
-    char device[256], driver[256]; /* GPU name; GPU kind, versions of Vulkan and driver */
-    char host[256];                /* CPU name and number of threads */
+    char device[256], driver[256]; /* GPU name; kind, Vulkan, driver version */
+    char host[256];                /* CPU name and thread count */
     char clock[32];                /* "timestamps" or "submits" */
-    char clock_reason[256];        /* why the timestamp test chose this clock */
-    double submit_cost;       /* time of an empty submit, included in passes timed by submits */
+    char clock_reason[256];        /* why the timestamp check chose it */
+    double submit_cost;       /* cost of an empty submit, included in passes timed by submits */
     bool has_statistics;      /* the device has pipeline statistics */
-    bool fragments_are_exact; /* false if the driver counts whole blocks of them */
-    uint32_t warmup;          /* runs before the first measured run */
+    bool fragments_are_exact; /* false if drivers count whole blocks */
+    uint32_t warmup;          /* warm-up runs */
     uint32_t run_count;
-    double time, time_step;  /* scene time of the first run and step per run, seconds */
-    uint32_t tree_triangles; /* triangles in the ray tracing BVH; 0 if there is none */
-    uint64_t tree_size;      /* size of that BVH, bytes */
-    double tree;             /* build time of that BVH, milliseconds */
-    uint64_t rays_size;      /* size of the acceleration structures, bytes; 0 if there are none */
-    double rays;             /* build time of the acceleration structures, milliseconds */
-    /* One-time costs, ms: scene, graph, pipelines, first frame with shader compilation. */
+    double time, time_step;  /* seconds: first run's scene time, step */
+    uint32_t tree_triangles; /* BVH triangles; 0 without a BVH */
+    uint64_t tree_size;      /* BVH size, bytes */
+    double tree;             /* BVH build, milliseconds */
+    uint64_t rays_size;      /* acceleration structures, bytes; 0 without */
+    double rays;             /* acceleration structure build, milliseconds */
+    /* One-time costs, ms: scene upload, graph, pipelines, first frame (compiles shaders). */
     double upload, compile, realise, first_frame;
     uint64_t memory_used, memory_without_aliasing, memory_bound, memory_persistent;
     struct profile_resource *residents;
     uint32_t resident_count;
-    struct profile_row *rows; /* passes, then CPU rows, then the remainder */
+    struct profile_row *rows; /* passes, CPU rows, remainder */
     uint32_t row_count, pass_count;
-    double *frame; /* time of each measured frame from start to end, by the CPU's clock */
-    double *plain; /* time of each frame without measurement, by the CPU's clock */
-    double *wait;  /* time that the CPU waited for the GPU in each run, part of `frame` */
+    double *frame; /* measured frame per run, CPU clock */
+    double *plain; /* unmeasured frame per run, CPU clock */
+    double *wait;  /* CPU wait for the GPU, per run */
 };
 
 /* Allocates rows and samples, all 0, for pass_count passes and run_count runs, and adds the rows
- * record, submit and unattributed. The caller sets the names of the passes. */
+ * record, submit and unattributed. The caller names the passes. */
 MUST_USE enum status profile_make_rows(struct profile *profile);
 
 void profile_finish(struct profile *profile);

@@ -1,5 +1,4 @@
-/* statistics.c: quantiles, Mann-Whitney test, Holm's method, Hodges-Lehmann ratio, power-law fit.
- */
+/* statistics.c: quantiles, Mann-Whitney test, Holm's method, Hodges-Lehmann ratio, power laws. */
 #include "src/profile/statistics.h"
 #include <assert.h>
 #include <float.h>
@@ -7,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Converts a sortable integer key to the double that it encodes. Keys of positive numbers have the
- * sign bit flipped, keys of negative numbers all bits. */
+/* Converts a sortable integer key to the double it encodes. Keys have the sign bit flipped for
+ * positive numbers, all bits for negative numbers. */
 static double from_key(uint64_t key)
 {
     const uint64_t sign = UINT64_C(1) << 63;
@@ -18,17 +17,17 @@ static double from_key(uint64_t key)
     return value;
 }
 
-/* Returns the number of items that are at most `value`. */
+/* Callback that returns how many items are at most `value`. */
 typedef uint64_t count_fn(const void *items, double value);
 
-/* Returns the item with this index in ascending order, by bisecting over all doubles bit by bit.
- * Needs no sorted list, so it also works on all pairs of two samples without allocation. */
+/* Returns the item with this index in ascending order by bisection over the bits of a double.
+ * Without a sorted list, it also works on all pairs of two samples, without allocation. */
 static double find_nth(count_fn *count, const void *items, uint64_t index)
 {
     uint64_t key = 0;
     for (int bit = 63; bit >= 0; bit--) {
         const double value = from_key((key | UINT64_C(1) << bit) - 1);
-        /* keys beyond the infinities encode NaN */
+        /* Keys beyond the infinities encode NaN. */
         const bool is_above = isnan(value) ? !signbit(value) : count(items, value) > index;
         if (!is_above)
             key |= UINT64_C(1) << bit;
@@ -88,8 +87,8 @@ struct profile_fences profile_fences(const double *samples, uint32_t count)
 {
     const double lower = profile_quantile(samples, count, 0.25);
     const double upper = profile_quantile(samples, count, 0.75);
-    const double reach = 1.5 * (upper - lower);
-    return (struct profile_fences){ lower - reach, upper + reach };
+    const double whisker = 1.5 * (upper - lower);
+    return (struct profile_fences){ lower - whisker, upper + whisker };
 }
 
 static int compare_numbers(const void *a, const void *b)
@@ -103,10 +102,10 @@ void profile_sort(double *samples, uint32_t count)
     qsort(samples, count, sizeof(*samples), compare_numbers);
 }
 
-/* The Mann-Whitney U statistic and the tie term of its variance. */
+/* Mann-Whitney U statistic and the tie term of its variance. */
 struct ranks {
-    double u;    /* pairs in which b is above a; ties count one half */
-    double ties; /* sum of t^3 - t over all groups of t equal samples */
+    double u;    /* U: pairs with b > a, ties counting one half */
+    double ties; /* tie term: sum of t^3 - t over groups of t equal samples */
 };
 
 /* Returns how many of the sorted samples equal `value`, from index `first` on. */
@@ -210,7 +209,7 @@ void profile_holm(const double *p, double *adjusted, uint32_t count)
                 ties++;
             }
         }
-        assert(ties > 0); /* fails if a p-value is NaN */
+        assert(ties > 0); /* false if a p-value is NaN */
         done += ties;
         last = next;
     }
@@ -233,7 +232,7 @@ static uint64_t count_ratios(const void *items, double value)
 struct profile_ratio profile_ratio(const struct profile_pair *pair)
 {
     assert(pair->a_count > 0 && pair->b_count > 0);
-    const double z = 2.5758293035489004; /* 99 % quantile of the normal distribution, two-sided */
+    const double z = 2.5758293035489004; /* two-sided 99 % quantile, normal distribution */
     const double a = pair->a_count, b = pair->b_count;
     const uint64_t count = (uint64_t)pair->a_count * pair->b_count;
     if (pair->a[0] <= 0 || pair->b[0] <= 0)

@@ -7,7 +7,7 @@
 #include "src/base/log.h"
 #include "src/profile/table_rows.h"
 
-/* rows below this fraction of the frame time are not fitted */
+/* Minimum fraction of the frame time for a row to be fitted. */
 static const double fit_fraction_min = 0.02;
 
 static enum status usage(const char *text, const char *what)
@@ -21,7 +21,7 @@ static enum status no_memory(void)
     return log_out_of_memory(NULL);
 }
 
-/* Returns an error message for a name or value of this length, or NULL if it is valid. */
+/* Returns an error message if a name or value of this length is invalid, else NULL. */
 static const char *find_fault(size_t length)
 {
     if (length == 0)
@@ -29,13 +29,13 @@ static const char *find_fault(size_t length)
     return length < PROFILE_NAME_SIZE ? NULL : "a name or value is too long";
 }
 
-static void copy_part(char to[static PROFILE_NAME_SIZE], const char *from, size_t length)
+static void copy_text(char to[static PROFILE_NAME_SIZE], const char *from, size_t length)
 {
     memcpy(to, from, length);
     to[length] = '\0';
 }
 
-/* Splits the list of values at its commas. Returns an error message, or NULL. */
+/* Splits a list of values at its commas. Returns an error message, or NULL. */
 static const char *split_values(struct profile_parameter *parameter, const char *text)
 {
     for (uint32_t i = 0; i < parameter->value_count; i++) {
@@ -43,7 +43,7 @@ static const char *split_values(struct profile_parameter *parameter, const char 
         const char *what = find_fault(length);
         if (what)
             return what;
-        copy_part(parameter->values[i], text, length);
+        copy_text(parameter->values[i], text, length);
         text += length + 1;
     }
     return NULL;
@@ -64,7 +64,7 @@ static const char *read_name(const struct profile_sweep *sweep, const char *text
     const char *what = text[length] ? find_fault(length) : "'=' is missing";
     if (what)
         return what;
-    copy_part(parameter->name, text, length);
+    copy_text(parameter->name, text, length);
     for (uint32_t i = 0; i < sweep->parameter_count; i++)
         if (strcmp(sweep->parameters[i].name, parameter->name) == 0)
             return "the parameter is given twice";
@@ -87,7 +87,7 @@ enum status profile_sweep_add(struct profile_sweep *sweep, const char *text)
         return usage(text, "expected at most 1000 combinations of values");
     parameter->values = calloc(count, sizeof(*parameter->values));
     parameter->value_count = count;
-    sweep->parameter_count++; /* from here on profile_sweep_finish() frees it */
+    sweep->parameter_count++; /* profile_sweep_finish() frees it from here on */
     free(sweep->points);
     sweep->points = calloc((size_t)before * count, sizeof(*sweep->points));
     sweep->point_count = sweep->points ? before * count : 0;
@@ -145,11 +145,11 @@ bool profile_sweep_number(const struct profile_sweep *sweep, uint32_t point, uin
                                                                   : read_number(value, number);
 }
 
-/* Power-law fits in progress, for a sweep of one numeric parameter. */
+/* Power-law fits in progress, over one numeric parameter. */
 struct fitting {
     struct profile_table_rows *lines; /* one per point */
     double *x, *used_x, *y;           /* one per point */
-    struct profile_growth *growths;   /* the frame is the first one */
+    struct profile_growth *growths;   /* frame first */
     uint32_t count;
 };
 
@@ -161,7 +161,7 @@ static bool has_growth(const struct fitting *fitting, const char *name)
     return false;
 }
 
-/* Lists the names of all rows to fit, in the order in which they first occur. */
+/* Lists the names of all rows to fit, in order of first occurrence. */
 static bool name_growths(struct fitting *fitting, uint32_t point_count)
 {
     size_t capacity = 1;
@@ -175,7 +175,7 @@ static bool name_growths(struct fitting *fitting, uint32_t point_count)
     for (uint32_t i = 0; i < point_count; i++) {
         for (uint32_t k = 0; k < fitting->lines[i].count; k++) {
             const struct profile_table_row *line = &fitting->lines[i].lines[k];
-            if (line->share > fit_fraction_min && line->row->kind != PROFILE_REST &&
+            if (line->fraction > fit_fraction_min && line->row->kind != PROFILE_REST &&
                 !has_growth(fitting, line->row->name))
                 snprintf(fitting->growths[fitting->count++].name, PROFILE_NAME_SIZE, "%s",
                          line->row->name);
@@ -184,7 +184,7 @@ static bool name_growths(struct fitting *fitting, uint32_t point_count)
     return true;
 }
 
-/* Returns the median of a row at a point, or NULL if the point has no such row. */
+/* Returns the median of a named row at a point, or NULL if the point has no such row. */
 static const double *find_median(const struct profile_table_rows *lines, const char *name)
 {
     for (uint32_t i = 0; i < lines->count; i++)
@@ -209,16 +209,16 @@ static void fit_growth(const struct fitting *fitting, uint32_t index, uint32_t p
     growth->fit = profile_fit(fitting->used_x, fitting->y, used);
 }
 
-/* Fits all rows and drops those without a valid fit. */
+/* Fits power laws to all rows and drops rows without a valid fit. */
 static void fit_all(struct fitting *fitting, uint32_t point_count)
 {
-    uint32_t kept = 0;
+    uint32_t fitted_count = 0;
     for (uint32_t i = 0; i < fitting->count; i++) {
         fit_growth(fitting, i, point_count);
         if (fitting->growths[i].fit.point_count > 0)
-            fitting->growths[kept++] = fitting->growths[i];
+            fitting->growths[fitted_count++] = fitting->growths[i];
     }
-    fitting->count = kept;
+    fitting->count = fitted_count;
 }
 
 static enum status fitting_init(struct fitting *fitting, const struct profile_sweep *sweep)

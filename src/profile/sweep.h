@@ -1,9 +1,7 @@
 /*
  * sweep.h: parameter sweeps: profiles for all combinations of parameter values, with power-law fits
- * of the costs, as table or JSON.
- *
- * Ownership: a sweep owns all its data except contrasts and figures, including the profiles. {0}
- * and half-built sweeps may be finished.
+ * of the costs, as table or JSON. A sweep owns its data and profiles, but not contrasts and
+ * figures. {0} and half-built sweeps may be finished.
  */
 #ifndef FIRN_PROFILE_SWEEP_H
 #define FIRN_PROFILE_SWEEP_H
@@ -24,12 +22,12 @@ struct profile_parameter {
     uint32_t value_count;
 };
 
-/* A planned comparison of two points of a sweep with a published claim. */
+/* Planned comparison of two points of a sweep with a published claim. */
 struct profile_contrast {
-    const char *where, *what, *said; /* "figure 6"; difference; claim, "about -26 %" */
-    uint32_t before, after;          /* indices of the two points */
-    struct profile_ratio rate;       /* ratio of frame rates after / before */
-    double p; /* Mann-Whitney p-value, adjusted by Holm's method for all contrasts */
+    const char *where, *what, *said; /* "figure 6", difference, published claim */
+    uint32_t before, after;          /* indices of the points */
+    struct profile_ratio rate;       /* frame rate after / before */
+    double p;                        /* Mann-Whitney p-value, Holm-adjusted over all contrasts */
 };
 
 enum {
@@ -37,12 +35,12 @@ enum {
     PROFILE_FIGURE_COLUMNS = 3
 };
 
-/* A chart of frame rates over columns, with a curve or bars per series. */
+/* Chart of frame rates over columns, with a curve or bars per series. */
 struct profile_figure {
-    const char *title, *axis; /* "Figure 6: ..."; label of the column axis */
+    const char *title, *axis; /* label of the column axis */
     bool is_bars;
     const char *columns[PROFILE_FIGURE_COLUMNS];
-    const char *series[PROFILE_FIGURE_SERIES]; /* the second one may be NULL */
+    const char *series[PROFILE_FIGURE_SERIES]; /* the second may be NULL */
     uint32_t points[PROFILE_FIGURE_SERIES][PROFILE_FIGURE_COLUMNS];
     uint32_t column_count;
 };
@@ -50,7 +48,7 @@ struct profile_figure {
 struct profile_sweep {
     struct profile_parameter parameters[PROFILE_SWEEP_PARAMETERS];
     uint32_t parameter_count;
-    struct profile *points; /* one per combination; the last parameter varies fastest */
+    struct profile *points; /* the last parameter varies fastest */
     uint32_t point_count;
     struct profile_contrast *contrasts; /* contrasts and figures are borrowed */
     uint32_t contrast_count;
@@ -63,10 +61,9 @@ struct profile_sweep {
 MUST_USE enum status profile_contrast_all(struct profile_sweep *sweep);
 
 /*
- * Adds a parameter, "name=a,b,c", and allocates the points, all {0}. The name is a setting's or
- * "size"; neither name nor values are validated here. Logs and returns STATUS_USAGE if a name or
- * value is missing, a name occurs twice, there are too many parameters or points, or a text is too
- * long.
+ * Adds a parameter "name=a,b,c", whose name is a setting or "size", and allocates all points as
+ * {0}. Names and values are not validated. Logs and returns STATUS_USAGE if a name or value is
+ * missing, a name occurs twice, a text is too long, or there are too many parameters or points.
  */
 MUST_USE enum status profile_sweep_add(struct profile_sweep *sweep, const char *text);
 void profile_sweep_finish(struct profile_sweep *sweep);
@@ -75,30 +72,30 @@ void profile_sweep_finish(struct profile_sweep *sweep);
 const char *profile_sweep_value(const struct profile_sweep *sweep, uint32_t point,
                                 uint32_t parameter);
 
-/* Converts the value of a parameter at a point to a number; a size "WxH" becomes its number of
- * pixels. Returns false if the value is not a number. */
+/* Converts a parameter's value at a point to a number; a size "WxH" to its number of pixels.
+ * Returns false if the value is not a number. */
 bool profile_sweep_number(const struct profile_sweep *sweep, uint32_t point, uint32_t parameter,
                           double *number);
 
-/* Growth of a median time with the swept parameter. */
+/* Growth of a row's median time with the swept parameter. */
 struct profile_growth {
-    char name[PROFILE_NAME_SIZE]; /* "frame", or a row name whose repetitions are added up */
+    char name[PROFILE_NAME_SIZE]; /* "frame" or a row, repetitions added */
     struct profile_fit fit;
 };
 
 /*
  * Fits power laws to the frame and to all rows above 2 % of it at some point. All points must have
- * been measured. The caller frees *growths. It is NULL, and *count 0, if there are several
- * parameters, a value is not a number, or nothing can be fitted.
+ * been measured. The caller frees *growths. It is NULL, and *count 0, with several parameters, a
+ * value that is not a number, or nothing to fit.
  */
 MUST_USE enum status profile_sweep_fit(const struct profile_sweep *sweep,
                                        struct profile_growth **growths, uint32_t *count);
 
-/* Prints a line per point with parameters, median and standard deviation of the frame and its most
- * expensive passes, then the fits, in PROFILE_COLUMNS columns. */
+/* Prints the sweep in PROFILE_COLUMNS columns: for each point its parameters, median and standard
+ * deviation of the frame, and most expensive passes; then the fits. */
 MUST_USE enum status profile_sweep_table(const struct profile_sweep *sweep, FILE *out);
 
-/* Writes the sweep as JSON (docs/profile.md). Ownership and errors as for profile_write_json(). */
+/* Writes the sweep as JSON (docs/profile.md), like profile_write_json(). */
 MUST_USE enum status profile_write_sweep_json(const struct profile_sweep *sweep, char **text,
                                               size_t *size);
 

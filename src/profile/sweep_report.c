@@ -9,13 +9,13 @@
 #include "src/profile/text_format.h"
 
 enum {
-    PARAMETERS_COLUMNS = 42, /* maximum for all parameters together */
+    PARAMETERS_COLUMNS = 42, /* maximum of all parameters together */
     TIMES_COLUMNS = 20,
     COSTLIEST_COUNT = 3,
-    SHARE_COLUMNS = 8, /* "  ", name, "  64 %" */
-    LEAST_NAME = 10,
+    FRACTION_COLUMNS = 8, /* "  ", name, "  64 %" */
+    NAME_COLUMNS_MIN = 10,
     FIT_NAME_COLUMNS = 40,
-    WORDS_SIZE = 1024
+    TEXT_SIZE = 1024
 };
 
 struct columns {
@@ -23,8 +23,8 @@ struct columns {
     uint32_t passes; /* columns left for the passes */
 };
 
-/* Distributes table columns among the parameters. Widths are in bytes, so columns of non-ASCII text
- * may become too wide but never too narrow. */
+/* Distributes table columns among the parameters. Widths are in bytes: non-ASCII columns may be too
+ * wide but never too narrow. */
 static struct columns make_columns(const struct profile_sweep *sweep)
 {
     struct columns columns = { 0 };
@@ -43,14 +43,14 @@ static struct columns make_columns(const struct profile_sweep *sweep)
     return columns;
 }
 
-/* Finds the most expensive passes, in descending order. Returns their number. */
+/* Finds the most expensive passes, in descending order of time. Returns their number. */
 static uint32_t find_costliest(const struct profile_table_rows *lines,
                                const struct profile_table_row *costliest[static COSTLIEST_COUNT])
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < lines->pass_count; i++) {
         uint32_t at = count < COSTLIEST_COUNT ? count++ : COSTLIEST_COUNT;
-        for (; at > 0 && costliest[at - 1]->share < lines->lines[i].share; at--)
+        for (; at > 0 && costliest[at - 1]->fraction < lines->lines[i].fraction; at--)
             if (at < COSTLIEST_COUNT)
                 costliest[at] = costliest[at - 1];
         if (at < COSTLIEST_COUNT)
@@ -59,20 +59,20 @@ static uint32_t find_costliest(const struct profile_table_rows *lines,
     return count;
 }
 
-/* Prints the most expensive passes that fit into the line; the last name may be shortened. */
+/* Prints the most expensive passes that fit into a line; the last name may be shortened. */
 static void print_costliest(const struct profile_table_rows *lines, uint32_t room, FILE *out)
 {
     const struct profile_table_row *costliest[COSTLIEST_COUNT];
     const uint32_t count = find_costliest(lines, costliest);
     char name[PROFILE_TABLE_ROW_NAME_SIZE];
-    for (uint32_t i = 0; i < count && room >= LEAST_NAME + SHARE_COLUMNS; i++) {
+    for (uint32_t i = 0; i < count && room >= NAME_COLUMNS_MIN + FRACTION_COLUMNS; i++) {
         profile_table_row_name(costliest[i], name);
-        const uint32_t most = room - SHARE_COLUMNS;
+        const uint32_t most = room - FRACTION_COLUMNS;
         const uint32_t width = strlen(name) < most ? (uint32_t)strlen(name) : most;
         fputs("  ", out);
         profile_print_name(name, width, out);
-        fprintf(out, " %3.0f %%", costliest[i]->share * 100);
-        room -= width + SHARE_COLUMNS;
+        fprintf(out, " %3.0f %%", costliest[i]->fraction * 100);
+        room -= width + FRACTION_COLUMNS;
     }
 }
 
@@ -98,15 +98,15 @@ static enum status print_point(const struct profile_sweep *sweep, uint32_t point
 static void print_fits(const struct profile_sweep *sweep, const struct profile_growth *growths,
                        uint32_t count, FILE *out)
 {
-    char words[WORDS_SIZE];
+    char message[TEXT_SIZE];
     if (count == 0)
         return;
     snprintf(
-        words, sizeof(words),
+        message, sizeof(message),
         "median in ms = factor * %s ^ exponent: least squares of the logarithms, of points above 0",
         strcmp(sweep->parameters[0].name, "size") == 0 ? "pixels" : sweep->parameters[0].name);
     fputc('\n', out);
-    profile_print_wrapped(words, 2, out);
+    profile_print_wrapped(message, 2, out);
     profile_print_name("", FIT_NAME_COLUMNS, out);
     fprintf(out, " %10s %12s %8s %8s\n", "exponent", "factor", "R²", "points");
     for (uint32_t i = 0; i < count; i++) {

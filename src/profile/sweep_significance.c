@@ -1,5 +1,4 @@
-/* sweep_significance.c: tests whether the frame rates of two points of a sweep differ, and by how
- * much. */
+/* sweep_significance.c: tests the difference in frame rate of two points of a sweep. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -15,7 +14,7 @@ static double *sorted_copy(const struct profile *p)
     return copy;
 }
 
-/* Returns the unadjusted p-value of one contrast; below 0 when out of memory. */
+/* Returns the unadjusted p-value of one contrast; a negative value when out of memory. */
 static double test_contrast(const struct profile_sweep *sweep, struct profile_contrast *contrast)
 {
     const struct profile *before = &sweep->points[contrast->before];
@@ -29,7 +28,7 @@ static double test_contrast(const struct profile_sweep *sweep, struct profile_co
             .a_count = after->run_count,
             .b_count = before->run_count,
         };
-        contrast->rate = profile_ratio(&pair); /* frame rate ratio: inverse of the time ratio */
+        contrast->rate = profile_ratio(&pair); /* inverse of the time ratio */
         p = profile_mann_whitney(&pair);
     }
     free(times[0]);

@@ -9,7 +9,7 @@
 enum {
     NAME_COLUMNS = 32,
     MAX_OUTLIERS = 8,
-    WORDS_SIZE = 1024
+    TEXT_SIZE = 1024
 };
 
 int profile_decimals(double greatest)
@@ -23,22 +23,22 @@ int profile_decimals(double greatest)
 
 static void print_heading(const struct profile *p, FILE *out)
 {
-    char words[WORDS_SIZE];
-    snprintf(words, sizeof(words), "%s, %s, %s, %" PRIu32 "x%" PRIu32 ", on %s", p->scene,
+    char text[TEXT_SIZE];
+    snprintf(text, sizeof(text), "%s, %s, %s, %" PRIu32 "x%" PRIu32 ", on %s", p->scene,
              p->refraction, p->material, p->width, p->height, p->device);
-    profile_print_wrapped(words, 2, out);
-    snprintf(words, sizeof(words), "%" PRIu32 " run%s after %" PRIu32 " warm-up runs; times in ms",
+    profile_print_wrapped(text, 2, out);
+    snprintf(text, sizeof(text), "%" PRIu32 " run%s after %" PRIu32 " warm-up runs; times in ms",
              p->run_count, p->run_count == 1 ? "" : "s", p->warmup);
-    profile_print_wrapped(words, 2, out);
+    profile_print_wrapped(text, 2, out);
 }
 
-static void print_summary(const char *name, const struct profile_summary *s, double share,
+static void print_summary(const char *name, const struct profile_summary *s, double fraction,
                           int decimals, FILE *out)
 {
     profile_print_name(name, NAME_COLUMNS, out);
     fprintf(out, " %8.*f %8.*f ± %7.*f %8.*f %8.*f %8.*f %6.1f %%\n", decimals, s->median, decimals,
             s->mean, decimals, s->sigma, decimals, s->min, decimals, s->p95, decimals, s->max,
-            share * 100);
+            fraction * 100);
 }
 
 static void print_times(const struct profile_table_rows *lines, FILE *out)
@@ -51,12 +51,12 @@ static void print_times(const struct profile_table_rows *lines, FILE *out)
     for (uint32_t i = 0; i < lines->count; i++) {
         const struct profile_table_row *line = &lines->lines[i];
         profile_table_row_name(line, name);
-        print_summary(name, &line->summary, line->share, decimals, out);
+        print_summary(name, &line->summary, line->fraction, decimals, out);
     }
     print_summary("frame", &lines->frame, lines->frame.mean > 0 ? 1 : 0, decimals, out);
 }
 
-/* Prints a count, with a unit prefix if it is large; 0 becomes "-". */
+/* Prints a count with a unit prefix; 0 is printed as "-". */
 static void print_count(uint64_t count, int columns, FILE *out)
 {
     static const char units[] = { 'M', 'G', 'T', 'P', 'E' };
@@ -111,7 +111,7 @@ static void print_work(const struct profile_table_rows *lines, const struct prof
             2, out);
 }
 
-/* A sample that lies outside the Tukey fences of its line. */
+/* Sample outside the Tukey fences of its table line. */
 struct outlier {
     const struct profile_table_row *line;
     uint32_t run;
@@ -122,7 +122,7 @@ static double excess(const struct outlier *outlier)
     return fabs(outlier->line->ms[outlier->run] - outlier->line->summary.median);
 }
 
-/* Inserts an outlier into the sorted list of the largest. Returns the number of outliers so far. */
+/* Inserts an outlier into the sorted list of the largest ones. Returns their new number. */
 static uint32_t add_outlier(struct outlier *worst, uint32_t count, struct outlier outlier)
 {
     uint32_t at = count < MAX_OUTLIERS ? count : MAX_OUTLIERS;
@@ -139,16 +139,16 @@ static uint32_t add_outlier(struct outlier *worst, uint32_t count, struct outlie
 static void print_outlier(const struct outlier *outlier, FILE *out)
 {
     const double ms = outlier->line->ms[outlier->run], median = outlier->line->summary.median;
-    char name[PROFILE_TABLE_ROW_NAME_SIZE], words[WORDS_SIZE], times[32] = "";
+    char name[PROFILE_TABLE_ROW_NAME_SIZE], text[TEXT_SIZE], times[32] = "";
     profile_table_row_name(outlier->line, name);
     if (median > 0)
         snprintf(times, sizeof(times), ", %.1fx its median", ms / median);
-    snprintf(words, sizeof(words), "run %" PRIu32 ": %s %.*f ms%s", outlier->run, name,
+    snprintf(text, sizeof(text), "run %" PRIu32 ": %s %.*f ms%s", outlier->run, name,
              profile_decimals(ms), ms, times);
-    profile_print_wrapped(words, 2, out);
+    profile_print_wrapped(text, 2, out);
 }
 
-/* Prints the outliers that deviate from their median by more than 1 % of the frame time. */
+/* Prints outliers that deviate from their median by more than 1 % of the frame time. */
 static void print_outliers(const struct profile_table_rows *lines, uint32_t run_count, FILE *out)
 {
     struct outlier worst[MAX_OUTLIERS];
@@ -173,38 +173,38 @@ static void print_outliers(const struct profile_table_rows *lines, uint32_t run_
 static void print_rest(const struct profile_table_rows *lines, const struct profile *p, FILE *out)
 {
     const double frame = lines->frame.median, plain = lines->plain.median;
-    char words[WORDS_SIZE];
+    char text[TEXT_SIZE];
 
-    snprintf(words, sizeof(words), "clock: %s: %s", p->clock, p->clock_reason);
-    profile_print_wrapped(words, 2, out);
+    snprintf(text, sizeof(text), "clock: %s: %s", p->clock, p->clock_reason);
+    profile_print_wrapped(text, 2, out);
     if (strcmp(p->clock, "submits") == 0)
         fprintf(out, "an empty submit takes %.4f ms, which is included in every pass\n",
                 p->submit_cost);
     fprintf(
         out, "measurement overhead: %+.1f %% (median frame %.*f ms, without measurement %.*f ms)\n",
         profile_overhead(p) * 100, profile_decimals(frame), frame, profile_decimals(plain), plain);
-    snprintf(words, sizeof(words),
+    snprintf(text, sizeof(text),
              "setup: scene upload %.*f ms, graph %.*f ms, objects and pipelines %.*f ms, first "
              "frame %.*f ms",
              profile_decimals(p->upload), p->upload, profile_decimals(p->compile), p->compile,
              profile_decimals(p->realise), p->realise, profile_decimals(p->first_frame),
              p->first_frame);
-    profile_print_wrapped(words, 2, out);
+    profile_print_wrapped(text, 2, out);
     if (p->tree_triangles) {
-        snprintf(words, sizeof(words), "BVH: %u triangles, %.*f ms, %.1f MiB", p->tree_triangles,
+        snprintf(text, sizeof(text), "BVH: %u triangles, %.*f ms, %.1f MiB", p->tree_triangles,
                  profile_decimals(p->tree), p->tree, (double)p->tree_size / (1 << 20));
-        profile_print_wrapped(words, 2, out);
+        profile_print_wrapped(text, 2, out);
     }
     if (p->rays_size) {
-        snprintf(words, sizeof(words), "acceleration structures: %.*f ms, %.1f MiB",
+        snprintf(text, sizeof(text), "acceleration structures: %.*f ms, %.1f MiB",
                  profile_decimals(p->rays), p->rays, (double)p->rays_size / (1 << 20));
-        profile_print_wrapped(words, 2, out);
+        profile_print_wrapped(text, 2, out);
     }
-    snprintf(words, sizeof(words),
+    snprintf(text, sizeof(text),
              "memory: %" PRIu64 " bytes transient (%" PRIu64 " without aliasing, %" PRIu64
              " lower bound), %" PRIu64 " persistent",
              p->memory_used, p->memory_without_aliasing, p->memory_bound, p->memory_persistent);
-    profile_print_wrapped(words, 2, out);
+    profile_print_wrapped(text, 2, out);
     print_outliers(lines, p->run_count, out);
 }
 

@@ -58,7 +58,7 @@ enum status profile_table_rows_init(struct profile_table_rows *lines, const stru
     for (uint32_t i = 0; i < lines->count; i++) {
         struct profile_table_row *line = &lines->lines[i];
         line->summary = profile_summarize(line->ms, p->run_count);
-        line->share = lines->frame.mean > 0 ? line->summary.mean / lines->frame.mean : 0;
+        line->fraction = lines->frame.mean > 0 ? line->summary.mean / lines->frame.mean : 0;
     }
     return STATUS_OK;
 }

@@ -1,7 +1,6 @@
 /*
- * table_rows.h: the lines of a profile's table: rows with repetitions added up, and summaries.
- *
- * Ownership: lines own their samples and borrow the profile, which must outlive them.
+ * table_rows.h: lines of a profile's table: rows with repetitions added up, and summaries. Lines
+ * own their samples and borrow the profile, which must outlive them.
  */
 #ifndef FIRN_PROFILE_TABLE_ROWS_H
 #define FIRN_PROFILE_TABLE_ROWS_H
@@ -10,28 +9,28 @@
 #include "src/profile/statistics.h"
 
 struct profile_table_row {
-    const struct profile_row *row; /* first aggregated row: name, kind, target size */
+    const struct profile_row *row; /* first aggregated row */
     uint32_t row_count;            /* number of aggregated rows */
-    double *ms;                    /* sum over the rows in each run */
+    double *ms;                    /* sum over rows, per run */
     struct profile_summary summary;
-    double share; /* fraction of the mean frame time */
-    /* Sums over the aggregated rows: */
+    double fraction; /* fraction of the mean frame time */
+    /* Sums over the aggregated rows. */
     uint64_t target_bytes, vertices, triangles, fragments, invocations, covered;
 };
 
 struct profile_table_rows {
-    struct profile_table_row *lines; /* table lines, in order of first occurrence */
+    struct profile_table_row *lines; /* in order of first occurrence */
     uint32_t count;
-    uint32_t pass_count; /* number of pass lines, which come first */
+    uint32_t pass_count; /* pass lines, which precede others */
     struct profile_summary frame, plain;
 };
 
-/* Creates one line per name or, if `each`, per row. STATUS_TRY_AGAIN when out of memory, logged. */
+/* Creates one line per name or, if `each`, per row. When out of memory logs it. */
 MUST_USE enum status profile_table_rows_init(struct profile_table_rows *lines,
                                              const struct profile *profile, bool each);
 void profile_table_rows_finish(struct profile_table_rows *lines);
 
-/* Maximum size of a line's name in bytes: "env_cube.objects x6", "env_cube.objects [2]". */
+/* Maximum bytes of a line's name: "env_cube.objects x6", "env_cube.objects [2]". */
 enum {
     PROFILE_TABLE_ROW_NAME_SIZE = PROFILE_NAME_SIZE + 24
 };
@@ -40,8 +39,7 @@ enum {
 void profile_table_row_name(const struct profile_table_row *line,
                             char name[static PROFILE_TABLE_ROW_NAME_SIZE]);
 
-/* Returns median `frame` / median `plain` - 1, the measurement overhead; 0 if there is no `plain`.
- */
+/* Returns the measurement overhead, median `frame` / median `plain` - 1; 0 without `plain`. */
 double profile_overhead(const struct profile *profile);
 
 #endif

@@ -8,7 +8,7 @@ static bool is_within(unsigned char c, unsigned char low, unsigned char high)
     return c >= low && c <= high;
 }
 
-/* Returns the size of the first UTF-8 character (Unicode, table 3-7), or 0 if it is invalid. */
+/* Returns the size of a text's first UTF-8 character (Unicode, table 3-7); 0 if invalid. */
 static size_t utf8_size(const char *text)
 {
     static const struct {
@@ -108,7 +108,7 @@ void profile_print_wrapped(const char *text, uint32_t indent, FILE *out)
         const char *next = end;
         while (end > text && end[-1] == ' ')
             end--;
-        if (end == text) /* a word longer than a line */
+        if (end == text) /* word longer than a line */
             next = end = limit;
         while (text < end)
             text = print_character(text, out);

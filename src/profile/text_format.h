@@ -14,10 +14,10 @@ enum {
 void profile_clean_text(char *text);
 
 /* Prints text padded with spaces to `columns`, one per character. The middle of longer text becomes
- * "…". Control characters, which are a risk in terminals, and invalid UTF-8 become '?'. */
+ * "…"; invalid UTF-8 and control characters, a risk in terminals, become '?'. */
 void profile_print_name(const char *name, uint32_t columns, FILE *out);
 
-/* Prints text wrapped to PROFILE_COLUMNS at word boundaries if possible, and a newline.
+/* Prints text wrapped to PROFILE_COLUMNS, at word boundaries if possible, and a newline.
  * Continuation lines are indented by `indent` spaces. */
 void profile_print_wrapped(const char *text, uint32_t indent, FILE *out);
 

@@ -1,4 +1,4 @@
-/* timestamp_check.c: times known GPU passes by timestamps and by the CPU's clock. */
+/* timestamp_check.c: times test passes by GPU timestamps and by the CPU's clock. */
 #include "src/profile/timestamp_check.h"
 #include <math.h>
 #include <stdio.h>
@@ -8,18 +8,18 @@
 #include "src/base/log.h"
 
 enum {
-    SIDE = 250, /* not a multiple of a rasteriser's tile size */
-    HEAVY = 16, /* work of heavy passes relative to light passes */
+    SIDE = 250, /* no multiple of a rasteriser's tile */
+    HEAVY = 16, /* heavy over light passes' work */
     GROUP_COUNT = 256,
     FRAME_COUNT = 3, /* frames per clock and attempt */
     TRY_COUNT = 20,
     FIRST_ROUNDS = 16,
-    MOST_ROUNDS = 1 << 22,
-    ENOUGH_MS = 6, /* minimum time of a heavy pass, far above the cost of a submit */
+    ROUNDS_MAX = 1 << 22,
+    ENOUGH_MS = 6, /* far above a submit's cost, ms */
 };
 
 struct rg_frame {
-    uint32_t rounds; /* loop iterations of the light passes */
+    uint32_t rounds; /* light passes' loop iterations */
 };
 
 static const struct rg_image first = {
@@ -199,13 +199,13 @@ static double pass_ms(const struct test *test, uint32_t pass)
     return (double)(time->end - time->begin) * 1e-6;
 }
 
-/* Doubles the work until a heavy pass takes at least ENOUGH_MS. */
+/* Doubles the work until a heavy pass takes at least ENOUGH_MS milliseconds. */
 static VkResult find_rounds(struct test *test)
 {
     test->frame.rounds = FIRST_ROUNDS;
-    /* warm-up: the driver compiles the shaders */
+    /* Warm-up, in which the driver compiles the shaders. */
     VkResult result = draw(test, RG_CLOCK_SUBMITS, false);
-    while (result == VK_SUCCESS && test->frame.rounds < MOST_ROUNDS / HEAVY) {
+    while (result == VK_SUCCESS && test->frame.rounds < ROUNDS_MAX / HEAVY) {
         result = draw(test, RG_CLOCK_SUBMITS, false);
         if (result != VK_SUCCESS || pass_ms(test, 0) >= ENOUGH_MS)
             break;
@@ -214,18 +214,19 @@ static VkResult find_rounds(struct test *test)
     return result;
 }
 
-/* Measures several frames with both clocks alternately, and keeps the minimum time of each pass
- * over all attempts, because other load can only add time. */
-static VkResult take_least(struct test *test, struct timestamp_check_times *times, bool is_first)
+/* Measures frames with both clocks alternately, and updates each pass's minimum time over all
+ * attempts, since other load only adds time. */
+static VkResult update_minimums(struct test *test, struct timestamp_check_times *times,
+                                bool is_first)
 {
     const enum rg_clock clocks[] = { RG_CLOCK_SUBMITS, RG_CLOCK_EXACT };
 
-    double *const least[] = { times->alone, times->stamped };
+    double *const minimums[] = { times->alone, times->stamped };
     VkResult result = VK_SUCCESS;
     for (uint32_t f = 0; f < 2 * FRAME_COUNT && result == VK_SUCCESS; f++) {
         result = draw(test, clocks[f % 2], false);
         for (uint32_t p = 0; p < TIMESTAMP_CHECK_PASS_COUNT && result == VK_SUCCESS; p++) {
-            double *best = &least[f % 2][p];
+            double *best = &minimums[f % 2][p];
             *best = is_first && f < 2 ? pass_ms(test, p) : fmin(*best, pass_ms(test, p));
         }
     }
@@ -247,8 +248,8 @@ double timestamp_check_error(const struct timestamp_check_times *times)
     return worst;
 }
 
-/* Repeats the test until both clocks agree, usually once. Interference by other load is temporary,
- * whereas errors of a driver persist. */
+/* Repeats the test until both clocks agree, usually once: interference by other load is temporary,
+ * whereas driver errors persist. */
 static VkResult judge(struct test *test, uint32_t try_count, struct profile_clock *clock)
 {
     struct timestamp_check_times times = { 0 };
@@ -256,7 +257,7 @@ static VkResult judge(struct test *test, uint32_t try_count, struct profile_cloc
     double error = (double)INFINITY;
     VkResult result = VK_SUCCESS;
     for (uint32_t i = 0; i < try_count && error > TIMESTAMP_CHECK_TOLERANCE; i++) {
-        result = take_least(test, &times, i == 0);
+        result = update_minimums(test, &times, i == 0);
         if (result != VK_SUCCESS || !is_stamped)
             break;
         error = timestamp_check_error(&times);

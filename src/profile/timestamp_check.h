@@ -3,10 +3,10 @@
  * passes.
  *
  * A driver may finish a pass long after its timestamp, or attribute its time to the next pass,
- * without reporting an error. The test renders a frame of diverse passes (heavy and light, graphics
- * and compute, same and different render targets, a copy) with timestamps, and also each pass
- * alone, timed by the CPU's clock. If both agree, timestamps are used; otherwise every pass is
- * submitted alone and timed by the CPU.
+ * without reporting an error. The test renders diverse passes (heavy and light, graphics and
+ * compute, same and different render targets, a copy) with timestamps in one frame, and each pass
+ * alone, timed by the CPU's clock. Unless both agree, passes are submitted and timed by the CPU one
+ * by one.
  */
 #ifndef FIRN_PROFILE_TIMESTAMP_CHECK_H
 #define FIRN_PROFILE_TIMESTAMP_CHECK_H
@@ -17,30 +17,30 @@
 struct profile_clock {
     enum rg_clock clock;      /* RG_CLOCK_EXACT or RG_CLOCK_SUBMITS */
     char reason[256];         /* why this clock was chosen */
-    double submit_cost;       /* time of an empty submit and the wait for it, milliseconds */
-    bool fragments_are_exact; /* the fragment counter counts exactly the covered fragments */
+    double submit_cost;       /* empty submit and wait, milliseconds */
+    bool fragments_are_exact; /* the counter excludes uncovered fragments */
 };
 
 enum {
     TIMESTAMP_CHECK_PASS_COUNT = 7
 };
 
-/* Times of the test's passes in milliseconds; the last pass is empty. */
+/* Times of the test's passes, in milliseconds; the last pass is empty. */
 struct timestamp_check_times {
     double stamped[TIMESTAMP_CHECK_PASS_COUNT]; /* by timestamps, in one frame */
     double alone[TIMESTAMP_CHECK_PASS_COUNT];   /* submitted alone, by the CPU's clock */
 };
 
-/* Returns the largest relative difference of both times over all passes but the last, without the
- * cost of a submit. The denominator is at least a tenth of the total, because of short passes. */
+/* Returns the maximum relative difference of both times over all passes but the last, without a
+ * submit's cost. The denominator is at least a tenth of the total, because of short passes. */
 double timestamp_check_error(const struct timestamp_check_times *times);
 
-/* Largest error at which timestamps are used. */
+/* Maximum relative error at which timestamps are used. */
 #define TIMESTAMP_CHECK_TOLERANCE 0.1
 
-/* Runs the test and fills *clock. It takes about 0.2 s on two idle cores, and a few seconds on a
- * busy machine. `chosen` overrides the clock, unless it is RG_CLOCK_NONE; RG_CLOCK_SUBMITS works on
- * every device, so the test is then not repeated. Missing timestamps are not an error. */
+/* Runs the test and fills *clock: in 0.2 s on two idle cores, a few seconds on a busy machine.
+ * `chosen`, unless RG_CLOCK_NONE, overrides the clock; with RG_CLOCK_SUBMITS, which works on every
+ * device, the test is not repeated. Missing timestamps are not an error. */
 MUST_USE enum status timestamp_check_run(struct gpu *gpu, enum rg_clock chosen,
                                          struct profile_clock *clock);
 

@@ -1,12 +1,12 @@
-/* image_pipe.c: serialised header of an image: counts, then plane names and metadata texts. */
+/* image_pipe.c: serialises the header of an image: counts, then plane names and metadata. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "src/reader/image_reader.h"
 
 enum {
-    MAGIC_PICTURE = 0x504e5246,
-    HAS_PLACE = 1,
+    MAGIC_IMAGE = 0x504e5246,
+    HAS_WINDOW = 1,
     HAS_WORLD_TO_CAMERA = 2,
     HAS_WORLD_TO_NDC = 4,
 };
@@ -26,14 +26,12 @@ struct plane {
 
 struct text {
     char name[IMAGE_NAME_SIZE];
-    uint32_t length; /* length of the value, which follows without '\0' */
+    uint32_t length; /* of the value, without '\0' */
 };
 
 _Static_assert(sizeof(struct head) == 168 && sizeof(struct plane) == 68 &&
                    sizeof(struct text) == 68,
                "no padding, so no bytes of this process in them");
-
-/* ---- write ---- */
 
 static bool write_planes(const struct pipe_sink *sink, const struct image *image)
 {
@@ -61,8 +59,8 @@ static bool write_texts(const struct pipe_sink *sink, const struct image_header 
 bool image_pipe_write_header(const struct pipe_sink *sink, const struct image_header *head)
 {
     struct head sent = {
-        .magic = MAGIC_PICTURE,
-        .flags = (head->has_window ? HAS_PLACE : 0u) |
+        .magic = MAGIC_IMAGE,
+        .flags = (head->has_window ? HAS_WINDOW : 0u) |
                  (head->has_world_to_camera ? HAS_WORLD_TO_CAMERA : 0u) |
                  (head->has_world_to_ndc ? HAS_WORLD_TO_NDC : 0u),
         .width = head->image.width,
@@ -76,8 +74,6 @@ bool image_pipe_write_header(const struct pipe_sink *sink, const struct image_he
     return pipe_write(sink, &sent, sizeof(sent)) && write_planes(sink, &head->image) &&
            write_texts(sink, head);
 }
-
-/* ---- read ---- */
 
 static bool has_plane(const struct image *image, const char *name)
 {
@@ -139,8 +135,8 @@ static enum pipe_fault check_numbers(const struct head *head)
 static enum pipe_fault check_head(const struct head *head)
 {
     const struct image_window *window = &head->window;
-    if (head->magic != MAGIC_PICTURE ||
-        head->flags & ~(uint32_t)(HAS_PLACE | HAS_WORLD_TO_CAMERA | HAS_WORLD_TO_NDC))
+    if (head->magic != MAGIC_IMAGE ||
+        head->flags & ~(uint32_t)(HAS_WINDOW | HAS_WORLD_TO_CAMERA | HAS_WORLD_TO_NDC))
         return PIPE_HEAD;
     if (head->width < 1 || head->width > IMAGE_MAX_SIDE || head->height < 1 ||
         head->height > IMAGE_MAX_SIDE || head->width > IMAGE_MAX_TEXELS / head->height ||
@@ -148,7 +144,7 @@ static enum pipe_fault check_head(const struct head *head)
         head->width * head->height > IMAGE_MAX_SAMPLES / head->plane_count ||
         head->text_count > IMAGE_TEXT_COUNT_MAX)
         return PIPE_SIZE;
-    if (head->flags & HAS_PLACE &&
+    if (head->flags & HAS_WINDOW &&
         (window->x > window->width || window->y > window->height ||
          head->width > window->width - window->x || head->height > window->height - window->y))
         return PIPE_SIZE;
@@ -165,7 +161,7 @@ enum pipe_fault image_pipe_read_header(const struct pipe_source *source, struct 
     if (fault != PIPE_OK)
         return fault;
     image_init(&head->image, sent.width, sent.height);
-    head->has_window = sent.flags & HAS_PLACE;
+    head->has_window = sent.flags & HAS_WINDOW;
     head->has_world_to_camera = sent.flags & HAS_WORLD_TO_CAMERA;
     head->has_world_to_ndc = sent.flags & HAS_WORLD_TO_NDC;
     head->window = sent.window;

@@ -4,11 +4,11 @@
 #include <string.h>
 
 struct image_reader {
-    struct reader *reader; /* NULL after it has ended */
+    struct reader *reader; /* NULL once it has ended */
     struct pipe_source source;
     uint32_t width, height, plane_count;
     uint32_t next; /* index of the next row */
-    float *row;    /* row next - 1 of all planes, plane after plane */
+    float *row;    /* row next - 1 of all planes */
 };
 
 static enum status begin(struct reader **reader, struct image_header *head, const char *path,
@@ -35,16 +35,16 @@ enum status image_reader_open(struct image_reader **opened, const char *path,
     *opened = NULL;
     if (status != STATUS_OK)
         return status;
-    struct image_reader *picture = calloc(1, sizeof(*picture));
+    struct image_reader *image_reader = calloc(1, sizeof(*image_reader));
     const struct image *image = &head->image;
     float *row = malloc((size_t)image->width * image->plane_count * sizeof(*row));
-    if (!picture || !row) {
-        free(picture);
+    if (!image_reader || !row) {
+        free(image_reader);
         free(row);
         image_header_finish(head);
         return reader_end(reader, PIPE_MEMORY);
     }
-    *picture = (struct image_reader){
+    *image_reader = (struct image_reader){
         .reader = reader,
         .source = reader_source(reader),
         .width = image->width,
@@ -52,44 +52,45 @@ enum status image_reader_open(struct image_reader **opened, const char *path,
         .plane_count = image->plane_count,
         .row = row,
     };
-    *opened = picture;
+    *opened = image_reader;
     return STATUS_OK;
 }
 
-static enum status read_row(struct image_reader *picture)
+static enum status read_row(struct image_reader *image_reader)
 {
-    const size_t size = (size_t)picture->width * picture->plane_count * sizeof(*picture->row);
-    enum pipe_fault fault = pipe_read(&picture->source, picture->row, size);
-    picture->next++;
-    if (fault == PIPE_OK && picture->next == picture->height)
-        fault = pipe_read_end(&picture->source);
+    const size_t size =
+        (size_t)image_reader->width * image_reader->plane_count * sizeof(*image_reader->row);
+    enum pipe_fault fault = pipe_read(&image_reader->source, image_reader->row, size);
+    image_reader->next++;
+    if (fault == PIPE_OK && image_reader->next == image_reader->height)
+        fault = pipe_read_end(&image_reader->source);
     else if (fault == PIPE_OK)
         return STATUS_OK;
-    struct reader *reader = picture->reader;
-    picture->reader = NULL;
+    struct reader *reader = image_reader->reader;
+    image_reader->reader = NULL;
     return reader_end(reader, fault);
 }
 
-enum status image_reader_row(struct image_reader *picture, uint32_t plane, uint32_t y,
+enum status image_reader_row(struct image_reader *image_reader, uint32_t plane, uint32_t y,
                              const float **row)
 {
     enum status status = STATUS_OK;
-    while (picture->next <= y && status == STATUS_OK)
-        status = read_row(picture);
-    *row = picture->row + (size_t)plane * picture->width;
+    while (image_reader->next <= y && status == STATUS_OK)
+        status = read_row(image_reader);
+    *row = image_reader->row + (size_t)plane * image_reader->width;
     return status;
 }
 
-void image_reader_close(struct image_reader *picture)
+void image_reader_close(struct image_reader *image_reader)
 {
-    if (!picture)
+    if (!image_reader)
         return;
-    reader_drop(picture->reader);
-    free(picture->row);
-    free(picture);
+    reader_drop(image_reader->reader);
+    free(image_reader->row);
+    free(image_reader);
 }
 
-/* Allocates the planes of an image, if they take at most a quarter of the memory limit. */
+/* Allocates an image's planes unless they need more than a quarter of the memory limit. */
 static enum pipe_fault add_planes(struct image *image, const struct image_header *head,
                                   uint64_t size_max)
 {

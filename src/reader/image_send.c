@@ -7,7 +7,7 @@
 #include "src/image/png.h"
 #include "src/reader/image_reader.h"
 
-/* Image formats that are decoded as a whole; EXR files are decoded row by row instead. */
+/* Image formats that are decoded as a whole; EXR is decoded row by row. */
 static const struct format {
     const char *end;
     enum status (*head)(const char *path, struct image_header *head);
@@ -22,7 +22,7 @@ enum {
     FORMAT_COUNT = sizeof(formats) / sizeof(formats[0])
 };
 
-/* Returns the format of a path by its suffix; NULL for EXR files. */
+/* Returns the format of a path by its suffix, or NULL for EXR files. */
 static const struct format *find_format(const char *path)
 {
     for (size_t i = 0; i < FORMAT_COUNT; i++) {
@@ -68,7 +68,7 @@ static bool send_rows(const struct image *image, const struct pipe_sink *sink)
     return done;
 }
 
-/* Sends the header first, so that the parent can reject a large image before it is decompressed. */
+/* Sends the header first, so that the parent can reject a large image before decompression. */
 static enum status send_whole(const struct format *format, const char *path,
                               const struct pipe_sink *sink)
 {

@@ -14,14 +14,14 @@
 #include <stdint.h>
 #include "src/base/status.h"
 
-/* Read or write `size` bytes. After a result of false, a partial transfer, no call may follow. */
+/* Callbacks that transfer `size` bytes. After false, a partial transfer, no call may follow. */
 typedef bool pipe_read_fn(void *user, void *bytes, size_t size);
 typedef bool pipe_write_fn(void *user, const void *bytes, size_t size);
 
 struct pipe_source {
     pipe_read_fn *read;
     void *user;
-    uint64_t size_max; /* limit of the total size of all arrays, bytes */
+    uint64_t size_max; /* limit of all arrays, bytes */
 };
 
 struct pipe_sink {
@@ -32,8 +32,8 @@ struct pipe_sink {
 enum pipe_fault {
     PIPE_OK,
     PIPE_SHORT,  /* the source ended early */
-    PIPE_MEMORY, /* out of memory, though the data may be valid */
-    PIPE_LARGE,  /* valid data, but above a limit that the user may raise */
+    PIPE_MEMORY, /* out of memory, data possibly valid */
+    PIPE_LARGE,  /* valid, but above a user's limit */
     PIPE_HEAD,
     PIPE_SIZE,
     PIPE_NUMBER,
@@ -46,10 +46,10 @@ enum pipe_fault {
     PIPE_FAULT_COUNT,
 };
 
-/* Returns a description of a fault, such as "an index beyond the vertices". */
+/* Returns a description of a stream's fault, such as "an index beyond the vertices". */
 const char *pipe_fault_text(enum pipe_fault fault);
 
-/* Write or read `size` bytes; `bytes` may be NULL if `size` is 0. */
+/* Transfer `size` bytes; `bytes` may be NULL if `size` is 0. */
 MUST_USE bool pipe_write(const struct pipe_sink *sink, const void *bytes, size_t size);
 MUST_USE enum pipe_fault pipe_read(const struct pipe_source *source, void *bytes, size_t size);
 

@@ -1,4 +1,4 @@
-/* preset.c: reads a preset through a reader process: a stream of a count, then lines. */
+/* preset.c: reads a preset from a reader process as a stream: a count, then lines. */
 #include "src/reader/preset.h"
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +12,7 @@ struct head {
 };
 
 struct line {
-    uint32_t number, length; /* line number; length of the assignment, which follows without '\0' */
+    uint32_t number, length; /* line number; assignment length without '\0' */
 };
 
 void preset_finish(struct preset *preset)

@@ -1,10 +1,10 @@
 /*
- * preset.h: presets, which are settings stored in a text file or an image, read in a reader process
- * (reader.h, with its errors).
+ * preset.h: presets: settings stored in a text file or an image, read in a reader process
+ * (reader.h).
  *
- * A file with the suffix .exr or .png is an image written by firn, whose metadata holds its
- * settings. Any other file is text: NAME=VALUE on each line, blank lines, and comment lines that
- * begin with '#'. Setting names are not checked here.
+ * A file with the suffix .exr or .png is an image written by firn, whose metadata holds settings.
+ * Any other file is text: lines NAME=VALUE, blank lines, and comment lines that begin with '#'.
+ * Setting names are not checked here.
  */
 #ifndef FIRN_READER_PRESET_H
 #define FIRN_READER_PRESET_H
@@ -13,11 +13,11 @@
 
 enum {
     PRESET_LINE_COUNT_MAX = 1 << 16,
-    PRESET_LINE_SIZE = 512, /* bytes of an assignment including '\0' */
+    PRESET_LINE_SIZE = 512, /* bytes of an assignment with '\0' */
 };
 
 struct preset_line {
-    uint32_t number; /* line number in the file, from 1; 0 if the file is an image */
+    uint32_t number;                   /* from 1; 0 for an image */
     char assignment[PRESET_LINE_SIZE]; /* "name=value", printable ASCII */
 };
 
@@ -32,14 +32,10 @@ MUST_USE enum status preset_read(struct preset *preset, const char *path,
 
 void preset_finish(struct preset *preset); /* {0} is fine */
 
-/* ---- in the child process ---- */
-
-/* Parses a preset file in this process. On failure *preset is {0}. */
+/* For the child process: parses a preset file. On failure *preset is {0}. */
 MUST_USE enum status preset_parse(struct preset *preset, const char *path);
 
 MUST_USE enum status preset_send(const char *path, const struct pipe_sink *sink);
-
-/* ---- in both processes ---- */
 
 MUST_USE bool preset_pipe_write(const struct pipe_sink *sink, const struct preset *preset);
 MUST_USE enum pipe_fault preset_pipe_read(const struct pipe_source *source, struct preset *preset);

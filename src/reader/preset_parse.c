@@ -13,20 +13,18 @@ enum {
     FILE_SIZE_MAX = 1 << 20
 };
 
-/* A text file's contents; a text that contains '\0' is rejected. */
+/* Contents of a text file; contents with '\0' are rejected. */
 struct text {
     char *bytes;
     size_t size;
 };
-
-/* ---- lines ---- */
 
 /* Appends the first `length` characters of a text as an assignment. */
 static enum status append(struct preset *preset, uint32_t number, const char *assignment,
                           size_t length)
 {
     const uint32_t count = preset->count;
-    if (!(count & (count - 1))) { /* the array is full when count is 0 or a power of two */
+    if (!(count & (count - 1))) { /* full: count is 0 or 2^n */
         struct preset_line *lines =
             realloc(preset->lines, (count ? 2 * (size_t)count : 1) * sizeof(*lines));
         if (!lines)
@@ -44,7 +42,7 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* Returns what is wrong with a line that is not a comment; NULL if it is valid. */
+/* Returns the fault of a line that is not a comment, or NULL if it is valid. */
 static const char *check_line(const char *line, size_t length)
 {
     for (size_t i = 0; i < length; i++) {
@@ -133,8 +131,6 @@ static enum status load_text(struct preset *preset, const char *path)
     return status;
 }
 
-/* ---- images ---- */
-
 static enum status read_head(const char *path, struct image_header *head)
 {
     struct exr_file *file = NULL;
@@ -145,7 +141,7 @@ static enum status read_head(const char *path, struct image_header *head)
     return status;
 }
 
-/* Returns the settings after the last "fov=" of the metadata: file names may precede it. */
+/* Returns the settings in an image's metadata: after the last "fov=", behind file names. */
 static const char *find_settings(const char *text)
 {
     static const char last[] = " fov=";
@@ -172,7 +168,7 @@ static enum status append_settings(struct preset *preset, const char *settings)
     return status;
 }
 
-static enum status load_picture(struct preset *preset, const char *path)
+static enum status load_image(struct preset *preset, const char *path)
 {
     struct image_header head = { 0 };
     enum status status = read_head(path, &head);
@@ -194,8 +190,8 @@ static enum status load_picture(struct preset *preset, const char *path)
 enum status preset_parse(struct preset *preset, const char *path)
 {
     *preset = (struct preset){ 0 };
-    const bool is_picture = path_ends_in(path, ".exr") || path_ends_in(path, ".png");
-    const enum status status = is_picture ? load_picture(preset, path) : load_text(preset, path);
+    const bool is_image = path_ends_in(path, ".exr") || path_ends_in(path, ".png");
+    const enum status status = is_image ? load_image(preset, path) : load_text(preset, path);
     if (status != STATUS_OK)
         preset_finish(preset);
     return status;

@@ -19,22 +19,22 @@
 #include "src/base/log.h"
 
 enum {
-    BUFFER_SIZE = 1 << 20, /* pipe capacity in bytes, if the system allows it */
-    LOG_SIZE = 32768,      /* bytes of stderr to keep, enough for hundreds of lines */
-    NO_PROGRAM = 127,      /* exit code of the dynamic loader if a library cannot be loaded */
+    BUFFER_SIZE = 1 << 20, /* requested pipe capacity, bytes */
+    LOG_SIZE = 32768,      /* maximum stderr stored, hundreds of lines */
+    NO_PROGRAM = 127,      /* dynamic loader's exit code: missing library */
 };
 
 struct reader {
     struct reader_params params;
     const char *path;
     pid_t process;
-    int data, messages;      /* descriptors of the child's stdout and stderr; -1 if closed */
-    double deadline;         /* on the monotonic clock, seconds; extended on progress */
-    double cpu_seconds;      /* CPU time of the child when the deadline was set */
-    bool is_idle;            /* no progress until the deadline */
-    char log_text[LOG_SIZE]; /* the child's stderr so far, terminated by '\0' */
+    int data, messages;      /* child's stdout and stderr; or -1 */
+    double deadline;         /* monotonic clock, seconds; extended on progress */
+    double cpu_seconds;      /* child's CPU time at `deadline`'s update */
+    bool is_idle;            /* deadline missed without progress */
+    char log_text[LOG_SIZE]; /* child's stderr, terminated by '\0' */
     size_t log_size;
-    int exit_status; /* status from waitpid(); valid if has_ended */
+    int exit_status; /* from waitpid(), if has_ended */
     bool has_ended;
 };
 
@@ -46,14 +46,12 @@ static struct reader_params complete(struct reader_params params)
     return params;
 }
 
-/* ---- the parent's dumpable flag ---- */
-
 static pthread_mutex_t reader_count_lock = PTHREAD_MUTEX_INITIALIZER;
 static uint32_t reader_count; /* number of readers that exist */
 static bool was_dumpable;
 
-/* Counts readers. While any exists, the parent is not dumpable: no process of the same user may
- * open its memory, and its crash writes no core file. */
+/* Counts readers. While any exists the parent is not dumpable: other processes of the user cannot
+ * open its memory, and a crash writes no core file. */
 static void count_readers(int change)
 {
     pthread_mutex_lock(&reader_count_lock);
@@ -67,8 +65,6 @@ static void count_readers(int change)
     pthread_mutex_unlock(&reader_count_lock);
 }
 
-/* ---- start ---- */
-
 static void close_end(int *end)
 {
     if (*end >= 0)
@@ -76,7 +72,7 @@ static void close_end(int *end)
     *end = -1;
 }
 
-/* Opens a pipe with descriptors above 2, so that descriptors 0 to 2 of the child can be set up in
+/* Opens a pipe with descriptors above 2, so that the child's descriptors 0 to 2 can be set up in
  * any order. Other child processes do not inherit them. */
 static bool open_pipe(int ends[2])
 {
@@ -90,7 +86,7 @@ static bool open_pipe(int ends[2])
     return ends[0] >= 0 && ends[1] >= 0;
 }
 
-/* Environment variables passed to the child: what the dynamic loader needs to find the same
+/* Environment variables that the child inherits: those with which the dynamic loader finds
  * libraries, and options of the sanitizers. */
 static const char *const passed_variables[] = {
     "LD_LIBRARY_PATH", "LD_PRELOAD",
@@ -100,15 +96,16 @@ static const char *const passed_variables[] = {
 };
 
 enum {
-    PASSED_ON_COUNT = sizeof(passed_variables) / sizeof(passed_variables[0])
+    PASSED_VARIABLE_COUNT = sizeof(passed_variables) / sizeof(passed_variables[0])
 };
 
-/* Fills a NULL-terminated list with the variables to pass on. */
-static void select_environment(char *list[static PASSED_ON_COUNT + 1])
+/* Fills a NULL-terminated list with the environment variables to pass to the child. */
+static void select_environment(char *list[static PASSED_VARIABLE_COUNT + 1])
 {
     size_t count = 0;
-    for (char **variable = environ; variable && *variable && count < PASSED_ON_COUNT; variable++) {
-        for (size_t i = 0; i < PASSED_ON_COUNT; i++) {
+    for (char **variable = environ; variable && *variable && count < PASSED_VARIABLE_COUNT;
+         variable++) {
+        for (size_t i = 0; i < PASSED_VARIABLE_COUNT; i++) {
             const size_t size = strlen(passed_variables[i]);
             if (strncmp(*variable, passed_variables[i], size) == 0 && (*variable)[size] == '=')
                 list[count++] = *variable;
@@ -117,13 +114,13 @@ static void select_environment(char *list[static PASSED_ON_COUNT + 1])
     list[count] = NULL;
 }
 
-/* Spawns the child in a process group of its own, out of reach of Ctrl-C. Returns an errno. */
+/* Spawns the child in its own process group, out of reach of Ctrl-C. Returns an errno. */
 static int spawn(pid_t *process, const char *program, char *const *arguments, int out, int err)
 {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attributes;
     sigset_t no_signals, default_signals;
-    char *variables[PASSED_ON_COUNT + 1];
+    char *variables[PASSED_VARIABLE_COUNT + 1];
     select_environment(variables);
     sigemptyset(&no_signals);
     sigemptyset(&default_signals);
@@ -171,7 +168,7 @@ static int start(struct reader *reader, enum reader_kind kind)
     if (!failed && (!open_pipe(data) || !open_pipe(messages)))
         failed = errno;
     if (!failed) {
-        fcntl(data[0], F_SETPIPE_SZ, BUFFER_SIZE); /* a smaller pipe is only slower */
+        fcntl(data[0], F_SETPIPE_SZ, BUFFER_SIZE); /* optional: larger pipes are faster */
         failed = spawn(&reader->process, reader->params.program, argv, data[1], messages[1]);
     }
     free(file);
@@ -208,8 +205,6 @@ enum status reader_start(struct reader **started, const struct reader_params *pa
     return STATUS_TRY_AGAIN;
 }
 
-/* ---- receive ---- */
-
 static void receive_stderr(struct reader *reader)
 {
     char bytes[512];
@@ -226,7 +221,7 @@ static void receive_stderr(struct reader *reader)
     }
 }
 
-/* Returns true if the child missed its deadline, which is extended if it has used CPU time. */
+/* Returns true if the child missed its deadline, which is extended if the child used CPU time. */
 static bool is_idle(struct reader *reader)
 {
     clockid_t clock;
@@ -243,7 +238,7 @@ static bool is_idle(struct reader *reader)
     return false;
 }
 
-/* Waits until data, or its end, can be read. Returns false if the child makes no progress. */
+/* Waits for data or end of file. Returns false if the child makes no progress. */
 static bool wait_for_data(struct reader *reader)
 {
     while (reader->data >= 0 || reader->messages >= 0) {
@@ -289,7 +284,7 @@ static bool read_data(void *user, void *bytes, size_t size)
     return size == 0;
 }
 
-/* Reads the rest of stderr: all that the child wrote before its last data is in the pipe. */
+/* Reads the rest of stderr: what the child wrote before its last data is already in the pipe. */
 static void drain_stderr(struct reader *reader)
 {
     struct pollfd messages = { .fd = reader->messages, .events = POLLIN };
@@ -315,8 +310,6 @@ static void finish(struct reader *reader, enum pipe_fault fault)
     count_readers(-1);
 }
 
-/* ---- log why the child failed ---- */
-
 /* Logs up to `max` lines of the child's stderr under the parent's prefix. Returns their number. */
 static int repeat_log(const struct reader *reader, int max)
 {
@@ -340,14 +333,14 @@ static int repeat_log(const struct reader *reader, int max)
 }
 
 /* Returns true if the program was started with a resource limit below the reader's own limit. */
-static bool has_own_limit(int resource, uint64_t size)
+static bool has_inherited_limit(int resource, uint64_t size)
 {
     struct rlimit limits;
     return getrlimit((unsigned)resource, &limits) == 0 && limits.rlim_cur < size;
 }
 
-static enum status report_own_limit(const struct reader *reader, const char *what,
-                                    const char *option)
+static enum status report_inherited_limit(const struct reader *reader, const char *what,
+                                          const char *option)
 {
     log_error("%s: reading the file exceeded the %s limit that the program was started with: raise "
               "ulimit %s",
@@ -357,8 +350,8 @@ static enum status report_own_limit(const struct reader *reader, const char *wha
 
 static enum status report_cpu_limit(const struct reader *reader)
 {
-    if (has_own_limit(RLIMIT_CPU, reader->params.seconds))
-        return report_own_limit(reader, "time", "-t");
+    if (has_inherited_limit(RLIMIT_CPU, reader->params.seconds))
+        return report_inherited_limit(reader, "time", "-t");
     log_error("%s: reading the file exceeded the limit of %u s of CPU time (raise it with "
               "--load-seconds)",
               reader->path, reader->params.seconds);
@@ -375,8 +368,8 @@ static enum status report_idle(const struct reader *reader)
 
 static enum status report_memory_limit(const struct reader *reader)
 {
-    if (has_own_limit(RLIMIT_AS, (uint64_t)reader->params.memory_gib << 30))
-        return report_own_limit(reader, "memory", "-v");
+    if (has_inherited_limit(RLIMIT_AS, (uint64_t)reader->params.memory_gib << 30))
+        return report_inherited_limit(reader, "memory", "-v");
     log_error(
         "%s: reading the file exceeded the memory limit of %u GiB (raise it with --load-memory)",
         reader->path, reader->params.memory_gib);
@@ -400,7 +393,7 @@ static enum status report_crash(const struct reader *reader)
     return STATUS_DATA;
 }
 
-/* Logs why the child sent less data than announced: limits, crash, or its own error. */
+/* Logs why the child sent less data than announced: limits, a crash, or an error of its own. */
 static enum status report_failure(const struct reader *reader)
 {
     const int status = reader->has_ended ? reader->exit_status : 0;

@@ -6,10 +6,10 @@
  * inherits no environment except what the dynamic loader needs and no descriptors except its pipes;
  * that has limits on memory, CPU time and open files; and that may only read the file, or its
  * folder, and compute (sandbox.h). The data it sends is validated again (pipe.h). The child is
- * spawned rather than forked: this is safe in a multithreaded program, and the child shares none of
- * the parent's memory. While a reader exists, the parent is not dumpable, so the child cannot open
- * the parent's memory either. If the program itself runs under smaller limits (RLIMIT_AS,
- * RLIMIT_CPU, RLIMIT_NOFILE, as set by batch systems), these also apply to the child.
+ * spawned rather than forked: this is safe in a multithreaded program, and no memory is shared.
+ * While a reader exists, the parent is not dumpable, so the child cannot open the parent's memory
+ * either. Smaller limits of the program itself (RLIMIT_AS, RLIMIT_CPU, RLIMIT_NOFILE, as set by
+ * batch systems) also apply to the child.
  *
  * Thread-safety: any thread; one reader is used by one thread at a time. Errors: one line is
  * logged: STATUS_NO_INPUT; STATUS_DATA if the child fails because of the file; STATUS_TRY_AGAIN if
@@ -46,22 +46,21 @@ enum reader_kind {
     READER_BY_MATERIALS,
     READER_ENVIRONMENT,
     READER_IMAGE,       /* sends the rows of an image */
-    READER_IMAGE_CHECK, /* decodes a whole image, but sends only its header */
+    READER_IMAGE_CHECK, /* decodes an image, sends its header */
     READER_PRESET,
     READER_KIND_COUNT,
 };
 
 struct reader_params {
-    const char
-        *program;     /* path of a program whose main() calls sandboxed_load_main() in the child */
-    uint32_t seconds; /* limit of CPU time, seconds; 0 for READER_SECONDS */
-    /* Limit of the time during which the child neither computes nor sends, because it waits for a
-     * FIFO or a file server; 0 for READER_IDLE_SECONDS. */
+    const char *program; /* its main() must call sandboxed_load_main() */
+    uint32_t seconds;    /* CPU time limit; 0 for READER_SECONDS */
+    /* Limit of the time in which the child neither computes nor sends, because it waits for a FIFO
+     * or a file server; 0 for READER_IDLE_SECONDS. */
     uint32_t idle_seconds;
-    uint32_t memory_gib; /* limit of address space, GiB; 0 for READER_MEMORY_GIB */
+    uint32_t memory_gib; /* address space; 0 for READER_MEMORY_GIB */
     bool no_sandbox;     /* for debugging: resource limits only */
     bool no_warnings;    /* do not repeat the child's warnings */
-    const char *details; /* kind-specific argument of the job; NULL is "" */
+    const char *details; /* argument of the task, or NULL */
 };
 
 struct reader;
@@ -70,20 +69,19 @@ struct reader;
 MUST_USE enum status reader_start(struct reader **reader, const struct reader_params *params,
                                   enum reader_kind kind, const char *path);
 
-/* Returns the stream that the reader sends; its size limit is the reader's memory limit. */
+/* Returns the stream that a reader sends; its size limit is the reader's memory limit. */
 struct pipe_source reader_source(struct reader *reader);
 
 /*
- * Ends a reader and frees it. If `fault` is PIPE_OK, its warnings are logged; otherwise the reason
- * why no valid data arrived is logged and its status returned.
+ * Ends a reader and frees it. If `fault` is PIPE_OK, logs its warnings; otherwise logs why no valid
+ * data arrived and returns the status for it.
  */
 MUST_USE enum status reader_end(struct reader *reader, enum pipe_fault fault);
 
-/* Ends a reader whose data is not needed, and frees it. It may be NULL. */
+/* Ends a reader, which may be NULL, without using its data, and frees it. */
 void reader_drop(struct reader *reader);
 
-/* ---- in the child process ---- */
-
+/* Task of a child process, from its command line. */
 struct reader_job {
     enum reader_kind kind;
     const char *path;
@@ -98,7 +96,7 @@ bool reader_is_child(int argc, char **argv);
  * arguments are invalid, or a limit or the sandbox cannot be applied. */
 MUST_USE bool reader_enter(int argc, char **argv, struct reader_job *job);
 
-/* Sink that writes to the parent process. */
+/* Sink of the child that writes to the parent process. */
 extern const struct pipe_sink reader_sink;
 
 #endif

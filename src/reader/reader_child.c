@@ -13,8 +13,8 @@
 
 enum {
     OPEN_FILE_MAX = 32,
-    WORD_COUNT =
-        8, /* program, READER_OPTION, path, kind, seconds, GiB, no sandbox (0 or 1), details */
+    /* argv: program, READER_OPTION, path, kind, seconds, GiB, no_sandbox, details */
+    ARGUMENT_COUNT = 8,
 };
 
 bool reader_is_child(int argc, char **argv)
@@ -24,10 +24,10 @@ bool reader_is_child(int argc, char **argv)
 
 static rlim_t smaller(rlim_t a, rlim_t b)
 {
-    return a < b ? a : b; /* RLIM_INFINITY is the largest value */
+    return a < b ? a : b; /* RLIM_INFINITY is the maximum value */
 }
 
-/* Sets a resource limit; a smaller limit set by the program's caller is kept. */
+/* Lowers a resource limit; a smaller limit set by the program's caller stays. */
 static bool set_limit(int resource, uint64_t soft, uint64_t hard)
 {
     struct rlimit limits;
@@ -38,30 +38,30 @@ static bool set_limit(int resource, uint64_t soft, uint64_t hard)
     return setrlimit((unsigned)resource, &limits) == 0;
 }
 
-/* Returns true if the parent, the reader of this process's stdout, has ended. */
+/* Returns true if the parent process, which reads this process's stdout, has ended. */
 static bool is_orphan(void)
 {
     struct pollfd out = { .fd = STDOUT_FILENO };
     return poll(&out, 1, 0) == 1 && out.revents & POLLERR;
 }
 
-static bool parse_number(const char *word, uint32_t min, uint32_t max, uint32_t *number)
+static bool parse_number(const char *text, uint32_t min, uint32_t max, uint32_t *number)
 {
     char *end;
-    unsigned long value = strtoul(word, &end, 10);
+    unsigned long value = strtoul(text, &end, 10);
     *number = (uint32_t)value;
-    return end > word && *end == '\0' && value >= min && value <= max;
+    return end > text && *end == '\0' && value >= min && value <= max;
 }
 
 bool reader_enter(int argc, char **argv, struct reader_job *job)
 {
     uint32_t numbers[4];
-    static const uint32_t least[4] = { 1, 1, 1, 0 };
-    static const uint32_t most[4] = { READER_KIND_COUNT, 1u << 20, 1u << 20, 1 };
-    if (argc != WORD_COUNT)
+    static const uint32_t min_values[4] = { 1, 1, 1, 0 };
+    static const uint32_t max_values[4] = { READER_KIND_COUNT, 1u << 20, 1u << 20, 1 };
+    if (argc != ARGUMENT_COUNT)
         return false;
     for (size_t i = 0; i < 4; i++) {
-        if (!parse_number(argv[3 + i], least[i], most[i], &numbers[i]))
+        if (!parse_number(argv[3 + i], min_values[i], max_values[i], &numbers[i]))
             return false;
     }
     const enum reader_kind kind = (enum reader_kind)(numbers[0] - 1);
@@ -90,7 +90,7 @@ static bool write_all(void *user, const void *bytes, size_t size)
     (void)user;
     for (const char *next = bytes; size > 0;) {
         const ssize_t count = write(STDOUT_FILENO, next, size);
-        if (count <= 0) /* cannot be EINTR, because no signal has a handler */
+        if (count <= 0) /* cannot be EINTR without signal handlers */
             return false;
         next += count;
         size -= (size_t)count;

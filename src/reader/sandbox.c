@@ -16,8 +16,6 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-/* ---- file system (Landlock) ---- */
-
 static int landlock_version(void)
 {
     const long version =
@@ -25,8 +23,8 @@ static int landlock_version(void)
     return version > 0 ? (int)version : 0;
 }
 
-/* Returns all file system rights that a Landlock ABI version knows; without a rule they are denied.
- * Of rights of later versions, seccomp denies the system calls. */
+/* Returns all file system rights of a Landlock ABI version; without a rule they are denied. The
+ * system calls for rights of later versions are denied by seccomp. */
 static uint64_t known_rights(int version)
 {
     static const int bits[] = { 0, 13, 14, 15, 15, 16 };
@@ -34,7 +32,7 @@ static uint64_t known_rights(int version)
     return ((uint64_t)1 << bits[version < last ? version : last]) - 1;
 }
 
-/* Allows reading of files at or below `path`. A path that does not exist needs no rule. */
+/* Allows reading of files at or below `path`, which need not exist. */
 static void allow_reading(int rules, const char *path)
 {
     struct landlock_path_beneath_attr rule = {
@@ -76,8 +74,6 @@ static bool restrict_files(const char *path, bool with_folder)
     return done;
 }
 
-/* ---- capabilities ---- */
-
 /* Drops all capabilities except reading other users' files, which root can in the parent, too.
  * Others would allow, for example, tracing of other processes. */
 static void drop_capabilities(void)
@@ -86,15 +82,13 @@ static void drop_capabilities(void)
     struct __user_cap_data_struct sets[_LINUX_CAPABILITY_U32S_3] = { 0 };
     if (syscall(SYS_capget, &header, sets) != 0)
         return;
-    const uint32_t kept = 1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH;
-    sets[0].permitted &= kept;
-    sets[0].effective &= kept;
+    const uint32_t allowed = 1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH;
+    sets[0].permitted &= allowed;
+    sets[0].effective &= allowed;
     sets[0].inheritable = 0;
     sets[1] = (struct __user_cap_data_struct){ 0 };
     syscall(SYS_capset, &header, sets);
 }
-
-/* ---- system calls (seccomp) ---- */
 
 /* System calls allowed with any arguments: they affect only own memory, open files and clocks. */
 static const int unrestricted_calls[] = {
@@ -112,7 +106,7 @@ static const int unrestricted_calls[] = {
     SCMP_SYS(statx),          SCMP_SYS(sysinfo),
 };
 
-/* A system call that is allowed if one argument, masked by `mask`, equals `value`. */
+/* System call that is allowed if one argument, masked by `mask`, equals `value`. */
 struct restricted_call {
     int call;
     unsigned argument;
@@ -144,7 +138,7 @@ static bool add_rules(scmp_filter_ctx filter)
     return done;
 }
 
-/* Returns true if the kernel has seccomp filters: then a NULL filter fails with EFAULT. */
+/* Returns true if the kernel supports seccomp filters: a NULL filter then fails with EFAULT. */
 static bool has_seccomp(void)
 {
     return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, NULL) != 0 && errno == EFAULT;

@@ -3,9 +3,9 @@
  *
  * Four mechanisms are applied as far as the kernel supports them (docs/trust.md describes what
  * remains possible without them): Landlock, so that no other file can be opened; a seccomp filter
- * that allows few system calls (no new processes or programs, no sockets, no signals to others, no
- * opening for writing, no new executable memory); no capabilities except those to read other users'
- * files; and no_new_privs. Calls that the filter does not allow fail with EPERM.
+ * that allows few system calls (no new processes or programs, sockets, signals to others, opening
+ * for writing, or new executable memory); no capabilities except those to read other users' files;
+ * and no_new_privs. Other calls fail with EPERM.
  */
 #ifndef FIRN_READER_SANDBOX_H
 #define FIRN_READER_SANDBOX_H
@@ -15,14 +15,14 @@
 
 /*
  * Restricts this thread and all threads that it starts, irreversibly. `path` stays readable and, if
- * `with_folder` is true, all in its folder and below, but not the targets of links that lead out of
- * it. Open descriptors stay usable. Returns false if a supported mechanism cannot be applied.
+ * `with_folder`, all in its folder and below, except targets of links that lead out of it. Open
+ * descriptors stay usable. Returns false if a supported mechanism cannot be applied.
  */
 MUST_USE bool sandbox_enter(const char *path, bool with_folder);
 
 /* Sandbox mechanisms that this kernel supports. */
 struct sandbox_support {
-    int landlock; /* Landlock ABI version; 0 if not supported */
+    int landlock; /* Landlock ABI version, or 0 */
     bool seccomp;
 };
 struct sandbox_support sandbox_query(void);

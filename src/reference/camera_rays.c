@@ -19,12 +19,12 @@ struct camera_rays camera_rays_of(const struct frame_view *view, enum pixel_filt
     };
 }
 
-struct embree_scene_ray camera_rays_at(const struct camera_rays *eye, uint32_t x, uint32_t y,
+struct embree_scene_ray camera_rays_at(const struct camera_rays *rays, uint32_t x, uint32_t y,
                                        uint32_t sample)
 {
-    const vec2s jitter = pixel_filter_offset(eye->filter, sample);
-    const struct surroundings_push *push = &eye->push;
-    struct frame_view view = eye->view;
+    const vec2s jitter = pixel_filter_offset(rays->filter, sample);
+    const struct surroundings_push *push = &rays->push;
+    struct frame_view view = rays->view;
     const float right = 2.0f * ((float)x + 0.5f + jitter.x) / (float)view.width - 1.0f;
     const float down = 2.0f * ((float)y + 0.5f + jitter.y) / (float)view.height - 1.0f;
     const vec3s along =
@@ -35,18 +35,18 @@ struct embree_scene_ray camera_rays_at(const struct camera_rays *eye, uint32_t x
         .near = scene_near_plane(view.scene),
         .from = EMBREE_SCENE_NO_ORIGIN,
     };
-    if (eye->is_orthographic) {
+    if (rays->is_orthographic) {
         ray.origin = glms_vec3_add(push->eye, glms_vec3_sub(along, push->forward));
         ray.dir = push->forward;
         return ray;
     }
     view.sample = sample;
-    if (eye->has_lens) {
+    if (rays->has_lens) {
         const struct frame_lens lens = frame_lens_of(&view);
         const vec3s focus = glms_vec3_scale(along, lens.focus);
         ray.origin = glms_vec3_add(push->eye, lens.aside);
         ray.dir = glms_vec3_normalize(glms_vec3_sub(focus, lens.aside));
     }
-    ray.near /= glms_vec3_dot(ray.dir, eye->forward);
+    ray.near /= glms_vec3_dot(ray.dir, rays->forward);
     return ray;
 }

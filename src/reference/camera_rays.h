@@ -1,4 +1,4 @@
-/* camera_rays.h: generates the camera rays of an image's samples. */
+/* camera_rays.h: generates camera rays at the sample positions of an image. */
 #ifndef FIRN_REFERENCE_CAMERA_RAYS_H
 #define FIRN_REFERENCE_CAMERA_RAYS_H
 
@@ -10,15 +10,15 @@ struct camera_rays {
     struct frame_view view;
     struct surroundings_push push; /* camera basis of the view */
     enum pixel_filter filter;
-    vec3s forward;        /* unit viewing direction */
+    vec3s forward;        /* unit viewing direction of the camera */
     bool is_orthographic; /* the camera is orthographic */
-    bool has_lens;        /* the camera has a thin lens with depth of field */
+    bool has_lens;        /* thin lens with depth of field */
 };
 
 struct camera_rays camera_rays_of(const struct frame_view *view, enum pixel_filter filter);
 
 /* Returns the camera ray of one sample of a pixel. */
-struct embree_scene_ray camera_rays_at(const struct camera_rays *eye, uint32_t x, uint32_t y,
+struct embree_scene_ray camera_rays_at(const struct camera_rays *rays, uint32_t x, uint32_t y,
                                        uint32_t sample);
 
 #endif

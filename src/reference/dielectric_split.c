@@ -14,7 +14,7 @@
 #include "src/reference/microfacet.h"
 
 enum {
-    FROST_SEED = 3, /* hashed with a seed for the random number that selects frost */
+    FROST_SEED = 3, /* seed constant for frost selection */
 };
 
 /* Surfaces below this roughness are treated as perfectly smooth. */
@@ -55,7 +55,7 @@ static struct dielectric_split split_smooth(vec3s d, vec3s n, double eta)
     return split;
 }
 
-/* Computes reflection and transmission at a thin wall, including reflections inside the wall. */
+/* Computes reflection and transmission of a thin wall with all its internal reflections. */
 static struct dielectric_split split_thin(vec3s d, vec3s n, double eta)
 {
     struct dielectric_split split = split_smooth(d, n, eta);
@@ -89,14 +89,13 @@ static struct dielectric_split split_crack(const struct tracer *tracing, vec3s d
 
 /* The shading data of a hit on an object's surface. */
 struct face {
-    vec3s n, facet; /* shading normal and geometric normal, both on the incident side */
-    double eta;     /* relative index: incident side over the other side */
+    vec3s n, facet; /* shading and geometric normal */
+    double eta;     /* relative index: incident over transmitted */
     float roughness;
     bool is_bumpy, is_thin;
 };
 
-/* Applies bumps and frost to a hit. Frost is stochastic: its coverage is the probability that a
- * sample gets the frost's roughness. */
+/* Applies bumps and frost to a hit. A sample gets frost with the probability of its coverage. */
 static void apply_bumps_and_frost(const struct tracer *tracing, vec3s dir,
                                   const struct surface_hit *surface_hit, struct face *face)
 {
@@ -114,7 +113,6 @@ static void apply_bumps_and_frost(const struct tracer *tracing, vec3s dir,
         face->roughness = inclusions->frost_roughness;
 }
 
-/* Replaces the shading normal by that of a normal map, given on the incident side. */
 static void apply_normal_map(vec3s dir, vec3s normal, struct face *face)
 {
     face->n = bump_facing(normal, face->n, dir);
@@ -144,13 +142,13 @@ static struct face face_at(const struct tracer *tracing, vec3s dir,
         face.n = face.facet;
     if (surface_hit->is_bent && tracing->params.normals != REFERENCE_NORMALS_FLAT)
         apply_normal_map(dir, glms_vec3_scale(surface_hit->normal, side), &face);
-    if (hit->part == EMBREE_SCENE_OBJECT && tracing->inclusions->is_uneven)
+    if (hit->kind == EMBREE_SCENE_OBJECT && tracing->inclusions->is_uneven)
         apply_bumps_and_frost(tracing, dir, surface_hit, &face);
     return face;
 }
 
-/* Applies masking and shadowing to the sampled microfacet, and rejects directions on the wrong
- * side. The reflectance becomes that of the macroscopic surface. */
+/* Applies GGX masking-shadowing, rejects directions on the wrong side, and replaces the
+ * microfacet's reflectance by that of the macroscopic surface. */
 static void apply_masking(struct dielectric_split *split, vec3s dir, const struct face *face)
 {
     const bool is_refracted =
@@ -163,9 +161,8 @@ static void apply_masking(struct dielectric_split *split, vec3s dir, const struc
         is_refracted ? microfacet_masking(face->n, split->refracted, face->roughness) : 0.0f;
 }
 
-/* Ensures that directions at a bumpy surface lie on the correct side of the triangle. A rough
- * surface loses light that leaves to the wrong side; a smooth one uses the direction at the
- * geometric normal instead. */
+/* Keeps directions at a bumpy surface on the correct side of the triangle. A rough surface absorbs
+ * light on the wrong side; a smooth one uses the geometric normal's direction instead. */
 static void fix_sides(struct dielectric_split *split, vec3s dir, const struct face *face,
                       bool is_rough)
 {
@@ -185,7 +182,7 @@ static void fix_sides(struct dielectric_split *split, vec3s dir, const struct fa
     split->reflected = smooth.reflected;
 }
 
-/* Computes reflection and refraction at an object's surface, at a sampled microfacet if rough. */
+/* Computes reflection and refraction at an object; at a sampled microfacet if it is rough. */
 static struct dielectric_split split_surface(const struct tracer *tracing, vec3s dir,
                                              const struct surface_hit *surface_hit)
 {
@@ -210,7 +207,7 @@ static struct dielectric_split split_surface(const struct tracer *tracing, vec3s
 struct dielectric_split dielectric_split_at(const struct tracer *tracing, vec3s dir,
                                             const struct surface_hit *surface_hit)
 {
-    if (surface_hit->hit.part == EMBREE_SCENE_CRACKS)
+    if (surface_hit->hit.kind == EMBREE_SCENE_CRACKS)
         return split_crack(tracing, dir, surface_hit);
     struct dielectric_split split = split_surface(tracing, dir, surface_hit);
     split.colors = (vec3s){ { split.fresnel, split.fresnel, split.fresnel } };

@@ -6,20 +6,20 @@
 
 /* Reflected and refracted direction at a surface, with their weights. */
 struct dielectric_split {
-    float fresnel; /* reflectance, 0 to 1; 1 for total internal reflection */
-    vec3s colors;  /* reflectance of red, green and blue light; `fresnel` is their mean */
+    float fresnel; /* Fresnel reflectance; 1 for total reflection */
+    vec3s colors;  /* reflectance per colour channel */
     vec3s reflected, refracted;
     float reflected_masking, refracted_masking; /* masking-shadowing factors, 0 to 1 */
 };
 
-/* A ray's hit on an object, with media and material. */
+/* Hit of a ray on an object, with the media on both sides and the surface material. */
 struct surface_hit {
     struct embree_scene_hit hit;
     struct nested_media_crossing crossing;
-    uint32_t channel; /* colour channel that is traced, for dispersion */
+    uint32_t channel; /* traced colour channel, for dispersion */
     uint32_t seed;
     struct object_material material; /* surface material, textures included */
-    vec3s normal;                    /* outward interpolated normal, perturbed by the normal map */
+    vec3s normal;                    /* outward shading normal */
     bool is_bent;
 };
 
@@ -27,7 +27,6 @@ struct surface_hit {
 struct dielectric_split dielectric_split_at(const struct tracer *tracing, vec3s dir,
                                             const struct surface_hit *surface_hit);
 
-/* Returns the dot product in double precision. */
 static inline double dielectric_split_dot(vec3s a, vec3s b)
 {
     return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;

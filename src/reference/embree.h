@@ -1,6 +1,5 @@
 /*
- * embree.h: one interface to Embree 3 and Embree 4, which name the ray query context differently
- * and pass it differently. If both are installed, meson.build selects Embree 4.
+ * embree.h: common interface to Embree 3 and 4; if both are installed, meson.build selects 4.
  */
 #ifndef FIRN_REFERENCE_EMBREE_H
 #define FIRN_REFERENCE_EMBREE_H
@@ -21,7 +20,7 @@ struct embree_context {
 
 #endif
 
-/* Finds the closest hit of a ray. Intersection filters and user geometry receive `context`. */
+/* Finds the closest hit of a ray; `context` is passed to intersection filters and user geometry. */
 static inline void embree_intersect(RTCScene scene, struct embree_context *context,
                                     struct RTCRayHit *rayhit)
 {

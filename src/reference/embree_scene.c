@@ -1,5 +1,4 @@
-/* embree_scene.c: builds the Embree scene of objects, bubbles, inclusions, surroundings, and
- * intersects it. */
+/* embree_scene.c: builds and intersects the Embree scene of meshes and bubbles. */
 #include "src/reference/embree_scene.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -8,20 +7,18 @@
 #include "src/base/log.h"
 #include "src/tech/frame_media.h"
 
-/* Ray query context with the ray that is traced. Embree passes it to the intersection filters. */
+/* Embree's ray query context, extended by the ray, for the intersection filters. */
 struct context {
     struct embree_context embree;
     const struct embree_scene_ray *ray;
 };
 
-/* Estimated memory of an Embree build per triangle: Embree 3.13 needs 110 to 130 bytes, more where
- * it splits large triangles. */
+/* Upper estimate of the bytes per triangle during an Embree build; Embree 3.13 needs about 130. */
 enum {
     TRIANGLE_SIZE = 256
 };
 
-/* Returns the candidate hit of a filter call; there is exactly one, since rays are traced singly.
- */
+/* Returns the candidate hit of a filter call; single rays have exactly one. */
 static const struct RTCHit *hit_of(const struct RTCFilterFunctionNArguments *args)
 {
     return (const struct RTCHit *)(const void *)args->hit;
@@ -42,7 +39,7 @@ static void filter_object(const struct RTCFilterFunctionNArguments *args)
     const struct embree_scene *embree_scene = args->geometryUserPtr;
     const struct embree_scene_ray *ray = ((const struct context *)(const void *)args->context)->ray;
     const struct RTCHit *hit = hit_of(args);
-    if (ray->from == EMBREE_SCENE_NO_ORIGIN || ray->part != EMBREE_SCENE_OBJECT)
+    if (ray->from == EMBREE_SCENE_NO_ORIGIN || ray->kind != EMBREE_SCENE_OBJECT)
         return;
     const vec3s facet = { { hit->Ng_x, hit->Ng_y, hit->Ng_z } };
     const bool is_back = glms_vec3_dot(facet, ray->dir) > 0.0f;
@@ -53,10 +50,10 @@ static void filter_object(const struct RTCFilterFunctionNArguments *args)
         args->valid[0] = 0;
 }
 
-static struct mesh_vertex interpolated(const struct embree_scene_part *part, uint32_t triangle,
-                                       float u, float v);
+static struct mesh_vertex interpolated(const struct embree_scene_mesh *scene_mesh,
+                                       uint32_t triangle, float u, float v);
 
-/* Rejects hits in holes of cutout materials; installed only for meshes that may have holes. */
+/* Intersection filter that rejects hits in holes of cutout materials. */
 static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
 {
     const struct embree_scene *embree_scene = args->geometryUserPtr;
@@ -67,8 +64,8 @@ static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
         args->valid[0] = 0;
 }
 
-/* Rejects hits on a sheet that are closer than epsilon: a ray does not hit the sheet from which it
- * starts again, nor both triangles at a shared edge. */
+/* Intersection filter that rejects hits on cracks and planes of air closer than epsilon, such as
+ * the one on which the ray starts, or the second triangle at a shared edge. */
 static void filter_sheets(const struct RTCFilterFunctionNArguments *args)
 {
     const struct embree_scene *embree_scene = args->geometryUserPtr;
@@ -105,7 +102,6 @@ static void bound_bubble(const struct RTCBoundsFunctionArguments *args)
     };
 }
 
-/* Embree stores vectors of a ray as separate floats. */
 static vec3s origin_of(const struct RTCRay *ray)
 {
     return (vec3s){ { ray->org_x, ray->org_y, ray->org_z } };
@@ -127,10 +123,10 @@ static void intersect_bubble(const struct RTCIntersectFunctionNArguments *args)
     if (!args->valid[0] || !bubble_intersect(&embree_scene->bubbles[args->primID],
                                              origin_of(&rayhit->ray), dir_of(&rayhit->ray), at))
         return;
-    const bool is_own = from->part == EMBREE_SCENE_BUBBLES && from->from == args->primID;
-    if (is_own && !from->is_inside)
+    const bool is_same_bubble = from->kind == EMBREE_SCENE_BUBBLES && from->from == args->primID;
+    if (is_same_bubble && !from->is_inside)
         return;
-    const double found = !is_own && at[0] > near ? at[0] : at[1];
+    const double found = !is_same_bubble && at[0] > near ? at[0] : at[1];
     if (!(found > near && found < (double)rayhit->ray.tfar))
         return;
     rayhit->ray.tfar = (float)found;
@@ -139,20 +135,20 @@ static void intersect_bubble(const struct RTCIntersectFunctionNArguments *args)
     rayhit->hit.instID[0] = args->context->instID[0];
 }
 
-static mat4s world_from_part(const struct embree_scene *embree_scene,
-                             const struct embree_scene_part *part, uint32_t material)
+static mat4s world_from_mesh(const struct embree_scene *embree_scene,
+                             const struct embree_scene_mesh *scene_mesh, uint32_t material)
 {
-    if (part != &embree_scene->parts[EMBREE_SCENE_SURROUNDINGS])
+    if (scene_mesh != &embree_scene->parts[EMBREE_SCENE_SURROUNDINGS])
         return embree_scene->radiance->globals->world_from_object;
     return material & MESH_ORBITS ? embree_scene->radiance->globals->world_from_movers
                                   : glms_mat4_identity();
 }
 
-/* Adds the mesh of one part to the Embree scene. Returns false when out of memory. */
-static bool add_part(struct embree_scene *embree_scene, RTCDevice device, uint32_t index)
+/* Adds mesh `index` to the Embree scene, in world space. Returns false when out of memory. */
+static bool add_mesh(struct embree_scene *embree_scene, RTCDevice device, uint32_t index)
 {
-    struct embree_scene_part *part = &embree_scene->parts[index];
-    const struct mesh *mesh = part->mesh;
+    struct embree_scene_mesh *scene_mesh = &embree_scene->parts[index];
+    const struct mesh *mesh = scene_mesh->mesh;
     if (!mesh->index_count)
         return true;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -164,12 +160,12 @@ static bool add_part(struct embree_scene *embree_scene, RTCDevice device, uint32
     const bool done = positions && indices;
     for (uint32_t i = 0; done && i < mesh->vertex_count; i++) {
         const struct mesh_vertex *vertex = &mesh->vertices[i];
-        positions[i] = glms_mat4_mulv3(world_from_part(embree_scene, part, vertex->material),
+        positions[i] = glms_mat4_mulv3(world_from_mesh(embree_scene, scene_mesh, vertex->material),
                                        vertex->position, 1.0f);
     }
     if (done)
         memcpy(indices, mesh->indices, mesh->index_count * sizeof(uint32_t));
-    part->positions = positions;
+    scene_mesh->positions = positions;
     rtcSetGeometryUserData(geometry, embree_scene);
     if (index == EMBREE_SCENE_OBJECT)
         rtcSetGeometryIntersectFilterFunction(geometry, filter_object);
@@ -210,7 +206,7 @@ static bool add_bubbles(struct embree_scene *embree_scene, RTCDevice device)
     return true;
 }
 
-/* Estimates the memory of the build before any allocation, so that the machine does not swap. */
+/* Refuses scenes whose build would need more than `memory` bytes, to avoid swapping. */
 static enum status check_size(const struct embree_scene *embree_scene, uint64_t memory)
 {
     uint64_t triangles = 0;
@@ -251,12 +247,11 @@ enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice devic
         goto fail;
     rtcGetDeviceError(device); /* clears earlier errors */
     embree_scene->scene = rtcNewScene(device);
-    /* watertight intersection at shared edges */
     rtcSetSceneFlags(embree_scene->scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(embree_scene->scene, RTC_BUILD_QUALITY_HIGH);
     bool done = true;
     for (uint32_t i = 0; i < EMBREE_SCENE_MESH_COUNT; i++)
-        done = done && add_part(embree_scene, device, i);
+        done = done && add_mesh(embree_scene, device, i);
     done = done && add_bubbles(embree_scene, device);
     if (done)
         rtcCommitScene(embree_scene->scene);
@@ -277,7 +272,6 @@ void embree_scene_finish(struct embree_scene *embree_scene)
     *embree_scene = (struct embree_scene){ 0 };
 }
 
-/* Adds s * b to a sum in double precision. */
 static void add_scaled(double sum[static 3], double s, vec3s b)
 {
     for (int k = 0; k < 3; k++)
@@ -289,18 +283,18 @@ static vec3s rounded(const double v[static 3])
     return (vec3s){ { (float)v[0], (float)v[1], (float)v[2] } };
 }
 
-/* Interpolates a triangle's vertices: position in world space, normal still in object space. */
-static struct mesh_vertex interpolated(const struct embree_scene_part *part, uint32_t triangle,
-                                       float u, float v)
+/* Interpolates vertex attributes: the position in world space, the normal still in object space. */
+static struct mesh_vertex interpolated(const struct embree_scene_mesh *scene_mesh,
+                                       uint32_t triangle, float u, float v)
 {
-    const uint32_t *corners = &part->mesh->indices[(size_t)triangle * 3];
+    const uint32_t *corners = &scene_mesh->mesh->indices[(size_t)triangle * 3];
     const double weights[3] = { 1.0 - (double)u - (double)v, (double)u, (double)v };
     double position[3] = { 0 };
     double normal[3] = { 0 };
-    struct mesh_vertex surface = { .material = part->mesh->vertices[corners[0]].material };
+    struct mesh_vertex surface = { .material = scene_mesh->mesh->vertices[corners[0]].material };
     for (int k = 0; k < 3; k++) {
-        const struct mesh_vertex *corner = &part->mesh->vertices[corners[k]];
-        add_scaled(position, weights[k], part->positions[corners[k]]);
+        const struct mesh_vertex *corner = &scene_mesh->mesh->vertices[corners[k]];
+        add_scaled(position, weights[k], scene_mesh->positions[corners[k]]);
         add_scaled(normal, weights[k], corner->normal);
         surface.color = glms_vec3_muladds(corner->color, (float)weights[k], surface.color);
         surface.uv = glms_vec2_muladds(corner->uv, (float)weights[k], surface.uv);
@@ -310,15 +304,15 @@ static struct mesh_vertex interpolated(const struct embree_scene_part *part, uin
     return surface;
 }
 
-/* Interpolates the extra vertex attributes (tangent, second uv) of a triangle. */
-static struct mesh_extra interpolated_extra(const struct embree_scene_part *part, uint32_t triangle,
-                                            float u, float v)
+/* Interpolates tangent and second uv set in a triangle. */
+static struct mesh_extra interpolated_extra(const struct embree_scene_mesh *scene_mesh,
+                                            uint32_t triangle, float u, float v)
 {
-    const uint32_t *corners = &part->mesh->indices[(size_t)triangle * 3];
+    const uint32_t *corners = &scene_mesh->mesh->indices[(size_t)triangle * 3];
     const float weights[3] = { 1.0f - u - v, u, v };
     struct mesh_extra extra = { 0 };
     for (int k = 0; k < 3; k++) {
-        const struct mesh_extra *corner = &part->mesh->extras[corners[k]];
+        const struct mesh_extra *corner = &scene_mesh->mesh->extras[corners[k]];
         extra.tangent = glms_vec3_muladds(corner->tangent, weights[k], extra.tangent);
         extra.side += weights[k] * corner->side;
         extra.uv = glms_vec2_muladds(corner->uv, weights[k], extra.uv);
@@ -326,34 +320,35 @@ static struct mesh_extra interpolated_extra(const struct embree_scene_part *part
     return extra;
 }
 
-static vec3s facet_normal(const struct embree_scene_part *part, uint32_t triangle)
+static vec3s facet_normal(const struct embree_scene_mesh *scene_mesh, uint32_t triangle)
 {
-    const uint32_t *corners = &part->mesh->indices[(size_t)triangle * 3];
-    const vec3s *p = part->positions;
+    const uint32_t *corners = &scene_mesh->mesh->indices[(size_t)triangle * 3];
+    const vec3s *p = scene_mesh->positions;
     return glms_vec3_normalize(glms_vec3_cross(glms_vec3_sub(p[corners[1]], p[corners[0]]),
                                                glms_vec3_sub(p[corners[2]], p[corners[0]])));
 }
 
-/* Computes the derivatives of the position with respect to one of the two uv sets, 0 or 1. */
-static void compute_derivatives(const struct embree_scene_part *part, struct embree_scene_hit *hit,
-                                int set)
+/* Computes the position derivatives dp/du and dp/dv for uv set 0 or 1. */
+static void compute_derivatives(const struct embree_scene_mesh *scene_mesh,
+                                struct embree_scene_hit *hit, int set)
 {
-    const uint32_t *corners = &part->mesh->indices[(size_t)hit->triangle * 3];
+    const uint32_t *corners = &scene_mesh->mesh->indices[(size_t)hit->triangle * 3];
     vec2s uv[3];
     for (int k = 0; k < 3; k++)
-        uv[k] = set == 0 ? part->mesh->vertices[corners[k]].uv : part->mesh->extras[corners[k]].uv;
+        uv[k] = set == 0 ? scene_mesh->mesh->vertices[corners[k]].uv
+                         : scene_mesh->mesh->extras[corners[k]].uv;
     const vec2s first = glms_vec2_sub(uv[1], uv[0]);
     const vec2s second = glms_vec2_sub(uv[2], uv[0]);
-    const vec3s *p = part->positions;
+    const vec3s *p = scene_mesh->positions;
     const vec3s edges[2] = { glms_vec3_sub(p[corners[1]], p[corners[0]]),
                              glms_vec3_sub(p[corners[2]], p[corners[0]]) };
     const float area = first.x * second.y - second.x * first.y;
     if (!(fabsf(area) > 0.0f))
         return;
-    hit->u_dir[set] = glms_vec3_divs(
+    hit->dp_du[set] = glms_vec3_divs(
         glms_vec3_sub(glms_vec3_scale(edges[0], second.y), glms_vec3_scale(edges[1], first.y)),
         area);
-    hit->along_v[set] = glms_vec3_divs(
+    hit->dp_dv[set] = glms_vec3_divs(
         glms_vec3_sub(glms_vec3_scale(edges[1], first.x), glms_vec3_scale(edges[0], second.x)),
         area);
 }
@@ -366,7 +361,7 @@ static struct embree_scene_hit bubble_hit(const struct embree_scene *embree_scen
     const struct bubble_face face =
         bubble_face_at(bubble, origin_of(ray), dir_of(ray), (double)ray->tfar);
     return (struct embree_scene_hit){
-        .part = EMBREE_SCENE_BUBBLES,
+        .kind = EMBREE_SCENE_BUBBLES,
         .triangle = rayhit->hit.primID,
         .object = frame_media_count(embree_scene->radiance->scene),
         .distance = ray->tfar,
@@ -400,29 +395,29 @@ bool embree_scene_intersect(const struct embree_scene *embree_scene,
         *hit = bubble_hit(embree_scene, &rayhit);
         return true;
     }
-    const struct embree_scene_part *part = &embree_scene->parts[rayhit.hit.geomID];
+    const struct embree_scene_mesh *scene_mesh = &embree_scene->parts[rayhit.hit.geomID];
     *hit = (struct embree_scene_hit){
-        .part = rayhit.hit.geomID,
+        .kind = rayhit.hit.geomID,
         .triangle = rayhit.hit.primID,
-        .object = part == &embree_scene->parts[EMBREE_SCENE_OBJECT]
+        .object = scene_mesh == &embree_scene->parts[EMBREE_SCENE_OBJECT]
                       ? object_of(embree_scene, rayhit.hit.primID)
                       : 0,
         .u = rayhit.hit.u,
         .v = rayhit.hit.v,
         .distance = rayhit.ray.tfar,
-        .facet = facet_normal(part, rayhit.hit.primID),
-        .surface = interpolated(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v),
+        .facet = facet_normal(scene_mesh, rayhit.hit.primID),
+        .surface = interpolated(scene_mesh, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v),
     };
-    const bool has_textures = hit->part == EMBREE_SCENE_SURROUNDINGS ||
-                              (hit->part == EMBREE_SCENE_OBJECT && embree_scene->is_textured);
+    const bool has_textures = hit->kind == EMBREE_SCENE_SURROUNDINGS ||
+                              (hit->kind == EMBREE_SCENE_OBJECT && embree_scene->is_textured);
     if (has_textures)
-        compute_derivatives(part, hit, 0);
-    if (has_textures && part->mesh->extras) {
-        compute_derivatives(part, hit, 1);
-        hit->extra = interpolated_extra(part, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v);
+        compute_derivatives(scene_mesh, hit, 0);
+    if (has_textures && scene_mesh->mesh->extras) {
+        compute_derivatives(scene_mesh, hit, 1);
+        hit->extra = interpolated_extra(scene_mesh, rayhit.hit.primID, rayhit.hit.u, rayhit.hit.v);
     }
     const mat3s rotation =
-        glms_mat4_pick3(world_from_part(embree_scene, part, hit->surface.material));
+        glms_mat4_pick3(world_from_mesh(embree_scene, scene_mesh, hit->surface.material));
     hit->surface.normal = glms_vec3_normalize(glms_mat3_mulv(rotation, hit->surface.normal));
     hit->extra.tangent = glms_mat3_mulv(rotation, hit->extra.tangent);
     return true;

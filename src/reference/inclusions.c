@@ -1,4 +1,4 @@
-/* inclusions.c: normals of cracks and of bumpy, frosted surfaces; opacities of planes of air. */
+/* inclusions.c: normals of cracks, bumps and frost; opacity of planes of air. */
 #include "src/reference/inclusions.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -12,8 +12,7 @@
 #include "src/tech/inclusions/frost.h"
 #include "src/tech/lighting/bump.h"
 
-/* Returns the radiance of a white medium whose multiple scattering makes light isotropic, with the
- * formula of shaders/lib/air_light.glsl. */
+/* Returns the radiance of planes of air, which scatter isotropically without absorption. */
 static vec3s air_radiance(const struct radiance *radiance)
 {
     const struct globals *g = radiance->globals;
@@ -54,7 +53,6 @@ struct inclusions inclusions_of(const struct radiance *radiance, const struct se
     };
 }
 
-/* Rotates a world-space direction into object space. */
 static vec3s to_object(const struct inclusions *inclusions, vec3s dir)
 {
     return glms_mat3_mulv(glms_mat3_transpose(inclusions->world_from_object), dir);
@@ -109,7 +107,7 @@ static vec4s fetch_bump(const struct bump_maps *maps, uint32_t x, uint32_t y)
                       half_to_float(texel[3]) } };
 }
 
-/* Samples the bump map: x and y are the slopes, z the smoothness, w the frost crystals. */
+/* Returns a texel of the bump map: xy slope, z smoothness, w density of frost crystals. */
 static vec4s sample_bump(const struct inclusions *inclusions, vec2s at)
 {
     const struct bump_maps *maps = &inclusions->radiance->scene->bump;
@@ -122,7 +120,7 @@ static vec4s sample_bump(const struct inclusions *inclusions, vec2s at)
     return glms_vec4_lerp(above, below, y.weight);
 }
 
-/* A sample of the bump map: world-space height gradient, smoothness, density of frost crystals. */
+/* Bump map evaluated at a hit: world-space height gradient, smoothness, density of frost. */
 struct bump_sample {
     vec3s gradient;
     float smoothness, crystals;
@@ -155,23 +153,23 @@ static vec3s weighted_direction(vec3s a, float s, vec3s b, float t)
     return glms_vec3_scale(sum, 1.0f / sqrtf(fmaxf(glms_vec3_norm2(sum), 1e-30f)));
 }
 
-/* Samples the bump map by the mesh's uv, with the triangle's tangents; without uv the slope is 0.
- */
+/* Samples the bump map in the mesh's uv, with the triangle's tangents; slope 0 without uv. */
 static struct bump_sample bump_by_uv(const struct inclusions *inclusions,
                                      const struct embree_scene *embree_scene,
                                      const struct embree_scene_hit *hit, vec3s normal)
 {
-    const struct embree_scene_part *part = &embree_scene->parts[EMBREE_SCENE_OBJECT];
-    const uint32_t *corners = &part->mesh->indices[(size_t)hit->triangle * 3];
+    const struct embree_scene_mesh *scene_mesh = &embree_scene->parts[EMBREE_SCENE_OBJECT];
+    const uint32_t *corners = &scene_mesh->mesh->indices[(size_t)hit->triangle * 3];
     const vec2s scaled =
         glms_vec2_scale(hit->surface.uv, inclusions->radiance->globals->bump_scale);
     const vec4s texel = sample_bump(inclusions, scaled);
     vec3s edges[2];
     vec2s steps[2];
     for (int k = 0; k < 2; k++) {
-        edges[k] = glms_vec3_sub(part->positions[corners[k + 1]], part->positions[corners[0]]);
-        steps[k] = glms_vec2_sub(part->mesh->vertices[corners[k + 1]].uv,
-                                 part->mesh->vertices[corners[0]].uv);
+        edges[k] =
+            glms_vec3_sub(scene_mesh->positions[corners[k + 1]], scene_mesh->positions[corners[0]]);
+        steps[k] = glms_vec2_sub(scene_mesh->mesh->vertices[corners[k + 1]].uv,
+                                 scene_mesh->mesh->vertices[corners[0]].uv);
     }
     const vec3s across = glms_vec3_cross(edges[1], normal);
     const vec3s down = glms_vec3_cross(normal, edges[0]);

@@ -1,21 +1,20 @@
-/* light_gather.c: spawns the rays that gather direct and indirect light at surfaces of the
- * surroundings. */
+/* light_gather.c: spawns rays that gather direct and indirect light on the surroundings. */
 #include "src/reference/light_gather.h"
 #include <cglm/struct.h>
 #include "src/reference/microfacet.h"
 
 enum {
-    TRANSPARENT_MAX = 8, /* surroundings surfaces that a shadow ray may pass */
-    CROSSINGS_MAX = 4096 /* surfaces that a shadow ray may cross in total */
+    TRANSPARENT_MAX = 8, /* transparent surroundings along a shadow ray */
+    CROSSINGS_MAX = 4096 /* all surfaces along a shadow ray */
 };
 
-/* Rays with a smaller throughput are neither traced nor subtracted from the analytic sky light. The
- * ray-traced refraction model uses the same threshold. */
+/* Minimum throughput of gather rays, below which they are neither traced nor subtracted from the
+ * analytic sky light. The ray-traced refraction model uses the same threshold. */
 #define WEIGHT_MIN 1e-3f
 
-static vec2s random_point(const struct tracer *tracing, uint32_t seed, uint32_t own)
+static vec2s random_point(const struct tracer *tracing, uint32_t seed, uint32_t salt)
 {
-    return microfacet_point(tracing->sample, microfacet_hash(seed, own));
+    return microfacet_point(tracing->sample, microfacet_hash(seed, salt));
 }
 
 static void add_ray(const struct tracer *tracing, const struct ray_branch *b,
@@ -86,7 +85,7 @@ float light_gather_sun(const struct tracer *tracing, vec3s point, uint32_t seed)
          i < CROSSINGS_MAX && visibility > 0.0f && transparent_count < TRANSPARENT_MAX; i++) {
         if (!embree_scene_intersect(tracing->embree_scene, &ray, &hit))
             break;
-        if (hit.part == EMBREE_SCENE_SURROUNDINGS) {
+        if (hit.kind == EMBREE_SCENE_SURROUNDINGS) {
             visibility *= radiance_transmittance(tracing->radiance, &hit.surface);
             transparent_count++;
         }

@@ -25,8 +25,8 @@ static uint32_t reversed(uint32_t x)
     return (x & 0xaaaaaaaau) >> 1 | (x & 0x55555555u) << 1;
 }
 
-/* Owen-scrambles the bits of x: each bit is flipped by a hash of the seed and of all higher bits
- * (Burley 2020, section 3, with the constants of Vegdahl 2021). */
+/* Owen-scrambles the bits of x: flips each bit by a hash of the seed and of all higher bits (Burley
+ * 2020, section 3, with the constants of Vegdahl 2021). */
 static uint32_t scrambled(uint32_t x, uint32_t seed)
 {
     x = reversed(x);
@@ -75,18 +75,17 @@ vec3s microfacet_sample(vec3s n, vec3s dir, float roughness, vec2s at)
     const float alpha = roughness * roughness;
     vec3s x, y;
     microfacet_tangents(n, &x, &y);
-    /* View direction in the stretched space, in which the distribution of normals is a hemisphere.
-     */
+    /* View direction in the stretched space, where the distribution of normals is a hemisphere. */
     const vec3s view = glms_vec3_normalize((vec3s){ {
         -alpha * glms_vec3_dot(dir, x),
         -alpha * glms_vec3_dot(dir, y),
         -glms_vec3_dot(dir, n),
     } });
-    /* Uniform point on the half disc that is the projection of the hemisphere. */
+    /* Uniform point on the half disc onto which the visible hemisphere projects. */
     const float radius = sqrtf(at.x);
     const float angle = 6.28318531f * at.y;
     const float a = radius * cosf(angle);
-    /* The visible half is foreshortened along `up`. */
+    /* Foreshortens the visible half of the disc along `up`. */
     const float length = hypotf(view.x, view.y);
     const vec3s right = length > 1e-6f ? (vec3s){ { -view.y / length, view.x / length, 0.0f } }
                                        : (vec3s){ { 1.0f, 0.0f, 0.0f } };

@@ -1,13 +1,12 @@
 /*
- * microfacet.h: rough dielectric surfaces: one GGX microfacet is sampled per pixel sample.
+ * microfacet.h: sampling of rough dielectric surfaces: one GGX microfacet per pixel sample.
  *
- * Distribution: GGX with alpha = roughness squared, sampled by visible normals (Heitz 2018,
- * Sampling the GGX Distribution of Visible Normals), which wastes no samples on back-facing
- * microfacets. Light is reflected or refracted at the microfacet (Walter et al. 2007) with a single
- * bounce, weighted by the Fresnel reflectance of the macroscopic surface. Energy is lost where
- * light is shadowed or masked, and where a microfacet reflects totally. So rough surfaces are too
- * dark, as with every single-scattering microfacet model: a ball of index 1.5 in a white furnace
- * shows .99, .92 and .64 at roughness .15, .3 and .6.
+ * GGX with alpha = roughness squared, sampled by visible normals (Heitz 2018, Sampling the GGX
+ * Distribution of Visible Normals). Light is reflected or refracted at the microfacet (Walter et
+ * al. 2007), weighted by the Fresnel reflectance of the macroscopic surface. Single scattering
+ * only: shadowed, masked and totally reflected light is lost, which makes rough surfaces too dark.
+ * A ball of index 1.5 in a white furnace returns .99, .92 and .64 of the light at roughness .15, .3
+ * and .6.
  */
 #ifndef FIRN_REFERENCE_MICROFACET_H
 #define FIRN_REFERENCE_MICROFACET_H

@@ -1,10 +1,9 @@
 /*
- * nested_media.h: nested dielectrics: which objects contain a ray, and which medium it is in.
+ * nested_media.h: nested dielectrics with priorities: which objects contain a ray, and its medium.
  *
  * Touching objects must overlap a little, because coincident surfaces cannot be intersected
- * robustly. Where they overlap, the medium of highest priority (`rank`) fills the space, and
- * surfaces inside it are skipped (Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced
- * Images).
+ * robustly. There the medium of highest priority (`rank`) fills the space, and surfaces inside it
+ * are skipped (Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced Images).
  */
 #ifndef FIRN_REFERENCE_NESTED_MEDIA_H
 #define FIRN_REFERENCE_NESTED_MEDIA_H
@@ -14,15 +13,14 @@
 #define NESTED_MEDIA_NONE UINT32_MAX /* index of no object */
 
 enum {
-    NESTED_MEDIA_MAX = 15, /* objects that may contain a ray at once; further ones are ignored */
+    NESTED_MEDIA_MAX = 15, /* capacity of a set of objects */
 };
 
-/* The media of a scene. */
 struct nested_media {
-    struct frame_medium *all; /* one per object, then the outside, then the bubbles */
-    uint32_t outside;         /* index of the medium around all objects */
-    uint32_t bubble;          /* index of the air in bubbles, with a priority above all objects */
-    bool is_dispersive; /* the refractive index of some medium depends on the colour channel */
+    struct frame_medium *all; /* one per object, outside, bubbles */
+    uint32_t outside;         /* index of the outermost medium */
+    uint32_t bubble;          /* index of the air in bubbles */
+    bool is_dispersive;       /* some refractive index varies with colour */
 };
 
 /* The set of objects that contain a ray's origin. */
@@ -31,18 +29,16 @@ struct nested_media_set {
     uint16_t objects[NESTED_MEDIA_MAX];
 };
 
-/* Collects the media of a scene. Returns false when out of memory or for more than 65533 objects.
- */
+/* Collects a scene's media. Returns false when out of memory or for more than 65533 objects. */
 bool nested_media_init(struct nested_media *media, const struct scene *scene,
                        const struct settings *settings);
 void nested_media_finish(struct nested_media *media);
 
-/* Returns the object of highest priority in `set` apart from `except`, or the outside. */
+/* Returns the set's object of highest priority other than `except`, or else the outside. */
 uint32_t nested_media_top(const struct nested_media *media, const struct nested_media_set *set,
                           uint32_t except);
 
-/* Returns true if a boundary between two media does not refract: equal media, or both outside air.
- */
+/* Returns true if a boundary between two media does not refract: equal media or outside air. */
 bool nested_media_are_equal(const struct nested_media *media, uint32_t a, uint32_t b);
 
 bool nested_media_set_has(const struct nested_media_set *set, uint32_t object);
@@ -50,14 +46,14 @@ bool nested_media_set_has(const struct nested_media_set *set, uint32_t object);
 /* Adds an object to the set or removes it. */
 void nested_media_set_update(struct nested_media_set *set, uint32_t object, bool is_inside);
 
-/* The media on both sides of an object's surface, along a ray that crosses it. */
+/* Media in front of and behind an object's surface, along a ray that crosses it. */
 struct nested_media_crossing {
-    uint32_t before, after; /* indices of the media before and behind the surface */
+    uint32_t before, after; /* media on both sides */
     bool is_entering;
 };
 
-/* Returns the media before and behind an object's surface; `is_entering`: the front face is hit.
- * Ignores whether `set` contains the object, so that open and overlapping meshes work. */
+/* Returns the media in front of and behind an object's surface; `is_entering`: the front face is
+ * hit. Ignores whether `set` contains the object, so that open and overlapping meshes work. */
 struct nested_media_crossing nested_media_cross(const struct nested_media *media,
                                                 const struct nested_media_set *set, uint32_t object,
                                                 bool is_entering);

@@ -1,4 +1,4 @@
-/* photons.c: traces the sun's photons, sorts them into a hash grid, and estimates their density. */
+/* photons.c: emits and traces photons, sorts them into a hash grid, estimates irradiance. */
 #include "src/reference/photons.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -13,16 +13,16 @@
 enum {
     CHUNK = 4096, /* photons per task of a thread */
     THREAD_COUNT_MAX = 256,
-    CROSSINGS_MAX = 4096, /* surfaces that a shadow ray may cross */
-    POSITION_SEED = 11,   /* hashed with a seed for independent random numbers */
+    CROSSINGS_MAX = 4096, /* maximum surfaces along a shadow ray */
+    POSITION_SEED = 11,   /* seed constant for emission */
     SUN_SEED,
     PATH_SEED,
 };
 
-#define RADIUS         1.0f  /* search radius for one photon, in radii of the objects' sphere */
-#define PLANE_DISTANCE 0.25f /* limit of the distance to the tangent plane, in search radii */
+#define RADIUS         1.0f  /* of one photon, in objects' radii */
+#define PLANE_DISTANCE 0.25f /* max. tangent plane distance, search radii */
 
-/* The photons of a chunk that have hit the surroundings. */
+/* Photons stored by one chunk of emitted photons. */
 struct stored_hits {
     struct photon *photons;
     uint32_t count, capacity;
@@ -38,7 +38,7 @@ struct job {
     atomic_uint next_chunk;
 };
 
-/* Samples a direction to the sun's disc; `tangent` is that of its angular radius. */
+/* Samples a direction to the sun's disc; `tangent` is the tangent of its angular radius. */
 static vec3s to_sun(vec3s sun_dir, float tangent, vec2s at)
 {
     const float offset = tangent * sqrtf(at.x);
@@ -89,8 +89,8 @@ static void store_hit(struct stored_hits *stored_hits, const struct ray_branch *
         (struct photon){ position, b->ray.dir, glms_vec3_scale(b->throughput, fraction) };
 }
 
-/* Traces a photon. It is stored wherever it hits surroundings after at least one hit on an object;
- * direct sunlight is sampled by shadow rays instead. */
+/* Traces a photon and stores it at each hit on surroundings that follows a hit on an object. Direct
+ * sunlight is sampled by shadow rays instead. */
 static void trace_photon(const struct tracer *tracing, struct ray_branch b, uint32_t channel,
                          struct stored_hits *stored_hits)
 {
@@ -99,7 +99,7 @@ static void trace_photon(const struct tracer *tracing, struct ray_branch b, uint
     bool has_hit_object = false;
     while (glms_vec3_max(b.throughput) > cutoff && ray_branch_advance(tracing, &b, &surface_hit)) {
         const struct embree_scene_hit *hit = &surface_hit.hit;
-        if (hit->part != EMBREE_SCENE_SURROUNDINGS) {
+        if (hit->kind != EMBREE_SCENE_SURROUNDINGS) {
             const struct fork fork = ray_branch_split(tracing, &b, &surface_hit);
             b = ray_branch_choose(tracing, &b, &fork);
             has_hit_object = true;
@@ -127,7 +127,7 @@ static void trace_chunk(const struct job *job, uint32_t chunk)
     }
 }
 
-/* Traces the next chunk of photons. Returns false if there is none left. */
+/* Traces the next chunk of photons. Returns false if no chunk is left. */
 static bool trace_next_chunk(struct job *job)
 {
     const uint32_t chunk = atomic_fetch_add(&job->next_chunk, 1);
@@ -144,7 +144,7 @@ static void *work(void *user)
     return NULL;
 }
 
-/* Traces all chunks with several threads. Returns false if `go_on` has cancelled the work. */
+/* Traces all chunks on several threads. Returns false if `go_on` cancels the work. */
 static bool run(struct job *job)
 {
     bool goes_on = true;
@@ -166,8 +166,8 @@ struct cell {
     int32_t at[3];
 };
 
-/* Returns the grid cell of a point. Cells are as wide as the search diameter, so a search overlaps
- * at most two cells along each axis. */
+/* Returns the grid cell of a point. Cells are as wide as the search diameter, so that a search
+ * overlaps at most two cells along each axis. */
 static struct cell cell_of(const struct photons *photons, vec3s point)
 {
     struct cell cell;
@@ -184,8 +184,8 @@ static uint32_t bucket_of(const struct photons *photons, struct cell cell)
     return microfacet_hash(across, (uint32_t)cell.at[1]) & (photons->bucket_count - 1);
 }
 
-/* Counting-sorts the photons of all chunks into the buckets of the hash grid, in the order of their
- * numbers, independent of threads. Returns false when out of memory. */
+/* Counting-sorts the photons of all chunks into the hash grid, in emission order, independently of
+ * threads. Returns false when out of memory. */
 static bool sort(struct photons *photons, const struct job *job)
 {
     bool done = true;
@@ -200,7 +200,7 @@ static bool sort(struct photons *photons, const struct job *job)
     photons->first = calloc((size_t)photons->bucket_count + 2, sizeof(*photons->first));
     if (!done || !photons->all || !photons->first)
         return false;
-    uint32_t *next = photons->first + 1; /* first[b + 1] is the write position of bucket b */
+    uint32_t *next = photons->first + 1; /* write position of each bucket */
     for (uint32_t i = 0; i < job->chunk_count; i++) {
         for (uint32_t k = 0; k < job->chunks[i].count; k++)
             next[bucket_of(photons, cell_of(photons, job->chunks[i].photons[k].position)) + 1]++;
@@ -252,14 +252,13 @@ void photons_finish(struct photons *photons)
     *photons = (struct photons){ 0 };
 }
 
-/* A density estimate in progress: the search disc and the sums over its photons. */
+/* Density estimate: the search disc and the sums over the photons in it. */
 struct disc {
     vec3s center, normal;
-    vec3s light, direction_sum; /* sum of flux; sum of directions weighted by flux */
+    vec3s light, direction_sum; /* flux; direction weighted by flux */
 };
 
-/* Adds the photons of one cell, weighted by an Epanechnikov kernel, which falls to 0 at the radius.
- */
+/* Adds the photons of a cell, weighted by an Epanechnikov kernel (0 at the search radius). */
 static void gather_cell(const struct photons *photons, struct cell cell, struct disc *disc)
 {
     const float radius2 = photons->radius * photons->radius;
@@ -280,7 +279,7 @@ static void gather_cell(const struct photons *photons, struct cell cell, struct 
     }
 }
 
-/* Estimates the irradiance of photons at a point, relative to that of perpendicular sunlight. */
+/* Estimates the photons' irradiance at a point, relative to perpendicular direct sunlight. */
 static struct disc estimate(const struct photons *photons, vec3s point, vec3s normal)
 {
     const float radius = photons->radius;
@@ -305,7 +304,7 @@ static bool is_occluded(const struct tracer *tracing, vec3s point, vec3s dir)
                                     .from = EMBREE_SCENE_NO_ORIGIN };
     for (uint32_t i = 0;
          i < CROSSINGS_MAX && embree_scene_intersect(tracing->embree_scene, &ray, &hit); i++) {
-        if (hit.part == EMBREE_SCENE_OBJECT)
+        if (hit.kind == EMBREE_SCENE_OBJECT)
             return true;
         ray.origin = hit.surface.position;
     }
@@ -320,11 +319,11 @@ struct radiance_sun photons_sun_at(const struct tracer *tracing, vec3s point, ve
     const vec2s at = microfacet_point(tracing->sample, microfacet_hash(seed, SUN_SEED));
     const struct disc disc = estimate(photons, point, normal);
     struct radiance_sun sun = {
-        .sky = glms_vec3_one(), .own = 1.0f, .through = disc.light, .through_dir = sun_dir
+        .sky = glms_vec3_one(), .direct = 1.0f, .refracted = disc.light, .refracted_dir = sun_dir
     };
     if (photons->has_shadow && is_occluded(tracing, point, to_sun(sun_dir, photons->sun, at)))
-        sun.own = 0.0f;
+        sun.direct = 0.0f;
     if (glms_vec3_norm2(disc.direction_sum) > 0.0f)
-        sun.through_dir = glms_vec3_normalize(disc.direction_sum);
+        sun.refracted_dir = glms_vec3_normalize(disc.direction_sum);
     return sun;
 }

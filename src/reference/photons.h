@@ -3,14 +3,13 @@
  *
  * Tracing from the camera cannot find caustics, because a ray from a diffuse surface practically
  * never hits the small sun through ice. So photons are emitted from the sun's disc, uniformly over
- * the objects' bounding sphere, traced like camera rays with one of reflection and refraction
- * sampled at each surface, and stored on the surroundings. Irradiance is the photon density within
- * a radius (Jensen 1996, Global Illumination using Photon Maps), which shrinks with the cube root
- * of their number, so that noise and blur both vanish in the limit. Direct sunlight is not part of
- * the map: shadow rays find where objects block it.
+ * the objects' bounding sphere, sample reflection or refraction at each surface, and are stored on
+ * the surroundings. Irradiance is their density within a radius (Jensen 1996, Global Illumination
+ * using Photon Maps) that shrinks with the cube root of their number, so that noise and blur vanish
+ * in the limit. Direct sunlight is not part of the map: it is sampled by shadow rays.
  *
  * Limits: surroundings cast no shadows in the map, as in the rasteriser; light that surroundings
- * reflect is lost; the density is too low within the radius of a surface's edge.
+ * reflect is lost; the density is too low within a radius of a surface's edge.
  */
 #ifndef FIRN_REFERENCE_PHOTONS_H
 #define FIRN_REFERENCE_PHOTONS_H
@@ -20,14 +19,14 @@
 
 struct photon {
     vec3s position, dir;
-    vec3s flux; /* per channel, as the area of perpendicular sunlight in square metres */
+    vec3s flux; /* unit: sunlight times square metres */
 };
 
 struct photons {
     struct photon *all; /* sorted by cell */
     uint32_t count;
     float radius;    /* radius of the density estimate, metres */
-    uint32_t *first; /* index of the first photon of each hash bucket, and `count` at the end */
+    uint32_t *first; /* first photon of each hash bucket */
     uint32_t bucket_count;
     float sun; /* tangent of the sun's angular radius */
     bool has_shadow;
@@ -37,22 +36,21 @@ struct photons {
 typedef bool photons_progress_fn(void *user);
 
 struct photons_params {
-    uint32_t count;             /* photons to emit */
+    uint32_t count;             /* number of photons to emit */
     float sun_deg;              /* angular diameter of the sun, degrees */
     bool has_shadow;            /* objects cast shadows in direct sunlight */
     uint32_t threads;           /* upper limit of threads */
-    photons_progress_fn *go_on; /* called now and then by the calling thread; may be NULL */
+    photons_progress_fn *go_on; /* polled by the caller's thread */
     void *user;
 };
 
-/* Builds the photon map, which is bit-identical for any number of threads. When out of memory logs
- * and returns STATUS_TRY_AGAIN; returns STATUS_FAILED silently if `go_on` cancels it. */
+/* Builds the photon map, bit-identically for any number of threads. When out of memory logs and
+ * returns STATUS_TRY_AGAIN; returns STATUS_FAILED without a message if `go_on` cancels. */
 MUST_USE enum status photons_init(struct photons *photons, const struct tracer *tracing,
                                   const struct photons_params *params);
 void photons_finish(struct photons *photons); /* accepts {0} */
 
-/* Returns direct and refracted sunlight at a point; `normal` is a unit normal on the viewer's side.
- */
+/* Returns direct and refracted sunlight at a point; unit `normal` is on the viewer's side. */
 struct radiance_sun photons_sun_at(const struct tracer *tracing, vec3s point, vec3s normal,
                                    uint32_t seed);
 

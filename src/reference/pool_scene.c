@@ -1,5 +1,4 @@
-/* pool_scene.c: the pool as triangle meshes of water, tiles and floating ice; light in its water.
- */
+/* pool_scene.c: triangle meshes of the pool's water, tiles and floating ice; its lighting. */
 #include "src/reference/pool_scene.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -9,23 +8,21 @@
 #include "src/tech/water/pool.h"
 
 enum {
-    SHELL_SIDE =
-        POOL_SCENE_GRID + 3, /* vertices per side: the surface and one ring at the bottom */
-    QUAD_COUNT = 5,          /* tiled quads: the floor and four walls */
+    SHELL_SIDE = POOL_SCENE_GRID + 3, /* one more ring at the bottom */
+    QUAD_COUNT = 5,                   /* tiled floor and four walls */
     WATER = 0,
     FLOATING_ICE = 1,
 };
 
-#define SHELL_MARGIN 0.05f /* how far the shell extends into walls, in half sides */
-#define TILE_INSET   1e-4f /* gap between tiles and walls, in sides of the pool */
+#define SHELL_MARGIN 0.05f /* water overlaps walls, in half sides */
+#define TILE_INSET   1e-4f /* tile distance from walls, in sides */
 
 static vec3s to_world(vec3s v)
 {
     return (vec3s){ { v.x, v.z, -v.y } };
 }
 
-/* Returns a vertex of the water shell. The outermost ring is lowered to the bottom: the side walls.
- */
+/* Returns a vertex of the water shell. The outermost ring, at the bottom, forms the side walls. */
 static struct mesh_vertex shell_vertex(const struct pool_scene *pool_scene, uint32_t column,
                                        uint32_t row, float time)
 {
@@ -143,7 +140,7 @@ bool pool_scene_init(struct pool_scene *pool_scene, const struct scene *scene,
     struct model *model = &pool_scene->scene.model;
     model->object = model->surroundings = (struct mesh){ 0 };
     model->objects = pool_scene->objects;
-    model->surroundings_object_count = 0; /* the ranges of opaque parts do not match this mesh */
+    model->surroundings_object_count = 0; /* surroundings_objects do not match this mesh */
     model->object_count = scene->model.object.index_count ? 2 : 1;
     if (!model->materials)
         model->materials = &pool_scene->bare;
@@ -204,8 +201,7 @@ struct radiance_sun pool_scene_light(const struct pool_scene *pool_scene,
     struct radiance_sun light = { .sky = pool_scene_transmittance(pool_scene, depth) };
     if (!(globals->sun_dir.y > 0.0f))
         return light;
-    /* Snell's law at a horizontal surface scales the horizontal part of the direction by 1 / index.
-     */
+    /* Snell's law at a horizontal surface divides horizontal direction components by the index. */
     const float inverse_index = 1.0f / pool_scene->push.water.ior;
     const vec3s horizontal = { { globals->sun_dir.x * inverse_index, 0.0f,
                                  globals->sun_dir.z * inverse_index } };
@@ -219,8 +215,8 @@ struct radiance_sun pool_scene_light(const struct pool_scene *pool_scene,
     const bool is_open = fmaxf(fabsf(entry.x), fabsf(entry.z)) <= half;
     const float incidence = fmaxf(glms_vec3_dot(n, inside) / down, 0.0f);
     if (is_open)
-        light.through = glms_vec3_scale(pool_scene_transmittance(pool_scene, depth / down),
-                                        transmittance * ci * incidence);
-    light.through_dir = inside;
+        light.refracted = glms_vec3_scale(pool_scene_transmittance(pool_scene, depth / down),
+                                          transmittance * ci * incidence);
+    light.refracted_dir = inside;
     return light;
 }

@@ -1,21 +1,20 @@
-/* primary_hit_layers.c: fills the layers (AOVs) of the primary hit, such as depth, normal, albedo
- * and motion. */
+/* primary_hit_layers.c: fills the layers (AOVs) of the primary hit: depth, normal, albedo ... */
 #include "src/reference/primary_hit_layers.h"
 #include <cglm/struct.h>
 
 enum {
-    SKIPPED_MAX = 256, /* transparent sheets that a camera ray may pass */
+    SKIPPED_MAX = 256, /* transparent surfaces along a camera ray */
 };
 
 static bool is_visible(const struct primary_hit_layers *first, const struct embree_scene_hit *hit)
 {
-    if (hit->part == EMBREE_SCENE_SURROUNDINGS)
+    if (hit->kind == EMBREE_SCENE_SURROUNDINGS)
         return !(radiance_transmittance(first->radiance, &hit->surface) > 0.5f);
-    return hit->part != EMBREE_SCENE_AIR;
+    return hit->kind != EMBREE_SCENE_AIR;
 }
 
-/* Finds the first visible surface of a camera ray, beyond planes of air and mostly transparent
- * surfaces. Returns false if there is none. */
+/* Finds the first visible surface along a camera ray, behind planes of air and surfaces with an
+ * alpha below one half. Returns false if there is none. */
 static bool find_visible(const struct primary_hit_layers *first, const struct embree_scene_ray *ray,
                          struct embree_scene_hit *hit)
 {
@@ -32,15 +31,15 @@ static bool find_visible(const struct primary_hit_layers *first, const struct em
     return false;
 }
 
-/* Returns the position of a hit point in the previous frame, in the space of its mesh. */
+/* Returns where a hit point was in the previous frame, in the space of its mesh. */
 static vec3s previous_point(const struct primary_hit_layers *first,
                             const struct embree_scene_hit *hit)
 {
     const struct scene *scene = first->radiance->scene;
-    const struct mesh *mesh = first->embree_scene->parts[hit->part].mesh;
+    const struct mesh *mesh = first->embree_scene->parts[hit->kind].mesh;
     const uint32_t *corners = &mesh->indices[(size_t)hit->triangle * 3];
     const size_t offset =
-        hit->part == EMBREE_SCENE_SURROUNDINGS ? scene->model.object.vertex_count : (size_t)0;
+        hit->kind == EMBREE_SCENE_SURROUNDINGS ? scene->model.object.vertex_count : (size_t)0;
     const float weights[3] = { 1.0f - hit->u - hit->v, hit->u, hit->v };
     vec3s point = glms_vec3_zero();
     for (int k = 0; k < 3; k++) {
@@ -57,7 +56,7 @@ static vec2s motion_of(const struct primary_hit_layers *first, const struct embr
     const struct globals *g = first->radiance->globals;
     const vec3s previous = previous_point(first, hit);
     vec4s before = glms_vec4(previous, 1.0f);
-    if (hit->part == EMBREE_SCENE_OBJECT)
+    if (hit->kind == EMBREE_SCENE_OBJECT)
         before = glms_mat4_mulv(e->world_from_object, before);
     else if (hit->surface.material & MESH_ORBITS)
         before = glms_mat4_mulv(e->world_from_movers, before);
@@ -73,8 +72,8 @@ float primary_hit_layers_object(const struct primary_hit_layers *first,
                                 const struct embree_scene_hit *hit)
 {
     const struct model *model = &first->radiance->scene->model;
-    const struct mesh *mesh = first->embree_scene->parts[hit->part].mesh;
-    if (hit->part == EMBREE_SCENE_OBJECT)
+    const struct mesh *mesh = first->embree_scene->parts[hit->kind].mesh;
+    if (hit->kind == EMBREE_SCENE_OBJECT)
         return (float)(hit->object + 1);
     return (float)(model->object_count + 1 +
                    model_surroundings_find_object(model, mesh->indices[(size_t)hit->triangle * 3]));
@@ -82,20 +81,21 @@ float primary_hit_layers_object(const struct primary_hit_layers *first,
 
 void primary_hit_layers_fill(const struct primary_hit_layers *first,
                              const struct embree_scene_ray *ray, vec3s forward,
-                             const struct embree_scene_hit *met, struct reference_ray_values *seen)
+                             const struct embree_scene_hit *closest,
+                             struct reference_ray_values *values)
 {
-    struct embree_scene_hit hit = *met;
+    struct embree_scene_hit hit = *closest;
     if (!find_visible(first, ray, &hit))
         return;
-    const bool is_object = hit.part == EMBREE_SCENE_OBJECT;
-    seen->z = glms_vec3_dot(glms_vec3_sub(hit.surface.position, ray->origin), forward);
-    seen->normal = hit.surface.normal;
-    seen->position = hit.surface.position;
-    if (!is_object && hit.part != EMBREE_SCENE_SURROUNDINGS) /* the camera is inside the ice */
+    const bool is_object = hit.kind == EMBREE_SCENE_OBJECT;
+    values->z = glms_vec3_dot(glms_vec3_sub(hit.surface.position, ray->origin), forward);
+    values->normal = hit.surface.normal;
+    values->position = hit.surface.position;
+    if (!is_object && hit.kind != EMBREE_SCENE_SURROUNDINGS) /* the camera is inside the ice */
         return;
-    seen->albedo = radiance_albedo(first->radiance, &hit.surface);
-    seen->object = primary_hit_layers_object(first, &hit);
-    seen->last = seen->object;
+    values->albedo = radiance_albedo(first->radiance, &hit.surface);
+    values->object = primary_hit_layers_object(first, &hit);
+    values->last = values->object;
     if (first->earlier)
-        seen->motion = motion_of(first, &hit);
+        values->motion = motion_of(first, &hit);
 }

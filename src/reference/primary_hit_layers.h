@@ -12,15 +12,14 @@ struct primary_hit_layers {
     const struct first_surface_previous *earlier; /* previous frame; NULL if nothing moves */
 };
 
-/* Fills the layers of the primary hit, with the same rules as gbuffer.c and first_surface.c:
- * blended surfaces with an alpha below one half are skipped. `met` is the closest hit of the ray;
- * `forward` is the viewing direction. */
+/* Fills the layers of the primary hit as gbuffer.c and first_surface.c do: blended surfaces with an
+ * alpha below one half are skipped. `closest` is the closest hit, `forward` the view direction. */
 void primary_hit_layers_fill(const struct primary_hit_layers *first,
                              const struct embree_scene_ray *ray, vec3s forward,
-                             const struct embree_scene_hit *met, struct reference_ray_values *seen);
+                             const struct embree_scene_hit *closest,
+                             struct reference_ray_values *values);
 
-/* Returns the object number of a hit on EMBREE_SCENE_OBJECT or EMBREE_SCENE_SURROUNDINGS, as in the
- * layer `object`. */
+/* Returns the value of the layer `object` for a hit on an object or on surroundings. */
 float primary_hit_layers_object(const struct primary_hit_layers *first,
                                 const struct embree_scene_hit *hit);
 

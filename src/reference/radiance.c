@@ -11,8 +11,8 @@
 #include "src/reference/linear_filter.h"
 #include "src/scene/material_table.h"
 
-#define TILES_WIDTH  ABI_VEC2(1e-4f, 1e-4f) /* filter width of the procedural tiles, in uv */
-#define LEAST_COSINE 0.05f                  /* smallest cosine by which irradiance is divided */
+#define TILES_WIDTH ABI_VEC2(1e-4f, 1e-4f) /* texture filter width of procedural tiles */
+#define COSINE_MIN  0.05f                  /* lower clamp of a cosine divisor */
 
 struct radiance radiance_of(const struct scene *scene, const struct globals *globals)
 {
@@ -135,7 +135,7 @@ vec3s radiance_mean(const struct radiance *radiance)
                       (float)(sum[2] / weights) } };
 }
 
-/* Returns the material of a vertex, or NULL if it has none or is shaded by the settings alone. */
+/* Returns a vertex's glTF material, or NULL if the settings alone determine its shading. */
 static const struct material *material_of(const struct radiance *radiance, uint32_t material)
 {
     const uint32_t index = material >> MESH_SURFACE_SHIFT;
@@ -143,7 +143,7 @@ static const struct material *material_of(const struct radiance *radiance, uint3
     return found && !(found->flags & MATERIAL_FROM_SETTINGS) ? found : NULL;
 }
 
-/* Applies a wrap mode to a texture coordinate; clamped footprints stay inside the texture. */
+/* Applies a wrap mode to a texture coordinate; clamping keeps the filter inside the texture. */
 static float wrap_coordinate(float x, uint32_t mode, float size)
 {
     if (mode == MATERIAL_REPEAT)
@@ -153,9 +153,9 @@ static float wrap_coordinate(float x, uint32_t mode, float size)
     return fminf(fmaxf(x, 0.5f / size), 1.0f - 0.5f / size);
 }
 
-/* The texture coordinates of a point. */
+/* Texture coordinates of a surface point. */
 struct coordinates {
-    vec2s uv, other_uv; /* uv of mesh_vertex and of mesh_extra */
+    vec2s uv, other_uv; /* first and second uv set */
 };
 
 static struct coordinates coordinates_of(const struct radiance_point *point)
@@ -166,7 +166,7 @@ static struct coordinates coordinates_of(const struct radiance_point *point)
     };
 }
 
-/* Samples one of a material's textures; white if it has none. */
+/* Samples a texture of a material; returns white if the material has no such texture. */
 static vec4s texel_of(const struct radiance *radiance, const struct material *material,
                       enum material_texture_use use, struct coordinates coordinates)
 {
@@ -210,7 +210,7 @@ float radiance_transmittance(const struct radiance *radiance, const struct mesh_
     return 1.0f - alpha;
 }
 
-/* Perturbs a normal by the material's normal map. */
+/* Perturbs a shading normal by the normal map. */
 static vec3s normal_mapped(const struct radiance *radiance, const struct material *m,
                            const struct radiance_point *point, vec3s n)
 {
@@ -219,17 +219,17 @@ static vec3s normal_mapped(const struct radiance *radiance, const struct materia
     const vec4s texel = texel_of(radiance, m, MATERIAL_NORMAL, coordinates_of(point));
     const uint32_t set = m->textures[MATERIAL_NORMAL].uv_set;
     const float side = point->extra ? point->extra->side : 0.0f;
-    const bool is_given = fabsf(side) > 0.0f;
-    const vec3s u_dir = is_given ? point->extra->tangent : point->u_dir[set];
-    const vec3s tangent = glms_vec3_muladds(n, -glms_vec3_dot(n, u_dir), u_dir);
+    const bool has_tangent = fabsf(side) > 0.0f;
+    const vec3s uv_tangent = has_tangent ? point->extra->tangent : point->dp_du[set];
+    const vec3s tangent = glms_vec3_muladds(n, -glms_vec3_dot(n, uv_tangent), uv_tangent);
     if (!(glms_vec3_norm2(tangent) > 0.0f))
         return n;
     const vec3s t = glms_vec3_normalize(tangent);
     vec3s b = glms_vec3_cross(n, t);
     const bool is_back = glms_vec3_dot(n, point->vertex->normal) < 0.0f;
-    /* v points down in the texture */
+    /* the texture's v axis points down */
     const bool is_flipped =
-        is_given ? (side < 0.0f) != is_back : glms_vec3_dot(b, point->along_v[set]) > 0.0f;
+        has_tangent ? (side < 0.0f) != is_back : glms_vec3_dot(b, point->dp_dv[set]) > 0.0f;
     if (is_flipped)
         b = glms_vec3_negate(b);
     const vec3s slope = { { (2.0f * texel.x - 1.0f) * m->normal_scale,
@@ -241,11 +241,12 @@ static vec3s normal_mapped(const struct radiance *radiance, const struct materia
 struct object_material radiance_material_at(const struct radiance *radiance,
                                             const struct material *material,
                                             const struct radiance_point *point,
-                                            struct object_material own, vec3s *normal)
+                                            struct object_material untextured, vec3s *normal)
 {
     const struct coordinates uv = coordinates_of(point);
     *normal = normal_mapped(radiance, material, point, point->vertex->normal);
-    return object_material_of(own, glms_vec3(texel_of(radiance, material, MATERIAL_BASE_COLOR, uv)),
+    return object_material_of(untextured,
+                              glms_vec3(texel_of(radiance, material, MATERIAL_BASE_COLOR, uv)),
                               texel_of(radiance, material, MATERIAL_METALLIC_ROUGHNESS, uv).y,
                               texel_of(radiance, material, MATERIAL_TRANSMISSION, uv).x);
 }
@@ -298,13 +299,12 @@ static struct lit_surface surface_of(const struct radiance *radiance, const stru
     const vec4s tint = texel_of(radiance, m, MATERIAL_SPECULAR_COLOR, uv);
     const vec3s f0 = glms_vec3_mul(material_f0(m), glms_vec3(tint));
     float specular = m->specular * texel_of(radiance, m, MATERIAL_SPECULAR, uv).w;
-    if (m->flags &
-        MATERIAL_IS_WATER_LAYER) /* a wetted interface below ice reflects almost nothing */
+    if (m->flags & MATERIAL_IS_WATER_LAYER) /* water on ice reflects almost nothing */
         specular *= lit_reflectance_in_medium(glms_vec3_max(f0), point->ior);
     return lit_surface_of(albedo, m->metallic * rough.z, m->roughness * rough.y, f0, specular);
 }
 
-/* Shading normals of the specular layer (top) and of the diffuse base. */
+/* Shading normals of the specular top layer and of the diffuse base layer. */
 struct normals {
     vec3s top, base;
 };
@@ -316,7 +316,7 @@ static struct normals normals_of(const struct radiance *radiance, const struct m
     return (struct normals){ m->flags & MATERIAL_IS_WATER_LAYER ? n : base, base };
 }
 
-/* Returns the reflected radiance of the model file's lights, which cast no shadows. */
+/* Returns the light reflected from the model file's punctual lights, without shadows. */
 static vec3s shade_lights(const struct radiance *radiance, const struct lit_surface *surface,
                           vec3s point, struct normals n, vec3s to_camera)
 {
@@ -342,25 +342,26 @@ static vec3s shade_lights(const struct radiance *radiance, const struct lit_surf
     return sum;
 }
 
-static const struct radiance_sun unoccluded_sun = { .sky = { { 1.0f, 1.0f, 1.0f } }, .own = 1.0f };
+static const struct radiance_sun unoccluded_sun = { .sky = { { 1.0f, 1.0f, 1.0f } },
+                                                    .direct = 1.0f };
 
 static const struct radiance_sun *sun_of(const struct radiance_point *point)
 {
     return point->sun ? point->sun : &unoccluded_sun;
 }
 
-/* Returns the radiance that a white Lambertian surface reflects. */
+/* Returns the reflected radiance of a white Lambertian surface. */
 static vec3s shade_white_diffuse(const struct radiance *radiance,
                                  const struct radiance_point *point, vec3s n)
 {
     const struct radiance_sun *sun = sun_of(point);
     const float cosine = fmaxf(0.0f, glms_vec3_dot(n, radiance->globals->sun_dir));
-    const vec3s direct = glms_vec3_scale(glms_vec3_one(), sun->own * cosine);
-    return glms_vec3_muladd(radiance->globals->sun_light, glms_vec3_add(direct, sun->through),
+    const vec3s direct = glms_vec3_scale(glms_vec3_one(), sun->direct * cosine);
+    return glms_vec3_muladd(radiance->globals->sun_light, glms_vec3_add(direct, sun->refracted),
                             glms_vec3_mul(sun->sky, diffuse_irradiance(radiance, n)));
 }
 
-/* Returns the sunlight that a surface reflects, with refracted sunlight from its mean direction. */
+/* Returns the reflected sunlight: direct, and refracted from its mean direction. */
 static vec3s shade_sun(const struct radiance *radiance, const struct lit_surface *surface,
                        const struct radiance_point *point, struct normals n)
 {
@@ -368,13 +369,13 @@ static vec3s shade_sun(const struct radiance *radiance, const struct lit_surface
     const vec3s to_camera = glms_vec3_negate(point->dir);
     const vec3s direct = lit_by_light_on(*surface, n.top, n.base, to_camera,
                                          radiance->globals->sun_dir, radiance->globals->sun_spread);
-    const float cosine = glms_vec3_dot(n.base, sun->through_dir);
-    vec3s reflected = glms_vec3_scale(direct, sun->own);
+    const float cosine = glms_vec3_dot(n.base, sun->refracted_dir);
+    vec3s reflected = glms_vec3_scale(direct, sun->direct);
     if (cosine > 0.0f) {
-        const vec3s brdf = lit_by_light_on(*surface, n.top, n.base, to_camera, sun->through_dir,
+        const vec3s brdf = lit_by_light_on(*surface, n.top, n.base, to_camera, sun->refracted_dir,
                                            radiance->globals->sun_spread);
-        const vec3s weight = glms_vec3_scale(brdf, 1.0f / fmaxf(cosine, LEAST_COSINE));
-        reflected = glms_vec3_muladd(weight, sun->through, reflected);
+        const vec3s weight = glms_vec3_scale(brdf, 1.0f / fmaxf(cosine, COSINE_MIN));
+        reflected = glms_vec3_muladd(weight, sun->refracted, reflected);
     }
     return glms_vec3_mul(radiance->globals->sun_light, reflected);
 }
@@ -389,7 +390,7 @@ static vec3s shade_diffuse(const struct radiance *radiance, const struct radianc
     return glms_vec3_muladd(albedo, shade_white_diffuse(radiance, point, n), lights);
 }
 
-/* Returns the occlusion map's ambient occlusion factor; 1 if rays find the occluders. */
+/* Returns the ambient occlusion map's factor; 1 if occlusion is ray-traced. */
 static float occlusion_of(const struct radiance *radiance, const struct material *m,
                           struct coordinates uv)
 {
@@ -398,7 +399,7 @@ static float occlusion_of(const struct radiance *radiance, const struct material
     return 1.0f + m->occlusion_strength * (texel_of(radiance, m, MATERIAL_OCCLUSION, uv).x - 1.0f);
 }
 
-/* Returns the radiance of a surface with a glTF material: environment, sun, lights and emission. */
+/* Shades a glTF material: environment, sun, punctual lights and emission. */
 static vec3s shade_material(const struct radiance *radiance, const struct material *m,
                             const struct radiance_point *point, struct normals n, vec3s albedo)
 {
@@ -432,7 +433,7 @@ vec3s radiance_surface(const struct radiance *radiance, const struct radiance_po
     const vec3s albedo = radiance_albedo(radiance, vertex);
     if (vertex->material & MESH_UNLIT)
         return glms_vec3_muladd(glms_vec3_mul(albedo, radiance->globals->sun_light),
-                                sun_of(point)->through, albedo);
+                                sun_of(point)->refracted, albedo);
     const bool is_back = glms_vec3_dot(vertex->normal, point->dir) > 0.0f;
     const vec3s n = is_back ? glms_vec3_negate(vertex->normal) : vertex->normal;
     if (!m || point->is_base)

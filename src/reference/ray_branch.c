@@ -1,5 +1,4 @@
-/* ray_branch.c: advances a ray through media to its next surface, splits it, applies Russian
- * roulette. */
+/* ray_branch.c: ray propagation through media, branching at surfaces, Russian roulette. */
 #include "src/reference/ray_branch.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -8,8 +7,7 @@
 enum {
     SCATTERINGS_MAX = 65536, /* volume scattering events per ray */
     SURFACES_MAX = 4096,     /* surfaces per path with Russian roulette */
-    /* The seed of a ray is hashed with one of these constants for each independent random number.
-     */
+    /* Constants that are hashed with a ray's seed, one per independent random number. */
     PATH_SEED = 5,
     DIRECTION_SEED,
     CONTINUE_SEED,
@@ -17,7 +15,7 @@ enum {
     ROULETTE_SEED,
 };
 
-/* Planes of air below this opacity are not recorded in the layer `met`. */
+/* Minimum opacity of planes of air that the layer `inclusions` records. */
 #define OPACITY_MIN 0.05f
 
 static vec3s absorbed(const struct tracer *tracing, const struct ray_branch *b, float length)
@@ -31,8 +29,8 @@ static vec3s absorbed(const struct tracer *tracing, const struct ray_branch *b, 
     return throughput;
 }
 
-/* Returns the media on both sides of an object's surface. A thin wall has no interior medium, so
- * both sides are the surrounding medium. */
+/* Returns the media on both sides of an object's surface; for a thin wall, which has no interior,
+ * the surrounding medium on both. */
 static struct nested_media_crossing crossing_at(const struct tracer *tracing,
                                                 const struct nested_media_set *inside, vec3s dir,
                                                 const struct embree_scene_hit *hit)
@@ -48,12 +46,12 @@ static struct nested_media_crossing crossing_at(const struct tracer *tracing,
 
 static uint32_t inclusion_bit(const struct embree_scene_hit *hit)
 {
-    return hit->part == EMBREE_SCENE_BUBBLES  ? REFERENCE_INCLUSION_BUBBLES
-           : hit->part == EMBREE_SCENE_CRACKS ? REFERENCE_INCLUSION_CRACKS
+    return hit->kind == EMBREE_SCENE_BUBBLES  ? REFERENCE_INCLUSION_BUBBLES
+           : hit->kind == EMBREE_SCENE_CRACKS ? REFERENCE_INCLUSION_CRACKS
                                               : 0;
 }
 
-/* Returns the ray that continues from a surface: refracted if `is_through`, else reflected. */
+/* Returns the continuing ray: refracted if `is_through`, else reflected. */
 static struct ray_branch continue_ray(const struct tracer *tracing, const struct ray_branch *b,
                                       const struct surface_hit *surface_hit, vec3s dir,
                                       bool is_through)
@@ -69,7 +67,7 @@ static struct ray_branch continue_ray(const struct tracer *tracing, const struct
                                  ? dielectric_split_dot(dir, hit->facet) >= 0.0
                                                    : dielectric_split_dot(dir, hit->facet) <= 0.0,
             .from = hit->triangle,
-            .part = hit->part,
+            .kind = hit->kind,
             .object = hit->object,
         },
         .inside = b->inside,
@@ -81,7 +79,7 @@ static struct ray_branch continue_ray(const struct tracer *tracing, const struct
         .is_gather_ray = b->is_gather_ray,
         .is_single_path = b->is_single_path,
     };
-    if (hit->part != EMBREE_SCENE_CRACKS && !tracer_medium(tracing, hit->object)->is_thin)
+    if (hit->kind != EMBREE_SCENE_CRACKS && !tracer_medium(tracing, hit->object)->is_thin)
         nested_media_set_update(&next.inside, hit->object, next.ray.is_inside);
     return next;
 }
@@ -91,12 +89,11 @@ bool ray_branch_is_in(const struct tracer *tracing, const struct ray_branch *b, 
     return nested_media_top(tracing->media, &b->inside, NESTED_MEDIA_NONE) == object;
 }
 
-/* Passes a sheet that does not split a ray: a composited plane of air, or a crack outside the ice.
- */
+/* Passes a surface without branching: a composited plane of air, or a crack outside the ice. */
 static void pass_sheet(const struct tracer *tracing, struct ray_branch *b,
                        const struct embree_scene_hit *hit)
 {
-    if (hit->part == EMBREE_SCENE_AIR && ray_branch_is_in(tracing, b, hit->object)) {
+    if (hit->kind == EMBREE_SCENE_AIR && ray_branch_is_in(tracing, b, hit->object)) {
         const struct inclusions *inclusions = tracing->inclusions;
         const float opacity = inclusions_air_cover(inclusions, &hit->surface, b->ray.dir);
         const vec3s light = glms_vec3_mul(b->throughput, inclusions->air_light);
@@ -113,9 +110,9 @@ static void pass_sheet(const struct tracer *tracing, struct ray_branch *b,
 static const struct volume_scattering *medium_around(const struct tracer *tracing,
                                                      const struct ray_branch *b)
 {
-    for (uint32_t i = 0; i < tracing->cloud_count; i++) {
-        if (ray_branch_is_in(tracing, b, tracing->clouds[i].object))
-            return &tracing->clouds[i];
+    for (uint32_t i = 0; i < tracing->scattering_media_count; i++) {
+        if (ray_branch_is_in(tracing, b, tracing->scattering_media[i].object))
+            return &tracing->scattering_media[i];
     }
     return NULL;
 }
@@ -125,8 +122,8 @@ bool ray_branch_is_in_scattering(const struct tracer *tracing, const struct ray_
     return medium_around(tracing, b) != NULL;
 }
 
-/* Returns the sunlight that a medium scatters at a point along -dir (single-scattering next-event
- * estimation). The shadow ray is straight: refraction at the ice's surface is ignored. */
+/* Returns the sunlight scattered along -dir by a medium at a point: next-event estimation of single
+ * scattering. The shadow ray ignores refraction at the ice's surface. */
 static vec3s single_scattering(const struct tracer *tracing,
                                const struct volume_scattering *volume_scattering, vec3s point,
                                vec3s dir)
@@ -141,7 +138,7 @@ static vec3s single_scattering(const struct tracer *tracing,
     return glms_vec3_scale(g->sun_light, transmittance * phase);
 }
 
-/* Samples a scattering event within the next `length` metres. Returns true if the ray scatters. */
+/* Samples volume scattering within the next `length` metres. Returns true if the ray scatters. */
 static bool scatter(const struct tracer *tracing, struct ray_branch *b, float length)
 {
     const struct volume_scattering *volume_scattering = medium_around(tracing, b);
@@ -192,7 +189,7 @@ bool ray_branch_roulette(const struct tracer *tracing, struct ray_branch *b)
 const struct frame_medium *ray_branch_surface(const struct tracer *tracing,
                                               const struct surface_hit *surface_hit)
 {
-    const bool is_crack = surface_hit->hit.part == EMBREE_SCENE_CRACKS;
+    const bool is_crack = surface_hit->hit.kind == EMBREE_SCENE_CRACKS;
     return tracer_medium(tracing, is_crack ? tracing->media->bubble : surface_hit->hit.object);
 }
 
@@ -207,14 +204,14 @@ static void evaluate_material(const struct tracer *tracing, const struct ray_bra
         (struct object_material){ surface->tint, surface->roughness, surface->opacity };
     surface_hit->normal = hit->surface.normal;
     surface_hit->is_bent = false;
-    if (hit->part != EMBREE_SCENE_OBJECT || !surface->is_textured)
+    if (hit->kind != EMBREE_SCENE_OBJECT || !surface->is_textured)
         return;
     const struct material *material = &model->materials[model->objects[hit->object].material];
     const struct radiance_point point = {
         .vertex = &hit->surface,
         .extra = &hit->extra,
-        .u_dir = hit->u_dir,
-        .along_v = hit->along_v,
+        .dp_du = hit->dp_du,
+        .dp_dv = hit->dp_dv,
         .dir = b->ray.dir,
     };
     surface_hit->material = radiance_material_at(tracing->radiance, material, &point,
@@ -231,14 +228,14 @@ bool ray_branch_advance(const struct tracer *tracing, struct ray_branch *b,
         if (scatter(tracing, b, hit->distance))
             continue;
         b->throughput = absorbed(tracing, b, hit->distance);
-        if (hit->part == EMBREE_SCENE_SURROUNDINGS)
+        if (hit->kind == EMBREE_SCENE_SURROUNDINGS)
             return true;
         surface_hit->seed = b->seed;
-        if (hit->part == EMBREE_SCENE_CRACKS && ray_branch_is_in(tracing, b, hit->object)) {
+        if (hit->kind == EMBREE_SCENE_CRACKS && ray_branch_is_in(tracing, b, hit->object)) {
             evaluate_material(tracing, b, surface_hit);
             return true;
         }
-        if (hit->part == EMBREE_SCENE_CRACKS || hit->part == EMBREE_SCENE_AIR) {
+        if (hit->kind == EMBREE_SCENE_CRACKS || hit->kind == EMBREE_SCENE_AIR) {
             pass_sheet(tracing, b, hit);
             continue;
         }
@@ -294,6 +291,6 @@ void ray_branch_pass(const struct tracer *tracing, struct ray_branch *b,
                                         .near = tracing->embree_scene->epsilon,
                                         .from = EMBREE_SCENE_NO_ORIGIN };
     b->throughput = glms_vec3_scale(b->throughput, passing);
-    b->air = glms_vec3_zero(); /* its caller has already accumulated it */
+    b->air = glms_vec3_zero(); /* already accumulated by the caller */
     b->bounces++;
 }

@@ -1,5 +1,4 @@
-/* reference.c: renders reference images on several threads, in rounds up to a noise or time limit.
- */
+/* reference.c: renders reference images on several threads, up to a noise or time limit. */
 #include "src/reference/reference.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -42,12 +41,12 @@ struct reference {
     char device_name[32];
 };
 
-/* An image plane and the sample value that is written to it. */
+/* Image plane, and the sample value that is written to it. */
 struct plane {
     float *texels;
-    size_t seen_index;
-    uint32_t sum_index; /* index of the sum that a mean is computed from */
-    bool mean;          /* mean over all samples, else sample 0 at the pixel's centre */
+    size_t value_index;
+    uint32_t sum_index; /* index of the sum to average */
+    bool mean;          /* mean of samples, or sample 0 */
 };
 
 /* Statistics of the pixels of a tile. */
@@ -62,7 +61,7 @@ struct job {
     const struct reference *reference;
     struct radiance radiance;
     struct globals globals;
-    struct camera_rays eye;
+    struct camera_rays camera_rays;
     struct first_surface_previous earlier;
     struct embree_scene embree_scene;
     struct nested_media media;
@@ -80,8 +79,6 @@ struct job {
     atomic_uint next_tile, done_count;
     atomic_bool is_stopped;
 };
-
-/* ---- creation ---- */
 
 bool reference_is_built(void)
 {
@@ -128,8 +125,6 @@ void reference_destroy(struct reference *r)
     free(r);
 }
 
-/* ---- a pixel ---- */
-
 static void write_first(const struct job *job, size_t pixel,
                         const struct reference_ray_values *seen)
 {
@@ -137,7 +132,7 @@ static void write_first(const struct job *job, size_t pixel,
     memcpy(values, seen, sizeof(values));
     for (uint32_t p = 0; p < job->plane_count; p++) {
         if (!job->planes[p].mean)
-            job->planes[p].texels[pixel] = values[job->planes[p].seen_index];
+            job->planes[p].texels[pixel] = values[job->planes[p].value_index];
     }
 }
 
@@ -149,7 +144,7 @@ static void write_means(const struct job *job, size_t pixel, const double *sums,
     for (uint32_t p = 0; p < job->plane_count; p++) {
         const struct plane *plane = &job->planes[p];
         if (plane->mean)
-            plane->texels[pixel] = (float)(plane->seen_index == REFERENCE_RAY_VALUE_ERROR
+            plane->texels[pixel] = (float)(plane->value_index == REFERENCE_RAY_VALUE_ERROR
                                                ? error
                                                : sums[plane->sum_index] / job->end);
     }
@@ -161,13 +156,13 @@ static void write_means(const struct job *job, size_t pixel, const double *sums,
 static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct tally *tally)
 {
     const size_t pixel = (size_t)y * job->reference->request.width + x;
-    double own[REFERENCE_VALUE_COUNT] = { 0 };
-    double *sums = job->sums.sums ? &job->sums.sums[pixel * job->sums.count] : own;
+    double scratch[REFERENCE_VALUE_COUNT] = { 0 };
+    double *sums = job->sums.sums ? &job->sums.sums[pixel * job->sums.count] : scratch;
     for (uint32_t s = job->begin; s < job->end; s++) {
-        const struct embree_scene_ray ray = camera_rays_at(&job->eye, x, y, s);
+        const struct embree_scene_ray ray = camera_rays_at(&job->camera_rays, x, y, s);
         struct tracer tracing = job->tracing;
         tracing.sample = s;
-        if (job->eye.is_orthographic)
+        if (job->camera_rays.is_orthographic)
             whitted_find_enclosing(&tracing, ray.origin, &tracing.camera_inside);
         const struct reference_ray_values seen =
             whitted_trace(&tracing, &ray, job->globals.forward, microfacet_hash(x, y));
@@ -177,8 +172,6 @@ static void trace_pixel(const struct job *job, uint32_t x, uint32_t y, struct ta
     }
     write_means(job, pixel, sums, tally);
 }
-
-/* ---- tiles ---- */
 
 static uint32_t min_u32(uint32_t a, uint32_t b)
 {
@@ -220,7 +213,7 @@ static uint32_t thread_count(const struct reference_request *request)
     return min_u32(wanted, THREAD_COUNT_MAX);
 }
 
-/* Returns the progress of the whole image as a number of tiles, over the samples of all rounds. */
+/* Returns the progress over the samples of all rounds, in tiles. */
 static uint32_t tiles_done(const struct job *job)
 {
     const uint64_t all = job->reference->request.samples;
@@ -229,8 +222,8 @@ static uint32_t tiles_done(const struct job *job)
     return (uint32_t)((before + now) / all);
 }
 
-/* Renders one round of all tiles, also on the calling thread, which reports the progress of all
- * threads. If threads cannot be created, fewer are used. */
+/* Renders one round of all tiles on several threads, fewer if some cannot be created. The calling
+ * thread also renders, and reports the overall progress. */
 static enum status run(struct job *job, renderer_progress_fn *progress, void *user)
 {
     pthread_t threads[THREAD_COUNT_MAX];
@@ -249,8 +242,6 @@ static enum status run(struct job *job, renderer_progress_fn *progress, void *us
     return atomic_load(&job->is_stopped) ? STATUS_FAILED : STATUS_OK;
 }
 
-/* ---- rounds ---- */
-
 static bool has_rounds(const struct job *job)
 {
     const struct reference_request *request = &job->reference->request;
@@ -258,16 +249,16 @@ static bool has_rounds(const struct job *job)
     return request->noise > 0.0 || request->seconds > 0.0 || session->load || session->keep;
 }
 
-/* Returns the total number of samples after the round that starts at `samples`. */
+/* Returns the sample count after the round that starts with `samples` samples. */
 static uint32_t round_end(const struct job *job, uint32_t samples)
 {
-    const uint32_t most = job->reference->request.samples;
+    const uint32_t samples_max = job->reference->request.samples;
     uint32_t end = 1;
     if (!has_rounds(job))
-        return most;
+        return samples_max;
     while (end <= samples)
         end += min_u32(end, ROUND_MAX);
-    return min_u32(end, most);
+    return min_u32(end, samples_max);
 }
 
 static bool is_enough(const struct job *job, double began)
@@ -281,8 +272,7 @@ static bool is_enough(const struct job *job, double began)
            (request->seconds > 0.0 && samples && clock_seconds() - began >= request->seconds);
 }
 
-/* Sums up the tiles in a fixed order, so that the noise is bit-identical for any number of threads.
- */
+/* Sums up the tiles in fixed order: noise is bit-identical for any number of threads. */
 static struct reference_outcome outcome_of(const struct job *job)
 {
     const double pixels = (double)job->sums.width * job->sums.height;
@@ -296,8 +286,7 @@ static struct reference_outcome outcome_of(const struct job *job)
     return outcome;
 }
 
-/* Renders until each pixel has `samples` samples; with none to add, recomputes the image from sums.
- */
+/* Renders up to `samples` samples per pixel; if there are none to add, only rewrites the image. */
 static enum status run_until(struct job *job, uint32_t samples, renderer_progress_fn *progress,
                              void *user)
 {
@@ -326,30 +315,28 @@ static enum status run_rounds(struct job *job, renderer_progress_fn *progress, v
     return status;
 }
 
-/* ---- a picture ---- */
-
 /* Adds the planes of a layer to the image. Returns false when out of memory. */
 static bool add_layer(struct job *job, struct image *image, const struct frame_layer *layer)
 {
     if (!accumulate_add_planes(image, layer))
         return false;
     for (size_t p = 0; p < 4 && layer->planes[p]; p++) {
-        const size_t seen_index = reference_layers_find(layer->planes[p]);
-        const bool is_sum = layer->mean && seen_index < REFERENCE_RAY_VALUE_COUNT;
+        const size_t value_index = reference_layers_find(layer->planes[p]);
+        const bool is_sum = layer->mean && value_index < REFERENCE_RAY_VALUE_COUNT;
         job->planes[job->plane_count++] = (struct plane){
             .texels = image_find(image, layer->planes[p]),
-            .seen_index = seen_index,
-            .sum_index = is_sum ? reference_sums_want(&job->sums, (uint32_t)seen_index) : 0,
+            .value_index = value_index,
+            .sum_index = is_sum ? reference_sums_want(&job->sums, (uint32_t)value_index) : 0,
             .mean = layer->mean,
         };
         if (!layer->mean)
-            reference_sums_want_first(&job->sums, (uint32_t)seen_index,
+            reference_sums_want_first(&job->sums, (uint32_t)value_index,
                                       image_find(image, layer->planes[p]));
     }
     return true;
 }
 
-/* Allocates image planes, sums and tile statistics. Returns false when out of memory. */
+/* Allocates the image's planes, sums and tile statistics. Returns false when out of memory. */
 static bool add_layers(struct job *job, struct image *image)
 {
     const struct reference_request *request = &job->reference->request;
@@ -400,13 +387,13 @@ static struct tracer tracing_of(const struct job *job)
     for (uint32_t i = 0; i < job->radiance.scene->clouds.count; i++) {
         const struct volume_scattering volume_scattering =
             volume_scattering_of(&job->radiance, job->reference->request.settings, i);
-        if (volume_scattering.most > 0.0f)
-            tracing.clouds[tracing.cloud_count++] = volume_scattering;
+        if (volume_scattering.majorant > 0.0f)
+            tracing.scattering_media[tracing.scattering_media_count++] = volume_scattering;
     }
     return tracing;
 }
 
-/* Progress callback of the photon map, whose work precedes the first tile. */
+/* Progress callback while the photon map is built, before the first tile. */
 struct photon_progress {
     renderer_progress_fn *progress; /* may be NULL */
     void *user;
@@ -443,7 +430,7 @@ static enum status trace_photons(struct job *job, struct photon_progress photon_
     return status;
 }
 
-/* If the scene has a pool, replaces it by triangle meshes. Returns false when out of memory. */
+/* Replaces the scene's pool, if any, by triangle meshes. Returns false when out of memory. */
 static bool build_pool(struct job *job, struct frame_view *view)
 {
     if (!view->scene->has_pool)
@@ -451,13 +438,12 @@ static bool build_pool(struct job *job, struct frame_view *view)
     if (!pool_scene_init(&job->pool_scene, view->scene, view->settings, &job->globals))
         return false;
     view->scene = &job->pool_scene.scene;
-    job->globals = frame_view_globals(view, &job->eye.push);
+    job->globals = frame_view_globals(view, &job->camera_rays.push);
     job->globals.world_from_object = glms_mat4_identity(); /* the ice is in world space */
     return true;
 }
 
-/* Initialises all but the Embree scene: camera, media, lighting. Returns false when out of memory.
- */
+/* Initialises camera, media and lighting. Returns false when out of memory. */
 static bool prepare(struct job *job, const struct renderer_shot *shot)
 {
     const struct reference_request *request = &job->reference->request;
@@ -469,8 +455,8 @@ static bool prepare(struct job *job, const struct renderer_shot *shot)
         .width = request->width,
         .height = request->height,
     };
-    job->eye = camera_rays_of(&view, request->filter);
-    job->globals = frame_view_globals(&view, &job->eye.push);
+    job->camera_rays = camera_rays_of(&view, request->filter);
+    job->globals = frame_view_globals(&view, &job->camera_rays.push);
     view.previous_clip_from_world = frame_view_previous_clip_from_world(&view, &shot->earlier);
     first_surface_write(&job->earlier, &view, &job->globals);
     if (!build_pool(job, &view) || !nested_media_init(&job->media, view.scene, request->settings))
@@ -498,7 +484,8 @@ static enum status trace(struct job *job, const struct renderer_shot *shot,
     if (status == STATUS_OK)
         status = trace_photons(job, (struct photon_progress){ progress, user, job->tile_count });
     if (status == STATUS_OK) {
-        whitted_find_enclosing(&job->tracing, job->eye.push.eye, &job->tracing.camera_inside);
+        whitted_find_enclosing(&job->tracing, job->camera_rays.push.eye,
+                               &job->tracing.camera_inside);
         status = run_rounds(job, progress, user);
     }
     photons_finish(&job->photons);

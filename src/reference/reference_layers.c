@@ -1,11 +1,10 @@
-/* reference_layers.c: maps image planes to the values of a traced ray; also built without Embree.
- */
+/* reference_layers.c: maps image planes to values of a traced ray; needs no Embree. */
 #include "src/reference/reference_layers.h"
 #include <stdio.h>
 #include <string.h>
 #include "src/tech/techniques.h"
 
-#define SEEN(name, field) \
+#define VALUE(name, field) \
     { \
         (name), offsetof(struct reference_ray_values, field) \
     }
@@ -14,41 +13,41 @@ static const struct {
     const char *plane;
     size_t offset;
 } planes[] = {
-    SEEN("R", color.x),
-    SEEN("G", color.y),
-    SEEN("B", color.z),
-    SEEN("A", alpha),
-    SEEN("Z", z),
-    SEEN("N.X", normal.x),
-    SEEN("N.Y", normal.y),
-    SEEN("N.Z", normal.z),
-    SEEN("P.X", position.x),
-    SEEN("P.Y", position.y),
-    SEEN("P.Z", position.z),
-    SEEN("exit.X", exit.x),
-    SEEN("exit.Y", exit.y),
-    SEEN("exit.Z", exit.z),
-    SEEN("path.Z", path),
-    SEEN("bounces.Z", bounces),
-    SEEN("tir.Z", tir),
-    SEEN("inclusions.Z", met),
-    SEEN("refraction.R", refraction.x),
-    SEEN("refraction.G", refraction.y),
-    SEEN("refraction.B", refraction.z),
-    SEEN("reflection.R", reflection.x),
-    SEEN("reflection.G", reflection.y),
-    SEEN("reflection.B", reflection.z),
-    SEEN("fresnel.Z", fresnel),
-    SEEN("remaining.R", remaining.x),
-    SEEN("remaining.G", remaining.y),
-    SEEN("remaining.B", remaining.z),
-    SEEN("albedo.R", albedo.x),
-    SEEN("albedo.G", albedo.y),
-    SEEN("albedo.B", albedo.z),
-    SEEN("object.Z", object),
-    SEEN("object.last.Z", last),
-    SEEN("motion.X", motion.x),
-    SEEN("motion.Y", motion.y),
+    VALUE("R", color.x),
+    VALUE("G", color.y),
+    VALUE("B", color.z),
+    VALUE("A", alpha),
+    VALUE("Z", z),
+    VALUE("N.X", normal.x),
+    VALUE("N.Y", normal.y),
+    VALUE("N.Z", normal.z),
+    VALUE("P.X", position.x),
+    VALUE("P.Y", position.y),
+    VALUE("P.Z", position.z),
+    VALUE("exit.X", exit.x),
+    VALUE("exit.Y", exit.y),
+    VALUE("exit.Z", exit.z),
+    VALUE("path.Z", path),
+    VALUE("bounces.Z", bounces),
+    VALUE("tir.Z", tir),
+    VALUE("inclusions.Z", met),
+    VALUE("refraction.R", refraction.x),
+    VALUE("refraction.G", refraction.y),
+    VALUE("refraction.B", refraction.z),
+    VALUE("reflection.R", reflection.x),
+    VALUE("reflection.G", reflection.y),
+    VALUE("reflection.B", reflection.z),
+    VALUE("fresnel.Z", fresnel),
+    VALUE("remaining.R", remaining.x),
+    VALUE("remaining.G", remaining.y),
+    VALUE("remaining.B", remaining.z),
+    VALUE("albedo.R", albedo.x),
+    VALUE("albedo.G", albedo.y),
+    VALUE("albedo.B", albedo.z),
+    VALUE("object.Z", object),
+    VALUE("object.last.Z", last),
+    VALUE("motion.X", motion.x),
+    VALUE("motion.Y", motion.y),
 };
 
 size_t reference_layers_find(const char *plane)

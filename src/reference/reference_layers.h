@@ -1,4 +1,4 @@
-/* reference_layers.h: the values of a traced ray, and the layers (AOVs) that store them. */
+/* reference_layers.h: values computed for a camera ray, and the layers (AOVs) that store them. */
 #ifndef FIRN_REFERENCE_LAYERS_H
 #define FIRN_REFERENCE_LAYERS_H
 
@@ -6,32 +6,31 @@
 #include "src/frame/output_layers.h"
 #include "src/settings/settings.h"
 
-/* Inclusions hit by a path: the bits of the layer `met`. */
+/* Inclusion types hit by a path: bits of the layer `inclusions`. */
 enum reference_inclusion {
     REFERENCE_INCLUSION_BUBBLES = 1,
     REFERENCE_INCLUSION_CRACKS = 2,
-    REFERENCE_INCLUSION_AIR =
-        4, /* a plane of air with an opacity above 0.05, or a scattering medium */
+    REFERENCE_INCLUSION_AIR = 4, /* or a plane of air */
 };
 
-/* The values of a camera ray, all of them floats; 0 if nothing is hit. */
+/* Float values computed for a camera ray; 0 if nothing is hit. */
 struct reference_ray_values {
     vec3s color; /* linear radiance */
     float alpha; /* 1; 0 for a hidden background */
-    float z;     /* depth along the viewing direction, metres; GBUFFER_NOTHING if nothing is hit */
+    float z;     /* view depth, metres; else GBUFFER_NOTHING */
     vec3s normal, position;
-    /* For the path that refracts wherever possible: exit direction, length inside the object in
-     * metres, number of total internal reflections, and 1 if the first inner surface has one. */
+    /* Exit direction, length inside the object in metres, and number of total internal reflections
+     * of the refracted path; 1 if the first surface hit inside reflects totally. */
     vec3s exit;
     float path, bounces, tir;
-    float met; /* inclusions hit by the refracted path: enum reference_inclusion */
-    vec3s refraction, reflection; /* radiance of both branches at the first surface */
-    float fresnel;   /* reflectance at the first surface; with dispersion that of green */
-    vec3s remaining; /* throughput of terminated rays */
+    float met;                    /* inclusions hit by the refracted path */
+    vec3s refraction, reflection; /* radiance per primary branch */
+    float fresnel;                /* primary hit's reflectance; green if dispersive */
+    vec3s remaining;              /* throughput of terminated rays */
     vec3s albedo;
-    float object; /* number of the object at the primary hit */
-    float last;   /* number of the last object that the refracted path hits */
-    vec2s motion; /* pixels since the previous frame, right and down */
+    float object; /* primary hit's object number */
+    float last;   /* refracted path's last object number */
+    vec2s motion; /* pixels since the previous frame */
 };
 
 enum {
@@ -40,11 +39,11 @@ enum {
     REFERENCE_RAY_VALUE_NONE,
 };
 
-/* Returns the index of the float that a plane stores, REFERENCE_RAY_VALUE_ERROR, or
- * REFERENCE_RAY_VALUE_NONE if the plane is unknown. */
+/* Returns the index of the float that a plane stores; REFERENCE_RAY_VALUE_ERROR or
+ * REFERENCE_RAY_VALUE_NONE for the standard error or an unknown plane. */
 size_t reference_layers_find(const char *plane);
 
-/* Returns the name of the plane that stores the float with this index, or NULL. */
+/* Returns the plane that stores the float of this index, or NULL. */
 const char *reference_layers_plane(size_t index);
 
 /* Returns true if the path tracer can compute a layer. */
@@ -54,8 +53,8 @@ enum {
     REFERENCE_NAMES_SIZE = 512 /* bytes for the names of reference_unsupported() */
 };
 
-/* Writes the names of enabled features that the path tracer does not support to `names`, separated
- * by commas. Returns true if there are any. */
+/* Writes the enabled features that the path tracer does not support to `names`, separated by
+ * commas. Returns true if there are any. */
 bool reference_unsupported(const struct settings *settings, char *names, size_t size);
 
 #endif

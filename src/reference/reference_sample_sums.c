@@ -1,12 +1,11 @@
-/* reference_sample_sums.c: per-pixel sums over samples, from which means and standard errors
- * follow. */
+/* reference_sample_sums.c: per-pixel sums over samples, for means and standard errors. */
 #include "src/reference/reference_sample_sums.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Indices of the sums that every pixel has. */
+/* Indices of the sums that every image has. */
 enum {
     BRIGHTNESS,
     SQUARE,
@@ -83,21 +82,21 @@ double reference_sums_remaining(const double *pixel, uint32_t samples)
 }
 
 enum {
-    PARTS = 3,      /* planes that store one double */
-    PART_BITS = 21, /* bits per plane; the first has one more; all are exact as floats */
+    PLANES_PER_SUM = 3, /* image planes per double */
+    PLANE_BITS = 21,    /* bits per plane; first: one more */
 };
 
 uint32_t reference_sums_plane_count(const struct reference_sums *sums)
 {
-    return sums->count * PARTS + sums->first_count;
+    return sums->count * PLANES_PER_SUM + sums->first_count;
 }
 
 void reference_sums_plane_name(const struct reference_sums *sums, uint32_t plane,
                                char name[static IMAGE_NAME_SIZE])
 {
-    const uint32_t sum = plane / PARTS;
+    const uint32_t sum = plane / PLANES_PER_SUM;
     if (sum >= sums->count) {
-        const uint32_t value = sums->first_values[plane - sums->count * PARTS];
+        const uint32_t value = sums->first_values[plane - sums->count * PLANES_PER_SUM];
         snprintf(name, IMAGE_NAME_SIZE, "%s", reference_layers_plane(value));
         return;
     }
@@ -105,28 +104,29 @@ void reference_sums_plane_name(const struct reference_sums *sums, uint32_t plane
     const char *of = value == REFERENCE_SUM_BRIGHTNESS ? "brightness"
                      : value == REFERENCE_SUM_SQUARE   ? "square"
                                                        : reference_layers_plane(value);
-    snprintf(name, IMAGE_NAME_SIZE, "%s.sum.%u", of, plane % PARTS);
+    snprintf(name, IMAGE_NAME_SIZE, "%s.sum.%u", of, plane % PLANES_PER_SUM);
 }
 
 static unsigned shift_of(uint32_t plane)
 {
-    return PART_BITS * (PARTS - 1 - plane % PARTS);
+    return PLANE_BITS * (PLANES_PER_SUM - 1 - plane % PLANES_PER_SUM);
 }
 
 void reference_sums_get_row(const struct reference_sums *sums, uint32_t plane, uint32_t y,
                             float *row)
 {
     const size_t begin = (size_t)y * sums->width;
-    const uint32_t sum = plane / PARTS;
+    const uint32_t sum = plane / PLANES_PER_SUM;
     if (sum >= sums->count) {
-        memcpy(row, &sums->firsts[plane - sums->count * PARTS][begin], sums->width * sizeof(*row));
+        memcpy(row, &sums->firsts[plane - sums->count * PLANES_PER_SUM][begin],
+               sums->width * sizeof(*row));
         return;
     }
     for (size_t x = 0; x < sums->width; x++) {
         uint64_t bits;
         memcpy(&bits, &sums->sums[(begin + x) * sums->count + sum], sizeof(bits));
-        const uint64_t part = bits >> shift_of(plane);
-        row[x] = (float)(plane % PARTS ? part & ((1u << PART_BITS) - 1) : part);
+        const uint64_t shifted = bits >> shift_of(plane);
+        row[x] = (float)(plane % PLANES_PER_SUM ? shifted & ((1u << PLANE_BITS) - 1) : shifted);
     }
 }
 
@@ -134,10 +134,11 @@ bool reference_sums_put_row(struct reference_sums *sums, uint32_t plane, uint32_
                             const float *row)
 {
     const size_t begin = (size_t)y * sums->width;
-    const uint32_t sum = plane / PARTS;
-    const float end = (float)(1u << (PART_BITS + (plane % PARTS == 0)));
+    const uint32_t sum = plane / PLANES_PER_SUM;
+    const float end = (float)(1u << (PLANE_BITS + (plane % PLANES_PER_SUM == 0)));
     if (sum >= sums->count) {
-        memcpy(&sums->firsts[plane - sums->count * PARTS][begin], row, sums->width * sizeof(*row));
+        memcpy(&sums->firsts[plane - sums->count * PLANES_PER_SUM][begin], row,
+               sums->width * sizeof(*row));
         return true;
     }
     for (size_t x = 0; x < sums->width; x++) {

@@ -1,5 +1,4 @@
-/* tracer.h: state that all rays of an image share: scene, media, inclusions, photon map, settings.
- */
+/* tracer.h: state shared by all rays of an image: scene, media, inclusions, photon map. */
 #ifndef FIRN_REFERENCE_TRACER_H
 #define FIRN_REFERENCE_TRACER_H
 
@@ -20,17 +19,15 @@ struct tracer {
     const struct radiance *radiance;
     const struct nested_media *media;
     const struct inclusions *inclusions;
-    struct volume_scattering
-        clouds[SCATTERING_MEDIA_MAX]; /* scattering media with an extinction above 0 */
-    uint32_t cloud_count;
-    const struct pool_scene *pool_scene;          /* the pool; NULL if the scene has none */
-    const struct photons *photons;                /* NULL if objects do not affect sunlight */
-    const struct first_surface_previous *earlier; /* previous frame, for `motion`; may be NULL */
-    vec4s guide; /* sampling guide of image_based_lighting_dominant_cone() */
-    struct nested_media_set
-        camera_inside; /* objects that contain the camera, from whitted_find_enclosing() */
-    bool has_layers;   /* compute all layers, else only colour, alpha and `remaining` */
-    uint32_t sample;   /* sample index within a pixel, which selects its random numbers */
+    struct volume_scattering scattering_media[SCATTERING_MEDIA_MAX]; /* nonempty scattering media */
+    uint32_t scattering_media_count;
+    const struct pool_scene *pool_scene;          /* NULL if the scene has none */
+    const struct photons *photons;                /* NULL without effects on sunlight */
+    const struct first_surface_previous *earlier; /* NULL if nothing moves */
+    vec4s guide;                           /* guide of image_based_lighting_dominant_cone() */
+    struct nested_media_set camera_inside; /* objects that contain the camera */
+    bool has_layers;                       /* computes all layers of the image */
+    uint32_t sample;                       /* sample index within its pixel */
     struct reference_params params;
 };
 
@@ -39,7 +36,7 @@ static inline const struct frame_medium *tracer_medium(const struct tracer *trac
     return &tracing->media->all[index];
 }
 
-/* Returns the number of paths per camera ray: with dispersion one per colour channel, else one. */
+/* Returns the number of paths per camera ray: one per colour channel with dispersion, else one. */
 static inline uint32_t tracer_channel_count(const struct tracer *tracing)
 {
     return tracing->media->is_dispersive ? TRACER_CHANNEL_COUNT : 1;

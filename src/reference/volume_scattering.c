@@ -1,5 +1,4 @@
-/* volume_scattering.c: delta tracking and Henyey-Greenstein sampling in heterogeneous scattering
- * media. */
+/* volume_scattering.c: delta tracking and Henyey-Greenstein sampling in density fields. */
 #include "src/reference/volume_scattering.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -21,7 +20,7 @@ struct volume_scattering volume_scattering_of(const struct radiance *radiance,
         .index = index,
         .object = fields->all[index].object,
         .object_from_world = glms_mat4_inv(radiance->globals->world_from_object),
-        .most = medium_field_at(radiance->scene, settings, index).extinction,
+        .majorant = medium_field_at(radiance->scene, settings, index).extinction,
         .anisotropy = params->anisotropy,
     };
 }
@@ -29,7 +28,7 @@ struct volume_scattering volume_scattering_of(const struct radiance *radiance,
 float volume_scattering_extinction(const struct volume_scattering *volume_scattering, vec3s point)
 {
     const vec3s at = glms_mat4_mulv3(volume_scattering->object_from_world, point, 1.0f);
-    return volume_scattering->most *
+    return volume_scattering->majorant *
            scattering_media_at(volume_scattering->fields, volume_scattering->index, at);
 }
 
@@ -54,17 +53,18 @@ float volume_scattering_phase(const struct volume_scattering *volume_scattering,
 }
 
 bool volume_scattering_sample_distance(const struct volume_scattering *volume_scattering,
-                                       const struct volume_scattering_segment *way, uint32_t sample,
-                                       uint32_t seed, float *distance)
+                                       const struct volume_scattering_segment *segment,
+                                       uint32_t sample, uint32_t seed, float *distance)
 {
     *distance = 0.0f;
     for (uint32_t step = 0;; step++) {
         const vec2s at = microfacet_point(sample, microfacet_hash(seed, step));
-        *distance -= logf(1.0f - at.x) / volume_scattering->most;
-        if (!(*distance < way->length))
+        *distance -= logf(1.0f - at.x) / volume_scattering->majorant;
+        if (!(*distance < segment->length))
             return false;
-        const vec3s point = glms_vec3_muladds(way->dir, *distance, way->from);
-        if (at.y * volume_scattering->most < volume_scattering_extinction(volume_scattering, point))
+        const vec3s point = glms_vec3_muladds(segment->dir, *distance, segment->from);
+        if (at.y * volume_scattering->majorant <
+            volume_scattering_extinction(volume_scattering, point))
             return true;
     }
 }

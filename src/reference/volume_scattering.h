@@ -1,10 +1,7 @@
 /*
- * volume_scattering.h: a heterogeneous medium inside an object that scatters light and absorbs
- * none.
- *
- * Free-flight distances are sampled by delta tracking (Woodcock 1965), which is unbiased for every
- * density that stays below the majorant, and needs no step size. Directions follow the phase
- * function of Henyey and Greenstein 1941.
+ * volume_scattering.h: heterogeneous medium inside an object that scatters light but absorbs none.
+ * Free-flight distances are sampled by delta tracking (Woodcock 1965): unbiased below the majorant,
+ * and without a step size. Directions follow the Henyey-Greenstein phase function (1941).
  */
 #ifndef FIRN_REFERENCE_VOLUME_SCATTERING_H
 #define FIRN_REFERENCE_VOLUME_SCATTERING_H
@@ -15,17 +12,17 @@
 struct volume_scattering {
     const struct clouds *fields; /* borrowed */
     uint32_t index;              /* index of the density field */
-    uint32_t object;             /* index of the object that contains the medium */
+    uint32_t object;             /* object that contains the medium */
     mat4s object_from_world;
-    float most;       /* majorant extinction, 1 / metre; 0 if there is no medium */
-    float anisotropy; /* Henyey-Greenstein g: mean cosine of the scattering angle */
+    float majorant;   /* majorant extinction, 1/metre; 0 if empty */
+    float anisotropy; /* Henyey-Greenstein g: mean scattering cosine */
 };
 
-/* Returns the medium of density field `index` of a scene. */
+/* Returns the scattering medium of the scene's density field `index`. */
 struct volume_scattering volume_scattering_of(const struct radiance *radiance,
                                               const struct settings *settings, uint32_t index);
 
-/* Returns the extinction coefficient at a world-space point, 1 / metre. */
+/* Returns the extinction coefficient at a world-space point, per metre. */
 float volume_scattering_extinction(const struct volume_scattering *volume_scattering, vec3s point);
 
 /* A ray segment in world space. */
@@ -35,20 +32,19 @@ struct volume_scattering_segment {
 };
 
 /* Samples the distance to the next scattering event by delta tracking. Returns false if there is
- * none on the segment. `sample` and `seed` select the random numbers (microfacet_point()). */
+ * none on the segment. `sample` and `seed` select random numbers (microfacet_point()). */
 bool volume_scattering_sample_distance(const struct volume_scattering *volume_scattering,
-                                       const struct volume_scattering_segment *way, uint32_t sample,
-                                       uint32_t seed, float *distance);
+                                       const struct volume_scattering_segment *segment,
+                                       uint32_t sample, uint32_t seed, float *distance);
 
-/* Returns the optical depth along a straight shadow ray from a point to the sun, by ray marching.
- */
+/* Returns the optical depth along an unrefracted shadow ray to the sun, by ray marching. */
 float volume_scattering_sun_depth(const struct volume_scattering *volume_scattering, vec3s point,
                                   vec3s to_sun);
 
-/* Returns the Henyey-Greenstein phase function for a cosine, relative to isotropic scattering. */
+/* Returns the Henyey-Greenstein phase function of a cosine, relative to isotropic scattering. */
 float volume_scattering_phase(const struct volume_scattering *volume_scattering, float cosine);
 
-/* Samples the Henyey-Greenstein phase function: returns the direction for a random point `at`. */
+/* Samples a direction from the Henyey-Greenstein phase function; `at` is a random point. */
 vec3s volume_scattering_sample_direction(const struct volume_scattering *volume_scattering,
                                          vec3s dir, vec2s at);
 

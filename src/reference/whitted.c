@@ -1,4 +1,4 @@
-/* whitted.c: traces the ray tree of a camera ray, and fills its colour and layers. */
+/* whitted.c: traces the ray tree of a camera ray and computes its colour and layers. */
 #include "src/reference/whitted.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -10,16 +10,15 @@
 #include "src/tech/output/gbuffer.h"
 
 enum {
-    CROSSINGS_MAX = 4096, /* surfaces that the ray from the camera to infinity may cross */
+    CROSSINGS_MAX = 4096, /* surfaces between camera and infinity */
 };
 
-/* Radiance summed over all rays of a tree, and the throughput of terminated rays. */
+/* Radiance summed over a ray tree, and the throughput of its terminated rays. */
 struct sum {
     vec3s light, remaining;
 };
 
-/* Pushes a ray onto the stack. A ray that is terminated instead adds its throughput to `remaining`.
- */
+/* Pushes a ray onto the stack, or adds its throughput to `remaining` if it is terminated. */
 static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_t *count,
                  struct ray_branch branch, struct sum *sum)
 {
@@ -31,8 +30,8 @@ static void push(const struct tracer *tracing, struct ray_branch *stack, uint32_
         stack[(*count)++] = branch;
 }
 
-/* Computes sunlight and sky light at a surface of the surroundings, as changed by objects and
- * water. Returns false if nothing affects it. */
+/* Computes sunlight and sky light at a surface of the surroundings, as affected by objects and
+ * water. Returns false if nothing affects them. */
 static bool find_sunlight(const struct tracer *tracing, const struct embree_scene_hit *hit,
                           const struct ray_branch *b, struct radiance_sun *sun)
 {
@@ -50,7 +49,7 @@ static bool find_sunlight(const struct tracer *tracing, const struct embree_scen
     return tracing->photons || is_tile;
 }
 
-/* Applies shadows of surroundings to direct sunlight. Returns false if they cast none. */
+/* Multiplies direct sunlight by shadows of surroundings. Returns false if they cast none. */
 static bool apply_sun_shadow(const struct tracer *tracing, const struct embree_scene_hit *hit,
                              const struct ray_branch *b, bool is_affected, struct radiance_sun *sun)
 {
@@ -58,13 +57,12 @@ static bool apply_sun_shadow(const struct tracer *tracing, const struct embree_s
     if (!tracing->radiance->hides_sun || !(glms_vec3_max(light) > 0.0f))
         return false;
     if (!is_affected)
-        *sun = (struct radiance_sun){ .sky = glms_vec3_one(), .own = 1.0f };
-    sun->own *= light_gather_sun(tracing, hit->surface.position, b->seed);
+        *sun = (struct radiance_sun){ .sky = glms_vec3_one(), .direct = 1.0f };
+    sun->direct *= light_gather_sun(tracing, hit->surface.position, b->seed);
     return true;
 }
 
-/* Returns the index of refraction (green) of the medium around a ray's origin over the outside's.
- */
+/* Returns the green refractive index of the medium around a ray's origin, relative to outside. */
 static float ior_at(const struct tracer *tracing, const struct ray_branch *b)
 {
     const uint32_t top = nested_media_top(tracing->media, &b->inside, NESTED_MEDIA_NONE);
@@ -72,8 +70,8 @@ static float ior_at(const struct tracer *tracing, const struct ray_branch *b)
            tracer_medium(tracing, tracing->media->outside)->ior[1];
 }
 
-/* Shades a hit on the surroundings, or the sky if `hit` is NULL; *gather receives rays that add
- * indirect light. Returns true if the ray continues behind a blended surface. */
+/* Shades a hit on the surroundings, or the sky if `hit` is NULL; *gather receives the rays that
+ * gather indirect light. Returns true if the ray continues behind a blended surface. */
 static bool shade_surroundings(const struct tracer *tracing, const struct embree_scene_hit *hit,
                                struct ray_branch *b, struct sum *sum, struct light_gather *gather)
 {
@@ -88,8 +86,8 @@ static bool shade_surroundings(const struct tracer *tracing, const struct embree
     struct radiance_point point = {
         .vertex = &hit->surface,
         .extra = &hit->extra,
-        .u_dir = hit->u_dir,
-        .along_v = hit->along_v,
+        .dp_du = hit->dp_du,
+        .dp_dv = hit->dp_dv,
         .dir = b->ray.dir,
         .ior = ior_at(tracing, b),
     };
@@ -106,7 +104,7 @@ static bool shade_surroundings(const struct tracer *tracing, const struct embree
     return passing > 0.0f;
 }
 
-/* Adds the light of an object's opaque base, if its material is not fully transmissive. */
+/* Adds light reflected by an object's opaque base unless its material is fully transmissive. */
 static void add_opaque_base(const struct tracer *tracing, const struct ray_branch *b,
                             const struct surface_hit *surface_hit, float fresnel, struct sum *sum)
 {
@@ -136,7 +134,7 @@ static void trace_tree(const struct tracer *tracing, struct ray_branch first, ui
             sum->remaining = glms_vec3_add(sum->remaining, b.throughput);
             continue;
         }
-        if (!is_hit || surface_hit.hit.part == EMBREE_SCENE_SURROUNDINGS) {
+        if (!is_hit || surface_hit.hit.kind == EMBREE_SCENE_SURROUNDINGS) {
             struct light_gather gather;
             if (shade_surroundings(tracing, is_hit ? &surface_hit.hit : NULL, &b, sum, &gather))
                 push(tracing, stack, &count, b, sum);
@@ -155,10 +153,10 @@ static void trace_tree(const struct tracer *tracing, struct ray_branch first, ui
     }
 }
 
-/* Follows the path that refracts wherever possible, from its entry to its first exit from all
- * objects, and fills the layers of that path. */
+/* Follows the refracted path (which refracts wherever possible) from its entry to its first exit
+ * from all objects, and fills the layers of that path. */
 static void fill_refracted_layers(const struct tracer *tracing, struct ray_branch b,
-                                  struct reference_ray_values *seen)
+                                  struct reference_ray_values *values)
 {
     float length = 0.0f;
     b.ignores_scattering = true;
@@ -171,24 +169,24 @@ static void fill_refracted_layers(const struct tracer *tracing, struct ray_branc
         if (!ray_branch_advance(tracing, &b, &surface_hit))
             break;
         length += glms_vec3_distance(from, surface_hit.hit.surface.position);
-        if (surface_hit.hit.part == EMBREE_SCENE_SURROUNDINGS)
+        if (surface_hit.hit.kind == EMBREE_SCENE_SURROUNDINGS)
             break;
         const struct fork fork = ray_branch_split(tracing, &b, &surface_hit);
         const bool is_total = fork.split.fresnel >= 1.0f;
         bounces += is_total;
         b = is_total ? fork.reflected : fork.refracted;
     }
-    seen->exit = b.ray.dir;
-    seen->path = length;
-    seen->bounces = (float)bounces;
-    seen->met = (float)b.met;
-    seen->tir =
-        /* without total reflection the path exits at the first inner surface */
+    values->exit = b.ray.dir;
+    values->path = length;
+    values->bounces = (float)bounces;
+    values->met = (float)b.met;
+    values->tir =
+        /* Without total reflection, the path exits at the first inner surface. */
         bounces ? 1.0f : 0.0f;
 }
 
-/* Returns the object number of the last surface of the path that refracts wherever possible, after
- * the first surface; `last` if it hits nothing else. */
+/* Returns the object number of the last surface on the refracted path behind the first surface;
+ * `last` if there is none. */
 static float find_last_object(const struct tracer *tracing,
                               const struct primary_hit_layers *primary, const struct fork *fork,
                               float last)
@@ -198,14 +196,14 @@ static float find_last_object(const struct tracer *tracing,
     b.ignores_scattering = true;
     while (b.bounces < tracing->params.bounces && ray_branch_advance(tracing, &b, &surface_hit)) {
         const struct embree_scene_hit *hit = &surface_hit.hit;
-        if (hit->part == EMBREE_SCENE_SURROUNDINGS) {
+        if (hit->kind == EMBREE_SCENE_SURROUNDINGS) {
             const float passing = radiance_transmittance(tracing->radiance, &hit->surface);
             if (!(passing > 0.5f))
                 return primary_hit_layers_object(primary, hit);
             ray_branch_pass(tracing, &b, hit, passing);
             continue;
         }
-        if (hit->part == EMBREE_SCENE_OBJECT)
+        if (hit->kind == EMBREE_SCENE_OBJECT)
             last = primary_hit_layers_object(primary, hit);
         const struct fork next = ray_branch_split(tracing, &b, &surface_hit);
         b = next.split.fresnel >= 1.0f ? next.reflected : next.refracted;
@@ -213,20 +211,20 @@ static float find_last_object(const struct tracer *tracing,
     return last;
 }
 
-/* Traces one colour channel, or all if `channels` is 1, 1, 1, from an object's surface on. */
+/* Traces one colour channel, or all channels if the mask is 1, 1, 1, from a hit on an object. */
 static void trace_channel(const struct tracer *tracing, const struct ray_branch *camera,
-                          const struct surface_hit *met, uint32_t channel, vec3s channels,
-                          struct reference_ray_values *seen)
+                          const struct surface_hit *first_hit, uint32_t channel, vec3s channels,
+                          struct reference_ray_values *values)
 {
-    struct surface_hit surface_hit = *met;
+    struct surface_hit surface_hit = *first_hit;
     surface_hit.channel = channel;
     const struct fork fork = ray_branch_split(tracing, camera, &surface_hit);
     const struct ray_branch *const branches[2] = { &fork.reflected, &fork.refracted };
     const float fractions[2] = { fork.split.fresnel, 1.0f - fork.split.fresnel };
-    vec3s *const seen_light[2] = { &seen->reflection, &seen->refraction };
-    struct sum shine = { 0 };
-    add_opaque_base(tracing, camera, &surface_hit, fork.split.fresnel, &shine);
-    seen->color = glms_vec3_muladd(shine.light, channels, seen->color);
+    vec3s *const branch_light[2] = { &values->reflection, &values->refraction };
+    struct sum base_light = { 0 };
+    add_opaque_base(tracing, camera, &surface_hit, fork.split.fresnel, &base_light);
+    values->color = glms_vec3_muladd(base_light.light, channels, values->color);
     for (int i = 0; i < 2; i++) {
         struct sum sum = { 0 };
         struct ray_branch branch = *branches[i];
@@ -234,9 +232,9 @@ static void trace_channel(const struct tracer *tracing, const struct ray_branch 
             continue;
         branch.throughput = glms_vec3_mul(branch.throughput, channels);
         trace_tree(tracing, branch, channel, &sum);
-        seen->color = glms_vec3_add(seen->color, sum.light);
-        seen->remaining = glms_vec3_add(seen->remaining, sum.remaining);
-        *seen_light[i] = glms_vec3_muladds(sum.light, 1.0f / fractions[i], *seen_light[i]);
+        values->color = glms_vec3_add(values->color, sum.light);
+        values->remaining = glms_vec3_add(values->remaining, sum.remaining);
+        *branch_light[i] = glms_vec3_muladds(sum.light, 1.0f / fractions[i], *branch_light[i]);
     }
 }
 
@@ -252,7 +250,7 @@ void whitted_find_enclosing(const struct tracer *tracing, vec3s point,
     for (uint32_t i = 0;
          i < CROSSINGS_MAX && embree_scene_intersect(tracing->embree_scene, &ray, &hit); i++) {
         const bool is_entering = dielectric_split_dot(hit.facet, ray.dir) < 0.0;
-        const bool is_medium = hit.part == EMBREE_SCENE_OBJECT || hit.part == EMBREE_SCENE_BUBBLES;
+        const bool is_medium = hit.kind == EMBREE_SCENE_OBJECT || hit.kind == EMBREE_SCENE_BUBBLES;
         if (is_medium && is_entering)
             nested_media_set_update(&entered, hit.object, true);
         else if (is_medium && !nested_media_set_has(&entered, hit.object))
@@ -264,17 +262,17 @@ void whitted_find_enclosing(const struct tracer *tracing, vec3s point,
     }
 }
 
-/* Adds all light along a ray; for cameras in a scattering medium, and behind blended surfaces. */
+/* Adds all light along a ray: for cameras in scattering media, and behind blended surfaces. */
 static void trace_all_channels(const struct tracer *tracing, const struct ray_branch *from,
-                               struct reference_ray_values *seen)
+                               struct reference_ray_values *values)
 {
     for (uint32_t c = 0; c < tracer_channel_count(tracing); c++) {
         struct ray_branch b = *from;
         struct sum sum = { 0 };
         b.throughput = glms_vec3_mul(b.throughput, tracer_channels(tracing, c));
         trace_tree(tracing, b, c, &sum);
-        seen->color = glms_vec3_add(seen->color, sum.light);
-        seen->remaining = glms_vec3_add(seen->remaining, sum.remaining);
+        values->color = glms_vec3_add(values->color, sum.light);
+        values->remaining = glms_vec3_add(values->remaining, sum.remaining);
     }
 }
 
@@ -282,14 +280,14 @@ struct reference_ray_values whitted_trace(const struct tracer *tracing,
                                           const struct embree_scene_ray *ray, vec3s forward,
                                           uint32_t seed)
 {
-    struct reference_ray_values seen = { .alpha = 1.0f, .z = GBUFFER_NOTHING };
+    struct reference_ray_values values = { .alpha = 1.0f, .z = GBUFFER_NOTHING };
     struct ray_branch camera = {
         .ray = *ray,
         .inside = tracing->camera_inside,
         .throughput = glms_vec3_one(),
         .seed = seed,
     };
-    const bool is_in_cloud = ray_branch_is_in_scattering(tracing, &camera);
+    const bool is_in_medium = ray_branch_is_in_scattering(tracing, &camera);
     const struct ray_branch first = camera;
     struct surface_hit surface_hit = { .channel = 1 };
     camera.ignores_scattering = true;
@@ -299,34 +297,34 @@ struct reference_ray_values whitted_trace(const struct tracer *tracing,
     const struct primary_hit_layers primary = { tracing->embree_scene, tracing->radiance,
                                                 tracing->earlier };
     if (is_hit && tracing->has_layers) {
-        primary_hit_layers_fill(&primary, ray, forward, hit, &seen);
+        primary_hit_layers_fill(&primary, ray, forward, hit, &values);
     }
     if (!is_hit && tracing->radiance->scene->is_hidden) {
-        seen.alpha = 0.0f;
-        return seen;
+        values.alpha = 0.0f;
+        return values;
     }
-    if (is_in_cloud) {
-        trace_all_channels(tracing, &first, &seen);
-        return seen;
+    if (is_in_medium) {
+        trace_all_channels(tracing, &first, &values);
+        return values;
     }
-    seen.color = camera.air;
-    if (!is_hit || hit->part == EMBREE_SCENE_SURROUNDINGS) {
+    values.color = camera.air;
+    if (!is_hit || hit->kind == EMBREE_SCENE_SURROUNDINGS) {
         struct sum sum = { 0 };
         struct light_gather gather;
         if (shade_surroundings(tracing, is_hit ? hit : NULL, &camera, &sum, &gather))
-            trace_all_channels(tracing, &camera, &seen);
+            trace_all_channels(tracing, &camera, &values);
         for (uint32_t i = 0; i < gather.count; i++)
-            trace_all_channels(tracing, &gather.rays[i], &seen);
-        seen.color = glms_vec3_add(seen.color, sum.light);
-        return seen;
+            trace_all_channels(tracing, &gather.rays[i], &values);
+        values.color = glms_vec3_add(values.color, sum.light);
+        return values;
     }
     if (tracing->has_layers) {
-        const struct fork straight = ray_branch_split(tracing, &camera, &surface_hit);
-        seen.fresnel = straight.split.fresnel;
-        fill_refracted_layers(tracing, straight.refracted, &seen);
-        seen.last = find_last_object(tracing, &primary, &straight, seen.last);
+        const struct fork primary_split = ray_branch_split(tracing, &camera, &surface_hit);
+        values.fresnel = primary_split.split.fresnel;
+        fill_refracted_layers(tracing, primary_split.refracted, &values);
+        values.last = find_last_object(tracing, &primary, &primary_split, values.last);
     }
     for (uint32_t c = 0; c < tracer_channel_count(tracing); c++)
-        trace_channel(tracing, &camera, &surface_hit, c, tracer_channels(tracing, c), &seen);
-    return seen;
+        trace_channel(tracing, &camera, &surface_hit, c, tracer_channels(tracing, c), &values);
+    return values;
 }

@@ -53,10 +53,10 @@ void quality_apply_row(struct settings *settings, const struct quality_row *row,
 uint32_t quality_find(const struct settings *settings)
 {
     for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
-        struct settings own = *settings;
+        struct settings applied = *settings;
         for (const struct quality_row *row = quality_rows; row->setting; row++)
-            quality_apply_row(&own, row, level);
-        if (!memcmp(&own, settings, sizeof(own)))
+            quality_apply_row(&applied, row, level);
+        if (!memcmp(&applied, settings, sizeof(applied)))
             return level;
     }
     return QUALITY_COUNT;

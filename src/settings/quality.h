@@ -1,4 +1,4 @@
-/* quality.h: quality levels, each a set of values of settings. */
+/* quality.h: quality levels draft, normal and high: sets of setting values. */
 #ifndef FIRN_SETTINGS_QUALITY_H
 #define FIRN_SETTINGS_QUALITY_H
 
@@ -12,8 +12,8 @@ enum {
 struct quality {
     const char *name;
     const char *help;
-    uint32_t samples; /* samples per pixel of firn render; --samples overrides it */
-    bool is_smooth;   /* blackman-harris filter unless --pixel-filter is given */
+    uint32_t samples; /* --samples takes precedence */
+    bool is_smooth;   /* Blackman-Harris, unless --pixel-filter is given */
 };
 
 extern const struct quality qualities[QUALITY_COUNT];
@@ -21,7 +21,7 @@ extern const struct quality qualities[QUALITY_COUNT];
 /* A setting whose value depends on the quality level. */
 struct quality_row {
     const char *setting;
-    const char *values[QUALITY_COUNT]; /* value by quality level; NULL for the setting's default */
+    const char *values[QUALITY_COUNT]; /* NULL for the setting's default */
 };
 
 extern const struct quality_row quality_rows[]; /* terminated by a row of zeros */
@@ -29,7 +29,7 @@ extern const struct quality_row quality_rows[]; /* terminated by a row of zeros 
 /* Sets a row's setting to its value at a quality level. */
 void quality_apply_row(struct settings *settings, const struct quality_row *row, uint32_t level);
 
-/* Returns the quality level whose values all settings have, or QUALITY_COUNT if there is none. */
+/* Returns the quality level that all settings match, or QUALITY_COUNT if there is none. */
 uint32_t quality_find(const struct settings *settings);
 
 #endif

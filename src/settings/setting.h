@@ -9,35 +9,35 @@
 enum setting_type {
     SETTING_FLOAT,
     SETTING_COUNT,  /* uint32_t */
-    SETTING_SWITCH, /* uint32_t, 0 or 1, shown as "on" and "off" */
+    SETTING_SWITCH, /* uint32_t, 0 (off) or 1 (on) */
     SETTING_CHOICE, /* uint32_t, index into choices */
 };
 
-/* What must be rebuilt when a setting changes; each value includes all before it. */
+/* Scope of what a setting's change invalidates; each value includes all before it. */
 enum setting_effect {
     SETTING_AFFECTS_NOTHING,
-    SETTING_AFFECTS_FRAME, /* it is read in every frame */
-    SETTING_AFFECTS_PLAN,  /* the render graph plan, or specialisation constants of its pipelines */
+    SETTING_AFFECTS_FRAME, /* read in every frame */
+    SETTING_AFFECTS_PLAN,  /* graph plan, specialisation constants */
     SETTING_AFFECTS_SCENE, /* loaded or generated scene data */
 };
 
 struct setting {
     const char *name;         /* "<group>.<parameter>" */
-    const char *renamed_from; /* former name, still accepted with a note; NULL if there is none */
-    const char *label;        /* name in the window, such as "Refractive index" */
+    const char *renamed_from; /* former name, still accepted; or NULL */
+    const char *label;        /* label in the window, "Refractive index" */
     enum setting_type type;
-    size_t offset; /* offset of the member in the group's struct */
+    size_t offset; /* of the member in its struct */
     double initial, min, max;
-    bool has_auto;                    /* the value may be "auto", stored as setting_auto() */
-    const char *unit;                 /* such as "degrees"; NULL if there is none */
+    bool has_auto;                    /* accepts "auto", stored as setting_auto() */
+    const char *unit;                 /* "degrees"; NULL if there is none */
     const char *const *choices;       /* terminated by NULL */
-    const char *const *choice_labels; /* choices as the window shows them; NULL: `choices` */
+    const char *const *choice_labels; /* labels in the window; NULL: `choices` */
     const char *help;                 /* one line, no full stop */
-    enum setting_effect affects;  /* effect of any change; SETTING_AFFECTS_NOTHING means FRAME */
-    enum setting_effect switches; /* effect of a change from or to 0, if greater than `affects` */
+    enum setting_effect affects;      /* any change's effect; SETTING_AFFECTS_NOTHING means FRAME */
+    enum setting_effect switches;     /* effect of leaving or reaching 0 */
 };
 
-/* Returns the value that represents "auto"; it is below `min`. */
+/* Returns the value that represents "auto", which is below `min`. */
 static inline double setting_auto(const struct setting *row)
 {
     return row->type == SETTING_FLOAT ? -1.0 : 0.0;

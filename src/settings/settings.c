@@ -1,4 +1,4 @@
-/* settings.c: list of all setting groups; gets, sets, parses and prints values by name. */
+/* settings.c: list of all setting groups; reads, writes, parses and prints values by name. */
 #include "src/settings/settings.h"
 #include <assert.h>
 #include <ctype.h>
@@ -10,7 +10,7 @@
 #include "src/settings/scene_settings.h"
 #include "src/tech/techniques.h"
 
-/* Groups that belong to no technique; they come before those of the techniques. */
+/* Scene setting groups, which precede those of the techniques. */
 static const struct setting_group *const scene_groups[] = {
     &object_settings,   &ice_settings,     &landscape_settings, &sky_settings,
     &env_settings,      &texture_settings, &motion_settings,    &light_settings,
@@ -21,10 +21,10 @@ enum {
     SCENE_GROUP_COUNT = sizeof(scene_groups) / sizeof(scene_groups[0])
 };
 
-/* Iterator over all setting groups: first the scene's, then those of each technique. */
+/* Iterator over all setting groups: the scene's, then those of each technique. */
 struct iterator {
     const struct setting_group *group; /* NULL at the end */
-    size_t offset;                     /* offset of the group's values, a multiple of 16 bytes */
+    size_t offset;                     /* byte offset, a multiple of 16 */
     const struct technique *const *technique;
     size_t index; /* within scene_groups or the technique's groups */
 };
@@ -68,7 +68,7 @@ static size_t group_offset(const struct setting_group *group)
     struct iterator iterator = first_group();
     while (iterator.group != group) {
         next_group(&iterator);
-        assert(iterator.group); /* the group must be in the list */
+        assert(iterator.group);
     }
     assert(iterator.offset + group->params_size <= SETTINGS_SIZE);
     return iterator.offset;
@@ -172,14 +172,13 @@ const struct setting *settings_find(const char *name)
 
 enum {
     NAME_SIZE = 64,
-    SOURCE_SIZE = 512, /* size of an assignment's source as text, bytes */
+    SOURCE_SIZE = 512, /* text size of an assignment's source */
 };
 
-/* An assignment that is being parsed. */
 struct assignment {
     struct settings *settings;
     const struct setting *row;
-    const struct settings_source *source; /* NULL if it comes from --set */
+    const struct settings_source *source; /* NULL for --set */
 };
 
 /* Writes an assignment's source: "--set NAME", "FILE:LINE: NAME" or "FILE: NAME". */
@@ -196,8 +195,7 @@ static const char *format_source(const struct settings_source *source, const cha
     return text;
 }
 
-/* Finds the setting that had a name in an earlier version, and logs its present name. Returns NULL
- * if there is none. */
+/* Finds a setting by its former name, and logs its present one. Returns NULL if there is none. */
 static const struct setting *find_renamed(const struct settings_source *source, const char *name)
 {
     char where[SOURCE_SIZE];
@@ -269,12 +267,12 @@ static enum status set_number(const struct assignment *a, const char *text)
     return STATUS_OK;
 }
 
-static enum status set_word(const struct assignment *a, const char *text)
+static enum status set_choice(const struct assignment *a, const char *text)
 {
     static const char *const switches[] = { "off", "on", NULL };
-    const char *const *words = a->row->type == SETTING_SWITCH ? switches : a->row->choices;
-    for (uint32_t i = 0; words[i]; i++) {
-        if (!strcmp(words[i], text)) {
+    const char *const *names = a->row->type == SETTING_SWITCH ? switches : a->row->choices;
+    for (uint32_t i = 0; names[i]; i++) {
+        if (!strcmp(names[i], text)) {
             settings_set_value(a->settings, a->row, i);
             return STATUS_OK;
         }
@@ -301,7 +299,7 @@ enum status settings_assign(struct settings *settings, const char *assignment,
     if (!a.row || length >= NAME_SIZE)
         return reject_name(source, name);
     const bool is_number = a.row->type == SETTING_FLOAT || a.row->type == SETTING_COUNT;
-    const enum status status = is_number ? set_number(&a, equals + 1) : set_word(&a, equals + 1);
+    const enum status status = is_number ? set_number(&a, equals + 1) : set_choice(&a, equals + 1);
     if (status == STATUS_OK)
         *row = a.row;
     return status;
@@ -318,7 +316,7 @@ size_t settings_index(const struct setting *row)
     return row_offset(row) / sizeof(float);
 }
 
-/* Nine significant digits always suffice for a float. */
+/* Nine significant digits suffice for any float. */
 void settings_print_number(float value, FILE *out)
 {
     char text[32];

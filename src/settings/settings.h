@@ -1,9 +1,9 @@
 /*
  * settings.h: values of all parameters that a user can set by name, driven by one table.
  *
- * A group is a struct of parameters (often the very struct that a shader reads) and the rows that
- * describe its members: name, type, range, default, unit, help. The rows drive --set, the help,
- * `firn list settings` and the metadata of images. Techniques bring their own groups.
+ * A group is a struct of parameters (often the very struct that a shader reads) with one row per
+ * member: name, type, range, default, unit, help. The rows drive --set, the help, `firn list
+ * settings` and the metadata of images. Techniques add their own groups.
  *
  * Thread-safety: a struct settings may be read from many threads.
  */
@@ -19,7 +19,7 @@
 
 enum {
     SETTINGS_SIZE = 1024
-}; /* total size of all groups' structs, bytes; checked by a test */
+}; /* size of all groups' structs, bytes */
 
 struct settings {
     _Alignas(16) unsigned char values[SETTINGS_SIZE];
@@ -30,30 +30,30 @@ const struct setting_group *settings_group(size_t i);
 
 struct settings settings_default(void);
 
-/* Returns the values of a group, as its struct. */
+/* Returns a group's values, as its struct. */
 const void *settings_of(const struct settings *settings, const struct setting_group *group);
 
-/* Returns the row of a group that describes the member at an offset of its struct. */
+/* Returns a group's row that describes the member at an offset of its struct. */
 const struct setting *settings_row(const struct setting_group *group, size_t offset);
 
-/* Returns the row with a name, or NULL; for names from user input. */
+/* Returns the row of a setting named by user input, or NULL. */
 const struct setting *settings_find(const char *name);
 
 /*
- * Sets "name=value". An unknown name, or a value that is invalid or out of range, is logged (with
- * the nearest name or the range) and is STATUS_USAGE.
+ * Sets "name=value". Unknown names and invalid values are logged, with the nearest name or the
+ * range, and are STATUS_USAGE.
  */
 MUST_USE enum status settings_set(struct settings *settings, const char *assignment);
 
 /* Source of an assignment, for error messages. */
 struct settings_source {
     const char *path; /* path of the file */
-    uint32_t line;    /* line number in a text file, from 1; 0 if there is none */
+    uint32_t line;    /* from 1; 0 if none */
 };
 
 /*
- * Sets an assignment from a file; an invalid one is logged with its source and is STATUS_DATA. *row
- * is the setting's row, or NULL on failure. A NULL `source` is the command line.
+ * Sets an assignment from a file. Invalid ones are logged with their source and are STATUS_DATA.
+ * *row is the setting's row, or NULL on failure. A NULL `source` is the command line.
  */
 MUST_USE enum status settings_assign(struct settings *settings, const char *assignment,
                                      const struct settings_source *source,
@@ -63,10 +63,10 @@ enum {
     SETTINGS_FIELD_COUNT = SETTINGS_SIZE / sizeof(float)
 };
 
-/* Returns a number below SETTINGS_FIELD_COUNT that is unique to a row. */
+/* Returns an index below SETTINGS_FIELD_COUNT that is unique to a row. */
 size_t settings_index(const struct setting *row);
 
-/* Set or return the value of a row as a number; settings_set_value() does not check its range. */
+/* Sets the value of a row as a number, without a range check; settings_get() returns it. */
 void settings_set_value(struct settings *settings, const struct setting *row, double value);
 double settings_get(const struct settings *settings, const struct setting *row);
 
@@ -76,7 +76,7 @@ enum setting_effect settings_changed(const struct settings *before, const struct
 /* Prints a row's value in the syntax of --set: "0.33", "on", "neutral". */
 void settings_print(const struct settings *settings, const struct setting *row, FILE *out);
 
-/* Prints a line "NAME=VALUE", with prefix `before`, for each row that differs from its default. */
+/* Prints a line "NAME=VALUE", prefixed by `before`, for each row that differs from its default. */
 void settings_print_changes(const struct settings *settings, const char *before, FILE *out);
 
 /* Prints a number with the fewest digits that parse to the same float. */

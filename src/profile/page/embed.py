@@ -7,7 +7,7 @@ after the two placeholders for JSON data.
 import pathlib
 import sys
 
-PLACES = ('@PROFILE@', '@SWEEP@')
+PLACEHOLDERS = ('@PROFILE@', '@SWEEP@')
 
 
 def read(path):
@@ -25,7 +25,7 @@ def main(output, page, style, *scripts):
     text = text.replace('@STYLE@', read(style))
     text = text.replace('@SCRIPT@', '\n\n'.join(read(script) for script in scripts))
     parts = []
-    for place in PLACES:
+    for place in PLACEHOLDERS:
         part, found, text = text.partition(place)
         if not found:
             sys.exit(f'{page}: {place} is missing')

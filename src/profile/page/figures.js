@@ -5,27 +5,27 @@ const FIGURE = { height: 220, left: 48, right: 12, top: 14, bottom: 40 };
 const frameRate = index => 1000 / sweep.points[index].profile.plain.summary.median;
 
 function drawFigureAxes(svg, figure, width, at, y) {
-    const { height, left, right, bottom } = FIGURE, foot = height - bottom, marks = y.marks;
+    const { height, left, right, bottom } = FIGURE, baseline = height - bottom, marks = y.marks;
     for (const value of marks.at) {
         add(svg, 'path', { class: 'line', d: `M${left} ${y.of(value)}H${width - right}` });
         add(svg, 'text', { class: 'end soft', x: left - 6, y: y.of(value) + 4 },
             tickText(value, marks.step));
     }
     figure.columns.forEach((name, column) => add(svg, 'text', {
-        class: 'middle soft', x: at(column), y: foot + 15,
+        class: 'middle soft', x: at(column), y: baseline + 15,
     }, name));
     add(svg, 'text', { class: 'middle soft', x: (left + width - right) / 2, y: height - 6 },
         `${figure.axis}; vertical: frames/s`);
 }
 
 /* Draws one value of a series as bar or dot, labelled with its frame rate. */
-function drawRate(svg, figure, series, column, place) {
-    const { x, y, wide, foot } = place, rate = frameRate(series.points[column]);
+function drawRate(svg, figure, series, column, position) {
+    const { x, y, wide, baseline } = position, rate = frameRate(series.points[column]);
     const name = `${series.name}, ${figure.columns[column]}`;
     const item = add(svg, 'g', { role: 'img', 'aria-label': `${name}: ${digits(rate)} frames/s` });
     const style = `block t${figure.series.indexOf(series)}`;
     if (figure.is_bars)
-        add(item, 'rect', { class: style, x: x - wide / 2, y, width: wide, height: foot - y });
+        add(item, 'rect', { class: style, x: x - wide / 2, y, width: wide, height: baseline - y });
     else
         add(item, 'circle', { class: style, cx: x, cy: y, r: 5 });
     add(item, 'text', { class: 'middle', x, y: y - 8 }, digits(rate));
@@ -34,11 +34,11 @@ function drawRate(svg, figure, series, column, place) {
 }
 
 function drawFigure(box, figure) {
-    const { height, left, right, top, bottom } = FIGURE, foot = height - bottom;
+    const { height, left, right, top, bottom } = FIGURE, baseline = height - bottom;
     const width = Math.min(widthOf(box), 560);
     const slot = (width - left - right) / figure.columns.length;
     const most = Math.max(...figure.series.flatMap(series => series.points.map(frameRate)));
-    const up = scale(0, most * 1.15, foot, top), at = column => left + (column + .5) * slot;
+    const up = scale(0, most * 1.15, baseline, top), at = column => left + (column + .5) * slot;
     add(box, 'h3', {}, figure.title);
     const legend = add(box, 'p', { class: 'figure-legend' });
     figure.series.forEach((series, index) => {
@@ -50,15 +50,16 @@ function drawFigure(box, figure) {
     const wide = Math.min(slot / (figure.series.length + 1), 60), items = [];
     figure.series.forEach((series, index) => {
         const aside = figure.is_bars ? (index - (figure.series.length - 1) / 2) * wide : 0;
-        const places = series.points.map((point, column) => ({
-            x: at(column) + aside, y: up(frameRate(point)), wide: wide - 4, foot,
+        const positions = series.points.map((point, column) => ({
+            x: at(column) + aside, y: up(frameRate(point)), wide: wide - 4, baseline,
         }));
         if (!figure.is_bars)
             add(svg, 'path', {
                 class: `series t${index}`,
-                d: places.map(({ x, y }, i) => `${i ? 'L' : 'M'}${x} ${y}`).join(''),
+                d: positions.map(({ x, y }, i) => `${i ? 'L' : 'M'}${x} ${y}`).join(''),
             });
-        items.push(...places.map((place, column) => drawRate(svg, figure, series, column, place)));
+        items.push(...positions.map(
+            (position, column) => drawRate(svg, figure, series, column, position)));
     });
     rove(svg, items);
 }

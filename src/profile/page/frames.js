@@ -152,16 +152,16 @@ function drawStrip() {
 }
 
 /* Describes each outlier: its frame time, and the row that exceeds its own median the most. */
-function outlierWords() {
+function outlierTexts() {
     const lines = [];
     for (const run of profile.frame.summary.outliers) {
-        const guilty = profile.rows.filter(row => row.summary.outliers.includes(run))
+        const slowest = profile.rows.filter(row => row.summary.outliers.includes(run))
             .map(row => ({ row, over: row.ms[run] - row.summary.median }))
             .filter(({ over }) => over > 0).sort((a, b) => b.over - a.over)[0];
         const ratio = profile.frame.ms[run] / profile.frame.summary.median;
         let words = `run ${run}: ${ms(profile.frame.ms[run])}, ${times(ratio)} the median`;
-        if (ratio > 1 && guilty)
-            words += `, of which ${rowName(guilty.row)} ${ms(guilty.row.ms[run])}`;
+        if (ratio > 1 && slowest)
+            words += `, of which ${rowName(slowest.row)} ${ms(slowest.row.ms[run])}`;
         lines.push(words);
     }
     return lines;
@@ -173,7 +173,7 @@ function drawFrames() {
 }
 
 function startFrames() {
-    const words = outlierWords(), shown = words.slice(0, 12);
+    const words = outlierTexts(), shown = words.slice(0, 12);
     if (words.length > shown.length)
         shown.push(`and ${plural(words.length - shown.length, 'more run')}`);
     $('outliers').textContent = 'Outliers, more than 1.5 interquartile ranges outside the ' +

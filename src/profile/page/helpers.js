@@ -147,7 +147,7 @@ function setTip(element, title, rows) {
     tips.set(element, { title, rows });
 }
 
-function placeTip() {
+function positionTip() {
     if (!tipOwner)
         return;
     const box = $('tip'), at = tipOwner.getBoundingClientRect(), gap = 8;
@@ -179,7 +179,7 @@ function showTip(owner, x) {
     tipOwner = owner;
     tipX = x;
     owner.setAttribute('aria-describedby', 'tip');
-    placeTip();
+    positionTip();
 }
 
 function listenForTips() {
@@ -203,7 +203,7 @@ function listenForTips() {
         if (event.key === 'Escape')
             hideTip();
     });
-    document.addEventListener('scroll', placeTip, true);
+    document.addEventListener('scroll', positionTip, true);
 }
 
 /* ---- roving tabindex: a plot is one tab stop, arrow keys move within it ---- */

@@ -27,8 +27,8 @@ function drawMemoryPasses(box, columns) {
         add(plot, 'rect', {
             class: `block ${colorOf(row)}`, x: x + 1, y: 1, width, height: height - 2,
         });
-        const turned = `translate(${x + columns.width / 2 + 4} ${height - 6}) rotate(-90)`;
-        add(plot, 'text', { class: 'on-color', transform: turned }, rowName(row));
+        const transform = `translate(${x + columns.width / 2 + 4} ${height - 6}) rotate(-90)`;
+        add(plot, 'text', { class: 'on-color', transform }, rowName(row));
     });
 }
 

@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 enum {
-    PAGE_PART_COUNT = 3 /* the JSON of the profile, then that of the sweep, go between the parts */
+    PAGE_PART_COUNT = 3 /* separated by profile and sweep JSON */
 };
 
 struct page_part {

@@ -12,9 +12,9 @@ function makeColors() {
         if (IS_PASS[row.kind])
             totals.set(row.technique, (totals.get(row.technique) ?? 0) + row.summary.mean);
     }
-    const dearest = [...totals].sort((a, b) => b[1] - a[1]).map(([technique]) => technique);
+    const byCost = [...totals].sort((a, b) => b[1] - a[1]).map(([technique]) => technique);
     return new Map([...totals.keys()].map(
-        technique => [technique, `t${Math.min(dearest.indexOf(technique), COLOR_COUNT)}`]));
+        technique => [technique, `t${Math.min(byCost.indexOf(technique), COLOR_COUNT)}`]));
 }
 
 const techniqueColors = makeColors();

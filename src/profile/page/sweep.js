@@ -219,7 +219,7 @@ function drawSweep() {
     drawSweepTable(shown);
 }
 
-function fitWords(name) {
+function fitText(name) {
     const fit = fitOf(name);
     return fit ? `${name}: exponent ${fit.exponent.toFixed(2).replace('-', '\u2212')}` : name;
 }
@@ -231,7 +231,7 @@ function startSweepSeries(names) {
         const check = add(label, 'input', { type: 'checkbox', value: name });
         check.checked = sweepView.shown.has(name);
         add(label, 'i', { class: seriesColor(name) });
-        add(label, 'span', {}, fitWords(name));
+        add(label, 'span', {}, fitText(name));
         check.addEventListener('change', () => {
             sweepView.shown[check.checked ? 'add' : 'delete'](name);
             drawSweep();
