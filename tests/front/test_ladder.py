@@ -105,7 +105,7 @@ class Numbers(LadderCase):
                 'cracks.refract=gap', '--set', 'bubbles.count=60')
         for rung in ('reference', 'bounce'):
             self.succeed('render', 'valley', *SIZE, *same, '--refraction', rung, '--aov',
-                         'path,met' if rung == 'reference' else 'path', '-o', f'{rung}.exr')
+                         'path,inclusions' if rung == 'reference' else 'path', '-o', f'{rung}.exr')
         ours, test = (Exr((self.folder / f'{name}.exr').read_bytes())
                       for name in ('reference', 'bounce'))
         ours = ours.read_planes([*'RGB', 'path.Z', 'inclusions.Z'])
