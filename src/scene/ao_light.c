@@ -1,19 +1,18 @@
-/* ao_light.c: Monte Carlo transport of light through a convex body. */
+/* ao_light.c: Monte Carlo light transport through a convex body. */
 #include "src/scene/ao_light.h"
 #include <cglm/struct.h>
 #include <math.h>
 
-#define STRAIGHT_COSINE 0.8f /* maximum deflection of light that counts as undeviated (cosine) */
+#define UNDEVIATED_COSINE 0.8f /* minimum cosine of "undeviated" deflection */
 
 enum {
-    RAYS = 192,        /* rays that are traced through the body */
-    RAYS_TRIED = 4096, /* maximum number of candidates, to find rays that hit the body */
-    EVENTS_MAX = 24,   /* maximum number of scattering and reflection events in the body */
+    RAYS = 192,        /* number of rays traced through the body */
+    RAYS_TRIED = 4096, /* maximum candidates, to find rays that hit */
+    EVENTS_MAX = 24,   /* maximum scattering and reflection events */
 };
 
-/* Range of the rays' start points: horizontal distance from the body's centre, in halves of its
- * diagonal. */
-static const float from_middle = 0.3f, to_middle = 1.6f;
+/* Range of the rays' start distances from the body's centre, in half diagonals of the body. */
+static const float start_min = 0.3f, start_max = 1.6f;
 
 struct ray {
     vec3s at, dir; /* `dir` is unit */
@@ -64,7 +63,7 @@ static bool reflect_or_refract(struct ray *ray, vec3s n, float ratio)
     return true;
 }
 
-/* Finds the distances and planes where a ray enters and leaves the body; false if it misses. */
+/* Finds where a ray enters and leaves the body. Returns false if it misses. */
 static bool intersect(const struct ao_shape *shape, const struct ray *ray, float t[2],
                       uint32_t planes[2])
 {
@@ -91,14 +90,14 @@ static void absorb(struct ray *ray, vec3s absorption, float distance)
         ray->weight.raw[c] *= expf(-absorption.raw[c] * distance);
 }
 
-/* Scatters a ray diffusely at the opaque part of a surface, outwards. */
+/* Scatters a ray outwards with a cosine distribution, where the surface reflects diffusely. */
 static void scatter_outside(struct ray *ray, vec3s n, vec3s tint)
 {
     ray->dir = glms_vec3_normalize(glms_vec3_muladds(n, 1.001f, random_dir(&ray->seed)));
     ray->weight = glms_vec3_mul(ray->weight, tint);
 }
 
-/* Traces a ray through the body until it leaves, by analog random walk. */
+/* Traces a ray through the body by an analog random walk, until it leaves. */
 static void trace_ray(const struct ao_shape *shape, const struct ao_medium *medium, struct ray *ray)
 {
     float t[2];
@@ -140,20 +139,20 @@ static struct ray start_ray(const struct ao_shape *shape, vec3s base, vec3s up, 
     const vec3s aside = random_dir(&ray.seed);
     const vec3s level =
         glms_vec3_normalize(glms_vec3_muladds(up, -glms_vec3_dot(aside, up), aside));
-    const float far = half * (from_middle + (to_middle - from_middle) * random_unit(&ray.seed));
+    const float far = half * (start_min + (start_max - start_min) * random_unit(&ray.seed));
     ray.at = glms_vec3_muladds(level, far, base);
     ray.dir = glms_vec3_normalize(glms_vec3_muladds(up, 1.001f, random_dir(&ray.seed)));
     return ray;
 }
 
-/* Returns the point below the centre of a body's box, at the box's bottom. */
+/* Returns the point at the bottom of a body's bounding box, below its centre. */
 static vec3s base_of(const struct ao_shape *shape, vec3s up)
 {
-    const vec3s middle = box_center(shape->box);
+    const vec3s center = box_center(shape->box);
     float deep = 0.0f;
     for (int axis = 0; axis < 3; axis++)
-        deep += fabsf(up.raw[axis]) * (shape->box.max.raw[axis] - middle.raw[axis]);
-    return glms_vec3_muladds(up, -deep, middle);
+        deep += fabsf(up.raw[axis]) * (shape->box.max.raw[axis] - center.raw[axis]);
+    return glms_vec3_muladds(up, -deep, center);
 }
 
 struct ao_light ao_light_of(const struct ao_shape *shape, const struct ao_medium *medium, vec3s up)
@@ -168,17 +167,18 @@ struct ao_light ao_light_of(const struct ao_shape *shape, const struct ao_medium
         struct ray ray = start_ray(shape, base, up, i);
         if (!intersect(shape, &ray, t, planes) || t[0] <= 0.0f)
             continue;
-        const vec3s was = ray.dir;
+        const vec3s before_body = ray.dir;
         trace_ray(shape, medium, &ray);
-        if (glms_vec3_dot(ray.dir, up) > 0.0f && glms_vec3_dot(ray.dir, was) > STRAIGHT_COSINE)
+        if (glms_vec3_dot(ray.dir, up) > 0.0f &&
+            glms_vec3_dot(ray.dir, before_body) > UNDEVIATED_COSINE)
             straight += ray.weight.y;
         vec3s *const from = glms_vec3_dot(ray.dir, up) > 0.0f ? &light.sky : &light.ground;
         *from = glms_vec3_add(*from, ray.weight);
         count++;
     }
     light.straight = straight / fmaxf(light.sky.y, 1e-6f);
-    const float each = 1.0f / (float)(count ? count : 1);
-    light.sky = glms_vec3_scale(light.sky, each);
-    light.ground = glms_vec3_scale(light.ground, each);
+    const float scale = 1.0f / (float)(count ? count : 1);
+    light.sky = glms_vec3_scale(light.sky, scale);
+    light.ground = glms_vec3_scale(light.ground, scale);
     return light;
 }

@@ -1,8 +1,8 @@
 /*
- * ao_light.h: fraction of sky and ground light that a body transmits or reflects to its base.
+ * ao_light.h: fractions of sky light and ground light that a body brings to its base.
  *
  * Paths are traced backwards from the ground around the body: through refraction, Fresnel
- * reflection, absorption and scattering in its medium. Those that leave upwards gather sky light,
+ * reflection, absorption and scattering in its medium. Paths that leave upwards gather sky light,
  * the others ground light. A clear body loses no energy: a uniform environment stays uniform.
  */
 #ifndef FIRN_SCENE_AO_LIGHT_H
@@ -14,19 +14,19 @@
 struct ao_medium {
     float ior;        /* refractive index, relative to the outside */
     float scattering; /* isotropic (reduced) scattering coefficient, 1 / metre */
-    float shine;      /* fraction of light that the surface reflects diffusely */
+    float shine;      /* fraction that the surface reflects diffusely */
     vec3s absorption; /* absorption coefficient, 1 / metre */
-    vec3s tint;       /* tint of light that the surface transmits or reflects diffusely */
+    vec3s tint;       /* tint of diffuse transmission and reflection */
 };
 
 /* Fractions of the light that comes from the sky and from the ground; their sum is at most 1. */
 struct ao_light {
     vec3s sky, ground;
-    float straight; /* fraction of the sky light that arrives almost undeviated */
+    float straight; /* fraction of sky light, almost undeviated */
 };
 
-/* Returns the light that a body brings to the ground near its base. `up` is unit. Deterministic:
- * each call uses the same random numbers. */
+/* Returns the light that a body brings to the ground near its base. `up` is unit. Uses a fixed
+ * random sequence, so results are deterministic. */
 struct ao_light ao_light_of(const struct ao_shape *shape, const struct ao_medium *medium, vec3s up);
 
 #endif

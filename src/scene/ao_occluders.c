@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include "src/base/log.h"
 
-#define SLACK 0.02f /* tolerance of containment, in diagonals of the occluder */
-#define FLAT  0.15f /* height over width below which an object is flat */
+#define SLACK 0.02f /* tolerance of containment, in occluder diagonals */
+#define FLAT  0.15f /* height over width below which objects are flat */
 
 enum {
-    STEPS = 16 /* samples per axis, to estimate the filled volume of a box */
+    STEPS = 16 /* samples per axis, to estimate filled volume */
 };
 
 /* Extent of an object along each plane normal. */
@@ -103,23 +103,23 @@ static bool contains(const struct extent *body, const struct extent *other)
     return true;
 }
 
-/* Adds an object to an occluder, and subtracts its volume from that of the object around it. */
+/* Makes an object a member of an occluder, and subtracts its volume from the enclosing object's. */
 static void add_member(struct ao_shape *shape, const struct object *objects, uint32_t object,
-                       float share)
+                       float fraction)
 {
     if (shape->member_count == AO_MEMBERS)
         return;
     for (uint32_t i = 0; objects && i < shape->member_count; i++) {
         if (objects[object].within == shape->members[i].object + 1)
-            shape->members[i].share -= share;
+            shape->members[i].share -= fraction;
     }
-    shape->members[shape->member_count++] = (struct ao_member){ object, share };
+    shape->members[shape->member_count++] = (struct ao_member){ object, fraction };
 }
 
-static void make_shape(struct ao_shape *shape, struct extent *reaches, const struct object *objects,
+static void make_shape(struct ao_shape *shape, struct extent *extents, const struct object *objects,
                        uint32_t count, uint32_t largest)
 {
-    const struct extent *body = &reaches[largest];
+    const struct extent *body = &extents[largest];
     const vec3s sides = glms_vec3_sub(body->box.max, body->box.min);
     shape->box = body->box;
     for (uint32_t k = 0; k < AO_PLANES; k++)
@@ -129,22 +129,22 @@ static void make_shape(struct ao_shape *shape, struct extent *reaches, const str
     shape->slim = sqrtf(fraction);
     add_member(shape, objects, largest, fminf(body->volume / volume, 1.0f));
     for (uint32_t i = 0; i < count; i++) {
-        if (i == largest || reaches[i].is_assigned || !contains(body, &reaches[i]))
+        if (i == largest || extents[i].is_assigned || !contains(body, &extents[i]))
             continue;
-        reaches[i].is_assigned = true;
-        if (reaches[i].volume > 0.01f * volume)
-            add_member(shape, objects, i, reaches[i].volume / volume);
+        extents[i].is_assigned = true;
+        if (extents[i].volume > 0.01f * volume)
+            add_member(shape, objects, i, extents[i].volume / volume);
     }
-    reaches[largest].is_assigned = true;
+    extents[largest].is_assigned = true;
 }
 
-/* Returns the largest object that is in no occluder yet, or `count` if there is none. */
-static uint32_t find_largest(const struct extent *reaches, uint32_t count)
+/* Returns the largest object without an occluder, or `count` if there is none. */
+static uint32_t find_largest(const struct extent *extents, uint32_t count)
 {
     uint32_t largest = count;
     for (uint32_t i = 0; i < count; i++) {
-        if (!reaches[i].is_assigned &&
-            (largest == count || box_diagonal(reaches[i].box) > box_diagonal(reaches[largest].box)))
+        if (!extents[i].is_assigned &&
+            (largest == count || box_diagonal(extents[i].box) > box_diagonal(extents[largest].box)))
             largest = i;
     }
     return largest;
@@ -155,19 +155,19 @@ enum status ao_find(struct ao *ao, const struct mesh *mesh, const struct object 
 {
     const uint32_t all = count ? count : 1;
     *ao = (struct ao){ 0 };
-    struct extent *reaches = calloc(all, sizeof(*reaches));
-    if (!reaches)
+    struct extent *extents = calloc(all, sizeof(*extents));
+    if (!extents)
         return log_out_of_memory(NULL);
     for (uint32_t i = 0; i < all; i++) {
         const struct mesh part = count ? object_mesh(&objects[i], mesh) : *mesh;
-        reaches[i] = extent_of(&part);
-        reaches[i].is_assigned = part.index_count == 0 || is_flat(&reaches[i]);
+        extents[i] = extent_of(&part);
+        extents[i].is_assigned = part.index_count == 0 || is_flat(&extents[i]);
     }
-    uint32_t largest = find_largest(reaches, all);
+    uint32_t largest = find_largest(extents, all);
     while (largest < all && ao->count < AO_OCCLUDERS_MAX) {
-        make_shape(&ao->shapes[ao->count++], reaches, count ? objects : NULL, all, largest);
-        largest = find_largest(reaches, all);
+        make_shape(&ao->shapes[ao->count++], extents, count ? objects : NULL, all, largest);
+        largest = find_largest(extents, all);
     }
-    free(reaches);
+    free(extents);
     return STATUS_OK;
 }

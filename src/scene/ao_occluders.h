@@ -1,10 +1,10 @@
 /*
  * ao_occluders.h: convex occluders around a scene's objects, for analytic ambient occlusion.
  *
- * Problem: clear objects need contact shadows, but ray casts or screen-space samples per pixel are
- * noisy or miss hidden geometry. A few convex bodies per scene can be integrated in closed form. An
- * occluder is an 18-DOP (the face and edge directions of a cube); objects that are nearly inside it
- * become its members. Flat objects, such as puddles, have no occluder.
+ * Clear objects need contact shadows, but ray casts or screen-space samples per pixel are noisy or
+ * miss hidden geometry. A few convex bodies per scene can be integrated in closed form. An occluder
+ * is an 18-DOP (the face and edge directions of a cube); objects that are nearly inside it become
+ * its members. Flat objects, such as puddles, have no occluder.
  */
 #ifndef FIRN_SCENE_AO_OCCLUDERS_H
 #define FIRN_SCENE_AO_OCCLUDERS_H
@@ -15,29 +15,31 @@
 
 enum {
     AO_PLANES = 18,
-    AO_MEMBERS = 8, /* maximum number of members; more would change little */
+    AO_MEMBERS = 8, /* maximum members; more change little */
 };
 
 struct ao_member {
     uint32_t object;
-    float share; /* fraction of the occluder's volume, without objects inside this one */
+    float share; /* fraction of the occluder's volume, excluding the member's inner objects */
 };
 
-/* A point p is inside if dot(p, planes[i].xyz) <= planes[i].w for all i, in object space. */
+/* Convex body, the intersection of half-spaces: a point p is inside if dot(p, planes[i].xyz) <=
+ * planes[i].w for all i, in object space. */
 struct ao_shape {
     vec4s planes[AO_PLANES]; /* unit normals */
     struct box box;
-    float slim; /* relative width of an equally high box of equal surface area, at most 1 */
+    /* width of an equally high box of equal surface area, relative to the body's; at most 1 */
+    float slim;
     struct ao_member members[AO_MEMBERS];
     uint32_t member_count;
 };
 
 struct ao {
-    struct ao_shape shapes[AO_OCCLUDERS_MAX]; /* in order of decreasing size */
+    struct ao_shape shapes[AO_OCCLUDERS_MAX]; /* occluders by decreasing size */
     uint32_t count;
 };
 
-/* Finds the occluders of all objects; without objects, the whole mesh is one. Logs and returns
+/* Fits occluders to all objects; without objects, one to the whole mesh. Logs and returns
  * STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status ao_find(struct ao *ao, const struct mesh *mesh, const struct object *objects,
                              uint32_t count);

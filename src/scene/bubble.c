@@ -3,7 +3,6 @@
 #include "src/scene/bubble.h"
 #include <math.h>
 
-/* Returns the dot product of `axis` and a vector. */
 static double axis_dot(const struct bubble *bubble, const double v[static 3])
 {
     double sum = 0.0;
@@ -32,8 +31,8 @@ static void to_sphere(const struct bubble *bubble, double v[static 3])
 }
 
 /* Subtracts the nearest point of the bubble's core (a capsule's axis segment, an ellipsoid's
- * centre), and scales ellipsoids to spheres. On the surface the result's length is the radius.
- * Returns the position of the core point along the axis. */
+ * centre), and scales ellipsoids to spheres. The result of a surface point has the bubble's radius
+ * as its length. Returns the core point's coordinate along the axis. */
 static double reduce(const struct bubble *bubble, double v[static 3])
 {
     const double half = (double)bubble->stretch;
@@ -49,14 +48,15 @@ static double reduce(const struct bubble *bubble, double v[static 3])
 struct box bubble_box(const struct bubble *bubble)
 {
     const float radius = bubble->radius;
-    const float reach = radius + bubble->stretch;
+    const float half_length = radius + bubble->stretch;
     struct box box;
     for (int k = 0; k < 3; k++) {
         const float along = bubble->axis.raw[k];
         const float extent =
             bubble->is_capsule
                 ? radius + bubble->stretch * fabsf(along)
-                : sqrtf(radius * radius + (reach * reach - radius * radius) * along * along);
+                : sqrtf(radius * radius +
+                        (half_length * half_length - radius * radius) * along * along);
         box.min.raw[k] = bubble->center.raw[k] - extent;
         box.max.raw[k] = bubble->center.raw[k] + extent;
     }

@@ -1,7 +1,5 @@
-/*
- * bubble.h: a bubble: a sphere, an ellipsoid of revolution, or a capsule (all points within its
- * radius of a segment of its axis). All are convex.
- */
+/* bubble.h: air bubble: a sphere, an ellipsoid of revolution, or a capsule (all points within its
+ * radius of an axis segment). All are convex. */
 #ifndef FIRN_SCENE_BUBBLE_H
 #define FIRN_SCENE_BUBBLE_H
 
@@ -9,10 +7,11 @@
 
 struct bubble {
     vec3s center;
-    float radius;    /* radius across the axis, metres */
-    float stretch;   /* half-length along the axis minus radius, metres; negative if oblate */
-    vec3s axis;      /* unit; may be {0} for a sphere */
-    bool is_capsule; /* a capsule, whose `stretch` is not negative; if false, an ellipsoid */
+    float radius; /* radius across the axis, metres */
+    /* half-length along the axis minus radius, metres; negative for an oblate bubble */
+    float stretch;
+    vec3s axis;      /* unit axis; may be {0} for a sphere */
+    bool is_capsule; /* true for a capsule (stretch >= 0) */
 };
 
 static inline bool bubble_is_sphere(const struct bubble *bubble)
@@ -22,10 +21,9 @@ static inline bool bubble_is_sphere(const struct bubble *bubble)
 
 struct box bubble_box(const struct bubble *bubble);
 
-/* Returns true if a point is inside. */
 bool bubble_contains(const struct bubble *bubble, vec3s point);
 
-/* Finds the two intersections of a ray's line with a bubble, in lengths of `dir`; they may be
+/* Intersects the line of a ray with a bubble. The two distances are in lengths of `dir`, and may be
  * negative. Returns false if it misses. */
 bool bubble_intersect(const struct bubble *bubble, vec3s origin, vec3s dir, double at[static 2]);
 

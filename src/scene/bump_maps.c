@@ -35,7 +35,7 @@ static vec2s corner(const struct lattice *lattice, uint32_t x, uint32_t y)
     return lattice->corners[y % lattice->period][x % lattice->period];
 }
 
-/* Consecutive texels of a row within one lattice cell. */
+/* Consecutive texels of a texture row within one lattice cell. */
 struct span {
     uint32_t x, y;         /* cell coordinates */
     uint32_t first, count; /* first texel's x, and number of texels */
@@ -61,7 +61,7 @@ static float fade(float t)
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/* Gradient noise (Perlin 2002), about -1 to 1, one feature per cell. */
+/* Fills values with gradient noise (Perlin 2002), about -1 to 1, one feature per cell. */
 static void gradient_noise(const struct lattice *lattice, const struct span *span, float *values)
 {
     const vec2s upper[2] = { corner(lattice, span->x, span->y),
@@ -80,8 +80,8 @@ static void gradient_noise(const struct lattice *lattice, const struct span *spa
     }
 }
 
-/* Smoothed cellular noise: squared distance to the nearest feature point, about 0 to 1. Looks like
- * adjacent bowls with rounded ridges. */
+/* Fills values with smoothed cellular noise: the squared distance to the nearest feature point,
+ * about 0 to 1. It looks like adjacent bowls with rounded ridges. */
 static void cellular_noise(const struct lattice *lattice, const struct span *span, float *values)
 {
     memset(values, 0, span->count * sizeof(*values));
@@ -100,7 +100,7 @@ static void cellular_noise(const struct lattice *lattice, const struct span *spa
         values[i] = 1 / sqrtf(sqrtf(values[i]));
 }
 
-/* Evaluates a noise field at all texels of a run. */
+/* Evaluates a noise field at all texels of a span. */
 typedef void field_fn(const struct lattice *lattice, const struct span *span, float *values);
 
 /* Adds a scaled noise field to a tile of heights. */
@@ -135,7 +135,7 @@ static void write_slopes(uint16_t *texels, const float *heights)
     double sum = 0;
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
         sum += (double)glms_vec2_norm2(slope(heights, i % SIZE, i / SIZE));
-    float scale = sum > 0 ? (float)sqrt(SIZE * SIZE / sum) : 0; /* heights may be constant */
+    float scale = sum > 0 ? (float)sqrt(SIZE * SIZE / sum) : 0; /* sum is 0 for constant heights */
     for (uint32_t i = 0; i < SIZE * SIZE; i++) {
         vec2s s = glms_vec2_scale(slope(heights, i % SIZE, i / SIZE), scale);
         texels[4 * i + 0] = half_from_float(s.x);
@@ -143,7 +143,7 @@ static void write_slopes(uint16_t *texels, const float *heights)
     }
 }
 
-/* Returns the quantile of a field at a fraction, by a histogram over the range -2 to 2. */
+/* Returns the value below which a fraction of a field lies, by a histogram over -2 to 2. */
 static float quantile(const float *field, float fraction)
 {
     uint32_t counts[4096] = { 0 };
@@ -161,13 +161,13 @@ static uint16_t to_unit_half(float x)
     return half_from_float(glm_clamp(x, 0, 1));
 }
 
-/* Writes smoothness: 1 where the field is low, with a gradual transition to 0. */
+/* Writes smoothness: 1 where the field is below its quantile, with a gradual transition to 0. */
 static void write_smoothness(uint16_t *texels, const float *field, float fraction)
 {
     const float width = 0.25F;
-    float middle = quantile(field, fraction);
+    float threshold = quantile(field, fraction);
     for (uint32_t i = 0; i < SIZE * SIZE; i++) {
-        float t = glm_clamp((middle - field[i]) / width + 0.5F, 0, 1);
+        float t = glm_clamp((threshold - field[i]) / width + 0.5F, 0, 1);
         texels[4 * i + 2] = to_unit_half(fraction <= 0   ? 0
                                          : fraction >= 1 ? 1
                                                          : t * t * (3 - 2 * t));

@@ -103,7 +103,8 @@ static void find_program_folder(char *folder, size_t size)
     folder[slash ? slash + 1 - folder : 0] = '\0';
 }
 
-/* Returns the path "AB/FILE" if the file exists, else NULL. Sets *lacks_memory if out of memory. */
+/* Returns the path "AB/FILE", which the caller frees, or NULL if there is no such file. Sets
+ * *lacks_memory when out of memory. */
 static char *join_if_exists(const char *a, const char *b, const char *file, bool *lacks_memory)
 {
     const size_t size = strlen(a) + strlen(b) + strlen(file) + 2;
@@ -121,7 +122,7 @@ static char *join_if_exists(const char *a, const char *b, const char *file, bool
 
 static const char *const folders[] = { "../share/firn", "assets" };
 
-/* Returns the path, which the caller frees, or NULL. */
+/* Returns the path of an asset's file, which the caller frees, or NULL if it is not found. */
 static char *find_path(const struct asset *asset, const char *program, bool *lacks_memory)
 {
     const char *from_variable = getenv("FIRN_ASSETS");

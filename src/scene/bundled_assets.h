@@ -13,7 +13,7 @@
 enum asset_kind {
     ASSET_SCENE,
     ASSET_ENVIRONMENT,
-    ASSET_SHEET, /* images made by `firn sheet`, shown in the window's panel */
+    ASSET_SHEET, /* images of `firn sheet`, for the window */
 };
 
 enum {
@@ -21,17 +21,17 @@ enum {
 };
 
 struct asset {
-    const char *name; /* contains no dot or slash, so that "./NAME" is always a file */
+    const char *name; /* asset name without dots or slashes, so that "./NAME" always means a file */
     const char *file; /* file name in the assets folder */
     enum asset_kind kind;
-    const char *environment; /* default environment of a scene; NULL for the sky */
-    const char *settings[ASSET_SETTING_COUNT]; /* default settings of a scene, "name=value" */
+    const char *environment;                   /* default environment; NULL for the sky */
+    const char *settings[ASSET_SETTING_COUNT]; /* a scene's default settings, "name=value" */
     const char *help;
 };
 
 extern const struct asset assets[]; /* terminated by a zero entry */
 
-/* Returns true if the asset's file exists; also false when out of memory. */
+/* Returns true if the asset's file exists; false when out of memory. */
 bool asset_exists(const struct asset *asset);
 
 /* Returns the asset of this name and kind, or NULL. */
@@ -40,10 +40,8 @@ const struct asset *asset_find(const char *name, enum asset_kind kind);
 /* Returns true if an environment name means the built-in landscape: "valley" or "sky". */
 bool asset_is_valley(const char *name);
 
-/*
- * Finds an asset's file. The caller frees *path, which is NULL on failure. Logs and returns
- * STATUS_NO_INPUT if the file does not exist, or STATUS_TRY_AGAIN when out of memory.
- */
+/* Finds an asset's file. The caller frees *path, which is NULL on failure. Logs and returns
+ * STATUS_NO_INPUT if the file does not exist, or STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status asset_locate(const struct asset *asset, char **path);
 
 #endif

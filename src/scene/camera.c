@@ -41,8 +41,8 @@ static void set_row(mat4s *matrix, int row, vec3s v, float w)
     matrix->raw[3][row] = w;
 }
 
-/* Returns a projection. With p = point - eye: x = right.p, y = down.p, w = forward.p, depth = near
- * / w. */
+/* Returns a clip matrix: with p = point - eye, (x, y, z, w) = (right.p, down.p, near, forward.p).
+ */
 static mat4s projection(vec3s right, vec3s down, vec3s forward, vec3s eye, float near)
 {
     mat4s clip_from_world = { 0 };
@@ -58,7 +58,7 @@ float camera_half_height(const struct camera *camera)
     return camera->height > 0 ? camera->height / 2 : tanf(glm_rad(camera->fov_deg) / 2);
 }
 
-/* Returns an orthographic projection; depth is (far - distance) / (far - near). */
+/* Returns an orthographic projection, with depth (far - distance) / (far - near). */
 static mat4s orthographic_projection(const struct camera *camera, float aspect, float near,
                                      vec2s jitter)
 {
@@ -87,7 +87,7 @@ mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32
     float scale_x = scale_y * (float)height / (float)width;
     vec3s right = glms_vec3_scale(basis.right, scale_x);
     vec3s down = glms_vec3_scale(basis.up, -scale_y);
-    /* adding a multiple of w to x and y shifts the image after the perspective division */
+    /* Adds a multiple of w to x and y, which shifts the image after the perspective division. */
     right = glms_vec3_muladds(basis.forward, -2 * jitter.x / (float)width, right);
     down = glms_vec3_muladds(basis.forward, -2 * jitter.y / (float)height, down);
     return projection(right, down, basis.forward, camera->eye, near);

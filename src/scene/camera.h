@@ -1,9 +1,9 @@
 /*
  * camera.h: camera of a view, and its matrices.
  *
- * World: right-handed, +Y up, metres. Clip space: Vulkan's (y down), with reversed depth and no far
- * plane: 1 at the near plane, 0 at infinity, which preserves the precision of a float depth buffer.
- * Orthographic: w is 1, and depth is linear, 1 at the near plane and 0 at `depth`.
+ * World space: right-handed, +Y up, metres. Clip space: Vulkan's (y down), with reversed depth and
+ * no far plane: 1 at the near plane, 0 at infinity, which preserves the precision of a float depth
+ * buffer. Orthographic: w is 1, and depth is linear, 1 at the near plane and 0 at `depth`.
  */
 #ifndef FIRN_SCENE_CAMERA_H
 #define FIRN_SCENE_CAMERA_H
@@ -15,10 +15,10 @@
 struct camera {
     vec3s eye;
     vec3s target;  /* must differ from eye */
-    vec3s up;      /* {0} means +Y; need not be perpendicular to the view direction */
+    vec3s up;      /* up vector; {0} for +Y; need not be perpendicular to the view direction */
     float fov_deg; /* vertical field of view, degrees, in (0, 180) */
     float height;  /* height of an orthographic view, metres; 0 for perspective */
-    float depth;   /* depth range of an orthographic view, metres from the eye, above 0 */
+    float depth;   /* orthographic depth range from the eye, metres */
 };
 
 /* Orthonormal axes of a view. */
@@ -26,13 +26,11 @@ struct camera_basis {
     vec3s right, up, forward;
 };
 
-/* Returns the axes of a camera. If it looks along `up`, another up vector is chosen. */
+/* Returns the axes of a camera. Replaces an `up` that is parallel to the view direction. */
 struct camera_basis camera_basis(const struct camera *camera);
 
-/*
- * Returns clip_from_world for an image of width x height pixels. `near` is in metres. `jitter`
- * shifts the sample positions in pixels, x right and y down.
- */
+/* Returns clip_from_world for an image of width x height pixels. `near` is in metres. `jitter`
+ * shifts the sample positions in pixels, x right and y down. */
 mat4s camera_clip_from_world(const struct camera *camera, uint32_t width, uint32_t height,
                              float near, vec2s jitter);
 
@@ -43,25 +41,21 @@ float camera_half_height(const struct camera *camera);
  * EXR's worldToCamera is its transpose, because EXR multiplies row vectors. */
 mat4s camera_view_from_world(const struct camera *camera);
 
-/*
- * Returns clip_from_world for one face of a cube map centred at `center`, with a field of view of
+/* Returns clip_from_world for one face of a cube map centred at `center`, with a field of view of
  * 90 degrees. Faces have Vulkan's order +X -X +Y -Y +Z -Z and orientation (Vulkan 1.3, 16.5.4 "Cube
- * Map Face Selection"). `near` is in metres.
- */
+ * Map Face Selection"). `near` is in metres. */
 mat4s camera_cube_clip_from_world(uint32_t face, vec3s center, float near);
 
 /* Returns the axes of a cube map face: `right` and `up` as stored in the image (+s and -t). A cube
- * map is seen from inside, so it is mirrored: right x up is `forward`, and the screen winding is
- * reversed. */
+ * map is seen from inside, so right x up is `forward`, and the screen winding is reversed. */
 struct camera_basis camera_cube_basis(uint32_t face);
 
-/* Returns a camera that orbits `target` at `distance` metres. Azimuth 0 is +Z, 90 +X; elevation 90
- * is +Y. */
+/* Returns a camera at `distance` metres from `target`. Azimuth 0: +Z, 90: +X; elevation 90: +Y. */
 struct camera camera_orbit(float azimuth_deg, float elevation_deg, float distance, vec3s target,
                            float fov_deg);
 
 /* Returns the distance at which the bounding sphere of a box with this diagonal, metres, nearly
- * fills the smaller side of the image. */
+ * fills the smaller dimension of the image. */
 float camera_framing_distance(float diagonal, float fov_deg, uint32_t width, uint32_t height);
 
 #endif

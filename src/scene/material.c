@@ -1,8 +1,5 @@
-/*
- * material.c: glTF's default material, and the table of refractive index presets.
- *
- * Indices: Fernando and Kilgard 2003, The Cg Tutorial, table 7-1; ice: Seipel, Nivfors 2006.
- */
+/* material.c: glTF's default material, and the table of refractive index presets (Fernando and
+ * Kilgard 2003, The Cg Tutorial, table 7-1; ice: Seipel, Nivfors 2006). */
 #include "src/scene/material.h"
 #include <cglm/struct.h>
 #include <float.h>
@@ -68,7 +65,7 @@ bool material_clamp(struct material *m)
 {
     const float color_max = m->flags & MATERIAL_IS_UNLIT ? 65504.0f : 1.0f;
     bool has_changed = clamp_surface(m);
-    if (isinf(m->attenuation_distance)) /* glTF's default: a clear medium */
+    if (isinf(m->attenuation_distance)) /* infinity is glTF's default: a clear medium */
         m->attenuation_distance = 0.0f;
     for (int k = 0; k < 3; k++) {
         has_changed |= clamp(&m->base_color.raw[k], 0.0f, color_max, 1.0f);
@@ -86,7 +83,7 @@ bool material_clamp(struct material *m)
 
 vec3s material_absorption(const struct material *m)
 {
-    const float color_min = 1e-12f; /* avoids log(0): black attenuation leaves almost nothing */
+    const float color_min = 1e-12f; /* avoids log(0): black attenuation transmits almost nothing */
     vec3s absorption = glms_vec3_zero();
     for (int k = 0; k < 3 && m->attenuation_distance > 0.0f; k++)
         absorption.raw[k] =

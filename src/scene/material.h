@@ -7,21 +7,22 @@
 #include <stdint.h>
 
 enum {
-    MATERIAL_NAME_SIZE = 64, /* bytes of a name, terminator included; longer ones are truncated */
+    /* size of a name in bytes, terminator included; longer ones are truncated */
+    MATERIAL_NAME_SIZE = 64,
 };
 
 #define MATERIAL_SCATTERING_MAX 1000.0f
 
 /* Bits of material.flags. */
 enum {
-    MATERIAL_FROM_SETTINGS = 1, /* without a file's material: the settings define it */
-    MATERIAL_HAS_IOR = 2, /* the file sets the refractive index; else it is the format's default */
-    MATERIAL_HAS_PRIORITY = 4, /* the file sets the priority */
-    MATERIAL_IS_CUTOUT = 8,    /* alpha mask: alpha below the cutoff is a hole */
-    MATERIAL_IS_UNLIT = 16,    /* the base colour is emitted radiance */
-    MATERIAL_IS_BLENDED = 32,  /* alpha is the fraction of light that the surface reflects */
+    MATERIAL_FROM_SETTINGS = 1, /* the settings define the material, not the file */
+    MATERIAL_HAS_IOR = 2,       /* the file sets the refractive index */
+    MATERIAL_HAS_PRIORITY = 4,  /* the file sets the priority */
+    MATERIAL_IS_CUTOUT = 8,     /* alpha mask: hole below the cutoff */
+    MATERIAL_IS_UNLIT = 16,     /* the base colour is emitted radiance */
+    MATERIAL_IS_BLENDED = 32,   /* alpha is the fraction of light that the surface reflects */
     MATERIAL_IS_TWO_SIDED = 64,
-    MATERIAL_IS_LEGACY = 128, /* the file's index is 0: the specular colour is the reflectance */
+    MATERIAL_IS_LEGACY = 128, /* refractive index 0 (legacy): reflectance is the specular colour */
     MATERIAL_IS_WATER_LAYER = 256, /* water layer on an opaque base with colour and normal map */
     MATERIAL_FLAGS = 511,
 };
@@ -30,7 +31,7 @@ enum {
 enum material_texture_use {
     MATERIAL_BASE_COLOR,         /* rgb: base_color; a: alpha */
     MATERIAL_METALLIC_ROUGHNESS, /* b: metallic; g: roughness */
-    MATERIAL_NORMAL,             /* rgb: normal, 0 to 1 for -1 to 1 */
+    MATERIAL_NORMAL,             /* rgb: normal */
     MATERIAL_OCCLUSION,          /* r */
     MATERIAL_EMISSION,           /* rgb: emission */
     MATERIAL_TRANSMISSION,       /* r: transmission */
@@ -40,7 +41,7 @@ enum material_texture_use {
     MATERIAL_TEXTURE_COUNT,
 };
 
-/* Returns true if textures of this use hold colours, which are sRGB. Other textures are linear. */
+/* Returns true if textures of this use hold sRGB colours. Other textures are linear. */
 static inline bool material_texture_is_color(enum material_texture_use use)
 {
     return use == MATERIAL_BASE_COLOR || use == MATERIAL_EMISSION || use == MATERIAL_SPECULAR_COLOR;
@@ -54,39 +55,37 @@ enum material_wrap {
     MATERIAL_WRAP_COUNT,
 };
 
-/* A texture and its transform. Colour textures are sRGB, others linear. */
+/* Texture and its transform. Colour textures are sRGB, others linear. */
 struct material_texture {
-    uint32_t layer; /* layer of model.textures or model.numbers (no colours), + 1; 0: none */
+    uint32_t layer; /* texture layer + 1: of model.textures (colours) or model.numbers; 0: none */
     uint32_t wrap_u, wrap_v; /* enum material_wrap */
-    uint32_t uv_set;         /* 0: mesh_vertex.uv; 1: mesh_extra.uv */
-    vec3s u_row, v_row;      /* rows of the transform, multiplied by (u, v, 1) */
+    uint32_t uv_set;         /* texture coordinates: 0 for mesh_vertex.uv, 1 for mesh_extra.uv */
+    vec3s u_row, v_row;      /* transform rows, multiplied by (u, v, 1) */
 };
 
-/*
- * Material as in glTF 2.0 with KHR_materials_transmission, _volume, _ior, _dispersion, _specular
+/* Material as in glTF 2.0 with KHR_materials_transmission, _volume, _ior, _dispersion, _specular
  * and _emissive_strength. A transmissive material bounds a medium that transmits attenuation_color
- * ^ (length / attenuation_distance) per channel.
- */
+ * ^ (length / attenuation_distance) per channel. */
 struct material {
     char name[MATERIAL_NAME_SIZE];
     uint32_t flags;
-    vec3s base_color;   /* linear; tints the light that a transmissive surface transmits */
-    float roughness;    /* 0 to 1; its square is GGX's alpha */
+    vec3s base_color;   /* linear; tints transmitted light */
+    float roughness;    /* roughness, the square root of GGX alpha */
     float transmission; /* fraction of the non-reflected light that is transmitted; 0 if opaque */
-    float thickness;    /* 0 for a thin wall, with the same medium on both sides */
+    float thickness;    /* volume thickness; 0 for a thin wall, with one medium on both sides */
     float ior;          /* refractive index, 1 to 4 */
-    float dispersion;   /* 20 / Abbe number, 0 to 10 */
-    vec3s attenuation_color;    /* 0 to 1 */
+    float dispersion;   /* dispersion: 20 / Abbe number, 0 to 10 */
+    vec3s attenuation_color;    /* colour after attenuation_distance, 0 to 1 */
     float attenuation_distance; /* metres; 0 for a clear medium */
-    float cloud; /* scattering optical depth across the object where it is densest; 0 if clear */
-    int32_t priority; /* of overlapping media, the one with the greatest priority fills the space */
-    float metallic;   /* 0 to 1; glTF's default is 1, other formats' 0 */
-    float alpha;      /* 0 to 1 */
-    float alpha_cutoff;       /* alpha mask: lower alpha is a hole; 0 to 1 */
-    vec3s emission;           /* emitted radiance, strength included, 0 to 65504 */
-    float normal_scale;       /* scale of the normal map's x and y; within 65504 */
+    float cloud; /* scattering optical depth across the object, at maximum density; 0 if clear */
+    int32_t priority;   /* of overlapping media, that of the highest priority fills the space */
+    float metallic;     /* metallic factor, 0 to 1; glTF's default is 1 */
+    float alpha;        /* 0 to 1 */
+    float alpha_cutoff; /* alpha mask: alpha below the cutoff is a hole; 0 to 1 */
+    vec3s emission;     /* emitted radiance, strength included, 0 to 65504 */
+    float normal_scale; /* factor on the normal map's x and y, within 65504 */
     float occlusion_strength; /* 0 to 1 */
-    float specular;           /* strength of dielectric specular reflection, 0 to 1 */
+    float specular;           /* dielectric specular strength, 0 to 1 */
     vec3s specular_color;     /* colour of specular reflection at normal incidence, 0 to 65504 */
     struct material_texture textures[MATERIAL_TEXTURE_COUNT];
 };
@@ -107,7 +106,7 @@ vec3s material_absorption(const struct material *material);
 /* Preset of a transparent medium, named by --material. */
 struct material_preset {
     const char *name;
-    float ior; /* refractive index */
+    float ior;
     const char *help;
 };
 

@@ -1,5 +1,4 @@
-/* material_override.h: material overrides: user-defined materials (--material) for nodes of a
- * model. */
+/* material_override.h: overrides (--material) of the materials of a model's nodes. */
 #ifndef FIRN_SCENE_MATERIAL_OVERRIDE_H
 #define FIRN_SCENE_MATERIAL_OVERRIDE_H
 
@@ -8,17 +7,15 @@
 struct material_override {
     const char *words;             /* text of the option, "NODE=glass,ior=1.52"; borrowed */
     char name[MATERIAL_NAME_SIZE]; /* name of a mesh node, else of a material */
-    struct material material;      /* a transmissive material */
+    struct material material;
 };
 
-/* Returns the names as struct model_pose needs them, malloc'd, or NULL when out of memory. */
+/* Returns the names in the format of model_pose.objects, malloc'd, or NULL when out of memory. */
 char *material_override_names(const struct material_override *all, uint32_t count);
 
-/*
- * Assigns materials to a model's objects by name; later entries win. The first object's index
+/* Assigns materials to a model's objects by name; later overrides win. The first object's index
  * becomes the model's. Names without a match are ignored. Logs and returns STATUS_DATA for too many
- * materials, or STATUS_TRY_AGAIN when out of memory.
- */
+ * materials, or STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status material_override_apply(struct model *model,
                                              const struct material_override *all, uint32_t count);
 

@@ -1,4 +1,4 @@
-/* material_table.c: GPU table of materials: one row of texels for each. */
+/* material_table.c: GPU table of materials, one row of texels each. */
 #include "src/scene/material_table.h"
 #include <cglm/struct.h>
 #include <stdlib.h>
@@ -48,8 +48,8 @@ static int kind_of(const struct material *m)
     return m->flags & MATERIAL_IS_BLENDED ? MATERIAL_KIND_BLENDED : MATERIAL_KIND_OPAQUE;
 }
 
-/* Writes a texture's transform, layer and wrapping. Vertex uv already include that of the base
- * colour. */
+/* Writes a texture's transform, layer and wrapping. Vertex uv include the base colour's transform.
+ */
 static void write_texture(vec4s *texels, const struct material_texture *texture)
 {
     texels[0] = glms_vec4(texture->u_row, (float)texture->layer);
@@ -147,7 +147,7 @@ bool material_table_needs_full_shading(const struct model *model)
 }
 
 /* Returns true if a surface may be smooth enough for screen-space reflections. A roughness texture
- * may make parts of it smooth. */
+ * may make parts of a rough surface smooth. */
 static bool is_reflective(const struct material *m)
 {
     const bool is_even = m->textures[MATERIAL_METALLIC_ROUGHNESS].layer == 0;

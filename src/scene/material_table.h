@@ -7,25 +7,25 @@
 /* Returns a dielectric's reflectance at normal incidence (F0), without textures; not clamped. */
 vec3s material_f0(const struct material *material);
 
-/* Returns the GPU table: a row for vertices without a material, then one for each material. The
- * caller frees it. NULL when out of memory. */
+/* Returns the GPU table, which the caller frees: a row for vertices without a material, then one
+ * for each material. Returns NULL when out of memory. */
 vec4s *material_table_make(const struct model *model);
 
-/* Returns the texture uses that occur: bit i for enum material_texture_use i. */
+/* Returns the texture uses in a model: bit i for enum material_texture_use i. */
 uint32_t material_table_uses(const struct model *model);
 
 /* Returns true if any material is alpha-masked or blended. */
 bool material_table_has_holes(const struct model *model);
 
 /* Returns the GPU table of a mesh's vertex extras (shaders/mesh_layout.h), in rows of
- * MESH_EXTRA_WIDTH texels. The caller frees it. NULL if there are none, or when out of memory. */
+ * MESH_EXTRA_WIDTH texels, which the caller frees; NULL if there are none, or when out of memory.
+ */
 vec4s *material_table_make_extras(const struct mesh *mesh);
 
 /* Returns true if any vertex is lit, that is, not MESH_UNLIT. */
 bool material_table_has_lit(const struct mesh *mesh);
 
-/* Returns true if a surface of the surroundings may be smooth enough for screen-space reflections.
- */
+/* Returns true if any surroundings surface may be smooth enough for screen-space reflections. */
 bool material_table_has_reflective(const struct model *model);
 
 /* Returns true if a material of the surroundings needs more than a repeating diffuse texture. */

@@ -11,7 +11,7 @@ size_t mip_levels_count(const struct mip_levels *mip_levels)
     return count;
 }
 
-/* Writes the mean of four texel values to the index `to`. */
+/* Writes the mean of four texels to index `to`. */
 typedef void mean_fn(void *texels, size_t to, const size_t from[4]);
 
 static void fill_levels(void *texels, const struct mip_levels *mip_levels, mean_fn *mean)

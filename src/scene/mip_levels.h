@@ -1,10 +1,6 @@
-/*
- * mip_levels.h: mip levels of square images, generated on the CPU.
- *
- * The CPU avoids shader compilation before the first frame, and rounds equally everywhere.
- *
- * Memory layout: levels from `side` texels down to one, each with all array layers.
- */
+/* mip_levels.h: mip levels of square images, generated on the CPU, which avoids shader compilation
+ * before the first frame, and rounds equally everywhere. Memory layout: levels from `side` texels
+ * down to one, each with all array layers. */
 #ifndef FIRN_SCENE_MIP_LEVELS_H
 #define FIRN_SCENE_MIP_LEVELS_H
 
@@ -12,9 +8,9 @@
 #include <stdint.h>
 
 struct mip_levels {
-    uint32_t side;     /* width and height of the first level, texels; a power of two */
-    uint32_t layers;   /* array layers */
-    uint32_t channels; /* channels per texel */
+    uint32_t side; /* width and height of the finest level, a power of two */
+    uint32_t layers;
+    uint32_t channels;
 };
 
 /* Returns the number of values in all levels. */

@@ -7,9 +7,10 @@
 
 /* Transform about the model's origin, applied in the order of the members; {0} is the identity. */
 struct model_transform {
-    bool is_z_up;     /* converts Z-up to Y-up: +Z becomes +Y, and +Y becomes -Z */
-    vec3s rotate_deg; /* degrees about X, then Y, then Z; counterclockwise seen from +axis */
-    float scale;      /* scale factor; 0 means 1 */
+    bool is_z_up; /* converts Z-up to Y-up: +Z becomes +Y, and +Y becomes -Z */
+    /* rotation in degrees about X, then Y, then Z; counterclockwise seen from +axis */
+    vec3s rotate_deg;
+    float scale; /* scale factor; 0 means 1 */
 };
 
 /* Transforms the meshes, cameras, lights (without their intensities) and the bounding box of a

@@ -1,9 +1,6 @@
-/*
- * object.c: medium priorities (ranks) of overlapping objects, and inside tests.
- *
- * Overlapping media follow the priority scheme of Schmidt and Budge 2002, Simple nested dielectrics
- * in ray traced images: the object with the highest rank fills the common space.
- */
+/* object.c: medium priorities (ranks) of overlapping objects, and inside tests. Overlapping media
+ * follow the priority scheme of Schmidt and Budge 2002, Simple nested dielectrics in ray traced
+ * images: the object with the highest rank fills the common space. */
 #include "src/scene/object.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -12,13 +9,14 @@
 #include "src/base/log.h"
 #include "src/scene/geometry/closed_mesh.h"
 
-/* An object during ranking. */
+/* Object during ranking. */
 struct ranked {
     uint32_t object;
-    int64_t priority;        /* priority from the file; INT64_MIN if there is none */
-    uint32_t depth;          /* number of enclosing shells */
-    uint32_t container_rank; /* index of the innermost enclosing shell, + 1; 0 for none */
-    uint32_t within;         /* like `holder`, but counts shells whose cavity contains the object */
+    int64_t priority;        /* priority from the file; INT64_MIN without one */
+    uint32_t depth;          /* number of enclosing objects */
+    uint32_t container_rank; /* index of the innermost enclosing object, + 1; 0 for none */
+    /* like container_rank, but also counts objects whose cavity contains this one */
+    uint32_t within;
 };
 
 struct mesh object_mesh(const struct object *object, const struct mesh *mesh)
@@ -43,12 +41,12 @@ struct box object_box(const struct object *object, const struct mesh *mesh)
     return box;
 }
 
-/* Returns true if all corners of `part` satisfy `contains` for the shell. */
-static bool all_inside(const struct closed_mesh *shell, const struct mesh *part,
-                       bool (*contains)(const struct closed_mesh *shell, vec3s point))
+/* Returns true if all corners of `part` satisfy `contains` for the closed mesh. */
+static bool all_inside(const struct closed_mesh *container, const struct mesh *part,
+                       bool (*contains)(const struct closed_mesh *container, vec3s point))
 {
     for (uint32_t i = 0; i < part->index_count; i++) {
-        if (!contains(shell, part->vertices[part->indices[i]].position))
+        if (!contains(container, part->vertices[part->indices[i]].position))
             return false;
     }
     return true;
@@ -61,17 +59,17 @@ static void update_innermost(const struct object *objects, uint32_t k, uint32_t 
         *innermost = k + 1;
 }
 
-/* Records that object `k` encloses others. Returns false when out of memory. */
+/* Records the objects that object `k` encloses. Returns false when out of memory. */
 static bool record_enclosed(struct ranked *ranking, const struct object *objects, uint32_t count,
                             const struct mesh *mesh, uint32_t k)
 {
-    const struct mesh shell = object_mesh(&objects[k], mesh);
+    const struct mesh container = object_mesh(&objects[k], mesh);
     struct closed_mesh closed_mesh = { 0 };
     bool is_made = false;
     for (uint32_t i = 0; i < count; i++) {
         if (i == k || !box_contains(&objects[k].box, &objects[i].box))
             continue;
-        if (!is_made && !closed_mesh_init(&closed_mesh, &shell))
+        if (!is_made && !closed_mesh_init(&closed_mesh, &container))
             return false;
         is_made = true;
         const struct mesh part = object_mesh(&objects[i], mesh);
@@ -152,7 +150,7 @@ bool object_is_closed(const struct object *object, const struct mesh *mesh)
     return left <= 1e-4 * all;
 }
 
-/* Returns the signed angle in steradians that a triangle subtends at the origin (van Oosterom and
+/* Returns the signed solid angle, in steradians, of a triangle at the origin (van Oosterom and
  * Strackee 1983), positive from behind. */
 static double solid_angle(vec3s a, vec3s b, vec3s c)
 {
@@ -175,7 +173,7 @@ bool object_contains(const struct object *object, const struct mesh *mesh, vec3s
         }
         sum += solid_angle(to[0], to[1], to[2]);
     }
-    return sum > 6.2831853; /* more than half the sphere, for shells that are not quite closed */
+    return sum > 6.2831853; /* half the sphere tolerates small holes */
 }
 
 const struct object *object_of_index(const struct object *objects, uint32_t count, uint32_t index)

@@ -1,5 +1,4 @@
-/* object.h: refractive objects of a scene, and the rank that decides which medium fills an overlap.
- */
+/* object.h: refractive objects of a scene, and the rank that decides which fills an overlap. */
 #ifndef FIRN_SCENE_OBJECT_H
 #define FIRN_SCENE_OBJECT_H
 
@@ -7,20 +6,16 @@
 #include "src/scene/geometry/mesh.h"
 #include "src/scene/material.h"
 
-/*
- * Closed shell that bounds a medium: a model node with a transmissive material. Its triangles are a
- * range of the mesh of all objects.
- */
+/* Closed mesh that bounds a medium: a model node with a transmissive material. Its triangles are a
+ * range of the mesh of all objects. */
 struct object {
-    char name[MATERIAL_NAME_SIZE]; /* name of the node; "" if it has none */
+    char name[MATERIAL_NAME_SIZE]; /* name of the node; "" if it is unnamed */
     uint32_t first_index, index_count;
     uint32_t material; /* index into the model's materials */
     struct box box;    /* bounding box of the triangles; set with the rank */
-    uint32_t rank;     /* unique medium priority: where shells overlap, the highest wins; not 0 */
-    uint32_t
-        /* rank of the innermost shell whose medium encloses this shell; 0 for none */
-        container_rank;
-    uint32_t within; /* 1 + index of the innermost object around it or its cavity; 0: none */
+    uint32_t rank;     /* unique medium priority, not 0: where objects overlap, the highest wins */
+    uint32_t container_rank; /* rank of the innermost object whose medium encloses it; or 0 */
+    uint32_t within; /* 1 + index of the innermost object around this one or its cavity; 0: none */
 };
 
 /* Returns a mesh of the object's triangles that borrows the arrays of the mesh of all objects. */
@@ -29,21 +24,19 @@ struct mesh object_mesh(const struct object *object, const struct mesh *mesh);
 /* Returns the bounding box of an object's triangles. */
 struct box object_box(const struct object *object, const struct mesh *mesh);
 
-/*
- * Sets the boxes and ranks of all objects. An object with a priority from the file outranks one
- * without, and a higher priority a lower one. Otherwise, an enclosed shell outranks the enclosing
- * one, and else the later object wins. Logs and returns STATUS_TRY_AGAIN when out of memory.
- */
+/* Sets the boxes and ranks of all objects. An object with a priority from the file outranks one
+ * without, and a higher priority a lower one. Otherwise, an enclosed object outranks the enclosing
+ * one, and else the later object wins. Logs and returns STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status object_assign_ranks(struct object *objects, uint32_t count,
                                          const struct mesh *mesh, const struct material *materials);
 
 /* Returns the index of the outermost object around object `index`, or `index` itself. */
 uint32_t object_outermost(const struct object *objects, uint32_t index);
 
-/* Returns true if an object's area vectors sum to zero, as in a closed shell. */
+/* Returns true if an object's area vectors sum to zero, as those of a closed surface do. */
 bool object_is_closed(const struct object *object, const struct mesh *mesh);
 
-/* Returns true if a point is inside a shell, by solid angles; tolerates small holes. */
+/* Returns true if a point is inside an object, by solid angles; tolerates small holes. */
 bool object_contains(const struct object *object, const struct mesh *mesh, vec3s point);
 
 /* Returns the object that owns the triangle whose first index is `index`. */

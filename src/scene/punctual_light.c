@@ -16,7 +16,7 @@ const char *punctual_light_kind_name(const struct light *light)
     return names[light->kind];
 }
 
-/* Returns false for NaN. */
+/* Returns true if a value is in a range; false for NaN. */
 static bool is_in_range(float value, float min, float max)
 {
     return value >= min && value <= max;
@@ -46,7 +46,7 @@ vec4s *punctual_light_table_make(const struct light *lights, uint32_t count)
         const struct light *m = &lights[i];
         vec4s *row = &rows[(size_t)i * LIT_LIGHT_WIDTH];
         const bool is_spot = m->kind == LIGHT_SPOT;
-        /* Without a spot cone, every direction must be inside: cosines below -1. */
+        /* Sets cosines below -1 without a spot cone, so that every direction is inside. */
         const vec2s cone = { { is_spot ? cosf(m->inner_cone) : -2.0f,
                                is_spot ? cosf(m->outer_cone) : -3.0f } };
         row[LIT_LIGHT_POSITION] =

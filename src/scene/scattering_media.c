@@ -57,7 +57,6 @@ struct clouds scattering_media_find(const struct model *model, bool is_asked)
     return clouds;
 }
 
-/* Returns the triangles of a medium's object. */
 static struct mesh object_triangles(const struct model *model,
                                     const struct scattering_medium *cloud)
 {

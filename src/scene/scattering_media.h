@@ -1,23 +1,18 @@
-/*
- * scattering_media.h: scattering media: density fields of tiny bubbles in ice
- * (shaders/inclusions/medium.h).
- *
- * An object has one if its material or the settings say so. Density grows with depth, since
- * freezing pushes air towards the core.
- */
+/* scattering_media.h: density fields of tiny bubbles in ice (shaders/inclusions/medium.h). An
+ * object has such a scattering medium if its material or the settings specify one. Density grows
+ * with depth, since freezing pushes air towards the core. */
 #ifndef FIRN_SCENE_SCATTERING_MEDIA_H
 #define FIRN_SCENE_SCATTERING_MEDIA_H
 
 #include "src/scene/import/model.h"
 
 enum {
-    SCATTERING_MEDIA_MAX =
-        8, /* maximum per scene; equals TRACE_SCATTERING_MAX of shaders/trace/refract_trace.h */
+    SCATTERING_MEDIA_MAX = 8, /* per scene; equals TRACE_SCATTERING_MAX (refract_trace.h) */
 };
 
 struct scattering_medium {
     uint32_t object;   /* index of the object that contains the medium */
-    float density;     /* material.cloud; 0 if the settings define it */
+    float density;     /* optical depth from material.cloud; 0 for that of the settings */
     struct box box;    /* bounding box of the object, in mesh space, which the texels fill */
     struct box filled; /* bounding box of non-zero density; set by scattering_media_fill() */
 };
@@ -25,10 +20,9 @@ struct scattering_medium {
 struct clouds {
     struct scattering_medium all[SCATTERING_MEDIA_MAX];
     uint32_t count;
-    uint32_t
-        left_out; /* number of objects beyond SCATTERING_MEDIA_MAX, which are rendered as clear */
-    /* for each medium MEDIUM_SIZE texels per axis, x fastest: density, with 255 as the maximum, and
-     * density of the next texel along z; owned; NULL before scattering_media_fill() */
+    uint32_t left_out; /* objects beyond SCATTERING_MEDIA_MAX, rendered as clear */
+    /* MEDIUM_SIZE texels per axis for each medium, x fastest: density, 0 to 255, and that of the
+     * next texel along z; owned; NULL before scattering_media_fill() */
     uint8_t (*texels)[2];
 };
 

@@ -170,7 +170,7 @@ static enum status load_file(struct model *model, const struct scene_params *par
     return status;
 }
 
-/* Makes the mesh a single object whose material the settings define. */
+/* Adds an object that is the whole mesh, with a material that the settings define. */
 static enum status add_bare_object(struct model *model)
 {
     model->objects = calloc(1, sizeof(*model->objects));
@@ -200,7 +200,7 @@ static enum status load_object(struct scene *scene, const struct scene_params *p
     return add_bare_object(&scene->model);
 }
 
-/* Scales the landscape, which is made for objects 3.2 m across, to the object's size. */
+/* Scales the landscape, which is generated for objects 3.2 m across, to the object's size. */
 static void fit_landscape(struct mesh *landscape, struct box box)
 {
     float scale = box_diagonal(box) / 3.2f;
@@ -343,7 +343,7 @@ static enum status allocate_bvh(struct scene *scene, const struct scene *before)
     return scene->bvh && (scene->rest || !is_first) ? STATUS_OK : log_out_of_memory(NULL);
 }
 
-/* Moves the rest pose from the previous pose, or makes that pose the rest pose. */
+/* Moves the rest pose from the previous pose, or makes the previous pose the rest pose. */
 static void move_rest_pose(struct scene *scene, struct scene *before)
 {
     if (!before->rest || scene->rest)
@@ -353,8 +353,7 @@ static void move_rest_pose(struct scene *scene, struct scene *before)
     bvh_rest_pose_move_from(scene->rest, &before->model, &before->sorted);
 }
 
-/* Gives up shared pointers, so that only one of two scenes owns the environment and its lighting.
- */
+/* Clears pointers that two scenes share, so that only one owns the environment and its lighting. */
 static void release_environment(struct scene *scene, const struct scene *before)
 {
     if (scene == before || scene->prefiltered_environment == before->prefiltered_environment)
@@ -363,8 +362,8 @@ static void release_environment(struct scene *scene, const struct scene *before)
     scene->cube = (struct environment){ 0 };
 }
 
-/* Loads the surroundings: those of the parameters, of the built-in scene, or, under the sky and
- * without any in the model, the landscape. */
+/* Loads the surroundings: those of the parameters, else of the built-in scene, else, under the sky
+ * and if the model has none, the landscape. */
 static enum status load_surroundings(struct scene *scene, const struct scene_params *params)
 {
     const struct scene_builtin *builtin = scene_find_builtin(params->name);
@@ -386,7 +385,7 @@ static enum status sort_surroundings(struct scene *scene)
                : log_out_of_memory("surroundings");
 }
 
-/* Measures the shape of the objects: whether they are convex, and their depth complexity. */
+/* Measures whether the objects are convex, and their depth complexity. */
 static void measure_shape(struct scene *scene)
 {
     const struct model *model = &scene->model;
@@ -413,7 +412,7 @@ static enum status melt_ice(struct scene *scene, const struct scene_params *para
     return status;
 }
 
-/* Leaves what two poses share to the new one if it has loaded, else to the old one. */
+/* Moves resources shared by two poses to the new pose if it has loaded, else to the old one. */
 static void transfer_ownership(struct scene *before, struct scene *scene, bool shares_environment,
                                enum status status)
 {
@@ -427,12 +426,12 @@ static void transfer_ownership(struct scene *before, struct scene *scene, bool s
 
 enum status scene_load(struct scene *scene, const struct scene_params *given)
 {
-    struct scene_params own = *given;
-    const struct scene_params *params = &own;
+    struct scene_params copy = *given;
+    const struct scene_params *params = &copy;
     *scene = (struct scene){ 0 };
     enum status status = load_object(scene, params);
-    if (status == STATUS_OK && own.settle)
-        own.settle(own.user, scene, &own);
+    if (status == STATUS_OK && copy.settle)
+        copy.settle(copy.user, scene, &copy);
     if (status == STATUS_OK)
         status = load_background(scene, params);
     if (status == STATUS_OK)

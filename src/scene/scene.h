@@ -1,8 +1,5 @@
-/*
- * scene.h: scene of refractive objects, their surroundings and a background.
- *
- * Ownership: a scene owns its members; scene_finish() frees them; a {0} scene is fine.
- */
+/* scene.h: scene of refractive objects, their surroundings and a background. A scene owns its
+ * members; scene_finish() frees them; a {0} scene is fine. */
 #ifndef FIRN_SCENE_SCENE_H
 #define FIRN_SCENE_SCENE_H
 
@@ -26,54 +23,57 @@ enum scene_background {
 
 /* Data read from files instead of generated; NULL or empty if it is generated. */
 struct scene_files {
-    float *heights, *smoothness; /* for bump_maps_params */
-    float *air_cover;            /* for generate_air */
+    float *heights, *smoothness; /* bump map input, for bump_maps_params */
+    float *air_cover;            /* bubble opacity, for generate_air */
     struct mesh crack_sheet;     /* crack sheet, scaled to the unit ball */
 };
 
 struct scene {
-    struct model model; /* its objects have ranks (medium priorities) */
+    struct model model; /* loaded model, whose objects have ranks (medium priorities) */
     enum scene_background background;
     vec3s background_color; /* linear radiance, for SCENE_COLOR */
     bool is_hidden;         /* write alpha 0 for the background, which still lights surfaces */
     struct environment environment;
-    vec4s *material_table;       /* GPU table (material_table.h); NULL if no material needs one */
-    vec4s *punctual_light_table; /* GPU table; NULL if no surface is lit by punctual lights */
-    vec4s *vertex_extra_table;   /* GPU table of vertex extras (material_table.h); NULL for none */
-    uint16_t *brdf_table; /* BRDF table (image_based_lighting.h); present if material_table is */
+    vec4s *material_table; /* GPU table (material_table.h); NULL if no material needs one */
+    /* GPU table of punctual lights; NULL if no surface is lit by any */
+    vec4s *punctual_light_table;
+    vec4s *vertex_extra_table; /* GPU table of vertex extras (material_table.h); NULL for none */
+    /* GGX split-sum table (image_based_lighting.h), if material_table exists */
+    uint16_t *brdf_table;
     uint16_t *prefiltered_environment; /* NULL if not needed */
-    struct environment cube; /* replaces the environment cube that env_cube renders; may be {0} */
+    struct environment cube; /* captured environment cube, used instead of rendering one; or {0} */
     struct bump_maps bump;   /* bump map of the object's surface; {0} for none */
-    struct box box;          /* bounding box of the object, or of the pool */
-    struct box framing_box;  /* bounds for the default camera: `box` at time 0 */
+    struct box box;          /* bounding box of the object or pool */
+    struct box framing_box;  /* bounding box at time 0, for the default camera */
     float time;              /* animation time, seconds */
     vec4s *earlier; /* vertex positions of the previous frame, objects first; NULL if unchanged */
     uint32_t earlier_rows;
-    struct box floating_ice; /* bounding box of the ice that floats in the pool; {0} for none */
-    struct box around;       /* proxy box for refract.lookup=box; {0} for none */
-    struct mesh cracks;      /* cracks, in object space; may be empty */
-    struct mesh air;         /* planes of air bubbles, in object space; may be empty */
+    struct box floating_ice;      /* bounding box of floating ice in the pool; {0} for none */
+    struct box around;            /* proxy box for refract.lookup=box; {0} for none */
+    struct mesh cracks;           /* cracks, in object space; may be empty */
+    struct mesh air;              /* planes of air bubbles, in object space; may be empty */
     struct air_layers air_layers; /* textures of the air planes */
     struct scene_files files;
-    struct melted melted;       /* result of melting; {0} if nothing has melted */
-    struct clouds clouds;       /* scattering media, in the space of the objects' mesh */
-    struct ao ao;               /* occluders of ambient occlusion, in object space */
-    struct bubbles bubbles;     /* bubbles, in object space */
-    struct bvh *bvh;            /* BVH of all triangles; empty until scene_build_bvh() */
-    struct bvh_rest_pose *rest; /* rest pose (time 0) of an animated scene; NULL if it is static */
-    struct mesh_order sorted;   /* triangle order of the surroundings; only for animated scenes */
-    float model_ior;            /* value of refract.ior given by the model; 0 if it has none */
-    bool has_pool;              /* the scene is a pool, which may contain an object */
-    bool is_animated;       /* geometry changes with time: the model is animated, or ice melts */
-    bool is_convex;         /* the object is convex, as mesh_is_convex() has shown */
-    float depth_complexity; /* mesh_depth_complexity() of the worst object */
+    struct melted melted;   /* result of melting; {0} if nothing has melted */
+    struct clouds clouds;   /* scattering media, in the space of the objects' mesh */
+    struct ao ao;           /* ambient occlusion occluders, in object space */
+    struct bubbles bubbles; /* bubbles, in object space */
+    struct bvh *bvh;        /* BVH of all triangles; empty before scene_build_bvh() */
+    /* rest pose (time 0) of an animated scene; NULL if the scene is static */
+    struct bvh_rest_pose *rest;
+    struct mesh_order sorted; /* triangle order of the surroundings; only in animated scenes */
+    float model_ior;          /* refractive index given by the model; 0 if it has none */
+    bool has_pool;            /* the scene is a pool, which may contain an object */
+    bool is_animated;         /* geometry changes with time: the model is animated, or ice melts */
+    bool is_convex;           /* object is convex (mesh_is_convex()) */
+    float depth_complexity;   /* mesh_depth_complexity() of the most complex object */
 };
 
 /* Cracks inside the object. */
 struct scene_cracks {
     uint32_t count; /* number of cracks; 0 for none */
     uint32_t seed;
-    float size;       /* relative to the default size */
+    float size;       /* size relative to the default size */
     bool cut;         /* clip cracks to the object, which must be a closed mesh */
     const char *file; /* model file of a crack, read by scene_load(); NULL for generated cracks */
 };
@@ -91,14 +91,13 @@ struct scene_params {
     const char *name;         /* name of a built-in scene or asset, or path of a model file */
     const char *surroundings; /* model file; NULL for the landscape, if the sky is the background */
     const char *environment;  /* asset or file of a background image or environment cube; or NULL */
-    float environment_turn;   /* environment.turn of a background image */
+    float environment_turn;   /* rotation of a background image */
     float environment_exposure; /* exposure of the image file, stops */
-    /* another pose of the same scene, whose environment and lighting, `files` and `rest` are moved
-     * into this one; NULL to load them */
+    /* pose of the same scene whose environment, lighting, `files` and `rest` are moved into this
+     * one; NULL to load them */
     struct scene *before;
-    const struct model_transform
-        *model_transform;   /* transform of the model file; NULL for the identity */
-    struct model_pose pose; /* `objects` are set to the names of material_overrides */
+    const struct model_transform *model_transform; /* NULL for the identity */
+    struct model_pose pose; /* `objects` is replaced by the names of material_overrides */
     const struct material_override *material_overrides;
     uint32_t material_override_count;
     const vec3s *background; /* background colour; NULL for the sky */
@@ -106,30 +105,30 @@ struct scene_params {
     bool is_one_object; /* treat a model without transmissive materials as one refractive object */
     uint32_t object_triangles;    /* triangle count of a built-in object; 0 for its default */
     uint32_t landscape_triangles; /* triangle count of the landscape; 0 for the default */
-    bool flat;                    /* a level floor instead of the landscape */
+    bool flat;                    /* use a level floor instead of the landscape */
     uint32_t orbiting_ball_count; /* number of balls that orbit the object */
     struct melting melting;
-    struct generate_air air;         /* count 0 for none */
+    struct generate_air air;         /* air planes; count 0 for none */
     bool has_scattering_medium;      /* the settings give the first object a scattering medium */
-    struct generate_bubbles bubbles; /* count 0 for none */
+    struct generate_bubbles bubbles; /* bubbles; count 0 for none */
     const struct bump_maps_params *bump; /* bump map of the object's surface; NULL for none */
     struct scene_cracks cracks;
     struct scene_pictures pictures;
-    const struct reader_params
-        *decode; /* child process that decodes files; NULL to decode in this process */
-    struct generate_pool pool; /* for the scene `pool` */
-    bool later;                /* leave bump and air texels to scene_fill(); their sizes are set */
-    /* Callback after the object is loaded. It may change inclusions and `bump`, which depend on the
-     * object's materials. May be NULL. */
+    const struct reader_params *decode; /* reader process for files; NULL for this process */
+    struct generate_pool pool;          /* pool of the scene `pool` */
+    bool later; /* leave bump and air texels to scene_fill(); only set their sizes */
+    /* Callback after the object is loaded, which may change inclusions and `bump`, since they
+     * depend on the object's materials. May be NULL. */
     void (*settle)(void *user, const struct scene *scene, struct scene_params *params);
     void *user;
 };
 
-/* Entry of the table of built-in scenes. */
+/* Built-in scene. */
 struct scene_builtin {
     const char *name;
     bool (*generate)(struct mesh *mesh, uint32_t triangles); /* NULL for a pool of water */
-    bool (*surround)(struct mesh *mesh, struct box object);  /* NULL for the landscape */
+    /* generates surroundings; NULL for the landscape */
+    bool (*surround)(struct mesh *mesh, struct box object);
     uint32_t triangles; /* default triangle count of the object */
     const char *help;
 };
@@ -142,7 +141,7 @@ const struct scene_builtin *scene_find_builtin(const char *name);
 /* Returns true if the name is that of a built-in scene or an asset, not a file. */
 bool scene_is_known(const char *name);
 
-/* Returns true if the name means an environment, and not also a scene, as `valley` does. */
+/* Returns true if the name is that of an environment, and not also of a scene, as `valley` is. */
 bool scene_is_environment(const char *name);
 
 /* Returns the name of a scene by index, built-in ones before assets, or NULL beyond the last. */
@@ -152,11 +151,9 @@ const char *scene_name(uint32_t index);
  * does not fit in the pool) or STATUS_TRY_AGAIN; *scene is then {0}. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
 
-/*
- * Generates the texels that params.later has deferred. Other threads may read the rest of the scene
- * meanwhile. Returns NULL, or the name of the part that ran out of memory ("air"). Does not log,
- * since another thread may have an error to report: the caller decides which of the two is printed.
- */
+/* Generates the texels that params.later has deferred. Other threads may read the rest of the scene
+ * meanwhile. Returns NULL, or the name of the part that ran out of memory ("air"). Does not log, so
+ * that the caller can choose between this error and one of another thread. */
 MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
 
 /* Generates the object's inclusions and bump map; called by scene_load(). */
@@ -175,7 +172,7 @@ void scene_finish(struct scene *scene);
 bool scene_has_lit_object(const struct scene *scene);
 
 /* Returns true if an object tints transmitted light, is not fully transmissive, or has textures
- * that affect transmission. Then material_table exist. */
+ * that affect transmission. The scene then has a material_table. */
 bool scene_has_textured_objects(const struct scene *scene);
 
 /* Returns the distance of the near plane, metres. There is no far plane. */

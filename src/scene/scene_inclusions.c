@@ -1,4 +1,4 @@
-/* scene_inclusions.c: inclusions and bump map of a scene's object. */
+/* scene_inclusions.c: generates inclusions and the bump map of a scene's object. */
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/base/log.h"
@@ -39,7 +39,7 @@ static enum status load_cracks(struct scene *scene, const struct scene_params *p
     return status;
 }
 
-/* Returns the object's box before melting: inclusions stay where they were frozen in. */
+/* Returns the object's box before melting, since inclusions stay where they froze. */
 static struct box unmelted_box(const struct scene *scene)
 {
     return scene->melted.share > 0.0f ? scene->melted.box : scene->box;
@@ -107,7 +107,7 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
     return NULL;
 }
 
-/* Sets the sizes of deferred textures, which render plans need. */
+/* Sets the sizes of deferred textures, which render graphs are compiled with. */
 static void size_textures(struct scene *scene, const struct scene_params *params)
 {
     if (params->bump)
@@ -117,30 +117,30 @@ static void size_textures(struct scene *scene, const struct scene_params *params
                                                  .count = GENERATE_AIR_LAYER_COUNT };
 }
 
-static enum status read_pictures(struct scene *scene, const struct scene_params *params)
+static enum status read_maps(struct scene *scene, const struct scene_params *params)
 {
     const struct {
         const char *path;
         float **greys;
         uint32_t side;
         bool is_unit_range;
-    } wanted[] = {
+    } inputs[] = {
         { params->pictures.heights, &scene->files.heights, BUMP_MAPS_SIZE, false },
         { params->pictures.smoothness, &scene->files.smoothness, BUMP_MAPS_SIZE, true },
         { params->pictures.air, &scene->files.air_cover, GENERATE_AIR_LAYER_SIZE, true },
     };
     enum status status = STATUS_OK;
-    for (size_t i = 0; i < sizeof(wanted) / sizeof(wanted[0]) && status == STATUS_OK; i++) {
-        if (wanted[i].path)
-            status = greyscale_map_read(wanted[i].greys, wanted[i].side, wanted[i].is_unit_range,
-                                        wanted[i].path, params->decode);
+    for (size_t i = 0; i < sizeof(inputs) / sizeof(inputs[0]) && status == STATUS_OK; i++) {
+        if (inputs[i].path)
+            status = greyscale_map_read(inputs[i].greys, inputs[i].side, inputs[i].is_unit_range,
+                                        inputs[i].path, params->decode);
     }
     return status;
 }
 
 enum status scene_fill_object(struct scene *scene, const struct scene_params *params)
 {
-    enum status status = params->before ? STATUS_OK : read_pictures(scene, params);
+    enum status status = params->before ? STATUS_OK : read_maps(scene, params);
     if (status != STATUS_OK)
         return status;
     if (params->before)

@@ -13,8 +13,8 @@
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include "src/scene/bvh/bvh_two_level.h"
 
-/* Growth of SAH cost at which a deformed BVH is rebuilt. The limit of a whole part is lower,
- * because all rays traverse it. */
+/* Growth of SAH cost above which a deformed BVH is rebuilt. The limit is lower for a BVH of a whole
+ * scene part, which all rays traverse. */
 static const double object_growth_max = 1.5, part_growth_max = 1.1;
 
 static uint32_t bits(float x)
@@ -24,7 +24,7 @@ static uint32_t bits(float x)
     return word;
 }
 
-/* Allocates an array of `words->count` words, and resets the count. */
+/* Allocates words->count 16-byte words, and resets the count to 0. */
 static bool reserve(struct bvh_words *words)
 {
     words->all = calloc(words->count + (size_t)1, sizeof(*words->all));
@@ -39,8 +39,8 @@ static void write_word(uint32_t to[static 4], const float *xyz, uint32_t last)
     to[3] = last;
 }
 
-/* Writes a triangle's affine map to barycentric coordinates (shaders/trace/bvh_layout.h). A
- * triangle without an area gets zeros, so that no ray hits it. */
+/* Writes a triangle's affine map to barycentric coordinates (shaders/trace/bvh_layout.h).
+ * Degenerate triangles get zeros, so that no ray hits them. */
 static void write_triangle(struct bvh_words *words, const struct bvh_part *part, uint32_t triangle)
 {
     const float *p = bvh_corner(part, triangle, 0)->position.raw;
@@ -78,7 +78,7 @@ static void write_bubble(struct bvh_words *words, const struct bubble *bubble)
     write_word(words->all[words->count++], zero, bits(bubble->radius));
 }
 
-/* Returns the gap width of a crack at a corner, as a half float in the upper 16 bits. */
+/* Returns the gap width of a crack at a triangle corner, as a half float in the upper 16 bits. */
 static uint32_t gap_bits(const struct bvh_part *part, uint32_t triangle, uint32_t corner)
 {
     const float open = CRACKS_SQUARED_GAP(bvh_corner(part, triangle, corner)->color);
@@ -98,7 +98,7 @@ static uint32_t rank_bits(const struct bvh_part *part, uint32_t triangle)
     return object->rank + BVH_OBJECT_NUMBER * (uint32_t)(object - model->objects + 1);
 }
 
-/* Returns the material of an object's triangle, or NULL if the settings define it. */
+/* Returns the material of an object's triangle, or NULL for the material of the settings. */
 static const struct material *material_of(const struct bvh_part *part, uint32_t triangle)
 {
     const struct model *model = part->model;
@@ -110,7 +110,7 @@ static const struct material *material_of(const struct bvh_part *part, uint32_t 
     return material->flags & MATERIAL_FROM_SETTINGS ? NULL : material;
 }
 
-/* Returns a triangle's material bits. Options may replace the vertices' material. */
+/* Returns a triangle's material bits. Settings may replace the material of the vertices. */
 static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
 {
     const uint32_t bits = bvh_corner(part, triangle, 0)->material;
@@ -121,8 +121,8 @@ static uint32_t material_bits(const struct bvh_part *part, uint32_t triangle)
     return (bits & ((1u << MESH_SURFACE_SHIFT) - 1)) | (index + 1) << MESH_SURFACE_SHIFT;
 }
 
-/* Returns true if hits need vertex colours and texture coordinates: opaque surfaces, and objects
- * that are textured or not fully transmissive. */
+/* Returns true if hits on a triangle need vertex colours and texture coordinates: opaque surfaces,
+ * and objects that are textured or not fully transmissive. */
 static bool has_surface(const struct bvh_part *part, uint32_t triangle)
 {
     if (part->is_inclusion)
@@ -168,35 +168,36 @@ static void write_surface(struct bvh_words *words, const struct bvh_part *part, 
 }
 
 static void count_words(struct bvh *bvh, const struct bvh_part *part,
-                        const struct bvh_two_level *shape)
+                        const struct bvh_two_level *hierarchy)
 {
     uint32_t surfaces = 0;
     for (uint32_t i = 0; i < part->count; i++)
         surfaces += has_surface(part, part->triangles[i]);
     bvh->triangle_count += part->count;
-    bvh->nodes.count += part->count ? bvh_nodes_word_count(shape) : 0;
+    bvh->nodes.count += part->count ? bvh_nodes_word_count(hierarchy) : 0;
     bvh->triangles.count += part->count * BVH_TRIANGLE_WORDS;
     bvh->corners.count += part->count * BVH_CORNER_WORDS + surfaces * BVH_SURFACE_WORDS;
     if (surfaces && part->mesh->extras)
         bvh->corners.count += surfaces * BVH_EXTRA_WORDS;
 }
 
-/* Writes a part's triangles and nodes. Colours and uv follow the corners of all parts. */
+/* Writes the triangles and nodes of a scene part. Vertex colours and uv are written after the
+ * corners of all parts. */
 static void write_part(struct bvh *bvh, uint32_t index, const struct bvh_part *part,
-                       const struct bvh_two_level *shape)
+                       const struct bvh_two_level *hierarchy)
 {
     const uint32_t first = bvh->triangles.count / BVH_TRIANGLE_WORDS;
     size_t word = (size_t)first * BVH_CORNER_WORDS;
     bvh->roots[index] = BVH_NONE;
     for (uint32_t i = 0; i < part->count; i++) {
-        const uint32_t triangle = part->triangles[shape->draft.order[i]];
+        const uint32_t triangle = part->triangles[hierarchy->draft.order[i]];
         if (bvh_bubble(part, triangle)) {
             write_bubble(&bvh->triangles, bvh_bubble(part, triangle));
             word += BVH_CORNER_WORDS;
             continue;
         }
         const bool is_shaded = has_surface(part, triangle);
-        const uint32_t horizon = shape->horizons ? shape->horizons[i] : BVH_HORIZON_UNKNOWN;
+        const uint32_t horizon = hierarchy->horizons ? hierarchy->horizons[i] : BVH_HORIZON_UNKNOWN;
         const uint32_t last[3] = { rank_bits(part, triangle), material_bits(part, triangle),
                                    (is_shaded ? bvh->corners.count : 0) |
                                        horizon << BVH_HORIZON_SHIFT };
@@ -208,16 +209,17 @@ static void write_part(struct bvh *bvh, uint32_t index, const struct bvh_part *p
             write_surface(&bvh->corners, part, triangle);
     }
     if (part->count)
-        bvh->roots[index] =
-            bvh_nodes_write(bvh, shape, first, part->is_object && part->model->object_count < 2);
+        bvh->roots[index] = bvh_nodes_write(bvh, hierarchy, first,
+                                            part->is_object && part->model->object_count < 2);
 }
 
 static uint32_t media_words(const struct bvh *bvh)
 {
-    return bvh->shells > BVH_MASK_OBJECTS_MAX ? bvh->shells + 1 : 0;
+    return bvh->object_count > BVH_MASK_OBJECTS_MAX ? bvh->object_count + 1 : 0;
 }
 
-/* Writes the medium index of each rank, one per material. Returns false when out of memory. */
+/* Writes a medium index for each rank; equal materials share one. Returns false when out of memory.
+ */
 static bool write_media(struct bvh *bvh, const struct model *model)
 {
     uint32_t count = 0;
@@ -235,9 +237,9 @@ static bool write_media(struct bvh *bvh, const struct model *model)
     return media;
 }
 
-/* Builds the BVHs of all parts. Those of poses are refitted from the rest pose; inclusions are
- * always rebuilt, since each pose has its own. */
-static bool build_parts(struct bvh_two_level *shapes, const struct bvh_part *parts,
+/* Builds the BVHs of all scene parts. Those of poses are refitted from the rest pose, except
+ * inclusions, which each pose generates anew. */
+static bool build_parts(struct bvh_two_level *hierarchies, const struct bvh_part *parts,
                         const struct bvh_params *params, struct bvh_build_stats *work)
 {
     struct bvh_rest_pose *rest = params->rest;
@@ -249,50 +251,52 @@ static bool build_parts(struct bvh_two_level *shapes, const struct bvh_part *par
         done = bvh_parts_init(rest_parts, &at_rest, rest->by_objects);
     }
     for (uint32_t i = 0; i < BVH_PART_COUNT && done; i++) {
-        struct bvh_two_level *at_rest = is_posed && i != BVH_INCLUSIONS ? &rest->shapes[i] : NULL;
+        struct bvh_two_level *at_rest =
+            is_posed && i != BVH_INCLUSIONS ? &rest->hierarchies[i] : NULL;
         work->is_cached = params->is_cached && i != BVH_INCLUSIONS;
         if (at_rest && !at_rest->draft.nodes)
             done =
                 bvh_two_level_build(at_rest, &rest_parts[i], work) && bvh_two_level_pack(at_rest);
         work->is_cached = work->is_cached && !is_posed;
         if (done && at_rest)
-            done = bvh_two_level_refit(&shapes[i], &parts[i], at_rest, &rest_parts[i], work);
+            done = bvh_two_level_refit(&hierarchies[i], &parts[i], at_rest, &rest_parts[i], work);
         else if (done)
-            done = bvh_two_level_build(&shapes[i], &parts[i], work);
+            done = bvh_two_level_build(&hierarchies[i], &parts[i], work);
     }
     bvh_parts_finish(rest_parts);
     return done;
 }
 
 static bool write_all(struct bvh *bvh, const struct bvh_part *parts,
-                      const struct bvh_two_level *shapes)
+                      const struct bvh_two_level *hierarchies)
 {
     for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
-        count_words(bvh, &parts[i], &shapes[i]);
-    const struct bvh_two_level *objects = &shapes[BVH_OBJECTS];
+        count_words(bvh, &parts[i], &hierarchies[i]);
+    const struct bvh_two_level *objects = &hierarchies[BVH_OBJECTS];
     bvh->corners.count +=
         media_words(bvh) + (bvh_has_horizon_grid(bvh, objects) ? BVH_HORIZON_GRID_WORDS : 0);
     if (!reserve(&bvh->nodes) || !reserve(&bvh->triangles) || !reserve(&bvh->corners))
         return false;
     bvh->corners.count = bvh->triangle_count * BVH_CORNER_WORDS;
     for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
-        write_part(bvh, i, &parts[i], &shapes[i]);
+        write_part(bvh, i, &parts[i], &hierarchies[i]);
     if (bvh_has_horizon_grid(bvh, objects))
         bvh_horizon_grid_write(bvh, objects, &parts[BVH_OBJECTS]);
     for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
-        bvh->costs[i] = parts[i].count ? bvh_sah_cost(&shapes[i].draft, shapes[i].root) : 0.0;
+        bvh->costs[i] =
+            parts[i].count ? bvh_sah_cost(&hierarchies[i].draft, hierarchies[i].root) : 0.0;
     return !media_words(bvh) || write_media(bvh, parts[BVH_OBJECTS].model);
 }
 
-/* Moves the topologies of the rest pose to `rest`, for its later poses. */
-static bool keep_topologies(struct bvh_rest_pose *rest, struct bvh_two_level *shapes)
+/* Moves the BVH topologies of the rest pose to `rest`, for refitting by later poses. */
+static bool keep_topologies(struct bvh_rest_pose *rest, struct bvh_two_level *hierarchies)
 {
     bool done = true;
     for (uint32_t i = 0; i < BVH_PART_COUNT && i != BVH_INCLUSIONS && done; i++) {
-        bvh_two_level_finish(&rest->shapes[i]); /* topology of an earlier bvh_init() */
-        rest->shapes[i] = shapes[i];
-        shapes[i] = (struct bvh_two_level){ 0 };
-        done = bvh_two_level_pack(&rest->shapes[i]);
+        bvh_two_level_finish(&rest->hierarchies[i]); /* frees that of an earlier bvh_init() */
+        rest->hierarchies[i] = hierarchies[i];
+        hierarchies[i] = (struct bvh_two_level){ 0 };
+        done = bvh_two_level_pack(&rest->hierarchies[i]);
     }
     return done;
 }
@@ -324,15 +328,15 @@ static bool build(struct bvh *bvh, const struct bvh_params *params)
                                     .cost_growth_max =
                                         by_objects ? object_growth_max : part_growth_max };
     struct bvh_part parts[BVH_PART_COUNT] = { 0 };
-    struct bvh_two_level shapes[BVH_PART_COUNT] = { 0 };
+    struct bvh_two_level hierarchies[BVH_PART_COUNT] = { 0 };
     bool done =
-        bvh_parts_init(parts, params, by_objects) && build_parts(shapes, parts, params, &work);
+        bvh_parts_init(parts, params, by_objects) && build_parts(hierarchies, parts, params, &work);
     if (done && !by_objects)
-        shapes[BVH_OBJECTS].horizons =
-            bvh_horizons_compute(&shapes[BVH_OBJECTS], &parts[BVH_OBJECTS], work.threads);
-    done = done && write_all(bvh, parts, shapes);
+        hierarchies[BVH_OBJECTS].horizons =
+            bvh_horizons_compute(&hierarchies[BVH_OBJECTS], &parts[BVH_OBJECTS], work.threads);
+    done = done && write_all(bvh, parts, hierarchies);
     if (done && params->rest && !params->rest->is_known)
-        done = keep_topologies(params->rest, shapes);
+        done = keep_topologies(params->rest, hierarchies);
     bvh->is_closed = done && bvh_part_is_closed(&parts[BVH_OBJECTS]);
     bvh->surroundings_are_apart = done && bvh_parts_are_disjoint(parts, false);
     bvh->is_disjoint_rotating = done && bvh_parts_are_disjoint(parts, true);
@@ -341,7 +345,7 @@ static bool build(struct bvh *bvh, const struct bvh_params *params)
     bvh->refitted = work.refitted;
     bvh->read = work.read;
     for (int i = 0; i < BVH_PART_COUNT; i++)
-        bvh_two_level_finish(&shapes[i]);
+        bvh_two_level_finish(&hierarchies[i]);
     bvh_parts_finish(parts);
     return done;
 }
@@ -350,7 +354,7 @@ enum status bvh_init(struct bvh *bvh, const struct bvh_params *params)
 {
     const double start = clock_ms();
     const struct model *model = params->model;
-    *bvh = (struct bvh){ .shells = model->object_count ? model->object_count : 1 };
+    *bvh = (struct bvh){ .object_count = model->object_count ? model->object_count : 1 };
     if (is_too_large(model)) {
         *bvh = (struct bvh){ 0 };
         return STATUS_DATA;
@@ -377,8 +381,8 @@ struct bvh_rest_pose *bvh_rest_pose_create(bool by_objects)
     if (!rest)
         return NULL;
     rest->by_objects = by_objects;
-    rest->shapes = calloc(BVH_PART_COUNT, sizeof(*rest->shapes));
-    if (rest->shapes)
+    rest->hierarchies = calloc(BVH_PART_COUNT, sizeof(*rest->hierarchies));
+    if (rest->hierarchies)
         return rest;
     free(rest);
     return NULL;
@@ -412,10 +416,10 @@ void bvh_rest_pose_destroy(struct bvh_rest_pose *rest)
     if (!rest)
         return;
     for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
-        bvh_two_level_finish(&rest->shapes[i]);
+        bvh_two_level_finish(&rest->hierarchies[i]);
     model_finish(&rest->model);
     free(rest->sorted.all);
-    free(rest->shapes);
+    free(rest->hierarchies);
     free(rest);
 }
 
@@ -431,7 +435,7 @@ uint32_t bvh_node_count(const struct bvh *bvh)
 {
     uint32_t count = bvh->nodes.count / BVH_NODE_WORDS;
     for (uint32_t i = 0; i < BVH_PART_COUNT && count; i++)
-        count -= bvh->roots[i] != BVH_NONE; /* its grid takes a node */
+        count -= bvh->roots[i] != BVH_NONE; /* excludes the node that holds the grid */
     return count;
 }
 

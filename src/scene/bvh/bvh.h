@@ -1,12 +1,12 @@
 /*
- * bvh.h: bounding volume hierarchies (BVHs) of a scene, in the layout of shaders.
+ * bvh.h: bounding volume hierarchies (BVHs) of a scene, in the GPU's memory layout.
  *
  * Binary BVHs, built with the binned surface area heuristic (Wald 2007, On fast Construction of
  * SAH-based Bounding Volume Hierarchies): one for each part of the scene that moves rigidly. An
  * animated model has one for each object, below a top-level BVH. All data is in 16-byte words
  * (shaders/trace/bvh_layout.h), and does not depend on the number of threads.
  *
- * Ownership:     a BVH owns its arrays; bvh_finish() frees them; a {0} BVH is fine, and empty.
+ * Ownership: a BVH owns its arrays; bvh_finish() frees them; a {0} BVH is fine, and empty.
  * Thread-safety: several threads may call bvh_intersect() at the same time.
  */
 #ifndef FIRN_SCENE_BVH_BVH_H
@@ -26,114 +26,106 @@ struct bvh_words {
 struct bvh {
     struct bvh_words nodes, triangles, corners;
     uint32_t triangle_count;
-    uint32_t roots[BVH_PART_COUNT]; /* root nodes; BVH_NONE for a part without triangles */
-    uint32_t shells;                /* number of refractive objects, at least 1 */
-    uint32_t medium_count; /* distinct media of more than BVH_MASK_OBJECTS_MAX objects; else 0 */
-    uint32_t media;        /* index in `corners` of the medium of rank 0; 0 if there is none */
-    uint32_t grid;         /* index in `corners` of the horizon grid; 0 if there is none */
-    vec3s grid_low, grid_scale;   /* minimum corner of the horizon grid; cells per metre */
-    double costs[BVH_PART_COUNT]; /* SAH costs, in ray-triangle tests; 0 without triangles */
-    uint32_t depth;               /* deepest node, counted from a root; at most BVH_DEPTH_MAX */
-    bool is_closed;               /* the objects' mesh is closed: each edge has an opposite edge */
-    bool
-        /* no triangle's box in the surroundings overlaps the objects' box */
-        surroundings_are_apart;
-    bool
-        /* surroundings_are_apart at any rotation about +Y; false if anything else moves */
-        is_disjoint_rotating;
-    bool is_stored; /* too large for texel buffers of the device; set by the caller */
-    double ms;      /* duration of bvh_init(), milliseconds */
-    uint32_t built, shared, refitted; /* how many object BVHs were built, copied, or refitted */
-    uint32_t read; /* number of BVHs loaded from cache files, of objects and of all other parts */
+    uint32_t roots[BVH_PART_COUNT]; /* root nodes; BVH_NONE for empty parts */
+    uint32_t object_count;          /* number of refractive objects, >= 1 */
+    /* number of distinct media; 0 with up to BVH_MASK_OBJECTS_MAX objects, which need no table */
+    uint32_t medium_count;
+    uint32_t media;             /* start of the medium table in `corners`; 0 if there is none */
+    uint32_t grid;              /* start of the horizon grid in `corners`; 0 if there is none */
+    vec3s grid_low, grid_scale; /* horizon grid: minimum corner; cells per metre */
+    /* SAH costs, in ray-triangle tests; 0 for parts without triangles */
+    double costs[BVH_PART_COUNT];
+    uint32_t depth;              /* maximum node depth from a root, at most BVH_DEPTH_MAX */
+    bool is_closed;              /* the objects' mesh is closed: each edge has an opposite */
+    bool surroundings_are_apart; /* bounding boxes of triangles do not overlap the objects' box */
+    bool is_disjoint_rotating;   /* boxes do not overlap at any rotation of the object about +Y */
+    bool is_stored;              /* exceeds the device's texel buffers; set by the caller */
+    double ms;                   /* duration of bvh_init(), milliseconds */
+    /* numbers of object BVHs that were built, copied from similar objects, or refitted */
+    uint32_t built, shared, refitted;
+    uint32_t read; /* number of BVHs loaded from cache files */
 };
 
 struct bvh_two_level;
 
-/*
- * Rest pose that all poses of an animated model share: the model, and its BVH topologies. A pose
+/* Rest pose that all poses of an animated model share: the model, and its BVH topologies. A pose
  * keeps the topology and refits the boxes, so that its data does not depend on earlier poses. The
- * BVH of a deforming object is rebuilt once its SAH cost exceeds 1.5 times that of the rest pose;
- * that of a whole part, 1.1 times. Rigid motion and uniform scaling never cause a rebuild.
- */
+ * BVH of a deforming object is rebuilt once its SAH cost exceeds 1.5 times that of the rest pose
+ * (1.1 times for a BVH of a whole part). Rigid motion and uniform scaling never cause a rebuild. */
 struct bvh_rest_pose {
-    bool by_objects;          /* one BVH per object; if false, one BVH per part, with horizons */
-    struct model model;       /* only its meshes, objects and surroundings_starts */
-    struct mesh_order sorted; /* triangle order of its surroundings */
-    bool is_known;            /* false until the first bvh_init(), whose model is the rest pose */
-    struct bvh_two_level *shapes; /* topology of each part; set by the first bvh_init() */
+    bool by_objects;    /* one BVH per object; else one per scene part, with horizons */
+    struct model model; /* model in rest pose: only its meshes, objects and surroundings_starts */
+    struct mesh_order sorted; /* triangle order of the surroundings */
+    bool is_known; /* false before the first bvh_init(), whose model becomes the rest pose */
+    struct bvh_two_level *hierarchies; /* BVH topology of each part, set by the first bvh_init() */
 };
 
 struct bvh_rest_pose *bvh_rest_pose_create(bool by_objects); /* returns NULL when out of memory */
 void bvh_rest_pose_destroy(struct bvh_rest_pose *rest);
 
-/* Moves meshes, objects, surroundings_starts and *sorted into `rest`, unless it has a rest pose. */
+/* Moves meshes, objects, surroundings_starts and *sorted into `rest`, unless it has a model. */
 void bvh_rest_pose_move_from(struct bvh_rest_pose *rest, struct model *model,
                              struct mesh_order *sorted);
 
 /* Input of bvh_init(), borrowed. Everything but `model` may be NULL or 0. */
 struct bvh_params {
-    const struct model *model;     /* model whose objects have ranks (medium priorities) */
-    struct mesh_order sorted;      /* triangle order of its surroundings */
+    const struct model *model;     /* model with ranked objects (medium priorities) */
+    struct mesh_order sorted;      /* triangle order of the surroundings */
     const struct mesh *cracks;     /* crack sheets inside the ice */
     const struct bubbles *bubbles; /* bubbles inside the ice */
-    struct bvh_rest_pose *rest;    /* rest pose of an animated model; NULL if it is not animated */
-    uint32_t threads;              /* maximum number of threads; 0 for one per core */
-    bool is_cached; /* cache large BVHs (for poses, those of the rest pose) in files */
+    struct bvh_rest_pose *rest;    /* rest pose; NULL without animation */
+    uint32_t threads;              /* maximum threads; 0 for one per core */
+    bool is_cached; /* cache large BVHs in files; of an animated model, those of the rest pose */
 };
 
-/*
- * Builds the BVHs of a model. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA
+/* Builds the BVHs of a model. Logs and returns STATUS_TRY_AGAIN when out of memory, or STATUS_DATA
  * for more than BVH_TRIANGLES_MAX triangles, BVH_OBJECTS_MAX objects, or BVH_MEDIA_MAX object
- * materials; *tree is then {0}.
- */
+ * materials; *bvh is then {0}. */
 MUST_USE enum status bvh_init(struct bvh *bvh, const struct bvh_params *params);
 
 void bvh_finish(struct bvh *bvh);
 
-/* Returns the number of nodes of all parts; 0 before the BVH is built. */
+/* Returns the number of nodes of all scene parts; 0 before bvh_init(). */
 uint32_t bvh_node_count(const struct bvh *bvh);
 
-/* Returns the size of the largest array (nodes, triangles or corners) in 16-byte words. */
+/* Returns the size of the largest of the node, triangle and corner arrays, in 16-byte words. */
 uint32_t bvh_words_max(const struct bvh *bvh);
 
-/* Returns the size of all arrays in bytes. */
 size_t bvh_size(const struct bvh *bvh);
 
 struct bvh_ray {
     vec3s origin, dir;
-    double near;   /* minimum hit distance, exclusive, in lengths of `dir` */
-    uint32_t from; /* triangle to ignore, where the ray starts; BVH_NONE for none */
+    double near;   /* minimum t of hits, exclusive, in lengths of `dir` */
+    uint32_t from; /* triangle that the ray leaves and must not hit; BVH_NONE for none */
 };
 
 struct bvh_hit {
-    double t, u, v;    /* distance in lengths of `dir`; weights of the second and third corner */
+    /* hit distance in lengths of `dir`; barycentrics of the second and third corner */
+    double t, u, v;
     uint32_t triangle; /* index in the BVH's triangle array */
-    uint32_t rank;     /* rank of the hit object; 0 for the surroundings */
-    bool is_back;      /* the back face was hit, from inside */
+    uint32_t rank;     /* rank of the hit object; 0 for surroundings */
+    bool is_back;      /* the back face was hit */
 };
 
-/* Finds the nearest hit of a ray with a scene part, in its space. Returns false if it misses. */
+/* Finds the nearest hit of a ray with a scene part, in the part's space; false if it misses. */
 bool bvh_intersect(const struct bvh *bvh, uint32_t part, const struct bvh_ray *ray,
                    struct bvh_hit *hit);
 
-/* Returns the medium index of the object with this rank; 0 for the outside. */
+/* Returns the medium index of the object with this rank; 0 for the air outside. */
 uint32_t bvh_medium(const struct bvh *bvh, uint32_t rank);
 
-/* Set of objects that enclose a point: the interior list of nested dielectrics (Schmidt and Budge
- * 2002). With up to BVH_MASK_OBJECTS_MAX objects it is a bit mask in the first word, bit `rank` -
+/* Interior list of nested dielectrics (Schmidt and Budge 2002): the set of objects that enclose a
+ * point. With up to BVH_MASK_OBJECTS_MAX objects it is a bit mask in the first word, bit `rank` -
  * 1; else it holds the BVH_INTERIOR_LIST_MAX highest ranks, 16 bits each, in descending order. */
 struct bvh_interior_list {
     uint32_t words[BVH_INTERIOR_LIST_MAX / 2];
 };
 
-void bvh_interior_list_insert(struct bvh_interior_list *shells, const struct bvh *bvh,
-                              uint32_t rank);
-void bvh_interior_list_remove(struct bvh_interior_list *shells, const struct bvh *bvh,
-                              uint32_t rank);
-bool bvh_interior_list_contains(const struct bvh_interior_list *shells, const struct bvh *bvh,
+void bvh_interior_list_insert(struct bvh_interior_list *list, const struct bvh *bvh, uint32_t rank);
+void bvh_interior_list_remove(struct bvh_interior_list *list, const struct bvh *bvh, uint32_t rank);
+bool bvh_interior_list_contains(const struct bvh_interior_list *list, const struct bvh *bvh,
                                 uint32_t rank);
 
-/* Returns the set of objects that enclose a point. */
 struct bvh_interior_list bvh_interior_list_at(const struct bvh *bvh, vec3s point);
 
 #endif

@@ -1,10 +1,9 @@
 /*
  * bvh_build.c: multithreaded BVH build with the binned surface area heuristic.
  *
- * Each node is split between two of BVH_BIN_COUNT bins along an axis, where area times triangle
- * count is least; it stays a leaf if no split is cheaper. The subtrees of n triangles have fixed
- * node slots (at most 2 n - 1 nodes), so that threads need no lock and the result does not depend
- * on their number.
+ * Each node is split between two of BVH_BIN_COUNT bins along an axis, where the sum of area times
+ * triangle count is lowest; it stays a leaf if no split is cheaper. The subtree of n triangles has
+ * 2 n - 1 reserved node slots, so that threads need no lock and do not affect the result.
  */
 #include "src/scene/bvh/bvh_build.h"
 #include <float.h>
@@ -13,7 +12,7 @@
 #include <stdbool.h>
 
 enum {
-    PARALLEL_MIN = 1 << 13, /* subtree size that is worth a thread, triangles */
+    PARALLEL_MIN = 1 << 13, /* minimum triangles of a subtree built by its own thread */
 };
 
 static struct bvh_box empty_box(void)
@@ -48,13 +47,13 @@ struct bin {
 
 /* Triangles binned by centroid along each axis. */
 struct bins {
-    float low[3], scale[3]; /* scale is 0 if all centroids coincide */
+    float low[3], scale[3]; /* bin scale; 0 if all centroids coincide */
     struct bin all[3][BVH_BIN_COUNT];
 };
 
 struct split {
     float cost;
-    int axis; /* negative if no split was found */
+    int axis; /* split axis; negative if there is no split */
     uint32_t bin;
 };
 
@@ -64,12 +63,12 @@ static uint32_t bin_of(const struct bins *bins, const struct bvh_box *box, int a
     return bin < BVH_BIN_COUNT ? bin : BVH_BIN_COUNT - 1;
 }
 
-static void fill_bins(struct bins *bins, const struct bvh_builder *draft,
+static void fill_bins(struct bins *bins, const struct bvh_builder *builder,
                       const struct bvh_node *node)
 {
     struct bvh_box middles = empty_box();
     for (uint32_t i = node->first; i < node->first + node->count; i++) {
-        const struct bvh_box *box = &draft->boxes[draft->order[i]];
+        const struct bvh_box *box = &builder->boxes[builder->order[i]];
         const struct bvh_box at = { { centroid(box, 0), centroid(box, 1), centroid(box, 2) },
                                     { centroid(box, 0), centroid(box, 1), centroid(box, 2) } };
         extend_box(&middles, &at);
@@ -82,7 +81,7 @@ static void fill_bins(struct bins *bins, const struct bvh_builder *draft,
             bins->all[axis][i] = (struct bin){ empty_box(), 0 };
     }
     for (uint32_t i = node->first; i < node->first + node->count; i++) {
-        const struct bvh_box *box = &draft->boxes[draft->order[i]];
+        const struct bvh_box *box = &builder->boxes[builder->order[i]];
         for (int axis = 0; axis < 3; axis++) {
             struct bin *bin = &bins->all[axis][bin_of(bins, box, axis)];
             extend_box(&bin->box, box);
@@ -115,17 +114,17 @@ static void find_split(struct split *best, const struct bins *bins, int axis)
 }
 
 /* Partitions a node's triangles at a split. Returns the number on the left side. */
-static uint32_t partition(struct bvh_builder *draft, const struct bvh_node *node,
+static uint32_t partition(struct bvh_builder *builder, const struct bvh_node *node,
                           const struct bins *bins, const struct split *split)
 {
     uint32_t i = node->first, end = node->first + node->count;
     while (i < end) {
-        const uint32_t triangle = draft->order[i];
-        if (bin_of(bins, &draft->boxes[triangle], split->axis) < split->bin) {
+        const uint32_t triangle = builder->order[i];
+        if (bin_of(bins, &builder->boxes[triangle], split->axis) < split->bin) {
             i++;
         } else {
-            draft->order[i] = draft->order[--end];
-            draft->order[end] = triangle;
+            builder->order[i] = builder->order[--end];
+            builder->order[end] = triangle;
         }
     }
     return i - node->first;
@@ -141,24 +140,24 @@ uint32_t bvh_balanced_depth(uint32_t count, uint32_t leaf_max)
     return needed;
 }
 
-/* Returns true if an unbalanced split of `count` triangles cannot exceed the remaining depth. */
-static bool fits_depth(const struct bvh_builder *draft, uint32_t count, uint32_t depth_left)
+/* Returns true if even the most unbalanced split of `count` triangles fits the remaining depth. */
+static bool fits_depth(const struct bvh_builder *builder, uint32_t count, uint32_t depth_left)
 {
-    return bvh_balanced_depth(count, draft->leaf_max) + 1 < depth_left;
+    return bvh_balanced_depth(count, builder->leaf_max) + 1 < depth_left;
 }
 
-/* Splits a node's triangles. Returns the number of the first child's; 0 for a leaf. */
-static uint32_t split_node(struct bvh_builder *draft, const struct bvh_node *node,
+/* Splits a node's triangles. Returns the triangle count of the first child; 0 for a leaf. */
+static uint32_t split_node(struct bvh_builder *builder, const struct bvh_node *node,
                            uint32_t depth_left)
 {
     struct bins bins;
-    const bool may_end = node->count <= draft->leaf_max;
+    const bool may_end = node->count <= builder->leaf_max;
     const float area = half_area(&node->box);
     struct split split = { may_end ? ((float)node->count - BVH_NODE_COST) * area : FLT_MAX, -1, 0 };
     if (node->count < 2)
         return 0;
-    if (fits_depth(draft, node->count, depth_left)) {
-        fill_bins(&bins, draft, node);
+    if (fits_depth(builder, node->count, depth_left)) {
+        fill_bins(&bins, builder, node);
         for (int axis = 0; axis < 3; axis++) {
             if (bins.scale[axis] > 0.0f)
                 find_split(&split, &bins, axis);
@@ -166,37 +165,36 @@ static uint32_t split_node(struct bvh_builder *draft, const struct bvh_node *nod
     }
     if (split.axis < 0)
         return may_end ? 0 : node->count / 2;
-    return partition(draft, node, &bins, &split);
+    return partition(builder, node, &bins, &split);
 }
 
-/* A subtree to build. */
 struct subtree {
-    struct bvh_builder *draft;
+    struct bvh_builder *builder;
     uint32_t at, first, count;
     uint32_t depth_left; /* remaining depth, nodes */
-    uint32_t forks;      /* levels at which it may still fork a thread */
+    uint32_t forks;      /* remaining levels that may fork threads */
 };
 
 static void *build_subtree(void *user)
 {
     const struct subtree *subtree = user;
-    struct bvh_builder *draft = subtree->draft;
-    struct bvh_node *node = &draft->nodes[subtree->at];
+    struct bvh_builder *builder = subtree->builder;
+    struct bvh_node *node = &builder->nodes[subtree->at];
     pthread_t thread;
     *node = (struct bvh_node){ empty_box(), subtree->first, subtree->count, { 0, 0 } };
     for (uint32_t i = node->first; i < node->first + node->count; i++)
-        extend_box(&node->box, &draft->boxes[draft->order[i]]);
-    const uint32_t count = split_node(draft, node, subtree->depth_left);
+        extend_box(&node->box, &builder->boxes[builder->order[i]]);
+    const uint32_t count = split_node(builder, node, subtree->depth_left);
     if (!count)
         return NULL;
     const uint32_t rest = node->count - count;
     const uint32_t forks = subtree->forks ? subtree->forks - 1 : 0;
     node->children[0] = subtree->at + 1;
     node->children[1] = subtree->at + 2 * count;
-    struct subtree a = { draft, node->children[0],       node->first,
-                         count, subtree->depth_left - 1, forks };
-    struct subtree b = { draft, node->children[1],       node->first + count,
-                         rest,  subtree->depth_left - 1, forks };
+    struct subtree a = { builder, node->children[0],       node->first,
+                         count,   subtree->depth_left - 1, forks };
+    struct subtree b = { builder, node->children[1],       node->first + count,
+                         rest,    subtree->depth_left - 1, forks };
     const bool is_parallel = subtree->forks && count >= PARALLEL_MIN && rest >= PARALLEL_MIN &&
                              !pthread_create(&thread, NULL, build_subtree, &a);
     (void)build_subtree(&b);
@@ -207,38 +205,39 @@ static void *build_subtree(void *user)
     return NULL;
 }
 
-void bvh_build(struct bvh_builder *draft, const struct bvh_range *range, uint32_t depth_left,
+void bvh_build(struct bvh_builder *builder, const struct bvh_range *range, uint32_t depth_left,
                uint32_t threads)
 {
-    const uint32_t forks = threads < 2 ? 0 : threads < 4 ? 3 : 5; /* unequal subtrees */
-    struct subtree all = { draft, range->root, range->first, range->count, depth_left, forks };
+    /* more than threads, since subtrees differ in size */
+    const uint32_t forks = threads < 2 ? 0 : threads < 4 ? 3 : 5;
+    struct subtree all = { builder, range->root, range->first, range->count, depth_left, forks };
     (void)build_subtree(&all);
 }
 
-void bvh_refit(struct bvh_builder *draft, uint32_t at)
+void bvh_refit(struct bvh_builder *builder, uint32_t at)
 {
-    struct bvh_node *node = &draft->nodes[at];
+    struct bvh_node *node = &builder->nodes[at];
     node->box = empty_box();
     for (uint32_t i = 0; !node->children[0] && i < node->count; i++)
-        extend_box(&node->box, &draft->boxes[draft->order[node->first + i]]);
+        extend_box(&node->box, &builder->boxes[builder->order[node->first + i]]);
     for (uint32_t i = 0; node->children[0] && i < 2; i++) {
-        bvh_refit(draft, node->children[i]);
-        extend_box(&node->box, &draft->nodes[node->children[i]].box);
+        bvh_refit(builder, node->children[i]);
+        extend_box(&node->box, &builder->nodes[node->children[i]].box);
     }
 }
 
-static double sum_cost(const struct bvh_builder *draft, uint32_t at)
+static double sum_cost(const struct bvh_builder *builder, uint32_t at)
 {
-    const struct bvh_node *node = &draft->nodes[at];
+    const struct bvh_node *node = &builder->nodes[at];
     const double area = (double)half_area(&node->box);
     if (!node->children[0])
         return area * (double)node->count;
-    return area * (double)BVH_NODE_COST + sum_cost(draft, node->children[0]) +
-           sum_cost(draft, node->children[1]);
+    return area * (double)BVH_NODE_COST + sum_cost(builder, node->children[0]) +
+           sum_cost(builder, node->children[1]);
 }
 
-double bvh_sah_cost(const struct bvh_builder *draft, uint32_t at)
+double bvh_sah_cost(const struct bvh_builder *builder, uint32_t at)
 {
-    const double area = (double)half_area(&draft->nodes[at].box);
-    return area > 0.0 ? sum_cost(draft, at) / area : 0.0;
+    const double area = (double)half_area(&builder->nodes[at].box);
+    return area > 0.0 ? sum_cost(builder, at) / area : 0.0;
 }

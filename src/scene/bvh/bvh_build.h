@@ -7,10 +7,10 @@
 
 enum {
     BVH_LEAF_MAX = 4,   /* triangles per leaf */
-    BVH_BIN_COUNT = 16, /* split candidates are the bin boundaries along each axis */
+    BVH_BIN_COUNT = 16, /* bins along each axis */
 };
 
-/* SAH cost of visiting a node, in ray-triangle tests */
+/* SAH cost of visiting a node, in ray-triangle tests. */
 #define BVH_NODE_COST 1.2f
 
 struct bvh_box {
@@ -26,20 +26,20 @@ struct bvh_node {
 struct bvh_builder {
     struct bvh_box *boxes; /* bounding box of each triangle */
     uint32_t *order;       /* triangle indices in leaf order */
-    struct bvh_node
-        *nodes; /* nodes; the subtree of n triangles takes at most 2 n - 1 slots from its root on */
+    /* node pool; the subtree of n triangles uses at most 2 n - 1 slots, from its root on */
+    struct bvh_node *nodes;
     uint32_t leaf_max; /* triangles per leaf */
 };
 
-/* A range of triangles in `order` with a BVH of its own. */
+/* Range of triangles in `order` with a BVH of its own. */
 struct bvh_range {
     uint32_t first, count; /* count is above 0 */
     uint32_t root;
 };
 
-/* BVH of a scene part (bvh_two_level.h). */
+/* Two-level BVH of a scene part (bvh_two_level.h), before encoding. */
 struct bvh_two_level {
-    struct bvh_builder draft; /* without boxes once it is finished */
+    struct bvh_builder draft; /* without boxes after the build */
     struct bvh_range *groups;
     uint32_t count, group_count; /* numbers of triangles and groups */
     uint32_t node_count;         /* size of the node array */
@@ -51,15 +51,15 @@ struct bvh_two_level {
 /* Returns the depth of a balanced BVH of `count` triangles. */
 uint32_t bvh_balanced_depth(uint32_t count, uint32_t leaf_max);
 
-/* Builds the BVH of a range. The depth is at most `left`, which must be above bvh_balanced_depth().
+/* Builds the BVH of a range, with at most `left` levels; `left` must exceed bvh_balanced_depth().
  */
-void bvh_build(struct bvh_builder *draft, const struct bvh_range *range, uint32_t left,
+void bvh_build(struct bvh_builder *builder, const struct bvh_range *range, uint32_t left,
                uint32_t threads);
 
-/* Refits the boxes of the subtree at node `at` to its triangles (bottom-up). */
-void bvh_refit(struct bvh_builder *draft, uint32_t at);
+/* Refits the boxes of the subtree at node `at` to its triangles, bottom-up. */
+void bvh_refit(struct bvh_builder *builder, uint32_t at);
 
 /* Returns the SAH cost of the subtree at `at`, in ray-triangle tests of a ray that hits its box. */
-double bvh_sah_cost(const struct bvh_builder *draft, uint32_t at);
+double bvh_sah_cost(const struct bvh_builder *builder, uint32_t at);
 
 #endif

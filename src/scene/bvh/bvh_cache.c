@@ -5,10 +5,10 @@
 #include <string.h>
 #include "src/base/disk_cache.h"
 
-#define FORMAT 1 /* version: raise it if the encoding or the build algorithm changes */
+#define FORMAT 1 /* version; increment it if the encoding or the build algorithm changes */
 
 enum {
-    KEY_WORDS = sizeof(uint64_t) / sizeof(uint32_t), /* 32-bit words of the key, before the data */
+    KEY_WORDS = sizeof(uint64_t) / sizeof(uint32_t), /* the key precedes the data */
     NAME_SIZE = 32,
 };
 
@@ -48,14 +48,14 @@ static void write_name(char name[static NAME_SIZE], uint64_t key)
     snprintf(name, NAME_SIZE, "tree-%016llx", (unsigned long long)key);
 }
 
-/* Returns the maximum size of an encoding: a BVH of n triangles has at most 2 n - 1 nodes. */
-static size_t words_max(const struct bvh_two_level *shape)
+/* Returns the maximum size of an encoded topology: n triangles need at most 2 n - 1 nodes. */
+static size_t words_max(const struct bvh_two_level *hierarchy)
 {
-    return 3 * (size_t)shape->count;
+    return 3 * (size_t)hierarchy->count;
 }
 
-/* Writes a subtree in depth-first order, a word per node: the first child's triangle count, 0 for a
- * leaf. */
+/* Writes a subtree in depth-first order: per node the first child's triangle count, 0 for a leaf.
+ */
 static void encode_node(uint32_t *words, size_t *next, const struct bvh_node *nodes, uint32_t at)
 {
     const uint32_t *children = nodes[at].children;
@@ -65,16 +65,15 @@ static void encode_node(uint32_t *words, size_t *next, const struct bvh_node *no
 }
 
 /* Encodes a topology. Returns the number of words written. */
-static size_t encode(uint32_t *words, const struct bvh_two_level *shape)
+static size_t encode(uint32_t *words, const struct bvh_two_level *hierarchy)
 {
-    size_t next = shape->count;
-    memcpy(words, shape->draft.order, shape->count * sizeof(*words));
-    for (uint32_t i = 0; i < shape->group_count; i++)
-        encode_node(words, &next, shape->draft.nodes, shape->groups[i].root);
+    size_t next = hierarchy->count;
+    memcpy(words, hierarchy->draft.order, hierarchy->count * sizeof(*words));
+    for (uint32_t i = 0; i < hierarchy->group_count; i++)
+        encode_node(words, &next, hierarchy->draft.nodes, hierarchy->groups[i].root);
     return next;
 }
 
-/* Decoder state. */
 struct decoder {
     struct bvh_node *nodes;
     const uint32_t *words;
@@ -82,7 +81,7 @@ struct decoder {
 };
 
 /* Decodes a subtree over exactly the range that its parent assigned, so that any input yields a
- * valid BVH in which each triangle is in one leaf. `left` limits the depth. */
+ * valid BVH with each triangle in one leaf. `left` limits the depth. */
 static bool decode_node(struct decoder *decoder, const struct bvh_range *range, uint32_t left)
 {
     if (!left || decoder->next == decoder->count)
@@ -102,37 +101,37 @@ static bool decode_node(struct decoder *decoder, const struct bvh_range *range, 
 }
 
 /* Returns true if `order` is a permutation of the triangles within each group. */
-static bool is_order(const struct bvh_two_level *shape, const uint32_t *order)
+static bool is_order(const struct bvh_two_level *hierarchy, const uint32_t *order)
 {
-    bool *seen = calloc(shape->count + (size_t)1, sizeof(*seen));
-    bool is_sound = seen;
-    for (uint32_t i = 0; i < shape->group_count && is_sound; i++) {
-        const struct bvh_range *group = &shape->groups[i];
+    bool *is_used = calloc(hierarchy->count + (size_t)1, sizeof(*is_used));
+    bool is_sound = is_used;
+    for (uint32_t i = 0; i < hierarchy->group_count && is_sound; i++) {
+        const struct bvh_range *group = &hierarchy->groups[i];
         for (uint32_t k = group->first; k < group->first + group->count && is_sound; k++) {
             is_sound = order[k] >= group->first && order[k] - group->first < group->count &&
-                       !seen[order[k]];
+                       !is_used[order[k]];
             if (is_sound)
-                seen[order[k]] = true;
+                is_used[order[k]] = true;
         }
     }
-    free(seen);
+    free(is_used);
     return is_sound;
 }
 
-bool bvh_cache_decode(struct bvh_two_level *shape, const uint32_t *words, size_t count)
+bool bvh_cache_decode(struct bvh_two_level *hierarchy, const uint32_t *words, size_t count)
 {
-    if (count < shape->count || !is_order(shape, words))
+    if (count < hierarchy->count || !is_order(hierarchy, words))
         return false;
-    struct decoder decoder = { shape->draft.nodes, words, shape->count, count };
-    for (uint32_t i = 0; i < shape->group_count; i++) {
-        if (!decode_node(&decoder, &shape->groups[i], shape->depth))
+    struct decoder decoder = { hierarchy->draft.nodes, words, hierarchy->count, count };
+    for (uint32_t i = 0; i < hierarchy->group_count; i++) {
+        if (!decode_node(&decoder, &hierarchy->groups[i], hierarchy->depth))
             return false;
     }
     if (decoder.next != count)
         return false;
-    memcpy(shape->draft.order, words, shape->count * sizeof(*words));
-    for (uint32_t i = 0; i < shape->group_count; i++)
-        bvh_refit(&shape->draft, shape->groups[i].root);
+    memcpy(hierarchy->draft.order, words, hierarchy->count * sizeof(*words));
+    for (uint32_t i = 0; i < hierarchy->group_count; i++)
+        bvh_refit(&hierarchy->draft, hierarchy->groups[i].root);
     return true;
 }
 
@@ -142,14 +141,14 @@ static bool is_sound(const void *key, const void *data, size_t size)
            memcmp(data, key, sizeof(uint64_t)) == 0 && disk_cache_is_intact(data, size);
 }
 
-bool bvh_cache_load(struct bvh_two_level *shape, uint64_t key)
+bool bvh_cache_load(struct bvh_two_level *hierarchy, uint64_t key)
 {
     char name[NAME_SIZE];
     size_t size = 0;
     write_name(name, key);
     const struct disk_cache_file file = {
         .name = name,
-        .size_max = (KEY_WORDS + words_max(shape)) * sizeof(uint32_t) + DISK_CACHE_HASH_SIZE,
+        .size_max = (KEY_WORDS + words_max(hierarchy)) * sizeof(uint32_t) + DISK_CACHE_HASH_SIZE,
         .is_quiet = true,
         .is_sound = is_sound,
         .user = &key,
@@ -157,20 +156,20 @@ bool bvh_cache_load(struct bvh_two_level *shape, uint64_t key)
     uint32_t *words = disk_cache_read(&file, &size);
     const size_t count = size / sizeof(*words);
     const bool done =
-        words && bvh_cache_decode(shape, words + KEY_WORDS, count - 2 * (size_t)KEY_WORDS);
+        words && bvh_cache_decode(hierarchy, words + KEY_WORDS, count - 2 * (size_t)KEY_WORDS);
     free(words);
     return done;
 }
 
-void bvh_cache_save(const struct bvh_two_level *shape, uint64_t key)
+void bvh_cache_save(const struct bvh_two_level *hierarchy, uint64_t key)
 {
     char name[NAME_SIZE];
     uint32_t *words =
-        malloc((KEY_WORDS + words_max(shape)) * sizeof(*words) + (size_t)DISK_CACHE_HASH_SIZE);
+        malloc((KEY_WORDS + words_max(hierarchy)) * sizeof(*words) + (size_t)DISK_CACHE_HASH_SIZE);
     if (!words)
         return;
     memcpy(words, &key, sizeof(key));
-    const size_t count = KEY_WORDS + encode(words + KEY_WORDS, shape);
+    const size_t count = KEY_WORDS + encode(words + KEY_WORDS, hierarchy);
     write_name(name, key);
     disk_cache_write(name, words, count * sizeof(*words));
     disk_cache_evict("tree-", BVH_CACHE_SIZE_MAX);

@@ -1,7 +1,7 @@
 /*
  * bvh_cache.h: caches the topology of large BVHs in files between runs (src/base/disk_cache.h).
  *
- * A file holds the triangle order of a part, and the number of triangles in each node's first
+ * A file holds the triangle order of a scene part, and the triangle count of each node's first
  * child. Boxes are recomputed from the scene, so a wrong file can make rays slower, but cannot
  * change what they hit. The file name is a hash of everything that determines the topology.
  */
@@ -11,21 +11,21 @@
 #include "src/scene/bvh/bvh_scene_parts.h"
 
 enum {
-    BVH_CACHE_MIN = 100000,         /* minimum triangle count of a part whose BVH is cached */
-    BVH_CACHE_SIZE_MAX = 256 << 20, /* total size limit of the cached BVHs, bytes */
+    BVH_CACHE_MIN = 100000,         /* minimum triangle count of a cached BVH */
+    BVH_CACHE_SIZE_MAX = 256 << 20, /* total size limit of cache files, bytes */
 };
 
-/* Returns a hash of positions, groups and build parameters. The part must have no bubbles. */
+/* Returns a hash of positions, groups and build parameters of a scene part without bubbles. */
 uint64_t bvh_cache_key(const struct bvh_part *part);
 
-/* Reads the topology with this key into a shape whose groups have ranges. Returns false if there is
- * no valid file; the nodes are then undefined, and the triangle order is unchanged. */
-bool bvh_cache_load(struct bvh_two_level *shape, uint64_t key);
+/* Reads the topology with this key into a BVH whose groups have ranges. Returns false if there is
+ * no valid file; nodes are then undefined, and the triangle order is unchanged. */
+bool bvh_cache_load(struct bvh_two_level *hierarchy, uint64_t key);
 
-/* Writes the topology of a shape's groups, and evicts least recently used files. */
-void bvh_cache_save(const struct bvh_two_level *shape, uint64_t key);
+/* Writes a BVH's topology to a cache file, and evicts the least recently used files. */
+void bvh_cache_save(const struct bvh_two_level *hierarchy, uint64_t key);
 
-/* Decodes `count` untrusted words into a shape. Returns false if they are not a valid topology. */
-bool bvh_cache_decode(struct bvh_two_level *shape, const uint32_t *words, size_t count);
+/* Decodes `count` untrusted words into a BVH. Returns false if they are not a valid topology. */
+bool bvh_cache_decode(struct bvh_two_level *hierarchy, const uint32_t *words, size_t count);
 
 #endif

@@ -1,14 +1,14 @@
 /*
  * bvh_horizon.c: computes an upper bound of each triangle's horizon by BVH traversal.
  *
- * Problem: most rays that leave a convex or nearly convex object hit nothing, but still cost a
- * traversal. The horizon of a triangle is the largest elevation of any other triangle above its
- * plane, seen from any of its points. A ray that leaves more steeply cannot hit the object.
+ * Most rays that leave a convex or nearly convex object hit nothing, but still cost a traversal.
+ * The horizon of a triangle is the largest elevation angle above its plane at which any other
+ * triangle is visible from it. A ray that leaves more steeply cannot hit the object.
  *
- * Method: of two children the one that rises higher is visited first, and subtrees below the
- * horizon found so far are skipped. The previous triangle's highest occluder is tested first, since
- * neighbours usually share it. Visits are capped; triangles beyond the cap, or with steep horizons,
- * are marked unknown, and their rays are traced.
+ * The child with the higher elevation is visited first, and subtrees below the horizon found so far
+ * are skipped. The previous triangle's highest occluder is tested first, since neighbours usually
+ * share it. Visits are capped; triangles beyond the cap, or with steep horizons, are marked
+ * unknown, and their rays are traced.
  */
 #include "src/scene/bvh/bvh_horizon.h"
 #include <float.h>
@@ -19,21 +19,22 @@
 
 enum {
     THREADS_MAX = 16,
-    THREAD_MIN = 1 << 12, /* triangles that are worth a thread */
-    BLOCK = 64,           /* triangles per block, whose first has no candidate occluder */
-    VISITS_MAX = 1024,    /* node visits per triangle */
+    THREAD_MIN = 1 << 12, /* minimum triangles per thread */
+    BLOCK = 64,           /* triangles per block; its first one reuses no occluder */
+    VISITS_MAX = 1024,    /* maximum node visits per triangle */
 };
 
-/* Tangents: horizons above `steepest` cull too few rays; flatter ones cost too much. */
+/* Tangents of horizon angles. Steeper ones cull too few rays; finding flatter ones costs too much.
+ */
 static const float steepest = 2.6f, flattest = 0.143f;
 
 /* Triangle whose horizon is computed. */
 struct receiver {
-    float corners[3][3], middle[3];
-    float radius;          /* bounding radius around the middle */
-    float plane[4];        /* unit normal; negated distance of the plane from the origin */
+    float corners[3][3], center[3];
+    float radius;          /* bounding radius of the triangle */
+    float plane[4];        /* plane equation: unit normal, negated distance from the origin */
     float edge_dirs[3][3]; /* in-plane outward normal of each edge */
-    uint32_t at;           /* index in leaf order */
+    uint32_t at;           /* triangle index in leaf order */
 };
 
 static float dot(const float a[static 3], const float b[static 3])
@@ -58,45 +59,44 @@ static bool normalize(float v[static 3])
     return length > 0.0f;
 }
 
-/* State that all threads share. */
 struct search {
-    const struct bvh_two_level *shape;
+    const struct bvh_two_level *hierarchy;
     const struct bvh_part *part;
-    float epsilon; /* heights up to this are rounding errors */
+    float epsilon; /* maximum height that is a rounding error */
     uint8_t *horizons;
 };
 
 static void copy_corners(float to[static 3][3], const struct search *search, uint32_t at)
 {
-    const uint32_t triangle = search->part->triangles[search->shape->draft.order[at]];
+    const uint32_t triangle = search->part->triangles[search->hierarchy->draft.order[at]];
     for (uint32_t k = 0; k < 3; k++)
         memcpy(to[k], bvh_corner(search->part, triangle, k)->position.raw, sizeof(to[k]));
 }
 
-/* Sets up a triangle. Returns false if it is degenerate. */
+/* Sets up the triangle at index `at`. Returns false if it is degenerate. */
 static bool receiver_init(struct receiver *from, const struct search *search, uint32_t at)
 {
     float sides[3][3];
     from->at = at;
     copy_corners(from->corners, search, at);
     for (int k = 0; k < 3; k++) {
-        from->middle[k] = (from->corners[0][k] + from->corners[1][k] + from->corners[2][k]) / 3.0f;
+        from->center[k] = (from->corners[0][k] + from->corners[1][k] + from->corners[2][k]) / 3.0f;
         for (int i = 0; i < 3; i++)
             sides[i][k] = from->corners[(i + 1) % 3][k] - from->corners[i][k];
     }
     cross(from->plane, sides[0], sides[1]);
     if (!normalize(from->plane))
         return false;
-    from->plane[3] = -dot(from->plane, from->middle);
+    from->plane[3] = -dot(from->plane, from->center);
     from->radius = 0.0f;
     for (int i = 0; i < 3; i++) {
         cross(from->edge_dirs[i], sides[i], from->plane);
         if (!normalize(from->edge_dirs[i]))
             return false;
-        float arm[3];
+        float offset[3];
         for (int k = 0; k < 3; k++)
-            arm[k] = from->corners[i][k] - from->middle[k];
-        from->radius = fmaxf(from->radius, sqrtf(dot(arm, arm)));
+            offset[k] = from->corners[i][k] - from->center[k];
+        from->radius = fmaxf(from->radius, sqrtf(dot(offset, offset)));
     }
     return true;
 }
@@ -108,28 +108,28 @@ static float extent_along(const struct receiver *from, const float dir[static 3]
                  fmaxf(dot(dir, from->corners[1]), dot(dir, from->corners[2])));
 }
 
-/* Returns an upper bound of the tangent of a box's elevation: its height over the least in-plane
+/* Returns an upper bound of the tangent of a box's elevation: its height over the minimum in-plane
  * distance, along the direction to its centre. */
 static float box_elevation(const struct receiver *from, const struct bvh_box *box, float epsilon)
 {
     const float *normal = from->plane;
     float dir[3], half[3];
-    float up = 0.0f, thick = 0.0f, wide = 0.0f;
+    float up = 0.0f, half_height = 0.0f, extent = 0.0f;
     for (int k = 0; k < 3; k++) {
-        dir[k] = 0.5f * box->low[k] + 0.5f * box->high[k] - from->middle[k];
+        dir[k] = 0.5f * box->low[k] + 0.5f * box->high[k] - from->center[k];
         half[k] = 0.5f * (box->high[k] - box->low[k]);
         up += normal[k] * dir[k];
-        thick += fabsf(normal[k]) * half[k];
+        half_height += fabsf(normal[k]) * half[k];
     }
-    if (up + thick <= epsilon)
+    if (up + half_height <= epsilon)
         return 0.0f;
     for (int k = 0; k < 3; k++) {
         dir[k] -= up * normal[k];
-        wide += fabsf(dir[k]) * half[k];
+        extent += fabsf(dir[k]) * half[k];
     }
     const float square = dot(dir, dir);
-    const float nearest = square - wide - from->radius * sqrtf(square);
-    return nearest > 0.0f ? (up + thick) * sqrtf(square) / nearest : FLT_MAX;
+    const float nearest = square - extent - from->radius * sqrtf(square);
+    return nearest > 0.0f ? (up + half_height) * sqrtf(square) / nearest : FLT_MAX;
 }
 
 /* Returns the tangent of a triangle's elevation, with distances measured along an in-plane
@@ -150,7 +150,7 @@ static float elevation_along(const struct receiver *from, float corners[static 3
     return most;
 }
 
-/* Returns the least bound over several directions, or the first that is at most `enough`. */
+/* Returns the minimum elevation bound of several directions, or the first that is <= `enough`. */
 static float triangle_elevation(const struct receiver *from, const struct search *search,
                                 uint32_t at, float enough)
 {
@@ -161,33 +161,33 @@ static float triangle_elevation(const struct receiver *from, const struct search
     if (top <= search->epsilon)
         return 0.0f;
     for (int k = 0; k < 3; k++)
-        dir[k] = (corners[0][k] + corners[1][k] + corners[2][k]) / 3.0f - from->middle[k];
+        dir[k] = (corners[0][k] + corners[1][k] + corners[2][k]) / 3.0f - from->center[k];
     const float up = dot(dir, from->plane);
     for (int k = 0; k < 3; k++)
         dir[k] -= up * from->plane[k];
-    float least = normalize(dir) ? elevation_along(from, corners, dir, search->epsilon) : FLT_MAX;
-    for (int i = 0; i < 3 && least > enough; i++)
-        least = fminf(least, elevation_along(from, corners, from->edge_dirs[i], search->epsilon));
-    return least;
+    float lowest = normalize(dir) ? elevation_along(from, corners, dir, search->epsilon) : FLT_MAX;
+    for (int i = 0; i < 3 && lowest > enough; i++)
+        lowest = fminf(lowest, elevation_along(from, corners, from->edge_dirs[i], search->epsilon));
+    return lowest;
 }
 
-/* Stack entry: a node, and the upper bound of its elevation. */
+/* Stack entry: a node, and an upper bound of its elevation tangent. */
 struct candidate {
     float most;
     uint32_t node;
 };
 
-/* Returns the tangent of the horizon, or a value above `steepest`. Tests *highest, the
- * predecessor's occluder, first, and sets it to this triangle's. */
+/* Returns the tangent of a triangle's horizon, or a value above `steepest`. *highest is the
+ * occluder to test first, the previous triangle's, and receives the highest occluder. */
 static float horizon_of(const struct receiver *from, const struct search *search, uint32_t *highest)
 {
-    const struct bvh_node *nodes = search->shape->draft.nodes;
+    const struct bvh_node *nodes = search->hierarchy->draft.nodes;
     struct candidate stack[BVH_DEPTH_MAX + 2];
     uint32_t count = 0, visits = 0;
     float horizon = flattest;
     if (*highest != from->at)
         horizon = fmaxf(horizon, triangle_elevation(from, search, *highest, horizon));
-    stack[count++] = (struct candidate){ FLT_MAX, search->shape->root };
+    stack[count++] = (struct candidate){ FLT_MAX, search->hierarchy->root };
     while (count && horizon <= steepest) {
         const struct candidate candidate = stack[--count];
         const struct bvh_node *node = &nodes[candidate.node];
@@ -225,7 +225,7 @@ static void *find_horizons(void *user)
         struct receiver from;
         uint8_t *horizon = &range->search->horizons[i];
         *horizon = BVH_HORIZON_UNKNOWN;
-        highest = i % BLOCK ? highest : i; /* independent of the number of threads */
+        highest = i % BLOCK ? highest : i; /* blocks make it independent of threads */
         if (!receiver_init(&from, range->search, i))
             continue;
         const float candidate = horizon_of(&from, range->search, &highest);
@@ -244,7 +244,7 @@ static float epsilon_of(const struct bvh_box *box)
     return 4e-7f * most;
 }
 
-uint8_t *bvh_horizons_compute(const struct bvh_two_level *shape, const struct bvh_part *part,
+uint8_t *bvh_horizons_compute(const struct bvh_two_level *hierarchy, const struct bvh_part *part,
                               uint32_t threads)
 {
     struct range ranges[THREADS_MAX];
@@ -252,7 +252,8 @@ uint8_t *bvh_horizons_compute(const struct bvh_two_level *shape, const struct bv
     bool is_parallel[THREADS_MAX] = { false };
     if (!part->count || part->count > BVH_HORIZON_TRIANGLES_MAX)
         return NULL;
-    struct search search = { shape, part, epsilon_of(&shape->draft.nodes[shape->root].box),
+    struct search search = { hierarchy, part,
+                             epsilon_of(&hierarchy->draft.nodes[hierarchy->root].box),
                              malloc(part->count) };
     uint32_t count = part->count / THREAD_MIN + 1;
     count = count < threads ? count : threads ? threads : 1;
@@ -276,17 +277,16 @@ uint8_t *bvh_horizons_compute(const struct bvh_two_level *shape, const struct bv
 
 bool bvh_has_horizon_grid(const struct bvh *bvh, const struct bvh_two_level *objects)
 {
-    return objects->horizons && bvh->shells == 1;
+    return objects->horizons && bvh->object_count == 1;
 }
 
-/* Returns the horizon in steps, widened to be valid above the plane of every interpolated normal.
- */
-static uint8_t widened_horizon(const struct bvh_two_level *shape, const struct bvh_part *part,
+/* Returns a triangle's quantised horizon, valid also above the planes of interpolated normals. */
+static uint8_t widened_horizon(const struct bvh_two_level *hierarchy, const struct bvh_part *part,
                                uint32_t at)
 {
-    const struct search search = { .shape = shape, .part = part };
-    const double horizon = (double)shape->horizons[at] / BVH_HORIZON_STEPS;
-    const uint32_t triangle = part->triangles[shape->draft.order[at]];
+    const struct search search = { .hierarchy = hierarchy, .part = part };
+    const double horizon = (double)hierarchy->horizons[at] / BVH_HORIZON_STEPS;
+    const uint32_t triangle = part->triangles[hierarchy->draft.order[at]];
     struct receiver from;
     double cosine = 1.0;
     if (horizon > 1.0 || !receiver_init(&from, &search, at))
@@ -324,7 +324,8 @@ static void widen_cells(struct grid *grid, const int first[static 3], const int 
 void bvh_horizon_grid_write(struct bvh *bvh, const struct bvh_two_level *objects,
                             const struct bvh_part *part)
 {
-    static const float tolerance = 0.1f; /* tolerance of hit points beside their triangle, cells */
+    /* tolerance of hit points beside their triangle, in cells */
+    static const float tolerance = 0.1f;
     const struct bvh_box *all = &objects->draft.nodes[objects->root].box;
     struct grid grid = { 0 };
     memset(grid.cells, BVH_HORIZON_UNKNOWN, sizeof(grid.cells));
@@ -333,12 +334,14 @@ void bvh_horizon_grid_write(struct bvh *bvh, const struct bvh_two_level *objects
         bvh->grid_scale.raw[k] = (float)BVH_HORIZON_GRID / fmaxf(all->high[k] - all->low[k], 1e-9f);
     }
     for (uint32_t i = 0; i < part->count; i++) {
-        const struct bvh_box own = bvh_triangle_box(part, part->triangles[objects->draft.order[i]]);
+        const struct bvh_box triangle_box =
+            bvh_triangle_box(part, part->triangles[objects->draft.order[i]]);
         int first[3], last[3];
         for (int k = 0; k < 3; k++) {
             const float low = bvh->grid_low.raw[k], scale = bvh->grid_scale.raw[k];
-            first[k] = (int)fmaxf((own.low[k] - low) * scale - tolerance, 0.0f);
-            last[k] = (int)fminf((own.high[k] - low) * scale + tolerance, BVH_HORIZON_GRID - 1);
+            first[k] = (int)fmaxf((triangle_box.low[k] - low) * scale - tolerance, 0.0f);
+            last[k] =
+                (int)fminf((triangle_box.high[k] - low) * scale + tolerance, BVH_HORIZON_GRID - 1);
         }
         widen_cells(&grid, first, last, widened_horizon(objects, part, i));
     }

@@ -1,8 +1,8 @@
-/* bvh_interior_list.c: sets of enclosing objects (interior lists of nested dielectrics). */
+/* bvh_interior_list.c: interior lists of nested dielectrics: the sets of enclosing objects. */
 #include "src/scene/bvh/bvh.h"
 
 enum {
-    CROSSINGS_MAX = 4096, /* maximum hits of the ray that finds enclosing objects */
+    CROSSINGS_MAX = 4096, /* maximum hits of the inside-test ray */
     HALF = 16,            /* bits per rank; a 32-bit word holds two */
 };
 
@@ -11,59 +11,57 @@ uint32_t bvh_medium(const struct bvh *bvh, uint32_t rank)
     return bvh->media ? bvh->corners.all[bvh->media + rank][0] : rank;
 }
 
-static uint32_t rank_at(const struct bvh_interior_list *shells, uint32_t i)
+static uint32_t rank_at(const struct bvh_interior_list *list, uint32_t i)
 {
-    return shells->words[i / 2] >> (i % 2 * HALF) & 0xffff;
+    return list->words[i / 2] >> (i % 2 * HALF) & 0xffff;
 }
 
-static void set_rank(struct bvh_interior_list *shells, uint32_t i, uint32_t rank)
+static void set_rank(struct bvh_interior_list *list, uint32_t i, uint32_t rank)
 {
-    shells->words[i / 2] &= ~(0xffffu << (i % 2 * HALF));
-    shells->words[i / 2] |= rank << (i % 2 * HALF);
+    list->words[i / 2] &= ~(0xffffu << (i % 2 * HALF));
+    list->words[i / 2] |= rank << (i % 2 * HALF);
 }
 
-void bvh_interior_list_insert(struct bvh_interior_list *shells, const struct bvh *bvh,
-                              uint32_t rank)
+void bvh_interior_list_insert(struct bvh_interior_list *list, const struct bvh *bvh, uint32_t rank)
 {
-    if (bvh->shells <= BVH_MASK_OBJECTS_MAX) {
-        shells->words[0] |= 1u << (rank - 1);
+    if (bvh->object_count <= BVH_MASK_OBJECTS_MAX) {
+        list->words[0] |= 1u << (rank - 1);
         return;
     }
     for (uint32_t i = 0; i < BVH_INTERIOR_LIST_MAX; i++) {
-        const uint32_t found = rank_at(shells, i);
+        const uint32_t found = rank_at(list, i);
         if (found == rank)
             return;
         if (found > rank)
             continue;
-        set_rank(shells, i, rank);
+        set_rank(list, i, rank);
         rank = found;
     }
 }
 
-void bvh_interior_list_remove(struct bvh_interior_list *shells, const struct bvh *bvh,
-                              uint32_t rank)
+void bvh_interior_list_remove(struct bvh_interior_list *list, const struct bvh *bvh, uint32_t rank)
 {
-    if (bvh->shells <= BVH_MASK_OBJECTS_MAX) {
-        shells->words[0] &= ~(1u << (rank - 1));
+    if (bvh->object_count <= BVH_MASK_OBJECTS_MAX) {
+        list->words[0] &= ~(1u << (rank - 1));
         return;
     }
-    uint32_t kept = 0;
+    uint32_t count = 0;
     for (uint32_t i = 0; i < BVH_INTERIOR_LIST_MAX; i++) {
-        const uint32_t found = rank_at(shells, i);
+        const uint32_t found = rank_at(list, i);
         if (found != rank)
-            set_rank(shells, kept++, found);
+            set_rank(list, count++, found);
     }
-    if (kept < BVH_INTERIOR_LIST_MAX)
-        set_rank(shells, kept, 0);
+    if (count < BVH_INTERIOR_LIST_MAX)
+        set_rank(list, count, 0);
 }
 
-bool bvh_interior_list_contains(const struct bvh_interior_list *shells, const struct bvh *bvh,
+bool bvh_interior_list_contains(const struct bvh_interior_list *list, const struct bvh *bvh,
                                 uint32_t rank)
 {
-    if (bvh->shells <= BVH_MASK_OBJECTS_MAX)
-        return shells->words[0] >> (rank - 1) & 1;
+    if (bvh->object_count <= BVH_MASK_OBJECTS_MAX)
+        return list->words[0] >> (rank - 1) & 1;
     for (uint32_t i = 0; i < BVH_INTERIOR_LIST_MAX; i++) {
-        if (rank_at(shells, i) == rank)
+        if (rank_at(list, i) == rank)
             return true;
     }
     return false;

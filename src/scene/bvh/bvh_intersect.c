@@ -24,8 +24,8 @@ static void intersect_triangle(const struct bvh *bvh, uint32_t triangle, const s
 {
     const uint32_t(*rows)[4] =
         (const uint32_t(*)[4]) & bvh->triangles.all[(size_t)triangle * BVH_TRIANGLE_WORDS];
-    const double facing = dot_row(rows[2], ray->dir.raw);
-    const double t = -(dot_row(rows[2], ray->origin.raw) + number(rows[2][3])) / facing;
+    const double dz = dot_row(rows[2], ray->dir.raw);
+    const double t = -(dot_row(rows[2], ray->origin.raw) + number(rows[2][3])) / dz;
     const double u =
         dot_row(rows[0], ray->origin.raw) + t * dot_row(rows[0], ray->dir.raw) + number(rows[0][3]);
     const double v =
@@ -35,7 +35,7 @@ static void intersect_triangle(const struct bvh *bvh, uint32_t triangle, const s
         return;
     if (!(u >= edge && v >= edge && 1.0 - u - v >= edge))
         return;
-    *hit = (struct bvh_hit){ t, u, v, triangle, 0, facing > 0.0 };
+    *hit = (struct bvh_hit){ t, u, v, triangle, 0, dz > 0.0 };
 }
 
 static bool intersects_box(const struct bvh_box *box, const struct bvh_ray *ray, double far)

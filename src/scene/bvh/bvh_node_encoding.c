@@ -1,15 +1,15 @@
 /*
  * bvh_node_encoding.c: encodes BVH nodes for the GPU: quantised child boxes and normal cones.
  *
- * Child boxes are rounded outwards to a fixed-point grid per part, which halves the size of the
- * boxes. The normal cones, which use the bits that are left, let a ray that is known to enter or
- * leave an object skip subtrees that face the other way.
+ * Child boxes are rounded outwards to a fixed-point grid of the scene part, which halves their
+ * size. The remaining bits hold normal cones: a ray that is known to enter or leave an object skips
+ * subtrees that face the other way.
  */
 #include "src/scene/bvh/bvh_node_encoding.h"
 #include <math.h>
 #include <string.h>
 
-/* Grid steps by which boxes are enlarged, to cover rounding in the shader. */
+/* Enlargement of boxes in grid steps, which covers rounding in the shader. */
 static const double margin = 0.125;
 
 static uint32_t bits(float x)
@@ -75,14 +75,14 @@ static struct cone leaf_cone(const struct bvh *bvh, uint32_t first, uint32_t cou
     return cone;
 }
 
-/* Quantised cone, as stored in a child's word. */
+/* Quantised cone, as stored in the 32-bit word of a child. */
 struct packed_cone {
     int axis[3];
     uint32_t sine;
 };
 
-/* Quantises a cone. A subtree is back-facing for a direction whose cosine with the axis exceeds the
- * sine of the half-angle. The sine is enlarged by the rounding error of the axis. */
+/* Quantises a normal cone. A subtree is back-facing for a direction whose cosine with the axis
+ * exceeds the sine of the half-angle, which is enlarged by the axis's rounding error. */
 static struct packed_cone pack(const struct cone *cone)
 {
     struct packed_cone packed = { .sine = BVH_CONE_OPEN };
@@ -104,10 +104,10 @@ static struct packed_cone pack(const struct cone *cone)
 
 static float rounding_of(const struct bvh_box *box)
 {
-    float most = 0.0f;
+    float max = 0.0f;
     for (int k = 0; k < 3; k++)
-        most = fmaxf(most, fmaxf(fabsf(box->low[k]), fabsf(box->high[k])));
-    return 4e-7f * most;
+        max = fmaxf(max, fmaxf(fabsf(box->low[k]), fabsf(box->high[k])));
+    return 4e-7f * max;
 }
 
 /* Fixed-point grid of box planes. */
@@ -135,9 +135,9 @@ static struct grid grid_around(const struct bvh_box *box, uint32_t plane_bits)
 static uint32_t plane_of(const struct grid *grid, int axis, float at, bool is_high)
 {
     const double steps = ((double)at - (double)grid->low[axis]) * (double)grid->scale[axis];
-    const double most = (double)((1u << grid->plane_bits) - 1);
+    const double max = (double)((1u << grid->plane_bits) - 1);
     const double plane = is_high ? ceil(steps + margin) : floor(steps - margin);
-    return (uint32_t)fmin(fmax(plane, 0.0), most);
+    return (uint32_t)fmin(fmax(plane, 0.0), max);
 }
 
 struct bvh_box bvh_nodes_child_box(const uint32_t grid[static BVH_NODE_WORDS][4],
@@ -161,35 +161,34 @@ struct bvh_box bvh_nodes_extent(const struct bvh *bvh, uint32_t part)
     return bvh_nodes_child_box(grid, (const uint32_t[4]){ all, all, all });
 }
 
-/* Encoder state. */
 struct encoder {
     struct bvh *bvh;
-    const struct bvh_two_level *shape;
+    const struct bvh_two_level *hierarchy;
     struct grid grid;
     uint32_t first; /* BVH index of the part's first triangle */
-    float rounding; /* margin around boxes for rounding errors */
+    float rounding; /* enlargement of boxes for rounding errors */
     bool has_cones;
 };
 
 static uint32_t write_node(struct encoder *encoder, uint32_t at, uint32_t depth, struct cone *cone);
 
-/* Encodes a child, and extends the parent's cone. */
+/* Encodes a child, and extends the normal cone of its parent. */
 static void write_child(struct encoder *encoder, uint32_t word, uint32_t at, uint32_t depth,
                         struct cone *cone)
 {
     struct bvh *bvh = encoder->bvh;
-    const struct bvh_node *node = &encoder->shape->draft.nodes[at];
+    const struct bvh_node *node = &encoder->hierarchy->draft.nodes[at];
     const uint32_t first = encoder->first + node->first;
-    struct cone own;
+    struct cone child_cone;
     uint32_t child;
     if (node->children[0]) {
-        child = write_node(encoder, at, depth, &own);
+        child = write_node(encoder, at, depth, &child_cone);
     } else {
         child = BVH_LEAF | first << 3 | node->count;
-        own = leaf_cone(bvh, first, node->count);
+        child_cone = leaf_cone(bvh, first, node->count);
     }
     const struct packed_cone packed =
-        encoder->has_cones ? pack(&own) : (struct packed_cone){ .sine = BVH_CONE_OPEN };
+        encoder->has_cones ? pack(&child_cone) : (struct packed_cone){ .sine = BVH_CONE_OPEN };
     uint32_t *to = bvh->nodes.all[word];
     for (int k = 0; k < 3; k++) {
         to[k] = plane_of(&encoder->grid, k, node->box.low[k] - encoder->rounding, false);
@@ -199,15 +198,15 @@ static void write_child(struct encoder *encoder, uint32_t word, uint32_t at, uin
             to[k] |= (uint32_t)packed.axis[k] << BVH_CONE_SHIFT;
     }
     to[3] = child | packed.sine << BVH_CONE_SINE_SHIFT;
-    *cone = merge_cones(cone, &own);
+    *cone = merge_cones(cone, &child_cone);
 }
 
-/* Encodes an inner node and its subtree. Returns the node's index. */
+/* Encodes an inner node and its subtree, and returns the node's index and normal cone. */
 static uint32_t write_node(struct encoder *encoder, uint32_t at, uint32_t depth, struct cone *cone)
 {
     struct bvh *bvh = encoder->bvh;
     const uint32_t word = bvh->nodes.count;
-    const struct bvh_node *node = &encoder->shape->draft.nodes[at];
+    const struct bvh_node *node = &encoder->hierarchy->draft.nodes[at];
     bvh->nodes.count += BVH_NODE_WORDS;
     bvh->depth = depth > bvh->depth ? depth : bvh->depth;
     *cone = (struct cone){ .angle = -1.0 };
@@ -227,25 +226,26 @@ static void write_grid(struct encoder *encoder)
     encoder->bvh->nodes.count += BVH_NODE_WORDS;
 }
 
-static uint32_t count_inner(const struct bvh_builder *draft, uint32_t at)
+static uint32_t count_inner(const struct bvh_builder *builder, uint32_t at)
 {
-    const uint32_t *children = draft->nodes[at].children;
-    return children[0] ? 1 + count_inner(draft, children[0]) + count_inner(draft, children[1]) : 0;
+    const uint32_t *children = builder->nodes[at].children;
+    return children[0] ? 1 + count_inner(builder, children[0]) + count_inner(builder, children[1])
+                       : 0;
 }
 
-uint32_t bvh_nodes_word_count(const struct bvh_two_level *shape)
+uint32_t bvh_nodes_word_count(const struct bvh_two_level *hierarchy)
 {
-    const uint32_t inner = count_inner(&shape->draft, shape->root);
+    const uint32_t inner = count_inner(&hierarchy->draft, hierarchy->root);
     return (1 + (inner ? inner : 1)) * BVH_NODE_WORDS;
 }
 
-/* A root that is a leaf becomes a node that refers to the leaf twice. */
-uint32_t bvh_nodes_write(struct bvh *bvh, const struct bvh_two_level *shape, uint32_t first,
+/* A single leaf is encoded as a node that refers to the leaf twice. */
+uint32_t bvh_nodes_write(struct bvh *bvh, const struct bvh_two_level *hierarchy, uint32_t first,
                          bool has_cones)
 {
-    const struct bvh_node *root = &shape->draft.nodes[shape->root];
+    const struct bvh_node *root = &hierarchy->draft.nodes[hierarchy->root];
     struct encoder encoder = { .bvh = bvh,
-                               .shape = shape,
+                               .hierarchy = hierarchy,
                                .first = first,
                                .rounding = rounding_of(&root->box),
                                .has_cones = has_cones };
@@ -258,10 +258,10 @@ uint32_t bvh_nodes_write(struct bvh *bvh, const struct bvh_two_level *shape, uin
     encoder.grid = grid_around(&box, has_cones ? BVH_CONE_SHIFT / 2 : BVH_PLANE_BITS);
     write_grid(&encoder);
     if (root->children[0])
-        return write_node(&encoder, shape->root, 1, &cone);
+        return write_node(&encoder, hierarchy->root, 1, &cone);
     const uint32_t word = bvh->nodes.count;
     bvh->nodes.count += BVH_NODE_WORDS;
-    write_child(&encoder, word, shape->root, 1, &cone);
-    write_child(&encoder, word + 1, shape->root, 1, &cone);
+    write_child(&encoder, word, hierarchy->root, 1, &cone);
+    write_child(&encoder, word + 1, hierarchy->root, 1, &cone);
     return word / BVH_NODE_WORDS;
 }

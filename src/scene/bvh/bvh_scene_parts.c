@@ -41,7 +41,7 @@ struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle)
     return box;
 }
 
-/* Returns triangle indices in file order (inverse of `sorted`), or NULL when out of memory. */
+/* Returns triangle indices in file order (the inverse of `sorted`), or NULL when out of memory. */
 static uint32_t *inverse_order(const struct bvh_part *part, const struct mesh_order *sorted)
 {
     const uint32_t count = triangle_count(part) + (part->bubbles ? part->bubbles->count : 0);
@@ -67,7 +67,7 @@ static uint32_t owner_of(const struct bvh_part *part, uint32_t triangle)
                       model->objects);
 }
 
-/* Starts a new group wherever the owner object changes. */
+/* Starts a new group of triangles wherever the owning object changes. */
 static bool list_groups(struct bvh_part *part, bool by_objects)
 {
     uint32_t last = 0;
@@ -133,10 +133,10 @@ static struct bvh_box box_of(const struct bvh_part *part)
 {
     struct bvh_box box = { { FLT_MAX, FLT_MAX, FLT_MAX }, { -FLT_MAX, -FLT_MAX, -FLT_MAX } };
     for (uint32_t i = 0; i < part->count; i++) {
-        const struct bvh_box own = bvh_triangle_box(part, part->triangles[i]);
+        const struct bvh_box triangle_box = bvh_triangle_box(part, part->triangles[i]);
         for (int k = 0; k < 3; k++) {
-            box.low[k] = fminf(box.low[k], own.low[k]);
-            box.high[k] = fmaxf(box.high[k], own.high[k]);
+            box.low[k] = fminf(box.low[k], triangle_box.low[k]);
+            box.high[k] = fmaxf(box.high[k], triangle_box.high[k]);
         }
     }
     return box;
@@ -145,10 +145,11 @@ static struct bvh_box box_of(const struct bvh_part *part)
 static bool surroundings_are_apart(const struct bvh_part *part, const struct bvh_box *box)
 {
     for (uint32_t i = 0; i < part->count; i++) {
-        const struct bvh_box own = bvh_triangle_box(part, part->triangles[i]);
+        const struct bvh_box triangle_box = bvh_triangle_box(part, part->triangles[i]);
         bool overlaps = true;
         for (int k = 0; k < 3; k++)
-            overlaps = overlaps && own.low[k] <= box->high[k] && own.high[k] >= box->low[k];
+            overlaps = overlaps && triangle_box.low[k] <= box->high[k] &&
+                       triangle_box.high[k] >= box->low[k];
         if (overlaps)
             return false;
     }
@@ -167,16 +168,17 @@ static void extend_to_rotations(struct bvh_box *box)
     }
 }
 
-bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_PART_COUNT], bool turn)
+bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_PART_COUNT], bool rotates)
 {
     struct bvh_box box = box_of(&parts[BVH_OBJECTS]);
-    if (turn && parts[BVH_OBJECTS].count)
+    if (rotates && parts[BVH_OBJECTS].count)
         extend_to_rotations(&box);
     return surroundings_are_apart(&parts[BVH_SURROUNDINGS], &box) &&
-           surroundings_are_apart(&parts[BVH_MOVERS], &box) && !(turn && parts[BVH_MOVERS].count);
+           surroundings_are_apart(&parts[BVH_MOVERS], &box) &&
+           !(rotates && parts[BVH_MOVERS].count);
 }
 
-/* Returns a hash of a directed edge. -0 and 0 are the same coordinate. */
+/* Returns a hash of a directed edge, in which -0 and 0 are the same coordinate. */
 static uint64_t edge_hash(const float *a, const float *b)
 {
     uint64_t hash = 0x9e3779b97f4a7c15u;
@@ -190,7 +192,7 @@ static uint64_t edge_hash(const float *a, const float *b)
     return hash * 0xc4ceb9fe1a85ec53u ^ hash >> 32;
 }
 
-/* In a closed mesh the hashes of opposite edges cancel in the sum, without a search for pairs. */
+/* Tests the sum of edge hashes, in which opposite edges of a closed mesh cancel. */
 bool bvh_part_is_closed(const struct bvh_part *part)
 {
     uint64_t sum = 0;

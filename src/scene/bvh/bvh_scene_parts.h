@@ -1,7 +1,4 @@
-/*
- * bvh_scene_parts.h: triangle lists of the scene's parts (shaders/trace/bvh_layout.h), grouped by
- * object.
- */
+/* bvh_scene_parts.h: triangle lists of a scene's parts (shaders/trace/bvh_layout.h), in groups. */
 #ifndef FIRN_SCENE_BVH_BVH_SCENE_PARTS_H
 #define FIRN_SCENE_BVH_BVH_SCENE_PARTS_H
 
@@ -11,10 +8,10 @@
 struct bvh_part {
     const struct model *model;
     const struct mesh *mesh;       /* NULL for none */
-    const struct bubbles *bubbles; /* NULL for none; numbered after the triangles */
+    const struct bubbles *bubbles; /* numbered after the triangles; or NULL */
     uint32_t *triangles;           /* mesh triangle indices in file order */
     uint32_t count;
-    uint32_t *firsts; /* start of each group in `triangles`, and `count` as the last element */
+    uint32_t *firsts; /* start of each group in `triangles`; the last element is `count` */
     uint32_t group_count;
     bool is_object, is_inclusion;
 };
@@ -25,16 +22,16 @@ MUST_USE bool bvh_parts_init(struct bvh_part parts[static BVH_PART_COUNT],
                              const struct bvh_params *params, bool by_objects);
 void bvh_parts_finish(struct bvh_part parts[static BVH_PART_COUNT]);
 
-/* Returns the bubble with this triangle number, or NULL if it is a triangle of the mesh. */
+/* Returns the bubble with this triangle number, or NULL for a triangle of the mesh. */
 const struct bubble *bvh_bubble(const struct bvh_part *part, uint32_t triangle);
 
 const struct mesh_vertex *bvh_corner(const struct bvh_part *part, uint32_t triangle, uint32_t k);
 
 struct bvh_box bvh_triangle_box(const struct bvh_part *part, uint32_t triangle);
 
-/* Returns true if no triangle's box in the surroundings overlaps the objects' box or, with `turn`,
- * its rotations about the vertical axis. With `turn`, moving surroundings count as overlapping. */
-bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_PART_COUNT], bool turn);
+/* Returns true if no triangle's box in the surroundings overlaps the objects' bounding box or, with
+ * `rotates`, its rotations about the vertical axis; moving surroundings then always overlap. */
+bool bvh_parts_are_disjoint(const struct bvh_part parts[static BVH_PART_COUNT], bool rotates);
 
 /* Returns true if each edge of the mesh has an opposite edge. */
 bool bvh_part_is_closed(const struct bvh_part *part);

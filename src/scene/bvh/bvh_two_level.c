@@ -1,5 +1,5 @@
 /*
- * bvh_two_level.c: two-level BVHs: built, copied between similar objects, or refitted.
+ * bvh_two_level.c: builds two-level BVHs, copies them between similar objects, and refits them.
  *
  * Each group of triangles (an object) has a BVH, and a top-level BVH joins their roots. Objects
  * that are copies of each other share one build: the topology is copied and refitted. A pose refits
@@ -13,11 +13,11 @@
 #include "src/scene/geometry/similarity_transform.h"
 
 enum {
-    LEVELS_FREE = 4, /* depth that the top-level BVH may have beyond a balanced one */
-    KNOWN_MAX = 64,  /* recently built groups that a new group is compared with */
+    LEVELS_FREE = 4, /* extra depth of the top-level BVH */
+    KNOWN_MAX = 64,  /* recent groups compared with a new one */
 };
 
-/* Group of triangles in file order. */
+/* Triangles of a group, in file order. */
 struct group {
     const struct bvh_part *part;
     uint32_t first, count;
@@ -43,7 +43,7 @@ static struct similarity_transform_anchor find_anchor(const struct bvh_part *par
     return similarity_transform_anchor_find(&corners);
 }
 
-/* Returns true if `group` is a copy of `recent` (a similarity transform), within rounding. */
+/* Returns true if `group` is a copy of `recent` under a similarity transform, within rounding. */
 static bool is_similar(const struct group *recent, const struct similarity_transform_anchor *anchor,
                        const struct group *group)
 {
@@ -64,60 +64,60 @@ static bool is_similar(const struct group *recent, const struct similarity_trans
     return true;
 }
 
-static bool allocate(struct bvh_two_level *shape, const struct bvh_part *part, uint32_t group_count,
-                     uint32_t places)
+static bool allocate(struct bvh_two_level *hierarchy, const struct bvh_part *part,
+                     uint32_t group_count, uint32_t slot_count)
 {
-    *shape = (struct bvh_two_level){
-        .draft = { .boxes = malloc((part->count + (size_t)1) * sizeof(*shape->draft.boxes)),
-                   .order = malloc((part->count + (size_t)1) * sizeof(*shape->draft.order)),
-                   .nodes = malloc((places + (size_t)1) * sizeof(*shape->draft.nodes)),
+    *hierarchy = (struct bvh_two_level){
+        .draft = { .boxes = malloc((part->count + (size_t)1) * sizeof(*hierarchy->draft.boxes)),
+                   .order = malloc((part->count + (size_t)1) * sizeof(*hierarchy->draft.order)),
+                   .nodes = malloc((slot_count + (size_t)1) * sizeof(*hierarchy->draft.nodes)),
                    .leaf_max = BVH_LEAF_MAX },
-        .groups = malloc((group_count + (size_t)1) * sizeof(*shape->groups)),
+        .groups = malloc((group_count + (size_t)1) * sizeof(*hierarchy->groups)),
         .count = part->count,
         .group_count = group_count,
     };
-    if (!shape->draft.boxes || !shape->draft.order || !shape->draft.nodes || !shape->groups)
+    if (!hierarchy->draft.boxes || !hierarchy->draft.order || !hierarchy->draft.nodes ||
+        !hierarchy->groups)
         return false;
     for (uint32_t i = 0; i < part->count; i++) {
-        shape->draft.boxes[i] = bvh_triangle_box(part, part->triangles[i]);
-        shape->draft.order[i] = i;
+        hierarchy->draft.boxes[i] = bvh_triangle_box(part, part->triangles[i]);
+        hierarchy->draft.order[i] = i;
     }
     return true;
 }
 
-static void free_boxes(struct bvh_two_level *shape)
+static void free_boxes(struct bvh_two_level *hierarchy)
 {
-    free(shape->draft.boxes);
-    shape->draft.boxes = NULL;
+    free(hierarchy->draft.boxes);
+    hierarchy->draft.boxes = NULL;
 }
 
-void bvh_two_level_finish(struct bvh_two_level *shape)
+void bvh_two_level_finish(struct bvh_two_level *hierarchy)
 {
-    free_boxes(shape);
-    free(shape->draft.order);
-    free(shape->draft.nodes);
-    free(shape->groups);
-    free(shape->horizons);
-    *shape = (struct bvh_two_level){ 0 };
+    free_boxes(hierarchy);
+    free(hierarchy->draft.order);
+    free(hierarchy->draft.nodes);
+    free(hierarchy->groups);
+    free(hierarchy->horizons);
+    *hierarchy = (struct bvh_two_level){ 0 };
 }
 
-/* Copies the subtree at node `at` to the next free slots, and adds `shift` to its triangle indices.
- */
+/* Copies the subtree at node `at` to the next free slots, and offsets its triangles by `shift`. */
 static uint32_t copy_nodes(struct bvh_node *to, uint32_t *next, const struct bvh_node *from,
                            uint32_t at, uint32_t shift)
 {
-    const uint32_t place = (*next)++;
-    to[place] = from[at];
-    to[place].first += shift;
+    const uint32_t copy = (*next)++;
+    to[copy] = from[at];
+    to[copy].first += shift;
     for (int i = 0; i < 2 && from[at].children[0]; i++)
-        to[place].children[i] = copy_nodes(to, next, from, from[at].children[i], shift);
-    return place;
+        to[copy].children[i] = copy_nodes(to, next, from, from[at].children[i], shift);
+    return copy;
 }
 
 /* Builds a BVH over the roots of the groups. */
-static bool build_top_level(struct bvh_two_level *shape)
+static bool build_top_level(struct bvh_two_level *hierarchy)
 {
-    const uint32_t count = shape->group_count;
+    const uint32_t count = hierarchy->group_count;
     struct bvh_builder top = {
         .boxes = malloc((count + (size_t)1) * sizeof(*top.boxes)),
         .order = malloc((count + (size_t)1) * sizeof(*top.order)),
@@ -126,30 +126,32 @@ static bool build_top_level(struct bvh_two_level *shape)
     };
     const bool done = top.boxes && top.order && top.nodes;
     for (uint32_t i = 0; i < count && done; i++) {
-        top.boxes[i] = shape->draft.nodes[shape->groups[i].root].box;
+        top.boxes[i] = hierarchy->draft.nodes[hierarchy->groups[i].root].box;
         top.order[i] = i;
     }
     const struct bvh_range all = { 0, count, 0 };
     if (done && count > 1)
-        bvh_build(&top, &all, BVH_DEPTH_MAX - shape->depth, 1);
+        bvh_build(&top, &all, BVH_DEPTH_MAX - hierarchy->depth, 1);
     for (uint32_t i = 0; i < 2 * count - 1 && done && count > 1; i++) {
-        struct bvh_node *node = &shape->draft.nodes[shape->node_count + i];
+        struct bvh_node *node = &hierarchy->draft.nodes[hierarchy->node_count + i];
         *node = top.nodes[i];
         for (int k = 0; k < 2 && node->children[0]; k++) {
             const struct bvh_node *child = &top.nodes[node->children[k]];
-            node->children[k] = child->children[0] ? shape->node_count + node->children[k]
-                                                   : shape->groups[top.order[child->first]].root;
+            node->children[k] = child->children[0]
+                                    ? hierarchy->node_count + node->children[k]
+                                    : hierarchy->groups[top.order[child->first]].root;
         }
     }
-    shape->root = count > 1 ? shape->node_count : count ? shape->groups[0].root : 0;
-    shape->node_count += count > 1 ? 2 * count - 1 : 0;
+    hierarchy->root = count > 1 ? hierarchy->node_count : count ? hierarchy->groups[0].root : 0;
+    hierarchy->node_count += count > 1 ? 2 * count - 1 : 0;
     free(top.boxes);
     free(top.order);
     free(top.nodes);
     return done;
 }
 
-/* Returns the maximum depth of the group BVHs, and their number: 1 if they got too deep. */
+/* Returns the maximum depth of a group's BVH, and the number of groups: 1 (all triangles in one) if
+ * the BVH would get too deep. */
 static uint32_t decide_depth(const struct bvh_part *part, uint32_t *group_count)
 {
     const uint32_t above =
@@ -163,59 +165,60 @@ static uint32_t decide_depth(const struct bvh_part *part, uint32_t *group_count)
     return fits ? BVH_DEPTH_MAX - above : BVH_DEPTH_MAX;
 }
 
-/* Ring buffer of recently built groups that similar ones may copy. */
+/* Ring buffer of recently built groups, whose topology similar groups copy. */
 struct recent {
     uint32_t groups[KNOWN_MAX];
     struct similarity_transform_anchor anchors[KNOWN_MAX];
     uint32_t count;
 };
 
-/* Copies the topology of a similar group. Returns false if there is none. */
-static bool copy_similar(struct bvh_two_level *shape, const struct bvh_part *part,
+/* Copies the topology of a similar recent group. Returns false if there is none. */
+static bool copy_similar(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                          const struct recent *recent, struct bvh_range *range)
 {
     const uint32_t end = recent->count < KNOWN_MAX ? recent->count : KNOWN_MAX;
     const struct group group = { part, range->first, range->count };
     for (uint32_t i = 0; i < end; i++) {
-        const struct bvh_range *other = &shape->groups[recent->groups[i]];
+        const struct bvh_range *other = &hierarchy->groups[recent->groups[i]];
         const struct group model = { part, other->first, other->count };
         if (other->count != range->count || !is_similar(&model, &recent->anchors[i], &group))
             continue;
         const uint32_t shift = range->first - other->first;
         uint32_t next = range->root;
-        (void)copy_nodes(shape->draft.nodes, &next, shape->draft.nodes, other->root, shift);
+        (void)copy_nodes(hierarchy->draft.nodes, &next, hierarchy->draft.nodes, other->root, shift);
         for (uint32_t k = 0; k < range->count; k++)
-            shape->draft.order[range->first + k] = shape->draft.order[other->first + k] + shift;
-        bvh_refit(&shape->draft, range->root);
+            hierarchy->draft.order[range->first + k] =
+                hierarchy->draft.order[other->first + k] + shift;
+        bvh_refit(&hierarchy->draft, range->root);
         return true;
     }
     return false;
 }
 
-static void init_groups(struct bvh_two_level *shape, const struct bvh_part *part)
+static void init_groups(struct bvh_two_level *hierarchy, const struct bvh_part *part)
 {
-    const bool is_single = shape->group_count == 1;
-    for (uint32_t i = 0; i < shape->group_count; i++) {
+    const bool is_single = hierarchy->group_count == 1;
+    for (uint32_t i = 0; i < hierarchy->group_count; i++) {
         const uint32_t first = is_single ? 0 : part->firsts[i];
         const uint32_t end = is_single ? part->count : part->firsts[i + 1];
-        shape->groups[i] = (struct bvh_range){ first, end - first, 2 * first + 1 };
+        hierarchy->groups[i] = (struct bvh_range){ first, end - first, 2 * first + 1 };
     }
 }
 
 /* Builds the BVHs of all groups. */
-static void build_groups(struct bvh_two_level *shape, const struct bvh_part *part,
+static void build_groups(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                          struct bvh_build_stats *work)
 {
     struct recent recent = { .count = 0 };
-    for (uint32_t i = 0; i < shape->group_count; i++) {
-        struct bvh_range *range = &shape->groups[i];
-        if (copy_similar(shape, part, &recent, range)) {
+    for (uint32_t i = 0; i < hierarchy->group_count; i++) {
+        struct bvh_range *range = &hierarchy->groups[i];
+        if (copy_similar(hierarchy, part, &recent, range)) {
             work->shared++;
             continue;
         }
-        bvh_build(&shape->draft, range, shape->depth, work->threads);
+        bvh_build(&hierarchy->draft, range, hierarchy->depth, work->threads);
         work->built++;
-        if (shape->group_count == 1)
+        if (hierarchy->group_count == 1)
             continue;
         const uint32_t slot = recent.count++ % KNOWN_MAX;
         recent.groups[slot] = i;
@@ -223,52 +226,52 @@ static void build_groups(struct bvh_two_level *shape, const struct bvh_part *par
     }
 }
 
-/* Loads the BVHs of all groups of a large part from the cache, or builds them. */
-static void load_groups(struct bvh_two_level *shape, const struct bvh_part *part,
+/* Loads the BVHs of all groups of a large part from the cache, or builds and caches them. */
+static void load_groups(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                         struct bvh_build_stats *work)
 {
     const bool is_cached = work->is_cached && part->count >= BVH_CACHE_MIN;
     const uint64_t key = is_cached ? bvh_cache_key(part) : 0;
-    if (is_cached && bvh_cache_load(shape, key)) {
-        work->read += shape->group_count;
+    if (is_cached && bvh_cache_load(hierarchy, key)) {
+        work->read += hierarchy->group_count;
         return;
     }
-    build_groups(shape, part, work);
+    build_groups(hierarchy, part, work);
     if (is_cached)
-        bvh_cache_save(shape, key);
+        bvh_cache_save(hierarchy, key);
 }
 
-bool bvh_two_level_build(struct bvh_two_level *shape, const struct bvh_part *part,
+bool bvh_two_level_build(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                          struct bvh_build_stats *work)
 {
     uint32_t group_count;
     const uint32_t depth = decide_depth(part, &group_count);
     group_count = part->count ? group_count : 0;
-    if (!allocate(shape, part, group_count, 2 * part->count + 1 + 2 * group_count))
+    if (!allocate(hierarchy, part, group_count, 2 * part->count + 1 + 2 * group_count))
         return false;
-    shape->depth = depth;
-    shape->node_count = 2 * part->count + 1;
-    init_groups(shape, part);
-    load_groups(shape, part, work);
-    const bool done = build_top_level(shape);
-    free_boxes(shape);
+    hierarchy->depth = depth;
+    hierarchy->node_count = 2 * part->count + 1;
+    init_groups(hierarchy, part);
+    load_groups(hierarchy, part, work);
+    const bool done = build_top_level(hierarchy);
+    free_boxes(hierarchy);
     return done;
 }
 
-bool bvh_two_level_pack(struct bvh_two_level *shape)
+bool bvh_two_level_pack(struct bvh_two_level *hierarchy)
 {
     uint32_t next = 1;
-    struct bvh_node *nodes = malloc((shape->node_count + (size_t)1) * sizeof(*nodes));
+    struct bvh_node *nodes = malloc((hierarchy->node_count + (size_t)1) * sizeof(*nodes));
     if (!nodes)
         return false;
-    for (uint32_t i = 0; i < shape->group_count; i++) {
-        struct bvh_range *range = &shape->groups[i];
-        range->root = copy_nodes(nodes, &next, shape->draft.nodes, range->root, 0);
+    for (uint32_t i = 0; i < hierarchy->group_count; i++) {
+        struct bvh_range *range = &hierarchy->groups[i];
+        range->root = copy_nodes(nodes, &next, hierarchy->draft.nodes, range->root, 0);
     }
-    free(shape->draft.nodes);
-    shape->node_count = next;
+    free(hierarchy->draft.nodes);
+    hierarchy->node_count = next;
     struct bvh_node *smaller = realloc(nodes, next * sizeof(*nodes));
-    shape->draft.nodes = smaller ? smaller : nodes;
+    hierarchy->draft.nodes = smaller ? smaller : nodes;
     return true;
 }
 
@@ -279,13 +282,14 @@ static bool has_groups_of(const struct bvh_part *part, const struct bvh_part *re
 }
 
 /* Returns true if a group has deformed and its refitted BVH has become too expensive. */
-static bool is_degraded(const struct bvh_two_level *shape, const struct bvh_part *part,
+static bool is_degraded(const struct bvh_two_level *hierarchy, const struct bvh_part *part,
                         const struct bvh_two_level *rest, const struct bvh_part *rest_part,
                         uint32_t index, double cost_growth_max)
 {
     const struct bvh_range *range = &rest->groups[index];
     const double before = bvh_sah_cost(&rest->draft, range->root);
-    if (!(bvh_sah_cost(&shape->draft, shape->groups[index].root) > cost_growth_max * before))
+    if (!(bvh_sah_cost(&hierarchy->draft, hierarchy->groups[index].root) >
+          cost_growth_max * before))
         return false;
     const struct group recent = { rest_part, range->first, range->count };
     const struct group group = { part, range->first, range->count };
@@ -294,32 +298,33 @@ static bool is_degraded(const struct bvh_two_level *shape, const struct bvh_part
     return !is_similar(&recent, &anchor, &group);
 }
 
-bool bvh_two_level_refit(struct bvh_two_level *shape, const struct bvh_part *part,
+bool bvh_two_level_refit(struct bvh_two_level *hierarchy, const struct bvh_part *part,
                          const struct bvh_two_level *rest, const struct bvh_part *rest_part,
                          struct bvh_build_stats *work)
 {
     const uint32_t group_count = rest->group_count;
     if (!has_groups_of(part, rest_part))
-        return bvh_two_level_build(shape, part, work);
-    if (!allocate(shape, part, group_count, rest->node_count + 2 * (part->count + group_count)))
+        return bvh_two_level_build(hierarchy, part, work);
+    if (!allocate(hierarchy, part, group_count, rest->node_count + 2 * (part->count + group_count)))
         return false;
-    shape->depth = rest->depth;
-    shape->node_count = rest->node_count + 2 * part->count;
-    memcpy(shape->draft.order, rest->draft.order, part->count * sizeof(*rest->draft.order));
-    memcpy(shape->draft.nodes, rest->draft.nodes, rest->node_count * sizeof(*rest->draft.nodes));
-    memcpy(shape->groups, rest->groups, group_count * sizeof(*rest->groups));
+    hierarchy->depth = rest->depth;
+    hierarchy->node_count = rest->node_count + 2 * part->count;
+    memcpy(hierarchy->draft.order, rest->draft.order, part->count * sizeof(*rest->draft.order));
+    memcpy(hierarchy->draft.nodes, rest->draft.nodes,
+           rest->node_count * sizeof(*rest->draft.nodes));
+    memcpy(hierarchy->groups, rest->groups, group_count * sizeof(*rest->groups));
     for (uint32_t i = 0; i < group_count; i++) {
-        struct bvh_range *range = &shape->groups[i];
-        bvh_refit(&shape->draft, range->root);
-        if (!is_degraded(shape, part, rest, rest_part, i, work->cost_growth_max)) {
+        struct bvh_range *range = &hierarchy->groups[i];
+        bvh_refit(&hierarchy->draft, range->root);
+        if (!is_degraded(hierarchy, part, rest, rest_part, i, work->cost_growth_max)) {
             work->refitted++;
             continue;
         }
         range->root = rest->node_count + 2 * range->first;
-        bvh_build(&shape->draft, range, shape->depth, work->threads);
+        bvh_build(&hierarchy->draft, range, hierarchy->depth, work->threads);
         work->built++;
     }
-    const bool done = build_top_level(shape);
-    free_boxes(shape);
+    const bool done = build_top_level(hierarchy);
+    free_boxes(hierarchy);
     return done;
 }

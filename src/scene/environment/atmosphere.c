@@ -1,4 +1,4 @@
-/* atmosphere.c: tables of transmittance and multiple scattering, and ray marching of the sky. */
+/* atmosphere.c: transmittance and multiple-scattering tables, and ray marching of the sky. */
 #include "src/scene/environment/atmosphere.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -6,23 +6,26 @@
 
 #define PI 3.14159265358979F
 
-static const float ground_radius = 6360.0F, air_radius = 6460.0F; /* radii in kilometres */
-static const float air_scale = 8.0F, haze_scale = 1.2F; /* Rayleigh and Mie scale heights, km */
-static const float ozone_middle = 25.0F, ozone_half = 15.0F; /* triangular ozone profile, km */
+/* planet and atmosphere radius, km */
+static const float ground_radius = 6360.0F, air_radius = 6460.0F;
+/* scale heights of Rayleigh and Mie scattering, km */
+static const float air_scale = 8.0F, haze_scale = 1.2F;
+static const float ozone_center = 25.0F, ozone_half = 15.0F; /* triangular ozone profile, km */
 
-/* Coefficients in 1/km at 680, 550 and 440 nm. */
+/* Scattering or absorption coefficients in 1/km at 680, 550 and 440 nm. */
 static const vec3s air_scattering = { { 0.005802F, 0.013558F, 0.033100F } };
 static const vec3s ozone_absorption = { { 0.000650F, 0.001881F, 0.000085F } };
-static const float haze_unit = 0.003996F; /* Mie scattering at turbidity 1.05, 1/km */
-static const vec3s haze_color = { { 0.76F, 1.0F, 1.34F } }; /* wavelength to the power -1.3 */
-static const float haze_per_turbidity = 20.4F;              /* haze units per unit of turbidity */
+static const float haze_unit = 0.003996F; /* Mie scattering coefficient at turbidity 1.05, 1/km */
+/* spectrum of Mie scattering: wavelength^-1.3 */
+static const vec3s haze_color = { { 0.76F, 1.0F, 1.34F } };
+static const float haze_per_turbidity = 20.4F; /* haze units per unit of turbidity */
 static const float haze_single_albedo = 0.9F, haze_g = 0.8F;
 
 enum {
     PATH_STEPS = 40,
     GLOW_STEPS = 40,
     SKY_STEPS = 64,
-    GLOW_TURNS = 8,
+    GLOW_AZIMUTHS = 8,
     GLOW_RINGS = 8
 };
 
@@ -40,7 +43,7 @@ struct sample_point {
 
 struct ray {
     vec3s origin, dir; /* relative to the planet's centre */
-    float length;      /* to the ground or the top of the atmosphere */
+    float length;      /* distance to the ground or the top of the atmosphere */
     bool hits_ground;
 };
 
@@ -51,7 +54,7 @@ static vec3s exp_minus(vec3s depth)
 
 static struct medium medium_at(const struct atmosphere *a, float height)
 {
-    const float ozone = fmaxf(0.0F, 1.0F - fabsf(height - ozone_middle) / ozone_half);
+    const float ozone = fmaxf(0.0F, 1.0F - fabsf(height - ozone_center) / ozone_half);
     struct medium m = {
         .rayleigh = glms_vec3_scale(air_scattering, expf(-height / air_scale)),
         .mie = glms_vec3_scale(a->haze, expf(-height / haze_scale)),
@@ -76,14 +79,14 @@ static float distance_to_ground(float radius, float cosine)
     return cosine < 0.0F && d >= 0.0F ? fmaxf(0.0F, -radius * cosine - sqrtf(d)) : -1.0F;
 }
 
-/* Bruneton's parametrisation of the transmittance table: by the distance to the top of the
- * atmosphere, between the shortest and the longest at this height. */
+/* Maps (u, v) of the transmittance table to radius and cosine, by Bruneton's parametrisation: u is
+ * the distance to the top of the atmosphere, between the minimum and maximum at this height. */
 static void transmittance_params(float u, float v, float *radius, float *cosine)
 {
     const float whole = sqrtf(air_radius * air_radius - ground_radius * ground_radius);
     const float horizon = v * whole;
     *radius = sqrtf(horizon * horizon + ground_radius * ground_radius);
-    const float least = air_radius - *radius, d = least + u * (horizon + whole - least);
+    const float shortest = air_radius - *radius, d = shortest + u * (horizon + whole - shortest);
     *cosine = d > 0.0F ? (whole * whole - horizon * horizon - d * d) / (2.0F * *radius * d) : 1.0F;
     *cosine = glm_clamp(*cosine, -1.0F, 1.0F);
 }
@@ -93,7 +96,7 @@ static vec3s optical_depth(const struct atmosphere *a, float radius, float cosin
     const float length = distance_to_top(radius, cosine);
     vec3s depth = { { 0.0F, 0.0F, 0.0F } };
     float before = 0.0F;
-    /* steps are short near the ground, where air is dense */
+    /* Takes short steps near the ground, where air is dense. */
     for (int i = 1; i <= PATH_STEPS; i++) {
         const float fraction = (float)i / PATH_STEPS, after = length * fraction * fraction;
         const float t = 0.5F * (before + after);
@@ -124,8 +127,8 @@ static vec3s transmittance(const struct atmosphere *a, float radius, float cosin
     const float whole = sqrtf(air_radius * air_radius - ground_radius * ground_radius);
     const float above = radius * radius - ground_radius * ground_radius;
     const float horizon = sqrtf(fmaxf(above, 0.0F));
-    const float least = air_radius - radius;
-    const float u = (distance_to_top(radius, cosine) - least) / (horizon + whole - least);
+    const float shortest = air_radius - radius;
+    const float u = (distance_to_top(radius, cosine) - shortest) / (horizon + whole - shortest);
     return transmittance_texel(a, glm_clamp(u, 0.0F, 1.0F) * (ATMOSPHERE_TRANSMITTANCE_WIDTH - 1),
                                glm_clamp(horizon / whole, 0.0F, 1.0F) *
                                    (ATMOSPHERE_TRANSMITTANCE_HEIGHT - 1));
@@ -169,8 +172,7 @@ static struct sample_point point_at(const struct ray *ray, float t, vec3s sun)
     return (struct sample_point){ radius, glms_vec3_dot(point, sun) / radius };
 }
 
-/* Returns the sunlight that the ground at a ray's end reflects, before attenuation on the way back.
- */
+/* Returns the sunlight reflected by the ground at a ray's end, before attenuation along the ray. */
 static vec3s ground_radiance(const struct atmosphere *a, const struct ray *ray, vec3s sun)
 {
     struct sample_point at = point_at(ray, ray->length, sun);
@@ -179,15 +181,15 @@ static vec3s ground_radiance(const struct atmosphere *a, const struct ray *ray, 
     return glms_vec3_scale(transmittance(a, at.radius, at.sun), fraction);
 }
 
-/* Integrates uniform emission `source` over a step, attenuated by the step's own extinction. */
+/* Integrates uniform emission `source` over a step, with the step's own extinction. */
 static vec3s integrate_step(vec3s source, vec3s extinction, float step)
 {
     const vec3s kept = exp_minus(glms_vec3_scale(extinction, step));
     return glms_vec3_div(glms_vec3_sub(source, glms_vec3_mul(source, kept)), extinction);
 }
 
-/* Adds a ray's contribution to the second-order scattering, and to the fraction of light that each
- * order passes to the next (Hillaire 2020, equations 5 and 7). */
+/* Adds a ray's contribution to second-order scattering, and to the fraction of light that each
+ * order transfers to the next (Hillaire 2020, equations 5 and 7). */
 static void add_orders(const struct atmosphere *a, const struct ray *ray, vec3s sun, vec3s *second,
                        vec3s *transfer)
 {
@@ -217,14 +219,14 @@ static vec3s compute_multiple_scattering(const struct atmosphere *a, float radiu
     for (int ring = 0; ring < GLOW_RINGS; ring++) {
         const float y = 1.0F - 2.0F * ((float)ring + 0.5F) / GLOW_RINGS;
         const float across = sqrtf(1.0F - y * y);
-        for (int turn = 0; turn < GLOW_TURNS; turn++) {
-            const float angle = 2.0F * PI * ((float)turn + 0.5F) / GLOW_TURNS;
+        for (int azimuth = 0; azimuth < GLOW_AZIMUTHS; azimuth++) {
+            const float angle = 2.0F * PI * ((float)azimuth + 0.5F) / GLOW_AZIMUTHS;
             const vec3s dir = { { across * cosf(angle), y, across * sinf(angle) } };
             const struct ray ray = ray_from(radius, dir);
             add_orders(a, &ray, sun, &second, &transfer);
         }
     }
-    const float mean = 1.0F / (GLOW_RINGS * GLOW_TURNS);
+    const float mean = 1.0F / (GLOW_RINGS * GLOW_AZIMUTHS);
     const vec3s kept = glms_vec3_scale(transfer, -mean);
     return glms_vec3_div(glms_vec3_scale(second, mean), glms_vec3_adds(kept, 1.0F));
 }
@@ -262,7 +264,7 @@ vec3s atmosphere_radiance(const struct atmosphere *atmosphere, float height, vec
                       ((2.0F + g * g) * powf(1.0F + g * g - 2.0F * g * c, 1.5F));
     vec3s throughput = { { 1.0F, 1.0F, 1.0F } }, light = { { 0.0F, 0.0F, 0.0F } };
     float before = 0.0F;
-    for (int i = 1; i <= SKY_STEPS; i++) { /* steps are short near the camera, where air is dense */
+    for (int i = 1; i <= SKY_STEPS; i++) { /* short steps near the camera */
         const float fraction = (float)i / SKY_STEPS, after = ray.length * fraction * fraction;
         const float step = after - before;
         const struct sample_point at = point_at(&ray, before + 0.3F * step, sun);
@@ -270,8 +272,10 @@ vec3s atmosphere_radiance(const struct atmosphere *atmosphere, float height, vec
         const vec3s phases =
             glms_vec3_add(glms_vec3_scale(m.rayleigh, rayleigh), glms_vec3_scale(m.mie, mie));
         const vec3s direct = glms_vec3_mul(transmittance(atmosphere, at.radius, at.sun), phases);
-        const vec3s further = glms_vec3_mul(multiple_scattering(atmosphere, at), m.scattering);
-        const vec3s added = integrate_step(glms_vec3_add(direct, further), m.extinction, step);
+        const vec3s higher_orders =
+            glms_vec3_mul(multiple_scattering(atmosphere, at), m.scattering);
+        const vec3s added =
+            integrate_step(glms_vec3_add(direct, higher_orders), m.extinction, step);
         light = glms_vec3_add(light, glms_vec3_mul(throughput, added));
         throughput = glms_vec3_mul(throughput, exp_minus(glms_vec3_scale(m.extinction, step)));
         before = after;

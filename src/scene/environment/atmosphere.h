@@ -3,7 +3,7 @@
  * scattering (Hillaire 2020, "A scalable and production ready sky and atmosphere rendering
  * technique"; constants of air, ozone and the planet by Bruneton 2017).
  *
- * Summing every order of scattering would need nested integrals. Here higher orders are assumed
+ * Summing every order of scattering would need nested integrals. Higher orders are assumed to be
  * isotropic, so that they form a geometric series. Directions have +Y up. Radiance is for a sun of
  * irradiance 1 per channel above the atmosphere, and excludes the sun's disc. The caller owns the
  * tables; several threads may read them.
@@ -14,26 +14,25 @@
 #include <cglm/types-struct.h>
 
 enum {
-    ATMOSPHERE_TRANSMITTANCE_WIDTH = 256, /* transmittance table: angles */
-    ATMOSPHERE_TRANSMITTANCE_HEIGHT = 64, /* transmittance table: heights */
-    ATMOSPHERE_MULTIPLE_SCATTERING_SIZE =
-        32, /* multiple-scattering table: sun elevations x heights */
+    ATMOSPHERE_TRANSMITTANCE_WIDTH = 256,     /* transmittance table: angles */
+    ATMOSPHERE_TRANSMITTANCE_HEIGHT = 64,     /* transmittance table: heights */
+    ATMOSPHERE_MULTIPLE_SCATTERING_SIZE = 32, /* sun elevations, and heights */
 };
 
 struct atmosphere {
     vec3s haze;   /* Mie scattering coefficient of aerosols at sea level, 1/km */
-    float albedo; /* ground albedo of the whole planet */
+    float albedo; /* ground albedo, everywhere */
     vec3s transmittance_table[ATMOSPHERE_TRANSMITTANCE_HEIGHT][ATMOSPHERE_TRANSMITTANCE_WIDTH];
     vec3s multiple_scattering[ATMOSPHERE_MULTIPLE_SCATTERING_SIZE]
                              [ATMOSPHERE_MULTIPLE_SCATTERING_SIZE];
 };
 
-/* Computes the tables. `turbidity` is the extinction by air and haze over that by air alone: 2 in
- * the mountains, 3 in summer, 5 where it is hazy; 1 for no haze. `albedo` is 0 to 1. */
+/* Computes the tables. `turbidity` is the extinction by air and haze over that by air alone: 1
+ * without haze, 2 in the mountains, 3 in summer, 5 where it is hazy. `albedo` is 0 to 1. */
 void atmosphere_make(struct atmosphere *atmosphere, float turbidity, float albedo);
 
 /* Returns the transmittance from `height` (kilometres above the ground) to the top of the
- * atmosphere. `cosine` is that of the zenith angle. Returns 0 if the ground occludes the ray. */
+ * atmosphere, along a ray with this cosine of the zenith angle; 0 if the ground occludes it. */
 vec3s atmosphere_transmittance(const struct atmosphere *atmosphere, float height, float cosine);
 
 /* Returns the radiance of the atmosphere, and of the ground below the horizon, from the unit

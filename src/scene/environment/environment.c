@@ -11,7 +11,7 @@
 #include "src/image/hdr.h"
 #include "src/scene/environment/panorama.h"
 
-/* Converts colours to Rec.709. Gray needs no conversion. */
+/* Converts colours to Rec.709. Greyscale images need no conversion. */
 static void convert_colors(struct image *image, const struct primaries *primaries, const char *path)
 {
     float m[9];
@@ -29,13 +29,12 @@ static void convert_colors(struct image *image, const struct primaries *primarie
     }
 }
 
-/* Metadata from the file's header. */
 struct header_info {
     bool is_cube_map;
     struct environment_sun sun;
 };
 
-/* Reads `count` numbers. Returns false if there are more, fewer, or other text. */
+/* Parses exactly `count` numbers. Returns false if there are more, fewer, or other text. */
 static bool parse_numbers(const char *text, float *numbers, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -114,7 +113,7 @@ static enum status check_aspect(const struct image *image, const char *path)
     return STATUS_DATA;
 }
 
-/* Converts a cube map at infinity to an equirectangular image. */
+/* Converts an image of a cube map at infinity to an equirectangular one. */
 static enum status convert_cube(struct image *image, bool is_cube_map, const char *path)
 {
     const enum panorama kind = panorama_detect_cube(image);

@@ -19,22 +19,20 @@ struct environment_sun {
 };
 
 struct environment {
-    uint16_t *texels;       /* half RGBA, top row first; finite and not negative; owned */
+    uint16_t *texels;       /* half RGBA texels, top row first; finite and not negative; owned */
     uint32_t width, height; /* texels */
     float turn;             /* rotation about +Y of an equirectangular image, in turns, 0 to 1 */
     struct environment_sun sun;
-    bool is_cube; /* captured cube: alpha is 1 / distance from its centre, 1 / metre */
+    bool is_cube; /* captured cube map, whose alpha is 1 / distance from its centre in metres */
 };
 
-/*
- * Loads an .exr file (channels R, G, B or Y; of a cube also A, without which everything is at
- * infinity) or a .hdr file. An image with aspect 1:6 is a captured cube, unless its attribute
- * `envmap` says that it is a cube map; that, and the other cube layouts of panorama.h, are
- * converted to equirectangular images. All others must have aspect 2:1. Colours with other
- * chromaticities are converted to Rec.709, and white stays white. Negative and non-finite values
- * become 0, and values beyond half's range its maximum. Logs and returns STATUS_NO_INPUT,
- * STATUS_DATA or STATUS_TRY_AGAIN; *environment is then {0}.
- */
+/* Loads an .exr file (channels R, G, B or Y; a captured cube also needs A, without which everything
+ * is at infinity) or a .hdr file. An image with aspect 1:6 is a captured cube, unless its attribute
+ * `envmap` declares a cube map; such maps, and the other cube layouts of panorama.h, are converted
+ * to equirectangular images. All others must have aspect 2:1. Colours with other chromaticities are
+ * converted to Rec.709, and white stays white. Negative and non-finite values become 0, and values
+ * beyond half's range its maximum. Logs and returns STATUS_NO_INPUT, STATUS_DATA or
+ * STATUS_TRY_AGAIN; *environment is then {0}. */
 MUST_USE enum status environment_load(struct environment *environment, const char *path);
 
 #define ENVIRONMENT_SUN_MAX 1e6f /* limit of environment_sun.light in files */

@@ -1,11 +1,9 @@
 /*
- * image_based_lighting.c: prefilters an environment for image-based lighting (split-sum
- * approximation).
+ * image_based_lighting.c: prefilters an environment for image-based lighting (split-sum).
  *
  * Glossy lobes are importance-sampled with GGX; each sample reads a mip level that matches its
  * density, so that few samples suffice without fireflies (Krivanek and Colbert 2008, "Real-time
- * shading with filtered importance sampling"). The diffuse lobe is summed over all texels of a
- * small mip level.
+ * shading with filtered importance sampling"). The diffuse lobe sums all texels of a small level.
  */
 #include "src/scene/environment/image_based_lighting.h"
 #include <cglm/struct.h>
@@ -18,10 +16,10 @@
 enum {
     LEVEL_MAX = 10,
     WIDTH_MAX = 1024,   /* width of the finest level */
-    DIFFUSE_WIDTH = 32, /* width of the level that the diffuse lobe is summed over */
-    SAMPLE_COUNT = 64,  /* samples of a glossy lobe */
+    DIFFUSE_WIDTH = 32, /* width of the level for diffuse lobes */
+    SAMPLE_COUNT = 64,  /* samples per glossy lobe */
     SPLIT_SAMPLE_COUNT = 256,
-    OVERLAP = 4, /* solid angle of a texel of the chosen level, relative to that of a sample */
+    OVERLAP = 4, /* solid angle of a texel relative to a sample, to choose a mip level */
 };
 
 static const float pi = 3.14159265358979f;
@@ -29,7 +27,7 @@ static const float pi = 3.14159265358979f;
 /* Mip chain of the environment. */
 struct levels {
     vec3s *texels[LEVEL_MAX];
-    int width[LEVEL_MAX]; /* twice the height */
+    int width[LEVEL_MAX]; /* level widths, twice the heights */
     int count;
 };
 
@@ -112,7 +110,7 @@ static vec3s sample_level(const struct levels *levels, int level, vec3s dir)
     return glms_vec3_lerp(upper, lower, down);
 }
 
-/* Returns the finest level whose texels are larger than a solid angle, or the last one. */
+/* Returns the finest level whose texels subtend at least a solid angle, or the last level. */
 static int level_of(const struct levels *levels, float solid_angle)
 {
     int level = 0;
@@ -234,13 +232,13 @@ uint16_t *image_based_lighting_prefilter(const struct environment *environment)
     return texels;
 }
 
-/* Smith's masking function of GGX (Walter et al. 2007); `square` is the squared width. */
+/* Returns Smith's masking function of GGX (Walter et al. 2007); `square` is the squared width. */
 static float smith_masking(float cosine, float square)
 {
     return 2.0f * cosine / (cosine + sqrtf(square + (1.0f - square) * cosine * cosine));
 }
 
-/* Integrates both terms of Schlick's Fresnel approximation by GGX importance sampling. */
+/* Returns scale and bias of F0 (split-sum approximation) by GGX importance sampling. */
 static vec2s integrate_brdf(float roughness, float cosine)
 {
     const float square = powf(roughness, 4.0f);
@@ -280,12 +278,12 @@ uint16_t *image_based_lighting_brdf_table(void)
     return texels;
 }
 
-/* Brightness above which a texel belongs to the dominant light, as a fraction of the maximum; and
- * the minimum ratio of maximum to mean. */
+/* Limits for a dominant light: the brightness above which a texel belongs to it, relative to the
+ * maximum, and the minimum ratio of maximum to mean. */
 #define DOMINANT_FRACTION 0.35f
 #define DOMINANT_RATIO    4.0f
 #define DOMINANT_COSINE   0.75f /* minimum cosine to the brightest texel's direction */
-#define DOMINANT_MARGIN   0.02f /* subtracted from the cosine of the cone's half-angle */
+#define DOMINANT_MARGIN   0.02f /* margin of the cone's cosine */
 
 /* Returns the brightness and the direction of a texel of the least rough layer. */
 static float light_texel(const uint16_t *table, size_t i, vec3s *dir)

@@ -1,5 +1,5 @@
 /* panorama.c: converts cube maps to equirectangular images. OpenEXR's face orientation is that of
- * CubeMap in ImfEnvmap.cpp, whose +Z is in the centre of an equirectangular image. */
+ * ImfEnvmap.cpp, whose +Z is in the centre of an equirectangular image. */
 #include "src/scene/environment/panorama.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -12,7 +12,7 @@ enum {
     FACES = 6,
 };
 
-/* Position of a face in the image, in faces, and its orientation. */
+/* Position of a cube face in the image, in units of faces, and the face's orientation. */
 struct face {
     struct camera_basis axes;
     uint32_t column, row;
@@ -57,7 +57,7 @@ static const struct face cross[FACES] = {
 
 static const struct face back_below = { { .forward = Z(1), .right = X(1), .up = Y(-1) }, 1, 3 };
 
-/* Returns true if the image is black beside the faces of a cross. */
+/* Returns true if the image is black outside the faces of a cross layout. */
 static bool is_bare_cross(const struct image *image, uint32_t side, bool is_tall)
 {
     for (uint32_t p = 0; p < image->plane_count; p++) {
@@ -114,7 +114,7 @@ struct cube {
     const struct image *image;
     struct face faces[FACES];
     float side;         /* face size, texels */
-    bool has_edge_rows; /* outer texel centres are on the face's edges, as in OpenEXR */
+    bool has_edge_rows; /* outermost texel centres lie on the face's edges, as in OpenEXR */
 };
 
 static float texel(const struct cube *cube, const struct face *face, uint32_t plane, float x,
@@ -126,7 +126,7 @@ static float texel(const struct cube *cube, const struct face *face, uint32_t pl
         .texels[(face->row * side + (size_t)y) * image->width + face->column * side + (size_t)x];
 }
 
-/* Returns the bilinearly interpolated texel in a direction. */
+/* Returns a bilinearly interpolated value of a channel in a direction. */
 static float sample_cube(const struct cube *cube, uint32_t plane, vec3s dir)
 {
     const struct face *face = &cube->faces[0];
@@ -135,9 +135,9 @@ static float sample_cube(const struct cube *cube, uint32_t plane, vec3s dir)
             glms_vec3_dot(dir, face->axes.forward))
             face = &cube->faces[i];
     }
-    const float ahead = glms_vec3_dot(dir, face->axes.forward);
-    const float u = 0.5F + 0.5F * glms_vec3_dot(dir, face->axes.right) / ahead;
-    const float v = 0.5F - 0.5F * glms_vec3_dot(dir, face->axes.up) / ahead;
+    const float depth = glms_vec3_dot(dir, face->axes.forward);
+    const float u = 0.5F + 0.5F * glms_vec3_dot(dir, face->axes.right) / depth;
+    const float v = 0.5F - 0.5F * glms_vec3_dot(dir, face->axes.up) / depth;
     const float last = cube->side - 1;
     const float scale = cube->has_edge_rows ? last : cube->side;
     const float shift = cube->has_edge_rows ? 0 : -0.5F;

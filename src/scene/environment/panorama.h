@@ -7,22 +7,21 @@
 #include "src/image/image.h"
 
 enum panorama {
-    PANORAMA_NONE,      /* not a cube map */
-    PANORAMA_OPENEXR,   /* vertical strip, with OpenEXR's attribute `envmap` */
-    PANORAMA_ROW,       /* horizontal strip +X -X +Y -Y +Z -Z in Vulkan's orientation */
-    PANORAMA_CROSS,     /* 4:3 cross: left, front (-Z), right, back; up and down at front */
-    PANORAMA_TALL_CROSS /* 3:4 cross: back is below down, upside down */
+    PANORAMA_NONE,    /* not a cube map */
+    PANORAMA_OPENEXR, /* vertical strip with OpenEXR's attribute `envmap` */
+    PANORAMA_ROW,     /* horizontal strip +X -X +Y -Y +Z -Z in Vulkan's orientation */
+    /* 4:3 cross: left, front (-Z), right, back; up and down above and below the front */
+    PANORAMA_CROSS,
+    PANORAMA_TALL_CROSS /* 3:4 cross: the back face is below the down face, upside down */
 };
 
-/* Returns the cube map layout of an image by its aspect ratio. A cross must be black beside its
+/* Returns the cube map layout of an image by its aspect ratio. A cross must be black outside its
  * faces, to tell it from ordinary images. */
 enum panorama panorama_detect_cube(const struct image *image);
 
-/*
- * Replaces a cube map with an equirectangular image (-Z in the centre, +X right of it), four faces
- * wide, at most 8192 texels. Each texel is the mean of four bilinear samples. Returns STATUS_OK, or
- * logs with `path` and returns STATUS_TRY_AGAIN; the image is then unchanged.
- */
+/* Replaces a cube map with an equirectangular image (-Z in the centre, +X right of it), four faces
+ * wide, at most 8192 texels. Each texel is the mean of four bilinear samples. Logs with `path` and
+ * returns STATUS_TRY_AGAIN when out of memory; the image is then unchanged. */
 MUST_USE enum status panorama_from_cube(struct image *image, enum panorama kind, const char *path);
 
 #endif

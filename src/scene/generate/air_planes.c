@@ -14,8 +14,7 @@ enum {
     OCTAVES = 3,
 };
 
-static const float off_center =
-    0.1f; /* maximum offset of a plane's centre, in radii of the object */
+static const float off_center = 0.1f; /* maximum offset of planes from the centre, object radii */
 
 /* Adds the two triangles of a plane. */
 static void make_plane(struct mesh *mesh, uint32_t plane, mat3s axes, vec3s center, float side)
@@ -107,14 +106,14 @@ static void draw_bubble(uint8_t *texels, vec2s center, float radius)
         const float dy = (float)y + 0.5f - center.y;
         const float away = sqrtf(dx * dx + dy * dy);
         const float inside = fminf(fmaxf(radius + 0.5f - away, 0), 1);
-        const float share = fminf(away / radius, 1);
-        const float value = 255 * inside * (0.4f + 0.6f * share * share);
+        const float t = fminf(away / radius, 1);
+        const float value = 255 * inside * (0.4f + 0.6f * t * t);
         uint8_t *texel = &texels[2 * ((size_t)y * LAYER_SIZE + (size_t)x)];
         *texel = (uint8_t)fmaxf(*texel, value);
     }
 }
 
-/* Draws at most one bubble per cell of a grid, with a probability equal to the density. */
+/* Draws at most one bubble per grid cell, with a probability equal to the density. */
 static void draw_bubbles(uint8_t *texels, float frequency, float size, struct random *random)
 {
     const uint32_t across = (uint32_t)ceilf(frequency);
@@ -140,8 +139,8 @@ static void draw_haze(uint8_t *texels, uint32_t seed)
         const float v = ((float)row + 0.5f) / LAYER_SIZE;
         const float thin = density(u, v);
         const float noise = thin > 0 ? noise_plane_at(&plane, 6 * u, 6 * v) : 0;
-        const float cloud = thin * (0.5f + 0.8f * noise);
-        texels[2 * i + 1] = (uint8_t)(255 * fminf(fmaxf(cloud, 0), 1));
+        const float haze = thin * (0.5f + 0.8f * noise);
+        texels[2 * i + 1] = (uint8_t)(255 * fminf(fmaxf(haze, 0), 1));
     }
 }
 

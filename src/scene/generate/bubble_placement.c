@@ -8,7 +8,7 @@
 
 enum {
     ATTEMPTS = 64,   /* random positions per bubble */
-    FAILURES_MAX = 4 /* consecutive failed bubbles after which generation stops */
+    FAILURES_MAX = 4 /* maximum consecutive failures */
 };
 
 /* Returns twice the signed area of the triangle a, b, origin. */
@@ -17,7 +17,7 @@ static float cross(vec2s a, vec2s b)
     return a.x * b.y - a.y * b.x;
 }
 
-/* Returns the coordinate where an axis line through the origin hits a triangle, or NAN. */
+/* Returns the coordinate at which an axis hits a triangle, or NAN. */
 static float axis_hit(const vec3s corners[3], int axis)
 {
     const int u = (axis + 1) % 3;
@@ -44,8 +44,8 @@ static bool spans_zero(const vec3s corners[3], int axis)
     return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0);
 }
 
-/* A ray from inside a closed surface hits it an odd number of times. A ray through an edge may miss
- * both triangles, so the rays along all three axes must agree. */
+/* Counts ray hits: a ray from inside a closed surface hits it an odd number of times. A ray through
+ * an edge may miss both triangles, so the rays along all three axes must agree. */
 float bubbles_clearance(const struct mesh *mesh, vec3s point)
 {
     uint32_t exits[3] = { 0 };
@@ -86,7 +86,7 @@ static bool is_unoccupied(const struct bubbles *bubbles, vec3s center, float rad
 }
 
 /* Returns a bubble of the requested shape inside a bounding sphere. Its axis is the freezing
- * direction, towards the centre, within some 11 degrees. */
+ * direction, towards the centre, within about 11 degrees. */
 static struct bubble shape_bubble(struct bubble bubble, const struct generate_bubbles *params,
                                   vec3s middle, struct random *random)
 {

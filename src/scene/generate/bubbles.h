@@ -4,7 +4,7 @@
 
 #include "src/scene/generate/generate.h"
 
-/* Returns the least distance to a closed surface along the three axes, or 0 for points outside. */
+/* Returns the minimum distance to a closed surface along the three axes; 0 for points outside. */
 float bubbles_clearance(const struct mesh *mesh, vec3s point);
 
 /* Generates up to params->count bubbles of trapped air; `bubbles` is empty, with room for them. */

@@ -2,7 +2,7 @@
  * crack_meshes.c: generates crack sheets inside an object.
  *
  * Seipel and Nivfors 2006, section 3.3: instances of a few generic sheets, scaled to the object's
- * box, randomly rotated, and placed near the centre. Calls no C library functions but floor and
+ * box, randomly rotated, and placed near the centre. Calls no C library functions except floor and
  * square root, since others may differ between machines.
  */
 #include <cglm/struct.h>
@@ -12,7 +12,7 @@
 #include "src/scene/generate/noise.h"
 
 enum {
-    CELLS = 20, /* along a sheet's side */
+    CELLS = 20, /* number of cells along a sheet's side */
     POINTS = (CELLS + 1) * (CELLS + 1),
     MODEL_COUNT = 3,
 };
@@ -29,7 +29,7 @@ static float twisted_height(float x, float y, float r)
     return 0.7F * x * y + 0.1F * x;
 }
 
-/* Returns the height of a shell with ripples around its centre (conchoidal fracture). */
+/* Returns the height of a bowl with ripples around its centre (conchoidal fracture). */
 static float shell_height(float x, float y, float r)
 {
     float wave = noise_value((vec3s){ { 5.5F * r, 0.4F * x, 0.4F * y } }, 7);
@@ -43,7 +43,7 @@ static float outline(vec3s dir, uint32_t seed)
            0.12F * noise_value(glms_vec3_scale(dir, 5.0F), seed + 1);
 }
 
-/* Maps a point of the square to the disc (elliptical grid mapping), and displaces it. */
+/* Maps a point of the unit square to a disc (elliptical grid mapping), and displaces it. */
 static vec3s sheet_point(float u, float v, uint32_t model)
 {
     static float (*const heights[MODEL_COUNT])(
@@ -105,13 +105,13 @@ static vec4s random_in_ball(uint32_t *state, int count)
     return v;
 }
 
-static bool add_crack(struct mesh *mesh, const struct mesh *sheet, struct box box, float wide,
-                      uint32_t *state)
+static bool add_crack(struct mesh *mesh, const struct mesh *sheet, struct box box,
+                      float relative_size, uint32_t *state)
 {
     float half = box_diagonal(box) / 2.0F;
-    float size = wide * half * (0.8F + 0.15F * random_value(state));
+    float size = relative_size * half * (0.8F + 0.15F * random_value(state));
     vec4s axis = random_in_ball(state, 4);
-    versors turn = glms_quat_normalize((versors){ { axis.x, axis.y, axis.z, axis.w } });
+    versors rotation = glms_quat_normalize((versors){ { axis.x, axis.y, axis.z, axis.w } });
     vec3s shift = glms_vec3_scale(glms_vec3(random_in_ball(state, 3)), 0.3F * half);
     vec3s at = glms_vec3_add(box_center(box), shift);
     uint32_t first = mesh->vertex_count;
@@ -119,26 +119,27 @@ static bool add_crack(struct mesh *mesh, const struct mesh *sheet, struct box bo
         return false;
     for (uint32_t i = first; i < mesh->vertex_count; i++) {
         struct mesh_vertex *v = &mesh->vertices[i];
-        vec3s turned = glms_quat_rotatev(turn, v->position);
-        v->position = glms_vec3_muladds(turned, size, at);
-        v->normal = glms_vec3_normalize(glms_quat_rotatev(turn, v->normal));
+        vec3s rotated = glms_quat_rotatev(rotation, v->position);
+        v->position = glms_vec3_muladds(rotated, size, at);
+        v->normal = glms_vec3_normalize(glms_quat_rotatev(rotation, v->normal));
     }
     return true;
 }
 
 bool generate_cracks(struct mesh *mesh, struct box box, const struct generate_cracks *params,
-                     const struct mesh *own)
+                     const struct mesh *custom_sheet)
 {
     struct mesh sheets[MODEL_COUNT] = { 0 };
-    const uint32_t wanted = params->count < CRACKS_MAX ? params->count : CRACKS_MAX;
+    const uint32_t sheet_count = params->count < CRACKS_MAX ? params->count : CRACKS_MAX;
     bool done = true;
     *mesh = (struct mesh){ 0 };
     for (uint32_t i = 0; i < MODEL_COUNT && done; i++)
-        done = own->index_count || make_sheet(&sheets[i], i);
-    for (uint32_t i = 0; i < wanted && done; i++) {
-        uint32_t state = noise_hash(noise_hash(params->seed) ^ i); /* independent of the count */
-        done = add_crack(mesh, own->index_count ? own : &sheets[i % MODEL_COUNT], box, params->size,
-                         &state);
+        done = custom_sheet->index_count || make_sheet(&sheets[i], i);
+    for (uint32_t i = 0; i < sheet_count && done; i++) {
+        /* independent of the number of cracks */
+        uint32_t state = noise_hash(noise_hash(params->seed) ^ i);
+        done = add_crack(mesh, custom_sheet->index_count ? custom_sheet : &sheets[i % MODEL_COUNT],
+                         box, params->size, &state);
     }
     for (uint32_t i = 0; i < MODEL_COUNT; i++)
         mesh_finish(&sheets[i]);

@@ -2,11 +2,11 @@
  * frozen_bubbles.c: generates bubbles like those trapped in ice that froze from its surface
  * inwards.
  *
- * Dissolved air is rejected by the ice and collects at the freezing front. Slow freezing gives
- * parallel worm-shaped bubbles along the freezing direction, which may pinch off into strings of
- * beads; fast freezing gives egg shapes (Thievenaz and Sauret 2024, Universal equation describes
- * the shape of air bubbles trapped in ice). The outer rim has none, and most are small. Calls no C
- * library functions but square roots, since others may differ between machines.
+ * Ice rejects dissolved air, which collects at the freezing front. Slow freezing gives parallel
+ * worm-shaped bubbles along the freezing direction, which may pinch off into strings of beads; fast
+ * freezing gives egg shapes (Thievenaz and Sauret 2024, Universal equation describes the shape of
+ * air bubbles trapped in ice). The outer rim has none, and most are small. Calls no C library
+ * functions except square roots, since others may differ between machines.
  */
 #include <cglm/struct.h>
 #include <math.h>
@@ -18,23 +18,24 @@ enum {
 };
 
 enum kind {
-    WORMS, /* side by side */
-    BEADS, /* in a row */
-    EGGS,  /* in a clump */
+    WORMS, /* parallel worm-shaped bubbles */
+    BEADS, /* strings of spherical bubbles */
+    EGGS,  /* clumps of egg-shaped bubbles */
 };
 
 struct group {
     enum kind kind;
     uint32_t count;
-    vec3s position, along, aside; /* `along`: freezing direction; `aside`: across it */
-    float length;                 /* length of a worm, or extent of the group */
+    /* `along` is the freezing direction, and `aside` is perpendicular to it */
+    vec3s position, along, aside;
+    float length; /* length of a worm or the group */
 };
 
 struct growth_params {
     struct bubbles *bubbles;
     const struct mesh *mesh;
     vec3s middle, half; /* centre and half size of the object's box, metres */
-    float longest;      /* half the length of the longest worm */
+    float longest;      /* half the maximum worm length */
     float thick;        /* radius of an average worm */
     float rim;
 };
@@ -44,7 +45,7 @@ static float between(struct random *random, float low, float high)
     return low + (high - low) * random_unit(random);
 }
 
-/* Returns a random number whose probability density falls with the cube of its value. */
+/* Returns a random number whose probability density is proportional to value^-3. */
 static float mostly_small(struct random *random, float low, float high)
 {
     const float a = 1.0f / (low * low), b = 1.0f / (high * high);
@@ -68,12 +69,12 @@ static bool are_apart(const struct bubble *a, const struct bubble *b)
 {
     const float half_a = fmaxf(a->stretch, 0.0f), half_b = fmaxf(b->stretch, 0.0f);
     const vec3s from = glms_vec3_sub(a->center, b->center);
-    const float turn = glms_vec3_dot(a->axis, b->axis);
+    const float cosine = glms_vec3_dot(a->axis, b->axis);
     const float on_a = glms_vec3_dot(a->axis, from), on_b = glms_vec3_dot(b->axis, from);
-    const float across = fmaxf(1.0f - turn * turn, 1e-6f);
-    float s = glm_clamp((turn * on_b - on_a) / across, -half_a, half_a);
-    const float t = glm_clamp(on_b + turn * s, -half_b, half_b);
-    s = glm_clamp(turn * t - on_a, -half_a, half_a);
+    const float across = fmaxf(1.0f - cosine * cosine, 1e-6f);
+    float s = glm_clamp((cosine * on_b - on_a) / across, -half_a, half_a);
+    const float t = glm_clamp(on_b + cosine * s, -half_b, half_b);
+    s = glm_clamp(cosine * t - on_a, -half_a, half_a);
     const vec3s spacing =
         glms_vec3_sub(glms_vec3_muladds(a->axis, s, from), glms_vec3_scale(b->axis, t));
     return glms_vec3_norm(spacing) > 1.1f * (a->radius + b->radius);
@@ -110,26 +111,26 @@ static struct group make_group(const struct growth_params *growth_params, struct
     return group;
 }
 
-/* Returns bubble number `i` of a group. */
+/* Returns the i-th bubble of a group. */
 static struct bubble make_bubble(const struct growth_params *growth_params,
                                  const struct group *group, uint32_t i, struct random *random)
 {
-    const float place = (float)i - 0.5f * (float)(group->count - 1);
-    const vec3s bent = glms_vec3_muladds(random_box(random), 0.05f, group->along);
-    struct bubble bubble = { .center = group->position, .axis = glms_vec3_normalize(bent) };
+    const float offset = (float)i - 0.5f * (float)(group->count - 1);
+    const vec3s tilted = glms_vec3_muladds(random_box(random), 0.05f, group->along);
+    struct bubble bubble = { .center = group->position, .axis = glms_vec3_normalize(tilted) };
     if (group->kind == WORMS) {
         bubble.radius = growth_params->thick * between(random, 0.35f, 1.0f);
         bubble.stretch = group->length * between(random, 0.6f, 1.0f);
         bubble.is_capsule = true;
         const float spacing = growth_params->thick * between(random, 7.0f, 11.0f);
-        bubble.center = glms_vec3_muladds(group->aside, place * spacing, bubble.center);
+        bubble.center = glms_vec3_muladds(group->aside, offset * spacing, bubble.center);
         bubble.center = glms_vec3_muladds(group->along, between(random, 0.0f, 0.6f) * group->length,
                                           bubble.center);
     } else if (group->kind == BEADS) {
         bubble.radius = growth_params->thick * between(random, 0.65f, 1.35f);
         bubble.stretch = bubble.radius * between(random, 0.1f, 1.2f);
         const float spacing = growth_params->thick * 5.2f;
-        bubble.center = glms_vec3_muladds(group->along, place * spacing, bubble.center);
+        bubble.center = glms_vec3_muladds(group->along, offset * spacing, bubble.center);
     } else {
         bubble.radius = growth_params->thick * mostly_small(random, 0.4f, 2.2f);
         bubble.stretch = bubble.radius * between(random, 0.15f, 1.0f);

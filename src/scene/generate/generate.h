@@ -7,8 +7,8 @@
  * two triangles, which share its vertices), wound counter-clockwise seen from outside, centred at
  * the origin, with vertex normals; they are white and have material 0. Units are metres.
  *
- * Ownership: *mesh must be {0} or finished; the caller finishes it.
- * Errors:    the functions return false only when out of memory; *mesh is then {0}.
+ * Ownership: *mesh must be {0} or finished; the caller finishes it. Errors: the functions return
+ * false only when out of memory; *mesh is then {0}.
  */
 #ifndef FIRN_SCENE_GENERATE_GENERATE_H
 #define FIRN_SCENE_GENERATE_GENERATE_H
@@ -22,7 +22,7 @@ enum {
     GENERATE_ICE_CUBE_TRIANGLES = 4800,
     GENERATE_TEAPOT_TRIANGLES = 14400,
     GENERATE_LANDSCAPE_TRIANGLES = 2340,
-    GENERATE_TRIANGLES_MAX = 1 << 20, /* some 200 MB */
+    GENERATE_TRIANGLES_MAX = 1 << 20, /* about 200 MB */
     GENERATE_ORBITING_BALLS_MAX = 64,
     GENERATE_AIR_MAX = 64,
 };
@@ -34,84 +34,73 @@ bool generate_sphere(struct mesh *mesh, uint32_t triangles);
 /* Generates a rounded cube, about 1.6 m wide: six grids of quads displaced by smooth noise. */
 bool generate_ice_cube(struct mesh *mesh, uint32_t triangles);
 
-/*
- * Generates the Utah teapot from its 32 Bezier patches (Newell 1975), about 2 m wide, upright (+Y),
+/* Generates the Utah teapot from its 32 Bezier patches (Newell 1975), about 2 m wide, upright (+Y),
  * spout towards +X. It is one solid without inner walls: the gap between lid and rim and the
- * spout's mouth are closed, and handle and spout are joined to the body.
- */
+ * spout's mouth are closed, and handle and spout are joined to the body. */
 bool generate_teapot(struct mesh *mesh, uint32_t triangles);
 
-/*
- * Generates a valley surrounded by hills, 60 m wide, 1.35 m below the origin at its centre. It is
- * an open surface facing up, lit (not MESH_UNLIT), coloured by height and slope.
- */
+/* Generates a valley surrounded by hills, 60 m wide, 1.35 m below the origin at its centre: an open
+ * surface facing up, lit (not MESH_UNLIT), coloured by height and slope. */
 bool generate_landscape(struct mesh *mesh, uint32_t triangles);
 
-/*
- * Generates a level floor of pale tiles under the object, up to the horizon, which shows
- * transmitted light. Lit, facing up.
- */
+/* Generates a level floor of pale tiles under the object, up to the horizon, on which transmitted
+ * light is visible. Lit, facing up. */
 bool generate_floor(struct mesh *mesh, struct box object);
 
-/*
- * Generates a closed room, 11.7 x 6.3 x 9.9 m, with a table under the object, off-centre. Walls,
+/* Generates a closed room, 11.7 x 6.3 x 9.9 m, with an off-centre table under the object. Walls,
  * floor and ceiling are tiled with coloured lines; a lamp and a window emit light. Vertex colours
- * are baked radiances (MESH_UNLIT), with shadows of the furniture.
- */
+ * are baked radiances (MESH_UNLIT), with shadows of the furniture. */
 bool generate_room(struct mesh *mesh, struct box object);
 
-/*
- * Generates coloured balls (MESH_ORBITS) in a ring around a box; `count` is 1 to
- * GENERATE_ORBITING_BALLS_MAX. They stay outside the box's bounding sphere if that rotates about
- * +Y.
- */
+/* Generates coloured balls (MESH_ORBITS) in a ring around a box, outside its bounding sphere, so
+ * that it can rotate about +Y. `count` is 1 to GENERATE_ORBITING_BALLS_MAX. */
 bool generate_orbiting_balls(struct mesh *mesh, struct box box, uint32_t count);
 
 struct generate_pool {
-    float size, depth; /* size of the water, metres */
-    float ice;         /* width of the floating ice, metres; 0 for none */
+    float size, depth; /* water width and depth, metres */
+    float ice;         /* width of floating ice, metres; 0 for none */
 };
 
 /* Generates the surroundings of a square pool at the origin with water level 0: the walls above
- * water, and the stone around it. water.c draws water, floor and submerged walls. */
+ * water, and the stone paving. water.c draws the water, the floor and the submerged walls. */
 bool generate_pool(struct mesh *mesh, const struct generate_pool *pool);
 
-/* Generates floating ice in the pool's centre: an ice cube of width pool->ice, partly submerged. */
+/* Generates floating ice in the pool's centre: a partly submerged ice cube of width pool->ice. */
 bool generate_floating_ice(struct mesh *mesh, const struct generate_pool *pool, uint32_t triangles);
 
 struct generate_air {
     uint32_t count, seed; /* number of planes, 1 to GENERATE_AIR_MAX */
     float size;           /* diameter of the largest bubbles, in box diagonals */
-    float frequency;      /* number of the largest bubbles along the diagonal */
-    /* opacity of bubbles that replaces the procedural one in all layers, 0 to 1,
-     * GENERATE_AIR_LAYER_SIZE rows; or NULL */
+    float frequency;      /* number of the largest bubbles along the box diagonal */
+    /* bubble opacity that replaces the procedural one in all layers, 0 to 1;
+     * GENERATE_AIR_LAYER_SIZE rows and columns; or NULL */
     const float *cover;
 };
 
 enum {
-    GENERATE_AIR_LAYER_SIZE = 512, /* width and height in texels */
+    GENERATE_AIR_LAYER_SIZE = 512, /* texture width and height, texels */
     GENERATE_AIR_LAYER_COUNT = 4,
 };
 
-/* Array texture with two bytes per texel: opacity of bubbles, opacity of haze. */
+/* Array texture of air planes, two bytes per texel: opacity of bubbles, opacity of haze. */
 struct air_layers {
-    uint8_t *texels;      /* all mip levels, in the layout of mip_levels.h; the caller frees it */
-    uint32_t size, count; /* texels per side, a power of two; layers; both 0 for none */
+    /* all mip levels, in the layout of mip_levels.h; the caller frees the texels */
+    uint8_t *texels;
+    /* texels per side, a power of two; number of layers; both 0 without air planes */
+    uint32_t size, count;
 };
 
-/*
- * Generates squares as wide as the box's diagonal, randomly rotated about points near its centre.
- * Texture coordinates span each square; a vertex's `material` is the layer + 1.
- */
+/* Generates squares as wide as the box's diagonal, randomly rotated about points near its centre.
+ * Texture coordinates span each square; a vertex's `material` is the layer + 1. */
 bool generate_air_planes(struct mesh *mesh, struct box box, const struct generate_air *air);
 
 /* Clips air planes to a k-DOP of the object. Returns false, *planes unchanged, when out of memory.
  */
 bool generate_air_clip(struct mesh *planes, const struct mesh *object);
 
-/* Generates the textures: bubbles of three sizes, each half as large and twice as frequent as the
- * previous one, and haze, fading towards the edges. Returns false when out of memory; *layers is
- * then {0}. */
+/* Generates the textures of air planes: bubbles of three sizes, each half as large and twice as
+ * frequent as the previous one, and haze that fades towards the edges. Returns false when out of
+ * memory; *layers is then {0}. */
 bool generate_air_layers(struct air_layers *layers, const struct generate_air *air);
 
 enum generate_bubbles_shape {
@@ -119,8 +108,8 @@ enum generate_bubbles_shape {
     GENERATE_BUBBLES_PROLATE, /* elongated ellipsoids */
     GENERATE_BUBBLES_OBLATE,  /* flat ellipsoids */
     GENERATE_BUBBLES_CAPSULE,
-    GENERATE_BUBBLES_MIXED, /* a random choice of the shapes above */
-    GENERATE_BUBBLES_GROWN, /* worm and egg shapes, in rows along the freezing direction */
+    GENERATE_BUBBLES_MIXED, /* random mix of the shapes above */
+    GENERATE_BUBBLES_GROWN, /* worm and egg shapes along the freezing direction */
     GENERATE_BUBBLES_SHAPE_COUNT,
 };
 
@@ -128,8 +117,8 @@ struct generate_bubbles {
     uint32_t count, seed; /* number of bubbles, 1 to BUBBLES_COUNT_MAX */
     float size;           /* longest diameter of the largest bubble, in box diagonals */
     enum generate_bubbles_shape shape;
-    float stretch; /* longest diameter over shortest, at least 1; unused by spheres */
-    float rim;     /* minimum distance to the surface, relative to the box's least side */
+    float stretch; /* longest over shortest diameter, at least 1; unused by spheres */
+    float rim; /* minimum distance of bubbles to the surface, relative to the box's shortest side */
 };
 
 /* Non-overlapping bubbles in object space. */
@@ -138,13 +127,11 @@ struct bubbles {
     uint32_t count;
 };
 
-/*
- * Generates many small and few large bubbles in a closed mesh. Their bounding spheres are inside if
- * the mesh is convex, else at least their centres. Bubbles without a free place are omitted. Axes
+/* Generates many small and few large bubbles in a closed mesh. Their bounding spheres are inside if
+ * the mesh is convex, else at least their centres. Bubbles without free space are omitted. Axes
  * point roughly to the centre. The shape does not change positions or longest diameters, except for
  * GENERATE_BUBBLES_GROWN: groups of parallel worms, strings of beads, and clumps of eggs. Returns
- * false when out of memory; *bubbles is then {0}.
- */
+ * false when out of memory; *bubbles is then {0}. */
 bool generate_bubbles(struct bubbles *bubbles, const struct mesh *object,
                       const struct generate_bubbles *params);
 
@@ -153,14 +140,12 @@ struct generate_cracks {
     float size;
 };
 
-/*
- * Generates crack sheets for an object that fills a box: `count` of them (at most CRACKS_MAX),
- * about as large as the box times `size`, near its centre, open, curved, irregular, partly outside.
- * For a given seed, a smaller count is a prefix of a larger one. If `own` is not empty, all are
- * copies of it, which fills the unit ball. Vertex colours are defined in
- * shaders/inclusions/cracks.h; copies of `own` have a constant gap.
- */
+/* Generates `count` crack sheets (at most CRACKS_MAX) for an object that fills a box: about as
+ * large as the box times `size`, near its centre, open, curved, irregular, partly outside. For a
+ * given seed, a smaller count is a prefix of a larger one. If `custom_sheet` is not empty, all are
+ * copies of this mesh, which fills the unit ball. Vertex colours are defined in
+ * shaders/inclusions/cracks.h; copies of `custom_sheet` have a constant gap. */
 bool generate_cracks(struct mesh *mesh, struct box box, const struct generate_cracks *params,
-                     const struct mesh *own);
+                     const struct mesh *custom_sheet);
 
 #endif

@@ -1,9 +1,5 @@
-/*
- * ice_cube.c: generates a rounded cube of six grids, displaced by smooth noise.
- *
- * The displacement is a function of position with gentle slopes, so the surface has neither gaps
- * between grids nor self-intersections.
- */
+/* ice_cube.c: generates a rounded cube of six grids, displaced by smooth noise. Gentle slopes and a
+ * displacement that depends only on position avoid gaps between grids and self-intersections. */
 #include "src/scene/generate/generate.h"
 
 #include <cglm/struct.h>
@@ -15,17 +11,15 @@ static const float rounding = 0.18F; /* edge radius, for a half width of 1 */
 
 static uint32_t choose_cells(uint32_t triangles)
 {
-    double wanted = fmin(triangles, GENERATE_TRIANGLES_MAX);
-    uint32_t n = (uint32_t)fmax(1, floor(sqrt(wanted / 12)));
+    double target = fmin(triangles, GENERATE_TRIANGLES_MAX);
+    uint32_t n = (uint32_t)fmax(1, floor(sqrt(target / 12)));
     double fewer = 12.0 * n * n;
     double more = 12.0 * (n + 1) * (n + 1);
-    return more - wanted < wanted - fewer ? n + 1 : n;
+    return more - target < target - fewer ? n + 1 : n;
 }
 
-/*
- * Returns the index of a surface point of an (n + 1)^3 lattice: first the layer at 0, then square
- * rings of 4n points, then the layer at n.
- */
+/* Returns the index of a surface point of an (n + 1)^3 lattice: first the layer at 0, then square
+ * rings of 4n points, then the layer at n. */
 static uint32_t surface_index(const uint32_t at[3], uint32_t n)
 {
     uint32_t i = at[0], j = at[1], k = at[2];
@@ -61,10 +55,10 @@ static vec3s surface_point(const uint32_t at[3], uint32_t n)
     vec3s core = glms_vec3_clamp(cube, rounding - 1, 1 - rounding);
     vec3s outward = glms_vec3_normalize(glms_vec3_sub(cube, core));
     vec3s p = glms_vec3_muladds(outward, rounding, core);
-    vec3s bent = p;
-    bent = glms_vec3_muladds(noise_vector(glms_vec3_scale(p, 0.75F), 11), 0.12F, bent);
-    bent = glms_vec3_muladds(noise_vector(glms_vec3_scale(p, 2.1F), 12), 0.022F, bent);
-    return glms_vec3_muladds(noise_vector(glms_vec3_scale(p, 4.7F), 13), 0.008F, bent);
+    vec3s displaced = p;
+    displaced = glms_vec3_muladds(noise_vector(glms_vec3_scale(p, 0.75F), 11), 0.12F, displaced);
+    displaced = glms_vec3_muladds(noise_vector(glms_vec3_scale(p, 2.1F), 12), 0.022F, displaced);
+    return glms_vec3_muladds(noise_vector(glms_vec3_scale(p, 4.7F), 13), 0.008F, displaced);
 }
 
 /* Adds one side of the cube, perpendicular to `axis` at lattice coordinate 0 or n. */

@@ -1,8 +1,5 @@
-/*
- * landscape.c: generates a valley of flat-shaded facets.
- *
- * Facets and patches of different colours keep the surroundings recognisable through refraction.
- */
+/* landscape.c: generates a valley of flat-shaded facets. Facets and patches of different colours
+ * keep the surroundings recognisable through refraction. */
 #include "src/scene/generate/generate.h"
 
 #include <cglm/struct.h>
@@ -19,7 +16,7 @@ struct grid {
 
 static struct grid choose_grid(uint32_t triangles)
 {
-    /* cells in the proportion 30 : 39 of Seipel and Nivfors's grid */
+    /* grid cells in the proportion 30 : 39 (Seipel and Nivfors 2006) */
     double cells = fmax(fmin(triangles, GENERATE_TRIANGLES_MAX) / 2, 1);
     double rows = fmax(1, round(sqrt(cells * 39 / 30)));
     double columns = fmax(1, round(cells / rows));
@@ -62,7 +59,8 @@ static vec3s mix(vec3s from, vec3s to, float from_x, float to_x, float x)
     return glms_vec3_lerp(from, to, smooth_step(from_x, to_x, x));
 }
 
-/* Returns a facet's colour: meadows below, forest and autumn trees on slopes, rock, snow. */
+/* Returns a facet's colour: meadows in the valley, forest and autumn trees on slopes, rock, snow.
+ */
 static vec3s facet_color(vec3s center, vec3s normal)
 {
     static const vec3s grass = { { 0.085F, 0.150F, 0.042F } };
@@ -116,7 +114,7 @@ bool generate_landscape(struct mesh *mesh, uint32_t triangles)
             vec3s b = point_at(grid, column, row + 1);
             vec3s c = point_at(grid, column + 1, row + 1);
             vec3s d = point_at(grid, column + 1, row);
-            if ((row + column) % 2 == 0) { /* herringbone hides the grid better */
+            if ((row + column) % 2 == 0) { /* a herringbone pattern hides the grid */
                 add_facet(mesh, first, a, b, c);
                 add_facet(mesh, first + 3, a, c, d);
             } else {

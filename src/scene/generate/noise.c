@@ -17,7 +17,7 @@ static float fade(float t)
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/* Lattice coordinate, and the interpolation weight of the next one. */
+/* Lattice cell along one axis: coordinate, and interpolation weight of the next lattice point. */
 struct cell {
     uint32_t at;
     float next;

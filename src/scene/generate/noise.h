@@ -1,17 +1,13 @@
-/*
- * noise.h: smooth procedural noise, bit-identical on every machine.
- */
+/* noise.h: smooth procedural noise, bit-identical on every machine. */
 #ifndef FIRN_SCENE_GENERATE_NOISE_H
 #define FIRN_SCENE_GENERATE_NOISE_H
 
 #include <cglm/types-struct.h>
 #include <stdint.h>
 
-/* Returns a hash of x. */
 uint32_t noise_hash(uint32_t x);
 
-/*
- * Returns value noise in [-1, 1] with two continuous derivatives: interpolated random values at
+/* Returns value noise in [-1, 1] with two continuous derivatives: interpolated random values at
  * integer coordinates. Slopes are below 4. Seeds are uncorrelated. Coordinates must be below 2^30.
  */
 float noise_value(vec3s p, uint32_t seed);
@@ -31,7 +27,8 @@ enum {
 /* Cached lattice values of noise_fractal() in the plane z = 0. */
 struct noise_plane {
     int octaves;
-    float corners[NOISE_PLANE_OCTAVES_MAX][NOISE_PLANE_SIDE_MAX][NOISE_PLANE_SIDE_MAX]; /* x, y */
+    /* lattice values by octave, x, y */
+    float corners[NOISE_PLANE_OCTAVES_MAX][NOISE_PLANE_SIDE_MAX][NOISE_PLANE_SIDE_MAX];
 };
 
 /* Fills the cache. The last octave's coordinates must be in [0, NOISE_PLANE_SIDE_MAX - 1). */

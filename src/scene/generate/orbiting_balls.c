@@ -1,5 +1,4 @@
-/* orbiting_balls.c: generates balls that orbit an object, to make its surroundings change over
- * time. */
+/* orbiting_balls.c: generates balls that orbit an object, as moving surroundings. */
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/scene/generate/generate.h"
@@ -8,12 +7,12 @@ enum {
     BALL_TRIANGLES = 320
 };
 
-/* Returns a colour from an evenly spaced hue circle. */
-static vec3s hue(float turn)
+/* Returns the fully saturated colour of a hue, 0 to 1. */
+static vec3s hue(float hue_angle)
 {
     vec3s color;
     for (int i = 0; i < 3; i++)
-        color.raw[i] = 0.45f + 0.4f * cosf(6.2831853f * (turn + (float)i / 3.0f));
+        color.raw[i] = 0.45f + 0.4f * cosf(6.2831853f * (hue_angle + (float)i / 3.0f));
     return color;
 }
 
@@ -40,12 +39,12 @@ bool generate_orbiting_balls(struct mesh *mesh, struct box box, uint32_t count)
     bool done = true;
     *mesh = (struct mesh){ 0 };
     for (uint32_t i = 0; i < count && done; i++) {
-        float turn = (float)i / (float)count;
-        float angle = 6.2831853f * turn;
+        float hue_angle = (float)i / (float)count;
+        float angle = 6.2831853f * hue_angle;
         float distance = around * (1.4f + 0.3f * (float)(i % 3));
         vec3s at = { { distance * sinf(angle), around * (0.35f * (float)(i % 4) - 0.4f),
                        distance * cosf(angle) } };
-        done = add_ball(mesh, glms_vec3_add(center, at), radius, hue(turn));
+        done = add_ball(mesh, glms_vec3_add(center, at), radius, hue(hue_angle));
     }
     if (!done)
         mesh_finish(mesh);

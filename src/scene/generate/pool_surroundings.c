@@ -1,5 +1,4 @@
-/* pool_surroundings.c: generates the dry parts of a pool (walls above water, coping, paving), and
- * floating ice. */
+/* pool_surroundings.c: generates a pool's dry walls, coping and paving, and floating ice. */
 #include "shaders/water/water.h"
 #include "src/scene/generate/generate.h"
 
@@ -7,10 +6,9 @@
 
 static const vec3s stone = { { POOL_STONE } };
 static const vec3s paving = { { 0.400F, 0.385F, 0.360F } };
-static const float coping = 0.3F; /* metres wide */
-static const float submerged =
-    0.917F;                      /* submerged fraction of ice: its density over that of water */
-static const float paved = 2000; /* metres from the centre to the edge of the paving */
+static const float coping = 0.3F;      /* width of the coping, metres */
+static const float submerged = 0.917F; /* submerged fraction of floating ice (density ratio) */
+static const float paved = 2000;       /* half width of the paving, metres */
 
 /* Adds a quad with corners in counter-clockwise order around its normal. */
 static void add_quad(struct mesh *mesh, uint32_t *count, const vec3s corners[4], vec3s color)
@@ -30,7 +28,7 @@ static void add_quad(struct mesh *mesh, uint32_t *count, const vec3s corners[4],
     ++*count;
 }
 
-/* Returns (x, height, y), rotated about the vertical axis by quarter turns. */
+/* Returns (x, height, y) rotated by quarter turns about the vertical axis. */
 static vec3s rotated(uint32_t quarters, float x, float height, float y)
 {
     const vec3s at[4] = {

@@ -2,23 +2,16 @@
 #include "src/scene/generate/random.h"
 
 #include <cglm/struct.h>
-
-/* Integer hash with good avalanche (Wellons, "Prospecting for Hash Functions", 2018). */
-static uint32_t scramble(uint32_t x)
-{
-    x = (x ^ (x >> 16)) * 0x7feb352dU;
-    x = (x ^ (x >> 15)) * 0x846ca68bU;
-    return x ^ (x >> 16);
-}
+#include "src/scene/generate/noise.h"
 
 struct random random_begin(uint32_t seed, uint32_t part)
 {
-    return (struct random){ .key = scramble(scramble(seed) + part) };
+    return (struct random){ .key = noise_hash(noise_hash(seed) + part) };
 }
 
 float random_unit(struct random *random)
 {
-    return (float)(scramble(random->key ^ scramble(random->count++)) >> 8) * 0x1p-24F;
+    return (float)(noise_hash(random->key ^ noise_hash(random->count++)) >> 8) * 0x1p-24F;
 }
 
 static float random_signed(struct random *random)
@@ -34,8 +27,8 @@ vec3s random_box(struct random *random)
     return v;
 }
 
-/* Normalises a point of the 4D unit ball to a quaternion. Avoids sines, because their last bit
- * differs between C libraries. */
+/* Normalises a point of the 4D unit ball to a quaternion. Sines would differ between C libraries.
+ */
 mat3s random_rotation(struct random *random)
 {
     versors q;

@@ -1,6 +1,4 @@
-/*
- * random.h: random number sequences, bit-identical on every machine.
- */
+/* random.h: random number sequences, bit-identical on every machine. */
 #ifndef FIRN_SCENE_GENERATE_RANDOM_H
 #define FIRN_SCENE_GENERATE_RANDOM_H
 
@@ -12,8 +10,7 @@ struct random {
     uint32_t key, count;
 };
 
-/* Starts a sequence. Different seeds, and different parts of one seed, give uncorrelated sequences.
- */
+/* Starts a sequence. Different seeds, or parts of one seed, give uncorrelated sequences. */
 struct random random_begin(uint32_t seed, uint32_t part);
 
 float random_unit(struct random *random); /* in [0, 1) */

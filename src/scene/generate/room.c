@@ -1,9 +1,6 @@
-/*
- * room.c: generates a closed room with a table, whose straight lines show the refraction of ice.
- *
+/* room.c: generates a closed room with a table, whose straight lines show the refraction of ice.
  * All geometry is axis-aligned boxes. Vertex lighting is baked: a lamp and a window with shadows of
- * furniture, plus constant ambient light.
- */
+ * furniture, plus constant ambient light. */
 #include <cglm/struct.h>
 #include <math.h>
 #include "src/scene/generate/generate.h"
@@ -13,7 +10,7 @@ static const struct box walls = {
     .max = { { 7.2F, 3.6F, 6.3F } },
 };
 static const float tile = 0.9F;
-static const float line = 0.03F; /* half the width of the grout lines, metres */
+static const float line = 0.03F; /* half width of the grout lines, metres */
 
 enum {
     BREAKS_MAX = 64,
@@ -56,7 +53,7 @@ struct side {
     int axis;
     bool high;
     bool inside;  /* true for a side of the room */
-    vec3s albedo; /* for furniture */
+    vec3s albedo; /* albedo of furniture */
 };
 
 /* Ascending cell boundaries of a side along one axis. */
@@ -66,18 +63,19 @@ struct breaks {
 };
 
 static const vec3s wall_colors[3][2] = {
-    { { { 0.75F, 0.08F, 0.06F } }, { { 0.05F, 0.45F, 0.50F } } }, /* left, right */
-    { { { 0.10F, 0.10F, 0.12F } }, { { 0.45F, 0.35F, 0.10F } } }, /* bottom, top */
-    { { { 0.06F, 0.20F, 0.70F } }, { { 0.10F, 0.50F, 0.12F } } }, /* back, front */
+    { { { 0.75F, 0.08F, 0.06F } }, { { 0.05F, 0.45F, 0.50F } } }, /* wall colours: left, right */
+    { { { 0.10F, 0.10F, 0.12F } }, { { 0.45F, 0.35F, 0.10F } } }, /* floor and ceiling */
+    { { { 0.06F, 0.20F, 0.70F } }, { { 0.10F, 0.50F, 0.12F } } }, /* back wall, front wall */
 };
 
 static const vec3s furniture_colors[] = {
-    { { 0.42F, 0.24F, 0.11F } }, /* table */
+    { { 0.42F, 0.24F, 0.11F } }, /* albedo of the table */
     { { 0.80F, 0.28F, 0.05F } }, { { 0.55F, 0.50F, 0.45F } },
     { { 0.75F, 0.60F, 0.10F } }, { { 0.12F, 0.38F, 0.22F } },
 };
 
-/* Returns the cell boundaries of a wall. Grout lines are separate cells. */
+/* Returns the cell boundaries of a side of the room along an axis. Grout lines are separate cells.
+ */
 static struct breaks room_breaks(int axis)
 {
     struct breaks b = { { walls.min.raw[axis] }, 1 };
@@ -92,7 +90,7 @@ static struct breaks room_breaks(int axis)
     return b;
 }
 
-/* Returns cell boundaries at most 0.25 m apart. */
+/* Returns the cell boundaries of a piece of furniture, at most 0.25 m apart. */
 static struct breaks furniture_breaks(struct box box, int axis)
 {
     struct breaks b = { { 0 }, 0 };
@@ -134,7 +132,7 @@ static vec3s light_from(const struct room *room, const struct light *light, vec3
     int u = (light->axis + 1) % 3;
     int v = (light->axis + 2) % 3;
     vec3s extent = glms_vec3_sub(light->box.max, light->box.min);
-    float share = 0.0F;
+    float form_factor = 0.0F;
     for (int i = 0; i < LIGHT_SAMPLES * LIGHT_SAMPLES; i++) {
         int column = i % LIGHT_SAMPLES;
         int row = i / LIGHT_SAMPLES;
@@ -145,10 +143,10 @@ static vec3s light_from(const struct room *room, const struct light *light, vec3
         float distance2 = fmaxf(glms_vec3_norm2(offset), 0.05F);
         float cosines = glms_vec3_dot(offset, normal) * fabsf(offset.raw[light->axis]) / distance2;
         if (cosines > 0.0F && !is_hidden(room, point, at))
-            share += cosines / distance2;
+            form_factor += cosines / distance2;
     }
     float area = extent.raw[u] * extent.raw[v] / (LIGHT_SAMPLES * LIGHT_SAMPLES);
-    return glms_vec3_scale(light->radiance, share * area / 3.14159265F);
+    return glms_vec3_scale(light->radiance, form_factor * area / 3.14159265F);
 }
 
 static vec3s light_at(const struct room *room, vec3s point, vec3s normal)
@@ -192,7 +190,7 @@ static vec3s albedo_of(const struct side *side, vec3s middle)
     return (vec3s){ { 0.72F, 0.70F, 0.66F } };
 }
 
-/* Writes the four vertices of a cell, and two triangles with the winding of the visible face. */
+/* Writes the four vertices of a cell, and two triangles, wound for the visible side. */
 static void set_cell(const struct room *room, const struct side *side, uint32_t cell, vec3s low,
                      vec3s high)
 {
@@ -266,7 +264,7 @@ static struct box box_between(float x0, float y0, float z0, float x1, float y1, 
     return (struct box){ { { x0, y0, z0 } }, { { x1, y1, z1 } } };
 }
 
-/* Places the furniture, with the table's parts first. */
+/* Places the furniture; the parts of the table come first. */
 static void furnish(struct room *room, float table)
 {
     const struct box top = box_between(-1.7F, table - 0.14F, -1.7F, 2.6F, table, 1.5F);

@@ -4,17 +4,17 @@
 #include <cglm/struct.h>
 #include <math.h>
 
-/* `rows` bands from pole to pole, each of `columns` quads; the first and the last are triangles */
+/* Latitude-longitude grid: `rows` bands of `columns` quads; those at the poles are triangles. */
 struct grid {
     uint32_t rows, columns;
 };
 
 static struct grid choose_grid(uint32_t triangles)
 {
-    /* triangles = 2 columns (rows - 1); quads are nearly square if columns = 2 rows */
-    double wanted = fmax(fmin(triangles, GENERATE_TRIANGLES_MAX), 6);
-    double rows = fmax(2, round((1 + sqrt(1 + wanted)) / 2));
-    double columns = fmax(3, round(wanted / (2 * (rows - 1))));
+    /* triangles = 2 columns (rows - 1); columns = 2 rows makes quads nearly square */
+    double target = fmax(fmin(triangles, GENERATE_TRIANGLES_MAX), 6);
+    double rows = fmax(2, round((1 + sqrt(1 + target)) / 2));
+    double columns = fmax(3, round(target / (2 * (rows - 1))));
     return (struct grid){ (uint32_t)rows, (uint32_t)columns };
 }
 
@@ -49,11 +49,9 @@ static uint32_t vertex_at(struct grid grid, uint32_t row, uint32_t column)
     return 1 + (row - 1) * grid.columns + column % grid.columns;
 }
 
-/*
- * Scales the sphere until its facets enclose the unit sphere's volume. Facets are then about as far
- * outside as inside of it; vertices on the unit sphere would leave all facets inside. This reduces
- * the error of refracted directions, relative to closed forms, to a third.
- */
+/* Scales the sphere until its facets enclose the unit sphere's volume, so that they are about as
+ * far outside as inside of it; vertices on the unit sphere would leave all facets inside. This
+ * reduces the error of refracted directions, relative to an exact sphere, to a third. */
 static void fill_volume(struct mesh *mesh)
 {
     double volume = 0;

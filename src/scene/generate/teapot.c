@@ -22,11 +22,11 @@
 
 enum {
     PROFILE_PIECES = 6,
-    UPPER = 3, /* first profile piece of the body; handle and spout join it and the next one */
-    LEAST_CELLS = 5, /* with fewer cells, smoothed normals at the joints point inwards */
+    UPPER = 3,     /* first of the two profile pieces that handle and spout join */
+    CELLS_MIN = 5, /* with fewer cells, smoothed normals at the joints point inwards */
 };
 
-/* Control points of the profile: radius, height. */
+/* Bezier control points of the body's profile: radius, height. */
 static const float profile[PROFILE_PIECES][4][2] = {
     { { 0, 3.15F }, { 0.8F, 3.15F }, { 0, 2.85F }, { 0.2F, 2.7F } },
     { { 0.2F, 2.7F }, { 0.4F, 2.55F }, { 1.3F, 2.55F }, { 1.3F, 2.4F } },
@@ -36,7 +36,8 @@ static const float profile[PROFILE_PIECES][4][2] = {
     { { 1.5F, 0.15F }, { 1.5F, 0.075F }, { 1.425F, 0 }, { 0, 0 } },
 };
 
-/* Cross-sections: x and y at the start of both halves, x and y at their end, half the width. */
+/* Cross-sections of a tube: x and y at the start of both halves, x and y at their end, half width.
+ */
 static const float spout_sections[7][5] = {
     { 1.7F, 1.425F, 1.7F, 0.6F, 0.66F },       { 2.6F, 1.425F, 3.1F, 0.825F, 0.66F },
     { 2.3F, 2.1F, 2.4F, 2.025F, 0.25F },       { 2.7F, 2.4F, 3.3F, 2.4F, 0.25F },
@@ -51,7 +52,8 @@ static const float handle_sections[7][5] = {
     { -2, 0.9F, -1.9F, 0.6F, 0.3F },
 };
 
-/* Cells omitted from the body's grid: rows top..bottom, `reach` columns on both sides of center. */
+/* Cells omitted from the body's grid: rows top..bottom, `reach` columns on both sides of `center`.
+ */
 struct hole {
     uint32_t center;
     uint32_t reach;
@@ -61,12 +63,13 @@ struct hole {
 struct teapot {
     struct mesh *mesh;
     uint32_t n;       /* cells along a patch's side */
-    uint32_t columns; /* columns of the body all round: 4n */
-    uint32_t lines;   /* circles of vertices on the body, both poles included */
+    uint32_t columns; /* columns around the body: 4n */
+    uint32_t lines;   /* circles of vertices on the body, including both poles */
     struct hole spout, handle_top, handle_bottom;
-    uint32_t spout_rows, handle_rows;       /* rows from hole to mouth, and from hole to hole */
-    uint32_t *body;                         /* vertex index by line and column */
-    uint32_t *loop, *next_loop, *hole_loop; /* scratch memory: vertices around a tube */
+    /* rows of the spout from hole to mouth, and of the handle from hole to hole */
+    uint32_t spout_rows, handle_rows;
+    uint32_t *body;                         /* body vertex index by line and column */
+    uint32_t *loop, *next_loop, *hole_loop; /* scratch memory for vertices around a tube */
     uint32_t vertex_count, index_count;
 };
 
@@ -91,7 +94,7 @@ static vec2s profile_point(uint32_t piece, float t)
     return p;
 }
 
-/* Returns a point of Newell's quarter circle, which is not quite round: 0.56 instead of 0.5523. */
+/* Returns a point of Newell's approximation of a quarter circle, with 0.56 instead of 0.5523. */
 static vec2s quarter_circle(float t)
 {
     float w[4];
@@ -99,8 +102,8 @@ static vec2s quarter_circle(float t)
     return (vec2s){ { w[0] + w[1] + 0.56F * w[2], 0.56F * w[1] + w[2] + w[3] } };
 }
 
-/* Returns a point of a tube. v is 0 to 1 along the half that `side` (1 or -1) selects; u is about 0
- * to 2. */
+/* Returns a point of a tube: `side` (1 or -1) selects a half, v is 0 to 1 along its cross-section,
+ * and u is about 0 to 2 along the tube. */
 static vec3s tube_point(const float (*sections)[5], float u, float v, float side)
 {
     int patch = u < 1 ? 0 : 1;
@@ -123,7 +126,7 @@ static vec3s tube_point(const float (*sections)[5], float u, float v, float side
 /* Returns the horizontal distance of a point from the body at its height; negative inside. */
 static float outside_body(vec3s p)
 {
-    const int steps = 24; /* bisections, the precision of a float */
+    const int steps = 24; /* bisections, for float precision */
     uint32_t piece = p.y > profile[UPPER][3][1] ? UPPER : UPPER + 1;
     float low = 0, high = 1;
     for (int i = 0; i < steps; i++) {
@@ -149,7 +152,8 @@ static float outside_body(vec3s p)
     return hypotf(p.x, p.z) - radius * glms_vec2_norm(direction);
 }
 
-/* Returns the u at which a tube leaves the body, between u values inside and outside. */
+/* Returns the u at which a tube leaves the body, by bisection between u values inside and outside.
+ */
 static float find_joint(const float (*sections)[5], float inside, float outside, float v)
 {
     for (int i = 0; i < 24; i++) {
@@ -182,11 +186,9 @@ static uint32_t percent_ceil(uint32_t n, uint32_t percent)
     return (n * percent + 99) / 100;
 }
 
-/*
- * Plans the grid. Holes are given in percent of a patch, and contain the joints with a margin. In
+/* Plans the grid. Holes are given in percent of a patch, and contain the joints with a margin. In
  * rows of the body, counted from its rim, the spout's joint covers 0.62..1.20, the handle's
- * 0.10..0.24 and 1.00..1.24; in columns they reach 0.153, 0.085 and 0.070 to both sides.
- */
+ * 0.10..0.24 and 1.00..1.24; in columns they reach 0.153, 0.085 and 0.070 to both sides. */
 static struct teapot plan(uint32_t n)
 {
     struct teapot t = { .n = n, .columns = 4 * n, .lines = PROFILE_PIECES * n + 2 };
@@ -203,7 +205,7 @@ static struct teapot plan(uint32_t n)
         .top = rim + percent_floor(n, 96),
         .bottom = rim + percent_ceil(n, 126),
     };
-    t.handle_top = t.handle_bottom; /* both ends have equal loops */
+    t.handle_top = t.handle_bottom; /* both handle holes have equal outlines */
     t.handle_top.top = rim + percent_floor(n, 8);
     t.handle_top.bottom = t.handle_top.top + t.handle_bottom.bottom - t.handle_bottom.top;
     t.spout_rows = 9 * n / 5;
@@ -223,15 +225,15 @@ static uint32_t half_count(const struct teapot *t)
 
 static struct teapot choose_plan(uint32_t triangles)
 {
-    uint32_t wanted = (triangles < GENERATE_TRIANGLES_MAX ? triangles : GENERATE_TRIANGLES_MAX) / 2;
-    struct teapot fewer = plan(LEAST_CELLS);
+    uint32_t target = (triangles < GENERATE_TRIANGLES_MAX ? triangles : GENERATE_TRIANGLES_MAX) / 2;
+    struct teapot fewer = plan(CELLS_MIN);
     struct teapot more = fewer;
-    while (half_count(&more) < wanted) {
+    while (half_count(&more) < target) {
         fewer = more;
         more = plan(more.n + 1);
     }
-    bool more_is_closer = half_count(&more) - wanted < wanted - half_count(&fewer);
-    return more_is_closer || half_count(&fewer) > wanted ? more : fewer;
+    bool more_is_closer = half_count(&more) - target < target - half_count(&fewer);
+    return more_is_closer || half_count(&fewer) > target ? more : fewer;
 }
 
 static uint32_t add_vertex(struct teapot *t, vec3s position)
@@ -255,19 +257,19 @@ static void add_triangle(struct teapot *t, uint32_t a, uint32_t b, uint32_t c)
 /* Returns a body vertex position. Columns run from +X over -Z to -X and on. */
 static vec3s body_point(const struct teapot *t, uint32_t line, uint32_t column)
 {
-    /* the lid's last line and the rim's first are the two sides of the closing ring */
+    /* the ring between lid and rim uses two lines at its edges */
     uint32_t cell = line <= 2 * t->n ? line : line - 1;
     uint32_t piece = line == 2 * t->n ? 1 : cell / t->n;
     piece = piece < PROFILE_PIECES ? piece : PROFILE_PIECES - 1;
     vec2s p = profile_point(piece, (float)(cell - piece * t->n) / (float)t->n);
     vec2s q = quarter_circle((float)(column % t->n) / (float)t->n);
-    const vec2s turned[4] = {
+    const vec2s rotated[4] = {
         { { q.x, -q.y } },
         { { -q.y, -q.x } },
         { { -q.x, q.y } },
         { { q.y, q.x } },
     };
-    vec2s direction = turned[column / t->n];
+    vec2s direction = rotated[column / t->n];
     return (vec3s){ { p.x * direction.x, p.y, p.x * direction.y } };
 }
 
@@ -333,10 +335,8 @@ static void add_body(struct teapot *t)
     }
 }
 
-/*
- * Lists the vertices around a hole, the half with +Z first, from the middle of its upper edge, or
- * lower edge for a tube that starts there.
- */
+/* Lists the vertices around a hole, the half with +Z first, from the centre of its upper edge, or
+ * of its lower edge for a tube that starts there. */
 static void trace_hole(struct teapot *t, const struct hole *hole, bool from_bottom, uint32_t *loop)
 {
     uint32_t size = loop_size(hole);
@@ -371,10 +371,10 @@ struct tube {
     const float (*sections)[5];
     uint32_t size, rings;
     float begin_inside, begin_outside; /* u values inside and outside the body, for find_joint() */
-    float end_inside, end_outside; /* u range of the end joint; two equal values mean an open end */
+    float end_inside, end_outside;     /* u range of the end joint; equal values mean an open end */
 };
 
-/* Adds the rings of a tube. Returns the first vertex. */
+/* Adds the rings of a tube. Returns the index of the first vertex. */
 static uint32_t add_tube_vertices(struct teapot *t, const struct tube *tube)
 {
     uint32_t first = t->vertex_count;
@@ -395,7 +395,7 @@ static uint32_t add_tube_vertices(struct teapot *t, const struct tube *tube)
     return first;
 }
 
-/* Joins t->loop to t->next_loop, which becomes the current loop. */
+/* Joins t->loop to t->next_loop with triangles, and makes the latter the current loop. */
 static void advance(struct teapot *t, uint32_t size)
 {
     bridge(t, t->loop, t->next_loop, size);
@@ -414,10 +414,8 @@ static void add_tube(struct teapot *t, const struct tube *tube, uint32_t first)
     }
 }
 
-/*
- * Adds a ring on the body's surface to t->next_loop, between a hole's edge and the tube's ring,
- * close to the latter, so that normal smoothing affects the body only near the joint.
- */
+/* Adds a ring on the body's surface to t->next_loop, between a hole's edge and the tube's first
+ * ring, close to the latter, so that normal smoothing affects the body only near the joint. */
 static void add_skirt(struct teapot *t, const uint32_t *edge, uint32_t joint, uint32_t size)
 {
     for (uint32_t i = 0; i < size; i++) {
@@ -451,7 +449,7 @@ static void add_spout(struct teapot *t)
 static void add_handle(struct teapot *t)
 {
     uint32_t size = loop_size(&t->handle_top);
-    /* the lower end is just outside the body: extends the curve slightly beyond u = 2 */
+    /* extends the lower end beyond u = 2, since it is just outside the body */
     const struct tube tube = {
         handle_sections, size, t->handle_rows - 3, 0, 0.5F, 2.12F, 1.5F,
     };

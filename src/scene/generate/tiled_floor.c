@@ -9,7 +9,7 @@ enum {
 
 static const vec3s pale = { { 0.36F, 0.34F, 0.31F } };
 static const vec3s dark = { { 0.25F, 0.24F, 0.23F } };
-static const float tile = 0.28F; /* width of a tile, in diagonals of the object's box */
+static const float tile = 0.28F; /* tile width, in diagonals of the object's box */
 static const float extent = 100; /* half width of the floor, in diagonals of the object's box */
 
 /* Adds a horizontal rectangle between the corners `from` and (x, z). */
@@ -47,11 +47,11 @@ static void add_tiles(struct mesh *mesh, vec3s corner, float side)
 }
 
 /* Adds four rectangles around the tiles, whose half width is `inner`. */
-static void add_rest(struct mesh *mesh, vec3s middle, float inner, float outer)
+static void add_border(struct mesh *mesh, vec3s center, float inner, float outer)
 {
-    const float x = middle.x;
-    const float y = middle.y;
-    const float z = middle.z;
+    const float x = center.x;
+    const float y = center.y;
+    const float z = center.z;
     const vec3s color = glms_vec3_lerp(pale, dark, 0.5F);
     add_square(mesh, (vec3s){ { x - outer, y, z - outer } }, x + outer, z - inner, color);
     add_square(mesh, (vec3s){ { x - outer, y, z + inner } }, x + outer, z + outer, color);
@@ -65,12 +65,12 @@ bool generate_floor(struct mesh *mesh, struct box object)
     const float diagonal = box_diagonal(object);
     const float side = tile * (diagonal > 0 ? diagonal : 1);
     const float inner = side * TILES / 2;
-    vec3s middle = box_center(object);
-    middle.y = object.min.y;
+    vec3s center = box_center(object);
+    center.y = object.min.y;
     if (!mesh_init(mesh, 4 * count, 6 * count))
         return false;
-    mesh->vertex_count = mesh->index_count = 0; /* counts of the filled part */
-    add_tiles(mesh, (vec3s){ { middle.x - inner, middle.y, middle.z - inner } }, side);
-    add_rest(mesh, middle, inner, extent * side / tile);
+    mesh->vertex_count = mesh->index_count = 0; /* counts of vertices and indices filled so far */
+    add_tiles(mesh, (vec3s){ { center.x - inner, center.y, center.z - inner } }, side);
+    add_border(mesh, center, inner, extent * side / tile);
     return true;
 }

@@ -39,7 +39,7 @@ static struct box triangle_box(const struct mesh *mesh, uint32_t index)
     return box;
 }
 
-/* Counts the triangles that overlap each column. On a second call, with s->triangles allocated,
+/* Counts the triangles that overlap each column; on a second call, with s->triangles allocated,
  * stores them, filling each column from its end. */
 static void enter_triangles(struct closed_mesh *s)
 {
@@ -90,11 +90,9 @@ void closed_mesh_finish(struct closed_mesh *closed_mesh)
     *closed_mesh = (struct closed_mesh){ 0 };
 }
 
-/*
- * Returns twice the signed area of the triangle a, b, p in the xz plane. The two triangles at an
- * edge get exactly opposite values, and never 0, because the value is computed from the same end.
- * So a line through an edge hits exactly one of them.
- */
+/* Returns twice the signed area of the triangle a, b, p in the xz plane. The two triangles at an
+ * edge get exactly opposite values, never 0, because both use the same end of the edge. A line
+ * through an edge therefore hits exactly one of them. */
 static double side_of(vec3s a, vec3s b, vec3s p)
 {
     bool is_swapped = a.x > b.x || (a.x >= b.x && a.z > b.z);
@@ -158,10 +156,10 @@ bool closed_mesh_surrounds(const struct closed_mesh *s, vec3s point)
 
 static bool boxes_overlap(struct box a, struct box b)
 {
-    bool apart = false;
+    bool are_disjoint = false;
     for (int axis = 0; axis < 3; axis++)
-        apart |= a.min.raw[axis] > b.max.raw[axis] || b.min.raw[axis] > a.max.raw[axis];
-    return !apart;
+        are_disjoint |= a.min.raw[axis] > b.max.raw[axis] || b.min.raw[axis] > a.max.raw[axis];
+    return !are_disjoint;
 }
 
 bool closed_mesh_may_overlap(const struct closed_mesh *s, struct box box)

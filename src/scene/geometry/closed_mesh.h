@@ -1,9 +1,9 @@
 /*
  * closed_mesh.h: tests whether points are inside a closed mesh.
  *
- * Ownership:     closed_mesh_init() borrows the mesh, which must stay unchanged;
- *                closed_mesh_finish() frees the rest. A {0} struct is fine, and contains nothing.
- * Thread-safety: several threads may call functions with a const struct at the same time.
+ * Ownership: closed_mesh_init() borrows the mesh, which must stay unchanged; closed_mesh_finish()
+ * frees the rest. A {0} struct is fine, and contains nothing. Thread-safety: several threads may
+ * call functions with a const struct at the same time.
  */
 #ifndef FIRN_SCENE_GEOMETRY_CLOSED_MESH_H
 #define FIRN_SCENE_GEOMETRY_CLOSED_MESH_H
@@ -14,34 +14,30 @@
 struct closed_mesh {
     const struct mesh *mesh;
     struct box box;
-    uint32_t side;       /* number of columns along x, and along z */
+    uint32_t side;       /* number of grid columns along x, and along z */
     uint32_t *first;     /* start of each column in `triangles`; side * side + 1 elements */
     uint32_t *triangles; /* index of each triangle's first corner in mesh->indices */
 };
 
-/* Builds the grid. Returns false when out of memory; *solid is then {0}. */
+/* Builds the grid. Returns false when out of memory; *closed_mesh is then {0}. */
 bool closed_mesh_init(struct closed_mesh *closed_mesh, const struct mesh *mesh);
 
 void closed_mesh_finish(struct closed_mesh *closed_mesh);
 
-/*
- * Returns true if a point is inside: an upward ray from it hits an odd number of triangles. A ray
- * through a shared edge hits exactly one of the two triangles.
- */
+/* Returns true if a point is inside: an upward ray from it hits an odd number of triangles. A ray
+ * through a shared edge hits exactly one of the two triangles. */
 bool closed_mesh_contains(const struct closed_mesh *closed_mesh, vec3s point);
 
-/* Returns true if the surface is both above and below a point, which may be in a cavity. */
+/* Returns true if the surface is both above and below a point, for example in a cavity. */
 bool closed_mesh_surrounds(const struct closed_mesh *closed_mesh, vec3s point);
 
 /* Returns true if the bounding box of a triangle overlaps a box. */
 bool closed_mesh_may_overlap(const struct closed_mesh *closed_mesh, struct box box);
 
-/*
- * Clips a sheet (any triangles) to the inside of the closed mesh. Triangles near the surface are
+/* Clips a sheet (any triangles) to the inside of the closed mesh. Triangles near the surface are
  * bisected until no side is longer than `step` metres, then cut where their sides cross the
  * surface; smaller features are missed. The result shares no vertices. Returns false when out of
- * memory; *sheet is then unchanged.
- */
+ * memory; *sheet is then unchanged. */
 bool closed_mesh_clip(const struct closed_mesh *closed_mesh, struct mesh *sheet, float step);
 
 #endif

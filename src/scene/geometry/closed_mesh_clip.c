@@ -63,7 +63,7 @@ static struct mesh_vertex find_exit(const struct closed_mesh *closed_mesh,
 
 static void clip_to_surface(struct cut *cut, const struct mesh_vertex corner[3])
 {
-    struct mesh_vertex kept[4]; /* clipped polygon */
+    struct mesh_vertex polygon[4]; /* clipped polygon */
     int count = 0;
     for (int k = 0; k < 3; k++) {
         const struct mesh_vertex *a = &corner[k];
@@ -71,15 +71,15 @@ static void clip_to_surface(struct cut *cut, const struct mesh_vertex corner[3])
         bool a_inside = closed_mesh_contains(cut->closed_mesh, a->position);
         bool b_inside = closed_mesh_contains(cut->closed_mesh, b->position);
         if (a_inside)
-            kept[count++] = *a;
+            polygon[count++] = *a;
         if (a_inside != b_inside)
-            kept[count++] =
+            polygon[count++] =
                 a_inside ? find_exit(cut->closed_mesh, a, b) : find_exit(cut->closed_mesh, b, a);
     }
     if (count >= 3)
-        emit(cut, &kept[0], &kept[1], &kept[2]);
+        emit(cut, &polygon[0], &polygon[1], &polygon[2]);
     if (count == 4)
-        emit(cut, &kept[0], &kept[2], &kept[3]);
+        emit(cut, &polygon[0], &polygon[2], &polygon[3]);
 }
 
 static struct box box_of(const struct mesh_vertex corner[3])
@@ -114,7 +114,8 @@ static void bisect(struct cut *cut, const struct mesh_vertex corner[3])
     const struct mesh_vertex midpoint = between(a, b, 0.5F);
     float half = fmaxf(glms_vec3_distance(midpoint.position, a->position),
                        glms_vec3_distance(midpoint.position, b->position));
-    if (length <= cut->step || !(half < 0.75F * length)) { /* or at float precision */
+    /* second condition: float precision is exhausted */
+    if (length <= cut->step || !(half < 0.75F * length)) {
         clip_to_surface(cut, corner);
         return;
     }

@@ -56,24 +56,24 @@ static float line_distance2(vec3s p, vec3s a, vec3s b)
     return glms_vec3_norm2(glms_vec3_sub(to, glms_vec3_scale(along, glm_clamp(t, 0.0f, 1.0f))));
 }
 
-/* Returns the squared distance from p to a triangle. If p projects outside, the nearest point is on
- * one of the edges that it is beyond. */
+/* Returns the squared distance from p to a triangle. If p projects outside the triangle, the
+ * nearest point is on one of the edges whose outer side p is on. */
 static float distance2(const struct work *work, uint32_t triangle, vec3s p)
 {
     vec3s c[3];
     corners_of(work->mesh, triangle, c);
     const vec3s n = glms_vec3_cross(glms_vec3_sub(c[1], c[0]), glms_vec3_sub(c[2], c[0]));
     const float n2 = glms_vec3_norm2(n);
-    float least = INFINITY;
+    float nearest2 = INFINITY;
     for (int k = 0; k < 3; k++) {
         const vec3s next = c[(k + 1) % 3];
         const vec3s inwards = glms_vec3_cross(n, glms_vec3_sub(next, c[k]));
         const bool is_inside_edge = glms_vec3_dot(inwards, glms_vec3_sub(p, c[k])) >= 0.0f;
         if (!is_inside_edge || !(n2 > 0.0f))
-            least = fminf(least, line_distance2(p, c[k], next));
+            nearest2 = fminf(nearest2, line_distance2(p, c[k], next));
     }
-    if (least < INFINITY)
-        return least;
+    if (nearest2 < INFINITY)
+        return nearest2;
     const float height = glms_vec3_dot(glms_vec3_sub(p, c[0]), n);
     return height * height / n2;
 }
@@ -90,7 +90,7 @@ static void test_triangle(const struct work *work, uint32_t triangle, int x, int
     }
 }
 
-/* Texels whose centres are in a triangle's bounding box, extended by `more` texels. */
+/* Range of texels whose centres are in a triangle's bounding box, extended by `more` texels. */
 struct range {
     int first[3], last[3];
 };
@@ -122,7 +122,7 @@ static void test_near(const struct work *work, uint32_t triangle)
 }
 
 /* Tests the nearest triangles of 13 neighbours, before or after the texel in scan order. Skips
- * duplicates, which are common, and neighbours unchanged since sweep `since`. */
+ * duplicates, which are common, and neighbours that have not changed since sweep `since`. */
 static void test_neighbours(const struct work *work, size_t texel, int side, int since)
 {
     const int x = (int)(texel % SIZE), y = (int)(texel / SIZE % SIZE),
@@ -147,8 +147,8 @@ static void test_neighbours(const struct work *work, size_t texel, int side, int
     }
 }
 
-/* Propagates nearest triangles to texels inside the mesh. Neighbours that have not changed since
- * the last sweep in the same direction were tested by it. */
+/* Propagates nearest triangles to texels inside the mesh. Skips neighbours that have not changed
+ * since the last sweep in the same direction. */
 static void sweep(const struct work *work, int number)
 {
     const bool is_forward = number % 2 == 0;
@@ -171,8 +171,8 @@ static double area(vec3s a, vec3s b, double y, double z)
            ((double)b.z - (double)a.z) * (y - (double)a.y);
 }
 
-/* Adds a triangle's winding to all texels behind it along x. The rows are shifted by an epsilon, so
- * that they hit no edge of a mesh that is aligned with the grid. */
+/* Adds a triangle's winding to all texels behind it along x. Rows of texels are shifted by an
+ * epsilon, so that they hit no edge of a mesh that is aligned with the grid. */
 static void add_winding(const struct work *work, uint32_t triangle)
 {
     vec3s c[3];
@@ -197,23 +197,22 @@ static void add_winding(const struct work *work, uint32_t triangle)
     }
 }
 
-/* Returns the distance at a point near a texel's centre to the triangles known to its neighbours.
- */
+/* Returns the distance from a point near a texel's centre to its neighbours' nearest triangles. */
 static float depth_near(const struct work *work, const int texel[static 3], vec3s point)
 {
-    float least = INFINITY;
+    float nearest2 = INFINITY;
     for (int i = 0; i < 27; i++) {
         const int x = texel[0] + i % 3 - 1, y = texel[1] + i / 3 % 3 - 1, z = texel[2] + i / 9 - 1;
         if (x < 0 || y < 0 || z < 0 || x >= SIZE || y >= SIZE || z >= SIZE)
             continue;
         const uint32_t nearest = work->nearest[texel_at(x, y, z)];
         if (nearest != NOWHERE)
-            least = fminf(least, distance2(work, nearest, point));
+            nearest2 = fminf(nearest2, distance2(work, nearest, point));
     }
-    return sqrtf(least);
+    return sqrtf(nearest2);
 }
 
-/* Returns the maximum distance near the deepest texel, which lies between texel centres. */
+/* Returns the maximum distance near the deepest texel, searched between texel centres. */
 static float find_maximum(const struct work *work, size_t index)
 {
     const int texel[3] = { (int)(index % SIZE), (int)(index / SIZE % SIZE),
@@ -244,7 +243,6 @@ static void measure(struct distance_field *field, const struct work *work)
         field->texels[i] /= field->most;
 }
 
-/* Returns the bounding box of the triangles; there must be at least one. */
 static struct box box_of(const struct mesh *mesh)
 {
     const vec3s first = mesh->vertices[mesh->indices[0]].position;

@@ -1,8 +1,5 @@
-/*
- * distance_field.h: interior distance field: depth of points below the surface of a closed mesh.
- *
- * Depths at texel centres are exact: the distance to the nearest triangle, or 0 outside.
- */
+/* distance_field.h: interior distance field: depth of points below the surface of a closed mesh.
+ * Depths at texel centres are exact: the distance to the nearest triangle, or 0 outside. */
 #ifndef FIRN_SCENE_GEOMETRY_DISTANCE_FIELD_H
 #define FIRN_SCENE_GEOMETRY_DISTANCE_FIELD_H
 
@@ -11,7 +8,8 @@
 struct distance_field {
     struct box box; /* extent of the texels, in the mesh's space */
     float most;     /* maximum depth, in the mesh's units; 0 if nothing is inside */
-    float *texels;  /* depths in units of `most`, MEDIUM_SIZE per axis, x fastest; owned */
+    float
+        *texels; /* depths relative to the maximum, MEDIUM_SIZE texels per axis, x fastest; owned */
 };
 
 /* Computes the field; {0} for an empty mesh. Returns false when out of memory; *field is then {0}.
@@ -19,7 +17,7 @@ struct distance_field {
 bool distance_field_init(struct distance_field *field, const struct mesh *mesh);
 void distance_field_finish(struct distance_field *field); /* {0} is fine */
 
-/* Returns the trilinearly interpolated depth at a point, 0 to 1, in units of `most`. */
+/* Returns the trilinearly interpolated depth at a point, relative to the maximum depth. */
 float distance_field_at(const struct distance_field *field, vec3s point);
 
 #endif

@@ -27,7 +27,7 @@ static float distance(const vec4s *plane, const struct mesh_vertex *corner)
 }
 
 /* Returns the vertex where an edge crosses the plane. `at_a` and `at_b` are the signed distances of
- * its ends, which have opposite signs. */
+ * the edge's ends, with opposite signs. */
 static struct mesh_vertex edge_point(const struct mesh_vertex *a, float at_a,
                                      const struct mesh_vertex *b, float at_b)
 {

@@ -1,9 +1,6 @@
-/*
- * kdop.h: discrete oriented polytope (26-DOP) around a mesh, and clipping of polygons to it.
- *
- * Its normals point from a cube's centre to the faces, edges and corners (Klosowski et al. 1998);
- * the mesh touches each plane.
- */
+/* kdop.h: discrete oriented polytope (26-DOP) around a mesh, and clipping of polygons to it. Its
+ * normals point from a cube's centre to the faces, edges and corners (Klosowski et al. 1998); the
+ * mesh touches each plane. */
 #ifndef FIRN_SCENE_GEOMETRY_KDOP_H
 #define FIRN_SCENE_GEOMETRY_KDOP_H
 
@@ -11,10 +8,10 @@
 
 enum {
     KDOP_PLANE_COUNT = 26,
-    KDOP_CORNER_COUNT = 4 + KDOP_PLANE_COUNT, /* maximum vertex count of a clipped square */
+    KDOP_CORNER_COUNT = 4 + KDOP_PLANE_COUNT, /* maximum vertices of a clipped square */
 };
 
-/* A point p is inside if dot(p, planes[i].xyz) <= planes[i].w for all i. */
+/* Intersection of half-spaces: p is inside if dot(p, planes[i].xyz) <= planes[i].w for all i. */
 struct kdop {
     vec4s planes[KDOP_PLANE_COUNT];
 };
@@ -22,11 +19,9 @@ struct kdop {
 /* Returns the k-DOP of a mesh; that of an empty mesh is empty. */
 struct kdop kdop_of(const struct mesh *mesh);
 
-/*
- * Clips a convex polygon of `count` vertices to the k-DOP. Returns the new vertex count, which is
+/* Clips a convex polygon of `count` vertices to the k-DOP. Returns the new vertex count, which is
  * 0, or 3 to `count` + KDOP_PLANE_COUNT; `corners` must have room for it. New vertices interpolate
- * the texture coordinates and copy the other attributes of the first vertex.
- */
+ * the texture coordinates and copy the other attributes of the first vertex. */
 uint32_t kdop_clip(const struct kdop *kdop, struct mesh_vertex *corners, uint32_t count);
 
 #endif

@@ -45,11 +45,11 @@ void mesh_finish(struct mesh *mesh)
 }
 
 /* Returns `array` reallocated for `count` more elements; NULL on overflow or when out of memory. */
-static void *grow_array(void *array, uint32_t have, uint32_t count, size_t size)
+static void *grow_array(void *array, uint32_t count_before, uint32_t count, size_t size)
 {
-    if (count > UINT32_MAX - have || have + count > SIZE_MAX / size)
+    if (count > UINT32_MAX - count_before || count_before + count > SIZE_MAX / size)
         return NULL;
-    return realloc(array, (have + count) * size);
+    return realloc(array, (count_before + count) * size);
 }
 
 /* Makes room for the extras of both meshes, if either has any. */
@@ -121,7 +121,7 @@ bool box_contains(const struct box *outer, const struct box *inner)
 
 vec3s box_center(struct box box)
 {
-    /* halves first: the sum of two large coordinates could overflow */
+    /* halves first, because the sum could overflow */
     return glms_vec3_add(glms_vec3_scale(box.min, 0.5F), glms_vec3_scale(box.max, 0.5F));
 }
 
@@ -154,7 +154,7 @@ static vec3s unit(vec3s v)
 
 static void add_triangle_normals(struct mesh_vertex *vertices, const uint32_t *corners)
 {
-    vec3s side_dir[3]; /* edge direction from each corner to the next */
+    vec3s side_dir[3]; /* direction from each corner to the next */
     for (int k = 0; k < 3; k++)
         side_dir[k] = unit(
             glms_vec3_sub(vertices[corners[(k + 1) % 3]].position, vertices[corners[k]].position));
@@ -181,7 +181,7 @@ void mesh_make_normals(struct mesh *mesh)
     }
 }
 
-/* Returns an outward normal whose length is twice the triangle's area. */
+/* Returns a triangle's area vector: along the outward normal, with twice the area as its length. */
 static vec3s area_of(const struct mesh *mesh, const uint32_t *corners)
 {
     const vec3s a = mesh->vertices[corners[0]].position;
@@ -189,8 +189,7 @@ static vec3s area_of(const struct mesh *mesh, const uint32_t *corners)
                            glms_vec3_sub(mesh->vertices[corners[2]].position, a));
 }
 
-/* Returns true if no vertex is more than `tolerance` in front of a plane; `normal` may have any
- * length. */
+/* Returns true if no vertex is more than `tolerance` in front of a plane with any normal length. */
 static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float tolerance)
 {
     const float most = glms_vec3_dot(normal, point) + tolerance * glms_vec3_norm(normal);
@@ -204,7 +203,7 @@ static bool is_behind(const struct mesh *mesh, vec3s point, vec3s normal, float 
 bool mesh_is_convex(const struct mesh *mesh)
 {
     const float tolerance = 1e-5f * box_diagonal(mesh_box(mesh));
-    vec3s sum = { 0 }; /* sum of all area vectors; 0 for a closed surface */
+    vec3s sum = { 0 }; /* sum of area vectors; 0 for closed surfaces */
     float all = 0.0f;
     if ((uint64_t)mesh->index_count / 3 * mesh->vertex_count > MESH_CONVEX_MAX)
         return false;
@@ -222,8 +221,8 @@ enum {
     SHELL_COUNT = 1 << 9
 };
 
-/* Returns a shell index by quantised distance: exponent and top mantissa bit of the squared
- * distance, four shells per octave of it. */
+/* Returns a triangle's shell index, a quantised distance: exponent and top mantissa bit of the
+ * squared distance, so that there are four shells per octave of the squared distance. */
 static uint32_t shell_of(const struct mesh *mesh, const uint32_t *corners, vec3s from)
 {
     float nearest = INFINITY;

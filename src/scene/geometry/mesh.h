@@ -1,10 +1,8 @@
 /*
  * mesh.h: indexed triangle mesh in memory, with the vertex layout of all passes.
  *
- * Space:     defined by the owner; a scene's meshes are in world space (right-handed, +Y up,
- * metres).
- * Winding:   counter-clockwise seen from outside.
- * Ownership: a mesh owns its arrays (malloc'd); mesh_finish() frees them.
+ * Space: the owner's; world space (right-handed, +Y up, metres) in scenes. Winding:
+ * counter-clockwise seen from outside. A mesh owns its arrays (malloc'd); mesh_finish() frees them.
  */
 #ifndef FIRN_SCENE_GEOMETRY_MESH_H
 #define FIRN_SCENE_GEOMETRY_MESH_H
@@ -16,23 +14,24 @@
 
 struct mesh_vertex {
     vec3s position;
-    vec3s normal;      /* unit, outward */
-    vec3s color;       /* linear Rec.709: vertex colour times base colour factor */
-    vec2s uv;          /* (0, 0) is the texture's top left */
-    uint32_t material; /* bits of shaders/mesh_layout.h; equal at a triangle's three corners */
+    vec3s normal; /* unit outward normal */
+    vec3s color;  /* linear Rec.709 vertex colour, times base colour factor */
+    vec2s uv;     /* texture coordinates; (0, 0) is the texture's top left */
+    /* material bits of shaders/mesh_layout.h, equal at a triangle's three corners */
+    uint32_t material;
 };
 
 /* Optional attributes, which few meshes have. */
 struct mesh_extra {
-    vec3s tangent; /* unit, along u; {0} to derive it from texture coordinates */
-    float side;    /* bitangent, which opposes v, is cross(normal, tangent) * side; 1, -1 or 0 */
+    vec3s tangent; /* unit tangent along u; {0} to derive it from texture coordinates */
+    float side;    /* 1, -1 or 0; bitangent (opposite to v): cross(normal, tangent) * side */
     vec2s uv;      /* second set of texture coordinates */
 };
 
 struct mesh {
     struct mesh_vertex *vertices;
-    struct mesh_extra *extras; /* one per vertex; NULL if no vertex has any */
-    uint32_t *indices;         /* three per triangle */
+    struct mesh_extra *extras; /* optional attributes, one per vertex; or NULL */
+    uint32_t *indices;         /* three vertex indices per triangle */
     uint32_t vertex_count;
     uint32_t index_count;
 };
@@ -42,9 +41,7 @@ struct box {
     vec3s min, max;
 };
 
-/*
- * Allocates zeroed arrays. Returns false when out of memory or on overflow; *mesh is then {0}.
- */
+/* Allocates zeroed arrays. Returns false when out of memory or on overflow; *mesh is then {0}. */
 bool mesh_init(struct mesh *mesh, uint32_t vertex_count, uint32_t index_count);
 
 /* Allocates zeroed vertex extras, unless they exist. Returns false when out of memory. */
@@ -70,25 +67,19 @@ vec3s box_center(struct box box);
 /* Returns true if `inner` is inside `outer`; touching counts as inside. */
 bool box_contains(const struct box *outer, const struct box *inner);
 
-/* Returns the length of a box's diagonal. */
 float box_diagonal(struct box box);
 
-/* Centres the mesh at the origin, and scales it uniformly to a width of `width` along x, where it
- * must have an extent. Normals are unchanged. */
+/* Centres the mesh at the origin, and scales it uniformly to `width` along x; its extent along x
+ * must not be 0. Normals are unchanged. */
 void mesh_fit(struct mesh *mesh, float width);
 
-/*
- * Computes vertex normals: the mean of the adjacent triangles' normals, weighted by their angles at
+/* Computes vertex normals: the mean of the adjacent triangles' normals, weighted by their angles at
  * the vertex, which is independent of triangulation (Thuermer and Wuethrich 1998). Vertices without
- * a non-degenerate triangle get +Y.
- */
+ * a non-degenerate triangle get +Y. */
 void mesh_make_normals(struct mesh *mesh);
 
-/*
- * Returns true if the mesh is closed and convex, with a tolerance of 1e-5 of its diagonal: a ray is
- * then inside in at most one interval. Returns false without a test for more than MESH_CONVEX_MAX
- * triangle-vertex pairs.
- */
+/* Returns true if the mesh is closed and convex, with a tolerance of 1e-5 of its diagonal, so that
+ * rays are inside in at most one interval; false above MESH_CONVEX_MAX triangle-vertex pairs. */
 #define MESH_CONVEX_MAX (1u << 24)
 bool mesh_is_convex(const struct mesh *mesh);
 
@@ -98,12 +89,10 @@ struct mesh_order {
     uint32_t count;
 };
 
-/*
- * Sorts triangles front to back from a point, so that early depth tests reject most hidden
+/* Sorts triangles front to back from a point, so that early depth tests reject most hidden
  * fragments. Distances are quantised to shells, each less than a quarter farther than the last,
  * that keep the file's order for vertex caches. *order, unless NULL, gets an array that the caller
- * frees. Returns false when out of memory; *mesh is then unchanged, and *order is {0}.
- */
+ * frees. Returns false when out of memory; *mesh is then unchanged, and *order is {0}. */
 bool mesh_sort_by_distance(struct mesh *mesh, vec3s from, struct mesh_order *order);
 
 #endif

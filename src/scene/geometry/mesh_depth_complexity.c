@@ -1,5 +1,4 @@
-/* mesh_depth_complexity.c: measures the depth complexity of a mesh along a grid of parallel lines.
- */
+/* mesh_depth_complexity.c: measures depth complexity along a grid of parallel lines. */
 #include "src/scene/geometry/mesh_depth_complexity.h"
 #include <cglm/struct.h>
 
@@ -7,7 +6,7 @@ enum {
     SIDE = 48 /* lines per side of the grid */
 };
 
-/* Grid of lines along one direction, spread over the other two. */
+/* Grid of parallel lines along one axis, spread over the other two. */
 struct grid {
     vec3s across[2];
     vec2s first; /* minimum corner of the mesh's bounding rectangle in the `across` axes */
@@ -15,8 +14,8 @@ struct grid {
     unsigned char hits[SIDE * SIDE]; /* triangle hits of each line, at most 255 */
 };
 
-/* Orthogonal directions, oblique to the faces of man-made objects: lines within a slightly uneven
- * flat face would hit it many times. */
+/* Orthogonal directions, oblique to the faces of man-made objects, since lines within a slightly
+ * uneven flat face would hit it many times. */
 static const vec3s directions[3] = {
     { { 2.0f / 7.0f, 3.0f / 7.0f, 6.0f / 7.0f } },
     { { 3.0f / 7.0f, -6.0f / 7.0f, 2.0f / 7.0f } },
@@ -69,7 +68,7 @@ static void rasterise(struct grid *grid, const vec2s *corners)
     }
 }
 
-/* Adds the number of lines that hit any triangle, and of those that hit more than two. */
+/* Adds the number of lines that hit any triangle, and of lines that hit more than two. */
 static void count_lines(struct grid *grid, const struct mesh *mesh, uint32_t counts[2])
 {
     fit_grid(grid, mesh);

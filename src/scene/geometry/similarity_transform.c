@@ -1,5 +1,4 @@
-/* similarity_transform.c: finds similarity transforms between triangle sets from three
- * corresponding corners. */
+/* similarity_transform.c: similarity transforms between triangle sets from three corner pairs. */
 #include "src/scene/geometry/similarity_transform.h"
 #include <math.h>
 #include <string.h>
@@ -7,12 +6,12 @@
 /* Orthonormal frame of three points; the first axis points along the first side. */
 struct frame {
     double origin[3], axes[3][3], length;
-    bool is_collinear; /* the points are collinear */
+    bool is_collinear;
 };
 
 static const float *position_of(const struct similarity_transform_corners *corners, uint32_t corner)
 {
-    return corners->place(corners->of, corner);
+    return corners->position(corners->of, corner);
 }
 
 static void cross(const double *a, const double *b, double *to)
@@ -41,7 +40,7 @@ static double normalise(double *v)
     return length;
 }
 
-/* Picks the corner farthest from corner 0, and the one farthest from the line through both. */
+/* Picks corner 0, the corner farthest from it, and the one farthest from the line through both. */
 struct similarity_transform_anchor
 similarity_transform_anchor_find(const struct similarity_transform_corners *corners)
 {

@@ -1,20 +1,16 @@
-/*
- * similarity_transform.h: detects instancing: whether triangles are a copy of others under a
- * similarity transform.
- *
- * The transform follows from an anchor, three corners that are far apart, without a search. The
- * caller then checks that all corners match it.
- */
+/* similarity_transform.h: instancing detection: finds a similarity transform that maps triangles to
+ * others. It follows from an anchor, three corners that are far apart, without a search; the caller
+ * then checks that all corners match. */
 #ifndef FIRN_SCENE_GEOMETRY_SIMILARITY_TRANSFORM_H
 #define FIRN_SCENE_GEOMETRY_SIMILARITY_TRANSFORM_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Triangle corners, accessed by index. */
+/* Triangle corners, accessed by index through a callback. */
 struct similarity_transform_corners {
     const void *of;
-    const float *(*place)(const void *of, uint32_t corner); /* returns x, y, z of a corner */
+    const float *(*position)(const void *of, uint32_t corner); /* returns x, y, z of a corner */
     uint32_t count;
 };
 

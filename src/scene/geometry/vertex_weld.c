@@ -1,4 +1,4 @@
-/* vertex_weld.c: welds vertices by sorting them by position. */
+/* vertex_weld.c: welds vertices after sorting them by position. */
 #include "src/scene/geometry/vertex_weld.h"
 #include <stdlib.h>
 

@@ -1,9 +1,9 @@
 /*
  * vertex_weld.h: welds vertices of a mesh that share a position but differ in other attributes.
  *
- * Model files split vertices at hard edges and texture seams. Connected components and curvature
- * flow need true adjacency, which the welded points give. Only equal positions are welded, so that
- * no tolerance can join surfaces that merely touch.
+ * Model files split vertices at hard edges and texture seams, but connected components and
+ * curvature flow need true adjacency. Only equal positions are welded, since a tolerance could join
+ * surfaces that merely touch.
  */
 #ifndef FIRN_SCENE_GEOMETRY_VERTEX_WELD_H
 #define FIRN_SCENE_GEOMETRY_VERTEX_WELD_H
@@ -19,8 +19,7 @@ struct vertex_weld {
     uint32_t corner_count;
 };
 
-/* Welds the corners of `count` indices from `first` on. Returns false, *weld {0}, if out of memory.
- */
+/* Welds the vertices of `count` indices from `first` on; false, *vertex_weld {0}, out of memory. */
 bool vertex_weld_init(struct vertex_weld *vertex_weld, const struct mesh *mesh, uint32_t first,
                       uint32_t count);
 void vertex_weld_finish(struct vertex_weld *vertex_weld); /* {0} is fine */

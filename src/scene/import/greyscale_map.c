@@ -1,4 +1,4 @@
-/* greyscale_map.c: loads an image file as a square greyscale map, with box-filtered resampling. */
+/* greyscale_map.c: loads an image file as a square greyscale map, with supersampled resampling. */
 #include "src/scene/import/greyscale_map.h"
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "src/image/srgb.h"
 #include "src/reader/image_reader.h"
 
-/* The largest half float; sums and differences of values up to it stay finite. */
+/* Maximum half float; sums and differences of such values stay finite. */
 #define GREY_MAX 65504.0f
 
 /* Greyscale image at its original size. */
@@ -47,7 +47,7 @@ static enum status convert_to_grey(struct greyscale_image *grey, const struct im
     for (size_t i = 0; i < count; i++) {
         const float mean = (planes[0][i] + planes[1][i] + planes[2][i]) / 3.0f;
         grey->texels[i] = is_png ? srgb_encode(mean) : mean;
-        is_in_range &= fabsf(mean) <= GREY_MAX; /* false for NaN, too */
+        is_in_range &= fabsf(mean) <= GREY_MAX; /* also false for NaN */
     }
     if (is_in_range)
         return STATUS_OK;
@@ -55,7 +55,6 @@ static enum status convert_to_grey(struct greyscale_image *grey, const struct im
     return STATUS_DATA;
 }
 
-/* Returns a texel with repeat wrapping. */
 static float texel_at(const struct greyscale_image *p, int64_t x, int64_t y)
 {
     const int64_t width = p->width, height = p->height;
@@ -63,7 +62,7 @@ static float texel_at(const struct greyscale_image *p, int64_t x, int64_t y)
     return p->texels[row * width + (x % width + width) % width];
 }
 
-/* Samples at (u, v), 0 to 1, with bilinear interpolation. */
+/* Samples the image at (u, v), 0 to 1, with bilinear interpolation. */
 static float sample_bilinear(const struct greyscale_image *p, float u, float v)
 {
     const float x = u * (float)p->width - 0.5f, y = v * (float)p->height - 0.5f;
@@ -75,7 +74,7 @@ static float sample_bilinear(const struct greyscale_image *p, float u, float v)
     return upper * (1 - down) + lower * down;
 }
 
-/* Resamples to side x side texels by supersampling about as densely as the source texels are. */
+/* Resamples to side x side texels by supersampling, about as densely as the source texels. */
 static void resample(const struct greyscale_image *p, float *greys, uint32_t side,
                      bool is_unit_range)
 {
@@ -99,7 +98,7 @@ enum status greyscale_map_read(float **greys, uint32_t side, bool is_unit_range,
 {
     static const struct reader_params usual = { 0 };
     struct image image = { 0 };
-    struct greyscale_image picture = { 0 };
+    struct greyscale_image greyscale = { 0 };
     *greys = NULL;
     if (!image_reader_knows_suffix(path)) {
         log_error("%s: unknown image format; expected .exr, .hdr or .png", path);
@@ -107,14 +106,14 @@ enum status greyscale_map_read(float **greys, uint32_t side, bool is_unit_range,
     }
     enum status status = image_reader_read(&image, path, params ? params : &usual);
     if (status == STATUS_OK)
-        status = convert_to_grey(&picture, &image, path);
+        status = convert_to_grey(&greyscale, &image, path);
     image_finish(&image);
     if (status == STATUS_OK) {
         *greys = malloc((size_t)side * side * sizeof(**greys));
         status = *greys ? STATUS_OK : log_out_of_memory(path);
     }
     if (status == STATUS_OK)
-        resample(&picture, *greys, side, is_unit_range);
-    free(picture.texels);
+        resample(&greyscale, *greys, side, is_unit_range);
+    free(greyscale.texels);
     return status;
 }

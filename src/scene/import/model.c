@@ -118,9 +118,10 @@ static enum status add_lights(struct model *model, const struct model *other)
     return STATUS_OK;
 }
 
-/* Appends the object ranges of both meshes of `other`. Must precede the append of the meshes. An
- * object's first vertex follows from the indices, because vertices are in order of first use. */
-static bool add_opaque(struct model *model, const struct model *other)
+/* Appends the surroundings objects of `other`, its refractive objects included. Must precede the
+ * append of the meshes. An object's first vertex follows from the indices, because vertices are in
+ * order of first use. */
+static bool add_surroundings_objects(struct model *model, const struct model *other)
 {
     uint32_t first = model->surroundings.vertex_count, next = 0, index = 0;
     bool done = true;
@@ -154,7 +155,8 @@ enum status model_add_surroundings(struct model *model, struct model *other)
         goto fail;
     offset_materials(&other->object, model->textures.count, model->material_count);
     offset_materials(&other->surroundings, model->textures.count, model->material_count);
-    if (!add_opaque(model, other) || !mesh_append(&other->object, &other->surroundings) ||
+    if (!add_surroundings_objects(model, other) ||
+        !mesh_append(&other->object, &other->surroundings) ||
         !mesh_append(&model->surroundings, &other->object)) {
         model->surroundings_object_count = surroundings_object_count;
         status = log_out_of_memory("surroundings");

@@ -23,8 +23,7 @@
  * node counts.
  *
  * Ownership: a model owns its arrays; model_finish() frees them; a {0} model is fine. Threads: any.
- * Errors: one line is logged, with the file's name and the location, and *model is {0}:
- *
+ * Errors: one line is logged, with the file's name and the location, and *model is {0}.
  * STATUS_NO_INPUT: missing or unreadable. STATUS_TRY_AGAIN: out of memory. STATUS_DATA: unknown
  * format, unsupported required extension, syntax error, empty file, no triangles, non-finite
  * number, coordinate beyond 1e6, index out of range, index of refraction outside 1 to 4, damaged or
@@ -38,13 +37,12 @@
 #include "src/scene/object.h"
 #include "src/scene/punctual_light.h"
 
-/*
- * Array of square RGBA8 textures of one size, rows from the top: at most 4096 layers of at most
- * 2048 texels a side, 512 MiB in total. Images of other sizes have been resampled.
- */
+/* Array of square RGBA8 textures of one size, rows from the top: at most 4096 layers of at most
+ * 2048 texels a side, 512 MiB in total. Images of other sizes are resampled. */
 struct texture_layers {
-    uint8_t *texels;      /* size * size * 4 * count bytes */
-    uint32_t size, count; /* size is a power of two; both are 0 if there are no textures */
+    uint8_t *texels; /* RGBA8 texels of all layers */
+    /* texels per side, a power of two, and number of layers; 0 without textures */
+    uint32_t size, count;
 };
 
 enum model_camera_kind {
@@ -53,18 +51,20 @@ enum model_camera_kind {
     MODEL_CAMERA_KIND_COUNT,
 };
 
-/* A camera of a model file with its node's transform applied. */
+/* Camera of a model file, with its node's transform applied. */
 struct model_camera {
-    char name[MATERIAL_NAME_SIZE]; /* of the node, else of the camera; "" if both are unnamed */
-    uint32_t kind;                 /* enum model_camera_kind */
-    float height;                  /* height of an orthographic view, metres; 0 if perspective */
-    struct camera camera; /* targets the object's distance; fov_deg is unused if orthographic */
+    /* name of the node, else of the camera; "" if both are unnamed */
+    char name[MATERIAL_NAME_SIZE];
+    uint32_t kind; /* enum model_camera_kind */
+    float height;  /* height of an orthographic view, metres; 0 for perspective */
+    /* `target` is at the object's distance; fov_deg is unused for an orthographic camera */
+    struct camera camera;
 };
 
-/* An animation of a model file: of nodes (including cameras), skins and morph targets. */
+/* Animation of a model file: of nodes (including cameras), skins and morph targets. */
 struct model_animation {
     char name[MATERIAL_NAME_SIZE]; /* "" if it has none */
-    float seconds;                 /* time of the last keyframe; playback starts at 0 */
+    float seconds;                 /* duration: time of the last keyframe */
 };
 
 #define MODEL_SURROUNDINGS_ROW 2048
@@ -77,37 +77,38 @@ enum model_support {
     MODEL_SUPPORT_COUNT,
 };
 
-/* An extension that the file uses. */
+/* Extension that the file uses. */
 struct model_extension {
     char name[MATERIAL_NAME_SIZE];
     uint32_t support; /* enum model_support */
 };
 
 struct model {
-    struct mesh object; /* all refractive objects, one after another */
+    struct mesh object; /* all refractive objects, merged */
     struct mesh surroundings;
-    struct object *objects; /* index ranges of `object`; object.rank is not set */
+    struct object *objects; /* refractive objects, index ranges of `object`; ranks are not set */
     uint32_t object_count;
     struct material *materials; /* referenced by objects and vertices */
     uint32_t material_count;
-    /* First vertex of each surroundings object, ascending; vertices before the first start belong
-     * to none. Whole rows of MODEL_SURROUNDINGS_ROW, zero filled, to be uploaded as an image. */
+    /* First vertex of each surroundings object, ascending; earlier vertices belong to no object.
+     * Zero-filled to whole rows of MODEL_SURROUNDINGS_ROW, to be uploaded as an image. */
     uint32_t *surroundings_starts;
-    char (*surroundings_names)[MATERIAL_NAME_SIZE]; /* names of the objects' nodes; "" if unnamed */
+    /* names of the surroundings objects' nodes; "" if unnamed */
+    char (*surroundings_names)[MATERIAL_NAME_SIZE];
     uint32_t surroundings_object_count;
     struct texture_layers textures; /* sRGB colour textures of both meshes */
     struct texture_layers numbers;  /* linear (non-colour) textures (material.h) */
-    struct model_camera *cameras;   /* of the file, in node order */
+    struct model_camera *cameras;   /* the file's cameras, in node order */
     uint32_t camera_count;
-    struct light *lights; /* of the file, in node order */
+    struct light *lights; /* the file's lights, in node order */
     uint32_t light_count;
     struct model_extension *extensions;
     uint32_t extension_count;
     uint32_t undrawn; /* bit i: the file has the feature model_undrawn_name(i) */
-    char undrawn_text[MODEL_UNDRAWN_SIZE]; /* OBJ or PLY features, one per line */
+    char undrawn_text[MODEL_UNDRAWN_SIZE]; /* undrawn OBJ or PLY features, one per line */
     struct model_animation *animations;
     uint32_t animation_count;
-    uint32_t animation;   /* index + 1 of the animation that poses the model; 0 if at rest */
+    uint32_t animation;   /* index + 1 of the animation that poses the model; 0 for the rest pose */
     struct camera camera; /* first perspective camera; valid if has_camera */
     float ior;            /* KHR_materials_ior of the object; valid if has_ior */
     struct box box;       /* environment lookup box (refract.lookup=box); valid if has_box */
@@ -119,16 +120,17 @@ struct model {
 enum model_role {
     MODEL_OBJECT,
     MODEL_SURROUNDINGS,
-    MODEL_BY_MATERIALS, /* surroundings if the file has materials, else an object */
+    MODEL_BY_MATERIALS, /* meshes are surroundings if the file has materials, else objects */
 };
 
 /* Animation time of a model, and names of its refractive objects. Only glTF has animations. */
 struct model_pose {
-    const char *animation; /* name or number (from 0); NULL for the rest pose or is_first */
-    bool is_first;         /* use the first animation, if the file has any */
-    float time;            /* animation time, seconds */
-    /* Names of nodes with meshes, or else of materials, one per line: refractive objects, whatever
-     * their material; the rest without transmission becomes surroundings. May be NULL. */
+    /* animation name or number (from 0); NULL for the rest pose, or if is_first */
+    const char *animation;
+    bool is_first; /* use the file's first animation, if any */
+    float time;    /* animation time, seconds */
+    /* Names of nodes with meshes, or else of materials, one per line, that are refractive objects
+     * whatever their material; other meshes without transmission are surroundings. May be NULL. */
     const char *objects;
 };
 
@@ -141,19 +143,17 @@ MUST_USE enum status model_load(struct model *model, const char *path,
 MUST_USE enum status model_load_posed(struct model *model, const char *path,
                                       enum model_role default_role, const struct model_pose *pose);
 
-/*
- * Appends both meshes of `other` to the surroundings of *model, renumbers textures and resamples
+/* Appends both meshes of `other` to the surroundings of *model, renumbers textures and resamples
  * them to the larger size; the box of `other`, if any, replaces that of *model. `other` is {0}
  * afterwards in any case. On failure *model is unchanged: STATUS_TRY_AGAIN when out of memory,
- * STATUS_DATA for more than 4096 textures or 8191 materials.
- */
+ * STATUS_DATA for more than 4096 textures or 8191 materials. */
 MUST_USE enum status model_add_surroundings(struct model *model, struct model *other);
 
 /* Adds an object of the surroundings whose first vertex is `start`, at or after the previous
  * object's. Returns false when out of memory. */
 MUST_USE bool model_surroundings_add_object(struct model *model, const char *name, uint32_t start);
 
-/* Returns the number, from 1, of the surroundings object of a vertex; 0 if there is none. */
+/* Returns the number, from 1, of the surroundings object that owns a vertex; 0 if there is none. */
 uint32_t model_surroundings_find_object(const struct model *model, uint32_t vertex);
 
 /* Returns the name of an undrawn feature, such as "thickness textures"; NULL past the last one. */

@@ -1,4 +1,4 @@
-/* model_build.c: merges a file's transformed shapes into the object and surroundings meshes. */
+/* model_build.c: merges a file's transformed meshes into the object and surroundings meshes. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
@@ -56,13 +56,13 @@ void model_build_init(struct model_build *build, struct model_import *import, st
     };
 }
 
-enum status model_build_count(struct model_build *build, enum model_role part,
+enum status model_build_count(struct model_build *build, enum model_role role,
                               uint64_t vertex_count, uint64_t index_count)
 {
-    build->vertex_count[part] += vertex_count;
-    build->index_count[part] += index_count;
-    if (build->vertex_count[part] <= MODEL_ELEMENT_MAX &&
-        build->index_count[part] <= MODEL_ELEMENT_MAX)
+    build->vertex_count[role] += vertex_count;
+    build->index_count[role] += index_count;
+    if (build->vertex_count[role] <= MODEL_ELEMENT_MAX &&
+        build->index_count[role] <= MODEL_ELEMENT_MAX)
         return STATUS_OK;
     log_error("%s: expected at most %d vertices", build->import->path, MODEL_ELEMENT_MAX);
     return STATUS_DATA;
@@ -88,8 +88,8 @@ enum status model_build_allocate(struct model_build *build)
     return STATUS_DATA;
 }
 
-/* Returns the matrix that transforms normals: the cofactor matrix, the inverse transpose without
- * its scale. It exists even for a singular matrix. */
+/* Returns the matrix that transforms normals: the cofactor matrix, which is the inverse transpose
+ * up to scale, and exists even for a singular matrix. */
 static mat3s normal_matrix(mat3s m, bool is_mirrored)
 {
     mat3s normal = { .col = {
@@ -105,7 +105,7 @@ static vec3s vec3_at(const float *numbers, size_t i)
     return (vec3s){ { numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2] } };
 }
 
-/* Fills in a vertex, counting a clamped colour. Returns false if the position is out of range. */
+/* Fills in a vertex, and counts clamped colours. Returns false if the position is out of range. */
 static bool fill_vertex(struct mesh_vertex *vertex, const struct model_shape *shape,
                         const mat4s *model_from_shape, const mat3s *normal_from_shape, size_t i,
                         uint32_t *clamped)
@@ -137,7 +137,7 @@ static bool fill_vertex(struct mesh_vertex *vertex, const struct model_shape *sh
 }
 
 /* Fills in tangent and second texture coordinates. A mirroring transform flips the bitangent; a
- * tangent of zero length is left out. */
+ * zero tangent is left out. */
 static void fill_extra(struct mesh_extra *extra, const struct model_shape *shape,
                        const mat3s *linear, bool is_mirrored, size_t i)
 {
@@ -154,19 +154,19 @@ static void fill_extra(struct mesh_extra *extra, const struct model_shape *shape
     extra->side = (t[3] < 0) == is_mirrored ? 1 : -1;
 }
 
-enum status model_build_add(struct model_build *build, enum model_role part,
+enum status model_build_add(struct model_build *build, enum model_role role,
                             const struct model_shape *shape, mat4s model_from_shape)
 {
-    struct mesh *mesh = build->meshes[part];
+    struct mesh *mesh = build->meshes[role];
     const mat3s linear = glms_mat4_pick3(model_from_shape);
     const bool is_mirrored = glms_mat3_det(linear) < 0;
     const mat3s normal_from_shape = normal_matrix(linear, is_mirrored);
-    const uint32_t base = (uint32_t)build->vertex_count[part];
-    uint32_t *indices = &mesh->indices[build->index_count[part]];
-    if (part == MODEL_SURROUNDINGS && build->opaque) {
-        if (!model_surroundings_add_object(build->model, build->opaque, base))
+    const uint32_t base = (uint32_t)build->vertex_count[role];
+    uint32_t *indices = &mesh->indices[build->index_count[role]];
+    if (role == MODEL_SURROUNDINGS && build->surroundings_name) {
+        if (!model_surroundings_add_object(build->model, build->surroundings_name, base))
             return log_out_of_memory(build->import->path);
-        build->opaque = NULL;
+        build->surroundings_name = NULL;
     }
     for (uint32_t i = 0; i < shape->vertex_count; i++) {
         if (!fill_vertex(&mesh->vertices[base + i], shape, &model_from_shape, &normal_from_shape, i,
@@ -180,8 +180,8 @@ enum status model_build_add(struct model_build *build, enum model_role part,
         indices[i + 1] = base + shape->indices[i + (is_mirrored ? 2 : 1)];
         indices[i + 2] = base + shape->indices[i + (is_mirrored ? 1 : 2)];
     }
-    build->vertex_count[part] += shape->vertex_count;
-    build->index_count[part] += shape->index_count;
+    build->vertex_count[role] += shape->vertex_count;
+    build->index_count[role] += shape->index_count;
     return STATUS_OK;
 }
 

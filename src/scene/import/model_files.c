@@ -73,7 +73,7 @@ static char *local_name(const struct model_import *import, const char *path)
     return strdup(strncmp(path, import->path, folder) == 0 ? path + folder : path);
 }
 
-/* Returns true if a file is within the model's folder and exists; else records it in *import. */
+/* Returns true if a file exists within the model's folder; else records its name in *import. */
 static bool is_allowed(struct model_import *import, const char *path)
 {
     struct stat info;
@@ -81,12 +81,12 @@ static bool is_allowed(struct model_import *import, const char *path)
     if (!name)
         return false;
     const bool is_inside = model_file_clean(name, false);
-    if (!is_inside && import->refused[0] == '\0')
-        snprintf(import->refused, sizeof(import->refused), "%s", path);
-    /* Only regular files are opened, because opening a named pipe would block. */
+    if (!is_inside && import->refused_file[0] == '\0')
+        snprintf(import->refused_file, sizeof(import->refused_file), "%s", path);
+    /* Opens only regular files, because opening a named pipe would block. */
     const bool is_there = is_inside && stat(path, &info) == 0 && S_ISREG(info.st_mode);
-    if (is_inside && !is_there && import->missed[0] == '\0')
-        snprintf(import->missed, sizeof(import->missed), "%s", name);
+    if (is_inside && !is_there && import->missing_file[0] == '\0')
+        snprintf(import->missing_file, sizeof(import->missing_file), "%s", name);
     free(name);
     return is_there;
 }
@@ -94,6 +94,6 @@ static bool is_allowed(struct model_import *import, const char *path)
 FILE *model_file_open(void *user, const char *path)
 {
     struct model_import *import = user;
-    const bool is_model = strcmp(path, import->path) == 0; /* of any path */
+    const bool is_model = strcmp(path, import->path) == 0; /* the model file may be anywhere */
     return is_model || is_allowed(import, path) ? fopen(path, "rb") : NULL;
 }

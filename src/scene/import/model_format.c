@@ -7,10 +7,10 @@
 #include "src/scene/import/model_import.h"
 
 enum {
-    HEAD_SIZE = 4096, /* bytes of the file that are checked */
+    HEAD_SIZE = 4096, /* bytes at the file's start to check */
 };
 
-/* Returns the first character that is not blank, after a UTF-8 byte order mark. */
+/* Returns the first non-blank character, after an optional UTF-8 byte order mark. */
 static const char *skip_blanks(const char *text)
 {
     if (strncmp(text, "\xef\xbb\xbf", 3) == 0)

@@ -19,7 +19,7 @@ enum {
     HEAD_FLAGS = 31,
     TEXEL_SIZE = 4,             /* size of an RGBA8 texel, bytes */
     ENVIRONMENT_TEXEL_SIZE = 8, /* size of an RGBA16F texel, bytes */
-    HALF_MAX = 0x7bff,          /* bits of the largest finite half; negative halfs are larger */
+    HALF_MAX = 0x7bff, /* bits of the largest finite half; negative halfs have larger bits */
     HALF_ONE = 0x3c00,
 };
 
@@ -28,7 +28,7 @@ struct mesh_counts {
 };
 
 struct texture_counts {
-    uint32_t size, count; /* side length in texels; number of layers */
+    uint32_t size, count; /* texels per side; number of layers */
 };
 
 struct model_head {
@@ -416,7 +416,6 @@ static enum pipe_fault read_lights(const struct pipe_source *source, uint32_t co
     return fault;
 }
 
-/* Returns true if every set bit is a known kind of undrawn feature. */
 static bool are_undrawn_bits_valid(uint32_t bits)
 {
     for (uint32_t i = 0; i < 32; i++) {
@@ -470,9 +469,9 @@ static enum pipe_fault read_animations(const struct pipe_source *source,
     return fault;
 }
 
-/* Reads the surroundings' objects; each has at least one vertex, so their first vertices ascend. */
-static enum pipe_fault read_opaque(const struct pipe_source *source, const struct model_head *head,
-                                   struct model *model)
+/* Reads the surroundings objects. Each has at least one vertex, so their first vertices ascend. */
+static enum pipe_fault read_surroundings_objects(const struct pipe_source *source,
+                                                 const struct model_head *head, struct model *model)
 {
     const size_t rows = head->surroundings_object_count / MODEL_SURROUNDINGS_ROW + 1;
     uint32_t *starts = calloc(rows * MODEL_SURROUNDINGS_ROW, sizeof(*starts));
@@ -524,7 +523,7 @@ enum pipe_fault model_pipe_read_model(const struct pipe_source *source, struct m
     if (fault == PIPE_OK)
         fault = read_animations(source, &head, model);
     if (fault == PIPE_OK)
-        fault = read_opaque(source, &head, model);
+        fault = read_surroundings_objects(source, &head, model);
     if (fault == PIPE_OK)
         fault = read_textures(source, &head.textures, &model->textures);
     if (fault == PIPE_OK)
@@ -563,7 +562,7 @@ static enum pipe_fault read_texels(const struct pipe_source *source,
     return fault;
 }
 
-/* Returns true if the sun's radiance is valid; its direction is unused if that is 0. */
+/* Returns true if the sun's radiance is valid; its direction is unused if the radiance is 0. */
 static bool is_sun(const struct environment_sun *sun)
 {
     const vec3s light = sun->light;

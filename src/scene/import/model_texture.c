@@ -1,4 +1,4 @@
-/* model_texture.c: decodes and resamples a model's images to one array of square textures. */
+/* model_texture.c: decodes and resamples a model's images to an array of square textures. */
 #include <assert.h>
 #include <stb/stb_image.h>
 #include <stb/stb_image_resize.h>
@@ -10,51 +10,51 @@
 #include "src/scene/import/model_import.h"
 
 enum {
-    PICTURE_SIDE_MAX = 16384,
-    FILE_SIZE_MAX = 256 << 20, /* bytes */
+    IMAGE_SIDE_MAX = 16384,
+    FILE_SIZE_MAX = 256 << 20, /* maximum file size, bytes */
     CHANNELS = 4,
 };
 
 /* An encoded image file in memory, and its dimensions. */
 struct encoded {
     const uint8_t *bytes;
-    uint8_t *owned; /* same as `bytes` if it must be freed, else NULL */
+    uint8_t *owned; /* same as `bytes` if it must be freed */
     int size;       /* bytes */
     int width, height;
 };
 
-static enum status fault(const char *path, const struct model_texture *picture, const char *what)
+static enum status fault(const char *path, const struct model_texture *texture, const char *what)
 {
-    log_error("%s: texture %s: %s", path, picture->name, what);
+    log_error("%s: texture %s: %s", path, texture->name, what);
     return STATUS_DATA;
 }
 
-static enum status read_file(const char *path, const struct model_texture *picture,
+static enum status read_file(const char *path, const struct model_texture *texture,
                              struct encoded *encoded)
 {
     struct stat info;
-    /* Only regular files are opened, because opening a named pipe would block. */
-    if (stat(picture->file, &info) != 0 || !S_ISREG(info.st_mode))
-        return fault(path, picture, "file not found");
+    /* Opens only regular files, because opening a named pipe would block. */
+    if (stat(texture->file, &info) != 0 || !S_ISREG(info.st_mode))
+        return fault(path, texture, "file not found");
     if (info.st_size <= 0 || info.st_size > FILE_SIZE_MAX)
-        return fault(path, picture, "expected a file of 1 byte to 256 MiB");
+        return fault(path, texture, "expected a file of 1 byte to 256 MiB");
     size_t size = (size_t)info.st_size;
-    FILE *file = fopen(picture->file, "rb");
+    FILE *file = fopen(texture->file, "rb");
     if (!file)
-        return fault(path, picture, "the file cannot be opened");
+        return fault(path, texture, "the file cannot be opened");
     encoded->owned = malloc(size);
     bool is_read = encoded->owned && fread(encoded->owned, 1, size, file) == size;
     fclose(file);
     if (!encoded->owned)
         return log_out_of_memory(path);
     if (!is_read)
-        return fault(path, picture, "the file cannot be read");
+        return fault(path, texture, "the file cannot be read");
     encoded->bytes = encoded->owned;
     encoded->size = (int)size;
     return STATUS_OK;
 }
 
-const char *model_texture_unsupported_format(const struct model_texture *picture)
+const char *model_texture_unsupported_format(const struct model_texture *texture)
 {
     static const struct {
         const char *name;
@@ -68,10 +68,10 @@ const char *model_texture_unsupported_format(const struct model_texture *picture
 
     uint8_t head[12] = { 0 };
     struct stat info;
-    if (picture->bytes && picture->size >= sizeof(head))
-        memcpy(head, picture->bytes, sizeof(head));
-    if (picture->file && stat(picture->file, &info) == 0 && S_ISREG(info.st_mode)) {
-        FILE *file = fopen(picture->file, "rb");
+    if (texture->bytes && texture->size >= sizeof(head))
+        memcpy(head, texture->bytes, sizeof(head));
+    if (texture->file && stat(texture->file, &info) == 0 && S_ISREG(info.st_mode)) {
+        FILE *file = fopen(texture->file, "rb");
         if (file && fread(head, 1, sizeof(head), file) != sizeof(head))
             memset(head, 0, sizeof(head));
         if (file)
@@ -85,25 +85,25 @@ const char *model_texture_unsupported_format(const struct model_texture *picture
 }
 
 /* Loads an encoded image and its size. The caller frees encoded->owned, even on failure. */
-static enum status open_picture(const char *path, const struct model_texture *picture,
-                                struct encoded *encoded)
+static enum status open_image(const char *path, const struct model_texture *texture,
+                              struct encoded *encoded)
 {
     *encoded = (struct encoded){ 0 };
-    if (!picture->bytes) {
-        enum status status = read_file(path, picture, encoded);
+    if (!texture->bytes) {
+        enum status status = read_file(path, texture, encoded);
         if (status != STATUS_OK)
             return status;
-    } else if (picture->size <= FILE_SIZE_MAX) {
-        encoded->bytes = picture->bytes;
-        encoded->size = (int)picture->size;
+    } else if (texture->size <= FILE_SIZE_MAX) {
+        encoded->bytes = texture->bytes;
+        encoded->size = (int)texture->size;
     }
     int channels;
     if (!stbi_info_from_memory(encoded->bytes, encoded->size, &encoded->width, &encoded->height,
                                &channels))
-        return fault(path, picture, "not a supported image format");
-    if (encoded->width < 1 || encoded->width > PICTURE_SIDE_MAX || encoded->height < 1 ||
-        encoded->height > PICTURE_SIDE_MAX)
-        return fault(path, picture, "expected 1 to 16384 texels per side");
+        return fault(path, texture, "not a supported image format");
+    if (encoded->width < 1 || encoded->width > IMAGE_SIDE_MAX || encoded->height < 1 ||
+        encoded->height > IMAGE_SIDE_MAX)
+        return fault(path, texture, "expected 1 to 16384 texels per side");
     return STATUS_OK;
 }
 
@@ -117,7 +117,7 @@ static stbir_filter filter(int from, int to)
 static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int width, int height,
                      bool are_numbers)
 {
-    /* Colours are weighted by alpha, so that hidden colours do not bleed. */
+    /* Weights colours by alpha, so that hidden colours do not bleed. */
     const int alpha = are_numbers ? STBIR_ALPHA_CHANNEL_NONE : CHANNELS - 1;
     int to = (int)side;
     if (width == to && height == to) {
@@ -130,19 +130,19 @@ static bool resample(uint8_t *layer, uint32_t side, const uint8_t *texels, int w
                         are_numbers ? STBIR_COLORSPACE_LINEAR : STBIR_COLORSPACE_SRGB, NULL) != 0;
 }
 
-static enum status decode(const char *path, const struct model_texture *picture, bool are_numbers,
+static enum status decode(const char *path, const struct model_texture *texture, bool are_numbers,
                           uint8_t *layer, uint32_t side)
 {
     uint8_t *texels = NULL;
     struct encoded encoded;
-    enum status status = open_picture(path, picture, &encoded);
+    enum status status = open_image(path, texture, &encoded);
     if (status != STATUS_OK)
         goto fail;
     texels = stbi_load_from_memory(encoded.bytes, encoded.size, &encoded.width, &encoded.height,
                                    &(int){ 0 }, CHANNELS);
     if (!texels)
-        status = fault(path, picture, stbi_failure_reason());
-    else if (!model_texture_convert(texels, encoded.width, encoded.height, picture) ||
+        status = fault(path, texture, stbi_failure_reason());
+    else if (!model_texture_convert(texels, encoded.width, encoded.height, texture) ||
              !resample(layer, side, texels, encoded.width, encoded.height, are_numbers))
         status = log_out_of_memory(path);
 fail:
@@ -176,21 +176,21 @@ static bool allocate(struct texture_layers *layers, uint32_t side_max, uint32_t 
     return texels;
 }
 
-/* Decodes a layer, and replaces one of its channels by the image picture->other. */
-static enum status decode_both(const char *path, const struct model_texture *picture,
+/* Decodes a layer, and replaces one of its channels by the image texture->other. */
+static enum status decode_both(const char *path, const struct model_texture *texture,
                                bool are_numbers, uint8_t *layer, uint32_t side)
 {
     const size_t count = (size_t)side * side;
-    enum status status = decode(path, picture, are_numbers, layer, side);
-    if (status != STATUS_OK || !picture->other)
+    enum status status = decode(path, texture, are_numbers, layer, side);
+    if (status != STATUS_OK || !texture->other)
         return status;
     const struct model_texture other = {
-        .name = picture->other,
-        .file = picture->other,
-        .change = picture->other_change,
+        .name = texture->other,
+        .file = texture->other,
+        .change = texture->other_change,
     };
     assert(count > 0);
-    const size_t channel = picture->other_change == MODEL_TEXTURE_TO_ALPHA ? 3 : 2;
+    const size_t channel = texture->other_change == MODEL_TEXTURE_TO_ALPHA ? 3 : 2;
     uint8_t *texels = malloc(count * CHANNELS);
     if (!texels)
         return log_out_of_memory(path);
@@ -201,7 +201,7 @@ static enum status decode_both(const char *path, const struct model_texture *pic
     return status;
 }
 
-enum status model_texture_load(const char *path, const struct model_texture *pictures,
+enum status model_texture_load(const char *path, const struct model_texture *textures,
                                uint32_t count, bool are_numbers, struct texture_layers *layers)
 {
     int side_max = 1;
@@ -209,7 +209,7 @@ enum status model_texture_load(const char *path, const struct model_texture *pic
         return STATUS_OK;
     for (uint32_t i = 0; i < count; i++) {
         struct encoded encoded;
-        enum status status = open_picture(path, &pictures[i], &encoded);
+        enum status status = open_image(path, &textures[i], &encoded);
         free(encoded.owned);
         if (status != STATUS_OK)
             return status;
@@ -223,7 +223,7 @@ enum status model_texture_load(const char *path, const struct model_texture *pic
                     path, count, side_max, layers->size);
     for (uint32_t i = 0; i < count; i++) {
         enum status status =
-            decode_both(path, &pictures[i], are_numbers, layer_at(layers, i), layers->size);
+            decode_both(path, &textures[i], are_numbers, layer_at(layers, i), layers->size);
         if (status != STATUS_OK)
             return status;
     }

@@ -23,7 +23,8 @@ static uint32_t hash(const void *key, size_t size)
     return (uint32_t)state;
 }
 
-/* Returns true if two vertices have equal first key_size bytes and, if that is all, extras. */
+/* Returns true if two vertices have equal first key_size bytes and, if that is all, equal extras.
+ */
 static bool is_identical(const struct mesh *mesh, uint32_t a, uint32_t b, size_t key_size)
 {
     const bool is_whole = key_size == sizeof(struct mesh_vertex);
@@ -33,10 +34,8 @@ static bool is_identical(const struct mesh *mesh, uint32_t a, uint32_t b, size_t
     return !extra_size || memcmp(&mesh->extras[a], &mesh->extras[b], extra_size) == 0;
 }
 
-/*
- * Returns an array with the index of the first identical vertex of each vertex, at or after the
- * last start before it. The caller frees the array; NULL when out of memory.
- */
+/* Returns the index of the first identical vertex of each vertex, at or after the start of its
+ * surroundings object. The caller frees the array. Returns NULL when out of memory. */
 static uint32_t *find_identical(const struct mesh *mesh, size_t key_size, const uint32_t *starts,
                                 uint32_t start_count)
 {
@@ -44,7 +43,7 @@ static uint32_t *find_identical(const struct mesh *mesh, size_t key_size, const 
     size_t slot_count = 2;
     while (slot_count < 2 * (size_t)mesh->vertex_count)
         slot_count *= 2;
-    uint32_t *slots = calloc(slot_count, sizeof(*slots)); /* vertex index + 1; 0 is a free slot */
+    uint32_t *slots = calloc(slot_count, sizeof(*slots)); /* vertex index + 1; 0 for free slots */
     uint32_t *identical = malloc(((size_t)mesh->vertex_count + 1) * sizeof(*identical));
     if (!slots || !identical) {
         free(slots);
@@ -80,8 +79,7 @@ static bool compute_missing_normals(struct mesh *mesh)
     if (first == mesh->vertex_count)
         return true;
 
-    /* A copy with one vertex per position, whatever its colour and texture coordinates are, so that
-     * normals are smooth across their seams. */
+    /* Welds a copy by position only, so that normals are smooth across colour and texture seams. */
     struct mesh smooth = { 0 };
     uint32_t *identical = find_identical(mesh, sizeof(vec3s), NULL, 0);
     bool is_done = identical && mesh_append(&smooth, mesh);
@@ -113,16 +111,16 @@ static uint32_t renumber(const struct mesh *mesh, const uint32_t *identical, uin
     return count;
 }
 
-/* Replaces each start by the smallest new number among the vertices from that start on. */
+/* Replaces each start by the smallest new index among the vertices from that start on. */
 static void update_starts(const struct mesh *mesh, const uint32_t *new_index, uint32_t count,
                           uint32_t *starts, uint32_t start_count)
 {
-    uint32_t end = mesh->vertex_count, least = count;
+    uint32_t end = mesh->vertex_count, smallest = count;
     for (uint32_t k = start_count; k-- > 0;) {
         for (uint32_t i = starts[k]; i < end; i++)
-            least = new_index[i] < least ? new_index[i] : least;
+            smallest = new_index[i] < smallest ? new_index[i] : smallest;
         end = starts[k];
-        starts[k] = least;
+        starts[k] = smallest;
     }
 }
 

@@ -9,23 +9,23 @@
 #include "src/scene/import/obj_ply.h"
 
 enum {
-    EXPONENT_OF_MAPS = 1000, /* Ns that map_Ns scales without Ns: MTL's largest */
+    EXPONENT_OF_MAPS = 1000, /* Ns that map_Ns scales if Ns is missing: the maximum of MTL */
 };
 
 struct mtl;
 
-/* A statement of the format. `read` logs a line if it does not return STATUS_OK. */
+/* Statement of the format. `read` logs a line if it does not return STATUS_OK. */
 struct statement {
     const char *word;
     enum status (*read)(struct mtl *mtl, struct text_scan *line, const struct statement *statement);
     uint32_t which; /* offset of a member of struct mtl, or enum mtl_map_use */
 };
 
-/* An MTL file being read, and the values of its current material. */
+/* MTL file being read, and the values of its current material. */
 struct mtl {
     struct obj_ply *obj_ply;
     const char *path;
-    uint32_t line;                 /* from 1 */
+    uint32_t line;                 /* line number, from 1 */
     struct mtl_material *material; /* NULL before the first newmtl */
     vec3s diffuse, specular, emission, filter;
     float exponent, opacity, transparency, ior, illum, roughness, metallic;
@@ -119,7 +119,8 @@ static bool read_option(struct mtl *mtl, struct text_scan *line, struct mtl_map 
     if (text_take_word(&word, "-mm") || text_take_word(&word, "-t") ||
         text_take_word(&word, "-boost") || text_take_word(&word, "-texres"))
         return text_floats(line, numbers, 3) > 0;
-    const struct text_scan value = text_word(line); /* of -blendu, -blendv, -cc, -imfchan, -type */
+    /* the only value of -blendu, -blendv, -cc, -imfchan, -type */
+    const struct text_scan value = text_word(line);
     return value.end > value.at;
 }
 
@@ -154,17 +155,15 @@ static bool is_refracting(const struct mtl *mtl)
     return illum == 4 || illum == 6 || illum == 7 || illum == 9;
 }
 
-/* Returns true if only "Tr 1" makes the material transparent: MeshLab writes it for opaque ones. */
+/* Returns true if only "Tr 1" makes the material transparent; MeshLab writes it for opaque ones. */
 static bool is_meshlab(const struct mtl *mtl)
 {
     return mtl->transparency >= 1 && !is_refracting(mtl) && !(mtl->ior > 1);
 }
 
-/*
- * Sets the transmissive properties. A material is transmissive if its illum refracts, or it has d
+/* Sets the transmissive properties. A material is transmissive if its illum refracts, or it has d
  * below 1, or Tf and Ni. The transmission is 1 - d, or 1, tinted by Tf. Without Ni above 1 it is a
- * thin wall; without Ns it is smooth. If there is a map_d, d is alpha instead.
- */
+ * thin wall; without Ns it is smooth. If there is a map_d, d is alpha instead. */
 static void set_transmission(struct mtl *mtl, struct material *m)
 {
     const bool is_alpha = mtl->material->maps[MTL_MAP_ALPHA].file;
@@ -185,10 +184,8 @@ static void set_transmission(struct mtl *mtl, struct material *m)
     m->flags |= mtl->ior > 1 ? MATERIAL_HAS_IOR : 0u;
 }
 
-/*
- * Sets the opaque surface properties. The reflectance at normal incidence is 0.08 Ks, Blender's
- * convention, in which the default Ks of 0.5 means glass. illum 0 and 1 have no highlights.
- */
+/* Sets the opaque surface properties. The reflectance at normal incidence is 0.08 Ks, Blender's
+ * convention, in which the default Ks of 0.5 means glass. illum 0 and 1 have no highlights. */
 static void set_surface(const struct mtl *mtl, struct material *m)
 {
     m->base_color = mtl->diffuse;
@@ -203,7 +200,7 @@ static void set_surface(const struct mtl *mtl, struct material *m)
         m->specular = 0;
 }
 
-/* Returns true if two maps that are merged into one texture differ in their coordinates. */
+/* Returns true if two maps that are merged into one texture have different coordinates. */
 static bool have_different_coordinates(const struct mtl_map *a, const struct mtl_map *b)
 {
     bool is_different = a->is_clamped != b->is_clamped;
@@ -266,7 +263,7 @@ static void end_material(struct mtl *mtl)
     (void)material_clamp(m);
 }
 
-/* Begins a material. If several have one name, the first is used. */
+/* Begins a material. Of several with the same name, the first is used. */
 static enum status begin_material(struct mtl *mtl, struct text_scan *line,
                                   const struct statement *statement)
 {
@@ -334,7 +331,7 @@ static const struct statement statements[] = {
     { "map_bump", read_map, MTL_MAP_BUMP },
     { "bump", read_map, MTL_MAP_BUMP },
     { "norm", read_map, MTL_MAP_BUMP },
-    { "Ka", skip, 0 }, /* ambient light comes from the environment */
+    { "Ka", skip, 0 }, /* environment lights replace ambient reflectance */
     { "map_Ka", skip, 0 },
     { "map_aat", skip, 0 }, /* texture antialiasing */
     { "sharpness", skip, 0 },
@@ -349,7 +346,7 @@ static enum status read_line(struct mtl *mtl, struct text_scan *line)
         if (!text_take_word(line, statement->word))
             continue;
         if (!mtl->material && statement->read != begin_material)
-            return STATUS_OK; /* before the first newmtl */
+            return STATUS_OK; /* statement before the first newmtl */
         return statement->read(mtl, line, statement);
     }
     const struct text_scan word = text_word(line);
@@ -400,14 +397,14 @@ enum status mtl_read(struct obj_ply *obj_ply, const struct text_scan *name)
     bool is_found = false;
     if (word.at == word.end)
         return STATUS_OK;
-    /* A file name may contain blanks; if there is no such file, it is a list of names. */
+    /* A file name may contain blanks; if there is no such file, the text is a list of names. */
     const bool is_list = text_skip(&rest);
-    const bool has_missed = import->missed[0] != '\0';
+    const bool has_missed = import->missing_file[0] != '\0';
     enum status status = read_file(obj_ply, name, &is_found);
-    if (is_found || !is_list || status != STATUS_OK || import->refused[0])
+    if (is_found || !is_list || status != STATUS_OK || import->refused_file[0])
         return status;
     if (!has_missed)
-        import->missed[0] = '\0';
+        import->missing_file[0] = '\0';
     for (rest = *name; status == STATUS_OK && text_skip(&rest);) {
         word = text_word(&rest);
         status = read_file(obj_ply, &word, &is_found);

@@ -35,7 +35,7 @@ static void fill_channel(uint8_t *texels, size_t count, int channel)
         texels[CHANNELS * i + (size_t)channel] = UINT8_MAX;
 }
 
-/* Converts factors on Ns to roughness, in green. */
+/* Converts factors on the Phong exponent Ns to roughness, in the green channel. */
 static void convert_shininess(uint8_t *texels, size_t count, float exponent)
 {
     uint8_t table[UINT8_MAX + 1];
@@ -97,10 +97,10 @@ float mtl_roughness_from_exponent(float exponent)
 }
 
 bool model_texture_convert(uint8_t *texels, int width, int height,
-                           const struct model_texture *picture)
+                           const struct model_texture *texture)
 {
     const size_t count = (size_t)width * (size_t)height;
-    switch (picture->change) {
+    switch (texture->change) {
     case MODEL_TEXTURE_SAME:
         break;
     case MODEL_TEXTURE_TO_ALPHA:
@@ -110,7 +110,7 @@ bool model_texture_convert(uint8_t *texels, int width, int height,
         fill_channel(texels, count, 2);
         break;
     case MODEL_TEXTURE_NS_TO_ROUGHNESS:
-        convert_shininess(texels, count, picture->exponent);
+        convert_shininess(texels, count, texture->exponent);
         break;
     case MODEL_TEXTURE_METALLIC:
         fill_channel(texels, count, 1);

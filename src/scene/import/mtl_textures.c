@@ -27,7 +27,7 @@ static const enum model_texture_conversion changes[MTL_MAP_COUNT] = {
 
 /* Images to be loaded as layers of one texture array. */
 struct image_list {
-    struct model_texture *pictures;
+    struct model_texture *images;
     uint32_t count;
 };
 
@@ -51,25 +51,25 @@ static char *path_of(const struct obj_ply *obj_ply, struct mtl_map *map, enum st
     return file;
 }
 
-/* Finds or adds an image and takes ownership of it. Returns its layer + 1, or 0 on failure. */
+/* Finds or adds an image, and takes ownership of it. Returns its layer + 1, or 0 on failure. */
 static uint32_t add_image(const struct obj_ply *obj_ply, struct image_list *image_list,
-                          const struct model_texture *wanted)
+                          const struct model_texture *image)
 {
     uint32_t layer = 0;
     while (layer < image_list->count) {
-        const struct model_texture *other = &image_list->pictures[layer];
-        if (is_same(other->file, wanted->file) && is_same(other->other, wanted->other) &&
-            other->change == wanted->change && !(other->exponent < wanted->exponent) &&
-            !(other->exponent > wanted->exponent))
+        const struct model_texture *other = &image_list->images[layer];
+        if (is_same(other->file, image->file) && is_same(other->other, image->other) &&
+            other->change == image->change && !(other->exponent < image->exponent) &&
+            !(other->exponent > image->exponent))
             break;
         layer++;
     }
     if (layer == image_list->count && layer < MODEL_TEXTURE_MAX) {
-        image_list->pictures[image_list->count++] = *wanted;
+        image_list->images[image_list->count++] = *image;
         return layer + 1;
     }
-    free(wanted->file);
-    free(wanted->other);
+    free(image->file);
+    free(image->other);
     if (layer < MODEL_TEXTURE_MAX)
         return layer + 1;
     log_error("%s: expected at most %d textures", obj_ply->import->path, MODEL_TEXTURE_MAX);
@@ -97,7 +97,7 @@ const struct mtl_map *mtl_base_map(const struct mtl_material *material)
     return material->maps[MTL_MAP_ALPHA].file ? &material->maps[MTL_MAP_ALPHA] : &none;
 }
 
-/* Returns the map that fills one channel of map `use`'s texture; MTL_MAP_COUNT: no map does. */
+/* Returns the map that fills one channel of the texture of map `use`, or MTL_MAP_COUNT. */
 static enum mtl_map_use merged_map(const struct mtl_material *material, enum mtl_map_use use)
 {
     enum mtl_map_use other = MTL_MAP_COUNT;
@@ -108,7 +108,7 @@ static enum mtl_map_use merged_map(const struct mtl_material *material, enum mtl
     return other < MTL_MAP_COUNT && material->maps[other].file ? other : MTL_MAP_COUNT;
 }
 
-/* Sets a material's roughness or metallic factor to 1 if a texture replaces it. */
+/* Sets the roughness or metallic factor to 1 if a texture replaces it. */
 static void reset_factor(struct material *m, enum mtl_map_use use)
 {
     if (use == MTL_MAP_ROUGHNESS || use == MTL_MAP_SHININESS)
@@ -124,20 +124,20 @@ static enum status add_map(const struct obj_ply *obj_ply, struct image_list *ima
     struct mtl_map *map = &material->maps[use];
     struct material_texture *texture = &material->material.textures[uses[use]];
     enum status status = STATUS_OK;
-    struct model_texture picture = { .change = changes[use] };
+    struct model_texture map_image = { .change = changes[use] };
     if (use == MTL_MAP_SHININESS)
-        picture.exponent = material->exponent;
-    picture.file = path_of(obj_ply, map, &status);
+        map_image.exponent = material->exponent;
+    map_image.file = path_of(obj_ply, map, &status);
     const enum mtl_map_use other = merged_map(material, use);
-    if (picture.file && other < MTL_MAP_COUNT) {
-        picture.other = path_of(obj_ply, &material->maps[other], &status);
-        picture.other_change = changes[other];
+    if (map_image.file && other < MTL_MAP_COUNT) {
+        map_image.other = path_of(obj_ply, &material->maps[other], &status);
+        map_image.other_change = changes[other];
         reset_factor(&material->material, other);
     }
     reset_factor(&material->material, use);
-    picture.name = picture.file;
+    map_image.name = map_image.file;
     if (status != STATUS_OK) {
-        free(picture.file);
+        free(map_image.file);
         return status;
     }
     compute_transform(mtl_base_map(material), map, texture);
@@ -145,13 +145,14 @@ static enum status add_map(const struct obj_ply *obj_ply, struct image_list *ima
         texture->u_row = (vec3s){ { 1, 0, 0 } };
         texture->v_row = (vec3s){ { 0, 1, 0 } };
     }
-    texture->layer = add_image(obj_ply, image_list, &picture);
+    texture->layer = add_image(obj_ply, image_list, &map_image);
     return texture->layer > 0 ? STATUS_OK : STATUS_DATA;
 }
 
-/* Returns true if a map becomes a texture of its own of the wanted kind (sRGB colour or linear
+/* Returns true if a map becomes a texture of its own of the requested kind (sRGB colour or linear
  * numbers). map_d does only if there is no map_Kd. */
-static bool is_wanted(const struct mtl_material *material, enum mtl_map_use use, bool are_numbers)
+static bool is_separate_texture(const struct mtl_material *material, enum mtl_map_use use,
+                                bool are_numbers)
 {
     if (!material->maps[use].file || material_texture_is_color(uses[use]) == are_numbers)
         return false;
@@ -162,27 +163,27 @@ static bool is_wanted(const struct mtl_material *material, enum mtl_map_use use,
 static enum status load_kind(struct obj_ply *obj_ply, bool are_numbers,
                              struct texture_layers *layers)
 {
-    struct image_list image_list = { .pictures =
-                                         calloc(MODEL_TEXTURE_MAX, sizeof(*image_list.pictures)) };
-    enum status status = image_list.pictures ? STATUS_OK : log_out_of_memory(obj_ply->import->path);
+    struct image_list image_list = { .images =
+                                         calloc(MODEL_TEXTURE_MAX, sizeof(*image_list.images)) };
+    enum status status = image_list.images ? STATUS_OK : log_out_of_memory(obj_ply->import->path);
     for (uint32_t i = 0; i < obj_ply->part_count && status == STATUS_OK; i++) {
         const struct obj_ply_part *part = &obj_ply->parts[i];
         if (part->material == 0 || !part->has_uvs || part->index_count == 0)
             continue;
         struct mtl_material *material = &obj_ply->materials[part->material - 1];
         for (uint32_t use = 0; use < MTL_MAP_COUNT && status == STATUS_OK; use++) {
-            if (is_wanted(material, use, are_numbers))
+            if (is_separate_texture(material, use, are_numbers))
                 status = add_map(obj_ply, &image_list, material, use);
         }
     }
     if (status == STATUS_OK)
-        status = model_texture_load(obj_ply->import->path, image_list.pictures, image_list.count,
+        status = model_texture_load(obj_ply->import->path, image_list.images, image_list.count,
                                     are_numbers, layers);
     for (uint32_t i = 0; i < image_list.count; i++) {
-        free(image_list.pictures[i].file);
-        free(image_list.pictures[i].other);
+        free(image_list.images[i].file);
+        free(image_list.images[i].other);
     }
-    free(image_list.pictures);
+    free(image_list.images);
     return status;
 }
 
@@ -192,11 +193,11 @@ static enum status drop_unsupported(struct obj_ply *obj_ply, struct mtl_material
     enum status status = STATUS_OK;
     for (uint32_t use = 0; use < MTL_MAP_COUNT && status == STATUS_OK; use++) {
         struct mtl_map *map = &material->maps[use];
-        struct model_texture picture = { .file =
-                                             map->file ? path_of(obj_ply, map, &status) : NULL };
-        const char *format = picture.file ? model_texture_unsupported_format(&picture) : NULL;
+        struct model_texture map_image = { .file =
+                                               map->file ? path_of(obj_ply, map, &status) : NULL };
+        const char *format = map_image.file ? model_texture_unsupported_format(&map_image) : NULL;
         char words[48];
-        free(picture.file);
+        free(map_image.file);
         if (!format)
             continue;
         (void)snprintf(words, sizeof(words), "textures in the format %s", format);
@@ -207,7 +208,7 @@ static enum status drop_unsupported(struct obj_ply *obj_ply, struct mtl_material
     return status;
 }
 
-/* Applies the base colour map's -s and -o to the texture coordinates of a part's vertices. */
+/* Applies -s and -o of the base colour map to the texture coordinates of a part's vertices. */
 static void transform_uvs(const struct obj_ply *obj_ply, const struct obj_ply_part *part)
 {
     const struct mtl_map *base = mtl_base_map(&obj_ply->materials[part->material - 1]);

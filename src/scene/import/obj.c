@@ -1,8 +1,6 @@
-/*
- * obj.c: reader of the polygonal statements of OBJ files (Wavefront, Advanced Visualizer, appendix
- * B1). Curves, points and lines are left out. Faces refer to positions, texture coordinates and
- * normals separately; each distinct combination within a part becomes a vertex.
- */
+/* obj.c: reader of the polygonal statements of OBJ files (Wavefront, Advanced Visualizer, appendix
+ * B1); curves, points and lines are left out. Faces refer to positions, texture coordinates and
+ * normals separately; each distinct combination within a part becomes a vertex. */
 #include <stdlib.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -19,7 +17,7 @@ enum {
 struct corner {
     uint32_t position, uv, normal;
     uint32_t part;
-    uint32_t next; /* next corner of this position, or `none`; later its vertex */
+    uint32_t next; /* next corner with this position, or `none`; later the corner's vertex */
 };
 
 /* Consecutive triangles of one part. */
@@ -35,15 +33,15 @@ struct obj_part {
 
 struct obj {
     struct obj_ply *obj_ply;
-    uint32_t line; /* from 1 */
+    uint32_t line; /* line number, from 1 */
     uint32_t last_index;
-    struct obj_ply_array positions, colors, uvs, normals; /* of 3, 4, 2 and 3 floats per item */
-    struct obj_ply_array first; /* uint32_t: head of each position's chain of corners, or `none` */
+    struct obj_ply_array positions, colors, uvs, normals; /* 3, 4, 2 and 3 floats per item */
+    struct obj_ply_array first; /* each position's first corner (uint32_t), or `none` */
     struct obj_ply_array corners, indices, runs, polygons, parts;
     uint32_t buckets[BUCKET_COUNT];
     char group[MATERIAL_NAME_SIZE]; /* group name in the last o or g statement */
-    uint32_t material;              /* index + 1; 0 if there is none */
-    uint32_t part;                  /* index of the current part; `none` until a face needs it */
+    uint32_t material;              /* material index + 1; 0 without material */
+    uint32_t part;                  /* current part; `none` before its first face */
 };
 
 static enum status fault(const struct obj *obj, const char *what, const struct text_scan *got)
@@ -61,7 +59,7 @@ static enum status no_memory(const struct obj *obj)
 
 /* ---- lists ---- */
 
-/* Stores the colour of the last position; earlier positions without a colour become white. */
+/* Stores the colour of the last position. Earlier positions without a colour become white. */
 static bool add_color(struct obj *obj, const float *color)
 {
     const size_t missing = obj->positions.count - obj->colors.count;
@@ -86,7 +84,7 @@ static enum status read_position(struct obj *obj, struct text_scan *line)
     position = obj_ply_array_add(&obj->positions, 1, sizeof(*position));
     if (!position)
         return no_memory(obj);
-    /* After x y z there may be a weight w and, as a common extension, a colour. */
+    /* x y z may be followed by a weight w and, as a common extension, a colour. */
     const float weight = (count == 4 || count == 7) && numbers[3] != 0 ? numbers[3] : 1;
     for (int k = 0; k < 3; k++)
         (*position)[k] = numbers[k] / weight;
@@ -153,11 +151,11 @@ static bool read_corner(const struct obj *obj, struct text_scan *word, struct co
 }
 
 /* Finds or adds a corner. Returns its index, or `none` when out of memory. */
-static uint32_t find_corner(struct obj *obj, const struct corner *wanted)
+static uint32_t find_corner(struct obj *obj, const struct corner *key)
 {
-    if (wanted->position >= obj->first.count) {
-        size_t missing = wanted->position + (size_t)1 - obj->first.count;
-        missing = missing < obj->positions.count && obj->positions.count > wanted->position
+    if (key->position >= obj->first.count) {
+        size_t missing = key->position + (size_t)1 - obj->first.count;
+        missing = missing < obj->positions.count && obj->positions.count > key->position
                       ? obj->positions.count - obj->first.count
                       : missing;
         void *added = obj_ply_array_add(&obj->first, missing, sizeof(uint32_t));
@@ -165,11 +163,11 @@ static uint32_t find_corner(struct obj *obj, const struct corner *wanted)
             return none;
         memset(added, 0xff, missing * sizeof(uint32_t));
     }
-    uint32_t *first = (uint32_t *)obj->first.items + wanted->position;
+    uint32_t *first = (uint32_t *)obj->first.items + key->position;
     struct corner *corners = obj->corners.items;
     for (uint32_t i = *first; i != none; i = corners[i].next) {
-        if (corners[i].uv == wanted->uv && corners[i].normal == wanted->normal &&
-            corners[i].part == wanted->part)
+        if (corners[i].uv == key->uv && corners[i].normal == key->normal &&
+            corners[i].part == key->part)
             return i;
     }
     if (obj->corners.count >= MODEL_ELEMENT_MAX)
@@ -177,7 +175,7 @@ static uint32_t find_corner(struct obj *obj, const struct corner *wanted)
     struct corner *added = obj_ply_array_add(&obj->corners, 1, sizeof(*added));
     if (!added)
         return none;
-    *added = *wanted;
+    *added = *key;
     added->next = *first;
     *first = (uint32_t)obj->corners.count - 1;
     return *first;
@@ -215,7 +213,7 @@ static bool begin_run(struct obj *obj)
     return run;
 }
 
-/* Adds a face as a triangle fan. Faces of one or two corners, points and lines, add none. */
+/* Adds a face as a triangle fan. Faces of one or two corners, points and lines, add nothing. */
 static enum status read_face(struct obj *obj, struct text_scan *line)
 {
     const uint32_t first_index = (uint32_t)obj->indices.count;
@@ -316,7 +314,7 @@ static enum status read_line(struct obj *obj, struct text_scan *line)
     return is_vector ? STATUS_OK : read_other(obj, line);
 }
 
-/* Replaces backslash line continuations by blanks. */
+/* Joins continued lines: replaces backslash line continuations by blanks. */
 static void join_lines(char *text, size_t size)
 {
     char *end = text + size;
@@ -399,7 +397,7 @@ static void copy_vertex(const struct obj *obj, const struct corner *corner, uint
                2 * sizeof(float));
 }
 
-/* Appends the triangles of a run to its part, and their vertices at the first use. */
+/* Appends the triangles of a run to its part, and each vertex at its first use. */
 static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, uint32_t *index_count)
 {
     const struct run *runs = obj->runs.items;
@@ -419,7 +417,7 @@ static void append_run(struct obj *obj, size_t index, uint32_t *vertex_count, ui
     }
 }
 
-/* Sorts triangles and vertices by part. From here on corner.next is the corner's vertex. */
+/* Sorts triangles and vertices by part. Sets corner.next to the corner's vertex. */
 static enum status sort_by_part(struct obj *obj)
 {
     struct obj_ply *obj_ply = obj->obj_ply;

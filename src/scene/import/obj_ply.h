@@ -1,8 +1,5 @@
-/*
- * obj_ply.h: contents of an OBJ, MTL or PLY file before they are converted to a model;
- * interface shared by the readers of these formats.
- *
- * Functions that return a status log one line if it is not STATUS_OK.
+/* obj_ply.h: contents of an OBJ, MTL or PLY file before conversion to a model; interface shared by
+ * the readers of these formats. Functions that return a status log one line if it is not STATUS_OK.
  */
 #ifndef FIRN_SCENE_IMPORT_OBJ_PLY_H
 #define FIRN_SCENE_IMPORT_OBJ_PLY_H
@@ -13,28 +10,28 @@
 /* Texture maps of an MTL material. */
 enum mtl_map_use {
     MTL_MAP_COLOR,     /* map_Kd */
-    MTL_MAP_ALPHA,     /* map_d: becomes the alpha of map_Kd's texture */
+    MTL_MAP_ALPHA,     /* map_d: alpha of map_Kd's texture */
     MTL_MAP_SPECULAR,  /* map_Ks */
     MTL_MAP_EMISSION,  /* map_Ke */
     MTL_MAP_ROUGHNESS, /* map_Pr: takes precedence over map_Ns */
     MTL_MAP_SHININESS, /* map_Ns: converted to roughness */
-    MTL_MAP_METALLIC,  /* map_Pm: becomes the blue channel of the roughness texture */
-    /* bump, map_bump and norm: height maps, converted to normal maps, or normal maps */
+    MTL_MAP_METALLIC,  /* map_Pm: blue channel of the roughness texture */
+    /* bump, map_bump, norm: height or normal maps */
     MTL_MAP_BUMP,
     MTL_MAP_COUNT,
 };
 
 struct mtl_map {
-    char *file;                /* name as written in the file; NULL if there is no map */
-    float scale[2], offset[2]; /* of texture coordinates: options -s and -o */
-    float strength;            /* -bm */
-    bool is_clamped;           /* -clamp on */
+    char *file;                /* file name as in the MTL file; NULL if there is no map */
+    float scale[2], offset[2]; /* texture coordinate options -s and -o */
+    float strength;            /* option -bm */
+    bool is_clamped;           /* option -clamp on */
 };
 
-/* A material of an MTL file. */
+/* Material of an MTL file. */
 struct mtl_material {
-    char *name;  /* untruncated, to match usemtl */
-    vec3s color; /* Kd; multiplied with vertex colours */
+    char *name;  /* untruncated name, to match usemtl */
+    vec3s color; /* Kd, multiplied with vertex colours */
     struct material material;
     struct mtl_map maps[MTL_MAP_COUNT];
     float exponent; /* Ns */
@@ -43,7 +40,7 @@ struct mtl_material {
 /* Triangles of one group name and one material. Their indices are relative to first_vertex. */
 struct obj_ply_part {
     char name[MATERIAL_NAME_SIZE];
-    uint32_t material; /* index + 1; 0 if the file assigns none */
+    uint32_t material; /* material index + 1; 0 if the file assigns none */
     uint32_t first_vertex, vertex_count;
     uint32_t first_index, index_count;
     bool has_uvs;
@@ -55,21 +52,22 @@ enum {
 
 struct obj_ply {
     struct model_import *import;
-    /* Vertex attributes, part by part; all but positions may be NULL. */
+    /* Vertex attributes, grouped by part; all but positions may be NULL. */
     float *positions; /* 3 per vertex */
-    float *normals;   /* 3 per vertex; {0} if to be computed */
-    float *colors;    /* RGBA per vertex, linear */
+    float *normals;   /* normals, 3 per vertex; {0} if missing */
+    float *colors;    /* linear RGBA per vertex */
     float *uvs;       /* 2 per vertex */
     uint32_t *indices;
     struct obj_ply_part *parts;
     uint32_t part_count;
     struct mtl_material *materials;
     uint32_t material_count;
-    char undrawn_materials[OBJ_PLY_LIST_SIZE]; /* of MTL files: "disp\n-mm\n" */
+    char undrawn_materials[OBJ_PLY_LIST_SIZE]; /* undrawn features of MTL files: "disp\n-mm\n" */
     char undrawn[OBJ_PLY_LIST_SIZE];           /* other undrawn features of the files */
 };
 
-/* Read a file into *plain, in which only .import is set; obj_ply_finish() frees it in any case. */
+/* Read a file into *obj_ply, in which only .import is set; obj_ply_finish() frees it in any case.
+ */
 MUST_USE enum status obj_read(struct obj_ply *obj_ply);
 MUST_USE enum status ply_read(struct obj_ply *obj_ply);
 
@@ -87,22 +85,21 @@ MUST_USE enum status obj_ply_build(struct obj_ply *obj_ply, struct model *model,
  * textures, and transforms the texture coordinates to those of the base colour. */
 MUST_USE enum status mtl_textures_load(struct obj_ply *obj_ply, struct model *model);
 
-/* Returns the map whose -s and -o apply to the vertices: map_Kd, else map_d, else identity. */
+/* Returns the map whose -s and -o apply to the vertices: map_Kd, else map_d, else an identity map.
+ */
 const struct mtl_map *mtl_base_map(const struct mtl_material *material);
 
 void obj_ply_finish(struct obj_ply *obj_ply);
 
-/*
- * Reads a whole file into memory that the caller frees. Returns NULL on failure: *is_found is false
- * if the file cannot be opened, which is not logged; other failures are.
- */
+/* Reads a whole file into memory that the caller frees. Returns NULL on failure. *is_found is false
+ * if the file cannot be opened, which is not logged; other failures are logged. */
 char *obj_ply_read_file(struct model_import *import, const char *path, size_t *size,
                         bool *is_found);
 
-/* A growable array. Zero-initialised, it is empty; the owner frees .items. */
+/* Growable array. {0} is empty; the owner frees .items. */
 struct obj_ply_array {
     void *items;
-    size_t count, room; /* in items */
+    size_t count, room; /* numbers of items used and allocated */
 };
 
 /* Appends `count` items and returns the first, uninitialised; NULL when out of memory. */
@@ -112,9 +109,9 @@ static inline void *obj_ply_array_add(struct obj_ply_array *array, size_t count,
 {
     if (count > array->room - array->count)
         return obj_ply_array_grow(array, count, item_size);
-    void *place = (char *)array->items + array->count * item_size;
+    void *added = (char *)array->items + array->count * item_size;
     array->count += count;
-    return place;
+    return added;
 }
 
 #endif

@@ -89,7 +89,7 @@ static struct model_shape make_shape(const struct obj_ply *obj_ply, const struct
 /* Rule that assigns the parts of a file to refractive objects and surroundings. */
 struct role_rule {
     enum model_role default_role;
-    bool is_split; /* by material; else default_role applies */
+    bool is_split; /* roles by material; else default_role applies */
 };
 
 static struct role_rule choose_roles(const struct obj_ply *obj_ply, enum model_role default_role)
@@ -158,7 +158,7 @@ static enum status list_materials(const struct obj_ply *obj_ply, struct model *m
         if (obj_ply->parts[i].index_count > 0 && obj_ply->parts[i].material == 0)
             return STATUS_OK;
     }
-    model->material_count--; /* no part uses the last material */
+    model->material_count--; /* drops the last material, which no part uses */
     return STATUS_OK;
 }
 
@@ -167,7 +167,7 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
                                const struct role_rule *role_rule, bool is_counting)
 {
     enum status status = STATUS_OK;
-    const char *last = NULL; /* name of the previous part: equal names continue an object */
+    const char *last = NULL; /* previous part; equal names continue an object */
     for (uint32_t i = 0; i < obj_ply->part_count && status == STATUS_OK; i++) {
         const struct obj_ply_part *part = &obj_ply->parts[i];
         const struct mtl_material *material = material_of(obj_ply, part);
@@ -190,7 +190,7 @@ static enum status visit_parts(struct model_build *build, const struct obj_ply *
         if (role_rule->is_split && role == MODEL_OBJECT)
             status = add_object(build, obj_ply, part);
         if (!last || strcmp(last, part->name) != 0)
-            build->opaque = part->name;
+            build->surroundings_name = part->name;
         last = part->name;
         if (status == STATUS_OK)
             status = model_build_add(build, role, &shape, glms_mat4_identity());

@@ -1,4 +1,4 @@
-/* obj_ply_load.c: loads an OBJ or PLY file as a model, with warnings about what is not drawn. */
+/* obj_ply_load.c: loads an OBJ or PLY file as a model, and warns about what is not drawn. */
 #include <stdio.h>
 #include <string.h>
 #include "src/base/log.h"
@@ -37,7 +37,7 @@ static void warn(const struct model_import *import, const char *of_what, const c
 static enum status refuse_outside(const struct model_import *import)
 {
     log_error("%s: refers to %s: expected only files within the model's folder", import->path,
-              import->refused);
+              import->refused_file);
     return STATUS_DATA;
 }
 
@@ -46,15 +46,15 @@ enum status model_load_obj_ply(struct model_import *import, const char *suffix, 
 {
     struct obj_ply obj_ply = { .import = import };
     enum status status = strcmp(suffix, "ply") == 0 ? ply_read(&obj_ply) : obj_read(&obj_ply);
-    if (status == STATUS_OK && import->refused[0])
+    if (status == STATUS_OK && import->refused_file[0])
         status = refuse_outside(import);
     if (status == STATUS_OK)
         status = obj_ply_build(&obj_ply, model, default_role);
     if (obj_ply.colors && obj_ply.material_count == 0 && default_role == MODEL_BY_MATERIALS)
-        obj_ply_note_undrawn(obj_ply.undrawn, "vertex colours"); /* ice shows none */
-    if (status == STATUS_OK && import->missed[0])
+        obj_ply_note_undrawn(obj_ply.undrawn, "vertex colours"); /* ice shows no vertex colours */
+    if (status == STATUS_OK && import->missing_file[0])
         log_warning("%s: refers to %s, which does not exist; its materials are left out",
-                    import->path, import->missed);
+                    import->path, import->missing_file);
     if (status == STATUS_OK) {
         warn(import, " of its materials", obj_ply.undrawn_materials);
         warn(import, "", obj_ply.undrawn);

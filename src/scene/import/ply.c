@@ -17,7 +17,7 @@ enum format {
 
 enum {
     ELEMENT_MAX = 64,
-    PROPERTY_MAX = 256, /* of all elements together */
+    PROPERTY_MAX = 256, /* maximum properties of all elements together */
 };
 
 /* Meaning of a property. Vertex properties are ordered like the components of the arrays. */
@@ -26,7 +26,7 @@ enum slot {
     SLOT_NX = SLOT_X + 3,
     SLOT_RED = SLOT_NX + 3,
     SLOT_U = SLOT_RED + 3,
-    SLOT_CORNERS = SLOT_U + 2, /* vertex indices of a face or of triangle strips */
+    SLOT_CORNERS = SLOT_U + 2, /* vertex indices of a face or strips */
     SLOT_COUNT,
     SLOT_OTHER = SLOT_COUNT,
 };
@@ -46,7 +46,7 @@ static const struct type types[] = {
 
 struct property {
     const struct type *type;
-    const struct type *count; /* type of a list's length; NULL if it is no list */
+    const struct type *count; /* type of a list's length; NULL for a scalar property */
     enum slot slot;
 };
 
@@ -73,7 +73,7 @@ struct ply {
     uint32_t property_count;
     uint32_t vertex_count;
     struct obj_ply_array indices, polygons;
-    const struct element *element; /* element that is being read, and the row in it; for messages */
+    const struct element *element; /* element and row being read, for messages */
     uint64_t row;
 };
 
@@ -197,7 +197,7 @@ static const struct type *read_type(struct text_scan *line)
     return NULL;
 }
 
-/* Records a property that is not drawn. Unknown elements are recorded by note_element() instead. */
+/* Records a property that is not drawn, unless note_element() has recorded its element. */
 static void note_property(struct obj_ply *obj_ply, const struct element *element,
                           struct text_scan *name)
 {
@@ -305,7 +305,7 @@ static double decode(const struct type *type, uint64_t bits)
     return bits & sign ? -(double)(2 * sign - bits) : (double)bits;
 }
 
-/* Reads a value; returns false at the end of the file or if there is no number. */
+/* Reads a value. Returns false at the end of the file or if there is no number. */
 static bool read_value(const struct ply *ply, struct text_scan *body, const struct type *type,
                        double *value)
 {
@@ -486,8 +486,8 @@ static enum status read_row(struct ply *ply, struct text_scan *body)
     return STATUS_OK;
 }
 
-/* Reads all elements. A count beyond the remaining bytes is rejected, because every row takes at
- * least one byte; elements without properties take none and are skipped. */
+/* Reads all elements. Rejects a count beyond the remaining bytes, because every row takes at least
+ * one byte; skips elements without properties, whose rows take none. */
 static enum status read_elements(struct ply *ply, struct text_scan *body)
 {
     enum status status = STATUS_OK;
@@ -536,7 +536,7 @@ static enum status finish_triangles(struct ply *ply)
     };
     for (size_t i = 0; ply->obj_ply->colors && i < ply->vertex_count; i++)
         ply->obj_ply->colors[4 * i + 3] = 1;
-    ply->indices.items = NULL; /* moved to ply->plain */
+    ply->indices.items = NULL; /* moved to ply->obj_ply */
     return STATUS_OK;
 }
 

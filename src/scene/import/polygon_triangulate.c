@@ -6,11 +6,12 @@
 #include <stdlib.h>
 
 enum {
-    TESTS_MAX = 1 << 26, /* Point-in-ear tests per polygon; beyond it, the rest becomes a fan. */
-    SMALL_COUNT = 16,    /* corners up to which arrays are on the stack */
+    /* maximum point-in-ear tests per polygon; beyond it, the rest becomes a fan */
+    TESTS_MAX = 1 << 26,
+    SMALL_COUNT = 16, /* maximum corners for arrays on the stack */
 };
 
-/* The remaining corners and their projections to a plane, counter-clockwise. */
+/* Remaining corners of a polygon and their projections to a plane, counter-clockwise. */
 struct outline {
     uint32_t *corners;
     double (*points)[2];
@@ -113,7 +114,8 @@ static void cut_ears(struct outline *o, uint32_t *indices)
         uint32_t ear = start;
         for (uint32_t tried = 0; tried < o->count && !is_ear(o, ear); tried++)
             ear = ear + 1 < o->count ? ear + 1 : 0;
-        /* Without an ear, the polygon is not planar or intersects itself: cut any corner. */
+        /* Cuts any corner if there is no ear, since the polygon is not planar or intersects itself.
+         */
         cut_ear(o, ear, indices);
         indices += 3;
         start = ear < o->count ? ear : 0;

@@ -12,17 +12,16 @@ struct polygon {
     uint32_t vertex_stride;    /* distance between corners in vertex_of; 1 if it is dense */
 };
 
-/*
- * Replaces a polygon's triangle fan by an ear-clipping triangulation with the same corners and
+/* Replaces a polygon's triangle fan by an ear-clipping triangulation with the same corners and
  * winding. On entry `indices` holds the fan of a polygon with `count` corners c, 3 (count - 2)
  * elements: c0 c1 c2, c0 c2 c3, ... Convex polygons keep the fan; in others no triangle lies
- * outside, if the polygon is planar and simple. Returns false when out of memory.
- */
+ * outside, if the polygon is planar and simple. Returns false when out of memory. */
 bool polygon_triangulate(const struct polygon *polygon, uint32_t *indices, uint32_t count);
 
-/* A polygon of more than three corners within an index list. */
+/* Polygon of more than three corners within an index list. */
 struct polygon_range {
-    uint32_t first_index, count; /* start of its fan in the index list; number of corners */
+    /* start of the polygon's fan in the index list; number of corners */
+    uint32_t first_index, count;
 };
 
 /* Triangulates all polygons of a list. Returns false when out of memory. */

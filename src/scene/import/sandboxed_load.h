@@ -1,5 +1,4 @@
-/* sandboxed_load.h: loads models and environment maps in a sandboxed reader process (errors:
- * reader.h). */
+/* sandboxed_load.h: loads models and environments in a sandboxed reader process (reader.h). */
 #ifndef FIRN_SCENE_IMPORT_SANDBOXED_LOAD_H
 #define FIRN_SCENE_IMPORT_SANDBOXED_LOAD_H
 
@@ -8,7 +7,7 @@
 #include "src/scene/import/model.h"
 
 /* Load a file like model_load_posed() (a NULL pose is the rest pose) or environment_load(), in a
- * reader process; if `params` is NULL, in this process. */
+ * reader process; if `params` is NULL, in this process. Errors are those of reader.h. */
 MUST_USE enum status sandboxed_load_model(struct model *model, const char *path,
                                           enum model_role default_role,
                                           const struct model_pose *pose,
@@ -16,7 +15,7 @@ MUST_USE enum status sandboxed_load_model(struct model *model, const char *path,
 MUST_USE enum status sandboxed_load_environment(struct environment *environment, const char *path,
                                                 const struct reader_params *params);
 
-/* Main function of a reader process: parses the file, sends the result, returns the exit code. */
+/* Runs a reader process: parses the file, sends the result, returns the exit code. */
 int sandboxed_load_main(int argc, char **argv);
 
 #endif

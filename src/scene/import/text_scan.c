@@ -67,12 +67,12 @@ static double scale(uint64_t digits, int64_t exponent)
         return (double)digits * powers[exponent];
     if (exponent < 0 && exponent >= -POWER_MAX)
         return (double)digits / powers[-exponent];
-    /* Two steps, so that no power overflows or underflows before the product does. */
+    /* Scales in two steps, so that no power overflows or underflows before the product does. */
     const int64_t half = exponent / 2;
     return (double)digits * pow(10, (double)half) * pow(10, (double)(exponent - half));
 }
 
-/* Reads "nan", "inf" and "infinity": later range checks reject them with a specific message. */
+/* Reads "nan", "inf" and "infinity", which later range checks reject with a specific message. */
 static bool read_word(struct text_scan *scan, double *value)
 {
     static const struct {

@@ -44,7 +44,7 @@ struct text_scan text_rest(const struct text_scan *line);
 struct text_scan text_word(struct text_scan *scan);
 
 /* Read a number. A float must end at a blank or the end; an integer may be followed by any
- * character. They return false, without advancing, if there is no number. */
+ * character. Return false, without advancing, if there is no number. */
 bool text_float(struct text_scan *scan, float *value);
 bool text_integer(struct text_scan *scan, int64_t *value);
 
@@ -52,7 +52,7 @@ bool text_integer(struct text_scan *scan, int64_t *value);
 uint32_t text_floats(struct text_scan *scan, float *values, uint32_t max);
 
 /* Copies a text to a string, truncated to `size` bytes including '\0'. text_show() is for messages:
- * non-printable and non-ASCII characters become '?'. */
+ * it replaces non-printable and non-ASCII characters by '?'. */
 void text_copy(char *to, size_t size, const struct text_scan *text);
 void text_show(char *to, size_t size, const struct text_scan *text);
 

@@ -10,22 +10,23 @@
 #include "src/scene/melt/melt_air_and_water.h"
 #include "src/scene/melt/melt_curvature_flow.h"
 
-#define ICE_LEAST  1.3f /* ranges of refractive indices that identify ice, water, air */
-#define ICE_MOST   1.32f
-#define WATER_MOST 1.345f
-#define AIR_MOST   1.1f
+#define ICE_IOR_MIN   1.3f /* refractive index ranges of ice, water and air */
+#define ICE_IOR_MAX   1.32f
+#define WATER_IOR_MAX 1.345f
+#define AIR_IOR_MAX   1.1f
 
-#define FROST_GONE   0.03f /* fraction of lost volume at which the frost is gone */
-#define HOLLOW       0.02f /* depth of melt hollows, in half widths */
-#define HOLLOW_CELL  0.36f /* width of hollows, in half widths */
-#define HOLLOW_FINE  0.45f /* depth of the finer hollows, relative to the coarse ones */
-#define HOLLOW_OFTEN 2.1f
-#define HOLLOWS_DUE  0.1f   /* fraction of lost volume at which hollows are complete */
-#define OPENS_AT     0.1f   /* relative depth below which cracks open */
-#define WIDER        20.0f  /* widening of cracks at the surface of fully melted ice, in gaps */
-#define FLOATING     0.917f /* submerged fraction of floating ice (density ratio) */
-#define PUDDLE       0.164f /* thickness of spread meltwater, in half widths: 2.3 mm */
-#define PUDDLE_LEFT  0.917f /* volume of water per volume of ice */
+#define FROST_MELTED          0.03f /* lost volume fraction at which frost has vanished */
+#define HOLLOW                0.02f /* depth of melt hollows, in half widths */
+#define HOLLOW_CELL           0.36f /* width of hollows, in half widths */
+#define FINE_HOLLOW_DEPTH     0.45f /* depth of finer hollows, relative to the coarse ones */
+#define FINE_HOLLOW_FREQUENCY 2.1f
+#define HOLLOWS_COMPLETE      0.1f /* lost volume fraction at which hollows are complete */
+#define CRACK_OPENING_DEPTH   0.1f /* relative depth below which cracks open */
+/* widening of cracks at the surface of fully melted ice, in gap widths */
+#define CRACK_WIDENING     20.0f
+#define SUBMERGED_FRACTION 0.917f /* submerged fraction of floating ice (density ratio) */
+#define PUDDLE_DEPTH       0.164f /* thickness of spread meltwater, in half widths: 2.3 mm */
+#define WATER_PER_ICE      0.917f /* volume of water per volume of ice */
 
 /* Returns the depth of cellular noise at a point, 0 to 1: round hollows with sharp ridges. */
 static float hollow_depth(vec3s at)
@@ -33,10 +34,10 @@ static float hollow_depth(vec3s at)
     const vec3s cell = { { floorf(at.x), floorf(at.y), floorf(at.z) } };
     float nearest2 = 4.0f;
     for (int i = 0; i < 27; i++) {
-        const int beside[3] = { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 };
+        const int offset[3] = { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 };
         vec3s other = cell;
         for (int k = 0; k < 3; k++)
-            other.raw[k] += (float)beside[k];
+            other.raw[k] += (float)offset[k];
         uint32_t hash = 40;
         for (int k = 0; k < 3; k++)
             hash = noise_hash(hash ^ (uint32_t)(int32_t)other.raw[k]);
@@ -50,7 +51,7 @@ static float hollow_depth(vec3s at)
 
 float melted_frost_factor(const struct melted *melted)
 {
-    return 1.0f - glm_smoothstep(0.0f, FROST_GONE, melted->share);
+    return 1.0f - glm_smoothstep(0.0f, FROST_MELTED, melted->share);
 }
 
 float melted_hollow_factor(const struct melted *melted)
@@ -58,7 +59,7 @@ float melted_hollow_factor(const struct melted *melted)
     return 1.0f + 2.0f * melted->share;
 }
 
-/* A melting shell of ice. */
+/* Closed mesh of ice that melts. */
 struct ice {
     struct vertex_weld vertex_weld;
     struct melt_curvature_flow flow;
@@ -66,10 +67,10 @@ struct ice {
     struct box before;
     bool floats;
     float rise; /* vertical displacement after melting */
-    float lost; /* fraction of the volume that is lost */
+    float lost; /* lost volume fraction */
 };
 
-/* Welds the shell's vertices and copies their positions. Returns false when out of memory. */
+/* Welds the mesh's vertices and copies their positions. Returns false when out of memory. */
 static bool ice_init(struct ice *ice, const struct mesh *mesh, const struct object *object,
                      bool floats)
 {
@@ -135,31 +136,32 @@ static void press_hollows(struct ice *ice, const vec3s *normals)
     const struct box box = box_of(&ice->flow);
     const float cell = HOLLOW_CELL * (float)ice->half;
     const float depth = HOLLOW * (float)ice->half * (1.0f + 2.0f * lost) *
-                        glm_smoothstep(0.0f, HOLLOWS_DUE, lost) * cbrtf(fmaxf(1.0f - lost, 0.0f));
+                        glm_smoothstep(0.0f, HOLLOWS_COMPLETE, lost) *
+                        cbrtf(fmaxf(1.0f - lost, 0.0f));
     const float base_height = fmaxf(0.1f * (box.max.y - box.min.y), 1e-30f);
     for (uint32_t i = 0; i < ice->flow.count; i++) {
         double *point = ice->flow.points[i];
         const vec3s at = { { (float)point[0] / cell, (float)point[1] / cell,
                              (float)point[2] / cell } };
-        const float sunk =
-            hollow_depth(at) + HOLLOW_FINE * hollow_depth(glms_vec3_scale(at, HOLLOW_OFTEN));
+        const float pressed =
+            hollow_depth(at) +
+            FINE_HOLLOW_DEPTH * hollow_depth(glms_vec3_scale(at, FINE_HOLLOW_FREQUENCY));
         const float above = glm_smoothstep(0.0f, base_height, (float)point[1] - box.min.y);
         for (int k = 0; k < 3; k++)
-            point[k] -= (double)(depth * above * sunk * normals[i].raw[k]);
+            point[k] -= (double)(depth * above * pressed * normals[i].raw[k]);
     }
 }
 
-/* Returns the vertical displacement that keeps the ice standing, or floating, as before. */
+/* Returns the vertical displacement that keeps the ice on its base or afloat at its waterline. */
 static float displacement_of(const struct ice *ice)
 {
     const struct box after = box_of(&ice->flow);
-    const float share = ice->floats ? FLOATING : 0.0f;
-    return glm_lerp(ice->before.min.y, ice->before.max.y, share) -
-           glm_lerp(after.min.y, after.max.y, share);
+    const float submerged = ice->floats ? SUBMERGED_FRACTION : 0.0f;
+    return glm_lerp(ice->before.min.y, ice->before.max.y, submerged) -
+           glm_lerp(after.min.y, after.max.y, submerged);
 }
 
-/* Writes the welded points back to the mesh, and moves the unmelted mesh by the ice's displacement.
- */
+/* Writes the welded points back to the mesh, and displaces the unmelted mesh with the ice. */
 static void write_back(const struct ice *ice, const vec3s *normals, struct mesh *mesh,
                        struct mesh *unmelted)
 {
@@ -179,10 +181,9 @@ static void write_back(const struct ice *ice, const vec3s *normals, struct mesh 
     }
 }
 
-/* Melts a shell by a fraction `share` of its volume, then by `further` (see
- * melt_curvature_flow_run()). */
-static bool melt_shell(struct ice *ice, struct mesh *mesh, struct mesh *unmelted, float share,
-                       float further)
+/* Melts a mesh by a fraction of its volume, then by `further` (melt_curvature_flow_run()). */
+static bool melt_closed_mesh(struct ice *ice, struct mesh *mesh, struct mesh *unmelted, float share,
+                             float further)
 {
     double lost = 0;
     vec3s *normals = malloc((ice->flow.count + (size_t)1) * sizeof(*normals));
@@ -219,7 +220,7 @@ static bool has_ior(const struct model *model, uint32_t object, float ior_min, f
 static bool is_ice(const struct model *model, uint32_t object, const struct melting *melting)
 {
     const bool is_one = material_of(model, object)->flags & MATERIAL_FROM_SETTINGS ||
-                        has_ior(model, object, ICE_LEAST, ICE_MOST);
+                        has_ior(model, object, ICE_IOR_MIN, ICE_IOR_MAX);
     return !melting->is_none && (melting->is_all || is_one);
 }
 
@@ -228,14 +229,14 @@ static bool is_floating(const struct model *model, uint32_t object)
 {
     const vec3s middle = box_center(model->objects[object].box);
     for (uint32_t i = 0; i < model->object_count; i++) {
-        if (has_ior(model, i, ICE_MOST, WATER_MOST) &&
+        if (has_ior(model, i, ICE_IOR_MAX, WATER_IOR_MAX) &&
             object_contains(&model->objects[i], &model->object, middle))
             return true;
     }
     return false;
 }
 
-/* Updates air shells inside the ice, and water below and around it. */
+/* Updates air inside the ice, and water below and around it. */
 static bool update_surroundings(struct model *model, const struct mesh *unmelted,
                                 const struct ice *ice, const struct object *of)
 {
@@ -244,13 +245,14 @@ static bool update_surroundings(struct model *model, const struct mesh *unmelted
         .unmelted = unmelted,
         .half = (float)ice->half,
         .rise = ice->rise,
-        .spread = sqrtf(PUDDLE_LEFT * ice->lost * 8.0f / (PUDDLE * GLM_PIf)) * (float)ice->half,
+        .spread =
+            sqrtf(WATER_PER_ICE * ice->lost * 8.0f / (PUDDLE_DEPTH * GLM_PIf)) * (float)ice->half,
     };
     bool done = true;
     for (uint32_t i = 0; i < model->object_count && done; i++) {
-        if (has_ior(model, i, 0.0f, AIR_MOST))
+        if (has_ior(model, i, 0.0f, AIR_IOR_MAX))
             done = melt_air_and_water_shrink_air(model, i, &parts);
-        else if (has_ior(model, i, ICE_MOST, WATER_MOST))
+        else if (has_ior(model, i, ICE_IOR_MAX, WATER_IOR_MAX))
             done = melt_air_and_water_spread_shells(model, i, &parts);
     }
     done = done && melt_air_and_water_spread_layers(model, &parts);
@@ -263,15 +265,15 @@ static bool melt_object(struct model *model, const struct object *object, bool f
 {
     struct ice ice;
     const bool done = ice_init(&ice, &model->object, object, floats) &&
-                      melt_shell(&ice, &model->object, &melted->unmelted, melting->share,
-                                 fmaxf(melting->speed * time, 0.0f)) &&
+                      melt_closed_mesh(&ice, &model->object, &melted->unmelted, melting->share,
+                                       fmaxf(melting->speed * time, 0.0f)) &&
                       update_surroundings(model, &melted->unmelted, &ice, object);
     melted->share = melted->share > 0.0f ? melted->share : ice.lost;
     ice_finish(&ice);
     return done;
 }
 
-/* A melting surface is wet and therefore smooth: scales the roughness of ice materials. */
+/* Scales the roughness of ice materials, since a melting surface is wet and therefore smooth. */
 static void smooth_wet_ice(struct model *model, const struct melting *melting,
                            const struct melted *melted)
 {
@@ -337,13 +339,14 @@ static void shorten_capsule(const struct distance_field *depth, struct bubble *b
     const bool is_second =
         melt_air_and_water_depth(depth, ends[1]) > melt_air_and_water_depth(depth, ends[0]);
     const vec3s deep = ends[is_second], shallow = ends[!is_second];
-    float whole = 0.0f, cut = 1.0f; /* fractions of the length: known inside, known outside */
+    /* fractions of the length: one whose capsule is inside, one outside */
+    float whole = 0.0f, cut = 1.0f;
     if (melt_air_and_water_depth(depth, shallow) >= bubble->radius)
         return;
     for (int i = 0; i < HALVINGS; i++) {
-        const float share = 0.5f * (whole + cut);
-        const vec3s at = glms_vec3_lerp(deep, shallow, share);
-        *(melt_air_and_water_depth(depth, at) >= bubble->radius ? &whole : &cut) = share;
+        const float fraction = 0.5f * (whole + cut);
+        const vec3s at = glms_vec3_lerp(deep, shallow, fraction);
+        *(melt_air_and_water_depth(depth, at) >= bubble->radius ? &whole : &cut) = fraction;
     }
     bubble->center = glms_vec3_lerp(deep, shallow, 0.5f * whole);
     bubble->stretch *= whole;
@@ -360,12 +363,12 @@ bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object)
         const float longer = bubble->is_capsule ? 0.0f : fmaxf(bubble->stretch, 0.0f);
         if (bubble->is_capsule)
             shorten_capsule(&depth, bubble);
-        const float share =
+        const float scale =
             melt_air_and_water_depth(&depth, bubble->center) / (bubble->radius + longer);
-        if (share < 0.05f)
+        if (scale < 0.05f)
             continue;
-        bubble->radius *= fminf(share, 1.0f);
-        bubble->stretch *= fminf(share, 1.0f);
+        bubble->radius *= fminf(scale, 1.0f);
+        bubble->stretch *= fminf(scale, 1.0f);
         bubbles->all[left++] = *bubble;
     }
     bubbles->count = left;
@@ -381,9 +384,9 @@ bool melt_cracks(struct mesh *cracks, const struct mesh *object, float share)
     for (uint32_t i = 0; i < cracks->vertex_count; i++) {
         struct mesh_vertex *vertex = &cracks->vertices[i];
         const float deep = melt_air_and_water_depth(&depth, vertex->position);
-        const float near = 1.0f - glm_smoothstep(0.0f, OPENS_AT * depth.most, deep);
-        const float wider = 1.0f + WIDER * share * near;
-        vertex->color = glms_vec3_scale(vertex->color, wider * wider);
+        const float near = 1.0f - glm_smoothstep(0.0f, CRACK_OPENING_DEPTH * depth.most, deep);
+        const float scale = 1.0f + CRACK_WIDENING * share * near;
+        vertex->color = glms_vec3_scale(vertex->color, scale * scale);
     }
     distance_field_finish(&depth);
     return true;

@@ -1,14 +1,14 @@
 /*
  * melt.h: melts a scene's ice: its surface (melt_curvature_flow.h), inclusions and meltwater.
  *
- * Problem: a melting animation needs plausible shapes at any time without a fluid simulation. Each
- * state is computed directly from the initial one. Ice is recognised by its refractive index; so is
- * the object of a scene without materials. Triangle counts do not change, which keeps BVH
- * topologies and motion vectors valid.
+ * A melting animation needs plausible shapes at any time without a fluid simulation. Each state is
+ * computed directly from the initial one. Ice is recognised by its refractive index; so is the
+ * object of a scene without materials. Triangle counts do not change, which keeps BVH topologies
+ * and motion vectors valid.
  *
- * Standing ice sinks onto its base; floating ice keeps its submerged fraction. Air shells stay
+ * Standing ice sinks onto its base; floating ice keeps its submerged fraction. Air inclusions stay
  * where they are in the ice, and shrink and vanish as the surface reaches them; cracks open there.
- * Water shells under standing ice, and water layers on the surroundings, spread by the meltwater's
+ * Water meshes under standing ice, and water layers on the surroundings, spread by the meltwater's
  * volume. Hollows appear on the surface.
  *
  * Limits: the water level around floating ice is constant. Spreading water ignores obstacles.
@@ -21,17 +21,16 @@
 #include "src/scene/import/model.h"
 
 struct melting {
-    float share; /* fraction of the volume that is lost at time 0, 0 to 1 */
-    float speed; /* retreat of the faces from then on, half widths per second */
+    float share; /* volume fraction lost at time 0, 0 to 1 */
+    float speed; /* retreat of the faces from time 0 on, half widths per second */
     bool is_all; /* treat every object as ice */
     bool is_none;
 };
 
 struct melted {
     float share; /* lost volume fraction of the first ice object; 0 if nothing has melted */
-    struct mesh
-        unmelted;   /* the objects before melting, moved to where the ice has sunk; may be {0} */
-    struct box box; /* bounding box of `grown` */
+    struct mesh unmelted; /* objects before melting, displaced with the ice; or {0} */
+    struct box box;       /* bounding box of `unmelted` */
 };
 
 /* Melts the ice of a model for `time` seconds. Logs a warning at time 0 if there is no ice. Logs
@@ -39,15 +38,16 @@ struct melted {
 MUST_USE enum status melt_model(struct model *model, const struct melting *melting, float time,
                                 struct melted *melted);
 
-/* Shrinks bubbles near a melted surface, and removes those outside. False when out of memory. */
+/* Shrinks bubbles near a melted surface, and removes those outside; false when out of memory. */
 bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object);
 
-/* Opens cracks near the surface of ice that lost the fraction `share`. False when out of memory. */
+/* Opens cracks near the surface of ice that has lost a volume fraction; false when out of memory.
+ */
 bool melt_cracks(struct mesh *cracks, const struct mesh *object, float share);
 
 void melted_finish(struct melted *melted); /* {0} is fine */
 
-/* Returns the fraction of frost and roughness that is left, 1 to 0. */
+/* Returns the remaining fraction of frost and roughness, 1 to 0. */
 float melted_frost_factor(const struct melted *melted);
 
 /* Returns the factor by which melting deepens surface hollows. */

@@ -1,5 +1,4 @@
-/* melt_air_and_water.c: moves connected components of air and water as the ice around them melts.
- */
+/* melt_air_and_water.c: moves connected components of air and water with the melting ice. */
 #include "src/scene/melt/melt_air_and_water.h"
 #include <cglm/struct.h>
 #include <math.h>
@@ -10,7 +9,7 @@
  * components start at half their radius. */
 #define SHRINKS_AT 0.06f
 
-#define SCALE_MIN 1e-3f /* minimum scale of a component, whose normals must stay valid */
+#define SCALE_MIN 1e-3f /* minimum scale of a component, to keep its normals valid */
 
 #define WET_FRACTION 0.25f /* fraction of the ice's height that climbing water wets */
 
@@ -25,8 +24,8 @@ enum {
 /* Connected component of an object. */
 struct component {
     struct box box;
-    vec3s middle;  /* mean of its vertices */
-    float outline; /* distance of the farthest vertex from `middle` */
+    vec3s center;  /* mean of the component's vertices */
+    float outline; /* distance of the farthest vertex from `center` */
     uint32_t count;
 };
 
@@ -52,7 +51,7 @@ static void components_finish(struct components *components)
     free(components->all);
 }
 
-/* Returns the component of a vertex, or NULL if the vertex is not of the object. */
+/* Returns the component of a vertex, or NULL if the vertex is not part of the object. */
 static struct component *component_of(const struct components *components, uint32_t vertex)
 {
     const uint32_t point = components->vertex_weld.points[vertex];
@@ -69,19 +68,19 @@ static void measure(struct components *components, const struct mesh *mesh)
             continue;
         component->box.min = component->count ? glms_vec3_minv(component->box.min, p) : p;
         component->box.max = component->count ? glms_vec3_maxv(component->box.max, p) : p;
-        component->middle = glms_vec3_add(component->middle, p);
+        component->center = glms_vec3_add(component->center, p);
         component->count++;
     }
     for (uint32_t i = 0; i < components->vertex_weld.count; i++) {
         struct component *component = &components->all[i];
-        component->middle = glms_vec3_divs(component->middle, fmaxf((float)component->count, 1.0f));
+        component->center = glms_vec3_divs(component->center, fmaxf((float)component->count, 1.0f));
     }
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         struct component *component = component_of(components, i);
         if (component)
             component->outline =
                 fmaxf(component->outline,
-                      glms_vec3_distance(component->middle, mesh->vertices[i].position));
+                      glms_vec3_distance(component->center, mesh->vertices[i].position));
     }
 }
 
@@ -140,21 +139,21 @@ bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
         const struct component *component = component_of(&components, i);
         if (!component)
             continue;
-        vec3s middle = component->middle;
-        middle.y += ice->rise;
-        if (!(melt_air_and_water_depth(&ice->depth_before, middle) > 0.0f))
+        vec3s center = component->center;
+        center.y += ice->rise;
+        if (!(melt_air_and_water_depth(&ice->depth_before, center) > 0.0f))
             continue;
-        const float due = fminf(0.5f * component->outline, SHRINKS_AT * ice->half);
-        const float depth = melt_air_and_water_depth(&ice->depth, middle);
-        const float share = fmaxf(glm_smoothstep(0.0f, due, depth), SCALE_MIN);
-        const vec3s from = glms_vec3_sub(mesh->vertices[i].position, component->middle);
-        mesh->vertices[i].position = glms_vec3_muladds(from, share, middle);
+        const float start_depth = fminf(0.5f * component->outline, SHRINKS_AT * ice->half);
+        const float depth = melt_air_and_water_depth(&ice->depth, center);
+        const float scale = fmaxf(glm_smoothstep(0.0f, start_depth, depth), SCALE_MIN);
+        const vec3s from = glms_vec3_sub(mesh->vertices[i].position, component->center);
+        mesh->vertices[i].position = glms_vec3_muladds(from, scale, center);
     }
     components_finish(&components);
     return done;
 }
 
-/* Returns true if the ice stands on a component, or in it. */
+/* Returns true if the ice stands on or in a component. */
 static bool is_below(const struct component *component, const struct box *ice)
 {
     const vec3s base = box_center(*ice);
@@ -164,16 +163,16 @@ static bool is_below(const struct component *component, const struct box *ice)
            component->box.max.y < base.y && component->box.max.y > ice->min.y - epsilon;
 }
 
-/* Horizontal radius of a shape around a vertical axis, by bearing. */
+/* Outline of a shape around a vertical axis: horizontal radius by bearing. */
 struct outline {
-    vec3s base; /* base point of the axis */
+    vec3s base;
     float out[BEARINGS];
 };
 
 static float bearing(const struct outline *outline, vec3s p)
 {
-    const float turn = atan2f(p.z - outline->base.z, p.x - outline->base.x) / 6.28318531f;
-    return (turn - floorf(turn)) * (float)BEARINGS;
+    const float angle = atan2f(p.z - outline->base.z, p.x - outline->base.x) / 6.28318531f;
+    return (angle - floorf(angle)) * (float)BEARINGS;
 }
 
 static void outline_add(struct outline *outline, vec3s p)
@@ -193,7 +192,7 @@ static void outline_fill(struct outline *outline)
     }
 }
 
-/* Returns the interpolated radius in the direction of a point. */
+/* Returns the outline's interpolated radius in the direction of a point. */
 static float outline_at(const struct outline *outline, vec3s p)
 {
     const float at = bearing(outline, p) + (float)BEARINGS - 0.5f;
@@ -202,7 +201,7 @@ static float outline_at(const struct outline *outline, vec3s p)
                     at - (float)before);
 }
 
-/* Returns the radii of the lowest part of an object. */
+/* Returns the outline of an object's lowest part. */
 static struct outline outline_of(const struct object *object, const struct mesh *mesh, vec3s base)
 {
     const struct box box = object_box(object, mesh);
@@ -218,17 +217,17 @@ static struct outline outline_of(const struct object *object, const struct mesh 
 }
 
 /* Returns the new radius of a water vertex. Water that touches the ice moves with the ice's
- * outline; beyond it, the displacement blends quadratically to that of the outer edge. */
-static float spread_radius(float out, float before, float after, float edge, float share)
+ * outline; farther out, the displacement blends quadratically to that of the outer edge. */
+static float spread_radius(float out, float before, float after, float edge, float scale)
 {
     if (!(before > 0.0f && edge > 0.0f))
-        return share * out;
+        return scale * out;
     const float from = fminf(before, COVERED_MAX * edge);
     if (out < from)
         return out * after / from;
-    const float way = (out - from) / (edge - from);
-    const float least = after + out - from;
-    return glm_lerp(least, fmaxf(share * edge, least), way * way);
+    const float t = (out - from) / (edge - from);
+    const float pushed = after + out - from;
+    return glm_lerp(pushed, fmaxf(scale * edge, pushed), t * t);
 }
 
 /* Spreads a component, around ice whose outline changes from `before` to `after`. */
@@ -239,7 +238,7 @@ static void spread_component(const struct components *components, const struct c
     const vec3s base = before->base;
     const vec3s sides = glms_vec3_sub(component->box.max, component->box.min);
     const float radius = 0.25f * (sides.x + sides.z);
-    const float share = hypotf(radius, spread) / fmaxf(radius, 1e-20f);
+    const float scale = hypotf(radius, spread) / fmaxf(radius, 1e-20f);
     struct outline edge = { .base = base };
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (component_of(components, i) == component)
@@ -252,7 +251,7 @@ static void spread_component(const struct components *components, const struct c
             continue;
         const float out = hypotf(p->x - base.x, p->z - base.z);
         const float to = spread_radius(out, outline_at(before, *p), outline_at(after, *p),
-                                       outline_at(&edge, *p), share);
+                                       outline_at(&edge, *p), scale);
         const float unmelted = to / fmaxf(out, 1e-20f);
         p->x = base.x + unmelted * (p->x - base.x);
         p->z = base.z + unmelted * (p->z - base.z);
@@ -289,18 +288,19 @@ static bool is_water_layer(const struct model *model, const struct mesh_vertex *
     return index && model->materials[index - 1].flags & MATERIAL_IS_WATER_LAYER;
 }
 
-/* Selects the surroundings' triangles that are water layers, or the others; borrows vertices. */
-static bool select_triangles(struct mesh *chosen, const struct model *model, bool are_films)
+/* Selects the surroundings' water layer triangles, or the others. *selected borrows vertices. */
+static bool select_triangles(struct mesh *selected, const struct model *model,
+                             bool are_water_layers)
 {
     const struct mesh *all = &model->surroundings;
-    *chosen = *all;
-    chosen->indices = malloc((all->index_count + (size_t)1) * sizeof(*chosen->indices));
-    chosen->index_count = 0;
-    if (!chosen->indices)
+    *selected = *all;
+    selected->indices = malloc((all->index_count + (size_t)1) * sizeof(*selected->indices));
+    selected->index_count = 0;
+    if (!selected->indices)
         return false;
     for (uint32_t i = 0; i < all->index_count; i++) {
-        if (is_water_layer(model, &all->vertices[all->indices[i]]) == are_films)
-            chosen->indices[chosen->index_count++] = all->indices[i];
+        if (is_water_layer(model, &all->vertices[all->indices[i]]) == are_water_layers)
+            selected->indices[selected->index_count++] = all->indices[i];
     }
     return true;
 }
@@ -327,7 +327,7 @@ static float ground_height(const struct mesh *ground, float x, float z)
     return height;
 }
 
-/* Gradient of texture coordinates over positions. */
+/* Gradients of texture coordinates with respect to position. */
 struct uv_gradient {
     vec2s by_x, by_z;
 };
@@ -360,22 +360,21 @@ static struct uv_gradient uv_gradient_of(const struct mesh *mesh)
     };
 }
 
-/* Rotates the normals of water layers with their triangles. `turned` has the old geometric normals.
- */
-static void rotate_normals(const struct model *model, struct mesh *films, struct mesh *turned)
+/* Rotates water layers' normals with their triangles; `rotated` has the old geometric normals. */
+static void rotate_normals(const struct model *model, struct mesh *layers, struct mesh *rotated)
 {
-    for (uint32_t i = 0; i < films->vertex_count; i++) {
-        struct mesh_vertex *v = &films->vertices[i];
+    for (uint32_t i = 0; i < layers->vertex_count; i++) {
+        struct mesh_vertex *v = &layers->vertices[i];
         if (is_water_layer(model, v))
-            v->normal = glms_vec3_sub(v->normal, turned->vertices[i].normal);
-        turned->vertices[i].position = v->position;
+            v->normal = glms_vec3_sub(v->normal, rotated->vertices[i].normal);
+        rotated->vertices[i].position = v->position;
     }
-    mesh_make_normals(turned);
-    for (uint32_t i = 0; i < films->vertex_count; i++) {
-        struct mesh_vertex *v = &films->vertices[i];
+    mesh_make_normals(rotated);
+    for (uint32_t i = 0; i < layers->vertex_count; i++) {
+        struct mesh_vertex *v = &layers->vertices[i];
         if (!is_water_layer(model, v))
             continue;
-        v->normal = glms_vec3_normalize(glms_vec3_add(v->normal, turned->vertices[i].normal));
+        v->normal = glms_vec3_normalize(glms_vec3_add(v->normal, rotated->vertices[i].normal));
     }
 }
 
@@ -383,43 +382,43 @@ static void rotate_normals(const struct model *model, struct mesh *films, struct
  * ground height below the ice, so that protruding stone does not make the layer thinner elsewhere.
  * Hollows of the ground are filled in proportion to the water's depth: the surface stays level
  * except at its rim. */
-static void follow_ground(struct mesh *films, const struct mesh *before,
+static void follow_ground(struct mesh *layers, const struct mesh *before,
                           const struct uv_gradient *uv_gradient, const struct mesh *ground,
                           float level)
 {
-    for (uint32_t i = 0; i < films->vertex_count; i++) {
-        struct mesh_vertex *v = &films->vertices[i];
+    for (uint32_t i = 0; i < layers->vertex_count; i++) {
+        struct mesh_vertex *v = &layers->vertices[i];
         const vec3s from = before->vertices[i].position;
         const float dx = v->position.x - from.x, dz = v->position.z - from.z;
         if (fabsf(dx) + fabsf(dz) <= 0.0f)
             continue;
         const float deep = from.y - fminf(ground_height(ground, from.x, from.z), level);
         const float filled = deep > 0.0f ? HOLLOW * deep : deep;
-        const float fall = ground_height(ground, v->position.x, v->position.z) + filled - from.y;
+        const float drop = ground_height(ground, v->position.x, v->position.z) + filled - from.y;
         v->uv = glms_vec2_muladds(uv_gradient->by_x, dx,
                                   glms_vec2_muladds(uv_gradient->by_z, dz, v->uv));
-        if (fall < 0.0f && isfinite(fall))
-            v->position.y += fall;
+        if (drop < 0.0f && isfinite(drop))
+            v->position.y += drop;
     }
 }
 
 bool melt_air_and_water_spread_layers(struct model *model, const struct melt_air_and_water_ice *ice)
 {
-    struct mesh films, ground = { 0 }, before = { 0 };
-    bool done = select_triangles(&films, model, true) && select_triangles(&ground, model, false);
-    const struct object object = { .index_count = films.index_count };
-    if (done && films.index_count) {
-        const struct uv_gradient uv_gradient = uv_gradient_of(&films);
-        done = mesh_append(&before, &films) && spread(&films, &object, model, ice);
+    struct mesh layers, ground = { 0 }, before = { 0 };
+    bool done = select_triangles(&layers, model, true) && select_triangles(&ground, model, false);
+    const struct object object = { .index_count = layers.index_count };
+    if (done && layers.index_count) {
+        const struct uv_gradient uv_gradient = uv_gradient_of(&layers);
+        done = mesh_append(&before, &layers) && spread(&layers, &object, model, ice);
         if (done) {
             mesh_make_normals(&before);
             const vec3s base = box_center(ice->object->box);
-            follow_ground(&films, &before, &uv_gradient, &ground,
+            follow_ground(&layers, &before, &uv_gradient, &ground,
                           ground_height(&ground, base.x, base.z));
-            rotate_normals(model, &films, &before);
+            rotate_normals(model, &layers, &before);
         }
     }
-    free(films.indices);
+    free(layers.indices);
     free(ground.indices);
     mesh_finish(&before);
     return done;

@@ -1,8 +1,5 @@
-/*
- * melt_air_and_water.h: objects that follow melting ice: air shells inside it, and water below it.
- *
- * Shells are treated separately, as connected components of welded vertices.
- */
+/* melt_air_and_water.h: air inside melting ice, and water below it. Their meshes move as connected
+ * components of welded vertices. */
 #ifndef FIRN_SCENE_MELT_MELT_AIR_AND_WATER_H
 #define FIRN_SCENE_MELT_MELT_AIR_AND_WATER_H
 
@@ -11,12 +8,13 @@
 
 /* Ice that has melted, and its state before. */
 struct melt_air_and_water_ice {
-    const struct object *object; /* after melting, but with the box of before */
-    const struct mesh *unmelted; /* all objects before melting, where the ice has sunk to */
+    const struct object *object; /* ice after melting, but with its unmelted box */
+    const struct mesh *unmelted; /* all objects before melting, displaced with the ice */
     float half;                  /* half the ice's initial width, metres */
     float rise;                  /* vertical displacement of the ice, metres */
     float spread;                /* radius of the area that the meltwater covers, metres */
-    struct distance_field depth, depth_before; /* computed on demand; {0} until then */
+    /* distance fields, computed on demand; {0} until then */
+    struct distance_field depth, depth_before;
 };
 
 /* Moves components inside the ice with it, shrinks those near its surface, and collapses those
@@ -29,8 +27,8 @@ bool melt_air_and_water_spread_shells(struct model *model, uint32_t object,
                                       const struct melt_air_and_water_ice *ice);
 
 /* Spreads water layers (MATERIAL_IS_WATER_LAYER) on the surroundings below the ice. They follow the
- * ground downwards, but stay level where it rises, so that it emerges from them. Textures keep
- * their place. Returns false when out of memory. */
+ * ground downwards, but stay level where it rises, so that it emerges from them. Textures stay
+ * where they are. Returns false when out of memory. */
 bool melt_air_and_water_spread_layers(struct model *model,
                                       const struct melt_air_and_water_ice *ice);
 

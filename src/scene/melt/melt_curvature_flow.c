@@ -15,19 +15,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LAYER  0.118 /* thickness of the warm air layer, in half widths */
-#define SPREAD 0.4   /* factor of tangential smoothing, applied SPREADS times per step */
-#define STEP   0.025 /* retreat of a face per step, in half widths */
+#define AIR_LAYER 0.118 /* thickness of the warm air layer, in half widths */
+#define SPREAD    0.4   /* factor of tangential smoothing, applied SPREADS times per step */
+#define STEP      0.025 /* retreat of a face per step, in half widths */
 
-#define COTANGENT_LEAST 0.02 /* cotangents are clamped for the sake of sliver triangles */
-#define COTANGENT_MOST  8.0
+#define COTANGENT_MIN 0.02 /* cotangents are clamped because of sliver triangles */
+#define COTANGENT_MAX 8.0
 
 enum {
     STAGES_MAX = 400,
     ITERATIONS_MAX = 60,
     HALVINGS = 30,
     SPREADS = 4,
-    TRIES = 5, /* attempts per step, until no triangle is inverted */
+    TRIES = 5, /* maximum attempts per step, until no triangle is inverted */
 };
 
 typedef double point[3];
@@ -40,7 +40,7 @@ struct neighbour {
 
 struct work {
     const struct melt_curvature_flow *flow;
-    uint32_t *starts; /* start of each point's row in `neighbours`, count + 1 */
+    uint32_t *starts; /* start of each point's row in `neighbours`; count + 1 elements */
     struct neighbour *neighbours;
     double *sums;  /* sum of each row's weights */
     double *areas; /* a third of the adjacent triangles' area; 0 for points after a collision */
@@ -89,10 +89,10 @@ static double half_cotangent(const point a, const point b, const point c)
     subtract(b, c, to_b);
     cross(to_a, to_b, area);
     const double cotangent = dot(to_a, to_b) / fmax(sqrt(dot(area, area)), 1e-300);
-    return 0.5 * fmin(fmax(cotangent, COTANGENT_LEAST), COTANGENT_MOST);
+    return 0.5 * fmin(fmax(cotangent, COTANGENT_MIN), COTANGENT_MAX);
 }
 
-/* Builds the cotangent Laplacian L: two entries per triangle edge. */
+/* Builds the cotangent Laplacian L, with two entries per triangle edge. */
 static void build_laplacian(struct work *work)
 {
     const struct melt_curvature_flow *flow = work->flow;
@@ -103,7 +103,7 @@ static void build_laplacian(struct work *work)
         ends[flow->corners[i]] += 2;
     for (uint32_t i = 1; i < flow->count; i++)
         ends[i] += ends[i - 1];
-    for (uint32_t i = flow->count; i > 0; i--) /* row ends become row starts */
+    for (uint32_t i = flow->count; i > 0; i--) /* converts row ends to row starts */
         work->starts[i] = work->starts[i - 1];
     for (uint32_t i = 0; i < flow->corner_count; i++) {
         const uint32_t first = i - i % 3;
@@ -144,8 +144,8 @@ static void measure_points(struct work *work)
     }
 }
 
-/* Marks the points of triangles that the step has inverted, which shows that two faces have
- * collided. Returns the number of such triangles. */
+/* Marks the points of triangles that the step has inverted, since two faces have collided there.
+ * Returns the number of such triangles. */
 static uint32_t mark_collisions(struct work *work)
 {
     const struct melt_curvature_flow *flow = work->flow;
@@ -171,7 +171,7 @@ static uint32_t mark_collisions(struct work *work)
     return count;
 }
 
-/* Multiplies x by M + t L. Returns the dot product of result and argument. */
+/* Multiplies x by M + t L. Returns the dot product of x and the result. */
 static double multiply(const struct work *work, double t, point *x, point *to)
 {
     double product = 0;
@@ -191,8 +191,9 @@ static double multiply(const struct work *work, double t, point *x, point *to)
 }
 
 /* Applies the Jacobi preconditioner to the residual. Optionally sets the search direction to the
- * result plus `share` times the previous one. Returns the dot product of result and residual. */
-static double precondition(struct work *work, double t, double share, bool updates_direction)
+ * result plus `beta` times the previous direction. Returns the dot product of result and residual.
+ */
+static double precondition(struct work *work, double t, double beta, bool updates_direction)
 {
     double product = 0;
     for (uint32_t i = 0; i < work->flow->count; i++) {
@@ -201,7 +202,7 @@ static double precondition(struct work *work, double t, double share, bool updat
             const double divided = work->residual[i][k] / own;
             product += divided * work->residual[i][k];
             if (updates_direction)
-                work->direction[i][k] = divided + share * work->direction[i][k];
+                work->direction[i][k] = divided + beta * work->direction[i][k];
         }
     }
     return product;
@@ -283,7 +284,7 @@ static double compute_next(struct work *work, double half, double volume)
                 work->goal[i][k] =
                     work->areas[i] * (flow->points[i][k] - STEP * half * work->normals[i][k]);
         }
-        solve(work, STEP * half * LAYER * half / 2);
+        solve(work, STEP * half * AIR_LAYER * half / 2);
         for (int i = 0; i < SPREADS; i++)
             smooth_tangentially(work);
         const uint32_t inverted = mark_collisions(work);
@@ -303,23 +304,23 @@ static double compute_next(struct work *work, double half, double volume)
 }
 
 /* Interpolates between the current and the next state. */
-static void interpolate(struct work *work, double share, point *to)
+static void interpolate(struct work *work, double fraction, point *to)
 {
     for (uint32_t i = 0; i < work->flow->count; i++) {
         for (int k = 0; k < 3; k++)
             to[i][k] =
-                work->flow->points[i][k] + share * (work->next[i][k] - work->flow->points[i][k]);
+                work->flow->points[i][k] + fraction * (work->next[i][k] - work->flow->points[i][k]);
     }
 }
 
-/* Returns the interpolation factor at which the volume is `wanted`, by bisection. */
-static double find_fraction(struct work *work, double wanted)
+/* Returns the interpolation factor at which the volume is `target`, by bisection. */
+static double find_fraction(struct work *work, double target)
 {
     double low = 0, high = 1;
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = 0.5 * (low + high);
         interpolate(work, middle, work->product_vector);
-        if (volume_of(work->flow, work->product_vector) > wanted)
+        if (volume_of(work->flow, work->product_vector) > target)
             low = middle;
         else
             high = middle;
@@ -327,18 +328,18 @@ static double find_fraction(struct work *work, double wanted)
     return 0.5 * (low + high);
 }
 
-/* Runs the flow to the requested loss. Returns the remaining volume. */
-static double run(struct work *work, double share, double further)
+/* Runs the flow until the requested volume is lost. Returns the remaining volume. */
+static double run(struct work *work, double fraction, double further)
 {
     const double first = volume_of(work->flow, work->flow->points);
     const double half = melt_curvature_flow_half_width(work->flow);
     double volume = first,
-           left = -1; /* remaining steps once `share` is lost; negative before that */
+           left = -1; /* remaining steps after the loss of `fraction`; negative before */
     for (int stage = 0; stage < STAGES_MAX && volume > 0 && !(left >= 0 && left <= 0); stage++) {
         const double after = compute_next(work, half, volume);
         double part = 1;
-        if (left < 0 && after <= (1 - share) * first) {
-            const double at = find_fraction(work, (1 - share) * first);
+        if (left < 0 && after <= (1 - fraction) * first) {
+            const double at = find_fraction(work, (1 - fraction) * first);
             left = further / STEP;
             part = fmin(at + left, 1);
             left -= part - at;
@@ -357,14 +358,14 @@ static void *make(size_t count, size_t size)
     return calloc(count ? count : 1, size);
 }
 
-bool melt_curvature_flow_run(struct melt_curvature_flow *flow, double share, double further,
+bool melt_curvature_flow_run(struct melt_curvature_flow *flow, double fraction, double further,
                              double *lost)
 {
     const double first = volume_of(flow, flow->points);
     const size_t count = flow->count;
     struct work work = { .flow = flow };
     *lost = 0;
-    if (!(first > 0) || !(share > 0 || further > 0))
+    if (!(first > 0) || !(fraction > 0 || further > 0))
         return true;
     point *points = make(6 * count, sizeof(point));
     work.starts = make(count + 2, sizeof(*work.starts));
@@ -380,7 +381,7 @@ bool melt_curvature_flow_run(struct melt_curvature_flow *flow, double share, dou
         work.residual = &points[3 * count];
         work.direction = &points[4 * count];
         work.product_vector = &points[5 * count];
-        *lost = 1 - run(&work, fmin(share, 1), further) / first;
+        *lost = 1 - run(&work, fmin(fraction, 1), further) / first;
     }
     free(points);
     free(work.starts);

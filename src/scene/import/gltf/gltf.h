@@ -1,7 +1,7 @@
 /*
  * gltf.h: internal interface of the glTF 2.0 importer (.gltf, .glb), shared by gltf_*.c.
  *
- * jansson parses the JSON. Values are accessed through struct gltf_object, which knows its location
+ * jansson parses the JSON. Values are accessed through struct gltf_object, which holds its location
  * in the file, and through functions that check type and range. The first fault is logged as "FILE:
  * materials[3]: expected ..." and kept in gltf.status. After a fault, functions return their
  * fallback values, so callers only need to check the status before they rely on a value.
@@ -16,12 +16,12 @@ enum {
     GLTF_LOCATION_SIZE = 96,
 };
 
-/* Index value that means "none". */
+/* Index value for "none". */
 static const uint32_t gltf_none = UINT32_MAX;
 
-/* A byte range, borrowed unless `owned` is set. */
+/* Byte range, borrowed unless `owned` is set. */
 struct gltf_bytes {
-    const uint8_t *bytes; /* may be NULL */
+    const uint8_t *bytes;
     uint8_t *owned;
     size_t size;
 };
@@ -37,13 +37,13 @@ struct gltf_primitive {
     uint32_t vertex_count, index_count;
     uint32_t *indices;
     float *positions;
-    float *normals;   /* 3 per vertex; this and the arrays below are NULL if absent */
-    float *colors;    /* RGBA, 4 per vertex */
-    float *uvs;       /* for mesh_vertex.uv, 2 per vertex */
-    float *other_uvs; /* for mesh_extra.uv, 2 per vertex */
-    float *tangents;  /* 4 per vertex; w is the bitangent's sign */
+    float *normals; /* vertex normals, 3 floats per vertex; like the arrays below, NULL if absent */
+    float *colors;  /* RGBA, 4 per vertex */
+    float *uvs;     /* texture coordinates for mesh_vertex.uv, 2 per vertex */
+    float *other_uvs; /* texture coordinates for mesh_extra.uv, 2 per vertex */
+    float *tangents;  /* 4 floats per vertex; w is the bitangent's sign */
     float *joints;    /* 4 indices per vertex into the joints of the node's skin */
-    float *weights;   /* 4 per vertex; present if and only if `joints` is */
+    float *weights;   /* joint weights, 4 per vertex; present if and only if `joints` is */
     struct gltf_target *targets;
     uint32_t target_count;
 };
@@ -58,7 +58,7 @@ struct gltf_node {
     char name[MATERIAL_NAME_SIZE];
     vec3s translation, scale;
     versors rotation;
-    mat4s matrix; /* local transform if has_matrix; else translation, rotation, scale are */
+    mat4s matrix; /* local transform if has_matrix; else translation, rotation and scale are used */
     bool has_matrix;
     bool is_listed;
     uint32_t parent; /* index into gltf.order, or gltf_none */
@@ -75,7 +75,7 @@ struct gltf_texture {
     uint32_t image;  /* index of the image, or gltf_none */
     uint32_t uv_set; /* n of TEXCOORD_n */
     uint32_t wrap_u, wrap_v;
-    vec3s rows[2]; /* affine transform of (u, v, 1), KHR_texture_transform */
+    vec3s rows[2]; /* KHR_texture_transform: rows that transform (u, v, 1) */
 };
 
 struct gltf_material {
@@ -83,14 +83,14 @@ struct gltf_material {
     uint32_t mesh_flags;      /* bits MESH_UNLIT, MESH_CUTOUT */
     struct gltf_texture textures[MATERIAL_TEXTURE_COUNT];
     uint32_t uv_set;       /* texture coordinate set of mesh_vertex.uv, or gltf_none */
-    vec3s uv_rows[2];      /* transform of that set to mesh_vertex.uv */
-    uint32_t other_uv_set; /* coordinate set of mesh_extra.uv, or gltf_none */
-    float ior;             /* as in the file; 0 if absent or if the file has the legacy value 0 */
+    vec3s uv_rows[2];      /* transform of set `uv_set` to mesh_vertex.uv */
+    uint32_t other_uv_set; /* texture coordinate set of mesh_extra.uv, or gltf_none */
+    float ior; /* refractive index of the file; 0 if absent, or for the legacy value 0 */
 };
 
 /* Features of a file that the importer recognises but the renderer does not draw. */
 enum gltf_undrawn {
-    GLTF_TRANSMISSIVE_ALPHA, /* alpha of transmissive materials; likewise the next five */
+    GLTF_TRANSMISSIVE_ALPHA, /* undrawn: alpha of transmissive materials, and so on */
     GLTF_TRANSMISSIVE_EMISSION,
     GLTF_TRANSMISSIVE_METALLIC,
     GLTF_TRANSMISSIVE_OCCLUSION,
@@ -115,12 +115,12 @@ struct gltf {
     enum status status; /* of the first fault */
     uint8_t *file;      /* contents of the whole file */
     json_t *root;
-    struct gltf_bytes binary;   /* binary chunk of a .glb */
+    struct gltf_bytes binary;   /* binary chunk of a .glb file */
     struct gltf_bytes *buffers; /* one per buffer of the file */
     struct gltf_bytes *views;   /* decompressed buffer views; {0} for uncompressed ones */
     struct gltf_node *nodes;
     uint32_t node_count;
-    uint32_t animation;  /* index of the playing animation; gltf_none for the rest pose */
+    uint32_t animation;  /* playing animation; gltf_none at rest */
     float time;          /* animation time, seconds */
     const char *objects; /* model_pose.objects; NULL if there are none */
     uint32_t *order;     /* nodes of the scene, parents first */
@@ -130,12 +130,12 @@ struct gltf {
     struct gltf_material *materials; /* the file's materials, then the default material */
     uint32_t material_count;
     uint32_t undrawn;       /* bits 1 << enum gltf_undrawn */
-    uint32_t clamped_count; /* materials whose factors were out of range */
+    uint32_t clamped_count; /* materials with factors out of range */
 };
 
 /* ---- JSON ---- */
 
-/* A JSON object of the file. All members of an absent object are absent. */
+/* JSON object of the file. All members of an absent object are absent. */
 struct gltf_object {
     struct gltf *gltf;
     const json_t *json; /* NULL if the object is absent */
@@ -214,10 +214,10 @@ MUST_USE enum status gltf_extensions_check(struct gltf *gltf);
 /* Lists each extension that the file uses once in *model, and which features are not drawn. */
 MUST_USE enum status gltf_extensions_read(struct gltf *gltf, struct model *model);
 /* Logs warnings about undrawn features and unsupported extensions. Call it last and only for
- * accepted files: of a rejected file, only the first logged line reaches the user. */
+ * accepted files, since only the first logged line of a rejected file reaches the user. */
 void gltf_warn(const struct gltf *gltf, const struct model *model);
 
-/* Checks indices in the whole file, because unused meshes, skins and cameras are not read. */
+/* Checks indices in the whole file, since unused meshes, skins and cameras are not read. */
 MUST_USE enum status gltf_validate(struct gltf *gltf);
 MUST_USE enum status gltf_nodes_read(struct gltf *gltf);
 /* Returns the index of the animation with that name or number (from 0); gltf_none after a fault. */
@@ -230,8 +230,8 @@ MUST_USE enum status gltf_animations_read(struct gltf *gltf, struct model *model
 void gltf_animate(struct gltf *gltf, uint32_t index, float time);
 
 /* gltf_is_deformed() returns true if morph targets or a skin deform a primitive of a node's mesh.
- * gltf_skin_morph() then computes its positions and normals in *posed, in model space if the mesh
- * is skinned; all else in *posed is {0}. The caller finishes *posed, also after a fault. */
+ * gltf_skin_morph() then computes positions and normals in *posed, in model space if the mesh is
+ * skinned, and leaves the rest {0}. The caller finishes *posed, also after a fault. */
 bool gltf_is_deformed(const struct gltf_node *node, const struct gltf_primitive *primitive);
 MUST_USE enum status gltf_skin_morph(struct gltf *gltf, const struct gltf_node *node,
                                      const struct gltf_primitive *primitive,

@@ -14,7 +14,7 @@ enum component {
     COMPONENT_FLOAT,
 };
 
-/* Location and layout of an accessor's elements; `bytes` is NULL if all are 0. */
+/* Location and layout of an accessor's elements; `bytes` is NULL if all values are 0. */
 struct elements {
     const uint8_t *bytes;
     size_t stride;
@@ -167,7 +167,7 @@ static void copy_element(const struct elements *from, size_t i, float *to)
                             from->is_normalized);
 }
 
-/* Replaces the elements listed in accessor.sparse. */
+/* Replaces the elements listed in accessor.sparse by their new values. */
 static void apply_sparse(const struct gltf_object *accessor, const struct elements *all,
                          float *values)
 {

@@ -7,7 +7,7 @@
 #include "src/scene/import/gltf/gltf.h"
 
 enum {
-    WEIGHTS_MAX = 1024, /* components of one keyframe */
+    WEIGHTS_MAX = 1024, /* maximum components of a keyframe */
 };
 
 enum interpolation {
@@ -26,8 +26,8 @@ struct keys {
 /* Position of a time between two keyframes. */
 struct key_span {
     uint32_t before, after;
-    float t;        /* interpolation parameter t: 0 is before, 1 is after */
-    float interval; /* seconds from one to the other */
+    float t;        /* interpolation parameter: 0 at `before`, 1 at `after` */
+    float interval; /* seconds between both keyframes */
 };
 
 static struct key_span find_span(const struct gltf_array *times, float time)
@@ -93,7 +93,8 @@ static void read_interpolation(const struct gltf_object *sampler, struct keys *k
         (void)gltf_fault(sampler, "interpolation: expected LINEAR, STEP or CUBICSPLINE");
 }
 
-/* Reads the keyframes of a sampler with `width` components; 0 accepts any, for morph weights. */
+/* Reads the keyframes of a sampler with `width` components, or any number (0), for morph weights.
+ */
 static bool read_keys(const struct gltf_object *sampler, uint32_t width, struct keys *keys)
 {
     struct gltf *gltf = sampler->gltf;
@@ -150,7 +151,7 @@ static void apply_channel(const struct gltf_object *animation, uint32_t index, f
     const uint32_t width = strcmp(path, "rotation") == 0 ? 4 : is_weights ? 0 : 3;
     struct keys keys = { 0 };
     if (gltf_index(&target, "node", "nodes") == gltf_none)
-        return; /* the target belongs to an unsupported extension; gltf_warn() warns */
+        return; /* an unsupported extension's target; gltf_warn() reports it */
     if (!is_weights && strcmp(path, "rotation") != 0 && strcmp(path, "translation") != 0 &&
         strcmp(path, "scale") != 0)
         (void)gltf_fault(&target, "path: expected translation, rotation, scale or weights");
@@ -183,7 +184,7 @@ uint32_t gltf_animation_find(struct gltf *gltf, const char *name)
     return gltf_none;
 }
 
-/* Returns the time of the last keyframe: glTF requires max in the accessors of sampler inputs. */
+/* Returns the time of the last keyframe, from the `max` that glTF requires of sampler inputs. */
 static float seconds_of(const struct gltf_object *animation)
 {
     float seconds = 0;

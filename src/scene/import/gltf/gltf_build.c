@@ -7,16 +7,16 @@
 #include "src/scene/import/gltf/gltf.h"
 
 enum {
-    NAMES_MAX = 64, /* names in model_pose.objects */
+    NAMES_MAX = 64, /* maximum names in model_pose.objects */
 };
 
-struct walk {
+struct traversal {
     struct gltf *gltf;
     struct model_build build;
     enum model_role default_role;
-    bool is_node[NAMES_MAX]; /* is each name in gltf->objects a node's (else a material's)? */
-    bool is_split;           /* roles by each primitive's transmission; else default_role applies */
-    bool is_counting;        /* first pass: count primitives; second pass: add them */
+    bool is_node[NAMES_MAX]; /* true if the name is a node's, not a material's */
+    bool is_split;    /* roles depend on each primitive's transmission; else default_role applies */
+    bool is_counting; /* true in the first pass, which only counts primitives */
 };
 
 static bool has_transmission(const struct gltf *gltf)
@@ -32,7 +32,7 @@ static bool has_transmission(const struct gltf *gltf)
     return false;
 }
 
-/* Returns true if any primitive has no material and so uses the default one, which is the last. */
+/* Returns true if any primitive has no material, so that the default material is used. */
 static bool uses_default_material(const struct gltf *gltf)
 {
     for (uint32_t i = 0; i < gltf->mesh_count; i++) {
@@ -82,14 +82,14 @@ static const char *next_line(const char *line)
     return line + (*line == '\n');
 }
 
-static bool is_named(const struct walk *walk, const struct gltf_node *node,
+static bool is_named(const struct traversal *traversal, const struct gltf_node *node,
                      const struct gltf_primitive *primitive)
 {
-    const struct gltf *gltf = walk->gltf;
+    const struct gltf *gltf = traversal->gltf;
     const char *line = gltf->objects ? gltf->objects : "";
     for (size_t i = 0; *line; line = next_line(line), i++) {
         const char *name =
-            walk->is_node[i] ? node->name : gltf->materials[primitive->material].material.name;
+            traversal->is_node[i] ? node->name : gltf->materials[primitive->material].material.name;
         if (equals_line(line, name))
             return true;
     }
@@ -97,9 +97,9 @@ static bool is_named(const struct walk *walk, const struct gltf_node *node,
 }
 
 /* Looks up each selected name among nodes and materials; logs a suggestion if it is unknown. */
-static enum status find_names(struct walk *walk)
+static enum status find_names(struct traversal *traversal)
 {
-    struct gltf *gltf = walk->gltf;
+    struct gltf *gltf = traversal->gltf;
     const struct gltf_object top = gltf_top(gltf);
     const char *line = gltf->objects ? gltf->objects : "";
     for (size_t i = 0; *line; line = next_line(line), i++) {
@@ -112,7 +112,7 @@ static enum status find_names(struct walk *walk)
         for (uint32_t k = 0; k < gltf->order_count; k++) {
             const struct gltf_node *node = &gltf->nodes[gltf->order[k]];
             if (node->mesh != gltf_none && !strcmp(node->name, name))
-                walk->is_node[i] = true;
+                traversal->is_node[i] = true;
             if (node->mesh != gltf_none)
                 suggest_offer(&suggest, node->name);
         }
@@ -120,7 +120,7 @@ static enum status find_names(struct walk *walk)
             is_material = is_material || !strcmp(gltf->materials[k].material.name, name);
             suggest_offer(&suggest, gltf->materials[k].material.name);
         }
-        if (!is_material && !walk->is_node[i])
+        if (!is_material && !traversal->is_node[i])
             return gltf_fault(&top, "no node with a mesh, and no material, has the name '%s'%s",
                               name, suggest_hint(&suggest, hint));
     }
@@ -129,22 +129,22 @@ static enum status find_names(struct walk *walk)
 
 /* ---- objects or surroundings ---- */
 
-static enum model_role role_of(const struct walk *walk, const struct gltf_node *node,
+static enum model_role role_of(const struct traversal *traversal, const struct gltf_node *node,
                                const struct gltf_primitive *primitive)
 {
-    if (!walk->is_split)
-        return walk->default_role;
-    if (is_named(walk, node, primitive))
+    if (!traversal->is_split)
+        return traversal->default_role;
+    if (is_named(traversal, node, primitive))
         return MODEL_OBJECT;
-    return walk->gltf->materials[primitive->material].material.transmission > 0
+    return traversal->gltf->materials[primitive->material].material.transmission > 0
                ? MODEL_OBJECT
                : MODEL_SURROUNDINGS;
 }
 
-/* The first object's index of refraction becomes that of the model. */
-static void read_ior(const struct walk *walk, const struct gltf_material *material)
+/* Sets the model's index of refraction to that of its first object. */
+static void read_ior(const struct traversal *traversal, const struct gltf_material *material)
 {
-    struct model *model = walk->build.model;
+    struct model *model = traversal->build.model;
     if (model->has_ior)
         return;
     model->has_ior = material->ior > 0 || material->material.transmission > 0;
@@ -176,18 +176,18 @@ static struct model_shape shape_of(const struct gltf *gltf, const struct gltf_pr
 }
 
 /* Adds the object of a primitive, before its triangles are appended to the object mesh. */
-static enum status add_object(struct walk *walk, const struct gltf_node *node,
+static enum status add_object(struct traversal *traversal, const struct gltf_node *node,
                               const struct gltf_primitive *primitive)
 {
-    struct model *model = walk->build.model;
+    struct model *model = traversal->build.model;
     struct object *grown =
         realloc(model->objects, (model->object_count + (size_t)1) * sizeof(*grown));
     if (!grown)
-        return gltf_out_of_memory(walk->gltf);
+        return gltf_out_of_memory(traversal->gltf);
     model->objects = grown;
     struct object *object = &grown[model->object_count++];
     *object = (struct object){
-        .first_index = (uint32_t)walk->build.index_count[MODEL_OBJECT],
+        .first_index = (uint32_t)traversal->build.index_count[MODEL_OBJECT],
         .index_count = primitive->index_count,
         .material = primitive->material,
     };
@@ -195,20 +195,20 @@ static enum status add_object(struct walk *walk, const struct gltf_node *node,
     return STATUS_OK;
 }
 
-static enum status visit_primitive(struct walk *walk, const struct gltf_node *node,
+static enum status visit_primitive(struct traversal *traversal, const struct gltf_node *node,
                                    mat4s model_from_mesh, uint32_t index)
 {
-    struct gltf *gltf = walk->gltf;
+    struct gltf *gltf = traversal->gltf;
     const struct gltf_primitive *primitive = &gltf->meshes[node->mesh].primitives[index];
-    const enum model_role role = role_of(walk, node, primitive);
+    const enum model_role role = role_of(traversal, node, primitive);
     enum status status = STATUS_OK;
     if (primitive->index_count == 0)
         return STATUS_OK;
-    if (walk->is_counting) {
+    if (traversal->is_counting) {
         if (role == MODEL_OBJECT)
-            read_ior(walk, &gltf->materials[primitive->material]);
-        walk->build.has_extras[role] |= primitive->other_uvs || primitive->tangents;
-        return model_build_count(&walk->build, role, primitive->vertex_count,
+            read_ior(traversal, &gltf->materials[primitive->material]);
+        traversal->build.has_extras[role] |= primitive->other_uvs || primitive->tangents;
+        return model_build_count(&traversal->build, role, primitive->vertex_count,
                                  primitive->index_count);
     }
     char name[64];
@@ -219,43 +219,43 @@ static enum status visit_primitive(struct walk *walk, const struct gltf_node *no
         status = gltf_skin_morph(gltf, node, primitive, &posed);
         shape.positions = posed.positions;
         shape.normals = posed.normals;
-        shape.tangents = NULL; /* not deformed: derived from UVs instead */
+        shape.tangents = NULL; /* undeformed tangents: derived from UVs instead */
         if (node->skin != gltf_none && primitive->joints)
             model_from_mesh = glms_mat4_identity();
     }
-    if (status == STATUS_OK && walk->is_split && role == MODEL_OBJECT)
-        status = add_object(walk, node, primitive);
+    if (status == STATUS_OK && traversal->is_split && role == MODEL_OBJECT)
+        status = add_object(traversal, node, primitive);
     if (status == STATUS_OK)
-        status = model_build_add(&walk->build, role, &shape, model_from_mesh);
+        status = model_build_add(&traversal->build, role, &shape, model_from_mesh);
     gltf_primitive_finish(&posed);
     return status;
 }
 
 /* Visits the primitives of a node's mesh, once or per instance. */
-static enum status visit_mesh(struct walk *walk, const struct gltf_node *node)
+static enum status visit_mesh(struct traversal *traversal, const struct gltf_node *node)
 {
-    const uint32_t count = walk->gltf->meshes[node->mesh].count;
+    const uint32_t count = traversal->gltf->meshes[node->mesh].count;
     const uint32_t instance_count = node->instances ? node->instance_count : 1;
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < instance_count; i++) {
         const mat4s model_from_mesh = node->instances
                                           ? glms_mat4_mul(node->model_from_node, node->instances[i])
                                           : node->model_from_node;
-        walk->build.opaque = node->name;
+        traversal->build.surroundings_name = node->name;
         for (uint32_t k = 0; k < count && status == STATUS_OK; k++)
-            status = visit_primitive(walk, node, model_from_mesh, k);
+            status = visit_primitive(traversal, node, model_from_mesh, k);
     }
     return status;
 }
 
-static enum status walk_nodes(struct walk *walk)
+static enum status walk_nodes(struct traversal *traversal)
 {
-    const struct gltf *gltf = walk->gltf;
+    const struct gltf *gltf = traversal->gltf;
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < gltf->order_count && status == STATUS_OK; i++) {
         const struct gltf_node *node = &gltf->nodes[gltf->order[i]];
         if (node->mesh != gltf_none)
-            status = visit_mesh(walk, node);
+            status = visit_mesh(traversal, node);
     }
     return status;
 }
@@ -274,44 +274,44 @@ static enum status check_shapes(const struct gltf *gltf)
     return status;
 }
 
-static enum status list_materials(struct walk *walk)
+static enum status list_materials(struct traversal *traversal)
 {
-    const struct gltf *gltf = walk->gltf;
-    struct model *model = walk->build.model;
+    const struct gltf *gltf = traversal->gltf;
+    struct model *model = traversal->build.model;
     model->materials = calloc(gltf->material_count, sizeof(*model->materials));
     if (!model->materials)
         return log_out_of_memory(gltf->path);
     model->material_count = gltf->material_count - !uses_default_material(gltf);
     for (uint32_t i = 0; i < model->material_count; i++)
         model->materials[i] = gltf->materials[i].material;
-    return walk->is_split ? STATUS_OK : model_build_default_object(&walk->build);
+    return traversal->is_split ? STATUS_OK : model_build_default_object(&traversal->build);
 }
 
 enum status gltf_build(struct gltf *gltf, struct model *model, enum model_role default_role)
 {
-    struct walk walk = {
+    struct traversal traversal = {
         .gltf = gltf,
         .default_role = default_role == MODEL_BY_MATERIALS ? MODEL_OBJECT : default_role,
         .is_split = has_transmission(gltf) || (gltf->objects && gltf->objects[0]) ||
                     (default_role == MODEL_BY_MATERIALS && has_materials(gltf)),
         .is_counting = true,
     };
-    if (default_role == MODEL_BY_MATERIALS && !walk.is_split && has_colors(gltf))
+    if (default_role == MODEL_BY_MATERIALS && !traversal.is_split && has_colors(gltf))
         gltf->undrawn |= 1u << GLTF_COLORS_WITHOUT_MATERIAL; /* ice shows no vertex colours */
-    model_build_init(&walk.build, gltf->import, model);
-    enum status status = find_names(&walk);
+    model_build_init(&traversal.build, gltf->import, model);
+    enum status status = find_names(&traversal);
     if (status == STATUS_OK)
         status = check_shapes(gltf);
     if (status == STATUS_OK)
-        status = walk_nodes(&walk);
+        status = walk_nodes(&traversal);
     if (status == STATUS_OK)
-        status = model_build_allocate(&walk.build);
-    walk.is_counting = false;
+        status = model_build_allocate(&traversal.build);
+    traversal.is_counting = false;
     if (status == STATUS_OK)
-        status = walk_nodes(&walk);
+        status = walk_nodes(&traversal);
     if (status == STATUS_OK)
-        status = list_materials(&walk);
-    return status == STATUS_OK ? model_build_end(&walk.build) : status;
+        status = list_materials(&traversal);
+    return status == STATUS_OK ? model_build_end(&traversal.build) : status;
 }
 
 enum status model_load_gltf(struct model_import *import, struct model *model,

@@ -16,9 +16,9 @@ static bool set_transform(struct camera *camera, mat4s model_from_node, const st
 {
     camera->eye = glms_mat4_mulv3(model_from_node, glms_vec3_zero(), 1);
     camera->up = glms_mat4_mulv3(model_from_node, (vec3s){ { 0, 1, 0 } }, 0);
-    const vec3s ahead = glms_mat4_mulv3(model_from_node, (vec3s){ { 0, 0, -1 } }, 0);
-    if (!is_in_range(camera->eye) || !is_in_range(camera->up) || !is_in_range(ahead) ||
-        !(glms_vec3_norm(ahead) > 0))
+    const vec3s forward = glms_mat4_mulv3(model_from_node, (vec3s){ { 0, 0, -1 } }, 0);
+    if (!is_in_range(camera->eye) || !is_in_range(camera->up) || !is_in_range(forward) ||
+        !(glms_vec3_norm(forward) > 0))
         return false;
     float distance = 0;
     if (object->vertex_count > 0)
@@ -26,7 +26,7 @@ static bool set_transform(struct camera *camera, mat4s model_from_node, const st
     if (!(distance > 1e-5F * glms_vec3_norm(camera->eye)))
         distance = 1;
     camera->target =
-        glms_vec3_add(camera->eye, glms_vec3_scale(glms_vec3_normalize(ahead), distance));
+        glms_vec3_add(camera->eye, glms_vec3_scale(glms_vec3_normalize(forward), distance));
     return true;
 }
 
@@ -35,8 +35,9 @@ static bool read_camera(struct model_camera *camera, const struct gltf_object *o
 {
     const struct gltf_object perspective = gltf_member(object, "perspective");
     const struct gltf_object orthographic = gltf_member(object, "orthographic");
-    const char *own_name = gltf_string(object, "name", "");
-    (void)snprintf(camera->name, sizeof(camera->name), "%s", node->name[0] ? node->name : own_name);
+    const char *camera_name = gltf_string(object, "name", "");
+    (void)snprintf(camera->name, sizeof(camera->name), "%s",
+                   node->name[0] ? node->name : camera_name);
     if (perspective.json || !orthographic.json) {
         camera->camera.fov_deg = glm_deg(gltf_number(&perspective, "yfov", 0));
     } else {

@@ -8,7 +8,7 @@
 
 struct gltf_draco;
 
-/* Decodes a mesh; free it with gltf_draco_delete(). Returns NULL if damaged or out of memory. */
+/* Decodes a mesh, freed by gltf_draco_delete(). Returns NULL if damaged or when out of memory. */
 struct gltf_draco *gltf_draco_new(const void *bytes, size_t size);
 void gltf_draco_delete(struct gltf_draco *draco); /* NULL is fine */
 

@@ -4,12 +4,13 @@
 #include "src/base/log.h"
 #include "src/scene/import/gltf/gltf.h"
 
-/* Extensions that are read; all others are ignored, or rejected if the file requires them. */
+/* Supported extensions. All others are ignored, or rejected if the file requires them. */
 static const struct model_extension supported[] = {
     { "EXT_mesh_gpu_instancing", MODEL_DRAWN },
     { "EXT_meshopt_compression", MODEL_DRAWN },
     { "KHR_draco_mesh_compression", MODEL_DRAWN },
-    { "KHR_lights_punctual", MODEL_APPROXIMATED }, /* no shadows; on opaque surfaces only */
+    /* without shadows; lights opaque surfaces only */
+    { "KHR_lights_punctual", MODEL_APPROXIMATED },
     { "KHR_materials_dispersion", MODEL_DRAWN },
     { "KHR_materials_emissive_strength", MODEL_DRAWN },
     { "KHR_materials_ior", MODEL_DRAWN },
@@ -46,7 +47,7 @@ const char *model_undrawn_name(uint32_t index)
     return index < GLTF_UNDRAWN_COUNT ? undrawn[index] : NULL;
 }
 
-/* Returns the row of a supported extension, or NULL. */
+/* Returns the table entry of a supported extension, or NULL. */
 static const struct model_extension *find_extension(const char *name)
 {
     for (size_t i = 0; i < sizeof(supported) / sizeof(supported[0]); i++) {
@@ -100,8 +101,8 @@ static void add_extension(struct gltf *gltf, struct model *model, const char *na
         (void)gltf_fault(&top, "expected at most %d extensions", MODEL_EXTENSION_MAX);
 }
 
-/* Adds every extension that occurs within a value, including undeclared ones. The recursion is
- * bounded, because the parser limits the nesting depth. */
+/* Adds every extension that occurs within a value, including undeclared ones. The parser limits the
+ * nesting depth, which bounds the recursion. */
 static void add_extensions_within(struct gltf *gltf, struct model *model, json_t *json)
 {
     const char *key;

@@ -5,13 +5,13 @@
 #include "src/scene/import/gltf/gltf.h"
 
 enum {
-    HEADER_SIZE = 12,      /* size of a .glb header, bytes */
-    CHUNK_HEADER_SIZE = 8, /* size of a chunk header, bytes */
+    HEADER_SIZE = 12,      /* .glb header size, bytes */
+    CHUNK_HEADER_SIZE = 8, /* chunk header size, bytes */
     CHUNK_JSON = 0x4e4f534a,
     CHUNK_BINARY = 0x004e4942,
 };
 
-/* Reads a whole file, if the model may refer to it. */
+/* Reads a whole file, if it may be referenced by the model. */
 static enum status read_all(const struct gltf_object *object, const char *path,
                             struct gltf_bytes *bytes)
 {
@@ -174,7 +174,8 @@ static enum status read_buffer(struct gltf *gltf, uint32_t index)
     const char *uri = gltf_string(&object, "uri", NULL);
     const uint64_t size = gltf_count(&object, "byteLength", 0);
     struct gltf_bytes *buffer = &gltf->buffers[index];
-    /* A buffer without data is allowed: meshopt views, for one, bring their own data. */
+    /* Buffers without data are allowed, for example for meshopt views, which have their own data.
+     */
     if (gltf->status != STATUS_OK || (!uri && (index > 0 || !gltf->binary.bytes)))
         return gltf->status;
     if (!uri)

@@ -4,7 +4,7 @@
 #include "src/base/log.h"
 #include "src/scene/import/gltf/gltf.h"
 
-/* Data of an image that must outlive model_texture_load(). */
+/* Image whose data must outlive model_texture_load(). */
 struct source {
     char name[GLTF_LOCATION_SIZE];
     uint8_t *owned;
@@ -14,13 +14,13 @@ struct source {
 /* Images of one texture array: sRGB colours or linear numbers. */
 struct sources {
     struct source *list;
-    struct model_texture *pictures;
+    struct model_texture *images;
     uint32_t count;
 };
 
 /* Resolves the URI of an image to a file in the model's folder. */
 static enum status find_file(const struct gltf_object *image, const char *uri,
-                             struct model_texture *picture)
+                             struct model_texture *encoded)
 {
     const struct gltf *gltf = image->gltf;
     char *name = strdup(uri);
@@ -28,9 +28,9 @@ static enum status find_file(const struct gltf_object *image, const char *uri,
         return gltf_out_of_memory(image->gltf);
     if (!model_file_clean(name, true))
         (void)gltf_fault(image, "texture %s: expected a file within the model's folder", uri);
-    else if (!(picture->file = model_file_join(gltf->path, name)))
+    else if (!(encoded->file = model_file_join(gltf->path, name)))
         (void)gltf_out_of_memory(image->gltf);
-    picture->name = picture->file;
+    encoded->name = encoded->file;
     free(name);
     return gltf->status;
 }
@@ -41,15 +41,15 @@ static enum status add(struct gltf *gltf, struct sources *sources, uint32_t inde
     const char *uri = gltf_string(&image, "uri", NULL);
     const uint32_t view = gltf_index(&image, "bufferView", "bufferViews");
     struct source *source = &sources->list[sources->count];
-    struct model_texture *picture = &sources->pictures[sources->count];
+    struct model_texture *encoded = &sources->images[sources->count];
     if (gltf->status != STATUS_OK)
         return gltf->status;
     sources->count++;
     source->image = index;
     memcpy(source->name, image.location, sizeof(source->name));
-    picture->name = source->name;
+    encoded->name = source->name;
     if (uri && strncmp(uri, "data:", 5) != 0)
-        return find_file(&image, uri, picture);
+        return find_file(&image, uri, encoded);
     struct gltf_bytes bytes = { 0 };
     size_t stride;
     if (uri)
@@ -59,20 +59,20 @@ static enum status add(struct gltf *gltf, struct sources *sources, uint32_t inde
     else
         (void)gltf_fault(&image, "expected a uri or a bufferView");
     source->owned = bytes.owned;
-    picture->bytes = bytes.bytes;
-    picture->size = bytes.size;
+    encoded->bytes = bytes.bytes;
+    encoded->size = bytes.size;
     return gltf->status;
 }
 
-/* Removes the last image if its format is not supported. Returns true if it does. */
+/* Removes the last image if its format is not supported. Returns true if it was removed. */
 static bool drop_unsupported(struct gltf *gltf, struct sources *sources)
 {
     const uint32_t last = sources->count - 1;
-    if (!model_texture_unsupported_format(&sources->pictures[last]))
+    if (!model_texture_unsupported_format(&sources->images[last]))
         return false;
     gltf->undrawn |= 1u << GLTF_NO_IMAGE;
     free(sources->list[last].owned);
-    free(sources->pictures[last].file);
+    free(sources->images[last].file);
     sources->count = last;
     return true;
 }
@@ -114,11 +114,11 @@ static enum status read_images(struct gltf *gltf, bool are_numbers, struct textu
 {
     struct sources sources = {
         .list = calloc(MODEL_TEXTURE_MAX, sizeof(*sources.list)),
-        .pictures = calloc(MODEL_TEXTURE_MAX, sizeof(*sources.pictures)),
+        .images = calloc(MODEL_TEXTURE_MAX, sizeof(*sources.images)),
     };
-    if (!sources.list || !sources.pictures) {
+    if (!sources.list || !sources.images) {
         free(sources.list);
-        free(sources.pictures);
+        free(sources.images);
         return gltf_out_of_memory(gltf);
     }
     for (uint32_t i = 0; i < gltf->mesh_count; i++) {
@@ -131,13 +131,13 @@ static enum status read_images(struct gltf *gltf, bool are_numbers, struct textu
     }
     if (gltf->status == STATUS_OK)
         gltf->status =
-            model_texture_load(gltf->path, sources.pictures, sources.count, are_numbers, layers);
+            model_texture_load(gltf->path, sources.images, sources.count, are_numbers, layers);
     for (uint32_t i = 0; i < sources.count; i++) {
         free(sources.list[i].owned);
-        free(sources.pictures[i].file);
+        free(sources.images[i].file);
     }
     free(sources.list);
-    free(sources.pictures);
+    free(sources.images);
     return gltf->status;
 }
 

@@ -39,7 +39,7 @@ static const json_t *get(const struct gltf_object *object, const char *key)
     return json_object_get(object->json, key);
 }
 
-/* Wraps a JSON value that is at a key, and an index if it is not gltf_none, of `outer`. */
+/* Wraps the JSON value at a key (and at an index unless it is gltf_none) of `outer`. */
 static struct gltf_object wrap_object(const struct gltf_object *outer, const json_t *json,
                                       const char *key, uint32_t index)
 {
@@ -125,7 +125,7 @@ bool gltf_flag(const struct gltf_object *object, const char *key)
     return json_is_true(value);
 }
 
-/* Reads a non-negative integer, which may be written as 3.0. Returns false if it is none. */
+/* Reads a non-negative integer, which may be written as 3.0. Returns false for other values. */
 static bool read_count(const json_t *value, uint64_t *count)
 {
     const double max = 9007199254740992; /* 2^53: doubles represent all integers up to it exactly */

@@ -6,7 +6,7 @@
 
 static const char extension[] = "KHR_lights_punctual";
 
-/* Returns the light index of a node, validated by gltf_validate(); gltf_none if it has no light. */
+/* Returns a node's light index, which gltf_validate() has checked; gltf_none without a light. */
 static uint32_t light_of(struct gltf *gltf, uint32_t node)
 {
     const struct gltf_object object = gltf_element(gltf, "nodes", node);
@@ -25,7 +25,7 @@ static bool read_kind(const struct gltf_object *object, struct light *light)
     return false;
 }
 
-/* Sets position and direction: lights shine along -Z of their node, whose scale has no effect. */
+/* Sets position and direction. Lights emit along -Z of their node, whose scale has no effect. */
 static void set_transform(struct light *light, const struct gltf_node *node)
 {
     light->position = glms_mat4_mulv3(node->model_from_node, glms_vec3_zero(), 1);
@@ -43,8 +43,8 @@ static void read_light(struct gltf *gltf, const struct gltf_node *node, uint32_t
     const struct gltf_object object = gltf_item(&all, "lights", index);
     if (!read_kind(&object, light))
         return;
-    const char *own_name = gltf_string(&object, "name", "");
-    (void)snprintf(light->name, sizeof(light->name), "%s", node->name[0] ? node->name : own_name);
+    const char *light_name = gltf_string(&object, "name", "");
+    (void)snprintf(light->name, sizeof(light->name), "%s", node->name[0] ? node->name : light_name);
     light->color = glms_vec3_one();
     (void)gltf_floats(&object, "color", light->color.raw, 3);
     light->intensity = gltf_number(&object, "intensity", 1);

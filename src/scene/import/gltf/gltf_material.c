@@ -1,5 +1,4 @@
-/* gltf_material.c: reads the materials of a glTF file (glTF 2.0, 3.9, and KHR_materials_*) and
- * firn's own settings in their extras. */
+/* gltf_material.c: reads glTF materials (glTF 2.0, 3.9; KHR_materials_*) and firn's extras. */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
@@ -82,7 +81,7 @@ static void read_medium(const struct gltf_object *object, struct gltf_material *
     }
 }
 
-/* Reads which medium wins where media overlap: "extras": { "priority": 3 }. */
+/* Reads the priority of a medium, which wins where media overlap: "extras": { "priority": 3 }. */
 static void read_priority(const struct gltf_object *object, struct material *m)
 {
     const json_t *extras = json_object_get(object->json, "extras");
@@ -99,7 +98,7 @@ static void read_priority(const struct gltf_object *object, struct material *m)
 }
 
 /* Reads the optical depth of scattering across the object: "extras": { "cloud": 6 }. */
-static void read_cloud(const struct gltf_object *object, struct material *m)
+static void read_scattering(const struct gltf_object *object, struct material *m)
 {
     const json_t *cloud = json_object_get(json_object_get(object->json, "extras"), "cloud");
     const double value = json_number_value(cloud);
@@ -113,7 +112,7 @@ static void read_cloud(const struct gltf_object *object, struct material *m)
 }
 
 /* Reads whether the surface is a water layer on an opaque base: "extras": { "film": true }. */
-static void read_film(const struct gltf_object *object, struct material *m)
+static void read_water_layer(const struct gltf_object *object, struct material *m)
 {
     const json_t *film = json_object_get(json_object_get(object->json, "extras"), "film");
     if (json_is_true(film))
@@ -127,9 +126,9 @@ static bool has_image(const struct gltf_texture *texture)
     return texture->image != gltf_none;
 }
 
-/* Records properties of a transmissive material that are drawn on opaque surfaces only. A thickness
- * texture is unused because path lengths inside are traced. A metallic factor counts only if it is
- * written, because files rarely intend its default of 1, and if no texture could make it 0. */
+/* Records undrawn properties of a transmissive material: those drawn on opaque surfaces only, and
+ * thickness textures, since path lengths inside are traced. A metallic factor counts only if it is
+ * in the file, because files rarely intend its default of 1, and if no texture could make it 0. */
 static void record_undrawn(const struct gltf_object *object, const struct gltf_material *material)
 {
     const struct material *m = &material->material;
@@ -168,8 +167,8 @@ static void read_material(struct gltf *gltf, uint32_t index)
     gltf_texture_info_read(&object, material);
     record_undrawn(&object, material);
     read_priority(&object, &material->material);
-    read_cloud(&object, &material->material);
-    read_film(&object, &material->material);
+    read_scattering(&object, &material->material);
+    read_water_layer(&object, &material->material);
     vec3s color = material->material.base_color;
     gltf->import->clamped_materials += model_color_clamp(&color, false);
     material->material.base_color = color;
@@ -180,7 +179,7 @@ enum status gltf_materials_read(struct gltf *gltf)
 {
     const uint32_t count = gltf_list_length(gltf, "materials");
     const struct gltf_object top = gltf_top(gltf);
-    if (count > MESH_SURFACE_MAX - 2) /* 2: the default material and one for the settings */
+    if (count > MESH_SURFACE_MAX - 2) /* 2: the default material, and the settings' material */
         return gltf_fault(&top, "expected at most %u materials", MESH_SURFACE_MAX - 2);
     gltf->materials = calloc(count + (size_t)1, sizeof(*gltf->materials));
     if (!gltf->materials)

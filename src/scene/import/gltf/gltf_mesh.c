@@ -33,7 +33,7 @@ void gltf_primitive_finish(struct gltf_primitive *primitive)
     *primitive = (struct gltf_primitive){ 0 };
 }
 
-/* A primitive of the file; `draco` is NULL unless it is Draco-compressed. */
+/* Primitive of the file; `draco` is NULL unless it is Draco-compressed. */
 struct source {
     struct gltf_object object, attributes, ids;
     struct gltf_draco *draco;
@@ -59,7 +59,7 @@ static bool read_draco(const struct source *source, const char *name, struct glt
 }
 
 /* Returns an attribute with `width` components per vertex; a width of 4 also accepts 3 and pads
- * with 0. NULL if it is absent, or after a fault. */
+ * with 0. Returns NULL if it is absent, or after a fault. */
 static float *read_attribute(const struct source *source, const char *name, uint32_t width)
 {
     struct gltf *gltf = source->object.gltf;
@@ -142,7 +142,7 @@ static void read_indices(const struct source *source, struct gltf_primitive *pri
         primitive->indices = malloc((count + (size_t)1) * sizeof(*primitive->indices));
         if (primitive->indices)
             gltf_draco_copy_indices(source->draco, primitive->indices);
-        mode = MODE_TRIANGLES; /* Draco decodes strips to triangles, too */
+        mode = MODE_TRIANGLES; /* Draco decodes strips to triangles */
     } else if (accessor != gltf_none) {
         primitive->indices = gltf_read_indices(gltf, accessor, &count);
     } else {

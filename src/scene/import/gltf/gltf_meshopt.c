@@ -4,7 +4,7 @@
 #include <string.h>
 #include "src/scene/import/gltf/gltf.h"
 
-/* Parameters of a compressed buffer view, as in its extension object. */
+/* Parameters of a compressed buffer view, from its extension object. */
 struct compressed {
     const char *mode, *filter;
     struct gltf_bytes from;
@@ -16,7 +16,7 @@ static bool equals(const char *word, const char *other)
     return strcmp(word, other) == 0;
 }
 
-/* Returns true if mode, filter and stride are valid; meshoptimizer only asserts that they are. */
+/* Returns true if mode, filter and stride are valid, which meshoptimizer only asserts. */
 static bool is_valid(const struct compressed *compressed)
 {
     const size_t stride = compressed->stride;
@@ -52,7 +52,8 @@ static bool decode(const struct compressed *compressed, uint8_t *to)
     return true;
 }
 
-/* Returns true if the format version, the low half of the first byte, is newer than the library. */
+/* Returns true if the format version, the low half of the first byte, is too new for the library.
+ */
 static bool is_newer_version(const struct compressed *compressed)
 {
     const unsigned most = equals(compressed->mode, "ATTRIBUTES") ? 0 : 1;

@@ -1,5 +1,5 @@
-/* gltf_skin_morph.c: deforms the meshes of a glTF file by morph targets and skins (glTF 2.0,
- * 3.7.2.2 and 3.7.3): linear blend skinning on the CPU. */
+/* gltf_skin_morph.c: deforms glTF meshes by morph targets and skins (glTF 2.0, 3.7.2.2 and 3.7.3),
+ * with linear blend skinning on the CPU. */
 #include <cglm/struct.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static void add_deltas(float *to, const float *deltas, float weight, uint32_t ve
         to[i] += weight * deltas[i];
 }
 
-/* Returns the skin's matrices, joint times inverse bind matrix; the caller frees the array. */
+/* Returns the skinning matrices, joint times inverse bind matrix; the caller frees the array. */
 static mat4s *read_joints(struct gltf *gltf, uint32_t skin, uint32_t *count)
 {
     const struct gltf_object object = gltf_element(gltf, "skins", skin);

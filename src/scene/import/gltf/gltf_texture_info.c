@@ -1,5 +1,4 @@
-/* gltf_texture_info.c: reads texture references of glTF materials: samplers, UV sets, transforms.
- */
+/* gltf_texture_info.c: reads glTF texture references: samplers, UV sets, transforms. */
 #include <math.h>
 #include "src/scene/import/gltf/gltf.h"
 
@@ -53,7 +52,7 @@ static uint32_t read_wrap(const struct gltf_object *sampler, const char *key)
     return MATERIAL_REPEAT;
 }
 
-/* Reads the wrap modes of a sampler. Magnification is always linear, so NEAREST is recorded. */
+/* Reads a sampler's wrap modes. Records NEAREST magnification as undrawn: filtering is linear. */
 static void read_sampler(const struct gltf_object *sampler, struct gltf_texture *texture)
 {
     const uint64_t nearest = 9728;
@@ -99,7 +98,7 @@ static bool use_second_uv_set(struct gltf_material *material, const struct gltf_
 }
 
 /* Computes the transform from the vertices' coordinates to a texture's. Returns false if the
- * vertices' two coordinate sets are both taken by other sets. */
+ * texture needs a third coordinate set. */
 static bool compute_transform(struct gltf_material *material, const struct gltf_texture *texture,
                               struct material_texture *out)
 {

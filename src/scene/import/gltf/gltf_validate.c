@@ -1,4 +1,4 @@
-/* gltf_validate.c: validates the indices of a whole glTF file, used by the scene or not. */
+/* gltf_validate.c: validates all indices of a glTF file, even those that the scene does not use. */
 #include <string.h>
 #include "src/scene/import/gltf/gltf.h"
 
@@ -7,7 +7,7 @@ static void check_attributes(const struct gltf_object *attributes)
 {
     const char *key;
     json_t *value;
-    /* jansson iterates over mutable objects only; the cast is safe because nothing is modified. */
+    /* Casts const away, since jansson iterates over mutable objects only; nothing is modified. */
     json_t *json = json_incref((json_t *)(uintptr_t)attributes->json);
     json_object_foreach(json, key, value)(void) gltf_index(attributes, key, "accessors");
     json_decref(json);
