@@ -17,11 +17,11 @@
 
 enum {
     APP_OUTPUT_COUNT = 16,      /* maximum number of -o options */
-    APP_POSITIONAL_COUNT = 256, /* arguments that are not options, including the final NULL */
+    APP_POSITIONAL_COUNT = 256, /* positional arguments, including the final NULL */
     APP_SWEEP_COUNT = 4,        /* maximum number of --sweep */
     APP_SBATCH_COUNT = 16,      /* maximum number of --sbatch */
     APP_NODE_COUNT = 16,        /* maximum number of --material NODE=... */
-    APP_LADDER_SCENE_COUNT = 8, /* maximum number of scenes of firn ladder */
+    APP_LADDER_SCENE_COUNT = 8, /* scenes of firn ladder */
 };
 
 #define APP_UI_SCALE_MIN 0.5f /* range of --ui-scale */
@@ -39,8 +39,8 @@ enum app_format {
 
 /* Initial visibility of the panels in a window. */
 enum app_overlay {
-    APP_OVERLAY_AUTO, /* visible if the window is interactive: without --frames and --screenshot */
-    APP_OVERLAY_ON,   /* also in the PNG files of --screenshot */
+    APP_OVERLAY_AUTO, /* visible without --frames and --screenshot */
+    APP_OVERLAY_ON,   /* also in --screenshot's PNG files */
     APP_OVERLAY_OFF,
 };
 
@@ -54,52 +54,51 @@ struct app_vector {
 struct app_scene {
     const char *name; /* SCENE; NULL if it is missing */
     const char *environment, *surroundings, *material;
-    const char *cracks;                 /* model file of a crack; NULL: generated cracks */
+    const char *cracks;                 /* crack model file; NULL: generated */
     const char *bump, *bump_mask, *air; /* image files; NULL: generated */
     struct material_override material_overrides[APP_NODE_COUNT];
     uint32_t material_override_count;
-    const char *animation; /* name of an animation, or "none"; NULL: the model's first one */
-    struct model_transform model_transform; /* transform of the model file */
-    bool is_placed;                         /* `place` was set by an option */
-    bool has_own_environment;     /* `environment` is the asset's default, not set by an option */
+    const char *animation; /* animation name or "none"; NULL for the first of the model */
+    struct model_transform model_transform;
+    bool has_transform;           /* set by an option */
+    bool has_default_environment; /* `environment` is the asset's default */
     float env_rotate;             /* degrees */
     float env_exposure;           /* stops */
-    bool no_background;           /* images have alpha 0 instead of a background */
+    bool no_background;           /* alpha 0 instead of a background */
     struct app_vector background; /* linear */
     struct reader_params reader;
     struct settings settings;
-    struct settings stated; /* for the window: settings of options and user, not the scene's */
-    const char *preset;     /* file; NULL if there is none */
+    struct settings user_settings; /* without those that the scene sets */
+    const char *preset;            /* file, or NULL */
     bool is_set[SETTINGS_FIELD_COUNT], is_preset[SETTINGS_FIELD_COUNT]; /* by --set, by --preset */
-    bool is_own[SETTINGS_FIELD_COUNT];                                  /* set by the asset */
+    bool is_asset_setting[SETTINGS_FIELD_COUNT];                        /* set by the asset */
     bool quiet;                                                         /* print no notes */
-    bool plain; /* without inclusions and bumps of ice, and without highlights */
+    bool plain; /* no inclusions, bumps and highlights */
 };
 
 /* Options that describe the rendered image of a scene. */
 struct app_image {
     struct app_scene scene;
-    const struct technique
-        *refraction;          /* refraction model; bounce until app_choose_refraction() chooses */
-    bool is_refraction_named; /* by --refraction, or by the user of a window */
-    const struct technique *split; /* model right of a window's divider; NULL if there is none */
+    const struct technique *refraction; /* bounce until app_choose_refraction() */
+    bool is_refraction_named;           /* by --refraction or in the window */
+    const struct technique *split;      /* model of side B, or NULL */
     uint32_t width, height, samples;
     bool is_adaptive;             /* adaptive sampling: adaptive.h */
-    uint32_t level_samples;       /* samples of --quality, unless --samples is given; 0: none */
-    bool level_has_smooth_filter; /* --quality asks for a smooth pixel filter */
+    uint32_t level_samples;       /* samples of --quality; 0 if unset */
+    bool level_has_smooth_filter; /* --quality selects a smooth filter */
     bool is_filter_named;
     enum pixel_filter filter;
-    uint32_t columns, rows;         /* tiles that the image is drawn in; 0: drawn whole */
-    uint32_t tile;                  /* the only tile to draw, from 1; 0: all */
+    uint32_t columns, rows;         /* number of tiles; 0 without tiling */
+    uint32_t tile;                  /* number from 1; 0 for all */
     bool interleaved;               /* tiles are interleaved: renderer.h */
-    bool all_layers;                /* app_parse() sets the bits of all drawn layers in `layers` */
+    bool all_layers;                /* --aov all: app_parse() sets `layers` */
     uint32_t layers;                /* bit i: techniques_layer(i) */
     uint32_t png_bits;              /* bits per channel; 0 means 8 */
-    const struct frame_layer *show; /* layer in PNG files; NULL: the tone-mapped image */
-    const char *camera; /* name or number of a camera of the model; NULL if none is named */
+    const struct frame_layer *show; /* PNG layer; NULL: tone-mapped image */
+    const char *camera;             /* name or number; NULL if unset */
     struct app_vector eye, target;
     struct app_vector orbit; /* azimuth, elevation (degrees), distance (metres) */
-    float fov_deg;           /* 0: that of the model's camera, or 45 */
+    float fov_deg;           /* 0: the model camera's, or 45 */
     enum rg_sharing sharing;
 };
 
@@ -115,46 +114,46 @@ struct app_run {
     enum app_format format;
     bool quiet;
     const char *program; /* argv[0] */
-    char *const *words;  /* command line from the command on; ends at NULL */
+    char *const *args;   /* from the command on; NULL-terminated */
 };
 
 /* Options of firn render; firn farm passes all but json on. */
 struct app_render {
-    const char *frames;          /* not parsed yet; NULL: a single image */
-    uint32_t chunk, chunk_count; /* chunk of the frames, from 1; 0: all frames */
+    const char *frames;          /* unparsed; NULL: a single image */
+    uint32_t chunk, chunk_count; /* chunk number from 1; 0: all */
     bool resume;
-    bool keep_sums;        /* store the sample sums of the reference: sample_sums_file.h */
-    double noise, seconds; /* limits at which the reference stops; 0: only its sample count */
-    const char *json;      /* report file; NULL if there is none */
+    bool keep_sums;        /* see sample_sums_file.h */
+    double noise, seconds; /* limits of the reference; 0: none */
+    const char *json;      /* report file, or NULL */
 };
 
 /* Options of firn view. */
 struct app_view {
-    uint32_t frame_count; /* number of frames until the window closes; 0 means no limit */
+    uint32_t frame_count; /* frames to show; 0: no limit */
     uint32_t fps_limit;   /* frames per second; 0: no limit */
-    double time_step;     /* seconds of scene time per frame; 0: real time */
-    const char *watch;    /* folder of shaders to reload; NULL if there is none */
+    double time_step;     /* scene seconds; 0: real time */
+    const char *watch;    /* shader folder to watch, or NULL */
     VkPresentModeKHR present;
     enum app_overlay overlay;
-    float ui_scale;      /* scale of the panels; 0: that of the desktop */
+    float ui_scale;      /* panel scale; 0: the desktop's */
     uint32_t theme;      /* index into app_themes */
-    const char *ui_dump; /* file for the positions of controls; NULL if there is none */
-    const char *session; /* session file to open; NULL if there is none */
+    const char *ui_dump; /* file of control positions, or NULL */
+    const char *session; /* session file, or NULL */
 };
 
 /* Options of firn profile. */
 struct app_profile {
-    enum rg_clock clock; /* RG_CLOCK_NONE: chosen by testing the device's timestamps */
+    enum rg_clock clock; /* RG_CLOCK_NONE: chosen by a test */
     uint32_t warmup, run_count;
     double time_step;                      /* seconds of scene time per run */
-    const char *json, *csv, *trace, *html; /* report files; NULL if not wanted */
-    const char *baseline;                  /* profile to compare with; NULL if there is none */
+    const char *json, *csv, *trace, *html; /* report files, or NULL */
+    const char *baseline;                  /* profile to compare with, or NULL */
     bool each, capture;
 };
 
 /* Options of firn profile and firn sheet. */
 struct app_sweeps {
-    const char *words[APP_SWEEP_COUNT]; /* "name=a,b,c" */
+    const char *texts[APP_SWEEP_COUNT]; /* "name=a,b,c" */
     uint32_t count;
 };
 
@@ -179,14 +178,14 @@ struct app_ladder {
     uint32_t refraction_models; /* bit i: techniques_refraction(i); 0: all */
     uint32_t run_count;         /* timed frames per refraction model */
     bool furnace;
-    bool whole;        /* with the inclusions of ice */
-    const char *truth; /* image file; NULL if there is none */
+    bool whole;                  /* with the inclusions of ice */
+    const char *reference_image; /* image file, or NULL */
 };
 
 /* Options of firn farm. */
 struct app_farm {
-    uint32_t task_count; /* number of jobs; 0: one per frame, up to FARM_TASKS */
-    const char *hosts;   /* ssh hosts for GNU parallel; NULL: this machine */
+    uint32_t task_count; /* job count; 0: one per frame */
+    const char *hosts;   /* ssh hosts; NULL: this machine */
     const char *sbatch[APP_SBATCH_COUNT];
     uint32_t sbatch_count;
     bool submit;
@@ -194,9 +193,9 @@ struct app_farm {
 
 /* All command-line options; app_parse() sets the defaults that are not zero. */
 struct app_options {
-    struct app_image picture;
+    struct app_image image;
     struct app_run run;
-    const char *positionals[APP_POSITIONAL_COUNT]; /* arguments other than SCENE; end at NULL */
+    const char *positionals[APP_POSITIONAL_COUNT]; /* other arguments, NULL-terminated */
     struct app_render render;
     struct app_view view;
     struct app_profile profile;
@@ -225,18 +224,14 @@ enum app_command {
     APP_INFO = 2048,
 };
 
-/*
- * Parses the arguments after the command. Logs an error in one line and returns STATUS_USAGE. If
- * help is requested, prints it and sets *done.
- */
+/* Parses the arguments after the command. Logs an error in one line and returns STATUS_USAGE. If
+ * help is requested, prints it and sets *done. */
 MUST_USE enum status app_parse(struct app_options *options, enum app_command command, int argc,
                                char **argv, bool *done);
 
-/*
- * Prints those arguments of a command that firn render accepts, too, quoted, each after a space.
- * The first `skip` arguments that are not options are left out.
- */
-void app_print_render_arguments(char *const *words, enum app_command command, uint32_t skip,
+/* Prints, quoted and each after a space, the arguments of a command that firn render accepts, too,
+ * without the first `skip` positional ones. */
+void app_print_render_arguments(char *const *args, enum app_command command, uint32_t skip,
                                 FILE *out);
 
 /* Prints the help of a command on stdout. */
@@ -247,70 +242,63 @@ enum status app_graph(const struct app_options *options);
 enum status app_info(const struct app_options *options);
 enum status app_list(const struct app_options *options);
 enum status app_profile(const struct app_options *options);
-/* replaces this process by firn-view if it can */
+/* Replaces this process by firn-view if that is installed. */
 enum status app_view(const struct app_options *options);
 enum status app_diff(const struct app_options *options);
 enum status app_ladder(const struct app_options *options);
 enum status app_bake(const struct app_options *options);
 enum status app_sheet(const struct app_options *options);
-enum status app_farm(const struct app_options *given);
+enum status app_farm(const struct app_options *options);
 enum status app_merge(const struct app_options *options);
 
-/*
- * Sets an option of the image ("size", "material") or a setting ("cracks.count") by its name, as
- * the command line would. On failure logs and returns STATUS_USAGE.
- */
-MUST_USE enum status app_set_option(struct app_image *picture, const char *name, const char *value);
+/* Sets an option of the image ("size", "material") or a setting ("cracks.count") by its name, as
+ * the command line would. On failure logs and returns STATUS_USAGE. */
+MUST_USE enum status app_set_option(struct app_image *image, const char *name, const char *value);
 
 /* Sets the default output file of a command if none is named. */
 void app_default_output(struct app_options *o, enum app_command command);
 
 /* Checks that SCENE is given. If not, logs and returns STATUS_USAGE. */
-MUST_USE enum status app_require_scene(const struct app_scene *given);
+MUST_USE enum status app_require_scene(const struct app_scene *options);
 
 struct bump_maps_params;
 
-/* Returns the scene parameters for the options; it points to `maps` and into the options. */
-struct scene_params app_scene_params(const struct app_scene *given, struct bump_maps_params *maps);
+/* Returns the scene parameters for the options. They point to `maps` and into the options. */
+struct scene_params app_scene_params(const struct app_scene *options,
+                                     struct bump_maps_params *maps);
 
 /* Loads the scene that the options name, posed at motion.time if it is animated, and sets the
  * settings that depend on it, such as refract.ior. */
-MUST_USE enum status app_load_scene(struct scene *scene, struct app_scene *given);
+MUST_USE enum status app_load_scene(struct scene *scene, struct app_scene *options);
 
 /* Returns the default environment of a scene of this name; NULL: the built-in sky. */
 struct asset;
-const struct asset *app_own_environment(const char *name);
+const struct asset *app_default_environment(const char *name);
 
 /* Applies the settings of a loaded scene, except where options set other values. */
-void app_apply_scene_settings(struct app_scene *given, const struct scene *scene);
+void app_apply_scene_settings(struct app_scene *options, const struct scene *scene);
 
 /* Returns a loaded scene's own settings, without options and changes by the user. */
-struct settings app_scene_settings(const struct app_scene *given, const struct scene *scene);
+struct settings app_scene_settings(const struct app_scene *options, const struct scene *scene);
 
-/*
- * Load a scene in two steps. The first finds all errors. The second only takes time, and may run in
- * parallel with code that reads the result of the first. It logs nothing, and returns NULL or what
- * there was no memory for; app_log_fill_failure() then logs that and returns STATUS_TRY_AGAIN.
- */
-MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *given);
-MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *given);
+/* Load a scene in two steps. The first finds all errors; the second only takes time, and may run in
+ * parallel with readers of the first's result. It logs nothing and returns NULL, or the name of
+ * what did not fit into memory, which app_log_fill_failure() logs, returning STATUS_TRY_AGAIN. */
+MUST_USE enum status app_begin_scene(struct scene *scene, struct app_scene *options);
+MUST_USE const char *app_fill_scene(struct scene *scene, const struct app_scene *options);
 enum status app_log_fill_failure(const char *lacking);
 
-/*
- * Poses an animated model of app_begin_scene(), which is at time 0, for another time, seconds:
- * reloads the model and fills the scene. Does nothing for other scenes, or if the time is the same.
- * The scene must not be in use. On failure it is unchanged.
- */
-MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene *given, float time,
-                                    bool *is_changed);
+/* Poses an animated model of app_begin_scene(), which is at time 0, for another time, seconds:
+ * reloads the model and fills the scene. Does nothing if it is not animated or has this time
+ * already. The scene must not be in use. On failure it is unchanged. */
+MUST_USE enum status app_pose_scene(struct scene *scene, const struct app_scene *options,
+                                    float time, bool *is_changed);
 
-/*
- * Chooses the refraction model of a loaded scene unless one is named: bounce for one closed
+/* Chooses the refraction model of a loaded scene unless one is named: bounce for one closed
  * refractive object that it draws without approximation, seen from outside, else trace. Logs a note
  * if it is trace (unless quiet), and warnings of what the model leaves out that the reference
- * draws. `camera` is that of the first frame; NULL if it is outside all objects.
- */
-void app_choose_refraction(struct app_image *picture, const struct scene *scene,
+ * draws. `camera` is that of the first frame; NULL if it is outside all objects. */
+void app_choose_refraction(struct app_image *image, const struct scene *scene,
                            const struct camera *camera);
 
 /* Logs a warning if trace.traversal asks for ray queries and the device has none. */
@@ -318,13 +306,13 @@ void app_check_rays(const struct settings *settings, const struct gpu *gpu);
 
 /* Finds the camera: the model's of that name, else its first, else one that frames the object. */
 MUST_USE enum status app_camera(struct camera *camera, const struct scene *scene,
-                                const struct app_image *picture);
+                                const struct app_image *image);
 
 struct renderer_params;
 
 /* Returns parameters for renderers of the image, in tiles if requested. The caller sets samples and
- * outputs. Points into the picture. */
-struct renderer_params app_renderer_params(const struct app_image *picture, struct gpu *gpu,
+ * outputs. Points into the image. */
+struct renderer_params app_renderer_params(const struct app_image *image, struct gpu *gpu,
                                            const struct scene *scene);
 
 #endif

@@ -1,5 +1,4 @@
-/* choose_camera.c: chooses the camera from the options --camera, --eye and --orbit, or from the
- * model. */
+/* choose_camera.c: chooses the camera from --camera, --eye, --orbit or the model. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <string.h>
@@ -78,22 +77,22 @@ static struct camera camera_of(const struct model_camera *m, const struct scene 
 /* ---- of an image ---- */
 
 static struct camera choose(const struct scene *scene, const struct app_image *p,
-                            const struct camera *own)
+                            const struct camera *model_camera)
 {
     const vec3s center = box_center(scene->framing_box);
     const vec3s target = p->target.is_given ? p->target.value : center;
     const float fov = p->fov_deg > 0.0f ? p->fov_deg : default_fov_deg;
     if (p->eye.is_given)
         return (struct camera){ .eye = p->eye.value, .target = target, .fov_deg = fov };
-    if (own && !p->orbit.is_given) {
-        struct camera turned = *own;
-        turned.fov_deg = p->fov_deg > 0.0f ? fov : turned.fov_deg;
-        turned.target = p->target.is_given ? target : turned.target;
-        return turned;
+    if (model_camera && !p->orbit.is_given) {
+        struct camera camera = *model_camera;
+        camera.fov_deg = p->fov_deg > 0.0f ? fov : camera.fov_deg;
+        camera.target = p->target.is_given ? target : camera.target;
+        return camera;
     }
     float distance =
         camera_framing_distance(box_diagonal(scene->framing_box), fov, p->width, p->height);
-    if (!(distance > 0.0f)) /* the box is a point, or empty */
+    if (!(distance > 0.0f)) /* a point, or empty */
         distance = 1.0f;
     const vec3s orbit = p->orbit.is_given ? p->orbit.value : (vec3s){ { 28.0f, 9.0f, distance } };
     return camera_orbit(orbit.x, orbit.y, orbit.z, target, fov);
@@ -114,7 +113,7 @@ enum status app_camera(struct camera *camera, const struct scene *scene, const s
 {
     const struct model *model = &scene->model;
     const struct model_camera *named = model->camera_count ? &model->cameras[0] : NULL;
-    struct camera own = model->camera;
+    struct camera model_camera = model->camera;
     enum status status = check_conflicts(p);
     if (status == STATUS_OK && p->camera)
         status = find_named(&named, model, p);
@@ -122,11 +121,11 @@ enum status app_camera(struct camera *camera, const struct scene *scene, const s
         return status;
     const bool is_named = p->camera || (named && !model->has_camera && !(p->fov_deg > 0.0f));
     if (is_named)
-        own = camera_of(named, scene);
-    *camera = choose(scene, p, is_named || model->has_camera ? &own : NULL);
+        model_camera = camera_of(named, scene);
+    *camera = choose(scene, p, is_named || model->has_camera ? &model_camera : NULL);
     if (!glms_vec3_eqv(camera->eye, camera->target))
         return STATUS_OK;
-    /* they may differ by less than float resolution: far from the origin, millimetres are lost */
+    /* eye and target may differ by less than float resolution far from the origin */
     log_error(
         "the camera and its target have the same position: change --eye, --orbit or --target");
     return STATUS_USAGE;

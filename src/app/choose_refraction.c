@@ -1,5 +1,4 @@
-/* choose_refraction.c: chooses the refraction model of a scene, and warns of what it does not draw.
- */
+/* choose_refraction.c: chooses the refraction model; warns of what it does not draw. */
 #include <cglm/struct.h>
 #include <math.h>
 #include <stdio.h>
@@ -48,8 +47,8 @@ static bool has_second_set(const struct material *material)
     return false;
 }
 
-/* Returns the number of nested objects that `bounce` draws wrongly, as seen without the outer ones:
- * several inside the same object, or nested deeper than it follows light. */
+/* Returns the number of nested objects that `bounce` draws as if not enclosed: siblings within one
+ * object, or objects nested deeper than it follows light. */
 static uint32_t count_hidden(const struct model *model)
 {
     uint32_t count = 0;
@@ -79,15 +78,15 @@ static uint32_t count_inside(const struct model *model)
     return count;
 }
 
-static void add_count(char *words, size_t size, uint32_t count, const char *name)
+static void add_count(char *text, size_t size, uint32_t count, const char *name)
 {
-    const size_t used = strlen(words);
+    const size_t used = strlen(text);
     if (count)
-        snprintf(&words[used], size - used, "%s%u %s", used ? ", " : "", count, name);
+        snprintf(&text[used], size - used, "%s%u %s", used ? ", " : "", count, name);
 }
 
-/* Writes which of a scene's materials only `trace` and the reference draw correctly: "1 rough". */
-static void name_undrawn(const struct scene *scene, bool is_nested, char *words, size_t size)
+/* Writes which materials of a scene only `trace` and the reference draw correctly: "1 rough". */
+static void name_undrawn(const struct scene *scene, bool is_nested, char *text, size_t size)
 {
     static const struct {
         const char *name;
@@ -96,33 +95,33 @@ static void name_undrawn(const struct scene *scene, bool is_nested, char *words,
                   { "thin-walled", is_thin },
                   { "with a second set of texture coordinates", has_second_set } };
     const struct model *model = &scene->model;
-    words[0] = '\0';
+    text[0] = '\0';
     if (frame_media_are_from_settings(scene))
         return;
     for (size_t k = 0; k < sizeof(kinds) / sizeof(kinds[0]); k++) {
         uint32_t count = 0;
         for (uint32_t i = 0; i < model->object_count; i++)
             count += kinds[k].is_present(&model->materials[model->objects[i].material]);
-        add_count(words, size, count, kinds[k].name);
+        add_count(text, size, count, kinds[k].name);
     }
     if (is_nested)
-        add_count(words, size, count_hidden(model), "inside others that may hide each other");
+        add_count(text, size, count_hidden(model), "inside others that may hide each other");
     else
-        add_count(words, size, count_inside(model), "inside others");
+        add_count(text, size, count_inside(model), "inside others");
 }
 
-static void warn_of_materials(const struct app_image *picture, const struct scene *scene)
+static void warn_of_materials(const struct app_image *image, const struct scene *scene)
 {
-    char words[160];
-    if (!picture->refraction->refraction.rows || picture->refraction->refraction.traces_bvh)
+    char text[160];
+    if (!image->refraction->refraction.rows || image->refraction->refraction.traces_bvh)
         return;
-    const bool is_nested = picture->refraction == &refract_bounce &&
-                           refract_bounce_is_nested(&picture->scene.settings, scene);
-    name_undrawn(scene, is_nested, words, sizeof(words));
-    if (words[0])
+    const bool is_nested = image->refraction == &refract_bounce &&
+                           refract_bounce_is_nested(&image->scene.settings, scene);
+    name_undrawn(scene, is_nested, text, sizeof(text));
+    if (text[0])
         log_warning("%s: approximated as separate smooth solids: of %u objects %s; "
                     "--refraction trace draws them exactly",
-                    picture->scene.name, scene->model.object_count, words);
+                    image->scene.name, scene->model.object_count, text);
 }
 
 /* Returns true if a vertex of the surroundings is well inside the box of the first object. */
@@ -159,25 +158,25 @@ static bool is_camera_inside(const struct scene *scene, const struct settings *s
 }
 
 /* Writes why front and back faces of one object do not suffice for this scene; "" if they do. */
-static void name_reason(const struct scene *scene, bool is_inside, char *words, size_t size)
+static void name_reason(const struct scene *scene, bool is_inside, char *text, size_t size)
 {
     const struct model *model = &scene->model;
     char undrawn[160] = "";
-    words[0] = '\0';
+    text[0] = '\0';
     if (!model->object_count || scene->has_pool)
         return;
     if (model->object_count > 1)
-        snprintf(words, size, "it has %u refractive objects", model->object_count);
+        snprintf(text, size, "it has %u refractive objects", model->object_count);
     else if (!object_is_closed(&model->objects[0], &model->object))
-        snprintf(words, size, "its object is not closed");
+        snprintf(text, size, "its object is not closed");
     else if (is_inside)
-        snprintf(words, size, "the camera is inside its object");
+        snprintf(text, size, "the camera is inside its object");
     else if (holds_surroundings(model))
-        snprintf(words, size, "something is inside its object");
+        snprintf(text, size, "something is inside its object");
     else
         name_undrawn(scene, false, undrawn, sizeof(undrawn));
     if (undrawn[0])
-        snprintf(words, size, "bounce does not draw all of it: %s", undrawn);
+        snprintf(text, size, "bounce does not draw all of it: %s", undrawn);
 }
 
 static bool can_trace(const struct model *model)
@@ -196,9 +195,9 @@ static bool draws_bumps(const struct refraction_model *refraction)
            (!refraction->traces_bvh && (refraction->by_pixel || refraction->rows->bump_frag));
 }
 
-/* Warns of explicitly set settings that have no effect on the refraction model: bumps, and for the
- * ray traced one all properties of cracks other than gaps. */
-static void warn_of_settings(const struct app_image *picture)
+/* Warns of explicitly set settings without effect on the refraction model: bumps, and, if it is ray
+ * traced, crack properties other than gaps. */
+static void warn_of_settings(const struct app_image *image)
 {
     static const struct {
         const char *name;
@@ -207,124 +206,123 @@ static void warn_of_settings(const struct app_image *picture)
         { "bump.strength", &bump }, { "cracks.strength", &cracks }, { "cracks.refract", &cracks },
         { "cracks.clip", &cracks }, { "cracks.debug", &cracks },
     };
-    const struct app_scene *given = &picture->scene;
-    char words[120] = "";
+    const struct app_scene *options = &image->scene;
+    char text[120] = "";
     for (size_t i = 0; i < sizeof(unknown) / sizeof(unknown[0]); i++) {
-        const size_t used = strlen(words);
+        const size_t used = strlen(text);
         const bool is_left_out = unknown[i].of == &bump
-                                     ? !draws_bumps(&picture->refraction->refraction)
-                                     : picture->refraction->refraction.traces_bvh;
-        if (given->is_set[settings_index(settings_find(unknown[i].name))] &&
-            unknown[i].of->is_on(&given->settings) && is_left_out)
-            snprintf(&words[used], sizeof(words) - used, "%s%s", used ? ", " : "", unknown[i].name);
+                                     ? !draws_bumps(&image->refraction->refraction)
+                                     : image->refraction->refraction.traces_bvh;
+        if (options->is_set[settings_index(settings_find(unknown[i].name))] &&
+            unknown[i].of->is_on(&options->settings) && is_left_out)
+            snprintf(&text[used], sizeof(text) - used, "%s%s", used ? ", " : "", unknown[i].name);
     }
-    if (words[0] && !given->quiet)
-        log_warning("%s: no effect with --refraction %s", words,
-                    picture->refraction->refraction.name);
+    if (text[0] && !options->quiet)
+        log_warning("%s: no effect with --refraction %s", text, image->refraction->refraction.name);
 }
 
 /* Warns of input files and a target scale that have no effect on this image. */
-static void warn_of_files(const struct app_image *picture, const struct scene *scene)
+static void warn_of_files(const struct app_image *image, const struct scene *scene)
 {
-    const struct app_scene *given = &picture->scene;
-    const bool traces_bvh = picture->refraction->refraction.traces_bvh;
+    const struct app_scene *options = &image->scene;
+    const bool traces_bvh = image->refraction->refraction.traces_bvh;
     const bool has_bumps =
-        bump.is_on(&given->settings) && draws_bumps(&picture->refraction->refraction);
+        bump.is_on(&options->settings) && draws_bumps(&image->refraction->refraction);
     const bool has_more = (scene->bubbles.count || scene->cracks.index_count) && !traces_bvh;
-    const bool is_scaled = given->is_set[settings_index(settings_find("inclusions.scale"))];
+    const bool is_scaled = options->is_set[settings_index(settings_find("inclusions.scale"))];
 
     const struct {
         const char *option, *file;
         bool has_effect;
     } files[] = {
-        { "--cracks", given->cracks, scene->cracks.index_count > 0 },
-        { "--air", given->air, scene->air.index_count > 0 },
-        { "inclusions.scale", is_scaled ? given->name : NULL,
-          picture->refraction->refraction.rows && (scene->air.index_count || has_more) },
-        { "--bump", given->bump, has_bumps && !scene->has_pool },
-        { "--bump-mask", given->bump_mask, has_bumps && !scene->has_pool },
+        { "--cracks", options->cracks, scene->cracks.index_count > 0 },
+        { "--air", options->air, scene->air.index_count > 0 },
+        { "inclusions.scale", is_scaled ? options->name : NULL,
+          image->refraction->refraction.rows && (scene->air.index_count || has_more) },
+        { "--bump", options->bump, has_bumps && !scene->has_pool },
+        { "--bump-mask", options->bump_mask, has_bumps && !scene->has_pool },
     };
 
-    for (size_t i = 0; i < sizeof(files) / sizeof(files[0]) && !given->quiet; i++) {
+    for (size_t i = 0; i < sizeof(files) / sizeof(files[0]) && !options->quiet; i++) {
         if (files[i].file && !files[i].has_effect)
-            log_warning("%s: no effect, since this image has nothing of the kind", files[i].option);
+            log_warning("%s: no effect: the scene or its settings do not use it", files[i].option);
     }
 }
 
-static void warn_of_outside(const struct app_scene *given, const struct scene *scene)
+static void warn_of_outside(const struct app_scene *options, const struct scene *scene)
 {
-    if (scene->has_pool && given->is_set[settings_index(settings_find("refract.ior_outside"))] &&
-        !given->quiet)
+    if (scene->has_pool && options->is_set[settings_index(settings_find("refract.ior_outside"))] &&
+        !options->quiet)
         log_warning(
             "refract.ior_outside: no effect in a pool, where water and air are around the ice");
 }
 
-/* Notes shadows of ground.light=traced that the refraction model leaves out. */
-static void warn_of_ground(const struct app_image *picture, const struct scene *scene)
+/* Warns of ground.light=traced if the refraction model draws no such shadows. */
+static void warn_of_ground(const struct app_image *image, const struct scene *scene)
 {
-    const struct ground_params *ground = settings_of(&picture->scene.settings, &ground_settings);
-    const struct refraction_model *refraction = &picture->refraction->refraction;
+    const struct ground_params *ground = settings_of(&image->scene.settings, &ground_settings);
+    const struct refraction_model *refraction = &image->refraction->refraction;
     const size_t index = settings_index(settings_find("ground.light"));
-    if (ground->light == GROUND_TRACED && picture->scene.is_set[index] && refraction->rows &&
+    if (ground->light == GROUND_TRACED && image->scene.is_set[index] && refraction->rows &&
         !refraction->traces_bvh && scene->material_table &&
-        material_table_has_lit(&scene->model.surroundings) && !picture->scene.quiet)
+        material_table_has_lit(&scene->model.surroundings) && !image->scene.quiet)
         log_note("ground.light=traced: not drawn by this refraction model, so surroundings are lit "
                  "without occlusion; "
                  "--refraction trace draws it");
-    if (ground->light == GROUND_TRACED && ground->denoise && picture->columns &&
+    if (ground->light == GROUND_TRACED && ground->denoise && image->columns &&
         refraction->traces_bvh && scene->material_table &&
-        material_table_has_lit(&scene->model.surroundings) && !picture->scene.quiet)
+        material_table_has_lit(&scene->model.surroundings) && !image->scene.quiet)
         log_note("ground.denoise: off with tiles, which cannot be filtered across their edges");
 }
 
 /* Warns of scattering media that the refraction model draws differently. */
-static void warn_of_clouds(const struct app_image *picture, const struct scene *scene)
+static void warn_of_media(const struct app_image *image, const struct scene *scene)
 {
-    const struct settings *settings = &picture->scene.settings;
-    const struct refraction_model *refraction = &picture->refraction->refraction;
-    struct technique_choice choice = { .settings = settings, .refraction = picture->refraction };
+    const struct settings *settings = &image->scene.settings;
+    const struct refraction_model *refraction = &image->refraction->refraction;
+    struct technique_choice choice = { .settings = settings, .refraction = image->refraction };
     if (!scene->clouds.count)
         return;
     if (refraction->traces_bvh)
         refraction->choose(&choice, scene);
-    if (refract_has_medium(picture->refraction, scene, settings))
+    if (refract_has_medium(image->refraction, scene, settings))
         choice.renders_media = true;
     else if (air_is_medium(settings) && !refraction->traces_bvh && refraction->rows)
         log_warning("air.model=medium: drawn as planes; --refraction bounce, one-sided, trace and "
                     "reference draw a medium");
-    else if (refraction->rows && !choice.hits_surroundings && !picture->scene.quiet)
+    else if (refraction->rows && !choice.hits_surroundings && !image->scene.quiet)
         log_note(
             "%s: its cloudy ice is drawn clear; --refraction trace and bounce draw scattering%s",
-            picture->scene.name,
+            image->scene.name,
             refraction->traces_bvh ? ", but not with trace.surroundings=cube" : "");
     if (scene->clouds.left_out)
         log_warning("%s: more than %d objects are cloudy; %u of them are drawn clear",
-                    picture->scene.name, SCATTERING_MEDIA_MAX, scene->clouds.left_out);
+                    image->scene.name, SCATTERING_MEDIA_MAX, scene->clouds.left_out);
 }
 
-void app_choose_refraction(struct app_image *picture, const struct scene *scene,
+void app_choose_refraction(struct app_image *image, const struct scene *scene,
                            const struct camera *camera)
 {
-    const bool is_inside = is_camera_inside(scene, &picture->scene.settings, camera);
+    const bool is_inside = is_camera_inside(scene, &image->scene.settings, camera);
     char reason[200] = "";
-    if (!picture->is_refraction_named)
+    if (!image->is_refraction_named)
         name_reason(scene, is_inside, reason, sizeof(reason));
-    if (!picture->is_refraction_named)
-        picture->refraction =
+    if (!image->is_refraction_named)
+        image->refraction =
             reason[0] && can_trace(&scene->model) ? &refract_trace : &refract_bounce;
-    if (reason[0] && picture->refraction == &refract_trace && !picture->scene.quiet)
-        log_note("%s: drawn with --refraction trace, because %s", picture->scene.name, reason);
-    warn_of_materials(picture, scene);
-    if (is_inside && picture->refraction->refraction.rows &&
-        !picture->refraction->refraction.traces_bvh)
+    if (reason[0] && image->refraction == &refract_trace && !image->scene.quiet)
+        log_note("%s: drawn with --refraction trace, because %s", image->scene.name, reason);
+    warn_of_materials(image, scene);
+    if (is_inside && image->refraction->refraction.rows &&
+        !image->refraction->refraction.traces_bvh)
         log_warning("%s: the camera is inside an object, which %s draws as seen from outside, so "
                     "it is missing; --refraction trace draws this view",
-                    picture->scene.name, picture->refraction->refraction.name);
-    warn_of_ground(picture, scene);
-    warn_of_clouds(picture, scene);
-    warn_of_settings(picture);
-    warn_of_files(picture, scene);
-    warn_of_outside(&picture->scene, scene);
+                    image->scene.name, image->refraction->refraction.name);
+    warn_of_ground(image, scene);
+    warn_of_media(image, scene);
+    warn_of_settings(image);
+    warn_of_files(image, scene);
+    warn_of_outside(&image->scene, scene);
 }
 
 void app_check_rays(const struct settings *settings, const struct gpu *gpu)

@@ -21,7 +21,7 @@ struct job {
 
 static enum status draw(struct job *job)
 {
-    struct app_image *p = &job->o.picture;
+    struct app_image *p = &job->o.image;
     const struct renderer_params params = app_renderer_params(p, &job->gpu, &job->scene);
     enum status status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (status == STATUS_OK)
@@ -71,16 +71,16 @@ static enum status write_output(struct job *job)
 static enum status load(struct job *job)
 {
     const struct motion_params *motion =
-        settings_of(&job->o.picture.scene.settings, &motion_settings);
-    enum status status = app_load_scene(&job->scene, &job->o.picture.scene);
+        settings_of(&job->o.image.scene.settings, &motion_settings);
+    enum status status = app_load_scene(&job->scene, &job->o.image.scene);
     if (status == STATUS_OK && job->scene.cube.texels) {
         log_error("--env %s: expected an equirectangular image, got a cube of firn bake",
-                  job->o.picture.scene.environment);
+                  job->o.image.scene.environment);
         status = STATUS_USAGE;
     }
     const vec3s center = box_center(job->scene.box);
     job->output = (struct output){
-        .picture = &job->o.picture,
+        .image = &job->o.image,
         .scene = &job->scene,
         .shot = {
             .camera = {
@@ -97,7 +97,7 @@ static enum status load(struct job *job)
 static enum status run(struct job *job)
 {
     struct app_outputs *outputs = &job->o.run.outputs;
-    enum status status = app_require_scene(&job->o.picture.scene);
+    enum status status = app_require_scene(&job->o.image.scene);
     if (status == STATUS_OK)
         status = file_io_check(outputs->paths[0]);
     if (status == STATUS_OK)

@@ -16,7 +16,7 @@ struct job {
     const struct app_options *options;
     struct image reference, test;
     bool is_display; /* both images are display-referred (PNG) */
-    bool *counted;   /* pixels selected by the mask; NULL: all */
+    bool *counted;   /* compared pixels; NULL: all */
     struct comparison comparison;
     struct diff_report report;
 };
@@ -31,7 +31,7 @@ static enum status check_size(const struct job *job, const struct image *other, 
 static enum status read_images(struct job *job)
 {
     const char *const *paths = job->options->positionals;
-    const struct reader_params *params = &job->options->picture.scene.reader;
+    const struct reader_params *params = &job->options->image.scene.reader;
     enum status status = input_image_read(paths[0], params, &job->reference);
     if (status == STATUS_OK)
         status = input_image_read(paths[1], params, &job->test);
@@ -42,7 +42,7 @@ static enum status read_mask(struct job *job)
 {
     const struct app_mask *mask = &job->options->mask;
     struct image image = { 0 };
-    enum status status = input_image_read(mask->file, &job->options->picture.scene.reader, &image);
+    enum status status = input_image_read(mask->file, &job->options->image.scene.reader, &image);
     if (status == STATUS_OK)
         status = check_size(job, &image, mask->file);
     if (status == STATUS_OK)

@@ -1,5 +1,4 @@
-/* cmd_farm.c: command firn farm: distributes a sequence over machines with Slurm or GNU parallel.
- */
+/* cmd_farm.c: command firn farm: distributes a sequence with Slurm or GNU parallel. */
 #include <ctype.h>
 #include <errno.h>
 #include <signal.h>
@@ -24,7 +23,7 @@ enum {
 
 /* ---- checks of the arguments ---- */
 
-static bool is_picture(const char *word)
+static bool is_image_option(const char *word)
 {
     return word && (path_ends_in(word, ".exr") || path_ends_in(word, ".png"));
 }
@@ -34,7 +33,7 @@ static enum status parse_arguments(struct app_options *o, bool is_status)
 {
     struct app_outputs *outputs = &o->run.outputs;
     const char *scene = o->positionals[1];
-    if (is_status && is_picture(scene)) {
+    if (is_status && is_image_option(scene)) {
         if (outputs->count) {
             log_error("--output: not available with farm status %s; name a SCENE or only files",
                       scene);
@@ -43,8 +42,8 @@ static enum status parse_arguments(struct app_options *o, bool is_status)
         outputs->paths[outputs->count++] = scene;
         return STATUS_OK;
     }
-    o->picture.scene.name = scene;
-    return app_require_scene(&o->picture.scene);
+    o->image.scene.name = scene;
+    return app_require_scene(&o->image.scene);
 }
 
 static enum status check_files(const struct app_options *o)
@@ -94,7 +93,7 @@ static const char *find_program(char path[static PATH_SIZE], const char *called)
 static enum status run_script(char *text)
 {
     char shell[] = "sh", option[] = "-c";
-    char *const words[] = { shell, option, text, NULL };
+    char *const args[] = { shell, option, text, NULL };
     posix_spawnattr_t attributes;
     sigset_t signals;
     pid_t process;
@@ -106,7 +105,7 @@ static enum status run_script(char *text)
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setsigdefault(&attributes, &signals);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
-    const int error = posix_spawn(&process, "/bin/sh", NULL, &attributes, words, environ);
+    const int error = posix_spawn(&process, "/bin/sh", NULL, &attributes, args, environ);
     posix_spawnattr_destroy(&attributes);
     if (error) {
         log_error("cannot run /bin/sh: %s", strerror(error));
@@ -125,11 +124,11 @@ static enum status make_script(const struct app_options *o, const struct sequenc
 {
     char name[NAME_SIZE], path[PATH_SIZE];
     const uint32_t count = sequence->range.count;
-    const uint32_t most = o->farm.task_count ? o->farm.task_count : FARM_TASKS;
+    const uint32_t max_tasks = o->farm.task_count ? o->farm.task_count : FARM_TASKS;
     const struct farm_script script = {
         .options = o,
         .frame_count = count,
-        .task_count = most < count ? most : count,
+        .task_count = max_tasks < count ? max_tasks : count,
         .program = find_program(path, o->run.program),
         .name = name,
     };
@@ -147,7 +146,7 @@ static enum status make_script(const struct app_options *o, const struct sequenc
     } else if (o->farm.submit) {
         status = run_script(text);
     } else {
-        fputs(text, stdout); /* standard_streams_end() checks that it could be written */
+        fputs(text, stdout); /* standard_streams_end() checks for errors */
     }
     free(text);
     return status;
@@ -155,7 +154,7 @@ static enum status make_script(const struct app_options *o, const struct sequenc
 
 static enum status make_parallel(const struct app_options *o, const struct sequence *sequence)
 {
-    for (char *const *word = o->run.words; *word; word++) {
+    for (char *const *word = o->run.args; *word; word++) {
         if (strchr(*word, '{')) {
             log_error(
                 "farm parallel: '%s' contains '{', which GNU parallel replaces; use another name",
@@ -181,17 +180,17 @@ static const struct {
     { "status", farm_status, true },
 };
 
-enum status app_farm(const struct app_options *given)
+enum status app_farm(const struct app_options *options)
 {
-    struct app_options o = *given;
+    struct app_options o = *options;
     struct sequence sequence = { 0 };
-    const char *what = o.positionals[0];
+    const char *kind = o.positionals[0];
     size_t k = 0;
-    while (k < sizeof(kinds) / sizeof(kinds[0]) && (!what || strcmp(what, kinds[k].name) != 0))
+    while (k < sizeof(kinds) / sizeof(kinds[0]) && (!kind || strcmp(kind, kinds[k].name) != 0))
         k++;
     if (k == sizeof(kinds) / sizeof(kinds[0])) {
         log_error("farm: expected slurm, parallel or status, got '%s' (see --help)",
-                  what ? what : "");
+                  kind ? kind : "");
         return STATUS_USAGE;
     }
     enum status status = parse_arguments(&o, kinds[k].is_status);

@@ -15,7 +15,7 @@ static dump_fn *const dumps[APP_FORMAT_COUNT] = {
 
 enum status app_graph(const struct app_options *o)
 {
-    struct app_image p = o->picture;
+    struct app_image p = o->image;
     struct scene scene;
     struct frame_plan frame = { 0 };
     struct camera camera;

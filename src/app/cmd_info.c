@@ -85,7 +85,7 @@ static void print_objects(const struct model *model)
         printf("  %-24s %10u  %-8s %s", object->name, object->index_count / 3,
                object_is_closed(object, &model->object) ? "closed" : "open",
                model->materials[object->material].name);
-        if (object->container_rank) /* objects are in the order of their priority ranks, from 1 */
+        if (object->container_rank) /* ranks count from 1, and objects are sorted by rank */
             printf(", inside %s", model->objects[object->container_rank - 1].name);
         printf("\n");
     }
@@ -224,17 +224,17 @@ static void print_tree(const struct bvh *bvh)
     static const struct {
         uint32_t part;
         const char *of;
-    } parts[] = { { BVH_OBJECTS, "the objects" }, { BVH_SURROUNDINGS, "the surroundings" } };
+    } bvhs[] = { { BVH_OBJECTS, "the objects" }, { BVH_SURROUNDINGS, "the surroundings" } };
 
     const char *separator = ", in triangle tests: ";
     printf("BVH for ray tracing: %u nodes, %u triangles, %.1f MiB, %s in %.1f ms\n",
            bvh_node_count(bvh), bvh->triangle_count, (double)bvh_size(bvh) / (1 << 20),
            bvh->read ? "from the cache" : "built", bvh->ms);
     printf("cost of a ray");
-    for (size_t i = 0; i < sizeof(parts) / sizeof(parts[0]); i++) {
-        if (!(bvh->costs[parts[i].part] > 0.0))
+    for (size_t i = 0; i < sizeof(bvhs) / sizeof(bvhs[0]); i++) {
+        if (!(bvh->costs[bvhs[i].part] > 0.0))
             continue;
-        printf("%s%.1f through the box of %s", separator, bvh->costs[parts[i].part], parts[i].of);
+        printf("%s%.1f through the box of %s", separator, bvh->costs[bvhs[i].part], bvhs[i].of);
         separator = ", ";
     }
     printf("\ndevices with ray queries use their own acceleration structures: firn list devices\n");
@@ -419,8 +419,8 @@ static json_t *undrawn_of(const struct model *model)
     }
     for (const char *line = model->undrawn_text; *line && all;) {
         const size_t length = strcspn(line, "\n");
-        json_t *words = json_stringn(line, length);
-        all = json_text_append(all, words ? words : json_string("?"));
+        json_t *text = json_stringn(line, length);
+        all = json_text_append(all, text ? text : json_string("?"));
         line += length + (line[length] == '\n');
     }
     return all;
@@ -506,29 +506,29 @@ static enum status print_json(const char *name, const struct scene *scene,
 
 enum status app_info(const struct app_options *o)
 {
-    struct app_image picture = o->picture;
-    struct app_scene *given = &picture.scene;
+    struct app_image image = o->image;
+    struct app_scene *options = &image.scene;
     struct scene scene;
-    given->plain = true; /* describe the scene without inclusions and landscape that firn adds */
-    given->background.is_given = true;
-    given->quiet = true;
-    enum status status = app_load_scene(&scene, given);
+    options->plain = true; /* leave out what firn adds to the file */
+    options->background.is_given = true;
+    options->quiet = true;
+    enum status status = app_load_scene(&scene, options);
     if (status != STATUS_OK)
         return status;
-    app_choose_refraction(&picture, &scene, NULL);
-    if (picture.refraction->refraction.traces_bvh || !has_many_triangles(&scene.model))
+    app_choose_refraction(&image, &scene, NULL);
+    if (image.refraction->refraction.traces_bvh || !has_many_triangles(&scene.model))
         status = scene_build_bvh(&scene, !o->run.gpu.no_cache);
     if (status == STATUS_TRY_AGAIN) {
         scene_finish(&scene);
         return status;
     }
-    status = STATUS_OK; /* if the scene is too large to be traced, an error has been logged */
+    status = STATUS_OK; /* no BVH: the scene is too large; logged */
     if (scene.model.object_count)
         qsort(scene.model.objects, scene.model.object_count, sizeof(*scene.model.objects), by_rank);
     if (o->run.format == APP_FORMAT_JSON)
-        status = print_json(given->name, &scene, picture.refraction);
+        status = print_json(options->name, &scene, image.refraction);
     else
-        print_text(&scene, picture.refraction);
+        print_text(&scene, image.refraction);
     scene_finish(&scene);
     return status;
 }

@@ -1,5 +1,4 @@
-/* cmd_ladder.c: command firn ladder: compares refraction models with the reference or white
- * furnace. */
+/* cmd_ladder.c: command firn ladder: compares refraction models with the reference. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,12 +25,12 @@ struct job {
     struct app_options o;
     struct scene scene;
     struct gpu gpu;
-    struct image truth; /* image of another program; {0} if there is none */
-    bool *truth_counted;
+    struct image reference; /* image of --truth, or {0} */
+    bool *reference_counted;
     struct ladder ladder;
     struct ladder_report report;
     char *command;
-    const char *prefix; /* text printed on stdout before the results */
+    const char *prefix; /* printed before the results */
     struct progress progress;
 };
 
@@ -39,7 +38,7 @@ struct job {
 
 static enum status refuse_furnace(const struct app_options *o)
 {
-    const struct app_scene *scene = &o->picture.scene;
+    const struct app_scene *scene = &o->image.scene;
 
     const struct {
         const char *option;
@@ -49,7 +48,7 @@ static enum status refuse_furnace(const struct app_options *o)
         { "--surroundings", scene->surroundings != NULL },
         { "--background", scene->background.is_given || scene->no_background },
         { "--whole", o->ladder.whole },
-        { "--truth", o->ladder.truth != NULL },
+        { "--truth", o->ladder.reference_image != NULL },
         { "--output", o->run.outputs.count > 0 },
     };
 
@@ -67,14 +66,14 @@ static enum status refuse_furnace(const struct app_options *o)
 static enum status check(struct job *job)
 {
     struct app_options *o = &job->o;
-    struct app_scene *scene = &o->picture.scene;
+    struct app_scene *scene = &o->image.scene;
     enum status status = o->ladder.furnace ? refuse_furnace(o) : STATUS_OK;
     if (status == STATUS_OK && !reference_is_built()) {
         log_error("firn ladder: this build has no Embree; rebuild with meson setup --reconfigure "
                   "-Dreference=enabled");
         return STATUS_NO_DEVICE;
     }
-    if (status == STATUS_OK && o->mask.file && !o->ladder.truth) {
+    if (status == STATUS_OK && o->mask.file && !o->ladder.reference_image) {
         log_error("--mask %s: --truth is missing; the mask applies to its image", o->mask.file);
         return STATUS_USAGE;
     }
@@ -91,32 +90,32 @@ static enum status check(struct job *job)
 }
 
 /* Reads the image of --truth, and the mask of pixels to compare. */
-static enum status read_truth(struct job *job)
+static enum status read_reference(struct job *job)
 {
     const struct app_options *o = &job->o;
-    const char *path = o->ladder.truth;
+    const char *path = o->ladder.reference_image;
     struct image mask = { 0 };
-    enum status status = input_image_read(path, &o->picture.scene.reader, &job->truth);
+    enum status status = input_image_read(path, &o->image.scene.reader, &job->reference);
     if (status != STATUS_OK)
         return status;
-    if (job->truth.width != o->picture.width || job->truth.height != o->picture.height) {
-        log_error("%s has %u x %u pixels: set --size %ux%u", path, job->truth.width,
-                  job->truth.height, job->truth.width, job->truth.height);
+    if (job->reference.width != o->image.width || job->reference.height != o->image.height) {
+        log_error("%s has %u x %u pixels: set --size %ux%u", path, job->reference.width,
+                  job->reference.height, job->reference.width, job->reference.height);
         return STATUS_DATA;
     }
-    if (!image_find(&job->truth, "R") || !image_find(&job->truth, "G") ||
-        !image_find(&job->truth, "B")) {
+    if (!image_find(&job->reference, "R") || !image_find(&job->reference, "G") ||
+        !image_find(&job->reference, "B")) {
         log_error("%s: expected the channels R, G and B", path);
         return STATUS_DATA;
     }
     if (!o->mask.file)
         return STATUS_OK;
-    status = input_image_read(o->mask.file, &o->picture.scene.reader, &mask);
+    status = input_image_read(o->mask.file, &o->image.scene.reader, &mask);
     if (status == STATUS_OK)
-        status = input_image_check_size(&job->truth, path, &mask, o->mask.file);
+        status = input_image_check_size(&job->reference, path, &mask, o->mask.file);
     if (status == STATUS_OK)
         status = input_image_make_mask(&mask, o->mask.file, o->mask.channel ? o->mask.channel : "A",
-                                       &job->truth_counted);
+                                       &job->reference_counted);
     image_finish(&mask);
     return status;
 }
@@ -134,7 +133,7 @@ static bool show_progress(void *user, uint32_t stage, uint32_t done, uint32_t al
 static enum status measure(struct job *job)
 {
     const struct app_options *o = &job->o;
-    const struct app_image *p = &o->picture;
+    const struct app_image *p = &o->image;
     const struct motion_params *motion = settings_of(&p->scene.settings, &motion_settings);
     struct ladder_params params = {
         .gpu = &job->gpu,
@@ -148,8 +147,8 @@ static enum status measure(struct job *job)
         .refraction_models = o->ladder.refraction_models,
         .is_whole = o->ladder.whole,
         .run_count = o->ladder.run_count,
-        .truth = job->truth.plane_count ? &job->truth : NULL,
-        .truth_counted = job->truth_counted,
+        .truth = job->reference.plane_count ? &job->reference : NULL,
+        .truth_counted = job->reference_counted,
         .sharing = p->sharing,
     };
     char names[REFERENCE_NAMES_SIZE];
@@ -228,9 +227,9 @@ static enum status print(const struct job *job)
 
 static void print_scene(const char *name)
 {
-    char words[512];
-    snprintf(words, sizeof(words), "scene      %s", name);
-    profile_print_wrapped(words, 11, stdout);
+    char text[512];
+    snprintf(text, sizeof(text), "scene      %s", name);
+    profile_print_wrapped(text, 11, stdout);
 }
 
 static enum status report(const struct job *job)
@@ -241,7 +240,7 @@ static enum status report(const struct job *job)
     if (job->o.ladder.furnace) {
         furnace = furnace_measure(&job->ladder);
         if (job->o.positionals[0])
-            print_scene(job->o.picture.scene.name);
+            print_scene(job->o.image.scene.name);
         furnace_print(&furnace, stdout);
         status = furnace_holds(&furnace) ? STATUS_OK : STATUS_FAILED;
     } else {
@@ -256,13 +255,13 @@ static enum status report(const struct job *job)
 static enum status run(struct job *job)
 {
     enum status status = check(job);
-    if (status == STATUS_OK && job->o.ladder.truth)
-        status = read_truth(job);
+    if (status == STATUS_OK && job->o.ladder.reference_image)
+        status = read_reference(job);
     if (status == STATUS_OK)
-        status = app_load_scene(&job->scene, &job->o.picture.scene);
+        status = app_load_scene(&job->scene, &job->o.image.scene);
     if (status == STATUS_OK && job->scene.has_pool) {
         log_error("firn ladder: expected a scene with a refracting object, got '%s'",
-                  job->o.picture.scene.name);
+                  job->o.image.scene.name);
         status = STATUS_USAGE;
     }
     if (status == STATUS_OK)
@@ -292,7 +291,7 @@ static void record_scene(struct summary *summary, const struct job *job)
         summary->refraction_models[i] = ladder->refraction_models[i].refraction->refraction.name;
         summary->flip[summary->scene_count][i] = ladder->refraction_models[i].error.flip;
     }
-    summary->scenes[summary->scene_count++] = job->o.picture.scene.name;
+    summary->scenes[summary->scene_count++] = job->o.image.scene.name;
 }
 
 /* Prints the title of a column: the end of a file's path, truncated to the column width. */
@@ -325,19 +324,21 @@ static void print_summary(const struct summary *summary)
 /* Checks that no option is given that works with a single scene only. */
 static enum status check_several(const struct app_options *o)
 {
-    const char *option = o->run.outputs.count ? "--output" : o->ladder.truth ? "--truth" : NULL;
+    const char *option = o->run.outputs.count        ? "--output"
+                         : o->ladder.reference_image ? "--truth"
+                                                     : NULL;
     if (!option)
         return STATUS_OK;
     log_error("%s: expected one scene, got '%s' and '%s'; give one at a time", option,
-              o->picture.scene.name, o->positionals[0]);
+              o->image.scene.name, o->positionals[0]);
     return STATUS_USAGE;
 }
 
 static void job_finish(struct job *job)
 {
     ladder_finish(&job->ladder);
-    image_finish(&job->truth);
-    free(job->truth_counted);
+    image_finish(&job->reference);
+    free(job->reference_counted);
     gpu_destroy(&job->gpu);
     scene_finish(&job->scene);
     free(job->command);
@@ -352,9 +353,9 @@ static enum status run_scene(const struct app_options *options, const char *name
     if (!job)
         return log_out_of_memory(NULL);
     job->o = *options;
-    job->o.picture.scene.name = name;
+    job->o.image.scene.name = name;
     job->prefix = prefix;
-    job->command = shell_quote_join(options->run.words);
+    job->command = shell_quote_join(options->run.args);
     enum status status = job->command ? run(job) : log_out_of_memory(NULL);
     if (status == STATUS_OK)
         record_scene(summary, job);
@@ -370,7 +371,7 @@ static enum status run_scenes(const struct app_options *o)
     enum status first = STATUS_OK, status = check_several(o);
     if (status != STATUS_OK)
         return status;
-    status = run_scene(o, o->picture.scene.name, is_json ? "{\"scenes\": [\n" : "", &summary);
+    status = run_scene(o, o->image.scene.name, is_json ? "{\"scenes\": [\n" : "", &summary);
     for (uint32_t i = 0; o->positionals[i]; i++) {
         if (status != STATUS_OK && !(o->ladder.furnace && status == STATUS_FAILED))
             break;
@@ -389,7 +390,7 @@ enum status app_ladder(const struct app_options *options)
     struct summary summary = { 0 };
     if (options->positionals[0])
         return run_scenes(options);
-    const enum status status = run_scene(options, options->picture.scene.name, "", &summary);
+    const enum status status = run_scene(options, options->image.scene.name, "", &summary);
     if (status == STATUS_OK && options->run.format == APP_FORMAT_JSON && !options->ladder.furnace)
         putchar('\n');
     return status;

@@ -1,5 +1,4 @@
-/* cmd_list.c: command firn list: prints the names of scenes, settings, layers, devices and the
- * like. */
+/* cmd_list.c: command firn list: prints scenes, settings, layers, devices and the like. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,7 +43,7 @@ static enum status list_environments(void)
     return STATUS_OK;
 }
 
-static enum status list_rungs(void)
+static enum status list_refraction_models(void)
 {
     const struct technique *refraction;
     for (size_t r = 0; (refraction = techniques_refraction(r)); r++)
@@ -162,17 +161,17 @@ static enum status list_devices(void)
 
 static enum status list_sandbox(void)
 {
-    const struct sandbox_support parts = sandbox_query();
-    if (parts.landlock)
+    const struct sandbox_support sandbox = sandbox_query();
+    if (sandbox.landlock)
         printf(
             "  %-14s version %d: a reader opens its file, or the folder of a model, and no other\n",
-            "Landlock", parts.landlock);
+            "Landlock", sandbox.landlock);
     else
         printf("  %-14s not in this kernel: a reader can open any file that you can read\n",
                "Landlock");
     printf("  %-14s %s\n", "seccomp",
-           parts.seccomp ? "a reader starts no process, opens no socket, writes no file"
-                         : "not in this kernel: a reader can start processes and open sockets");
+           sandbox.seccomp ? "a reader starts no process, opens no socket, writes no file"
+                           : "not in this kernel: a reader can start processes and open sockets");
     return STATUS_OK;
 }
 
@@ -180,10 +179,10 @@ static const struct {
     const char *name;
     enum status (*print)(void);
 } lists[] = {
-    { "scenes", list_scenes },     { "environments", list_environments },
-    { "rungs", list_rungs },       { "materials", list_materials },
-    { "layers", list_layers },     { "qualities", list_qualities },
-    { "settings", list_settings }, { "devices", list_devices },
+    { "scenes", list_scenes },           { "environments", list_environments },
+    { "rungs", list_refraction_models }, { "materials", list_materials },
+    { "layers", list_layers },           { "qualities", list_qualities },
+    { "settings", list_settings },       { "devices", list_devices },
     { "sandbox", list_sandbox },
 };
 

@@ -13,15 +13,15 @@
 struct input {
     const char *path; /* NULL if the tile is missing */
     struct image_reader *reader;
-    struct image_header head; /* size, planes and texts of the file */
+    struct image_header head; /* size, planes, metadata */
 };
 
 struct job {
-    struct tiling tiling; /* tiles of the image; columns are 0 until the first file is read */
+    struct tiling tiling; /* image tiling; columns are 0 until the first file is read */
     bool interleaved;     /* tiles are interleaved: each has every n-th pixel of the image */
     struct input tiles[APP_POSITIONAL_COUNT]; /* by tile number */
     const struct input *first;                /* the tile that was opened first */
-    struct image image; /* the merged image; its planes are those of `first` */
+    struct image image;                       /* merged image, with the planes of `first` */
 };
 
 /* Parses the text "number of columns x rows", optionally interleaved. *number becomes the tile's
@@ -41,13 +41,13 @@ static bool read_text(const char *text, struct tiling *tiling, uint32_t *number,
     return *interleaved || !text[length];
 }
 
-/* Finds the size of the whole image. Returns false if the file's position is not its tile's. */
+/* Finds the size of the whole image. Returns false if the file is not at its tile's position. */
 static bool find_size(const struct input *input, struct tiling *tiling, uint32_t number,
                       bool interleaved)
 {
     const struct image *image = &input->head.image;
     const struct image_window window = input->head.window;
-    if (interleaved) { /* image.h limits the size of files, so this cannot overflow */
+    if (interleaved) { /* cannot overflow: image.h limits the size of files */
         tiling->width = image->width * tiling->columns;
         tiling->height = image->height * tiling->rows;
         return true;
@@ -147,7 +147,7 @@ static enum status open_tiles(struct job *job, const struct app_options *o)
 {
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < APP_POSITIONAL_COUNT && o->positionals[i] && status == STATUS_OK; i++)
-        status = add_tile(job, o->positionals[i], &o->picture.scene.reader);
+        status = add_tile(job, o->positionals[i], &o->image.scene.reader);
     const struct tiling *tiling = &job->tiling;
     for (uint32_t i = 0; i < tiling->columns * tiling->rows && status == STATUS_OK; i++) {
         if (job->tiles[i].path)
@@ -217,7 +217,7 @@ static enum status fill_rows(void *user, uint32_t y, struct image *rows)
 }
 
 /* Writes the merged image. Its header is that of the tiles, without their tile numbers. */
-static enum status write_picture(struct job *job, const char *path)
+static enum status write_image(struct job *job, const char *path)
 {
     static const char *const names[] = { "firn/version", "firn/settings", "firn/device",
                                          "firn/objects" };
@@ -259,7 +259,7 @@ enum status app_merge(const struct app_options *o)
     if (status == STATUS_OK)
         status = open_tiles(job, o);
     if (status == STATUS_OK)
-        status = write_picture(job, path);
+        status = write_image(job, path);
     if (status == STATUS_OK && !o->run.quiet)
         fprintf(stderr, "%s: %ux%u of %u tiles\n", strcmp(path, "-") ? path : "stdout",
                 job->image.width, job->image.height, job->tiling.columns * job->tiling.rows);

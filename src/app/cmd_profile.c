@@ -15,9 +15,9 @@
 
 /* ---- before the device is opened ---- */
 
-static enum status check_reports(const struct app_profile *given)
+static enum status check_reports(const struct app_profile *options)
 {
-    const char *const paths[] = { given->json, given->csv, given->trace, given->html };
+    const char *const paths[] = { options->json, options->csv, options->trace, options->html };
     uint32_t stdout_count = 0;
     enum status status = STATUS_OK;
     for (size_t i = 0; i < sizeof(paths) / sizeof(paths[0]) && status == STATUS_OK; i++) {
@@ -78,7 +78,7 @@ static enum status run_frame(struct profile_job *job)
 {
     struct profile profile = { 0 };
     bool is_slower = false;
-    enum status status = profile_job_measure(job, &job->o.picture, &profile, 1);
+    enum status status = profile_job_measure(job, &job->o.image, &profile, 1);
     if (status == STATUS_OK)
         status = write_reports(job, &profile);
     if (status == STATUS_OK && profile_job_has_table(&job->o.profile))
@@ -97,9 +97,9 @@ static enum status run_frame(struct profile_job *job)
 /* ---- a sweep ---- */
 
 /* Refuses reports that describe one frame if several will be measured. */
-static enum status refuse_reports(const struct app_profile *given, const char *many)
+static enum status refuse_reports(const struct app_profile *options, const char *many)
 {
-    if (!given->baseline && !given->csv && !given->trace && !given->capture)
+    if (!options->baseline && !options->csv && !options->trace && !options->capture)
         return STATUS_OK;
     log_error(
         "--csv, --trace, --baseline and --capture: not available with %s; use --json or --html",
@@ -109,14 +109,14 @@ static enum status refuse_reports(const struct app_profile *given, const char *m
 
 static enum status run_sweep(struct profile_job *job)
 {
-    struct app_image picture;
+    struct app_image image;
     enum status status = STATUS_OK;
     job->progress.frame_name = "point";
     for (uint32_t i = 0; i < job->sweep.point_count && status == STATUS_OK; i++) {
         job->progress.frame = i;
-        status = sweep_values_apply(&job->sweep, i, &job->o.picture, &picture);
+        status = sweep_values_apply(&job->sweep, i, &job->o.image, &image);
         if (status == STATUS_OK)
-            status = profile_job_measure(job, &picture, &job->sweep.points[i], 1);
+            status = profile_job_measure(job, &image, &job->sweep.points[i], 1);
     }
     if (status == STATUS_OK && profile_job_has_table(&job->o.profile))
         status = profile_sweep_table(&job->sweep, stdout);
@@ -137,7 +137,7 @@ static enum status check(struct profile_job *job, bool is_paper)
     if (status == STATUS_OK && (is_paper || o->sweeps.count))
         status = refuse_reports(&o->profile, is_paper ? "paper" : "--sweep");
     if (status == STATUS_OK)
-        status = sweep_values_parse(&job->sweep, &o->sweeps, &o->picture);
+        status = sweep_values_parse(&job->sweep, &o->sweeps, &o->image);
     if (status == STATUS_OK && o->profile.baseline)
         status = profile_read_json(o->profile.baseline, &job->baseline);
     return status;
@@ -146,7 +146,7 @@ static enum status check(struct profile_job *job, bool is_paper)
 static enum status run(struct profile_job *job)
 {
     const struct app_options *o = &job->o;
-    const bool is_paper = o->picture.scene.name && !strcmp(o->picture.scene.name, "paper");
+    const bool is_paper = o->image.scene.name && !strcmp(o->image.scene.name, "paper");
     enum status status = check(job, is_paper);
     const uint32_t points = job->sweep.point_count;
     progress_begin(&job->progress, points ? points : 1, "runs", o->run.quiet);

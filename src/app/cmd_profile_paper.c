@@ -29,8 +29,8 @@ struct paper_case {
 /* Camera distances: objects cover a fifth of the screen, in the last case all of it. */
 #define INSIDE(cracks, air) \
     "cracks.count=" cracks, "cracks.clip=convex", "air.count=" air, "bubbles.count=0"
-#define STILL "env_cube.dynamic=off"
-#define MOVED "env_cube.dynamic=on", "env_cube.always=on", "motion.count=3"
+#define STATIC_CUBE "env_cube.dynamic=off"
+#define MOVED       "env_cube.dynamic=on", "env_cube.always=on", "motion.count=3"
 
 enum {
     SPHERE_PLAIN,
@@ -52,18 +52,18 @@ enum {
 };
 
 static const struct paper_case cases[CASE_COUNT] = {
-    [SPHERE_PLAIN] = { "sphere", "sphere", { "orbit=28,9,4.27", INSIDE("0", "0"), STILL } },
+    [SPHERE_PLAIN] = { "sphere", "sphere", { "orbit=28,9,4.27", INSIDE("0", "0"), STATIC_CUBE } },
     [SPHERE_FULL] = { "sphere with cracks and air",
                       "sphere",
-                      { "orbit=28,9,4.27", INSIDE("2", "19"), STILL } },
-    [CUBE_PLAIN] = { "ice cube", "valley", { "orbit=28,9,4.34", INSIDE("0", "0"), STILL } },
+                      { "orbit=28,9,4.27", INSIDE("2", "19"), STATIC_CUBE } },
+    [CUBE_PLAIN] = { "ice cube", "valley", { "orbit=28,9,4.34", INSIDE("0", "0"), STATIC_CUBE } },
     [CUBE_FULL] = { "ice cube with cracks and air",
                     "valley",
-                    { "orbit=28,9,4.34", INSIDE("2", "19"), STILL } },
-    [TEAPOT_PLAIN] = { "teapot", "teapot", { "orbit=28,9,2.5", INSIDE("0", "0"), STILL } },
+                    { "orbit=28,9,4.34", INSIDE("2", "19"), STATIC_CUBE } },
+    [TEAPOT_PLAIN] = { "teapot", "teapot", { "orbit=28,9,2.5", INSIDE("0", "0"), STATIC_CUBE } },
     [TEAPOT_FULL] = { "teapot with cracks and air",
                       "teapot",
-                      { "orbit=28,9,2.5", INSIDE("2", "19"), STILL } },
+                      { "orbit=28,9,2.5", INSIDE("2", "19"), STATIC_CUBE } },
     [ONE_SIDED_DYNAMIC] = { "one-sided in a dynamic environment",
                             "valley",
                             { "orbit=28,9,4.34", INSIDE("2", "19"), MOVED,
@@ -73,21 +73,22 @@ static const struct paper_case cases[CASE_COUNT] = {
                             { "orbit=28,9,4.34", INSIDE("2", "19"), MOVED, "refraction=paper" } },
     [ONE_SIDED_STATIC] = { "one-sided in a static environment",
                            "valley",
-                           { "orbit=28,9,4.34", INSIDE("2", "19"), STILL, "motion.count=3",
+                           { "orbit=28,9,4.34", INSIDE("2", "19"), STATIC_CUBE, "motion.count=3",
                              "refraction=one-sided" } },
     [TWO_SIDED_STATIC] = { "two-sided in a static environment",
                            "valley",
-                           { "orbit=28,9,4.34", INSIDE("2", "19"), STILL, "motion.count=3",
+                           { "orbit=28,9,4.34", INSIDE("2", "19"), STATIC_CUBE, "motion.count=3",
                              "refraction=paper" } },
     [WHOLE_SCREEN] = { "ice cube on the whole screen",
                        "valley",
-                       { "orbit=28,9,1.5", INSIDE("2", "19"), STILL } },
+                       { "orbit=28,9,1.5", INSIDE("2", "19"), STATIC_CUBE } },
     [TARGETS_HALF] = { "ice cube and targets of 1/2",
                        "valley",
-                       { "orbit=28,9,4.34", INSIDE("2", "19"), STILL, "inclusions.scale=0.5" } },
+                       { "orbit=28,9,4.34", INSIDE("2", "19"), STATIC_CUBE,
+                         "inclusions.scale=0.5" } },
     [TARGETS_QUARTER] = { "ice cube and targets of 1/4",
                           "valley",
-                          { "orbit=28,9,4.34", INSIDE("2", "19"), STILL,
+                          { "orbit=28,9,4.34", INSIDE("2", "19"), STATIC_CUBE,
                             "inclusions.scale=0.25" } },
     [CUBE_256] = { "two-sided and a dynamic cube of 256",
                    "valley",
@@ -171,31 +172,31 @@ static const char *const paper_settings[][2] = {
     { "env_cube.size", "512" },
 };
 
-static enum status apply_paper_settings(struct app_image *picture)
+static enum status apply_paper_settings(struct app_image *image)
 {
     enum status status = STATUS_OK;
-    if (!picture->is_refraction_named)
-        status = app_set_option(picture, "refraction", "paper");
+    if (!image->is_refraction_named)
+        status = app_set_option(image, "refraction", "paper");
     for (size_t i = 0;
          i < sizeof(paper_settings) / sizeof(paper_settings[0]) && status == STATUS_OK; i++) {
         const size_t index = settings_index(settings_find(paper_settings[i][0]));
-        if (!picture->scene.is_set[index] && !picture->scene.is_preset[index])
-            status = app_set_option(picture, paper_settings[i][0], paper_settings[i][1]);
+        if (!image->scene.is_set[index] && !image->scene.is_preset[index])
+            status = app_set_option(image, paper_settings[i][0], paper_settings[i][1]);
     }
     return status;
 }
 
-static enum status case_picture(const struct profile_job *job, const struct paper_case *c,
-                                struct app_image *picture)
+static enum status case_image(const struct profile_job *job, const struct paper_case *c,
+                              struct app_image *image)
 {
-    *picture = job->o.picture;
-    picture->scene.name = c->scene;
-    enum status status = apply_paper_settings(picture);
+    *image = job->o.image;
+    image->scene.name = c->scene;
+    enum status status = apply_paper_settings(image);
     for (size_t i = 0; c->set[i] && status == STATUS_OK; i++) {
         char name[64];
         size_t length = strcspn(c->set[i], "=");
         snprintf(name, sizeof(name), "%.*s", (int)length, c->set[i]);
-        status = app_set_option(picture, name, c->set[i] + length + 1);
+        status = app_set_option(image, name, c->set[i] + length + 1);
     }
     return status;
 }
@@ -259,12 +260,12 @@ static void print_contrasts(const struct profile_sweep *sweep)
     profile_print_wrapped(text, 0, stdout);
 }
 
-static enum status measure_cases(struct profile_job *job, struct app_image *pictures)
+static enum status measure_cases(struct profile_job *job, struct app_image *images)
 {
-    enum status status = pictures ? STATUS_OK : log_out_of_memory(NULL);
+    enum status status = images ? STATUS_OK : log_out_of_memory(NULL);
     for (uint32_t i = 0; i < CASE_COUNT && status == STATUS_OK; i++)
-        status = case_picture(job, &cases[i], &pictures[i]);
-    return status == STATUS_OK ? profile_job_measure(job, pictures, job->sweep.points, CASE_COUNT)
+        status = case_image(job, &cases[i], &images[i]);
+    return status == STATUS_OK ? profile_job_measure(job, images, job->sweep.points, CASE_COUNT)
                                : status;
 }
 
@@ -281,9 +282,9 @@ enum status profile_paper(struct profile_job *job)
     job->sweep.figure_count = FIGURE_COUNT;
     if (job->o.profile.time_step <= 0)
         job->o.profile.time_step = 0.04; /* objects and lights must move between runs */
-    struct app_image *pictures = calloc(CASE_COUNT, sizeof(*pictures));
-    status = measure_cases(job, pictures);
-    free(pictures);
+    struct app_image *images = calloc(CASE_COUNT, sizeof(*images));
+    status = measure_cases(job, images);
+    free(images);
     if (status == STATUS_OK)
         status = profile_contrast_all(&job->sweep);
     if (status == STATUS_OK && profile_job_has_table(&job->o.profile)) {

@@ -35,26 +35,26 @@ struct job {
     struct signals stop;
     struct scene scene;
     bool is_opened;       /* open_renderer() has logged its warnings */
-    bool is_filled;       /* scene textures and meshes are filled: app_pose_scene() */
-    const char *missing;  /* what there was no memory for when the scene was filled, or NULL */
-    struct camera camera; /* at time 0; the camera of an animated model may move */
+    bool is_filled;       /* textures and meshes are filled */
+    const char *missing;  /* result of app_fill_scene() */
+    struct camera camera; /* camera at time 0; that of an animated model may move */
     struct gpu gpu;
-    struct renderer *renderer;      /* draws on the device; NULL if `reference` is used */
-    struct reference *reference;    /* ray tracer; NULL until a frame needs it */
-    bool makes_png;                 /* make_png() makes the pixels of PNG files */
+    struct renderer *renderer;      /* NULL if `reference` is used */
+    struct reference *reference;    /* NULL until a frame needs it */
+    bool makes_png;                 /* make_png() is needed */
     uint32_t tile_done, tile_count; /* tiles of the current frame */
     uint64_t pixels_beyond;         /* total of all frames: reference.h */
     double remaining;
     struct progress progress;
 };
 
-/* State of one frame: its files and its rendered image. */
+/* A frame: its description, files and rendered image. */
 struct frame {
     struct output output;
     char *paths[APP_OUTPUT_COUNT];
     bool is_current[APP_OUTPUT_COUNT]; /* the file already contains the frame */
     struct render_result result;
-    struct reference_outcome outcome; /* result of the reference, if it is used */
+    struct reference_outcome outcome; /* result of the reference */
 };
 
 /* ---- a frame ---- */
@@ -84,10 +84,10 @@ static bool is_current(const struct job *job, const struct output *output, const
 {
     struct image_header head;
     if (file_io_is_direct(path) || access(path, R_OK) != 0 ||
-        image_reader_check(&head, path, &job->o.picture.scene.reader) != STATUS_OK)
+        image_reader_check(&head, path, &job->o.image.scene.reader) != STATUS_OK)
         return false;
     const uint32_t samples =
-        output_enough_samples(&head, job->o.picture.samples, job->o.render.noise);
+        output_enough_samples(&head, job->o.image.samples, job->o.render.noise);
     const bool same = output_is_current(output, path, &head) ||
                       (samples && has_samples(output, path, &head, samples));
     image_header_finish(&head);
@@ -99,13 +99,13 @@ static enum status frame_init(struct frame *frame, const struct job *job, int32_
 {
     *frame = (struct frame){
         .output = {
-            .picture = &job->o.picture,
+            .image = &job->o.image,
             .scene = &job->scene,
             .is_frame = job->o.render.frames != NULL,
             .shot = {
                 .camera = job->camera,
-                .time = (float)sequence_time(&job->o.picture.scene.settings, number),
-                .tile = job->o.picture.tile ? job->o.picture.tile - 1 : 0,
+                .time = (float)sequence_time(&job->o.image.scene.settings, number),
+                .tile = job->o.image.tile ? job->o.image.tile - 1 : 0,
             },
         },
     };
@@ -137,27 +137,27 @@ static bool show_progress(void *user, uint32_t done, uint32_t all)
 }
 
 /* Allocates the whole image, with the planes of a tile. */
-static bool make_whole(const struct job *job, const struct render_result *tile,
-                       struct render_result *whole)
+static bool assemble_image(const struct job *job, const struct render_result *tile,
+                           struct render_result *image)
 {
-    image_init(&whole->image, job->o.picture.width, job->o.picture.height);
+    image_init(&image->image, job->o.image.width, job->o.image.height);
     for (uint32_t p = 0; p < tile->image.plane_count; p++) {
         const struct image_plane *plane = &tile->image.planes[p];
-        if (!image_add_plane(&whole->image, plane->name, plane->half))
+        if (!image_add_plane(&image->image, plane->name, plane->half))
             return false;
     }
     if (tile->rgba)
-        whole->rgba = malloc((size_t)job->o.picture.width * job->o.picture.height * 4);
-    return !tile->rgba || whole->rgba;
+        image->rgba = malloc((size_t)job->o.image.width * job->o.image.height * 4);
+    return !tile->rgba || image->rgba;
 }
 
 /* Copies a tile's pixels to their positions in the whole image. */
 static void copy_tile(const struct job *job, uint32_t index, const struct render_result *tile,
-                      struct render_result *whole)
+                      struct render_result *image)
 {
-    const bool is_interleaved = job->o.picture.interleaved;
-    const struct tiling tiling = { job->o.picture.width, job->o.picture.height,
-                                   job->o.picture.columns, job->o.picture.rows };
+    const bool is_interleaved = job->o.image.interleaved;
+    const struct tiling tiling = { job->o.image.width, job->o.image.height, job->o.image.columns,
+                                   job->o.image.rows };
     const struct tile at =
         is_interleaved ? (struct tile){ index % tiling.columns, index / tiling.columns, 0, 0 }
                        : tile_at(&tiling, index);
@@ -167,36 +167,36 @@ static void copy_tile(const struct job *job, uint32_t index, const struct render
         for (size_t x = 0; x < tile->image.width; x++) {
             const size_t from = y * tile->image.width + x;
             const size_t to = (down * y + at.y) * tiling.width + across * x + at.x;
-            for (uint32_t p = 0; p < whole->image.plane_count; p++)
-                whole->image.planes[p].texels[to] = tile->image.planes[p].texels[from];
-            if (whole->rgba)
-                memcpy(&whole->rgba[4 * to], &tile->rgba[4 * from], 4);
+            for (uint32_t p = 0; p < image->image.plane_count; p++)
+                image->image.planes[p].texels[to] = tile->image.planes[p].texels[from];
+            if (image->rgba)
+                memcpy(&image->rgba[4 * to], &tile->rgba[4 * from], 4);
         }
     }
 }
 
 static enum status draw_tiles(struct job *job, const struct renderer_shot *shot,
-                              struct render_result *whole)
+                              struct render_result *image)
 {
     enum status status = STATUS_OK;
-    job->tile_count = job->o.picture.columns * job->o.picture.rows;
+    job->tile_count = job->o.image.columns * job->o.image.rows;
     for (uint32_t i = 0; i < job->tile_count && status == STATUS_OK; i++) {
-        struct renderer_shot part = *shot;
+        struct renderer_shot tile_shot = *shot;
         struct render_result tile = { 0 };
-        part.tile = i;
+        tile_shot.tile = i;
         job->tile_done = i;
-        status = renderer_render(job->renderer, &part, &tile, show_progress, job);
-        if (status == STATUS_OK && i == 0 && !make_whole(job, &tile, whole))
+        status = renderer_render(job->renderer, &tile_shot, &tile, show_progress, job);
+        if (status == STATUS_OK && i == 0 && !assemble_image(job, &tile, image))
             status = log_out_of_memory(NULL);
         if (status == STATUS_OK)
-            copy_tile(job, i, &tile, whole);
+            copy_tile(job, i, &tile, image);
         render_result_finish(&tile);
     }
     return status;
 }
 
 /* Returns the frame's EXR output beside which its sample sums are stored, or NULL. */
-static const char *sums_picture(const struct job *job, const struct frame *frame)
+static const char *sums_image(const struct job *job, const struct frame *frame)
 {
     for (uint32_t i = 0; i < job->o.run.outputs.count && job->o.render.keep_sums; i++) {
         if (path_ends_in(frame->paths[i], ".exr"))
@@ -208,8 +208,8 @@ static const char *sums_picture(const struct job *job, const struct frame *frame
 /* Renders with the reference, resuming from stored sums, and records the actual sample count. */
 static enum status trace_image(struct job *job, struct frame *frame)
 {
-    const char *picture = sums_picture(job, frame);
-    char *path = picture ? option_sums_file(picture) : NULL;
+    const char *image = sums_image(job, frame);
+    char *path = image ? option_sums_file(image) : NULL;
     struct output *output = &frame->output;
     struct sample_sums_file file = {
         .path = path,
@@ -222,7 +222,7 @@ static enum status trace_image(struct job *job, struct frame *frame)
         .keep = path ? sample_sums_file_store : NULL,
         .user = &file,
     };
-    if (picture && !path)
+    if (image && !path)
         return log_out_of_memory(NULL);
     enum status status = reference_continue(job->reference, &output->shot, &frame->result, &session,
                                             show_progress, job);
@@ -251,7 +251,7 @@ static enum status draw_image(struct job *job, struct frame *frame)
     struct render_result *result = &frame->result;
     if (job->reference)
         return trace_image(job, frame);
-    if (job->o.picture.columns && !job->o.picture.tile)
+    if (job->o.image.columns && !job->o.image.tile)
         return draw_tiles(job, shot, result);
     return renderer_render(job->renderer, shot, result, show_progress, job);
 }
@@ -273,12 +273,12 @@ static bool make_png(const struct app_image *p, struct render_result *result)
 static enum status draw(struct job *job, struct frame *frame)
 {
     struct render_result *result = &frame->result;
-    progress_show(&job->progress, 0, job->o.picture.samples);
+    progress_show(&job->progress, 0, job->o.image.samples);
     enum status status = draw_image(job, frame);
     progress_clear(&job->progress);
     job->pixels_beyond += frame->outcome.pixels_beyond;
     job->remaining = fmax(job->remaining, frame->outcome.remaining);
-    if (status == STATUS_OK && job->makes_png && !make_png(&job->o.picture, result))
+    if (status == STATUS_OK && job->makes_png && !make_png(&job->o.image, result))
         status = STATUS_TRY_AGAIN;
     return status;
 }
@@ -286,7 +286,7 @@ static enum status draw(struct job *job, struct frame *frame)
 static void *fill_scene(void *user)
 {
     struct job *job = user;
-    job->missing = app_fill_scene(&job->scene, &job->o.picture.scene);
+    job->missing = app_fill_scene(&job->scene, &job->o.image.scene);
     return NULL;
 }
 
@@ -322,7 +322,7 @@ static enum status open_reference(struct job *job, const struct renderer_params 
 static bool is_small(const struct job *job)
 {
     const uint64_t pixels =
-        (uint64_t)job->o.picture.width * job->o.picture.height * job->o.picture.samples;
+        (uint64_t)job->o.image.width * job->o.image.height * job->o.image.samples;
     return pixels <= (1u << 17) / job->sequence.range.count;
 }
 
@@ -343,14 +343,14 @@ static enum status open_device(struct job *job)
         fill_scene(job);
     job->is_filled = true;
     if (status == STATUS_OK)
-        app_check_rays(&job->o.picture.scene.settings, &job->gpu);
+        app_check_rays(&job->o.image.scene.settings, &job->gpu);
     return status == STATUS_OK && job->missing ? app_log_fill_failure(job->missing) : status;
 }
 
 /* Opens the device or the reference, with the first frame that has to be drawn. */
 static enum status open_renderer(struct job *job)
 {
-    const struct app_image *p = &job->o.picture;
+    const struct app_image *p = &job->o.image;
     const struct app_outputs *outputs = &job->o.run.outputs;
     struct renderer_params params = app_renderer_params(p, &job->gpu, &job->scene);
     params.samples = p->samples;
@@ -381,7 +381,7 @@ static enum status open_renderer(struct job *job)
 
 static void print_written(const struct job *job, const struct frame *frame, const char *path)
 {
-    const struct app_image *p = &job->o.picture;
+    const struct app_image *p = &job->o.image;
     const uint32_t samples = frame->output.samples ? frame->output.samples : p->samples;
     const char *name = strcmp(path, "-") ? path : "stdout";
     fprintf(stderr, "%s: %ux%u, ", name, p->width, p->height);
@@ -397,17 +397,17 @@ static void print_written(const struct job *job, const struct frame *frame, cons
 static enum status write_output(struct job *job, const struct frame *frame, const char *path)
 {
     /* a pipe may block forever, so signals are not held */
-    const bool is_straight = file_io_is_direct(path);
+    const bool is_direct = file_io_is_direct(path);
     void *data = NULL;
     size_t size = 0;
     const char *device =
         job->reference ? reference_device(job->reference) : job->gpu.properties.deviceName;
     enum status status = output_encode(&frame->output, path, &frame->result, device, &data, &size);
     if (status == STATUS_OK) {
-        if (!is_straight)
+        if (!is_direct)
             signals_hold(&job->stop);
         status = file_io_write(path, data, size);
-        if (!is_straight)
+        if (!is_direct)
             signals_release(&job->stop);
     }
     free(data);
@@ -450,12 +450,12 @@ static enum status pose(struct job *job, struct frame *frame)
         job->reference = NULL;
     }
     enum status status =
-        previous_pose_find(&previous, &shot->earlier, &job->scene, &job->o.picture, shot->time);
+        previous_pose_find(&previous, &shot->earlier, &job->scene, &job->o.image, shot->time);
     if (status == STATUS_OK)
-        status = app_pose_scene(&job->scene, &job->o.picture.scene, shot->time, &is_changed);
+        status = app_pose_scene(&job->scene, &job->o.image.scene, shot->time, &is_changed);
     previous_pose_move_to(&previous, &job->scene);
     job->is_filled = job->is_filled || (status == STATUS_OK && is_changed);
-    return status == STATUS_OK ? app_camera(&shot->camera, &job->scene, &job->o.picture) : status;
+    return status == STATUS_OK ? app_camera(&shot->camera, &job->scene, &job->o.image) : status;
 }
 
 static enum status run_frame(struct job *job, uint32_t index)
@@ -485,17 +485,15 @@ static enum status run_frame(struct job *job, uint32_t index)
     return status;
 }
 
-/*
- * Renders all frames. Stops at the first failure, since its cause (a full disk, a lost device)
+/* Renders all frames. Stops at the first failure, since its cause (a full disk, a lost device)
  * fails the next frame, too, unless only its file cannot be created. If frames were written and
- * others failed, returns STATUS_FAILED.
- */
+ * others failed, returns STATUS_FAILED. */
 static enum status run_frames(struct job *job)
 {
     const uint32_t count = job->sequence.range.count;
     enum status first = STATUS_OK, status = STATUS_OK;
     progress_begin(&job->progress, count,
-                   job->o.picture.refraction == &refract_reference ? "tiles" : "samples",
+                   job->o.image.refraction == &refract_reference ? "tiles" : "samples",
                    job->o.run.quiet);
     for (uint32_t i = 0; i < count && (status == STATUS_OK || status == STATUS_CANT_CREATE); i++) {
         job->progress.frame = i;
@@ -543,11 +541,11 @@ static enum status end_report(struct job *job, enum status status)
 {
     if (!job->o.render.json || !job->report.frames)
         return status;
-    const bool is_straight = file_io_is_direct(job->o.render.json);
-    if (!is_straight)
+    const bool is_direct = file_io_is_direct(job->o.render.json);
+    if (!is_direct)
         signals_hold(&job->stop);
     const enum status written = write_report(job, (int)status);
-    if (!is_straight)
+    if (!is_direct)
         signals_release(&job->stop);
     return status == STATUS_OK ? written : status;
 }
@@ -561,13 +559,13 @@ static enum status run(struct job *job)
     if (status == STATUS_OK && job->o.render.json)
         status = file_io_check(job->o.render.json);
     if (status == STATUS_OK)
-        status = app_begin_scene(&job->scene, &job->o.picture.scene);
+        status = app_begin_scene(&job->scene, &job->o.image.scene);
     if (status == STATUS_OK)
-        status = app_camera(&job->camera, &job->scene, &job->o.picture);
+        status = app_camera(&job->camera, &job->scene, &job->o.image);
     if (status == STATUS_OK)
-        app_choose_refraction(&job->o.picture, &job->scene, &job->camera);
+        app_choose_refraction(&job->o.image, &job->scene, &job->camera);
     if (status == STATUS_OK)
-        status = output_check_tiles(&job->o.picture, &job->o.run.outputs);
+        status = output_check_tiles(&job->o.image, &job->o.run.outputs);
     if (status == STATUS_OK)
         status = begin_report(job);
     if (status == STATUS_OK)

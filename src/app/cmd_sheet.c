@@ -18,7 +18,7 @@
 #include "src/version.h"
 
 enum {
-    PICTURES_MAX = 64,
+    IMAGES_MAX = 64,
     GREY = 34,
 };
 
@@ -46,7 +46,7 @@ static enum status sweep_materials(struct job *job)
     const bool failed = ferror(out) != 0;
     if (fclose(out) || failed)
         return log_out_of_memory(NULL);
-    job->o.sweeps.words[job->o.sweeps.count++] = job->materials;
+    job->o.sweeps.texts[job->o.sweeps.count++] = job->materials;
     return STATUS_OK;
 }
 
@@ -54,15 +54,15 @@ static enum status check(struct job *job)
 {
     struct app_options *o = &job->o;
     struct app_outputs *outputs = &o->run.outputs;
-    enum status status = app_require_scene(&o->picture.scene);
+    enum status status = app_require_scene(&o->image.scene);
     if (status == STATUS_OK)
         status = file_io_check(outputs->paths[0]);
     if (status == STATUS_OK && !o->sweeps.count)
         status = sweep_materials(job);
     if (status == STATUS_OK)
-        status = sweep_values_parse(&job->sweep, &o->sweeps, &o->picture);
-    if (status == STATUS_OK && job->sweep.point_count > PICTURES_MAX) {
-        log_error("--sweep: expected at most %d images on a sheet, got %u", PICTURES_MAX,
+        status = sweep_values_parse(&job->sweep, &o->sweeps, &o->image);
+    if (status == STATUS_OK && job->sweep.point_count > IMAGES_MAX) {
+        log_error("--sweep: expected at most %d images on a sheet, got %u", IMAGES_MAX,
                   job->sweep.point_count);
         return STATUS_USAGE;
     }
@@ -70,7 +70,7 @@ static enum status check(struct job *job)
         if (strcmp(job->sweep.parameters[i].name, "size") != 0)
             continue;
         log_error("--sweep %s: all images of a sheet have the same size; use --size",
-                  o->sweeps.words[i]);
+                  o->sweeps.texts[i]);
         status = STATUS_USAGE;
     }
     return status;
@@ -87,8 +87,8 @@ static struct sheet_grid grid_of(const struct job *job)
         .columns = last > 0                ? job->sweep.parameters[last].value_count
                    : count < SHEET_COLUMNS ? count
                                            : SHEET_COLUMNS,
-        .width = job->o.picture.width,
-        .height = job->o.picture.height,
+        .width = job->o.image.width,
+        .height = job->o.image.height,
     };
 }
 
@@ -103,7 +103,7 @@ static enum status open_canvas(struct job *job)
 /* Draws an image and its label, such as "cracks.count=2 air.count=0", into the sheet. */
 static void place_image(struct job *job, uint32_t point, const struct render_result *result)
 {
-    const struct canvas picture = { job->o.picture.width, job->o.picture.height, result->rgba };
+    const struct canvas image = { job->o.image.width, job->o.image.height, result->rgba };
     const struct sheet_grid grid = grid_of(job);
     const uint32_t x = sheet_left(&grid, point);
     const uint32_t y = sheet_top(&grid, point);
@@ -114,7 +114,7 @@ static void place_image(struct job *job, uint32_t point, const struct render_res
                                    job->sweep.parameters[i].name,
                                    profile_sweep_value(&job->sweep, point, i));
     canvas_draw_text(&job->canvas, x, y, sheet_letter_scale(&grid), label);
-    canvas_draw_image(&job->canvas, x, y + sheet_label_height(&grid), &picture);
+    canvas_draw_image(&job->canvas, x, y + sheet_label_height(&grid), &image);
 }
 
 static enum status draw(struct job *job, const struct app_image *p, const struct scene *scene,
@@ -136,23 +136,23 @@ static enum status draw(struct job *job, const struct app_image *p, const struct
 
 static enum status add_image(struct job *job, uint32_t point)
 {
-    struct app_image picture;
+    struct app_image image;
     struct scene scene = { 0 };
     struct camera camera;
     struct render_result result = { 0 };
-    enum status status = sweep_values_apply(&job->sweep, point, &job->o.picture, &picture);
+    enum status status = sweep_values_apply(&job->sweep, point, &job->o.image, &image);
     if (status == STATUS_OK)
-        status = app_load_scene(&scene, &picture.scene);
+        status = app_load_scene(&scene, &image.scene);
     if (status == STATUS_OK)
-        status = app_camera(&camera, &scene, &picture);
+        status = app_camera(&camera, &scene, &image);
     if (status == STATUS_OK)
-        app_choose_refraction(&picture, &scene, &camera);
+        app_choose_refraction(&image, &scene, &camera);
     if (status == STATUS_OK && !job->gpu.device)
         status = gpu_create(&job->gpu, &job->o.run.gpu);
     if (status == STATUS_OK && point == 0)
-        app_check_rays(&picture.scene.settings, &job->gpu);
+        app_check_rays(&image.scene.settings, &job->gpu);
     if (status == STATUS_OK)
-        status = draw(job, &picture, &scene, &camera, &result);
+        status = draw(job, &image, &scene, &camera, &result);
     if (status == STATUS_OK)
         place_image(job, point, &result);
     render_result_finish(&result);
@@ -168,7 +168,7 @@ static enum status write_sheet(const struct job *job)
         { "firn/command", job->command },
         { "firn/device", job->gpu.properties.deviceName },
     };
-    const struct png_image_source picture = {
+    const struct png_image_source image = {
         .rgba = job->canvas.rgba,
         .width = job->canvas.width,
         .height = job->canvas.height,
@@ -177,13 +177,13 @@ static enum status write_sheet(const struct job *job)
     };
     void *data = NULL;
     size_t size = 0;
-    enum status status = png_encode(&picture, &data, &size);
+    enum status status = png_encode(&image, &data, &size);
     if (status == STATUS_OK)
         status = file_io_write(path, data, size);
     free(data);
     if (status == STATUS_OK && !job->o.run.quiet)
         fprintf(stderr, "%s: %u images of %ux%u\n", path, job->sweep.point_count,
-                job->o.picture.width, job->o.picture.height);
+                job->o.image.width, job->o.image.height);
     return status;
 }
 
@@ -211,7 +211,7 @@ enum status app_sheet(const struct app_options *options)
     enum status status = STATUS_TRY_AGAIN;
     if (job) {
         job->o = *options;
-        job->command = shell_quote_join(options->run.words);
+        job->command = shell_quote_join(options->run.args);
     }
     if (job && job->command)
         status = run(job);

@@ -33,9 +33,9 @@ enum status app_view(const struct app_options *o)
     static const char installed[] = FIRN_BINDIR "/firn-view";
     char path[PATH_SIZE];
     if (find_beside(path))
-        execv(path, o->run.words);
+        execv(path, o->run.args);
     if (errno == ENOENT)
-        execv(installed, o->run.words);
+        execv(installed, o->run.args);
     if (errno == ENOENT)
         log_error("firn-view is not installed: this build has no window; rebuild with meson "
                   "-Dview=enabled (needs GLFW and Dear ImGui)");

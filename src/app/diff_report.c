@@ -141,7 +141,7 @@ void diff_report_text(const struct diff_report *report, FILE *out)
 /* ---- JSON ---- */
 
 /* Adds a value to an object or, if `key` is NULL, to an array. Always takes ownership of it. */
-static bool put(json_t *json, const char *key, json_t *value)
+static bool append(json_t *json, const char *key, json_t *value)
 {
     return (key ? json_object_set_new(json, key, value) : json_array_append_new(json, value)) == 0;
 }
@@ -172,16 +172,16 @@ static json_t *make_count(uint64_t count)
     return json_integer((json_int_t)count);
 }
 
-static bool put_names(json_t *json, const char *key, const char *const *names, uint32_t count)
+static bool append_names(json_t *json, const char *key, const char *const *names, uint32_t count)
 {
     json_t *array = json_array();
-    bool ok = put(json, key, array);
+    bool ok = append(json, key, array);
     for (uint32_t i = 0; i < count && ok; i++)
-        ok = put(array, NULL, make_text(names[i]));
+        ok = append(array, NULL, make_text(names[i]));
     return ok;
 }
 
-static bool put_beauty(json_t *json, const struct diff_report *report)
+static bool append_beauty(json_t *json, const struct diff_report *report)
 {
     const struct comparison *c = report->comparison;
     const struct app_diff *o = &report->options->diff;
@@ -191,76 +191,77 @@ static bool put_beauty(json_t *json, const struct diff_report *report)
         !comparison_metric(c, COMPARISON_MAE, &mae))
         return true;
     json_t *flip = json_object();
-    bool ok = put(json, "flip", flip) && put(flip, "mean", make_number(c->flip)) &&
-              put(flip, "kind", json_string(c->is_hdr ? "hdr" : "ldr")) &&
-              put(flip, "ppd", make_number(report->ppd));
+    bool ok = append(json, "flip", flip) && append(flip, "mean", make_number(c->flip)) &&
+              append(flip, "kind", json_string(c->is_hdr ? "hdr" : "ldr")) &&
+              append(flip, "ppd", make_number(report->ppd));
     if (c->is_hdr)
-        ok = ok && put(flip, "curve", json_string(flip_curve_names[o->curve])) &&
-             put(flip, "first_stop", make_number(c->exposures.first)) &&
-             put(flip, "last_stop", make_number(c->exposures.last)) &&
-             put(flip, "exposures", make_count(c->exposures.count));
+        ok = ok && append(flip, "curve", json_string(flip_curve_names[o->curve])) &&
+             append(flip, "first_stop", make_number(c->exposures.first)) &&
+             append(flip, "last_stop", make_number(c->exposures.last)) &&
+             append(flip, "exposures", make_count(c->exposures.count));
     else
-        ok = ok && put(flip, "exposure", make_number((double)o->exposure));
-    return ok && put(json, "rmse", make_number(rmse)) && put(json, "relmse", make_number(relmse)) &&
-           put(json, "mae", make_number(mae));
+        ok = ok && append(flip, "exposure", make_number((double)o->exposure));
+    return ok && append(json, "rmse", make_number(rmse)) &&
+           append(json, "relmse", make_number(relmse)) && append(json, "mae", make_number(mae));
 }
 
-static bool put_layers(json_t *json, const struct comparison *c)
+static bool append_layers(json_t *json, const struct comparison *c)
 {
     json_t *layers = json_array();
-    bool ok = put(json, "layers", layers);
+    bool ok = append(json, "layers", layers);
     for (uint32_t i = 0; i < c->layer_count && ok; i++) {
         const struct difference *d = &c->layers[i].difference;
         json_t *layer = json_object();
-        ok = put(layers, NULL, layer) && put(layer, "name", make_text(c->layers[i].name)) &&
-             put(layer, "rmse", make_number(difference_rmse(d))) &&
-             put(layer, "largest", make_number(d->count ? d->largest : (double)NAN)) &&
-             put(layer, "values", make_count(d->count)) &&
-             put(layer, "not_finite", make_count(d->not_finite));
+        ok = append(layers, NULL, layer) && append(layer, "name", make_text(c->layers[i].name)) &&
+             append(layer, "rmse", make_number(difference_rmse(d))) &&
+             append(layer, "largest", make_number(d->count ? d->largest : (double)NAN)) &&
+             append(layer, "values", make_count(d->count)) &&
+             append(layer, "not_finite", make_count(d->not_finite));
     }
     return ok;
 }
 
-static bool put_exit(json_t *json, const struct angle *angle)
+static bool append_exit_code(json_t *json, const struct angle *angle)
 {
     const uint64_t one = angle->only_reference + angle->only_test;
     json_t *exit = json_object();
-    return put(json, "exit", exit) && put(exit, "pixels", make_count(angle->both)) &&
-           put(exit, "mean", make_number(angle->mean)) &&
-           put(exit, "median", make_number(angle->median)) &&
-           put(exit, "most_95", make_number(angle->percentile_95)) &&
-           put(exit, "largest", make_number(angle->largest)) &&
-           put(exit, "only_reference", make_count(angle->only_reference)) &&
-           put(exit, "only_test", make_count(angle->only_test)) &&
-           put(exit, "mismatch", make_number(fraction(one, one + angle->both)));
+    return append(json, "exit", exit) && append(exit, "pixels", make_count(angle->both)) &&
+           append(exit, "mean", make_number(angle->mean)) &&
+           append(exit, "median", make_number(angle->median)) &&
+           append(exit, "most_95", make_number(angle->percentile_95)) &&
+           append(exit, "largest", make_number(angle->largest)) &&
+           append(exit, "only_reference", make_count(angle->only_reference)) &&
+           append(exit, "only_test", make_count(angle->only_test)) &&
+           append(exit, "mismatch", make_number(fraction(one, one + angle->both)));
 }
 
-static bool put_tir(json_t *json, const struct comparison *c)
+static bool append_tir(json_t *json, const struct comparison *c)
 {
     json_t *tir = json_object();
-    return put(json, "tir", tir) && put(tir, "pixels", make_count(c->tir_count)) &&
-           put(tir, "differs", make_count(c->tir_differs)) &&
-           put(tir, "mismatch", make_number(fraction(c->tir_differs, c->tir_count)));
+    return append(json, "tir", tir) && append(tir, "pixels", make_count(c->tir_count)) &&
+           append(tir, "differs", make_count(c->tir_differs)) &&
+           append(tir, "mismatch", make_number(fraction(c->tir_differs, c->tir_count)));
 }
 
 static bool fill_json(json_t *json, const struct diff_report *report)
 {
     const struct app_options *o = report->options;
     const struct comparison *c = report->comparison;
-    bool ok = put(json, "reference", make_text(o->positionals[0])) &&
-              put(json, "test", make_text(o->positionals[1])) &&
-              put(json, "width", make_count(report->width)) &&
-              put(json, "height", make_count(report->height)) &&
-              put(json, "pixels", make_count(c->counted)) &&
-              (!o->mask.file || put(json, "mask", make_text(o->mask.file))) &&
-              put_beauty(json, report) && put_layers(json, c) &&
-              (!c->has_exit || put_exit(json, &c->angle)) && (!c->has_tir || put_tir(json, c)) &&
-              put_names(json, "only_reference", c->only_reference, c->only_reference_count) &&
-              put_names(json, "only_test", c->only_test, c->only_test_count);
+    bool ok = append(json, "reference", make_text(o->positionals[0])) &&
+              append(json, "test", make_text(o->positionals[1])) &&
+              append(json, "width", make_count(report->width)) &&
+              append(json, "height", make_count(report->height)) &&
+              append(json, "pixels", make_count(c->counted)) &&
+              (!o->mask.file || append(json, "mask", make_text(o->mask.file))) &&
+              append_beauty(json, report) && append_layers(json, c) &&
+              (!c->has_exit || append_exit_code(json, &c->angle)) &&
+              (!c->has_tir || append_tir(json, c)) &&
+              append_names(json, "only_reference", c->only_reference, c->only_reference_count) &&
+              append_names(json, "only_test", c->only_test, c->only_test_count);
     json_t *failed = json_array();
-    ok = put(json, "failed", failed) && ok;
+    ok = append(json, "failed", failed) && ok;
     for (int i = 0; i < COMPARISON_METRIC_COUNT && ok; i++)
-        ok = !report->failed[i] || put(failed, NULL, json_string(comparison_metric_names[i]));
+        ok = !report->failed[i] || append(failed, NULL, json_string(comparison_metric_names[i]));
     return ok;
 }
 

@@ -13,10 +13,10 @@
 enum {
     CELLS = 3,
     MARGIN = 8,   /* pixels */
-    LABEL = 100,  /* minimum width of a cell at scale 1, pixels */
+    LABEL = 100,  /* minimum cell width, pixels */
     BAR = 16,     /* width of the colour scale, pixels */
-    BAR_MIN = 40, /* minimum height of the colour scale, pixels */
-    LETTERS = 2,  /* scale of the letters in cells that are wide enough */
+    BAR_MIN = 40, /* minimum height, pixels */
+    LETTERS = 2,  /* letter scale in wide cells */
     GREY = 34,
 };
 
@@ -31,12 +31,12 @@ static bool make_heat(const struct diff_sheet *sheet, struct canvas *heat)
     return true;
 }
 
-static bool make_picture(const struct diff_sheet *sheet, const struct image *image,
-                         struct canvas *picture)
+static bool make_canvas(const struct diff_sheet *sheet, const struct image *image,
+                        struct canvas *canvas)
 {
     static const char *const names[] = { "R", "G", "B" };
     const float gain = exp2f(sheet->exposure);
-    if (!canvas_init(picture, image->width, image->height, 0))
+    if (!canvas_init(canvas, image->width, image->height, 0))
         return false;
     for (size_t c = 0; c < 3; c++) {
         const float *texels = image_find(image, names[c]);
@@ -44,7 +44,7 @@ static bool make_picture(const struct diff_sheet *sheet, const struct image *ima
             const float value = texels[i] * gain;
             /* NaN becomes black, too */
             const float shown = value > 0.0f ? srgb_encode(value) : 0.0f;
-            picture->rgba[4 * i + c] = (uint8_t)lrintf(shown * 255.0f);
+            canvas->rgba[4 * i + c] = (uint8_t)lrintf(shown * 255.0f);
         }
     }
     return true;
@@ -52,12 +52,12 @@ static bool make_picture(const struct diff_sheet *sheet, const struct image *ima
 
 static enum status encode(const struct canvas *canvas, void **data, size_t *size)
 {
-    const struct png_image_source picture = {
+    const struct png_image_source source = {
         .rgba = canvas->rgba,
         .width = canvas->width,
         .height = canvas->height,
     };
-    return png_encode(&picture, data, size);
+    return png_encode(&source, data, size);
 }
 
 enum status diff_sheet_heat(const struct diff_sheet *sheet, void **data, size_t *size)
@@ -79,25 +79,25 @@ enum status diff_sheet_all(const struct diff_sheet *sheet, void **data, size_t *
     const uint32_t bar[4] = { CELLS * (cell + MARGIN) + MARGIN, top, BAR,
                               height > BAR_MIN ? height : BAR_MIN };
     char labels[CELLS][32] = { "reference", "test" };
-    struct canvas pictures[CELLS] = { 0 };
+    struct canvas canvases[CELLS] = { 0 };
     struct canvas canvas = { 0 };
     snprintf(labels[2], sizeof(labels[2]), "FLIP %.4f", sheet->flip);
     *data = NULL;
-    const bool ok = make_picture(sheet, sheet->reference, &pictures[0]) &&
-                    make_picture(sheet, sheet->test, &pictures[1]) &&
-                    make_heat(sheet, &pictures[2]) &&
+    const bool ok = make_canvas(sheet, sheet->reference, &canvases[0]) &&
+                    make_canvas(sheet, sheet->test, &canvases[1]) &&
+                    make_heat(sheet, &canvases[2]) &&
                     canvas_init(&canvas, bar[0] + BAR + legend_numbers(letters) + MARGIN,
                                 top + bar[3] + MARGIN, GREY);
     for (uint32_t i = 0; i < CELLS && ok; i++) {
         const uint32_t x = MARGIN + i * (cell + MARGIN);
         canvas_draw_text(&canvas, x, MARGIN, letters, labels[i]);
-        canvas_draw_image(&canvas, x, top, &pictures[i]);
+        canvas_draw_image(&canvas, x, top, &canvases[i]);
     }
     if (ok)
         legend_put(&canvas, bar, letters);
     const enum status status = ok ? encode(&canvas, data, size) : log_out_of_memory(NULL);
     for (uint32_t i = 0; i < CELLS; i++)
-        free(pictures[i].rgba);
+        free(canvases[i].rgba);
     free(canvas.rgba);
     return status;
 }

@@ -6,9 +6,9 @@
 #include "src/image/image.h"
 
 struct diff_sheet {
-    const struct image *reference, *test; /* linear, with R, G, B, same size */
+    const struct image *reference, *test; /* linear RGB of one size */
     const float *errors;                  /* FLIP, width * height */
-    const bool *counted;                  /* pixels to compare, others are black; NULL: all */
+    const bool *counted;                  /* pixels to compare; NULL: all */
     double flip;                          /* mean over the compared pixels */
     float exposure;                       /* exposure of both images, stops */
 };

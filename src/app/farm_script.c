@@ -4,15 +4,15 @@
 #include "src/app/shell_quote.h"
 
 /* Prints the arguments for firn render, without "farm" and its own arguments. */
-static void print_words(const struct farm_script *script, FILE *out)
+static void print_arguments(const struct farm_script *script, FILE *out)
 {
-    app_print_render_arguments(script->options->run.words + 1, APP_FARM, 1, out);
+    app_print_render_arguments(script->options->run.args + 1, APP_FARM, 1, out);
 }
 
-static void print_program(const struct farm_script *script, const char *what, FILE *out)
+static void print_program(const struct farm_script *script, const char *command, FILE *out)
 {
     shell_quote_word(script->program, out);
-    fprintf(out, " %s", what);
+    fprintf(out, " %s", command);
 }
 
 static void print_head(const struct farm_script *script, FILE *out)
@@ -51,7 +51,7 @@ void farm_script_slurm(const struct farm_script *script, FILE *out)
     fprintf(out, "srun ");
     print_program(script, "render --resume --chunk ", out);
     fprintf(out, "\"$SLURM_ARRAY_TASK_ID/%u\" \\\n   ", script->task_count);
-    print_words(script, out);
+    print_arguments(script, out);
     fprintf(out,
             "\ncode=$?\n"
             "# 75: temporary failure; retry. Slurm sends SIGUSR1 60 s before the time limit.\n"
@@ -70,7 +70,7 @@ void farm_script_slurm(const struct farm_script *script, FILE *out)
             script->name, script->name);
     print_sbatch(script, out);
     print_program(script, "farm status \\\n   ", out);
-    print_words(script, out);
+    print_arguments(script, out);
     fprintf(out, "\nEND\n");
 }
 
@@ -81,12 +81,12 @@ static void print_line(const struct farm_script *script, FILE *out)
 {
     char *line = NULL;
     size_t size;
-    FILE *words = open_memstream(&line, &size);
-    if (words) {
-        print_program(script, "render --resume --chunk ", words);
-        fprintf(words, "{}/%u", script->task_count);
-        print_words(script, words);
-        fclose(words);
+    FILE *text = open_memstream(&line, &size);
+    if (text) {
+        print_program(script, "render --resume --chunk ", text);
+        fprintf(text, "{}/%u", script->task_count);
+        print_arguments(script, text);
+        fclose(text);
     }
     if (line)
         shell_quote_word(line, out);
@@ -111,6 +111,6 @@ void farm_script_parallel(const struct farm_script *script, FILE *out)
             "    ::: $(seq %u) </dev/null || echo \"tasks have failed: %s.logs/joblog\" >&2\n\n",
             script->task_count, script->name);
     print_program(script, "farm status \\\n   ", out);
-    print_words(script, out);
+    print_arguments(script, out);
     putc('\n', out);
 }

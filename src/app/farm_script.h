@@ -1,7 +1,5 @@
-/*
- * farm_script.h: generates sh scripts that submit a sequence to Slurm or GNU parallel. Tasks run
- * firn render --resume --chunk K/N, so that a later task draws the frames of a lost one.
- */
+/* farm_script.h: generates sh scripts that submit a sequence to Slurm or GNU parallel. Tasks run
+ * firn render --resume --chunk K/N, so that a later task draws the frames of a lost one. */
 #ifndef FIRN_APP_FARM_SCRIPT_H
 #define FIRN_APP_FARM_SCRIPT_H
 
@@ -12,8 +10,8 @@ struct farm_script {
     const struct app_options *options;
     uint32_t frame_count;
     uint32_t task_count; /* 1 to frame_count */
-    const char *program; /* path of firn, as the shell finds it */
-    const char *name;    /* name of the job and of the log folder, letters and digits */
+    const char *program; /* path of firn */
+    const char *name;    /* job name, letters and digits */
 };
 
 typedef void farm_script_fn(const struct farm_script *script, FILE *out);

@@ -12,7 +12,7 @@
 /* State of a file or frame, best first; a frame has the state of its worst file. */
 enum state {
     DONE,
-    STALE, /* complete, but made with other settings or by another version of firn */
+    STALE, /* complete, but with other settings or by another version of firn */
     DAMAGED,
     MISSING,
     STATE_COUNT,
@@ -28,12 +28,12 @@ static const struct {
 };
 
 struct job {
-    struct app_image picture; /* its scene name is NULL if only files are named */
+    struct app_image image; /* scene name NULL if unknown */
     const struct app_outputs *outputs;
     const struct sequence *sequence;
     struct scene scene;
     struct camera camera;
-    char *newest[APP_OUTPUT_COUNT]; /* without a scene: settings in each output's newest file */
+    char *newest[APP_OUTPUT_COUNT]; /* settings in each output's newest file */
     enum state *frames;
     uint32_t counts[STATE_COUNT];
 };
@@ -61,7 +61,7 @@ static enum state check_file(const struct job *job, const struct output *output,
     struct image_header head;
     if (access(path, F_OK) != 0)
         return MISSING;
-    if (image_reader_check(&head, path, &job->picture.scene.reader) != STATUS_OK)
+    if (image_reader_check(&head, path, &job->image.scene.reader) != STATUS_OK)
         return DAMAGED;
     bool same = output && output_is_current(output, path, &head);
     if (!output) {
@@ -77,12 +77,12 @@ static enum status check_frame(struct job *job, uint32_t index)
 {
     const int32_t number = job->sequence->range.frames[index];
     struct output output = {
-        .picture = &job->picture,
+        .image = &job->image,
         .scene = &job->scene,
         .shot = { .camera = job->camera,
-                  .time = (float)sequence_time(&job->picture.scene.settings, number) },
+                  .time = (float)sequence_time(&job->image.scene.settings, number) },
     };
-    const bool has_scene = job->picture.scene.name != NULL;
+    const bool has_scene = job->image.scene.name != NULL;
     enum status status = has_scene ? output_describe(&output) : STATUS_OK;
     enum state worst = DONE;
     for (uint32_t i = 0; i < job->outputs->count && status == STATUS_OK; i++) {
@@ -113,7 +113,7 @@ static enum status find_newest(struct job *job, uint32_t i)
             (info.st_mtim.tv_sec > best.tv_sec ||
              (info.st_mtim.tv_sec == best.tv_sec && info.st_mtim.tv_nsec > best.tv_nsec));
         struct image_header head;
-        if (newer && image_reader_check(&head, path, &job->picture.scene.reader) == STATUS_OK) {
+        if (newer && image_reader_check(&head, path, &job->image.scene.reader) == STATUS_OK) {
             best = info.st_mtim;
             free(job->newest[i]);
             job->newest[i] = copy_settings(&head);
@@ -192,19 +192,19 @@ static enum status print_json(const struct job *job)
 static enum status check_frames(struct job *job)
 {
     const uint32_t count = job->sequence->range.count;
-    struct app_image *picture = &job->picture;
+    struct app_image *image = &job->image;
     enum status status = STATUS_OK;
     job->frames = calloc(count, sizeof(*job->frames));
     if (!job->frames)
         return log_out_of_memory(NULL);
-    if (picture->scene.name) {
-        status = app_begin_scene(&job->scene, &picture->scene);
+    if (image->scene.name) {
+        status = app_begin_scene(&job->scene, &image->scene);
         if (status == STATUS_OK)
-            status = app_camera(&job->camera, &job->scene, picture);
+            status = app_camera(&job->camera, &job->scene, image);
         if (status == STATUS_OK)
-            app_choose_refraction(picture, &job->scene, &job->camera);
+            app_choose_refraction(image, &job->scene, &job->camera);
         if (status == STATUS_OK)
-            status = output_check_tiles(picture, job->outputs);
+            status = output_check_tiles(image, job->outputs);
     } else {
         for (uint32_t i = 0; i < job->outputs->count && status == STATUS_OK; i++)
             status = find_newest(job, i);
@@ -217,7 +217,7 @@ static enum status check_frames(struct job *job)
 enum status farm_status(const struct app_options *options, const struct sequence *sequence)
 {
     struct job job = {
-        .picture = options->picture,
+        .image = options->image,
         .outputs = &options->run.outputs,
         .sequence = sequence,
     };

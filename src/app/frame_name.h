@@ -1,10 +1,7 @@
-/*
- * frame_name.h: the field for the frame number in the name of an output file.
- *
- * The field is a run of '#', or one of C's printf(), "%d" or "%04d", in the file name; folders are
- * not searched. "####" pads with zeros to as many digits and puts a sign before them (-0012);
- * "%04d" counts the sign, as in C (-012). Numbers with more digits make the name longer.
- */
+/* frame_name.h: the frame-number field in the name of an output file: a run of '#', or one of C's
+ * printf(), "%d" or "%04d"; folders are not searched. "####" pads with zeros to as many digits and
+ * puts a sign before them (-0012); "%04d" counts the sign, as in C (-012). Numbers with more digits
+ * make the name longer. */
 #ifndef FIRN_APP_FRAME_NAME_H
 #define FIRN_APP_FRAME_NAME_H
 
@@ -15,9 +12,9 @@
 
 struct frame_name {
     const char *path;  /* borrowed */
-    size_t at, length; /* position and length of the field; length 0 if there is none */
-    int width;         /* minimum width of the number; 0: no padding */
-    bool hashes;       /* the width counts only the digits, not the sign */
+    size_t at, length; /* of the field */
+    int width;         /* minimum width; 0: no padding */
+    bool hashes;       /* the width excludes the sign */
 };
 
 /* Parses a path that may have one field. STATUS_USAGE (logged) if there are more, or a lone '%'. */

@@ -200,25 +200,25 @@ bool layer_image_beauty(const struct image *image, const struct settings *settin
     const float *planes[4];
     float shown[4];
     uint8_t *bytes = rgba ? calloc(pixels, 4) : NULL;
-    uint16_t *words = rgba_16 ? calloc(pixels, 4 * sizeof(*words)) : NULL;
+    uint16_t *pixels_16 = rgba_16 ? calloc(pixels, 4 * sizeof(*pixels_16)) : NULL;
     for (size_t p = 0; p < 4; p++)
         planes[p] = image_find(image, frame_beauty.planes[p]);
-    for (size_t i = 0; i < pixels && (bytes || words); i++) {
+    for (size_t i = 0; i < pixels && (bytes || pixels_16); i++) {
         show_beauty(planes, i, params, shown);
         for (size_t c = 0; c < 4; c++) {
             const bool is_dithered = params->dither && c < 3;
             if (bytes)
                 bytes[i * 4 + c] =
                     quantise(is_dithered ? dither_value(shown[c], i, (uint32_t)c) : shown[c]);
-            if (words)
-                words[i * 4 + c] = quantise_16(shown[c]);
+            if (pixels_16)
+                pixels_16[i * 4 + c] = quantise_16(shown[c]);
         }
     }
     if (rgba)
         *rgba = bytes;
     if (rgba_16)
-        *rgba_16 = words;
-    if (bytes || words)
+        *rgba_16 = pixels_16;
+    if (bytes || pixels_16)
         return true;
     log_error("out of memory");
     return false;

@@ -1,11 +1,8 @@
-/*
- * layer_image.h: converts layers (AOVs) to displayable images, for --show.
- *
- * Pixels without a value (0; for Z, 1e10) are black. Amounts and distances are grey, linear in the
- * 8-bit value: from 1/8 for the minimum to white for the maximum of the image; the nearest distance
- * is white. Directions are shown as 0.5 + 0.5 v; each axis of positions is scaled to its range.
- * Colours are sRGB-encoded, premultiplied ones over black.
- */
+/* layer_image.h: converts layers (AOVs) to displayable images, for --show. Pixels without a value
+ * (0; for Z, 1e10) are black. Amounts and distances are grey, linear in the 8-bit value: from 1/8
+ * for the minimum to white for the maximum of the image; the nearest distance is white. Directions
+ * are shown as 0.5 + 0.5 v; each axis of positions is scaled to its range. Colours are
+ * sRGB-encoded, premultiplied ones over black. */
 #ifndef FIRN_APP_LAYER_IMAGE_H
 #define FIRN_APP_LAYER_IMAGE_H
 
@@ -18,9 +15,8 @@ const struct frame_layer *layer_image_find(const char *name);
 /* Returns bit i of renderer_params.layers for techniques_layer(i); 0 for NULL. */
 uint32_t layer_image_bit(const struct frame_layer *layer);
 
-/* Return width * height * 4 values, as in png_image_source.rgba and png_image_source.rgba_16, to be
- * freed by the caller. NULL when out of memory, which is logged. The image must have the layer's
- * planes. */
+/* Return RGBA pixels for png_image_source, to be freed by the caller; NULL when out of memory,
+ * which is logged. The image must have the layer's planes. */
 uint8_t *layer_image_rgba(const struct image *image, const struct frame_layer *layer);
 uint16_t *layer_image_rgba_16(const struct image *image, const struct frame_layer *layer);
 

@@ -47,7 +47,7 @@ static json_t *environments(void)
                                            "equirectangular .exr or .hdr, or firn bake's cube"));
 }
 
-static json_t *rung_of(const struct technique *refraction, bool is_available)
+static json_t *refraction_of(const struct technique *refraction, bool is_available)
 {
     return json_pack("{s:s, s:s, s:b}", "name", refraction->refraction.name, "help",
                      refraction->help, "available", (int)is_available);
@@ -57,8 +57,8 @@ static json_t *refraction_models(void)
 {
     json_t *all = json_array();
     for (size_t r = 0; techniques_refraction(r) && all; r++)
-        all = json_text_append(all, rung_of(techniques_refraction(r), true));
-    return json_text_append(all, rung_of(&refract_reference, reference_is_built()));
+        all = json_text_append(all, refraction_of(techniques_refraction(r), true));
+    return json_text_append(all, refraction_of(&refract_reference, reference_is_built()));
 }
 
 static json_t *materials(void)
@@ -177,8 +177,8 @@ static enum status devices(json_t **all)
 
 static json_t *sandbox(void)
 {
-    const struct sandbox_support parts = sandbox_query();
-    return json_pack("{s:i, s:b}", "landlock", parts.landlock, "seccomp", (int)parts.seccomp);
+    const struct sandbox_support sandbox = sandbox_query();
+    return json_pack("{s:i, s:b}", "landlock", sandbox.landlock, "seccomp", (int)sandbox.seccomp);
 }
 
 /* ---- all lists ---- */

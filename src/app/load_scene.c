@@ -1,5 +1,4 @@
-/* load_scene.c: translates options into scene and renderer parameters, and settles scene settings.
- */
+/* load_scene.c: loads the scene that options describe, and completes its settings. */
 #include <math.h>
 #include <string.h>
 #include "src/app/app.h"
@@ -28,42 +27,43 @@
 
 /* Sets the refractive index. Precedence: --set, --material, --preset, the model's own, the default.
  * Returns true if it is the model's. */
-static bool settle_ior(struct app_scene *given, const struct scene *scene)
+static bool choose_ior(struct app_scene *options, const struct scene *scene)
 {
     const struct model *model = &scene->model;
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const size_t index = settings_index(ior);
-    const bool is_own =
-        !given->is_set[index] && !given->material && model->has_ior && !given->is_preset[index];
+    const bool is_own = !options->is_set[index] && !options->material && model->has_ior &&
+                        !options->is_preset[index];
     if (is_own)
-        settings_set_value(&given->settings, ior, (double)model->ior);
-    else if (!given->is_set[index] && given->material)
-        settings_set_value(&given->settings, ior,
-                           (double)material_preset_find(given->material)->ior);
+        settings_set_value(&options->settings, ior, (double)model->ior);
+    else if (!options->is_set[index] && options->material)
+        settings_set_value(&options->settings, ior,
+                           (double)material_preset_find(options->material)->ior);
     return is_own;
 }
 
 /* Switches on shadows and caustics of the sun if it lights a model file's opaque surroundings,
  * unless the setting is given. */
-static void settle_sun(struct app_scene *given, const struct scene *scene)
+static void choose_sun(struct app_scene *options, const struct scene *scene)
 {
     const struct setting *row =
         settings_row(&ice_caustics_settings, offsetof(struct ice_caustics_params, light));
     const size_t index = settings_index(row);
-    const bool is_given = given->is_set[index] || given->is_preset[index] || given->is_own[index];
-    if (!is_given && !given->plain && !scene_find_builtin(given->name) &&
+    const bool is_given =
+        options->is_set[index] || options->is_preset[index] || options->is_asset_setting[index];
+    if (!is_given && !options->plain && !scene_find_builtin(options->name) &&
         material_table_has_lit(&scene->model.surroundings) &&
-        glms_vec3_max(frame_sun_light(scene, &given->settings)) > 0.0f)
-        settings_set_value(&given->settings, row, ICE_CAUSTICS_SUN);
+        glms_vec3_max(frame_sun_light(scene, &options->settings)) > 0.0f)
+        settings_set_value(&options->settings, row, ICE_CAUSTICS_SUN);
 }
 
-static void switch_off(struct app_scene *given, const struct technique *technique)
+static void switch_off(struct app_scene *options, const struct technique *technique)
 {
     const struct setting *row = &technique->settings[0]->rows[0];
     const size_t index = settings_index(row);
-    if (!given->is_set[index] && !given->is_preset[index])
-        settings_set_value(&given->settings, row, 0);
+    if (!options->is_set[index] && !options->is_preset[index])
+        settings_set_value(&options->settings, row, 0);
 }
 
 /* Returns true if the scene's objects are ice unless --material overrides that. */
@@ -74,234 +74,237 @@ static bool has_ice(const struct scene *scene)
 }
 
 /* Returns true if an asset with its own material sets inclusions of this kind itself. */
-static bool has_own(const struct app_scene *given, const struct technique *technique)
+static bool has_default(const struct app_scene *options, const struct technique *technique)
 {
-    return !given->material && given->is_own[settings_index(&technique->settings[0]->rows[0])];
+    return !options->material &&
+           options->is_asset_setting[settings_index(&technique->settings[0]->rows[0])];
 }
 
 /* Switches off inclusions and bumps that only ice has, for other materials and with --plain. */
-static void switch_off_ice_effects(struct app_scene *given, const struct scene *scene)
+static void switch_off_ice_effects(struct app_scene *options, const struct scene *scene)
 {
     const bool is_ice =
-        given->material ? !strcmp(given->material, material_presets[0].name) : has_ice(scene);
+        options->material ? !strcmp(options->material, material_presets[0].name) : has_ice(scene);
     for (const struct technique *const *t = techniques; *t; t++) {
-        if ((*t)->is_ice_only && (given->plain || (!is_ice && !has_own(given, *t))))
-            switch_off(given, *t);
+        if ((*t)->is_ice_only && (options->plain || (!is_ice && !has_default(options, *t))))
+            switch_off(options, *t);
     }
-    if (given->plain)
-        switch_off(given, &highlight);
+    if (options->plain)
+        switch_off(options, &highlight);
 }
 
 /* Switches off inclusions in scenes with several refractive objects: they belong to one object. */
-static void check_inclusions(struct app_scene *given, const struct scene *scene, bool is_verbose)
+static void check_inclusions(struct app_scene *options, const struct scene *scene, bool is_verbose)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
-        if (scene->model.object_count < 2 || !(*t)->is_ice_only || !(*t)->is_on(&given->settings))
+        if (scene->model.object_count < 2 || !(*t)->is_ice_only || !(*t)->is_on(&options->settings))
             continue;
         if (is_verbose)
             log_warning("%s: left out, because the scene has %u refractive objects",
                         (*t)->title ? (*t)->title : (*t)->name, scene->model.object_count);
-        settings_set_value(&given->settings, &(*t)->settings[0]->rows[0], 0);
+        settings_set_value(&options->settings, &(*t)->settings[0]->rows[0], 0);
     }
 }
 
 /* Warns if the lights of a file have no effect, because only opaque surfaces are lit by them. */
-static void check_lights(const struct app_scene *given, const struct scene *scene)
+static void check_lights(const struct app_scene *options, const struct scene *scene)
 {
     if (scene->model.light_count > 0 && !scene->punctual_light_table)
         log_warning(
             "%s: its lights have no effect: they light only opaque surfaces that are not unlit, "
             "and the scene has none",
-            given->name);
+            options->name);
 }
 
 /* Notes lights in physical units, as other programs write them, that overexpose the image. */
-static void note_brightness(const struct app_scene *given, const struct scene *scene)
+static void note_brightness(const struct app_scene *options, const struct scene *scene)
 {
     const struct setting *exposure = settings_find("tonemap.exposure");
     const float radius = 0.5f * box_diagonal(scene->box);
-    float most = 0.0f; /* illuminance, lux */
+    float brightest = 0.0f; /* illuminance, lux */
     for (uint32_t i = 0; i < scene->model.light_count && scene->punctual_light_table; i++) {
         const struct light *light = &scene->model.lights[i];
         const float distance = glms_vec3_distance(light->position, box_center(scene->box));
         const float d = light->kind == LIGHT_DIRECTIONAL ? 1.0f : fmaxf(distance, radius);
-        most = fmaxf(most, glms_vec3_max(light->color) * light->intensity / (d * d));
+        brightest = fmaxf(brightest, glms_vec3_max(light->color) * light->intensity / (d * d));
     }
-    const double stops = log2((double)most / (double)CGLM_PI);
-    if (stops >= BRIGHT_STOPS && !given->quiet && !given->is_preset[settings_index(exposure)] &&
-        !given->is_set[settings_index(exposure)])
+    const double stops = log2((double)brightest / (double)CGLM_PI);
+    if (stops >= BRIGHT_STOPS && !options->quiet && !options->is_preset[settings_index(exposure)] &&
+        !options->is_set[settings_index(exposure)])
         log_note("%s: its lights make white surfaces %.0f times as bright as white; "
                  "--set tonemap.exposure=%.0f shows them",
-                 given->name, exp2(stops), fmax(-stops, exposure->min));
+                 options->name, exp2(stops), fmax(-stops, exposure->min));
 }
 
 /* Warns if the environment box is empty; no error, since a window's user may be editing it. */
-static void check_box(const struct app_scene *given, const struct scene *scene)
+static void check_box(const struct app_scene *options, const struct scene *scene)
 {
-    const struct refract_params *refract = settings_of(&given->settings, &refract_settings);
-    const struct box box = env_box_of(scene, &given->settings);
+    const struct refract_params *refract = settings_of(&options->settings, &refract_settings);
+    const struct box box = env_box_of(scene, &options->settings);
     const bool is_box = box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
     if (refract->lookup == REFRACT_LOOKUP_BOX && !is_box)
         log_warning("refract.lookup=box: the box is empty, so the environment is infinitely far "
                     "away; set env_box.min_x < right, bottom < top and back < front");
 }
 
-enum status app_require_scene(const struct app_scene *given)
+enum status app_require_scene(const struct app_scene *options)
 {
-    if (given->name)
+    if (options->name)
         return STATUS_OK;
     log_error("SCENE is missing: expected a name of firn list scenes or a model file (see --help)");
     return STATUS_USAGE;
 }
 
 /* Notes that an object without materials is drawn as ice, which its author may not have meant. */
-static void note_ice(const struct app_scene *given, const struct scene *scene)
+static void note_ice(const struct app_scene *options, const struct scene *scene)
 {
-    if (!given->quiet && !given->material && !scene_is_known(given->name) && has_ice(scene))
+    if (!options->quiet && !options->material && !scene_is_known(options->name) && has_ice(scene))
         log_note("%s: has no materials, so it is drawn as ice; to change it, use for example "
                  "--material glass",
-                 given->name);
+                 options->name);
 }
 
-struct settling {
-    struct app_scene *given;
+struct settings_callback_data {
+    struct app_scene *options;
     struct bump_maps_params *maps;
 };
 
-static void settle_callback(void *user, const struct scene *scene, struct scene_params *params)
+static void finish_settings_callback(void *user, const struct scene *scene,
+                                     struct scene_params *params)
 {
-    const struct settling *settling = user;
-    note_ice(settling->given, scene);
-    switch_off_ice_effects(settling->given, scene);
-    check_inclusions(settling->given, scene, true);
-    *params = app_scene_params(settling->given, settling->maps);
+    const struct settings_callback_data *settings_callback_data = user;
+    note_ice(settings_callback_data->options, scene);
+    switch_off_ice_effects(settings_callback_data->options, scene);
+    check_inclusions(settings_callback_data->options, scene, true);
+    *params = app_scene_params(settings_callback_data->options, settings_callback_data->maps);
 }
 
 /* Returns true for --env valley: the built-in landscape, also around a model file. */
-static bool is_valley(const struct app_scene *given)
+static bool is_valley(const struct app_scene *options)
 {
-    return given->environment && asset_is_valley(given->environment);
+    return options->environment && asset_is_valley(options->environment);
 }
 
-const struct asset *app_own_environment(const char *name)
+const struct asset *app_default_environment(const char *name)
 {
     const struct asset *scene = asset_find(name, ASSET_SCENE);
-    const char *own = scene ? scene->environment : scene_find_builtin(name) ? NULL : "studio";
-    return own ? asset_find(own, ASSET_ENVIRONMENT) : NULL;
+    const char *asset = scene ? scene->environment : scene_find_builtin(name) ? NULL : "studio";
+    return asset ? asset_find(asset, ASSET_ENVIRONMENT) : NULL;
 }
 
 /* Sets the default environment (`studio` or an asset's own) unless options set one. */
-static void choose_environment(struct app_scene *given)
+static void choose_environment(struct app_scene *options)
 {
-    const struct asset *environment = app_own_environment(given->name);
-    if (given->environment || given->surroundings || given->background.is_given || !environment)
+    const struct asset *environment = app_default_environment(options->name);
+    if (options->environment || options->surroundings || options->background.is_given ||
+        !environment)
         return;
-    given->has_own_environment = asset_exists(environment);
-    if (given->has_own_environment)
-        given->environment = environment->name;
-    else if (!given->quiet)
+    options->has_default_environment = asset_exists(environment);
+    if (options->has_default_environment)
+        options->environment = environment->name;
+    else if (!options->quiet)
         log_note("%s: not found, so the surroundings are the built-in sky; set FIRN_ASSETS to the "
                  "folder of firn's assets",
                  environment->file);
 }
 
 /* Applies the default settings of an asset. */
-static enum status apply_asset_settings(struct app_scene *given)
+static enum status apply_asset_settings(struct app_scene *options)
 {
-    const struct asset *scene = asset_find(given->name, ASSET_SCENE);
-    memset(given->is_own, 0, sizeof(given->is_own));
+    const struct asset *scene = asset_find(options->name, ASSET_SCENE);
+    memset(options->is_asset_setting, 0, sizeof(options->is_asset_setting));
     for (uint32_t i = 0; scene && i < ASSET_SETTING_COUNT && scene->settings[i]; i++) {
-        struct settings settings = given->settings;
+        struct settings settings = options->settings;
         const struct setting *row;
         const enum status status = settings_assign(&settings, scene->settings[i], NULL, &row);
         if (status != STATUS_OK)
             return status;
         const size_t index = settings_index(row);
-        if (given->is_set[index] || given->is_preset[index])
+        if (options->is_set[index] || options->is_preset[index])
             continue;
-        given->settings = settings;
-        given->is_own[index] = true;
+        options->settings = settings;
+        options->is_asset_setting[index] = true;
     }
     return STATUS_OK;
 }
 
-void app_apply_scene_settings(struct app_scene *given, const struct scene *scene)
+void app_apply_scene_settings(struct app_scene *options, const struct scene *scene)
 {
-    if (apply_asset_settings(given) != STATUS_OK)
-        return; /* loading the asset has logged the error */
-    switch_off_ice_effects(given, scene);
-    check_inclusions(given, scene, false);
-    (void)settle_ior(given, scene);
-    settle_sun(given, scene);
+    if (apply_asset_settings(options) != STATUS_OK)
+        return; /* the error was logged */
+    switch_off_ice_effects(options, scene);
+    check_inclusions(options, scene, false);
+    (void)choose_ior(options, scene);
+    choose_sun(options, scene);
 }
 
-struct settings app_scene_settings(const struct app_scene *given, const struct scene *scene)
+struct settings app_scene_settings(const struct app_scene *options, const struct scene *scene)
 {
-    struct app_scene own = *given;
-    own.plain = false;
-    own.settings = settings_default();
-    memset(own.is_set, 0, sizeof(own.is_set));
-    memset(own.is_preset, 0, sizeof(own.is_preset));
-    app_apply_scene_settings(&own, scene);
-    return own.settings;
+    struct app_scene initial = *options;
+    initial.plain = false;
+    initial.settings = settings_default();
+    memset(initial.is_set, 0, sizeof(initial.is_set));
+    memset(initial.is_preset, 0, sizeof(initial.is_preset));
+    app_apply_scene_settings(&initial, scene);
+    return initial.settings;
 }
 
-static struct melting melting_of(const struct app_scene *given)
+static struct melting melting_of(const struct app_scene *options)
 {
-    const struct ice_params *ice = settings_of(&given->settings, &ice_settings);
-    const struct motion_params *motion = settings_of(&given->settings, &motion_settings);
-    const bool is_ice = given->material && !strcmp(given->material, material_presets[0].name);
-    return (struct melting){ ice->melt, motion->melt, is_ice, given->material && !is_ice };
+    const struct ice_params *ice = settings_of(&options->settings, &ice_settings);
+    const struct motion_params *motion = settings_of(&options->settings, &motion_settings);
+    const bool is_ice = options->material && !strcmp(options->material, material_presets[0].name);
+    return (struct melting){ ice->melt, motion->melt, is_ice, options->material && !is_ice };
 }
 
-struct scene_params app_scene_params(const struct app_scene *given, struct bump_maps_params *maps)
+struct scene_params app_scene_params(const struct app_scene *options, struct bump_maps_params *maps)
 {
-    const struct object_params *object = settings_of(&given->settings, &object_settings);
-    const struct landscape_params *landscape = settings_of(&given->settings, &landscape_settings);
-    const struct motion_params *motion = settings_of(&given->settings, &motion_settings);
-    const struct bump_params *bumps = settings_of(&given->settings, &bump_settings);
-    const struct air_params *planes = settings_of(&given->settings, &air_settings);
-    const struct bubbles_params *holes = settings_of(&given->settings, &bubbles_settings);
-    const struct cracks_params *sheets = settings_of(&given->settings, &cracks_settings);
-    const struct pool_params *pool = settings_of(&given->settings, &pool_settings);
-    const bool is_at_rest = given->animation && !strcmp(given->animation, "none");
+    const struct object_params *object = settings_of(&options->settings, &object_settings);
+    const struct landscape_params *landscape = settings_of(&options->settings, &landscape_settings);
+    const struct motion_params *motion = settings_of(&options->settings, &motion_settings);
+    const struct bump_params *bumps = settings_of(&options->settings, &bump_settings);
+    const struct air_params *planes = settings_of(&options->settings, &air_settings);
+    const struct bubbles_params *holes = settings_of(&options->settings, &bubbles_settings);
+    const struct cracks_params *sheets = settings_of(&options->settings, &cracks_settings);
+    const struct pool_params *pool = settings_of(&options->settings, &pool_settings);
+    const bool is_at_rest = options->animation && !strcmp(options->animation, "none");
     *maps = (struct bump_maps_params){ .smooth = bumps->mask, .seed = bumps->seed };
     return (struct scene_params){
-        .name = given->name,
-        .surroundings = given->surroundings,
-        .is_one_object = given->material != NULL,
-        .model_transform = given->is_placed ? &given->model_transform : NULL,
-        .pose = { .animation = is_at_rest ? NULL : given->animation,
-                  .is_first = !given->animation },
-        .material_overrides = given->material_overrides,
-        .material_override_count = given->material_override_count,
-        .environment = is_valley(given) ? NULL : given->environment,
-        .environment_turn = given->env_rotate / 360.0f - floorf(given->env_rotate / 360.0f),
-        .environment_exposure = given->env_exposure,
-        .background = given->background.is_given ? &given->background.value : NULL,
-        .is_hidden = given->no_background,
+        .name = options->name,
+        .surroundings = options->surroundings,
+        .is_one_object = options->material != NULL,
+        .model_transform = options->has_transform ? &options->model_transform : NULL,
+        .pose = { .animation = is_at_rest ? NULL : options->animation,
+                  .is_first = !options->animation },
+        .material_overrides = options->material_overrides,
+        .material_override_count = options->material_override_count,
+        .environment = is_valley(options) ? NULL : options->environment,
+        .environment_turn = options->env_rotate / 360.0f - floorf(options->env_rotate / 360.0f),
+        .environment_exposure = options->env_exposure,
+        .background = options->background.is_given ? &options->background.value : NULL,
+        .is_hidden = options->no_background,
         .object_triangles = object->triangles,
         .landscape_triangles = landscape->triangles,
         .flat = landscape->flat,
         .orbiting_ball_count = motion->count,
-        .melting = melting_of(given),
+        .melting = melting_of(options),
         .air = { planes->count, planes->seed, planes->size, planes->frequency },
-        .has_scattering_medium = air_is_medium(&given->settings),
+        .has_scattering_medium = air_is_medium(&options->settings),
         .bubbles = { holes->count, holes->seed, holes->size, holes->shape, holes->stretch },
-        .bump = bump.is_on(&given->settings) || frost.is_on(&given->settings) ? maps : NULL,
+        .bump = bump.is_on(&options->settings) || frost.is_on(&options->settings) ? maps : NULL,
         .cracks = { sheets->count, sheets->seed, sheets->size, sheets->clip == CRACKS_CLIP_PRECUT,
-                    given->cracks },
-        .pictures = { given->bump, given->bump_mask, given->air },
-        .decode = &given->reader,
+                    options->cracks },
+        .pictures = { options->bump, options->bump_mask, options->air },
+        .decode = &options->reader,
         .pool = { pool->size, pool->depth, pool->ice },
         .later = true,
     };
 }
 
-const char *app_fill_scene(struct scene *scene, const struct app_scene *given)
+const char *app_fill_scene(struct scene *scene, const struct app_scene *options)
 {
     struct bump_maps_params maps;
-    const struct scene_params params = app_scene_params(given, &maps);
+    const struct scene_params params = app_scene_params(options, &maps);
     return scene_fill(scene, &params);
 }
 
@@ -311,7 +314,7 @@ enum status app_log_fill_failure(const char *lacking)
     return STATUS_TRY_AGAIN;
 }
 
-enum status app_pose_scene(struct scene *scene, const struct app_scene *given, float time,
+enum status app_pose_scene(struct scene *scene, const struct app_scene *options, float time,
                            bool *is_changed)
 {
     struct bump_maps_params maps;
@@ -319,9 +322,9 @@ enum status app_pose_scene(struct scene *scene, const struct app_scene *given, f
     *is_changed = scene->is_animated && (time < scene->time || time > scene->time);
     if (!*is_changed)
         return STATUS_OK;
-    struct scene_params params = app_scene_params(given, &maps);
-    struct reader_params reader = given->reader;
-    reader.no_warnings = true; /* warnings were logged when the scene was first loaded */
+    struct scene_params params = app_scene_params(options, &maps);
+    struct reader_params reader = options->reader;
+    reader.no_warnings = true; /* do not repeat the warnings of the first load */
     params.decode = &reader;
     params.before = scene;
     params.pose.time = time;
@@ -336,14 +339,14 @@ enum status app_pose_scene(struct scene *scene, const struct app_scene *given, f
     return STATUS_OK;
 }
 
-enum status app_load_scene(struct scene *scene, struct app_scene *given)
+enum status app_load_scene(struct scene *scene, struct app_scene *options)
 {
-    const struct motion_params *motion = settings_of(&given->settings, &motion_settings);
+    const struct motion_params *motion = settings_of(&options->settings, &motion_settings);
     bool is_filled = false;
-    enum status status = app_begin_scene(scene, given);
+    enum status status = app_begin_scene(scene, options);
     if (status == STATUS_OK)
-        status = app_pose_scene(scene, given, motion->time, &is_filled);
-    const char *lacking = status == STATUS_OK && !is_filled ? app_fill_scene(scene, given) : NULL;
+        status = app_pose_scene(scene, options, motion->time, &is_filled);
+    const char *lacking = status == STATUS_OK && !is_filled ? app_fill_scene(scene, options) : NULL;
     if (lacking)
         status = app_log_fill_failure(lacking);
     if (status != STATUS_OK)
@@ -352,29 +355,29 @@ enum status app_load_scene(struct scene *scene, struct app_scene *given)
 }
 
 /* Refuses transform, animation and node materials for scenes that are not model files. */
-static enum status check_place(const struct app_scene *given)
+static enum status check_transform(const struct app_scene *options)
 {
-    const char *options = given->is_placed                 ? "--up, --scale and --rotate"
-                          : given->animation               ? "--animation"
-                          : given->material_override_count ? "--material NODE=..."
-                                                           : NULL;
-    if (!options || !scene_find_builtin(given->name))
+    const char *refused = options->has_transform             ? "--up, --scale and --rotate"
+                          : options->animation               ? "--animation"
+                          : options->material_override_count ? "--material NODE=..."
+                                                             : NULL;
+    if (!refused || !scene_find_builtin(options->name))
         return STATUS_OK;
-    log_error("%s: not available for the built-in scene '%s': expected a model file", options,
-              given->name);
+    log_error("%s: not available for the built-in scene '%s': expected a model file", refused,
+              options->name);
     return STATUS_USAGE;
 }
 
 /* Refuses --env-rotate and --env-exposure without an environment file, or with a cube. */
-static enum status check_environment(const struct app_scene *given, const struct scene *scene)
+static enum status check_environment(const struct app_scene *options, const struct scene *scene)
 {
-    const bool is_turned = fabsf(given->env_rotate) > 0.0f;
-    const bool is_exposed = fabsf(given->env_exposure) > 0.0f;
-    if ((!given->environment || is_valley(given)) && (is_turned || is_exposed)) {
-        log_error("--env-%s: --env is missing", is_turned ? "rotate" : "exposure");
+    const bool is_rotated = fabsf(options->env_rotate) > 0.0f;
+    const bool is_exposed = fabsf(options->env_exposure) > 0.0f;
+    if ((!options->environment || is_valley(options)) && (is_rotated || is_exposed)) {
+        log_error("--env-%s: --env is missing", is_rotated ? "rotate" : "exposure");
         return STATUS_USAGE;
     }
-    if (is_turned && scene->cube.texels) {
+    if (is_rotated && scene->cube.texels) {
         log_error("--env-rotate: not available for a cube: expected an equirectangular image "
                   "as --env");
         return STATUS_USAGE;
@@ -382,30 +385,30 @@ static enum status check_environment(const struct app_scene *given, const struct
     return STATUS_OK;
 }
 
-enum status app_begin_scene(struct scene *scene, struct app_scene *given)
+enum status app_begin_scene(struct scene *scene, struct app_scene *options)
 {
     struct bump_maps_params maps;
-    struct settling settling = { given, &maps };
+    struct settings_callback_data settings_callback_data = { options, &maps };
     *scene = (struct scene){ 0 };
-    if (app_require_scene(given) != STATUS_OK || check_place(given) != STATUS_OK)
+    if (app_require_scene(options) != STATUS_OK || check_transform(options) != STATUS_OK)
         return STATUS_USAGE;
-    if (apply_asset_settings(given) != STATUS_OK)
+    if (apply_asset_settings(options) != STATUS_OK)
         return STATUS_USAGE;
-    choose_environment(given);
-    struct scene_params params = app_scene_params(given, &maps);
-    params.settle = settle_callback;
-    params.user = &settling;
+    choose_environment(options);
+    struct scene_params params = app_scene_params(options, &maps);
+    params.settle = finish_settings_callback;
+    params.user = &settings_callback_data;
     enum status status = scene_load(scene, &params);
     if (status == STATUS_OK)
-        status = check_environment(given, scene);
+        status = check_environment(options, scene);
     if (status != STATUS_OK) {
         scene_finish(scene);
     } else {
-        scene->model_ior = settle_ior(given, scene) ? scene->model.ior : 0.0f;
-        settle_sun(given, scene);
-        check_box(given, scene);
-        check_lights(given, scene);
-        note_brightness(given, scene);
+        scene->model_ior = choose_ior(options, scene) ? scene->model.ior : 0.0f;
+        choose_sun(options, scene);
+        check_box(options, scene);
+        check_lights(options, scene);
+        note_brightness(options, scene);
     }
     return status;
 }

@@ -21,7 +21,8 @@ static const struct {
     { "diff", APP_DIFF, app_diff, "measure how much two images differ" },
     { "ladder", APP_LADDER, app_ladder,
       "compare every refraction model with the ray traced reference" },
-    { "bake", APP_BAKE, app_bake, "draw the environment of a scene's object as a cube for --env" },
+    { "bake", APP_BAKE, app_bake,
+      "bake the environment of a scene's object to a cube map for --env" },
     { "sheet", APP_SHEET, app_sheet,
       "draw one image per material or value of a setting, side by side" },
     { "farm", APP_FARM, app_farm, "render a sequence on many machines, by Slurm or GNU parallel" },
@@ -101,7 +102,7 @@ static enum status run(int argc, char **argv)
         return unknown(argv[1]);
     enum status status = app_parse(&options, commands[i].command, argc - 2, argv + 2, &done);
     options.run.program = argv[0];
-    options.run.words = argv + 1;
+    options.run.args = argv + 1;
     if (status == STATUS_OK && !done)
         status = commands[i].run(&options);
     return status;

@@ -1,5 +1,4 @@
-/* object_names.c: lists the object names for the IDs that shaders/output/first_surface.frag writes.
- */
+/* object_names.c: lists the names of the object IDs in the layer `object`. */
 #include "src/app/object_names.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -59,7 +59,7 @@ static void print_cube_time(FILE *out, const struct settings *settings, const st
         fprintf(out, " cube_time=%.9g", (double)motion->time);
 }
 
-static void print_place(FILE *out, const struct app_scene *scene)
+static void print_transform(FILE *out, const struct app_scene *scene)
 {
     const struct model_transform *model_transform = &scene->model_transform;
     if (model_transform->is_z_up)
@@ -103,7 +103,7 @@ static void print_surroundings(FILE *out, const struct app_scene *scene)
 
 static bool describe(const struct output *output, bool is_png, char **text)
 {
-    const struct app_image *p = output->picture;
+    const struct app_image *p = output->image;
     const struct frame_layer *show = is_png ? p->show : NULL;
     const struct camera *camera = &output->shot.camera;
     const struct settings settled =
@@ -123,7 +123,7 @@ static bool describe(const struct output *output, bool is_png, char **text)
             fprintf(out, "%u", output->samples ? output->samples : p->samples);
         if (p->filter != PIXEL_FILTER_BOX)
             fprintf(out, " pixel-filter=%s", pixel_filter_names[p->filter]);
-        if (p->interleaved) /* tiles that are not interleaved change nothing */
+        if (p->interleaved) /* other tiles do not change pixels */
             fprintf(out, " interleaved=%ux%u", p->columns, p->rows);
         if (p->split)
             fprintf(out, " split=%s", p->split->refraction.name);
@@ -131,7 +131,7 @@ static bool describe(const struct output *output, bool is_png, char **text)
             fprintf(out, " show=%s", show->name);
         if (is_png && p->png_bits == 16)
             fputs(" png-bits=16", out);
-        print_place(out, &p->scene);
+        print_transform(out, &p->scene);
         print_surroundings(out, &p->scene);
         if (p->camera)
             fprintf(out, " camera=%s", p->camera);
@@ -173,7 +173,7 @@ static void add_text(struct texts *texts, const char *name, const char *value)
 static void fill_texts(struct texts *texts, const struct output *output, bool is_png,
                        const char *device)
 {
-    const struct app_image *p = output->picture;
+    const struct app_image *p = output->image;
     texts->count = 0;
     add_text(texts, "firn/version", FIRN_VERSION);
     add_text(texts, "firn/settings", is_png ? output->png_settings : output->settings);
@@ -275,7 +275,7 @@ static void add_layer(struct image *image, const struct frame_layer *layer)
 static bool exr_is_current(const struct output *output, const struct image_header *head,
                            const struct texts *texts)
 {
-    const struct app_image *p = output->picture;
+    const struct app_image *p = output->image;
     struct image_plane planes[PLANE_COUNT_MAX] = { 0 };
     const struct tile tile = pixels_of(p);
     struct image image = { .width = tile.width, .height = tile.height, .planes = planes };
@@ -305,14 +305,14 @@ bool output_is_current(const struct output *output, const char *path,
     struct texts texts;
     const bool is_png = path_ends_in(path, ".png");
     fill_texts(&texts, output, is_png, "");
-    const struct png_image_source picture = {
-        .width = pixels_of(output->picture).width,
-        .height = pixels_of(output->picture).height,
+    const struct png_image_source image = {
+        .width = pixels_of(output->image).width,
+        .height = pixels_of(output->image).height,
         .texts = texts.all,
         .text_count = texts.compared_count,
-        .has_alpha = has_alpha(output->picture),
+        .has_alpha = has_alpha(output->image),
     };
-    return is_png ? png_matches(head, &picture) : exr_is_current(output, head, &texts);
+    return is_png ? png_matches(head, &image) : exr_is_current(output, head, &texts);
 }
 
 uint32_t output_enough_samples(const struct image_header *head, uint32_t samples, double noise)
@@ -342,7 +342,7 @@ static void select_planes(struct image *image, const struct image *drawn, const 
 static enum status encode_exr(const struct output *output, const struct render_result *result,
                               const struct texts *texts, void **data, size_t *size)
 {
-    const struct app_image *p = output->picture;
+    const struct app_image *p = output->image;
     const struct camera *camera = &output->shot.camera;
     const mat4s view = camera_view_from_world(camera);
     const mat4s ndc = camera_clip_from_world(
@@ -378,17 +378,17 @@ enum status output_encode(const struct output *output, const char *path,
             return log_out_of_memory("firn/objects");
         add_text(&texts, "firn/objects", objects);
     }
-    const struct png_image_source picture = {
+    const struct png_image_source image = {
         .rgba = result->rgba,
-        .width = pixels_of(output->picture).width,
-        .height = pixels_of(output->picture).height,
+        .width = pixels_of(output->image).width,
+        .height = pixels_of(output->image).height,
         .texts = texts.all,
         .text_count = texts.count,
         .rgba_16 = result->rgba_16,
-        .has_alpha = has_alpha(output->picture),
+        .has_alpha = has_alpha(output->image),
     };
     const enum status status =
-        is_png ? png_encode(&picture, data, size) : encode_exr(output, result, &texts, data, size);
+        is_png ? png_encode(&image, data, size) : encode_exr(output, result, &texts, data, size);
     free(objects);
     return status;
 }

@@ -8,10 +8,10 @@
 #include "src/base/log.h"
 #include "src/tech/frame.h"
 
-bool previous_pose_is_needed(const struct app_image *picture)
+bool previous_pose_is_needed(const struct app_image *image)
 {
     const struct frame_layer *motion = layer_image_find("motion");
-    return picture->show == motion || picture->layers & layer_image_bit(motion);
+    return image->show == motion || image->layers & layer_image_bit(motion);
 }
 
 static enum status copy(struct previous_pose *previous, const struct model *model)
@@ -32,16 +32,16 @@ static enum status copy(struct previous_pose *previous, const struct model *mode
 }
 
 enum status previous_pose_find(struct previous_pose *previous, struct camera *camera,
-                               struct scene *scene, const struct app_image *picture, float time)
+                               struct scene *scene, const struct app_image *image, float time)
 {
-    const float before = frame_time_before(&picture->scene.settings, time);
+    const float before = frame_time_before(&image->scene.settings, time);
     bool is_changed;
     *previous = (struct previous_pose){ 0 };
-    if (!scene->is_animated || !previous_pose_is_needed(picture) || !(before < time))
+    if (!scene->is_animated || !previous_pose_is_needed(image) || !(before < time))
         return STATUS_OK;
-    enum status status = app_pose_scene(scene, &picture->scene, before, &is_changed);
+    enum status status = app_pose_scene(scene, &image->scene, before, &is_changed);
     if (status == STATUS_OK)
-        status = app_camera(camera, scene, picture);
+        status = app_camera(camera, scene, image);
     return status == STATUS_OK ? copy(previous, &scene->model) : status;
 }
 

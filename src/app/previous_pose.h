@@ -6,18 +6,18 @@
 
 /* Vertex positions in the previous frame; the caller frees them or moves them to a scene. */
 struct previous_pose {
-    vec4s *positions; /* NULL if they are those of the current frame */
+    vec4s *positions; /* NULL if unchanged */
     uint32_t rows, object_count, surroundings_count;
 };
 
 /* Returns true if an image has the layer motion. */
-bool previous_pose_is_needed(const struct app_image *picture);
+bool previous_pose_is_needed(const struct app_image *image);
 
 /* Poses an animated model at the time of the frame before `time`, copies its vertex positions and
  * finds its camera. Does nothing, and keeps *camera, for other models or if there is no previous
  * frame. Logs errors and returns the statuses of app_pose_scene() and app_camera(). */
 MUST_USE enum status previous_pose_find(struct previous_pose *previous, struct camera *camera,
-                                        struct scene *scene, const struct app_image *picture,
+                                        struct scene *scene, const struct app_image *image,
                                         float time);
 
 /* Moves the positions to the scene, if it still has the same vertices. */

@@ -70,11 +70,11 @@ static bool describe_settings(struct profile *p, const struct settings *settings
 }
 
 /* Writes the material's name, or the refractive index if it is not that of a named material. */
-static void describe_material(struct profile *p, const struct app_scene *given)
+static void describe_material(struct profile *p, const struct app_scene *options)
 {
-    const double ior = settings_get(&given->settings, settings_find("refract.ior"));
+    const double ior = settings_get(&options->settings, settings_find("refract.ior"));
     const struct material_preset *named =
-        given->material ? material_preset_find(given->material) : &material_presets[0];
+        options->material ? material_preset_find(options->material) : &material_presets[0];
     for (; named->name && fabs((double)named->ior - ior) > 1e-6; named++)
         continue;
     if (named->name)
@@ -83,16 +83,16 @@ static void describe_material(struct profile *p, const struct app_scene *given)
         snprintf(p->material, sizeof(p->material), "refractive index %g", ior);
 }
 
-static enum status describe(struct profile *p, const struct app_image *picture,
-                            const struct scene *scene, char *const *words)
+static enum status describe(struct profile *p, const struct app_image *image,
+                            const struct scene *scene, char *const *args)
 {
-    const struct app_scene *given = &picture->scene;
+    const struct app_scene *options = &image->scene;
     const struct settings settled =
-        frame_resolve_settings(&given->settings, picture->refraction, picture->height);
+        frame_resolve_settings(&options->settings, image->refraction, image->height);
     const struct settings settings = frame_settings(&settled, scene);
-    p->scene = strdup(given->name);
-    p->command = shell_quote_join(words);
-    describe_material(p, given);
+    p->scene = strdup(options->name);
+    p->command = shell_quote_join(args);
+    describe_material(p, options);
     if (p->scene && p->command && describe_settings(p, &settings))
         return STATUS_OK;
     profile_finish(p);
@@ -101,7 +101,7 @@ static enum status describe(struct profile *p, const struct app_image *picture,
 
 /* An image to be measured, and its scene. */
 struct subject {
-    struct app_image picture;
+    struct app_image image;
     struct scene scene;
 };
 
@@ -110,7 +110,7 @@ static enum status prepare(struct profile_job *job, struct subject *subject,
                            struct profile_request *request)
 {
     const struct app_profile *o = &job->o.profile;
-    struct app_image *p = &subject->picture;
+    struct app_image *p = &subject->image;
     *request = (struct profile_request){
         .clock = &job->clock,
         .warmup = o->warmup,
@@ -137,7 +137,7 @@ static enum status prepare(struct profile_job *job, struct subject *subject,
     return status;
 }
 
-enum status profile_job_measure(struct profile_job *job, const struct app_image *pictures,
+enum status profile_job_measure(struct profile_job *job, const struct app_image *images,
                                 struct profile *profiles, uint32_t count)
 {
     struct subject *subjects = calloc(count, sizeof(*subjects));
@@ -145,7 +145,7 @@ enum status profile_job_measure(struct profile_job *job, const struct app_image 
     const struct profile_run run = { requests, profiles, count, show_progress, job };
     enum status status = subjects && requests ? STATUS_OK : log_out_of_memory(NULL);
     for (uint32_t i = 0; i < count && status == STATUS_OK; i++) {
-        subjects[i].picture = pictures[i];
+        subjects[i].image = images[i];
         status = prepare(job, &subjects[i], &requests[i]);
     }
     if (status == STATUS_OK) {
@@ -153,7 +153,7 @@ enum status profile_job_measure(struct profile_job *job, const struct app_image 
         progress_clear(&job->progress);
     }
     for (uint32_t i = 0; i < count && status == STATUS_OK; i++)
-        status = describe(&profiles[i], &subjects[i].picture, &subjects[i].scene, job->o.run.words);
+        status = describe(&profiles[i], &subjects[i].image, &subjects[i].scene, job->o.run.args);
     for (uint32_t i = 0; i < count && subjects; i++)
         scene_finish(&subjects[i].scene);
     free(requests);
@@ -168,10 +168,10 @@ static bool is_stdout(const char *path)
     return path && !strcmp(path, "-");
 }
 
-bool profile_job_has_table(const struct app_profile *given)
+bool profile_job_has_table(const struct app_profile *options)
 {
-    return !is_stdout(given->json) && !is_stdout(given->csv) && !is_stdout(given->trace) &&
-           !is_stdout(given->html);
+    return !is_stdout(options->json) && !is_stdout(options->csv) && !is_stdout(options->trace) &&
+           !is_stdout(options->html);
 }
 
 enum status profile_job_write_text(const char *path, enum status made, char *text, size_t size)

@@ -9,7 +9,7 @@
 
 struct profile_job {
     struct app_options o;
-    struct gpu gpu; /* opened by the first frame, which also chooses the clock */
+    struct gpu gpu; /* opened by the first frame */
     struct profile_clock clock;
     struct progress progress;
     struct profile baseline;
@@ -19,14 +19,14 @@ struct profile_job {
 
 /* Measures images interleaved: one run of each before the next run. The profiles must be {0}; after
  * a failure they may be in any state that profile_finish() accepts. */
-MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_image *pictures,
+MUST_USE enum status profile_job_measure(struct profile_job *job, const struct app_image *images,
                                          struct profile *profiles, uint32_t count);
 
 /* Writes the reports of job->sweep that the options name. */
 MUST_USE enum status profile_job_write_sweep(const struct profile_job *job);
 
 /* Returns true if tables are printed on stdout: no report is written there. */
-bool profile_job_has_table(const struct app_profile *given);
+bool profile_job_has_table(const struct app_profile *options);
 
 /* Writes and frees a text, unless `made` is an error, which it returns. */
 MUST_USE enum status profile_job_write_text(const char *path, enum status made, char *text,

@@ -20,45 +20,46 @@ void progress_begin(struct progress *progress, uint32_t frames, const char *step
     };
 }
 
-/* Appends words to the line, if all of them fit. */
-static void add(char *line, const char *words)
+/* Appends a text to the line if all of it fits. */
+static void add(char *line, const char *text)
 {
-    const size_t used = strlen(line), length = strlen(words);
+    const size_t used = strlen(line), length = strlen(text);
     if (used + length <= PROGRESS_COLUMNS)
-        memcpy(line + used, words, length + 1);
+        memcpy(line + used, text, length + 1);
 }
 
 /* Appends the remaining time: "0:09 left" or "1:05:00 left". */
 static void add_time(char *line, double seconds)
 {
     const unsigned left = (unsigned)(seconds + 0.5), minutes = left / 60 % 60;
-    char words[64];
+    char text[64];
     if (left >= 3600)
-        snprintf(words, sizeof(words), ", %u:%02u:%02u left", left / 3600, minutes, left % 60);
+        snprintf(text, sizeof(text), ", %u:%02u:%02u left", left / 3600, minutes, left % 60);
     else
-        snprintf(words, sizeof(words), ", %u:%02u left", minutes, left % 60);
-    add(line, words);
+        snprintf(text, sizeof(text), ", %u:%02u left", minutes, left % 60);
+    add(line, text);
 }
 
 void progress_print(char line[static PROGRESS_COLUMNS + 1], const struct progress *p, uint32_t done,
                     uint32_t all, double seconds)
 {
-    const double least = 2.0, most = 3.6e6; /* elapsed and remaining seconds for an estimate */
+    const double min_seconds = 2.0, max_seconds = 3.6e6; /* limits of elapsed and remaining time */
     const double fraction = (p->frame + (double)done / all) / p->frames;
     const int filled = (int)(fraction * BAR);
-    char words[128];
+    char text[128];
     snprintf(line, PROGRESS_COLUMNS + 1, "[%.*s%*s]", filled, "##############################",
              BAR - filled, "");
     if (p->frames > 1) {
-        snprintf(words, sizeof(words), " %s %u/%u", p->frame_name, p->frame + 1, p->frames);
-        add(line, words);
+        snprintf(text, sizeof(text), " %s %u/%u", p->frame_name, p->frame + 1, p->frames);
+        add(line, text);
     }
     if (all > 1) {
-        snprintf(words, sizeof(words), "%s %u/%u %s", p->frames > 1 ? "," : "", done, all,
+        snprintf(text, sizeof(text), "%s %u/%u %s", p->frames > 1 ? "," : "", done, all,
                  p->step_name);
-        add(line, words);
+        add(line, text);
     }
-    if (seconds >= least && fraction > 0.0 && seconds * (1.0 - fraction) / fraction < most)
+    if (seconds >= min_seconds && fraction > 0.0 &&
+        seconds * (1.0 - fraction) / fraction < max_seconds)
         add_time(line, seconds * (1.0 - fraction) / fraction);
 }
 

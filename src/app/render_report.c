@@ -103,7 +103,7 @@ char *render_report_json(const struct report *report, const struct sequence *seq
              json_array_append_new(frames, frame_of(&report->frames[i], number, files)) == 0;
     }
     json_t *json = ok ? json_pack("{s:s, s:o, s:i, s:O}", "version", FIRN_VERSION, "scene",
-                                  word(o->picture.scene.name), "code", code, "frames", frames)
+                                  word(o->image.scene.name), "code", code, "frames", frames)
                       : NULL;
     char *text = json ? json_dumps(json, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) : NULL;
     json_decref(json);

@@ -8,9 +8,9 @@
 #include "src/base/status.h"
 
 enum render_report_state {
-    RENDER_REPORT_NOT_STARTED, /* not started */
-    RENDER_REPORT_DRAWN,       /* drawn, and all files written */
-    RENDER_REPORT_CURRENT,     /* --resume found all files current */
+    RENDER_REPORT_NOT_STARTED,
+    RENDER_REPORT_DRAWN,   /* drawn, and all files written */
+    RENDER_REPORT_CURRENT, /* --resume found all files current */
     RENDER_REPORT_FAILED,
     RENDER_REPORT_STATE_COUNT,
 };
@@ -18,7 +18,7 @@ enum render_report_state {
 struct render_report_frame {
     enum render_report_state state;
     double seconds;
-    char hash[17]; /* set by render_report_hash(); "" if not known yet */
+    char hash[17]; /* render_report_hash(), or "" */
 };
 
 struct report {
@@ -31,19 +31,15 @@ MUST_USE enum status render_report_init(struct report *report, uint32_t count);
 
 void render_report_finish(struct report *report); /* {0} is fine */
 
-/*
- * Writes a hash of firn's version and a frame's firn/settings (FNV-1a, 64 bits) as 16 hexadecimal
- * digits. It is the same on all machines, and changes when --resume would draw the frame again.
- */
+/* Writes a hash of firn's version and a frame's firn/settings (FNV-1a, 64 bits) as 16 hexadecimal
+ * digits. It is the same on all machines, and changes when --resume would draw the frame again. */
 void render_report_hash(const char *settings, char hash[static 17]);
 
 /* Returns true if some frames have failed and others are complete. */
 bool render_report_is_mixed(const struct report *report);
 
-/*
- * Returns the report as JSON text ended by a newline, to be freed by the caller; NULL when out of
- * memory. `code` is the exit code of the program.
- */
+/* Returns the report as JSON text ended by a newline, to be freed by the caller; NULL when out of
+ * memory. `code` is the exit code of the program. */
 char *render_report_json(const struct report *report, const struct sequence *sequence,
                          const struct app_options *options, int code, size_t *size);
 

@@ -1,5 +1,4 @@
-/* sample_sums_file.c: stores a reference's sample sums in an EXR file, from which --resume
- * continues. */
+/* sample_sums_file.c: stores a reference's sample sums in an EXR file, for --resume. */
 #include "src/app/sample_sums_file.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -54,10 +53,10 @@ static enum status check_texts(const struct sample_sums_file *file, const struct
                   file->path, FIRN_VERSION);
         return STATUS_DATA;
     }
-    if (number > file->output->picture->samples) {
+    if (number > file->output->image->samples) {
         log_error("%s: has %lu samples, more than the %u of --samples; give more, or leave out "
                   "--resume",
-                  file->path, number, file->output->picture->samples);
+                  file->path, number, file->output->image->samples);
         return STATUS_DATA;
     }
     struct output drawn = *file->output;
@@ -125,7 +124,7 @@ enum status sample_sums_file_load(void *user, struct reference_sums *sums)
     if (access(file->path, F_OK) != 0)
         return STATUS_OK;
     enum status status =
-        image_reader_open(&reader, file->path, &file->output->picture->scene.reader, &head);
+        image_reader_open(&reader, file->path, &file->output->image->scene.reader, &head);
     if (status != STATUS_OK)
         return status;
     status = check_texts(file, &head, &samples);
@@ -177,7 +176,7 @@ static enum status encode(const struct sample_sums_file *file, const struct refe
                                        .text_count = sizeof(texts) / sizeof(texts[0]) };
     for (uint32_t p = 0; p < image.plane_count; p++)
         reference_sums_plane_name(sums, p, planes[p].name);
-    struct reference_sums read = *sums; /* non-const copy, because `user` is not const */
+    struct reference_sums read = *sums; /* non-const copy for the callback */
     if (status == STATUS_OK)
         status = exr_encode_rows(&image, &header, fill_rows, &read, data, size);
     output_finish(&drawn);

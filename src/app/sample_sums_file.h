@@ -1,9 +1,6 @@
-/*
- * sample_sums_file.h: stores a reference's sample sums in a file, from which --resume continues.
- *
+/* sample_sums_file.h: stores a reference's sample sums in a file, from which --resume continues.
  * The file of a.exr is a.sums.exr: planes as described in reference_sample_sums.h, and the metadata
- * of a.exr. It is parsed by a sandboxed reader process, like all files from outside.
- */
+ * of a.exr. It is parsed by a sandboxed reader process, like all input files. */
 #ifndef FIRN_APP_SAMPLE_SUMS_FILE_H
 #define FIRN_APP_SAMPLE_SUMS_FILE_H
 
@@ -16,8 +13,8 @@ struct sample_sums_file {
     const struct output *output;
     const char *device;
     struct signals *stop; /* held while the file is written */
-    double written;       /* clock_seconds() at the end of the last write; 0 if there was none */
-    double cost;          /* duration of the last write, seconds */
+    double written;       /* last write, seconds; 0 before */
+    double cost;          /* its duration, seconds */
 };
 
 /* Loads the sums; a reference_load_fn with `user` a struct sample_sums_file. Logs and refuses sums

@@ -76,9 +76,9 @@ static enum status parse_names(struct sequence *sequence, struct app_options *o)
         has_png = has_png || path_ends_in(outputs->paths[i], ".png");
         status = parse_name(sequence, o, i);
     }
-    if (status == STATUS_OK && o->picture.show && !has_png) {
+    if (status == STATUS_OK && o->image.show && !has_png) {
         log_error("--show %s: only PNG files show a layer; add one with -o FILE.png",
-                  o->picture.show->name);
+                  o->image.show->name);
         return STATUS_USAGE;
     }
     return status;
@@ -104,7 +104,7 @@ static enum status check_frame(const struct sequence *sequence, const struct app
                                int32_t frame)
 {
     const struct setting *row = settings_find("motion.time");
-    const double time = sequence_time(&o->picture.scene.settings, frame);
+    const double time = sequence_time(&o->image.scene.settings, frame);
     enum status status = STATUS_OK;
     if (time < row->min || time > row->max) {
         log_error("--frames %s: frame %d is at %.7g seconds (motion.time + frame / motion.fps), "

@@ -11,20 +11,15 @@ struct sequence {
     struct frame_name names[APP_OUTPUT_COUNT];
 };
 
-/*
- * Parses --frames, --chunk and the frame-number fields of output names. Without --output adds firn
- * render's default file. The options must outlive *sequence. On failure logs and returns
- * STATUS_USAGE or STATUS_TRY_AGAIN.
- */
+/* Parses --frames, --chunk and the frame-number fields of output names; without --output adds the
+ * default file. The options must outlive *sequence. Logs errors: STATUS_USAGE, STATUS_TRY_AGAIN. */
 MUST_USE enum status sequence_parse(struct sequence *sequence, struct app_options *options);
 
 /* Returns the time of a frame, seconds. */
 double sequence_time(const struct settings *settings, int32_t frame);
 
-/*
- * Checks that every file can be created, and that every frame's time is in the range of
- * motion.time. On failure logs and returns STATUS_USAGE, STATUS_CANT_CREATE or STATUS_TRY_AGAIN.
- */
+/* Checks that every file can be created, and that every frame's time is in the range of
+ * motion.time. On failure logs and returns STATUS_USAGE, STATUS_CANT_CREATE or STATUS_TRY_AGAIN. */
 MUST_USE enum status sequence_check(const struct sequence *sequence,
                                     const struct app_options *options);
 

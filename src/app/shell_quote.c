@@ -15,7 +15,7 @@ void shell_quote_word(const char *word, FILE *out)
     fputs(is_plain ? "" : "'", out);
 }
 
-char *shell_quote_join(char *const *words)
+char *shell_quote_join(char *const *args)
 {
     char *text = NULL;
     size_t size;
@@ -23,9 +23,9 @@ char *shell_quote_join(char *const *words)
     if (!out)
         return NULL;
     fputs("firn", out);
-    for (; *words; words++) {
+    for (; *args; args++) {
         putc(' ', out);
-        shell_quote_word(*words, out);
+        shell_quote_word(*args, out);
     }
     if (fclose(out)) {
         free(text);

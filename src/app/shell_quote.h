@@ -8,6 +8,6 @@
 void shell_quote_word(const char *word, FILE *out);
 
 /* Returns "firn" and the quoted arguments (up to NULL), to be freed; NULL when out of memory. */
-char *shell_quote_join(char *const *words);
+char *shell_quote_join(char *const *args);
 
 #endif

@@ -4,7 +4,7 @@
 #include <unistd.h>
 #include "src/base/log.h"
 
-static void *watch(void *user)
+static void *wait_for_signals(void *user)
 {
     struct signals *stop = user;
     int number;
@@ -37,7 +37,7 @@ enum status signals_begin(struct signals *stop)
     pthread_mutex_init(&stop->writing, NULL); /* cannot fail on Linux */
     int error = pthread_sigmask(SIG_BLOCK, &stop->signals, NULL);
     if (!error)
-        error = pthread_create(&stop->thread, NULL, watch, stop);
+        error = pthread_create(&stop->thread, NULL, wait_for_signals, stop);
     if (error) {
         log_error("cannot start the thread that waits for signals: %s", strerror(error));
         pthread_mutex_destroy(&stop->writing);

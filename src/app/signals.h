@@ -1,10 +1,7 @@
-/*
- * signals.h: termination signals that do not interrupt the writing of a file.
- *
- * SIGHUP, SIGINT and SIGTERM end the program at once, whatever the device is doing, but not while a
- * file is being written: exit code 129, 130 or 143. SIGUSR1, which batch systems send before the
- * time limit, ends it with 75: retry later. Signals that were ignored at the start (nohup) stay so.
- */
+/* signals.h: termination signals that do not interrupt the writing of a file. SIGHUP, SIGINT and
+ * SIGTERM end the program at once, whatever the device is doing, but not while a file is being
+ * written: exit code 129, 130 or 143. SIGUSR1, which batch systems send before the time limit, ends
+ * it with 75: retry later. Signals that were ignored at the start (nohup) stay so. */
 #ifndef FIRN_APP_SIGNALS_H
 #define FIRN_APP_SIGNALS_H
 
@@ -14,7 +11,7 @@
 #include "src/base/status.h"
 
 struct signals {
-    pthread_t thread; /* waits for the signals, which all other threads block */
+    pthread_t thread; /* waits for the blocked signals */
     pthread_mutex_t writing;
     sigset_t signals;
     bool begun;
@@ -22,11 +19,9 @@ struct signals {
     void *user;
 };
 
-/*
- * Blocks the signals and starts the waiting thread. Must be called before any other thread exists,
+/* Blocks the signals and starts the waiting thread. Must be called before any other thread exists,
  * because threads inherit the signal mask. *stop is {0} except for `last` and `user`, and must not
- * be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN.
- */
+ * be moved afterwards. On failure logs and returns STATUS_TRY_AGAIN. */
 MUST_USE enum status signals_begin(struct signals *stop);
 
 /* Stops the waiting thread. The signals stay blocked and do nothing. {0} is fine. */

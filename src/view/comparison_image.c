@@ -9,8 +9,8 @@
 void comparison_image_leave_device(struct comparison_image *s, struct gpu *gpu)
 {
     gpu_image_destroy(gpu, &s->image);
-    gpu_image_destroy(gpu, &s->former);
-    s->is_made = false;
+    gpu_image_destroy(gpu, &s->previous);
+    s->is_current = false;
 }
 
 void comparison_image_finish(struct comparison_image *s, struct gpu *gpu)
@@ -36,8 +36,8 @@ static uint8_t *encode(const struct comparison_image *s)
         vec3s linear = { { 0 } };
         for (size_t c = 0; c < 3; c++)
             linear.raw[c] = planes[c] ? planes[c][i] : 0.0f;
-        const vec3s shown = tonemap_encode(linear, s->is_shown ? 1.0f : s->gain,
-                                           s->is_shown ? TONEMAP_CLIP : s->curve);
+        const vec3s shown = tonemap_encode(linear, s->is_tone_mapped ? 1.0f : s->gain,
+                                           s->is_tone_mapped ? TONEMAP_CLIP : s->curve);
         for (size_t c = 0; c < 3; c++)
             rgba[i * 4 + c] = to_byte(shown.raw[c]);
         rgba[i * 4 + 3] = 255;
@@ -56,13 +56,13 @@ enum status comparison_image_upload(struct comparison_image *s, struct gpu *gpu,
         .texels = rgba,
         .texels_size = (size_t)size.width * size.height * 4,
     };
-    if (s->is_made)
+    if (s->is_current)
         return STATUS_OK;
-    gpu_image_destroy(gpu, &s->former);
-    s->former = s->image;
+    gpu_image_destroy(gpu, &s->previous);
+    s->previous = s->image;
     s->image = (struct gpu_image){ 0 };
     const enum status status = gpu_image_create(gpu, &s->image, &params);
-    s->is_made = status == STATUS_OK;
+    s->is_current = status == STATUS_OK;
     return status;
 }
 
@@ -70,14 +70,14 @@ enum status comparison_image_show(struct comparison_image *s, struct gpu *gpu, f
                                   uint32_t curve)
 {
     const bool same = !(gain < s->gain || gain > s->gain) && curve == s->curve;
-    if (s->is_made && (same || s->is_shown))
+    if (s->is_current && (same || s->is_tone_mapped))
         return STATUS_OK;
     s->gain = gain;
     s->curve = curve;
     uint8_t *rgba = encode(s);
     if (!rgba)
         return log_out_of_memory(NULL);
-    s->is_made = false;
+    s->is_current = false;
     const enum status status =
         comparison_image_upload(s, gpu, rgba, (VkExtent2D){ s->linear.width, s->linear.height });
     free(rgba);

@@ -20,22 +20,22 @@ static const struct {
     { "refract_bounce.steps", 4.0, DRAFT_RENDERER_FULL },
     { "refract_bounce.bisections", 4.0, DRAFT_RENDERER_FULL },
     { "ground.shading", GROUND_VERTICES, DRAFT_RENDERER_COARSE_MESH },
-    { "air.count", 0.0, DRAFT_RENDERER_NO_INCLUSIONS }, /* the scene is not rebuilt for it */
+    { "air.count", 0.0, DRAFT_RENDERER_NO_INCLUSIONS }, /* does not rebuild the scene */
     { "cracks.count", 0.0, DRAFT_RENDERER_NO_INCLUSIONS },
     { "bubbles.count", 0.0, DRAFT_RENDERER_NO_INCLUSIONS },
     { "bump.strength", 0.0, DRAFT_RENDERER_NO_BUMPS },
 };
 
-static const VkExtent2D small = { 32, 24 }; /* enough to make the driver compile the shaders */
-static const double budget_seconds = 0.016; /* budget at half size, for 30 frames per second */
+static const VkExtent2D small = { 32, 24 }; /* just for compiling the shaders */
+static const double budget_seconds = 0.016; /* at half size, for 30 fps */
 
 /* Returns true if a setting has the value of one of the quality levels. */
 static bool is_of_level(const struct settings *settings, const struct quality_row *row)
 {
     for (uint32_t level = 0; level < QUALITY_COUNT; level++) {
-        struct settings own = *settings;
-        quality_apply_row(&own, row, level);
-        if (!memcmp(&own, settings, sizeof(own)))
+        struct settings copy = *settings;
+        quality_apply_row(&copy, row, level);
+        if (!memcmp(&copy, settings, sizeof(copy)))
             return true;
     }
     return false;
@@ -44,17 +44,17 @@ static bool is_of_level(const struct settings *settings, const struct quality_ro
 struct settings draft_renderer_settings(const struct settings *settings,
                                         enum draft_renderer_level level)
 {
-    struct settings quick = *settings;
+    struct settings draft = *settings;
     for (const struct quality_row *row = quality_rows; row->setting; row++) {
         if (is_of_level(settings, row))
-            quality_apply_row(&quick, row, 0);
+            quality_apply_row(&draft, row, 0);
     }
     for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
         const struct setting *row = settings_find(rows[i].setting);
         if (level >= rows[i].level)
-            settings_set_value(&quick, row, fmin(settings_get(&quick, row), rows[i].value));
+            settings_set_value(&draft, row, fmin(settings_get(&draft, row), rows[i].value));
     }
-    return quick;
+    return draft;
 }
 
 void draft_renderer_finish(struct draft_renderer *q)
@@ -100,7 +100,7 @@ static bool take_settings(struct draft_renderer *q, const struct draft_renderer_
            (p->is_split && settings_changed(&right, &q->right_settings) >= SETTING_AFFECTS_PLAN);
 }
 
-/* Without memory for draft renderers, interaction uses the full renderers. */
+/* Disables draft renderers after running out of memory; interaction uses the full renderers. */
 static enum status give_up(struct draft_renderer *q, enum status status)
 {
     draft_renderer_finish(q);
@@ -126,14 +126,14 @@ static enum status make(struct draft_renderer *q, const struct draft_renderer_pa
                         const struct renderer_shot *shot, enum draft_renderer_level level)
 {
     const VkExtent2D half = { p->left.width / 2 + 1, p->left.height / 2 + 1 };
-    const VkExtent2D least = { half.width < small.width ? half.width : small.width,
-                               half.height < small.height ? half.height : small.height };
+    const VkExtent2D min_extent = { half.width < small.width ? half.width : small.width,
+                                    half.height < small.height ? half.height : small.height };
     q->level = level;
     (void)take_settings(q, p);
     enum status status = fit_all(q, p);
     if (status == STATUS_OK)
-        status = draw_timed(q, shot, least);
-    if (status == STATUS_OK) /* the first frame also touches its memory, so the second is timed */
+        status = draw_timed(q, shot, min_extent);
+    if (status == STATUS_OK) /* time the second frame: the first also touches memory */
         status = draw_timed(q, shot, half);
     if (status == STATUS_OK)
         status = draw_timed(q, shot, half);

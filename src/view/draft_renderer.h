@@ -15,7 +15,7 @@
 
 #include "src/render/renderer.h"
 
-/* What the draft renderers are based on: the full renderers' parameters. */
+/* Parameters of the full renderers, from which the draft's are derived. */
 struct draft_renderer_params {
     struct renderer_params left, right;
     bool is_split;    /* there is a right side (B) */
@@ -34,10 +34,10 @@ struct draft_renderer {
     struct renderer *left, *right; /* NULL if there is none */
     struct settings settings;      /* settings of `left` */
     struct settings right_settings;
-    uint64_t version; /* viewport version that they were created for */
+    uint64_t version; /* viewport version at creation */
     enum draft_renderer_level level;
-    double seconds; /* time of a half-size image when they were created */
-    bool is_off;    /* draft rendering is disabled by the user */
+    double seconds; /* time of a half-size image */
+    bool is_off;    /* disabled by the user */
     bool failed;    /* there was not enough memory */
 };
 
@@ -48,16 +48,16 @@ struct settings draft_renderer_settings(const struct settings *settings,
 
 /* Creates the renderers and draws hidden frames, to make the driver compile the shaders and to
  * measure their time. It is no error if there is no memory for them. */
-MUST_USE enum status draft_renderer_create(struct draft_renderer *quick,
+MUST_USE enum status draft_renderer_create(struct draft_renderer *draft,
                                            const struct draft_renderer_params *params,
                                            const struct renderer_shot *shot);
 
 /* Updates existing draft renderers to the viewport's current state. On failure there are none. */
-MUST_USE enum status draft_renderer_update(struct draft_renderer *quick,
+MUST_USE enum status draft_renderer_update(struct draft_renderer *draft,
                                            const struct draft_renderer_params *params);
 
-MUST_USE enum status draft_renderer_draw(struct draft_renderer *quick,
+MUST_USE enum status draft_renderer_draw(struct draft_renderer *draft,
                                          const struct renderer_shot *shot, VkExtent2D view);
-void draft_renderer_finish(struct draft_renderer *quick); /* {0} is fine; keeps is_off */
+void draft_renderer_finish(struct draft_renderer *draft); /* {0} is fine; keeps is_off */
 
 #endif

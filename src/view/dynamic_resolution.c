@@ -2,15 +2,15 @@
 #include "src/view/dynamic_resolution.h"
 #include <math.h>
 
-static const double target = 0.028; /* target seconds of a frame */
-static const double early = 0.024;  /* the size is increased only if the predicted time is below */
-static const double late = 0.033;   /* longer than this in two frames in a row: reduce the size */
-static const double very_late = 0.05; /* longer than this in one frame: reduce the size */
+static const double target = 0.028;   /* target frame time, seconds */
+static const double early = 0.024;    /* limit of the predicted time for an increase, seconds */
+static const double late = 0.033;     /* two frames longer than this reduce the size */
+static const double very_late = 0.05; /* one frame longer than this reduces the size */
 static const double first_rest = 0.006;
 static const double smoothing = 0.1; /* weight of the newest frame in the running means */
 
 enum {
-    STILL_COUNT = 8, /* minimum number of frames between two increases of the size */
+    RISE_INTERVAL = 8, /* minimum frames between size increases */
 };
 
 static double area(uint32_t k)
@@ -60,13 +60,13 @@ void dynamic_resolution_add(struct dynamic_resolution *m, double frame, double p
     }
     m->passes += smoothing * (whole - m->passes);
     m->rest += smoothing * (rest - m->rest);
-    if (m->k < DYNAMIC_RESOLUTION_MAX && m->since >= STILL_COUNT &&
+    if (m->k < DYNAMIC_RESOLUTION_MAX && m->since >= RISE_INTERVAL &&
         m->rest + m->passes * area(m->k + 1) <= early)
         use(m, m->k + 1);
 }
 
 uint32_t dynamic_resolution_scale(uint32_t length, uint32_t k)
 {
-    const uint32_t part = (length * k / DYNAMIC_RESOLUTION_MAX) & ~1u;
-    return k >= DYNAMIC_RESOLUTION_MAX || part < 2 ? length : part;
+    const uint32_t even = (length * k / DYNAMIC_RESOLUTION_MAX) & ~1u;
+    return k >= DYNAMIC_RESOLUTION_MAX || even < 2 ? length : even;
 }

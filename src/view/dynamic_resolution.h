@@ -12,27 +12,24 @@
 #include <stdint.h>
 
 enum {
-    DYNAMIC_RESOLUTION_MIN =
-        8, /* range of the render width and height, in sixteenths of the full size */
+    DYNAMIC_RESOLUTION_MIN = 8, /* in sixteenths of the full size */
     DYNAMIC_RESOLUTION_MAX = 16,
 };
 
 struct dynamic_resolution {
-    uint32_t k;          /* size of the next frame in sixteenths; 0 if not known yet */
+    uint32_t k;          /* size in sixteenths; 0 if unknown */
     uint32_t late;       /* consecutive frames longer than 33 ms */
     uint32_t since;      /* frames since k changed last */
     double passes, rest; /* V and F in seconds, exponentially smoothed */
 };
 
-/* Restarts the controller; `passes` is the time of the passes at full size, seconds; 0 if unknown.
- */
-void dynamic_resolution_begin(struct dynamic_resolution *moving, double passes);
+/* Restarts the controller; `passes`: seconds of the passes at full size; 0 if unknown. */
+void dynamic_resolution_begin(struct dynamic_resolution *resolution, double passes);
 
 /* Adds a frame drawn at size moving->k: its time and that of the image's passes, seconds. */
-void dynamic_resolution_add(struct dynamic_resolution *moving, double frame, double passes);
+void dynamic_resolution_add(struct dynamic_resolution *resolution, double frame, double passes);
 
-/* Returns k sixteenths of a length in pixels, rounded to an even number; at least min(2, length).
- */
+/* Returns k sixteenths of a length in pixels, rounded to even; at least min(2, length). */
 uint32_t dynamic_resolution_scale(uint32_t length, uint32_t k);
 
 #endif

@@ -1,5 +1,4 @@
-/* file_kind.c: detects the kind of an opened or dropped file: by its name or, for images, the
- * contents. */
+/* file_kind.c: detects the kind of a file by its name or, for images, by its contents. */
 #include "src/view/file_kind.h"
 #include <string.h>
 #include "src/base/path.h"
@@ -23,14 +22,14 @@ static bool has_cross_shape(const struct image *image)
     return 3 * width == 4 * height || 4 * width == 3 * height;
 }
 
-/* Detects a cube map as a cross: all else is black, so every texel has to be decoded. */
+/* Detects a cross-shaped cube map by the black texels around the cross; decodes the whole image. */
 static enum status detect_cross(const char *path, const struct reader_params *reader,
-                                enum file_kind *drop)
+                                enum file_kind *kind)
 {
     struct image image = { 0 };
     const enum status status = image_reader_read(&image, path, reader);
     if (status == STATUS_OK)
-        *drop =
+        *kind =
             panorama_detect_cube(&image) == PANORAMA_NONE ? FILE_KIND_IMAGE : FILE_KIND_ENVIRONMENT;
     image_finish(&image);
     return status;
@@ -38,46 +37,46 @@ static enum status detect_cross(const char *path, const struct reader_params *re
 
 /* Classifies a PNG file: a preset if firn stored its settings in it, otherwise an image. */
 static enum status classify_png(const char *path, const struct reader_params *reader,
-                                enum file_kind *drop)
+                                enum file_kind *kind)
 {
     struct image_header head;
     const enum status status = image_reader_check(&head, path, reader);
     if (status == STATUS_OK)
-        *drop = image_header_text(&head, "firn/settings") ? FILE_KIND_PRESET : FILE_KIND_IMAGE;
+        *kind = image_header_text(&head, "firn/settings") ? FILE_KIND_PRESET : FILE_KIND_IMAGE;
     image_header_finish(&head);
     return status;
 }
 
 static enum status classify_image(const char *path, const struct reader_params *reader,
-                                  enum file_kind *drop)
+                                  enum file_kind *kind)
 {
-    struct image_reader *picture;
+    struct image_reader *image_reader;
     struct image_header head;
     bool may_be_cross = false;
-    const enum status status = image_reader_open(&picture, path, reader, &head);
+    const enum status status = image_reader_open(&image_reader, path, reader, &head);
     if (status == STATUS_OK) {
-        *drop = has_panorama_shape(&head.image) ? FILE_KIND_ENVIRONMENT : FILE_KIND_IMAGE;
+        *kind = has_panorama_shape(&head.image) ? FILE_KIND_ENVIRONMENT : FILE_KIND_IMAGE;
         may_be_cross = has_cross_shape(&head.image) && !image_header_text(&head, "firn/settings");
     }
-    image_reader_close(picture);
+    image_reader_close(image_reader);
     image_header_finish(&head);
-    return may_be_cross ? detect_cross(path, reader, drop) : status;
+    return may_be_cross ? detect_cross(path, reader, kind) : status;
 }
 
 enum status file_kind_detect(const char *path, const struct reader_params *reader,
-                             enum file_kind *drop)
+                             enum file_kind *kind)
 {
     if (scene_is_environment(path))
-        *drop = FILE_KIND_ENVIRONMENT;
+        *kind = FILE_KIND_ENVIRONMENT;
     else if (path_ends_in(path, ".firn"))
-        *drop = FILE_KIND_SESSION;
+        *kind = FILE_KIND_SESSION;
     else if (path_ends_in(path, ".txt"))
-        *drop = FILE_KIND_PRESET;
+        *kind = FILE_KIND_PRESET;
     else if (path_ends_in(path, ".png"))
-        return classify_png(path, reader, drop);
+        return classify_png(path, reader, kind);
     else if (image_reader_knows_suffix(path))
-        return classify_image(path, reader, drop);
+        return classify_image(path, reader, kind);
     else
-        *drop = FILE_KIND_MODEL;
+        *kind = FILE_KIND_MODEL;
     return STATUS_OK;
 }

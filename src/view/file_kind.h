@@ -5,21 +5,19 @@
 #include "src/reader/reader.h"
 
 enum file_kind {
-    FILE_KIND_MODEL, /* a model file or the name of a scene; the default if nothing else matches */
-    FILE_KIND_ENVIRONMENT, /* a panorama file, or the name of a built-in environment */
+    FILE_KIND_MODEL,       /* model file or scene name; the default */
+    FILE_KIND_ENVIRONMENT, /* panorama file or built-in environment */
     FILE_KIND_IMAGE,       /* an image to compare with */
-    /* a text file of settings, or a PNG image in which firn stored its settings */
+    /* settings file, or firn's PNG */
     FILE_KIND_PRESET,
     FILE_KIND_SESSION,
 };
 
-/*
- * Detects the kind of a file from its extension and, for images, from the contents: a PNG file
+/* Detects the kind of a file from its extension and, for images, from the contents: a PNG file
  * without firn's settings is an image to compare, and so is an .exr or .hdr file that does not have
  * the aspect ratio of a panorama. Image files are read in a reader process (see reader.h for
- * errors); *drop is set only on success.
- */
+ * errors); *kind is set only on success. */
 MUST_USE enum status file_kind_detect(const char *path, const struct reader_params *reader,
-                                      enum file_kind *drop);
+                                      enum file_kind *kind);
 
 #endif

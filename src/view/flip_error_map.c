@@ -9,7 +9,7 @@
 #include "src/metric/quantile.h"
 #include "src/view/window.h"
 
-static const double most = 0.95; /* fraction of the pixels whose error is at most `high` */
+static const double most = 0.95; /* quantile of `percentile_95` */
 
 static void forget(struct flip_error_map *map)
 {
@@ -36,7 +36,7 @@ static bool copy(struct flip_error_map *map, size_t side, const struct flip_erro
     static const char *const names[] = { "R", "G", "B" };
     const size_t size = (size_t)map->width * map->height;
     map->planes[side] = malloc(size * 3 * sizeof(float));
-    map->is_shown[side] = from->is_shown;
+    map->is_tone_mapped[side] = from->is_tone_mapped;
     for (size_t c = 0; c < 3 && map->planes[side]; c++) {
         const float *texels = image_find(from->image, names[c]);
         for (size_t i = 0; i < size; i++)
@@ -49,7 +49,7 @@ static void show(struct flip_error_map *map, size_t side)
 {
     const size_t size = (size_t)map->width * map->height;
     float *p = map->planes[side];
-    for (size_t i = 0; i < size && !map->is_shown[side]; i++) {
+    for (size_t i = 0; i < size && !map->is_tone_mapped[side]; i++) {
         const vec3s linear = { { p[i], p[size + i], p[2 * size + i] } };
         const vec3s shown = tonemap_apply(linear, map->gain, map->curve);
         for (size_t c = 0; c < 3; c++)
@@ -68,7 +68,7 @@ static void colour(struct flip_error_map *map)
     }
     map->mean = sum / (double)size;
     quantile_sort(map->errors, size);
-    map->high = quantile_at(map->errors, size, most);
+    map->percentile_95 = quantile_at(map->errors, size, most);
 }
 
 static void *run(void *user)

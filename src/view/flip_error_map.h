@@ -1,9 +1,6 @@
-/*
- * flip_error_map.h: per-pixel FLIP error of two images, computed on a worker thread.
- *
- * FLIP is a metric of displayed colours, so both images are tone-mapped first; the result equals
- * that of `firn diff` on two PNG files.
- */
+/* flip_error_map.h: per-pixel FLIP error of two images, computed on a worker thread. FLIP compares
+ * displayed colours, so both images are tone-mapped first. The result equals that of `firn diff`
+ * for PNG files. */
 #ifndef FIRN_VIEW_FLIP_ERROR_MAP_H
 #define FIRN_VIEW_FLIP_ERROR_MAP_H
 
@@ -16,8 +13,8 @@
 /* One of the compared images: planes R, G and B. */
 struct flip_error_map_image {
     const struct image *image;
-    float scale;   /* factor on the texel values, such as 1 / sample count of a sum */
-    bool is_shown; /* the planes are tone-mapped already */
+    float scale;         /* factor on the texels, such as 1 / sample count */
+    bool is_tone_mapped; /* the planes are tone-mapped already */
 };
 
 struct flip_error_map {
@@ -25,18 +22,17 @@ struct flip_error_map {
     bool runs;
     atomic_bool done;
     uint32_t width, height;
-    float *planes[2]; /* planes R, G and B of each image, one after the other */
-    bool is_shown[2];
+    float *planes[2]; /* per image: R, G, B */
+    bool is_tone_mapped[2];
     float gain;
     uint32_t curve;
-    float *errors;     /* FLIP error of each pixel, 0 to 1 */
-    uint8_t *rgba;     /* errors in the false colours of heat_map.h */
-    bool failed;       /* the worker thread ran out of memory */
-    double mean, high; /* mean error, and the 95th percentile of the errors */
+    float *errors;              /* FLIP error of each pixel, 0 to 1 */
+    uint8_t *rgba;              /* errors in false colours (heat_map.h) */
+    bool failed;                /* out of memory */
+    double mean, percentile_95; /* of the errors */
 };
 
-void flip_error_map_finish(
-    struct flip_error_map *map); /* waits for the worker thread; {0} is fine */
+void flip_error_map_finish(struct flip_error_map *map); /* waits for the thread; {0} works */
 
 /* Starts to compute the error of the first image relative to the second. Both have the same size
  * and are copied. `gain` and `curve` are those of tonemap_apply(). No other run may be in progress.
@@ -45,8 +41,7 @@ bool flip_error_map_begin(struct flip_error_map *map,
                           const struct flip_error_map_image sides[static 2], float gain,
                           uint32_t curve);
 
-/* Returns true once when the worker is done: `rgba` (unless failed), `mean` and `high` are valid
- * then. */
+/* Returns true once when the worker is done and has set `rgba` (unless failed) and statistics. */
 bool flip_error_map_take(struct flip_error_map *map);
 
 #endif

@@ -6,21 +6,21 @@
 #include <string.h>
 
 enum {
-    KEYS_MAX = 2, /* keys that an action can be bound to */
+    KEYS_MAX = 2, /* maximum keys of an action */
 };
 
 /* Letters and signs are matched by the typed character, not by key code, because their position
  * depends on the keyboard layout. */
 static const struct {
     int keys[KEYS_MAX];             /* GLFW key codes; 0 if unused */
-    const char *characters;         /* typed characters; NULL if there are none */
+    const char *characters;         /* typed characters, or NULL */
     const char *controlled;         /* characters with Ctrl */
     const char *controlled_shifted; /* characters with Ctrl and Shift */
     bool repeats;
-    const char *name;   /* display name of the shortcut; NULL if not listed */
-    const char *label;  /* short description, for the F1 panel and the palette */
-    const char *help;   /* sentence for the tooltip; NULL if the label says everything */
-    const char *button; /* one-word caption for a button; NULL to use the label */
+    const char *name;   /* shortcut name; NULL if not listed */
+    const char *label;  /* label in F1 panel and palette */
+    const char *help;   /* tooltip; NULL for the label alone */
+    const char *button; /* button caption; NULL for the label */
 } actions[VIEW_INPUT_COUNT] = {
     [VIEW_LEFT] = {
         .keys = { GLFW_KEY_LEFT },
@@ -256,7 +256,7 @@ static const struct {
     [VIEW_PLAN] = {
         .characters = "gG",
         .name = "G",
-        .label = "plan of the frame",
+        .label = "render graph of the frame",
         .help = "show the compiled render graph of the frame, or the settings again",
         .button = "Plan",
     },

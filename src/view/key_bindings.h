@@ -1,7 +1,4 @@
-/*
- * key_bindings.h: actions and their keyboard shortcuts: the one table behind keys, buttons,
- * tooltips and F1.
- */
+/* key_bindings.h: actions, their keyboard shortcuts, labels and help texts. */
 #ifndef FIRN_VIEW_KEY_BINDINGS_H
 #define FIRN_VIEW_KEY_BINDINGS_H
 
@@ -69,7 +66,7 @@ enum view_action {
     VIEW_THEME,
     VIEW_QUIT,
     VIEW_ACTION_COUNT,
-    VIEW_DRAG = VIEW_ACTION_COUNT, /* from here on: input that no button can trigger */
+    VIEW_DRAG = VIEW_ACTION_COUNT, /* VIEW_DRAG and later inputs have no button */
     VIEW_PAN,
     VIEW_ROTATE_LIGHT,
     VIEW_MOVE_SUN,
@@ -83,9 +80,9 @@ enum view_action {
 
 /* A key press, as GLFW reports it. */
 struct key_press {
-    int key;            /* GLFW key code; 0 if there is none */
-    unsigned character; /* what is typed, or would be without Ctrl; 0 if nothing */
-    bool repeated;      /* auto-repeat of a held key, ignored by most actions */
+    int key;            /* GLFW key code, or 0 */
+    unsigned character; /* typed character; 0 if none */
+    bool repeated;      /* auto-repeat of a held key */
     bool control, shift;
 };
 

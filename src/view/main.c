@@ -12,7 +12,7 @@ int main(int argc, char **argv)
     standard_streams_begin();
     enum status status = app_parse(&options, APP_VIEW, argc - 1, argv + 1, &done);
     if (status == STATUS_OK && !done && !options.view.session)
-        status = app_require_scene(&options.picture.scene);
+        status = app_require_scene(&options.image.scene);
     if (status == STATUS_OK && !done)
         status = viewer_run(&options);
     return (int)standard_streams_end(status);

@@ -1,10 +1,6 @@
-/*
- * noise_estimate.h: estimates the standard error of a progressively refined image.
- *
- * The image is divided into blocks of 8x8 pixels. For each block, the standard error of its mean is
- * computed from the variance over samples, treated as independent; the estimate is the mean over
- * all blocks.
- */
+/* noise_estimate.h: standard error of a progressively refined image. It is computed per block of
+ * 8x8 pixels, from the variance of the block's mean over the samples, which are treated as
+ * independent; the estimate is the mean over all blocks. */
 #ifndef FIRN_VIEW_NOISE_ESTIMATE_H
 #define FIRN_VIEW_NOISE_ESTIMATE_H
 
@@ -15,8 +11,8 @@ enum {
 };
 
 struct noise_estimate {
-    uint32_t columns, rows; /* number of blocks; 0 if nothing has been added */
-    double *blocks;         /* per block: the sum of the samples, and the sum of their squares */
+    uint32_t columns, rows; /* number of blocks; 0 if empty */
+    double *blocks;         /* sum and sum of squares per block */
     uint32_t count;         /* samples added so far */
 };
 

@@ -62,7 +62,7 @@ void orbit_camera_zoom(struct camera *camera, float steps, float nearest, float 
 {
     const vec3s away = glms_vec3_sub(camera->eye, camera->target);
     const float distance = glms_vec3_norm(away);
-    const float wanted = distance * powf(step_factor, steps);
+    const float distance_next = distance * powf(step_factor, steps);
     if (camera->height > 0.0f) {
         const float height = camera->height * powf(step_factor, steps);
         camera->height =
@@ -70,6 +70,7 @@ void orbit_camera_zoom(struct camera *camera, float steps, float nearest, float 
         return;
     }
     /* a camera already beyond the distance limits can only move back */
-    const float clamped = glm_clamp(wanted, fminf(nearest, distance), fmaxf(farthest, distance));
+    const float clamped =
+        glm_clamp(distance_next, fminf(nearest, distance), fmaxf(farthest, distance));
     camera->eye = glms_vec3_muladds(away, clamped / distance, camera->target);
 }

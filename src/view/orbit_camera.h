@@ -1,9 +1,6 @@
-/*
- * orbit_camera.h: orbit camera: rotates, pans and zooms around a target.
- *
- * There is no inertia: equal movements give equal cameras, and a camera that is not moved stays
- * bit-identical. Rotation is about +Y, so it also removes roll.
- */
+/* orbit_camera.h: orbit camera: rotates, pans and zooms around a target, without inertia. Equal
+ * movements give equal cameras, and a camera that is not moved stays bit-identical. Rotation is
+ * about +Y, so it also removes roll. */
 #ifndef FIRN_VIEW_ORBIT_CAMERA_H
 #define FIRN_VIEW_ORBIT_CAMERA_H
 

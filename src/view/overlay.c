@@ -1,10 +1,6 @@
-/*
- * overlay.c: render-graph passes that draw the user interface over the swapchain image.
- *
- * Triangles are textured with the font atlas and alpha-blended. They are blended in sRGB encoding,
- * as user interfaces are designed for; if the swapchain format encodes on write, blending is linear
- * and half-transparent panels look slightly lighter.
- */
+/* overlay.c: passes that draw the user interface over the swapchain image: textured, alpha-blended
+ * triangles. Blending is in sRGB encoding, as user interfaces are designed for; if the swapchain
+ * format encodes on write, it is linear and half-transparent panels look slightly lighter. */
 #include "src/view/overlay.h"
 #include <string.h>
 #include "shaders/embedded.h"
@@ -13,8 +9,8 @@
 #include "src/view/overlay_draw_list.h"
 #include "src/view/present.h"
 
-static rg_record_fn record_panels, record_copy, record_parts;
-static rg_when_fn are_old, are_kept, has_parts;
+static rg_record_fn record_panels, record_copy, record_commands;
+static rg_when_fn are_old, are_kept, has_commands;
 
 static const struct rg_image panels = {
     .name = "overlay.panels",
@@ -110,15 +106,15 @@ static const struct rg_pass passes[OVERLAY_PASS_COUNT] = {
         .frag = &overlay_frag,
         .vertices = &layout,
         .push_size = sizeof(struct overlay_push),
-        .record = record_parts,
-        .when = has_parts,
+        .record = record_commands,
+        .when = has_commands,
     },
 };
 
 static bool are_kept(const struct rg_frame *frame, uint32_t repetition)
 {
     (void)repetition;
-    return frame->window->keeps_panels && frame->window->overlay;
+    return frame->window->caches_panels && frame->window->overlay;
 }
 
 static bool are_old(const struct rg_frame *frame, uint32_t repetition)
@@ -127,16 +123,16 @@ static bool are_old(const struct rg_frame *frame, uint32_t repetition)
 }
 
 /* Returns the first draw command that is drawn directly; earlier ones are copied from the cache. */
-static uint32_t first_part(const struct rg_frame *frame)
+static uint32_t first_command(const struct rg_frame *frame)
 {
     return are_kept(frame, 0) ? frame->window->overlay->docked_count : 0;
 }
 
-static bool has_parts(const struct rg_frame *frame, uint32_t repetition)
+static bool has_commands(const struct rg_frame *frame, uint32_t repetition)
 {
     const struct overlay_draw_list *list = frame->window->overlay;
     (void)repetition;
-    return list && first_part(frame) < list->part_count;
+    return list && first_command(frame) < list->command_count;
 }
 
 static void draw(struct rg_cmd *cmd, const struct overlay_draw_list *list, uint32_t first,
@@ -152,7 +148,7 @@ static void draw(struct rg_cmd *cmd, const struct overlay_draw_list *list, uint3
     };
     rg_cmd_push(cmd, &push, sizeof(push));
     for (uint32_t i = first; i < end; i++) {
-        const struct overlay_draw_command *part = &list->parts[i];
+        const struct overlay_draw_command *part = &list->commands[i];
         rg_cmd_scissor(cmd, (VkRect2D){ { part->left, part->top }, { part->width, part->height } });
         rg_cmd_draw_mesh_part(cmd, &mesh, part->first_index, part->index_count);
     }
@@ -163,26 +159,26 @@ static void record_panels(struct rg_cmd *cmd, const struct rg_frame *frame)
     draw(cmd, frame->window->overlay, 0, frame->window->overlay->docked_count);
 }
 
-static void record_parts(struct rg_cmd *cmd, const struct rg_frame *frame)
+static void record_commands(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    draw(cmd, frame->window->overlay, first_part(frame), frame->window->overlay->part_count);
+    draw(cmd, frame->window->overlay, first_command(frame), frame->window->overlay->command_count);
 }
 
-/* Copies each docked panel from the cached image to the same place in the swapchain image. */
+/* Copies each docked panel from the cached image to the same position in the swapchain image. */
 static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct window_layout *l = &frame->window->layout;
-    const VkRect2D parts[] = { l->bar, l->panel, l->strip, l->status };
-    for (size_t i = 0; i < sizeof(parts) / sizeof(parts[0]); i++) {
+    const VkRect2D docked[] = { l->bar, l->panel, l->strip, l->status };
+    for (size_t i = 0; i < sizeof(docked) / sizeof(docked[0]); i++) {
         const VkImageSubresourceLayers color = { VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1 };
-        const VkOffset3D at = { parts[i].offset.x, parts[i].offset.y, 0 };
-        const VkExtent3D extent = { parts[i].extent.width, parts[i].extent.height, 1 };
+        const VkOffset3D at = { docked[i].offset.x, docked[i].offset.y, 0 };
+        const VkExtent3D extent = { docked[i].extent.width, docked[i].extent.height, 1 };
         const VkImageCopy region = { color, at, color, at, extent };
         if (!extent.width || !extent.height)
             continue;
         vkCmdCopyImage(rg_cmd_vulkan(cmd), rg_cmd_image(cmd, frame->window->panels),
                        VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                       rg_cmd_image(cmd, frame->window->shown),
+                       rg_cmd_image(cmd, frame->window->window_image),
                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
     }
 }

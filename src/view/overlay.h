@@ -1,11 +1,7 @@
-/*
- * overlay.h: technique that draws the user interface over the rendered image.
- *
- * It runs after `present` on the same image. Triangles and font atlas come from outside:
- * rg_frame.overlay and the buffers below, filled before each frame. Docked panels are redrawn only
- * when their draw list changes (window_frame.panels_are_outdated), into an image that is copied
- * into each frame, which is much cheaper than drawing.
- */
+/* overlay.h: technique that draws the user interface over the image, after `present`. Triangles and
+ * font atlas come from rg_frame.overlay and the buffers below, filled before each frame. Docked
+ * panels are redrawn only when their draw list changes (window_frame.panels_are_outdated); their
+ * cached image is copied into each frame, which is much cheaper than drawing them. */
 #ifndef FIRN_VIEW_OVERLAY_H
 #define FIRN_VIEW_OVERLAY_H
 #include "src/tech/technique.h"
@@ -30,7 +26,7 @@ struct overlay_tables {
  * can be cached; otherwise everything is drawn in each frame. */
 void overlay_tables_init(struct overlay_tables *tables, const struct rg_image *window, bool copies);
 
-extern const struct rg_image overlay_font; /* font atlas (white, coverage in A) and thumbnails */
+extern const struct rg_image overlay_font;      /* font atlas and thumbnails */
 extern const struct rg_buffer overlay_vertices; /* struct overlay_vertex */
 extern const struct rg_buffer overlay_indices;  /* uint32_t */
 extern const struct technique overlay;          /* draws over present_window */

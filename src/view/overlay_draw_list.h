@@ -1,6 +1,4 @@
-/*
- * overlay_draw_list.h: draw list of the user interface, shared by C and C++.
- */
+/* overlay_draw_list.h: draw list of the user interface, shared by C and C++. */
 #ifndef FIRN_VIEW_OVERLAY_DRAW_LIST_H
 #define FIRN_VIEW_OVERLAY_DRAW_LIST_H
 
@@ -15,7 +13,7 @@ enum {
 struct overlay_vertex {
     float x, y;     /* pixels from the top left corner */
     float u, v;     /* texture coordinates in the font atlas */
-    uint32_t color; /* RGBA8 with R in the lowest byte; sRGB-encoded, straight alpha */
+    uint32_t color; /* vertex colour, RGBA8, R in the lowest byte; sRGB-encoded, straight alpha */
 };
 
 /* One draw command: a range of triangles and its scissor rectangle. */
@@ -26,10 +24,10 @@ struct overlay_draw_command {
 };
 
 struct overlay_draw_list {
-    uint32_t version;      /* changes whenever the list changes; never 0 */
-    uint32_t docked_count; /* leading commands that belong to docked panels, beside the image */
-    uint32_t part_count;   /* number of commands, drawn back to front */
-    struct overlay_draw_command parts[OVERLAY_COMMAND_COUNT];
+    uint32_t version;       /* changes with the list; never 0 */
+    uint32_t docked_count;  /* commands of docked panels come first */
+    uint32_t command_count; /* drawn back to front */
+    struct overlay_draw_command commands[OVERLAY_COMMAND_COUNT];
 };
 
 #endif

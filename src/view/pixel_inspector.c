@@ -1,5 +1,4 @@
-/* pixel_inspector.c: pixel inspector: layers of the image as displayable pixels, histogram and
- * values. */
+/* pixel_inspector.c: layers of the image as displayable pixels, histogram and pixel values. */
 #include "src/view/pixel_inspector.h"
 #include <math.h>
 #include <stdio.h>
@@ -13,27 +12,27 @@
 #include "src/tech/output/tonemap.h"
 
 static const char *const always[] = { "Z", "N", "P", "object", NULL };
-static const float darkest_stops = -12.0f; /* range of the histogram of the image, in stops */
+static const float darkest_stops = -12.0f; /* histogram range, stops */
 static const float brightest_stops = 8.0f;
 
-/* Retires the current image. The one shown before stays alive for one more change, because the
- * window's plan detects a new image by its handle, which two images in turn must not share. */
-static void forget(struct pixel_inspector *look, struct gpu *gpu)
+/* Retires the current image and keeps it alive until the next change: the window's plan detects a
+ * new image by its handle, so consecutive images must not share one. */
+static void forget(struct pixel_inspector *inspector, struct gpu *gpu)
 {
-    gpu_image_destroy(gpu, &look->former);
-    look->former = look->image;
-    look->image = (struct gpu_image){ 0 };
-    free(look->rgba);
-    look->rgba = NULL;
+    gpu_image_destroy(gpu, &inspector->previous);
+    inspector->previous = inspector->image;
+    inspector->image = (struct gpu_image){ 0 };
+    free(inspector->rgba);
+    inspector->rgba = NULL;
 }
 
-void pixel_inspector_finish(struct pixel_inspector *look, struct gpu *gpu)
+void pixel_inspector_finish(struct pixel_inspector *inspector, struct gpu *gpu)
 {
-    forget(look, gpu);
-    gpu_image_destroy(gpu, &look->former);
-    image_finish(&look->layers);
-    free(look->names);
-    look->names = NULL;
+    forget(inspector, gpu);
+    gpu_image_destroy(gpu, &inspector->previous);
+    image_finish(&inspector->layers);
+    free(inspector->names);
+    inspector->names = NULL;
 }
 
 /* Skips layers that only the reference has. */
@@ -52,7 +51,7 @@ bool pixel_inspector_replaces_image(const struct pixel_inspector_choice *c)
     return c->layer || c->channel || c->false_color || c->stops < 0.0f || c->stops > 0.0f;
 }
 
-enum status pixel_inspector_draw(struct pixel_inspector *look, struct viewport *p,
+enum status pixel_inspector_draw(struct pixel_inspector *inspector, struct viewport *p,
                                  const struct renderer_shot *shot)
 {
     struct renderer_params params = viewport_params(p);
@@ -61,40 +60,40 @@ enum status pixel_inspector_draw(struct pixel_inspector *look, struct viewport *
     params.refraction = p->state.refraction;
     params.samples = 1;
     params.linear = true;
-    params.layers = layer_image_bit(pixel_inspector_layer(look->choice.layer));
+    params.layers = layer_image_bit(pixel_inspector_layer(inspector->choice.layer));
     for (size_t i = 0; always[i]; i++)
         params.layers |= layer_image_bit(layer_image_find(always[i]));
     enum status status = renderer_create(&renderer, &params);
     if (status == STATUS_OK)
         status = renderer_render(renderer, shot, &result, NULL, NULL);
     renderer_destroy(renderer);
-    image_finish(&look->layers);
-    look->layers = result.image;
-    free(look->names);
-    look->names = object_names(&p->scene);
-    look->drawn = look->choice.layer;
+    image_finish(&inspector->layers);
+    inspector->layers = result.image;
+    free(inspector->names);
+    inspector->names = object_names(&p->scene);
+    inspector->drawn_layer = inspector->choice.layer;
     return status;
 }
 
 /* Planes of a layer or of the rendered image. */
 struct planes {
-    const float *of[4];
+    const float *data[4];
     uint32_t count;
     float scale; /* factor on the texel values */
     size_t size;
 };
 
-static struct planes open_planes(const struct pixel_inspector *look, const struct viewport *p,
+static struct planes open_planes(const struct pixel_inspector *inspector, const struct viewport *p,
                                  uint32_t layer)
 {
     const struct frame_layer *which = layer ? pixel_inspector_layer(layer) : &frame_beauty;
-    const struct image *from = layer ? &look->layers : renderer_sums(p->renderer);
+    const struct image *from = layer ? &inspector->layers : renderer_sums(p->renderer);
     struct planes planes = { .scale =
                                  layer ? 1.0f : 1.0f / (float)renderer_sum_count(p->renderer) };
     planes.size = (size_t)from->width * from->height;
     for (uint32_t c = 0; c < (layer ? 4 : 3) && which->planes[c]; c++) {
-        planes.of[c] = image_find(from, which->planes[c]);
-        if (!planes.of[c])
+        planes.data[c] = image_find(from, which->planes[c]);
+        if (!planes.data[c])
             break;
         planes.count++;
     }
@@ -105,9 +104,9 @@ static float one_value(const struct planes *planes, uint32_t channel, size_t i)
 {
     float sum = 0.0f;
     if (channel && channel <= planes->count)
-        return planes->of[channel - 1][i] * planes->scale;
+        return planes->data[channel - 1][i] * planes->scale;
     for (uint32_t c = 0; c < planes->count; c++)
-        sum += planes->of[c][i];
+        sum += planes->data[c][i];
     return sum * planes->scale / (float)planes->count;
 }
 
@@ -116,32 +115,32 @@ static bool is_value(float x)
     return isfinite(x) && x < 1e10f;
 }
 
-static void find_range(struct pixel_inspector *look, const struct planes *planes)
+static void find_range(struct pixel_inspector *inspector, const struct planes *planes)
 {
-    look->least = INFINITY;
-    look->greatest = -INFINITY;
+    inspector->min = INFINITY;
+    inspector->max = -INFINITY;
     for (size_t i = 0; i < planes->size; i++) {
-        const float x = one_value(planes, look->choice.channel, i);
+        const float x = one_value(planes, inspector->choice.channel, i);
         if (is_value(x)) {
-            look->least = fminf(look->least, x);
-            look->greatest = fmaxf(look->greatest, x);
+            inspector->min = fminf(inspector->min, x);
+            inspector->max = fmaxf(inspector->max, x);
         }
     }
-    if (look->least > look->greatest)
-        look->least = look->greatest = 0.0f;
+    if (inspector->min > inspector->max)
+        inspector->min = inspector->max = 0.0f;
 }
 
 /* Fills the histogram: in stops for the rendered image, from minimum to maximum for a layer. */
-static void count_bins(struct pixel_inspector *look, const struct planes *planes)
+static void count_bins(struct pixel_inspector *inspector, const struct planes *planes)
 {
-    const bool is_log = !look->choice.layer;
-    const float from = is_log ? darkest_stops : look->least;
-    const float to = is_log ? brightest_stops : look->greatest;
+    const bool is_log = !inspector->choice.layer;
+    const float from = is_log ? darkest_stops : inspector->min;
+    const float to = is_log ? brightest_stops : inspector->max;
     uint32_t below = 0;
     uint32_t above = 0;
-    memset(look->bins, 0, sizeof(look->bins));
+    memset(inspector->bins, 0, sizeof(inspector->bins));
     for (size_t i = 0; i < planes->size; i++) {
-        const float x = one_value(planes, look->choice.channel, i);
+        const float x = one_value(planes, inspector->choice.channel, i);
         const float at = is_log ? log2f(fmaxf(x, 1e-30f)) : x;
         const float part = to > from ? (at - from) / (to - from) : 0.0f;
         if (!is_value(x))
@@ -149,13 +148,13 @@ static void count_bins(struct pixel_inspector *look, const struct planes *planes
         below += part < 0.0f;
         above += part > 1.0f;
         const float bin = fminf(fmaxf(part, 0.0f), 1.0f) * (PIXEL_INSPECTOR_BIN_COUNT - 1);
-        look->bins[(uint32_t)(bin + 0.5f)]++;
+        inspector->bins[(uint32_t)(bin + 0.5f)]++;
     }
-    look->below = planes->size ? (float)below / (float)planes->size : 0.0f;
-    look->above = planes->size ? (float)above / (float)planes->size : 0.0f;
+    inspector->below_fraction = planes->size ? (float)below / (float)planes->size : 0.0f;
+    inspector->above_fraction = planes->size ? (float)above / (float)planes->size : 0.0f;
     if (is_log) {
-        look->least = from;
-        look->greatest = to;
+        inspector->min = from;
+        inspector->max = to;
     }
 }
 
@@ -164,31 +163,31 @@ static uint8_t to_byte(float x)
     return (uint8_t)(fminf(fmaxf(x, 0.0f), 1.0f) * 255.0f + 0.5f);
 }
 
-static void write_color(const struct pixel_inspector *look, const struct planes *planes,
+static void write_color(const struct pixel_inspector *inspector, const struct planes *planes,
                         const struct tonemap_params *tone, size_t i, uint8_t rgb[static 3])
 {
-    const struct pixel_inspector_choice *c = &look->choice;
+    const struct pixel_inspector_choice *c = &inspector->choice;
     const float gain = exp2f((c->layer ? 0.0f : tone->exposure) + c->stops);
     const uint32_t curve = c->layer ? TONEMAP_CLIP : tone->curve;
     vec3s linear;
     for (uint32_t k = 0; k < 3; k++)
         linear.raw[k] = c->channel ? one_value(planes, c->channel, i)
-                                   : planes->of[k % planes->count][i] * planes->scale;
+                                   : planes->data[k % planes->count][i] * planes->scale;
     const vec3s shown = tonemap_encode(linear, gain, curve);
     for (uint32_t k = 0; k < 3; k++)
         rgb[k] = to_byte(shown.raw[k]);
 }
 
 /* Writes one channel as grey, or a value in false colours. */
-static void write_value(const struct pixel_inspector *look, const struct planes *planes,
-                        float least, float greatest, size_t i, uint8_t rgb[static 3])
+static void write_value(const struct pixel_inspector *inspector, const struct planes *planes,
+                        float min, float max, size_t i, uint8_t rgb[static 3])
 {
-    const float x = one_value(planes, look->choice.channel, i);
-    const float width = greatest - least;
-    const float part = width > 0.0f ? (x - least) / width : 0.0f;
+    const float x = one_value(planes, inspector->choice.channel, i);
+    const float width = max - min;
+    const float part = width > 0.0f ? (x - min) / width : 0.0f;
     if (!is_value(x))
         memset(rgb, 0, 3);
-    else if (look->choice.false_color)
+    else if (inspector->choice.false_color)
         heat_map_srgb(part, rgb);
     else
         memset(rgb, to_byte(part), 3);
@@ -200,19 +199,19 @@ static bool shows_colors(const struct pixel_inspector_choice *c)
            (!c->layer || pixel_inspector_layer(c->layer)->shown == FRAME_SHOWN_COLOR);
 }
 
-static uint8_t *make_rgba(struct pixel_inspector *look, const struct viewport *p,
+static uint8_t *make_rgba(struct pixel_inspector *inspector, const struct viewport *p,
                           const struct planes *planes)
 {
-    const struct pixel_inspector_choice *c = &look->choice;
+    const struct pixel_inspector_choice *c = &inspector->choice;
     const struct tonemap_params *tone = settings_of(&p->state.scene.settings, &tonemap_settings);
     if (c->layer && !c->channel && !c->false_color && !shows_colors(c))
-        return layer_image_rgba(&look->layers, pixel_inspector_layer(c->layer));
+        return layer_image_rgba(&inspector->layers, pixel_inspector_layer(c->layer));
     uint8_t *rgba = malloc(planes->size * 4);
     for (size_t i = 0; i < planes->size && rgba; i++) {
         if (shows_colors(c))
-            write_color(look, planes, tone, i, &rgba[i * 4]);
+            write_color(inspector, planes, tone, i, &rgba[i * 4]);
         else
-            write_value(look, planes, look->least, look->greatest, i, &rgba[i * 4]);
+            write_value(inspector, planes, inspector->min, inspector->max, i, &rgba[i * 4]);
         rgba[i * 4 + 3] = 255;
     }
     if (!rgba)
@@ -220,32 +219,32 @@ static uint8_t *make_rgba(struct pixel_inspector *look, const struct viewport *p
     return rgba;
 }
 
-enum status pixel_inspector_show(struct pixel_inspector *look, const struct viewport *p,
+enum status pixel_inspector_show(struct pixel_inspector *inspector, const struct viewport *p,
                                  uint32_t sample_count)
 {
-    const struct planes planes = open_planes(look, p, look->choice.layer);
-    forget(look, p->gpu);
-    look->sample_count = sample_count;
+    const struct planes planes = open_planes(inspector, p, inspector->choice.layer);
+    forget(inspector, p->gpu);
+    inspector->sample_count = sample_count;
     if (!planes.count)
-        return STATUS_OK; /* the current image does not have this layer */
-    find_range(look, &planes);
-    if (pixel_inspector_replaces_image(&look->choice)) {
-        look->rgba = make_rgba(look, p, &planes);
-        if (!look->rgba)
+        return STATUS_OK; /* the image lacks this layer */
+    find_range(inspector, &planes);
+    if (pixel_inspector_replaces_image(&inspector->choice)) {
+        inspector->rgba = make_rgba(inspector, p, &planes);
+        if (!inspector->rgba)
             return STATUS_TRY_AGAIN;
     }
-    count_bins(look, &planes);
-    if (!look->rgba)
+    count_bins(inspector, &planes);
+    if (!inspector->rgba)
         return STATUS_OK;
     const struct gpu_image_params params = {
         .name = "inspector",
         .format = VK_FORMAT_R8G8B8A8_UNORM,
         .width = p->state.width,
         .height = p->state.height,
-        .texels = look->rgba,
+        .texels = inspector->rgba,
         .texels_size = planes.size * 4,
     };
-    return gpu_image_create(p->gpu, &look->image, &params);
+    return gpu_image_create(p->gpu, &inspector->image, &params);
 }
 
 static uint32_t take(const struct image *image, const struct frame_layer *layer, size_t i,
@@ -277,14 +276,14 @@ static void find_name(const char *names, uint32_t number, char *name, size_t siz
     }
 }
 
-bool pixel_inspector_values(const struct pixel_inspector *look, const struct viewport *p,
+bool pixel_inspector_values(const struct pixel_inspector *inspector, const struct viewport *p,
                             uint32_t x, uint32_t y, struct pixel_inspector_values *v)
 {
-    const struct image *layers = &look->layers;
+    const struct image *layers = &inspector->layers;
     const struct image *sums = p->renderer ? renderer_sums(p->renderer) : NULL;
     const size_t i = (size_t)y * layers->width + x;
     float object = 0.0f;
-    if (x >= layers->width || y >= layers->height || !look->sample_count || !sums ||
+    if (x >= layers->width || y >= layers->height || !inspector->sample_count || !sums ||
         sums->width != layers->width || sums->height != layers->height)
         return false;
     *v = (struct pixel_inspector_values){ 0 };
@@ -296,10 +295,10 @@ bool pixel_inspector_values(const struct pixel_inspector *look, const struct vie
     take(layers, layer_image_find("Z"), i, &v->distance, 1);
     take(layers, layer_image_find("object"), i, &object, 1);
     v->object = object > 0.0f ? (uint32_t)(object + 0.5f) : 0;
-    v->layer_count = take(layers, pixel_inspector_layer(look->choice.layer), i, v->layer, 4);
-    find_name(look->names, v->object, v->name, sizeof(v->name));
-    if (look->rgba) {
-        memcpy(v->shown, &look->rgba[i * 4], 3);
+    v->layer_count = take(layers, pixel_inspector_layer(inspector->choice.layer), i, v->layer, 4);
+    find_name(inspector->names, v->object, v->name, sizeof(v->name));
+    if (inspector->rgba) {
+        memcpy(v->shown, &inspector->rgba[i * 4], 3);
         return true;
     }
     const struct tonemap_params *tone = settings_of(&p->state.scene.settings, &tonemap_settings);

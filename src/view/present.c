@@ -21,8 +21,8 @@ const struct rg_image present_right = {
     .format = VK_FORMAT_R8G8B8A8_UNORM,
 };
 
-#define PICTURE(picture) \
-    RG_USES({ .image = &(picture), \
+#define SOURCE(source) \
+    RG_USES({ .image = &(source), \
               .access = RG_SAMPLED, \
               .binding = PRESENT_PICTURE, \
               .sampler = &frame_linear })
@@ -31,7 +31,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
     {
         .name = "present.scaled",
         .color = RG_TARGETS({ &present_window, RG_LOAD_DISCARD }),
-        .uses = PICTURE(frame_display),
+        .uses = SOURCE(frame_display),
         .vert = &present_vert,
         .frag = &present_scaled_frag,
         .push_size = sizeof(struct present_push),
@@ -40,7 +40,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
     {
         .name = "present.exact",
         .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
-        .uses = PICTURE(frame_display),
+        .uses = SOURCE(frame_display),
         .vert = &present_vert,
         .frag = &present_frag,
         .push_size = sizeof(struct present_push),
@@ -50,7 +50,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
     {
         .name = "present.split",
         .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
-        .uses = PICTURE(present_right),
+        .uses = SOURCE(present_right),
         .vert = &present_vert,
         .frag = &present_frag,
         .push_size = sizeof(struct present_push),
@@ -60,7 +60,7 @@ static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
     {
         .name = "present.split_scaled",
         .color = RG_TARGETS({ &present_window, RG_LOAD_KEEP }),
-        .uses = PICTURE(present_right),
+        .uses = SOURCE(present_right),
         .vert = &present_vert,
         .frag = &present_scaled_frag,
         .push_size = sizeof(struct present_push),
@@ -74,34 +74,34 @@ static bool has_line(const struct rg_frame *frame)
     return frame->window->present.line != PRESENT_NO_LINE;
 }
 
-static void push(struct rg_cmd *cmd, const struct present_area *place)
+static void push(struct rg_cmd *cmd, const struct present_area *area)
 {
     const VkExtent2D window = rg_cmd_extent(cmd);
-    const vec2s middle = { { (float)window.width / 2.0f, (float)window.height / 2.0f } };
+    const vec2s center = { { (float)window.width / 2.0f, (float)window.height / 2.0f } };
     const struct present_push pushed = {
-        .uv_from_clip = { { middle.x / (float)place->width, middle.y / (float)place->height } },
-        .uv_of_middle = { { (middle.x - (float)place->x) / (float)place->width,
-                            (middle.y - (float)place->y) / (float)place->height } },
-        .x = place->x,
-        .y = place->y,
+        .uv_from_clip = { { center.x / (float)area->width, center.y / (float)area->height } },
+        .uv_of_middle = { { (center.x - (float)area->x) / (float)area->width,
+                            (center.y - (float)area->y) / (float)area->height } },
+        .x = area->x,
+        .y = area->y,
     };
     rg_cmd_push(cmd, &pushed, sizeof(pushed));
 }
 
 /* Returns the rectangle of a range of columns of the displayed image. */
-static VkRect2D columns(const struct present_area *place, uint32_t from, uint32_t to)
+static VkRect2D columns(const struct present_area *area, uint32_t from, uint32_t to)
 {
-    to = to < place->width ? to : place->width;
-    return (VkRect2D){ { (int32_t)(place->x + from), (int32_t)place->y },
-                       { to > from ? to - from : 0, place->height } };
+    to = to < area->width ? to : area->width;
+    return (VkRect2D){ { (int32_t)(area->x + from), (int32_t)area->y },
+                       { to > from ? to - from : 0, area->height } };
 }
 
-static void draw(struct rg_cmd *cmd, const struct present_area *place, VkRect2D part)
+static void draw(struct rg_cmd *cmd, const struct present_area *area, VkRect2D part)
 {
     if (!part.extent.width || !part.extent.height)
         return;
     rg_cmd_scissor(cmd, part);
-    push(cmd, place);
+    push(cmd, area);
     rg_cmd_draw(cmd, 3);
 }
 
@@ -114,7 +114,8 @@ static void fill(struct rg_cmd *cmd, const struct rg_frame *frame, VkRect2D part
         return;
     for (size_t c = 0; c < 3; c++) {
         const float encoded = (float)(color >> (16 - 8 * c) & 255) / 255.0f;
-        clear.clearValue.color.float32[c] = frame->window->encodes ? srgb_decode(encoded) : encoded;
+        clear.clearValue.color.float32[c] =
+            frame->window->encodes_srgb ? srgb_decode(encoded) : encoded;
     }
     clear.clearValue.color.float32[3] = 1.0f;
     vkCmdClearAttachments(rg_cmd_vulkan(cmd), 1, &clear, 1, &rect);
@@ -122,15 +123,15 @@ static void fill(struct rg_cmd *cmd, const struct rg_frame *frame, VkRect2D part
 
 static void record_left(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct present_area *place = &frame->window->present;
-    draw(cmd, place, columns(place, 0, place->line));
+    const struct present_area *area = &frame->window->present;
+    draw(cmd, area, columns(area, 0, area->line));
 }
 
 /* Fills the margins around the image if its aspect ratio differs from that of its area. */
 static void surround(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
     const struct present_area *p = &frame->window->present;
-    const VkRect2D *room = &frame->window->layout.picture;
+    const VkRect2D *room = &frame->window->layout.image;
     const uint32_t left = p->x - (uint32_t)room->offset.x;
     const uint32_t above = p->y - (uint32_t)room->offset.y;
     const VkRect2D parts[] = {
@@ -157,10 +158,10 @@ static void record_scaled(struct rg_cmd *cmd, const struct rg_frame *frame)
 /* Draws the right image and the divider. */
 static void record_right(struct rg_cmd *cmd, const struct rg_frame *frame)
 {
-    const struct present_area *place = &frame->window->present;
-    draw(cmd, place, columns(place, place->line, place->width));
-    fill(cmd, frame, columns(place, place->line, place->line + 1), 0xffffff);
-    fill(cmd, frame, columns(place, place->line + 1, place->line + 2), 0);
+    const struct present_area *area = &frame->window->present;
+    draw(cmd, area, columns(area, area->line, area->width));
+    fill(cmd, frame, columns(area, area->line, area->line + 1), 0xffffff);
+    fill(cmd, frame, columns(area, area->line + 1, area->line + 2), 0);
 }
 
 static bool has_size(const struct rg_frame *frame, uint32_t columns, uint32_t rows)
@@ -193,20 +194,20 @@ const struct technique present = {
     .parts = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("present", passes) } },
 };
 
-struct present_area present_fit(VkRect2D view, VkExtent2D picture, double divider)
+struct present_area present_fit(VkRect2D view, VkExtent2D image, double divider)
 {
     const VkExtent2D room = view.extent;
-    struct present_area place = { .line = PRESENT_NO_LINE };
-    double scale = fmin((double)room.width / picture.width, (double)room.height / picture.height);
-    place.width = (uint32_t)fmin(fmax(picture.width * scale + 0.5, 1.0), room.width);
-    place.height = (uint32_t)fmin(fmax(picture.height * scale + 0.5, 1.0), room.height);
-    place.x = (uint32_t)view.offset.x + (room.width - place.width) / 2;
-    place.y = (uint32_t)view.offset.y + (room.height - place.height) / 2;
-    place.texel_columns = picture.width;
-    place.texel_rows = picture.height;
+    struct present_area area = { .line = PRESENT_NO_LINE };
+    double scale = fmin((double)room.width / image.width, (double)room.height / image.height);
+    area.width = (uint32_t)fmin(fmax(image.width * scale + 0.5, 1.0), room.width);
+    area.height = (uint32_t)fmin(fmax(image.height * scale + 0.5, 1.0), room.height);
+    area.x = (uint32_t)view.offset.x + (room.width - area.width) / 2;
+    area.y = (uint32_t)view.offset.y + (room.height - area.height) / 2;
+    area.texel_columns = image.width;
+    area.texel_rows = image.height;
     if (divider >= 0.0)
-        place.line = (uint32_t)(divider * place.width + 0.5);
-    return place;
+        area.line = (uint32_t)(divider * area.width + 0.5);
+    return area;
 }
 
 void present_tables_init(struct present_tables *tables, VkFormat format)

@@ -1,12 +1,7 @@
-/*
- * present.h: technique that draws one image, or two side by side, into the swapchain image.
- *
- * The image is copied texel by texel, or filtered until one of the window's size has been drawn.
- *
- * The source images (frame_display and, right of the divider, present_right) and the swapchain
- * image are imported by a plan of their own, apart from that of the frame. The tables are built at
- * run time, because the swapchain's format is known only then.
- */
+/* present.h: technique that draws one image, or two side by side, into the swapchain image. The
+ * image is copied 1:1, or filtered until one of the window's size has been drawn. The window's own
+ * plan imports the source images (frame_display and, right of the divider, present_right) and the
+ * swapchain image. Its tables are built at run time, when the swapchain's format is known. */
 #ifndef FIRN_VIEW_PRESENT_H
 #define FIRN_VIEW_PRESENT_H
 #include "shaders/output/present.h"
@@ -15,10 +10,9 @@
 
 struct overlay_draw_list;
 
-/* Where the window shows the image, in pixels from the window's upper left corner. */
+/* Rectangle of the image in the window, pixels from the upper left corner. */
 struct present_area {
-    uint32_t
-        line; /* column of the divider, from the image's left edge; PRESENT_NO_LINE if not split */
+    uint32_t line;                      /* divider column, or PRESENT_NO_LINE */
     uint32_t x, y;                      /* upper left corner of the image */
     uint32_t width, height;             /* displayed size */
     uint32_t texel_columns, texel_rows; /* size of the source image, texels */
@@ -29,13 +23,12 @@ struct present_area {
 struct window_frame {
     struct present_area present;
     struct window_layout layout;
-    const struct overlay_draw_list
-        *overlay;             /* src/view/overlay_draw_list.h; NULL without user interface */
-    bool keeps_panels;        /* docked panels are cached in the image `panels` */
-    bool panels_are_outdated; /* the cached panels have to be redrawn */
-    const struct rg_image *panels, *shown; /* cache image and window image, with keeps_panels */
-    uint32_t right_columns, right_rows;    /* size of the right image, texels */
-    bool encodes;                          /* the window's format applies sRGB encoding on write */
+    const struct overlay_draw_list *overlay;      /* NULL without user interface */
+    bool caches_panels;                           /* docked panels are cached */
+    bool panels_are_outdated;                     /* cached panels must be redrawn */
+    const struct rg_image *panels, *window_image; /* used only with caches_panels */
+    uint32_t right_columns, right_rows;           /* size of the right image, texels */
+    bool encodes_srgb;                            /* window format encodes sRGB on write */
 };
 
 enum {
@@ -50,9 +43,9 @@ struct present_tables {
     struct rg_technique technique;
 };
 
-/* Fits an image of size `picture` into the non-empty rectangle `view`, keeping its aspect ratio.
+/* Fits an image of size `image` into the non-empty rectangle `view`, keeping its aspect ratio.
  * `divider` is its position as a fraction of the width; negative if not split. */
-struct present_area present_fit(VkRect2D view, VkExtent2D picture, double divider);
+struct present_area present_fit(VkRect2D view, VkExtent2D image, double divider);
 
 void present_tables_init(struct present_tables *tables, VkFormat format);
 

@@ -8,7 +8,7 @@
 #include "src/view/view_frame_stats.h"
 
 enum {
-    IMPORT_PICTURE,
+    IMPORT_IMAGE,
     IMPORT_RIGHT,
     IMPORT_WINDOW,
     IMPORT_FONT, /* only with a user interface */
@@ -50,7 +50,7 @@ static uint32_t import_count(const struct presenter *s)
     return s->font ? IMPORT_COUNT : IMPORT_FONT;
 }
 
-static enum status compile(const struct presenter *s, const struct presenter_images *picture,
+static enum status compile(const struct presenter *s, const struct presenter_images *images,
                            const struct rg_device *device, struct rg_plan **plan)
 {
     const struct rg_technique *const parts[] = {
@@ -59,12 +59,12 @@ static enum status compile(const struct presenter *s, const struct presenter_ima
     };
     const VkExtent2D extent = s->swapchain.extent;
     const struct rg_import imports[IMPORT_COUNT] = {
-        [IMPORT_PICTURE] = { .image = &frame_display,
+        [IMPORT_IMAGE] = { .image = &frame_display,
                              .access = RG_SAMPLED,
-                             .extent = picture->extent },
+                             .extent = images->extent },
         [IMPORT_RIGHT] = { .image = &present_right,
                            .access = RG_SAMPLED,
-                           .extent = picture->right_extent },
+                           .extent = images->right_extent },
         [IMPORT_WINDOW] = { .image = &s->tables.window },
         [IMPORT_FONT] = {
             .image = &overlay_font,
@@ -122,12 +122,12 @@ struct rg_exec_params presenter_exec_params(const struct gpu *gpu, const struct 
 }
 
 /* Creates an executor for the plan, or updates the existing one. */
-static enum status realise(struct presenter *s, const struct presenter_images *picture,
+static enum status realise(struct presenter *s, const struct presenter_images *images,
                            const struct rg_plan *plan)
 {
     const struct rg_exec_import objects[IMPORT_COUNT] = {
-        [IMPORT_PICTURE] = { .image = picture->left },
-        [IMPORT_RIGHT] = { .image = picture->right },
+        [IMPORT_IMAGE] = { .image = images->left },
+        [IMPORT_RIGHT] = { .image = images->right },
         [IMPORT_WINDOW] = {
             .images = s->swapchain.images,
             .image_count = s->swapchain.image_count,
@@ -154,26 +154,26 @@ static enum status realise(struct presenter *s, const struct presenter_images *p
     return gpu_status(result);
 }
 
-static bool shows(const struct presenter *s, const struct presenter_images *picture)
+static bool shows(const struct presenter *s, const struct presenter_images *images)
 {
-    const struct presenter_images *now = &s->shown;
-    return s->exec && now->left == picture->left && now->right == picture->right &&
-           now->extent.width == picture->extent.width &&
-           now->extent.height == picture->extent.height &&
-           now->right_extent.width == picture->right_extent.width &&
-           now->right_extent.height == picture->right_extent.height;
+    const struct presenter_images *now = &s->images;
+    return s->exec && now->left == images->left && now->right == images->right &&
+           now->extent.width == images->extent.width &&
+           now->extent.height == images->extent.height &&
+           now->right_extent.width == images->right_extent.width &&
+           now->right_extent.height == images->right_extent.height;
 }
 
-enum status presenter_connect(struct presenter *s, const struct presenter_images *picture)
+enum status presenter_connect(struct presenter *s, const struct presenter_images *images)
 {
     const struct rg_vulkan vulkan = frame_exec_vulkan(s->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
     struct rg_plan *plan = NULL;
-    if (shows(s, picture))
+    if (shows(s, images))
         return STATUS_OK;
-    enum status status = compile(s, picture, &device, &plan);
+    enum status status = compile(s, images, &device, &plan);
     if (status == STATUS_OK)
-        status = realise(s, picture, plan);
+        status = realise(s, images, plan);
     if (status != STATUS_OK) {
         rg_plan_destroy(plan);
         return status;
@@ -181,7 +181,7 @@ enum status presenter_connect(struct presenter *s, const struct presenter_images
     rg_plan_destroy(s->plan);
     s->plan = plan;
     s->panels_version = 0;
-    s->shown = *picture;
+    s->images = *images;
     return STATUS_OK;
 }
 
@@ -206,35 +206,35 @@ enum status presenter_begin(struct presenter *s, bool *ready)
     const double start = clock_seconds();
     if (status == STATUS_OK)
         status = gpu_swapchain_acquire(s->gpu, &s->swapchain, s->slot, &s->index);
-    s->waited = clock_seconds() - start;
+    s->wait_seconds = clock_seconds() - start;
     *ready = status == STATUS_OK && s->index != GPU_SWAPCHAIN_NONE;
     return status;
 }
 
-enum status presenter_end(struct presenter *s, const struct window_frame *shown)
+enum status presenter_end(struct presenter *s, const struct window_frame *frame)
 {
     const struct gpu_swapchain *chain = &s->swapchain;
-    struct window_frame window = *shown;
-    window.right_columns = s->shown.right_extent.width;
-    window.right_rows = s->shown.right_extent.height;
-    window.encodes = chain->encodes;
-    window.keeps_panels = chain->copies;
+    struct window_frame window = *frame;
+    window.right_columns = s->images.right_extent.width;
+    window.right_rows = s->images.right_extent.height;
+    window.encodes_srgb = chain->encodes;
+    window.caches_panels = chain->copies;
     window.panels_are_outdated = window.overlay && window.overlay->version != s->panels_version;
     window.panels = &s->overlay.panels;
-    window.shown = &s->tables.window;
-    const struct rg_frame frame = { .window = &window };
+    window.window_image = &s->tables.window;
+    const struct rg_frame inputs = { .window = &window };
     const struct rg_exec_external_sync sync = {
         .image_index = s->index,
         .wait = chain->acquired[s->slot],
         .signal = chain->drawn[s->index],
     };
-    enum status status = gpu_status(rg_exec_submit_synced(s->exec, &frame, &sync));
+    enum status status = gpu_status(rg_exec_submit_synced(s->exec, &inputs, &sync));
     if (status == STATUS_OK && window.overlay)
         s->panels_version = window.overlay->version;
     const double start = clock_seconds();
     if (status == STATUS_OK)
         status = gpu_swapchain_present(s->gpu, &s->swapchain, s->index);
-    s->waited += clock_seconds() - start;
+    s->wait_seconds += clock_seconds() - start;
     return status;
 }
 

@@ -27,50 +27,50 @@ struct presenter_images {
 struct presenter {
     struct gpu *gpu;
     struct gpu_swapchain swapchain;
-    rg_replace_shader_fn *replace; /* see rg_exec.h; set before presenter_connect(); NULL if none */
+    rg_replace_shader_fn *replace; /* set before presenter_connect(); may be NULL */
     void *replace_user;
-    VkExtent2D size; /* window size for which the swapchain was created */
+    VkExtent2D size; /* window size of the swapchain */
     struct present_tables tables;
     struct overlay_tables overlay;
-    uint32_t panels_version;       /* draw-list version of the cached panels; 0 if none */
-    const struct gpu_image *font;  /* font atlas of the user interface; NULL without one */
-    struct presenter_images shown; /* source images, while connected */
+    uint32_t panels_version;        /* cached draw-list version; 0 if none */
+    const struct gpu_image *font;   /* font atlas; NULL without user interface */
+    struct presenter_images images; /* source images, while connected */
     struct rg_plan *plan;
     struct rg_exec *exec; /* NULL if not connected */
-    uint32_t slot, index; /* frame slot and swapchain image acquired by presenter_begin() */
-    double waited; /* seconds the host waited in this frame to acquire and present its image */
+    uint32_t slot, index; /* acquired by presenter_begin() */
+    double wait_seconds;  /* seconds the host waited to acquire and present this frame's image */
 };
 
-/* Must not move afterwards. The caller owns surface and canvas; canvas may be NULL. */
-MUST_USE enum status presenter_init(struct presenter *screen, struct gpu *gpu, VkSurfaceKHR surface,
-                                    VkPresentModeKHR mode, const struct gpu_shared_window *canvas);
-void presenter_finish(struct presenter *screen); /* {0} and half-built are fine */
+/* Initialises a presenter, which must not move. The caller owns surface and canvas (or NULL). */
+MUST_USE enum status presenter_init(struct presenter *presenter, struct gpu *gpu,
+                                    VkSurfaceKHR surface, VkPresentModeKHR mode,
+                                    const struct gpu_shared_window *canvas);
+void presenter_finish(struct presenter *presenter); /* {0} and half-built are fine */
 
-/* Recreates the swapchain if it does not match this window size and sets *remade; the screen is
- * then not connected. If swapchain.stale is still true, nothing can be presented. */
-MUST_USE enum status presenter_fit(struct presenter *screen, VkExtent2D size, bool *remade);
+/* Recreates the swapchain if it does not match this window size and sets *remade; the presenter is
+ * then disconnected. If swapchain.stale is still true, nothing can be presented. */
+MUST_USE enum status presenter_fit(struct presenter *presenter, VkExtent2D size, bool *remade);
 
-/* Sets the font atlas of the user interface; NULL if there is none. Disconnects the screen. */
-void presenter_set_font(struct presenter *screen, const struct gpu_image *font);
+/* Sets the font atlas of the user interface; NULL if there is none. Disconnects the presenter. */
+void presenter_set_font(struct presenter *presenter, const struct gpu_image *font);
 
-/* Sets the images to present, which must be ready for sampling: `left`, and `right` for the part
- * right of the divider (the same image without one). Not between presenter_begin() and
- * presenter_end(). */
-MUST_USE enum status presenter_connect(struct presenter *screen,
-                                       const struct presenter_images *picture);
+/* Sets the images to present, which must be ready for sampling. Without a divider, `right` equals
+ * `left`. Not between presenter_begin() and presenter_end(). */
+MUST_USE enum status presenter_connect(struct presenter *presenter,
+                                       const struct presenter_images *images);
 
 /* Waits for the frames in flight and releases the images. */
-void presenter_disconnect(struct presenter *screen);
+void presenter_disconnect(struct presenter *presenter);
 
 /* Acquires an image. *ready is false if there is none: call presenter_fit() and try again. */
-MUST_USE enum status presenter_begin(struct presenter *screen, bool *ready);
+MUST_USE enum status presenter_begin(struct presenter *presenter, bool *ready);
 
-/* Draws and presents a frame. `shown->overlay` refers to overlay_vertices and overlay_indices in
- * the screen's buffers; right_columns and right_rows are filled in here. */
-MUST_USE enum status presenter_end(struct presenter *screen, const struct window_frame *shown);
+/* Draws and presents a frame. `frame->overlay` refers to overlay_vertices and overlay_indices in
+ * the presenter's buffers; right_columns and right_rows are filled in here. */
+MUST_USE enum status presenter_end(struct presenter *presenter, const struct window_frame *frame);
 
 /* Waits until no frame reads the source images. */
-MUST_USE enum status presenter_wait(struct presenter *screen);
+MUST_USE enum status presenter_wait(struct presenter *presenter);
 
 /* ---- shared with the plan of screenshots ---- */
 

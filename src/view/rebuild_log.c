@@ -3,14 +3,14 @@
 #include <stddef.h>
 #include <stdio.h>
 
-void rebuild_log_add(struct rebuild_log *reloads, const char *words)
+void rebuild_log_add(struct rebuild_log *log, const char *message)
 {
-    snprintf(reloads->words[reloads->count++ % REBUILD_LOG_COUNT], REBUILD_LOG_SIZE, "%s", words);
+    snprintf(log->messages[log->count++ % REBUILD_LOG_COUNT], REBUILD_LOG_SIZE, "%s", message);
 }
 
-const char *rebuild_log_at(const struct rebuild_log *reloads, uint32_t ago)
+const char *rebuild_log_at(const struct rebuild_log *log, uint32_t ago)
 {
-    if (ago >= reloads->count || ago >= REBUILD_LOG_COUNT)
+    if (ago >= log->count || ago >= REBUILD_LOG_COUNT)
         return NULL;
-    return reloads->words[(reloads->count - 1 - ago) % REBUILD_LOG_COUNT];
+    return log->messages[(log->count - 1 - ago) % REBUILD_LOG_COUNT];
 }

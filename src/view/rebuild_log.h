@@ -6,18 +6,17 @@
 
 enum {
     REBUILD_LOG_COUNT = 8,  /* older messages are dropped */
-    REBUILD_LOG_SIZE = 200, /* maximum bytes of a message; longer ones are truncated */
+    REBUILD_LOG_SIZE = 200, /* maximum bytes; longer messages are truncated */
 };
 
 struct rebuild_log {
-    char words[REBUILD_LOG_COUNT]
-              [REBUILD_LOG_SIZE]; /* message n is at n modulo REBUILD_LOG_COUNT */
-    uint32_t count;               /* messages added in total */
+    char messages[REBUILD_LOG_COUNT][REBUILD_LOG_SIZE]; /* ring buffer */
+    uint32_t count;                                     /* messages added in total */
 };
 
-void rebuild_log_add(struct rebuild_log *reloads, const char *words);
+void rebuild_log_add(struct rebuild_log *log, const char *message);
 
 /* Returns the message that was added `ago` messages before the newest; NULL if there is none. */
-const char *rebuild_log_at(const struct rebuild_log *reloads, uint32_t ago);
+const char *rebuild_log_at(const struct rebuild_log *log, uint32_t ago);
 
 #endif

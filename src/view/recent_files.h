@@ -1,9 +1,5 @@
-/*
- * recent_files.h: recently opened files, stored in "$XDG_STATE_HOME/firn/recent", one path per
- * line.
- *
- * If several windows write it, the last one wins.
- */
+/* recent_files.h: recently opened files in "$XDG_STATE_HOME/firn/recent", one path per line. If
+ * several windows write it, the last one wins. */
 #ifndef FIRN_VIEW_RECENT_FILES_H
 #define FIRN_VIEW_RECENT_FILES_H
 

@@ -1,8 +1,5 @@
-/*
- * reference_job.h: path-traces the reference image on a worker thread, sample by sample.
- *
- * Errors: logged once where found.
- */
+/* reference_job.h: path-traces the reference image on a worker thread, sample by sample. Errors are
+ * logged once where found. */
 #ifndef FIRN_VIEW_REFERENCE_JOB_H
 #define FIRN_VIEW_REFERENCE_JOB_H
 
@@ -14,11 +11,11 @@ struct reference_job {
     pthread_t thread;
     bool runs;
     atomic_bool stop, done;
-    struct settings settings; /* own copy; the viewer's settings may change meanwhile */
+    struct settings settings; /* own copy of the viewer's settings */
     struct reference_request request;
     struct renderer_shot shot;
     pthread_mutex_t lock; /* protects the following members */
-    struct image mean;    /* planes R, G, B; width 0 if there is none yet */
+    struct image mean;    /* planes RGB; width 0 if none */
     bool is_new;
     uint32_t samples;
     double noise;           /* standard error, see reference.h */
@@ -29,13 +26,13 @@ struct reference_job {
 
 /* Starts to trace a view of a scene, which must not change until reference_job_stop(). No run may
  * be in progress. Returns false if no thread can be started, which is logged. */
-bool reference_job_begin(struct reference_job *truth, const struct reference_request *request,
+bool reference_job_begin(struct reference_job *job, const struct reference_request *request,
                          const struct renderer_shot *shot);
 
 /* Stops the thread and discards its result; {0} is fine. */
-void reference_job_stop(struct reference_job *truth);
+void reference_job_stop(struct reference_job *job);
 
 /* Moves the newest mean to *mean, freeing the old one. Returns false if there is no new one. */
-bool reference_job_take(struct reference_job *truth, struct image *mean);
+bool reference_job_take(struct reference_job *job, struct image *mean);
 
 #endif

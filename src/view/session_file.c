@@ -12,14 +12,14 @@ enum {
     CAMERA_COUNT = 12, /* numbers that describe a camera */
 };
 
-static const char *const others[] = {
+static const char *const side_b_names[] = {
     [VIEW_SIDE_B_NONE] = "none",           [VIEW_SIDE_B_MODEL] = "rung",
     [VIEW_SIDE_B_STATE] = "stored",        [VIEW_SIDE_B_FILE] = NULL, /* images are not stored */
     [VIEW_SIDE_B_REFERENCE] = "reference",
 };
 
 enum {
-    OTHER_COUNT = sizeof(others) / sizeof(others[0]),
+    SIDE_B_COUNT = sizeof(side_b_names) / sizeof(side_b_names[0]),
 };
 
 static int digit(char c)
@@ -105,16 +105,16 @@ static void print_camera(const char *name, const struct camera *c, FILE *out)
     fputc('\n', out);
 }
 
-static bool parse_rung(const char *value, const struct technique **refraction)
+static bool parse_refraction(const char *value, const struct technique **refraction)
 {
     *refraction = techniques_find_refraction(value);
     return *refraction != NULL;
 }
 
-static bool parse_other(const char *value, enum view_side_b *other)
+static bool parse_side_b(const char *value, enum view_side_b *other)
 {
-    for (uint32_t i = 0; i < OTHER_COUNT; i++) {
-        if (others[i] && !strcmp(others[i], value)) {
+    for (uint32_t i = 0; i < SIDE_B_COUNT; i++) {
+        if (side_b_names[i] && !strcmp(side_b_names[i], value)) {
             *other = (enum view_side_b)i;
             return true;
         }
@@ -125,7 +125,7 @@ static bool parse_other(const char *value, enum view_side_b *other)
 /* Numeric entries: limit of the magnitude, and the expected range for error messages. */
 static const struct {
     const char *name;
-    size_t offset; /* in struct session */
+    size_t offset; /* in struct session_file */
     float most;
     const char *expected;
 } numbers[] = {
@@ -149,8 +149,8 @@ static bool parse_number(struct session_file *s, const char *name, const char *v
     return false;
 }
 
-static bool parse_place(struct session_file *s, const char *name, const char *value,
-                        const char **expected)
+static bool parse_transform(struct session_file *s, const char *name, const char *value,
+                            const char **expected)
 {
     const bool is_stored = !strncmp(name, "camera-", 7) && name[7] >= '1' &&
                            name[7] < '1' + SESSION_FILE_BOOKMARK_COUNT && !name[8];
@@ -163,21 +163,23 @@ static bool parse_place(struct session_file *s, const char *name, const char *va
     return true;
 }
 
-/* Parses an entry that is not a setting; returns false if `name` is none. *expected describes a
- * valid value if this one is invalid; otherwise NULL. */
+/* Parses an entry other than a setting. Returns false if `name` is unknown. If the value is
+ * invalid, *expected describes valid ones; otherwise it is NULL. */
 static bool parse_own(struct session_file *s, const char *name, char *value, const char **expected)
 {
     *expected = NULL;
-    if (parse_number(s, name, value, expected) || parse_place(s, name, value, expected))
+    if (parse_number(s, name, value, expected) || parse_transform(s, name, value, expected))
         return true;
     if (!strcmp(name, "scene") || !strcmp(name, "env")) {
         *(*name == 's' ? &s->scene : &s->environment) = value;
         *expected = decode_name(value) ? NULL : "a name or a file";
     } else if (!strcmp(name, "rung") || !strcmp(name, "b.rung")) {
-        const bool ok = parse_rung(value, *name == 'r' ? &s->state.refraction : &s->state.split);
+        const bool ok =
+            parse_refraction(value, *name == 'r' ? &s->state.refraction : &s->state.split);
         *expected = ok ? NULL : "a refraction model (firn list rungs)";
     } else if (!strcmp(name, "b")) {
-        *expected = parse_other(value, &s->state.other) ? NULL : "none, rung, stored or reference";
+        *expected =
+            parse_side_b(value, &s->state.side_b) ? NULL : "none, rung, stored or reference";
     } else
         return false;
     return true;
@@ -192,7 +194,7 @@ static enum status parse_line(struct session_file *s, struct preset_line *line, 
     const bool is_right =
         !strncmp(line->assignment, "b.", 2) && strncmp(line->assignment, "b.rung=", 7) != 0;
     if (is_right)
-        return settings_assign(&s->state.right, line->assignment + 2, &source, &row);
+        return settings_assign(&s->state.right_settings, line->assignment + 2, &source, &row);
     if (!equals)
         return settings_assign(&s->state.settings, line->assignment, &source, &row);
     *equals = '\0';
@@ -209,7 +211,7 @@ static enum status parse_line(struct session_file *s, struct preset_line *line, 
 /* Checks entries that depend on each other. */
 static enum status check(const struct session_file *s, const char *path)
 {
-    const enum view_side_b other = s->state.other;
+    const enum view_side_b other = s->state.side_b;
     const char *missing =
         !s->scene                                                                       ? "scene"
         : !s->state.refraction                                                          ? "rung"
@@ -226,7 +228,7 @@ enum status session_file_parse(struct session_file *s, struct preset *lines, con
 {
     *s = (struct session_file){ .lines = *lines };
     *lines = (struct preset){ 0 };
-    s->state.settings = s->state.right = settings_default();
+    s->state.settings = s->state.right_settings = settings_default();
     enum status status = STATUS_OK;
     for (uint32_t i = 0; i < s->lines.count && status == STATUS_OK; i++)
         status = parse_line(s, &s->lines.lines[i], path);
@@ -234,9 +236,9 @@ enum status session_file_parse(struct session_file *s, struct preset *lines, con
         status = check(s, path);
     if (status != STATUS_OK)
         session_file_finish(s);
-    else if (s->state.other != VIEW_SIDE_B_STATE)
-        s->state.right = (struct settings){ .values = { 0 } };
-    if (status == STATUS_OK && s->state.other == VIEW_SIDE_B_NONE)
+    else if (s->state.side_b != VIEW_SIDE_B_STATE)
+        s->state.right_settings = (struct settings){ .values = { 0 } };
+    if (status == STATUS_OK && s->state.side_b == VIEW_SIDE_B_NONE)
         s->state.split = NULL;
     return status;
 }
@@ -272,11 +274,11 @@ void session_file_print(const struct session_file *s, FILE *out)
         if (s->bookmarked[i])
             print_camera(name, &s->bookmarks[i], out);
     }
-    if (others[state->other])
-        fprintf(out, "b=%s\n", others[state->other]);
+    if (side_b_names[state->side_b])
+        fprintf(out, "b=%s\n", side_b_names[state->side_b]);
     if (state->split)
         fprintf(out, "b.rung=%s\n", state->split->refraction.name);
     settings_print_changes(&state->settings, "", out);
-    if (state->other == VIEW_SIDE_B_STATE)
-        settings_print_changes(&state->right, "b.", out);
+    if (state->side_b == VIEW_SIDE_B_STATE)
+        settings_print_changes(&state->right_settings, "b.", out);
 }

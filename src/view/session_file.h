@@ -19,7 +19,7 @@ enum {
 
 struct session_file {
     struct preset lines;     /* owns the strings */
-    const char *scene;       /* asset, built-in scene or file; NULL if not given */
+    const char *scene;       /* name or file; NULL if missing */
     const char *environment; /* NULL to use the scene's own */
     float env_exposure;      /* stops */
     struct view_state state;

@@ -26,13 +26,13 @@ static const char *const flags[] = { WATCH_GLSLC_FLAGS };
 
 enum {
     FLAG_COUNT = sizeof(flags) / sizeof(flags[0]),
-    OWN_FLAG_COUNT = sizeof(embedded_origins[0].flags) / sizeof(embedded_origins[0].flags[0]),
-    WORD_COUNT = FLAG_COUNT + OWN_FLAG_COUNT + 6,
+    FIXED_FLAG_COUNT = sizeof(embedded_origins[0].flags) / sizeof(embedded_origins[0].flags[0]),
+    WORD_COUNT = FLAG_COUNT + FIXED_FLAG_COUNT + 6,
 };
 
 /* Runs the compiler with stdout and stderr redirected to `out`. Returns its exit code; -1 if it
  * could not be run or crashed. */
-static int run(char *const *words, FILE *out)
+static int run(char *const *args, FILE *out)
 {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t how;
@@ -46,11 +46,11 @@ static int run(char *const *words, FILE *out)
         posix_spawn_file_actions_destroy(&files);
         return -1;
     }
-    posix_spawnattr_setsigmask(&how, &none); /* inherit none of this thread's blocked signals */
+    posix_spawnattr_setsigmask(&how, &none); /* do not inherit blocked signals */
     posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGMASK);
     posix_spawn_file_actions_adddup2(&files, fileno(out), 1);
     posix_spawn_file_actions_adddup2(&files, fileno(out), 2);
-    const int failed = posix_spawnp(&child, program, &files, &how, words, environ);
+    const int failed = posix_spawnp(&child, program, &files, &how, args, environ);
     posix_spawnattr_destroy(&how);
     posix_spawn_file_actions_destroy(&files);
     if (failed)
@@ -64,9 +64,9 @@ bool shader_compile_is_possible(void)
 {
     char name[] = "glslc";
     char version[] = "--version";
-    char *const words[] = { name, version, NULL };
+    char *const args[] = { name, version, NULL };
     FILE *out = tmpfile();
-    const bool possible = out && run(words, out) == 0;
+    const bool possible = out && run(args, out) == 0;
     if (out)
         fclose(out);
     return possible;
@@ -94,11 +94,11 @@ static bool read_code(struct shader_compile_code *code, FILE *file)
         return false;
     rewind(file);
     code->count = (size_t)size / sizeof(uint32_t);
-    code->words = malloc((size_t)size);
-    if (code->words && fread(code->words, sizeof(uint32_t), code->count, file) == code->count &&
-        code->words[0] == SPIRV_MAGIC)
+    code->spirv = malloc((size_t)size);
+    if (code->spirv && fread(code->spirv, sizeof(uint32_t), code->count, file) == code->count &&
+        code->spirv[0] == SPIRV_MAGIC)
         return true;
-    free(code->words);
+    free(code->spirv);
     *code = (struct shader_compile_code){ 0 };
     return false;
 }
@@ -108,21 +108,21 @@ static bool compile_to(struct shader_compile_code *code, const char *folder,
                        const struct embedded_origin *origin,
                        char message[static SHADER_COMPILE_MESSAGE_SIZE], FILE *spirv, FILE *out)
 {
-    char words[WORD_COUNT][PATH_SIZE];
+    char args[WORD_COUNT][PATH_SIZE];
     char *argv[WORD_COUNT + 1];
     size_t count = 0;
-    snprintf(words[count++], PATH_SIZE, "%s", program);
+    snprintf(args[count++], PATH_SIZE, "%s", program);
     for (size_t i = 0; i < FLAG_COUNT; i++)
-        snprintf(words[count++], PATH_SIZE, "%s", flags[i]);
+        snprintf(args[count++], PATH_SIZE, "%s", flags[i]);
     for (size_t i = 0; origin->flags[i]; i++)
-        snprintf(words[count++], PATH_SIZE, "%s", origin->flags[i]);
-    snprintf(words[count++], PATH_SIZE, "-I%s", folder);
-    snprintf(words[count++], PATH_SIZE, "-c");
-    snprintf(words[count++], PATH_SIZE, "-o");
-    snprintf(words[count++], PATH_SIZE, "/dev/fd/%d", fileno(spirv));
-    snprintf(words[count++], PATH_SIZE, "%s/%s", folder, origin->file);
+        snprintf(args[count++], PATH_SIZE, "%s", origin->flags[i]);
+    snprintf(args[count++], PATH_SIZE, "-I%s", folder);
+    snprintf(args[count++], PATH_SIZE, "-c");
+    snprintf(args[count++], PATH_SIZE, "-o");
+    snprintf(args[count++], PATH_SIZE, "/dev/fd/%d", fileno(spirv));
+    snprintf(args[count++], PATH_SIZE, "%s/%s", folder, origin->file);
     for (size_t i = 0; i < count; i++)
-        argv[i] = words[i];
+        argv[i] = args[i];
     argv[count] = NULL;
     if (run(argv, out) != 0) {
         find_fault(out, message);
@@ -156,15 +156,15 @@ bool shader_compile(struct shader_compile_code *code, const char *folder,
 }
 
 /* Returns a mask of the descriptor bindings in SPIR-V code: bit i for binding i. */
-static uint64_t find_bindings(const uint32_t *words, size_t count)
+static uint64_t find_bindings(const uint32_t *spirv, size_t count)
 {
     uint64_t bindings = 0;
     for (size_t i = SPIRV_HEADER_WORDS; i < count;) {
-        const size_t length = words[i] >> 16;
-        const bool is_binding = (words[i] & 0xffff) == SPIRV_OP_DECORATE && length == 4 &&
-                                i + 3 < count && words[i + 2] == SPIRV_BINDING;
-        if (is_binding && words[i + 3] < BINDING_COUNT)
-            bindings |= UINT64_C(1) << words[i + 3];
+        const size_t length = spirv[i] >> 16;
+        const bool is_binding = (spirv[i] & 0xffff) == SPIRV_OP_DECORATE && length == 4 &&
+                                i + 3 < count && spirv[i + 2] == SPIRV_BINDING;
+        if (is_binding && spirv[i + 3] < BINDING_COUNT)
+            bindings |= UINT64_C(1) << spirv[i + 3];
         i += length ? length : count;
     }
     return bindings;
@@ -173,10 +173,10 @@ static uint64_t find_bindings(const uint32_t *words, size_t count)
 int shader_compile_new_binding(const struct shader_compile_code *code, const uint32_t *allowed,
                                size_t allowed_count)
 {
-    const uint64_t news =
-        find_bindings(code->words, code->count) & ~find_bindings(allowed, allowed_count);
+    const uint64_t added =
+        find_bindings(code->spirv, code->count) & ~find_bindings(allowed, allowed_count);
     for (int i = 0; i < BINDING_COUNT; i++) {
-        if (news >> i & 1)
+        if (added >> i & 1)
             return i;
     }
     return -1;

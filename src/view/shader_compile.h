@@ -10,9 +10,9 @@ enum {
     SHADER_COMPILE_MESSAGE_SIZE = 512,
 };
 
-/* SPIR-V code; words is NULL if there is none. */
+/* SPIR-V code; `spirv` is NULL if there is none. */
 struct shader_compile_code {
-    uint32_t *words; /* malloc'd */
+    uint32_t *spirv; /* malloc'd */
     size_t count;
 };
 

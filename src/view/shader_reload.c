@@ -1,5 +1,4 @@
-/* shader_reload.c: shader hot reload: polls files, recompiles them on a thread, replaces shaders.
- */
+/* shader_reload.c: shader hot reload: a thread polls files and recompiles those that changed. */
 #include "src/view/shader_reload.h"
 #include <pthread.h>
 #include <stdio.h>
@@ -20,17 +19,16 @@ enum {
 
 /* Reload state of one shader of embedded_all. */
 struct file {
-    const char *name; /* source file, relative to the folder */
-    uint64_t stamp;   /* hash of the file and its includes when compiled last */
-    uint64_t seen;    /* hash at the last poll */
-    bool failed;      /* compilation at `stamp` failed; like `ready`, used only by the thread */
-    struct shader_compile_code ready;   /* compiled code held back until all others compile, too */
+    const char *name;                   /* source file, relative to the folder */
+    uint64_t stamp;                     /* hash of file and includes when last compiled */
+    uint64_t polled;                    /* hash at the last poll */
+    bool failed;                        /* compilation failed */
+    struct shader_compile_code ready;   /* compiled code, held back until all shaders compile */
     struct shader_compile_code offered; /* code for shader_reload_take(); protected by the lock */
-    struct rg_shader live; /* shader that executors use; words NULL for the embedded one */
-    struct shader_compile_code code; /* owns the words of `live` */
-    struct shader_compile_code
-        before; /* code that was live before shader_reload_take(), for shader_reload_revert() */
-    bool taken; /* replaced by the last shader_reload_take() */
+    struct rg_shader live;              /* .words is NULL for the embedded one */
+    struct shader_compile_code code;    /* owns the code of `live` */
+    struct shader_compile_code before;  /* for shader_reload_revert() */
+    bool taken;                         /* replaced by the last shader_reload_take() */
 };
 
 struct shader_reload {
@@ -42,14 +40,14 @@ struct shader_reload {
     bool runs;
     pthread_mutex_t lock;
     pthread_cond_t wake;
-    bool quit, news;                           /* protected by the lock, like `message` */
+    bool quit, has_new;                        /* protected by the lock, like `message` */
     char message[SHADER_COMPILE_MESSAGE_SIZE]; /* error of the last compilation */
-    char shown[SHADER_COMPILE_MESSAGE_SIZE];   /* copy of `message` made by shader_reload_take() */
+    char shown[SHADER_COMPILE_MESSAGE_SIZE];   /* copy by shader_reload_take() */
 };
 
 static void free_code(struct shader_compile_code *code)
 {
-    free(code->words);
+    free(code->spirv);
     *code = (struct shader_compile_code){ 0 };
 }
 
@@ -95,15 +93,15 @@ static uint64_t find_stamp(const char *folder, const char *name, int depth)
 static bool poll_files(struct shader_reload *w)
 {
     bool changed = false;
-    bool settled = true;
+    bool is_stable = true;
     for (size_t i = 0; i < w->count; i++) {
         struct file *f = &w->files[i];
         const uint64_t stamp = find_stamp(w->folder, f->name, 0);
-        settled = settled && stamp == f->seen;
+        is_stable = is_stable && stamp == f->polled;
         changed = changed || stamp != f->stamp;
-        f->seen = stamp;
+        f->polled = stamp;
     }
-    return changed && settled;
+    return changed && is_stable;
 }
 
 static bool should_quit(struct shader_reload *w)
@@ -120,8 +118,8 @@ static void compile(struct shader_reload *w, size_t index,
     const struct rg_shader *own = embedded_all[index];
     struct file *f = &w->files[index];
     struct shader_compile_code code = { 0 };
-    f->stamp = f->seen;
-    if (f->seen) {
+    f->stamp = f->polled;
+    if (f->polled) {
         f->failed = !shader_compile(&code, w->folder, &embedded_origins[index], message);
     } else {
         f->failed = true;
@@ -149,11 +147,11 @@ static void offer(struct shader_reload *w, const char *message, bool sound)
     size_t count = 0;
     const char *name = "";
     pthread_mutex_lock(&w->lock);
-    if (sound || *message) /* otherwise the previous error is still valid */
+    if (sound || *message) /* else keep the previous error */
         snprintf(w->message, sizeof(w->message), "%s", message);
     for (size_t i = 0; i < w->count && sound; i++) {
         struct file *f = &w->files[i];
-        if (!f->ready.words)
+        if (!f->ready.spirv)
             continue;
         free_code(&f->offered);
         f->offered = f->ready;
@@ -161,7 +159,7 @@ static void offer(struct shader_reload *w, const char *message, bool sound)
         name = f->name;
         count++;
     }
-    w->news = w->news || count;
+    w->has_new = w->has_new || count;
     pthread_mutex_unlock(&w->lock);
     if (!sound) /* `message` is written only by this thread, so no lock is needed */
         log_error("%s (the previous shaders stay in use)", w->message);
@@ -180,7 +178,7 @@ static void compile_all(struct shader_reload *w)
         struct file *f = &w->files[i];
         if (should_quit(w))
             return;
-        if (f->seen != f->stamp)
+        if (f->polled != f->stamp)
             compile(w, i, fault);
         if (*fault && !*message)
             memcpy(message, fault, sizeof(message));
@@ -215,17 +213,17 @@ static bool find_files(struct shader_reload *w)
     for (size_t i = 0; embedded_all[i]; i++) {
         struct file *f = &w->files[i];
         f->name = embedded_origins[i].file;
-        f->stamp = f->seen = find_stamp(w->folder, f->name, 0);
+        f->stamp = f->polled = find_stamp(w->folder, f->name, 0);
         found = found || f->stamp;
     }
     return found;
 }
 
-enum status shader_reload_create(struct shader_reload **watch, const char *folder, bool quiet)
+enum status shader_reload_create(struct shader_reload **reload, const char *folder, bool quiet)
 {
     struct shader_reload *w = calloc(1, sizeof(*w));
     size_t count = 0;
-    *watch = NULL;
+    *reload = NULL;
     while (embedded_all[count])
         count++;
     struct file *files = calloc(count + 1, sizeof(*files)); /* not calloc(0) */
@@ -253,7 +251,7 @@ enum status shader_reload_create(struct shader_reload **watch, const char *folde
     }
     w->runs = status == STATUS_OK;
     if (status == STATUS_OK)
-        *watch = w;
+        *reload = w;
     else
         shader_reload_destroy(w);
     return status;
@@ -285,18 +283,18 @@ void shader_reload_destroy(struct shader_reload *w)
 
 static void set_live(struct file *f, const struct rg_shader *own)
 {
-    f->live = (struct rg_shader){ own->name, f->code.words, f->code.count };
+    f->live = (struct rg_shader){ own->name, f->code.spirv, f->code.count };
 }
 
 bool shader_reload_take(struct shader_reload *w)
 {
     pthread_mutex_lock(&w->lock);
-    const bool news = w->news;
-    w->news = false;
+    const bool has_new = w->has_new;
+    w->has_new = false;
     memcpy(w->shown, w->message, sizeof(w->shown));
-    for (size_t i = 0; i < w->count && news; i++) {
+    for (size_t i = 0; i < w->count && has_new; i++) {
         struct file *f = &w->files[i];
-        f->taken = f->offered.words;
+        f->taken = f->offered.spirv;
         if (!f->taken)
             continue;
         free_code(&f->before);
@@ -306,7 +304,7 @@ bool shader_reload_take(struct shader_reload *w)
         set_live(f, embedded_all[i]);
     }
     pthread_mutex_unlock(&w->lock);
-    return news;
+    return has_new;
 }
 
 void shader_reload_revert(struct shader_reload *w)

@@ -1,5 +1,4 @@
-/* stderr_capture.c: replaces stderr by a stream that forwards text and keeps the last error line.
- */
+/* stderr_capture.c: replaces stderr by a stream that keeps the last error line. */
 #define _GNU_SOURCE /* for fopencookie */
 #include "src/view/stderr_capture.h"
 #include <string.h>
@@ -8,9 +7,9 @@
 /* Returns true if a line is an error; warnings and notes are not shown in the window. */
 static bool is_error(const char *text, size_t size)
 {
-    static const char *const others[] = { "firn: warning: ", "firn: note: " };
-    for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); i++) {
-        if (size > strlen(others[i]) && !strncmp(text, others[i], strlen(others[i])))
+    static const char *const prefixes[] = { "firn: warning: ", "firn: note: " };
+    for (size_t i = 0; i < sizeof(prefixes) / sizeof(prefixes[0]); i++) {
+        if (size > strlen(prefixes[i]) && !strncmp(text, prefixes[i], strlen(prefixes[i])))
             return false;
     }
     return size > strlen("firn: ") && !strncmp(text, "firn: ", strlen("firn: "));
@@ -39,16 +38,16 @@ void stderr_capture_begin(struct stderr_capture *e)
         return;
     }
     setvbuf(stream, NULL, _IONBF, 0); /* unbuffered like stderr, so that messages arrive whole */
-    e->before = stderr;
+    e->original = stderr;
     stderr = stream;
 }
 
 void stderr_capture_end(struct stderr_capture *e)
 {
     FILE *stream = stderr;
-    if (!e->before)
+    if (!e->original)
         return;
-    stderr = e->before;
+    stderr = e->original;
     (void)fclose(stream);
     pthread_mutex_destroy(&e->lock);
     *e = (struct stderr_capture){ 0 };
@@ -57,7 +56,7 @@ void stderr_capture_end(struct stderr_capture *e)
 bool stderr_capture_take(struct stderr_capture *e, char line[static STDERR_CAPTURE_SIZE])
 {
     *line = '\0';
-    if (!e->before)
+    if (!e->original)
         return false;
     pthread_mutex_lock(&e->lock);
     memcpy(line, e->line, STDERR_CAPTURE_SIZE);

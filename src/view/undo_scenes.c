@@ -56,20 +56,20 @@ const struct undo_scene *undo_scenes_find(const struct undo_scene *list, uint32_
     return list;
 }
 
-static bool is_of(const struct undo_stack *history, uint32_t number)
+static bool is_of(const struct undo_stack *stack, uint32_t number)
 {
-    for (uint32_t i = 0; history && i < history->count; i++) {
-        if (history->states[i].scene == number)
+    for (uint32_t i = 0; stack && i < stack->count; i++) {
+        if (stack->states[i].scene == number)
             return true;
     }
     return false;
 }
 
-void undo_scenes_prune(struct undo_scene **list, const struct undo_stack *history)
+void undo_scenes_prune(struct undo_scene **list, const struct undo_stack *stack)
 {
     while (*list) {
         struct undo_scene *one = *list;
-        if (is_of(history, one->number)) {
+        if (is_of(stack, one->number)) {
             list = &one->next;
             continue;
         }

@@ -9,14 +9,14 @@
 
 struct undo_scene {
     struct undo_scene *next;
-    uint32_t number;          /* scene number in struct view_state */
-    struct app_image state;   /* options when the scene was left; the settings in it are ignored */
-    struct camera camera;     /* camera when the scene was left */
+    uint32_t number;        /* scene number in struct view_state */
+    struct app_image state; /* options of the scene; settings unused */
+    struct camera camera;
     char *name, *environment; /* strings of `state`, owned */
 };
 
-/* Saves the scene of the current viewport under a number, replacing an older entry of this number.
- * Logs and returns STATUS_TRY_AGAIN when out of memory. */
+/* Saves the scene of the viewport under a number, replacing an older entry of this number. Logs and
+ * returns STATUS_TRY_AGAIN when out of memory. */
 MUST_USE enum status undo_scenes_add(struct undo_scene **list, uint32_t number,
                                      const struct viewport *now);
 
@@ -24,6 +24,6 @@ MUST_USE enum status undo_scenes_add(struct undo_scene **list, uint32_t number,
 const struct undo_scene *undo_scenes_find(const struct undo_scene *list, uint32_t number);
 
 /* Frees the entries that no state of the undo stack refers to; all of them if it is NULL. */
-void undo_scenes_prune(struct undo_scene **list, const struct undo_stack *history);
+void undo_scenes_prune(struct undo_scene **list, const struct undo_stack *stack);
 
 #endif

@@ -10,8 +10,9 @@ static bool differ(float a, float b)
 
 bool undo_stack_same_state(const struct view_state *a, const struct view_state *b)
 {
-    return a->scene == b->scene && a->refraction == b->refraction && a->other == b->other &&
-           a->split == b->split && !memcmp(&a->right, &b->right, sizeof(a->right)) &&
+    return a->scene == b->scene && a->refraction == b->refraction && a->side_b == b->side_b &&
+           a->split == b->split &&
+           !memcmp(&a->right_settings, &b->right_settings, sizeof(a->right_settings)) &&
            !differ(a->env_rotate, b->env_rotate) &&
            !memcmp(&a->settings, &b->settings, sizeof(a->settings));
 }
@@ -49,14 +50,14 @@ static const char *name_of(const struct technique *refraction)
     return refraction ? refraction->refraction.name : "off";
 }
 
-static const char *name_other(const struct view_state *state)
+static const char *name_side_b(const struct view_state *state)
 {
     static const char *const names[] = {
         [VIEW_SIDE_B_STATE] = "the stored state",
         [VIEW_SIDE_B_FILE] = "an image",
         [VIEW_SIDE_B_REFERENCE] = "the reference",
     };
-    return state->other > VIEW_SIDE_B_MODEL ? names[state->other] : name_of(state->split);
+    return state->side_b > VIEW_SIDE_B_MODEL ? names[state->side_b] : name_of(state->split);
 }
 
 /* Prints the first setting that differs. Returns the number of settings that differ. */
@@ -92,8 +93,8 @@ void undo_stack_describe(const struct view_state *before, const struct view_stat
     if (!count && before->refraction != after->refraction)
         fprintf(out, "refraction model %s -> %s", name_of(before->refraction),
                 name_of(after->refraction));
-    else if (!count && (before->other != after->other || before->split != after->split))
-        fprintf(out, "comparison %s -> %s", name_other(before), name_other(after));
+    else if (!count && (before->side_b != after->side_b || before->split != after->split))
+        fprintf(out, "comparison %s -> %s", name_side_b(before), name_side_b(after));
     else if (!count && differ(before->env_rotate, after->env_rotate))
         fprintf(out, "panorama rotation %.0f -> %.0f", (double)before->env_rotate,
                 (double)after->env_rotate);

@@ -45,7 +45,7 @@ static bool make_folder(char *path)
 }
 
 /* Returns firn's folder `name` in the XDG base directory that `variable` names, or below HOME. */
-static char *own_folder(const char *variable, const char *below_home, const char *name, bool make)
+static char *firn_folder(const char *variable, const char *below_home, const char *name, bool make)
 {
     const char *given = getenv(variable);
     const char *home = getenv("HOME");
@@ -63,17 +63,17 @@ static char *own_folder(const char *variable, const char *below_home, const char
 
 char *user_files_presets(bool make)
 {
-    return own_folder("XDG_DATA_HOME", ".local/share", "firn/presets", make);
+    return firn_folder("XDG_DATA_HOME", ".local/share", "firn/presets", make);
 }
 
 char *user_files_sessions(bool make)
 {
-    return own_folder("XDG_DATA_HOME", ".local/share", "firn/sessions", make);
+    return firn_folder("XDG_DATA_HOME", ".local/share", "firn/sessions", make);
 }
 
 char *user_files_state(bool make)
 {
-    return own_folder("XDG_STATE_HOME", ".local/state", "firn", make);
+    return firn_folder("XDG_STATE_HOME", ".local/state", "firn", make);
 }
 
 char *user_files_new(const char *folder, const char *stem, const char *ending)

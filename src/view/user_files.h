@@ -1,8 +1,5 @@
-/*
- * user_files.h: folders of the viewer's own files (XDG), and the next file in a folder.
- *
- * Strings are malloc'd; the caller frees them.
- */
+/* user_files.h: folders of the viewer's own files (XDG), and the next file in a folder. Strings are
+ * malloc'd; the caller frees them. */
 #ifndef FIRN_VIEW_USER_FILES_H
 #define FIRN_VIEW_USER_FILES_H
 

@@ -8,7 +8,7 @@
 #include "src/view/user_files.h"
 #include "src/view/view_internal.h"
 
-static const float key_turn_deg = 5.0f;
+static const float key_rotation_deg = 5.0f;
 static const float ui_scale_step = 0.25f;
 static const double key_stops = 0.5;
 static const double key_slide = 1.0 / 32; /* fraction of the image width */
@@ -17,25 +17,25 @@ void view_zoom(struct view *v, float steps)
 {
     float nearest;
     float farthest;
-    viewport_camera_range(v->picture, &nearest, &farthest);
-    orbit_camera_zoom(&v->picture->camera, steps, nearest, farthest);
+    viewport_camera_range(v->viewport, &nearest, &farthest);
+    orbit_camera_zoom(&v->viewport->camera, steps, nearest, farthest);
 }
 
 static void copy_command(struct view *v)
 {
-    char *words = ui_render_command_print(&(struct ui_render_command){
-        .picture = &v->picture->state,
-        .scene = &v->picture->scene,
-        .camera = &v->picture->camera,
-        .time = v->shown,
+    char *text = ui_render_command_print(&(struct ui_render_command){
+        .image = &v->viewport->state,
+        .scene = &v->viewport->scene,
+        .camera = &v->viewport->camera,
+        .time = v->drawn_time,
     });
-    if (!words)
+    if (!text)
         return;
-    window_copy(&v->window, words);
-    printf("%s\n", words);
+    window_copy(&v->window, text);
+    printf("%s\n", text);
     fflush(stdout);
     ui_show_message(v->ui, "command copied to the clipboard");
-    free(words);
+    free(text);
 }
 
 static void open_panel(struct view *v, enum view_action action)
@@ -54,14 +54,14 @@ static void resize_ui(struct view *v, float scale)
 {
     const bool shown = ui_is_shown(v->ui);
     v->ui_scale = fminf(fmaxf(scale, APP_UI_SCALE_MIN), APP_UI_SCALE_MAX);
-    presenter_set_font(&v->screen, NULL);
+    presenter_set_font(&v->presenter, NULL);
     if (ui_rescale(v->ui, v->ui_scale) == STATUS_OK)
         view_show_ui(v, shown);
     else
         v->quit = true; /* the error has been logged */
 }
 
-static float usual_scale(const struct view *v)
+static float default_scale(const struct view *v)
 {
     const float given = v->options->view.ui_scale;
     return given > 0.0f ? given : window_scale(&v->window);
@@ -69,19 +69,19 @@ static float usual_scale(const struct view *v)
 
 void view_move_divider(struct view *v, double to)
 {
-    v->picture->divider = to < 0.0 ? 0.0 : to > 1.0 ? 1.0 : to;
+    v->viewport->divider = to < 0.0 ? 0.0 : to > 1.0 ? 1.0 : to;
 }
 
 /* Sets the camera. Renderers support one kind of projection, so they are replaced if it changes. */
 void view_use_camera(struct view *v, const struct camera *camera)
 {
-    struct viewport *p = v->picture;
+    struct viewport *p = v->viewport;
     const struct camera before = p->camera;
     const bool other = (camera->height > 0.0f) != (before.height > 0.0f);
     p->camera = *camera;
     if (!other)
         return;
-    presenter_disconnect(&v->screen);
+    presenter_disconnect(&v->presenter);
     view_clear_errors(v);
     if (viewport_rebuild(p) == STATUS_OK)
         return;
@@ -91,35 +91,35 @@ void view_use_camera(struct view *v, const struct camera *camera)
 
 static void change_projection(struct view *v)
 {
-    struct camera camera = v->picture->camera;
+    struct camera camera = v->viewport->camera;
     float nearest;
     float farthest;
-    viewport_camera_range(v->picture, &nearest, &farthest);
+    viewport_camera_range(v->viewport, &nearest, &farthest);
     orbit_camera_toggle_projection(&camera, 4.0f * farthest);
     view_use_camera(v, &camera);
 }
 
 static void use_bookmark(struct view *v, uint32_t i, bool store)
 {
-    char words[64];
+    char text[64];
     if (store) {
-        v->bookmarks[i] = v->picture->camera;
+        v->bookmarks[i] = v->viewport->camera;
         v->bookmarked[i] = true;
-        snprintf(words, sizeof(words), "stored camera %u: recall it with Ctrl %u", i + 1, i + 1);
+        snprintf(text, sizeof(text), "stored camera %u: recall it with Ctrl %u", i + 1, i + 1);
     } else if (v->bookmarked[i]) {
         view_use_camera(v, &v->bookmarks[i]);
-        snprintf(words, sizeof(words), "camera %u", i + 1);
+        snprintf(text, sizeof(text), "camera %u", i + 1);
     } else {
-        snprintf(words, sizeof(words), "camera %u is empty: store one with Ctrl Shift %u", i + 1,
+        snprintf(text, sizeof(text), "camera %u is empty: store one with Ctrl Shift %u", i + 1,
                  i + 1);
     }
-    ui_show_message(v->ui, words);
+    ui_show_message(v->ui, text);
 }
 
 /* Handles view directions, projection and stored cameras. Returns true if `action` is one. */
-static bool place_camera(struct view *v, enum view_action action)
+static bool set_camera(struct view *v, enum view_action action)
 {
-    struct camera *camera = &v->picture->camera;
+    struct camera *camera = &v->viewport->camera;
     if (action == VIEW_FRONT)
         orbit_camera_look_from(camera, 0.0f, 0.0f);
     else if (action == VIEW_SIDE)
@@ -140,15 +140,16 @@ static bool place_camera(struct view *v, enum view_action action)
 /* Handles orbiting, zooming and resetting the camera. Returns true if `action` is one of these. */
 static bool move_camera(struct view *v, enum view_action action)
 {
-    struct camera *camera = &v->picture->camera;
+    struct camera *camera = &v->viewport->camera;
     if (action == VIEW_LEFT || action == VIEW_RIGHT)
-        orbit_camera_rotate(camera, action == VIEW_RIGHT ? key_turn_deg : -key_turn_deg, 0.0f);
+        orbit_camera_rotate(camera, action == VIEW_RIGHT ? key_rotation_deg : -key_rotation_deg,
+                            0.0f);
     else if (action == VIEW_UP || action == VIEW_DOWN)
-        orbit_camera_rotate(camera, 0.0f, action == VIEW_UP ? key_turn_deg : -key_turn_deg);
+        orbit_camera_rotate(camera, 0.0f, action == VIEW_UP ? key_rotation_deg : -key_rotation_deg);
     else if (action == VIEW_ZOOM_IN || action == VIEW_ZOOM_OUT)
         view_zoom(v, action == VIEW_ZOOM_IN ? 1.0f : -1.0f);
     else if (action == VIEW_RESET)
-        view_use_camera(v, &v->picture->first_camera);
+        view_use_camera(v, &v->viewport->first_camera);
     else
         return false;
     return true;
@@ -174,7 +175,7 @@ static bool change_window(struct view *v, enum view_action action)
     else if (action == VIEW_LARGER || action == VIEW_SMALLER)
         resize_ui(v, v->ui_scale + (action == VIEW_LARGER ? ui_scale_step : -ui_scale_step));
     else if (action == VIEW_RESET_SIZE)
-        resize_ui(v, usual_scale(v));
+        resize_ui(v, default_scale(v));
     else if (action == VIEW_THEME)
         set_theme(v, v->theme + 1);
     else if (action == VIEW_QUIT)
@@ -186,7 +187,7 @@ static bool change_window(struct view *v, enum view_action action)
 
 static void open_next(struct view *v, int step)
 {
-    char *path = user_files_next_model(v->picture->state.scene.name, step);
+    char *path = user_files_next_model(v->viewport->state.scene.name, step);
     if (path)
         view_open(v, path);
     else
@@ -196,36 +197,36 @@ static void open_next(struct view *v, int step)
 
 static void step_layer(struct view *v, int step)
 {
-    char words[256];
+    char text[256];
     uint32_t count = 1;
     while (pixel_inspector_layer(count))
         count++;
-    v->inspector_wanted.layer = (v->inspector_wanted.layer + count + (uint32_t)step) % count;
-    v->inspector_wanted.channel = 0;
-    const struct frame_layer *layer = pixel_inspector_layer(v->inspector_wanted.layer);
-    snprintf(words, sizeof(words), "%s: %s", layer ? layer->name : "image",
+    v->inspector_choice.layer = (v->inspector_choice.layer + count + (uint32_t)step) % count;
+    v->inspector_choice.channel = 0;
+    const struct frame_layer *layer = pixel_inspector_layer(v->inspector_choice.layer);
+    snprintf(text, sizeof(text), "%s: %s", layer ? layer->name : "image",
              layer ? layer->help : "unmodified");
-    ui_show_message(v->ui, words);
+    ui_show_message(v->ui, text);
 }
 
 static void step_time(struct view *v, float frames)
 {
-    char words[32];
+    char text[32];
     const struct motion_params *motion =
-        settings_of(&v->picture->state.scene.settings, &motion_settings);
+        settings_of(&v->viewport->state.scene.settings, &motion_settings);
     view_seek(v, view_time(v) + frames / motion->fps);
-    snprintf(words, sizeof(words), "time %.4g s", (double)view_time(v));
-    ui_show_message(v->ui, words);
+    snprintf(text, sizeof(text), "time %.4g s", (double)view_time(v));
+    ui_show_message(v->ui, text);
 }
 
 /* Handles saving and copying. Returns true if `action` is one of these. */
 static bool save(struct view *v, enum view_action action)
 {
     if (action == VIEW_SCREENSHOT || action == VIEW_SCREENSHOT_WINDOW) {
-        v->shoot = true;
-        v->shoot_all = action == VIEW_SCREENSHOT_WINDOW;
+        v->wants_screenshot = true;
+        v->screenshot_with_panels = action == VIEW_SCREENSHOT_WINDOW;
     } else if (action == VIEW_COPY_IMAGE)
-        v->shoot = v->shoot_copy = true;
+        v->wants_screenshot = v->screenshot_to_clipboard = true;
     else if (action == VIEW_COPY)
         copy_command(v);
     else if (action == VIEW_SAVE_SESSION)
@@ -251,7 +252,7 @@ static bool step(struct view *v, enum view_action action)
     return true;
 }
 
-static void change_picture(struct view *v, enum view_action action)
+static void change_viewport(struct view *v, enum view_action action)
 {
     if (save(v, action) || step(v, action))
         return;
@@ -260,19 +261,19 @@ static void change_picture(struct view *v, enum view_action action)
         view_show_name(v);
     } else if (action == VIEW_DIVIDER_LEFT || action == VIEW_DIVIDER_RIGHT) {
         const double by = action == VIEW_DIVIDER_LEFT ? -key_slide : key_slide;
-        view_move_divider(v, v->picture->divider + by);
+        view_move_divider(v, v->viewport->divider + by);
     } else if (action == VIEW_BRIGHTER || action == VIEW_DARKER) {
         view_add_exposure(v, action == VIEW_BRIGHTER ? key_stops : -key_stops);
     } else if (action == VIEW_UNDO || action == VIEW_REDO) {
         view_undo_redo(v, action == VIEW_REDO);
     } else if (action == VIEW_DRAFT) {
-        struct draft_renderer *quick = &v->picture->quick;
-        quick->is_off = !quick->is_off;
-        ui_show_message(v->ui, quick->is_off
+        struct draft_renderer *draft = &v->viewport->draft;
+        draft->is_off = !draft->is_off;
+        ui_show_message(v->ui, draft->is_off
                                    ? "full size and quality while something moves"
                                    : "fast drafts at lower resolution while something moves");
     } else if (action == VIEW_FALSE_COLORS) {
-        v->inspector_wanted.false_color = !v->inspector_wanted.false_color;
+        v->inspector_choice.false_color = !v->inspector_choice.false_color;
     }
 }
 
@@ -298,7 +299,7 @@ void view_execute(struct view *v, enum view_action action)
 {
     v->changed = true;
     ui_count_action(v->ui, action);
-    if (!compare(v, action) && !move_camera(v, action) && !place_camera(v, action) &&
+    if (!compare(v, action) && !move_camera(v, action) && !set_camera(v, action) &&
         !change_window(v, action))
-        change_picture(v, action);
+        change_viewport(v, action);
 }

@@ -12,7 +12,7 @@
 
 static const struct tonemap_params *tone_of(const struct view *v)
 {
-    return settings_of(&v->picture->state.scene.settings, &tonemap_settings);
+    return settings_of(&v->viewport->state.scene.settings, &tonemap_settings);
 }
 
 static float gain_of(const struct view *v)
@@ -20,65 +20,65 @@ static float gain_of(const struct view *v)
     return exp2f(tone_of(v)->exposure);
 }
 
-static struct comparison_image *still_of(struct view *v)
+static struct comparison_image *side_b_image(struct view *v)
 {
-    return v->compare.other == VIEW_SIDE_B_FILE        ? &v->compare.file
-           : v->compare.other == VIEW_SIDE_B_REFERENCE ? &v->compare.traced
-                                                       : NULL;
+    return v->compare.side_b == VIEW_SIDE_B_FILE        ? &v->compare.file
+           : v->compare.side_b == VIEW_SIDE_B_REFERENCE ? &v->compare.reference
+                                                        : NULL;
 }
 
-/* Returns true if the samples belong to the current renderers, which may just have been replaced.
- */
+/* Returns true if the samples are those of the current renderers, which may be new. */
 static bool is_at_rest(const struct view *v)
 {
-    return v->refine.shown && v->refine.seen.version == v->picture->version;
+    return v->progressive.shown_count &&
+           v->progressive.identity.renderer_version == v->viewport->version;
 }
 
 /* ---- choice of side B ---- */
 
 /* Returns the default refraction model of side B: that of --split, or the last (most exact) one;
  * the first one if side A already uses the last. */
-static const struct technique *other_rung(const struct view *v)
+static const struct technique *side_b_refraction(const struct view *v)
 {
     const struct technique *last = NULL, *next;
-    if (v->options->picture.split)
-        return v->options->picture.split;
+    if (v->options->image.split)
+        return v->options->image.split;
     for (size_t i = 0; (next = techniques_refraction(i)); i++)
         last = next;
-    return v->picture->state.refraction == last ? techniques_refraction(0) : last;
+    return v->viewport->state.refraction == last ? techniques_refraction(0) : last;
 }
 
 void view_compare_choose(struct view *v, struct view_state *state, enum view_side_b other)
 {
     const struct view_compare *c = &v->compare;
-    state->other = other == VIEW_SIDE_B_STATE && !c->has_stored ? VIEW_SIDE_B_MODEL : other;
+    state->side_b = other == VIEW_SIDE_B_STATE && !c->has_stored ? VIEW_SIDE_B_MODEL : other;
     state->split = NULL;
-    state->right = (struct settings){ .values = { 0 } };
-    if (state->other == VIEW_SIDE_B_MODEL)
-        state->split = other_rung(v);
-    if (state->other != VIEW_SIDE_B_STATE)
+    state->right_settings = (struct settings){ .values = { 0 } };
+    if (state->side_b == VIEW_SIDE_B_MODEL)
+        state->split = side_b_refraction(v);
+    if (state->side_b != VIEW_SIDE_B_STATE)
         return;
     state->split = c->stored.refraction;
-    state->right = c->stored.settings;
+    state->right_settings = c->stored.settings;
 }
 
 enum status view_compare_use(struct view *v, const struct view_state *state)
 {
     struct view_compare *c = &v->compare;
-    const bool live = state->other == VIEW_SIDE_B_MODEL || state->other == VIEW_SIDE_B_STATE;
+    const bool live = state->side_b == VIEW_SIDE_B_MODEL || state->side_b == VIEW_SIDE_B_STATE;
     view_compare_stop(v);
-    presenter_disconnect(&v->screen);
+    presenter_disconnect(&v->presenter);
     const enum status status =
-        viewport_split(v->picture, live ? state->split : NULL,
-                       state->other == VIEW_SIDE_B_STATE ? &state->right : NULL);
+        viewport_split(v->viewport, live ? state->split : NULL,
+                       state->side_b == VIEW_SIDE_B_STATE ? &state->right_settings : NULL);
     if (status != STATUS_OK)
         return status;
-    c->other = state->other;
+    c->side_b = state->side_b;
     c->reference_failed = false;
-    v->picture->shows_comparison_image = still_of(v) != NULL;
-    v->picture->still = VK_NULL_HANDLE;
-    if (c->other == VIEW_SIDE_B_NONE)
-        c->differs = v->picture->flipped = false;
+    v->viewport->shows_comparison_image = side_b_image(v) != NULL;
+    v->viewport->comparison_image = VK_NULL_HANDLE;
+    if (c->side_b == VIEW_SIDE_B_NONE)
+        c->wants_error_map = v->viewport->flipped = false;
     return STATUS_OK;
 }
 
@@ -92,7 +92,7 @@ void view_compare_with(struct view *v, enum view_side_b other)
 void view_compare_toggle(struct view *v)
 {
     view_compare_with(v,
-                      v->compare.other == VIEW_SIDE_B_NONE ? VIEW_SIDE_B_STATE : VIEW_SIDE_B_NONE);
+                      v->compare.side_b == VIEW_SIDE_B_NONE ? VIEW_SIDE_B_STATE : VIEW_SIDE_B_NONE);
 }
 
 void view_compare_store(struct view *v)
@@ -100,35 +100,36 @@ void view_compare_store(struct view *v)
     struct view_compare *c = &v->compare;
     c->stored = view_state_now(v);
     c->has_stored = true;
-    if (c->other == VIEW_SIDE_B_STATE)
+    if (c->side_b == VIEW_SIDE_B_STATE)
         view_compare_with(v, VIEW_SIDE_B_STATE);
     ui_show_message(v->ui, "stored as B: change something, then compare with W");
 }
 
 /* Ensures that there is a side B, which flipping and differences need. */
-static bool has_other(struct view *v)
+static bool has_side_b(struct view *v)
 {
-    if (v->compare.other == VIEW_SIDE_B_NONE)
+    if (v->compare.side_b == VIEW_SIDE_B_NONE)
         view_compare_toggle(v);
-    return v->compare.other != VIEW_SIDE_B_NONE;
+    return v->compare.side_b != VIEW_SIDE_B_NONE;
 }
 
 void view_compare_flip(struct view *v)
 {
-    if (!has_other(v))
+    if (!has_side_b(v))
         return;
-    v->picture->flipped = !v->picture->flipped;
-    v->compare.differs = false;
+    v->viewport->flipped = !v->viewport->flipped;
+    v->compare.wants_error_map = false;
 }
 
 void view_compare_toggle_error_map(struct view *v)
 {
     struct view_compare *c = &v->compare;
-    if (!has_other(v))
+    if (!has_side_b(v))
         return;
-    c->differs = !c->differs;
-    v->picture->flipped = false;
-    ui_show_message(v->ui, c->differs ? "the FLIP error follows when both images are at rest" : "");
+    c->wants_error_map = !c->wants_error_map;
+    v->viewport->flipped = false;
+    ui_show_message(
+        v->ui, c->wants_error_map ? "the FLIP error follows when both images are at rest" : "");
 }
 
 /* ---- image files ---- */
@@ -143,7 +144,7 @@ static enum status read_file(void *user)
 {
     struct reading *reading = user;
     return image_reader_read(&reading->image, reading->path,
-                             &reading->view->picture->state.scene.reader);
+                             &reading->view->viewport->state.scene.reader);
 }
 
 void view_compare_await(struct view *v)
@@ -172,8 +173,8 @@ void view_compare_open(struct view *v, const char *path)
     }
     image_finish(&c->file.linear);
     c->file.linear = reading.image;
-    c->file.is_shown = path_ends_in(path, ".png");
-    c->file.is_made = c->has_errors = false;
+    c->file.is_tone_mapped = path_ends_in(path, ".png");
+    c->file.is_current = c->has_error_image = false;
     snprintf(c->file_name, sizeof(c->file_name), "%s", slash ? slash + 1 : path);
     view_compare_choose(v, &state, VIEW_SIDE_B_FILE);
     if (!view_edit(v, &state, 0))
@@ -188,48 +189,49 @@ void view_compare_open(struct view *v, const char *path)
 void view_compare_stop(struct view *v)
 {
     struct view_compare *c = &v->compare;
-    reference_job_stop(&c->truth);
-    image_finish(&c->traced.linear);
-    c->traced.is_made = false;
+    reference_job_stop(&c->reference_job);
+    image_finish(&c->reference.linear);
+    c->reference.is_current = false;
 }
 
-static void begin_truth(struct view *v)
+static void begin_reference_job(struct view *v)
 {
     struct view_compare *c = &v->compare;
-    const struct viewport *p = v->picture;
+    const struct viewport *p = v->viewport;
     const struct reference_request request = {
         .scene = &p->scene,
         .settings = &p->state.scene.settings,
         .width = p->state.width,
         .height = p->state.height,
-        .samples = v->refine.goal,
+        .samples = v->progressive.target_count,
         .filter = p->state.filter,
     };
-    const struct renderer_shot shot = { .camera = v->refine.seen.camera,
-                                        .time = v->refine.seen.time };
-    c->view_reference_seen = v->refine.seen;
-    c->reference_failed = !reference_job_begin(&c->truth, &request, &shot);
+    const struct renderer_shot shot = { .camera = v->progressive.identity.camera,
+                                        .time = v->progressive.identity.time };
+    c->reference_identity = v->progressive.identity;
+    c->reference_failed = !reference_job_begin(&c->reference_job, &request, &shot);
 }
 
 /* Runs the reference while the image is still, and stops it when the view or scene changes. */
-static void follow_truth(struct view *v)
+static void follow_reference_job(struct view *v)
 {
     struct view_compare *c = &v->compare;
-    const bool same = view_progressive_is_same(&c->view_reference_seen, &v->refine.seen);
-    if (c->other != VIEW_SIDE_B_REFERENCE)
+    const bool same = view_progressive_is_same(&c->reference_identity, &v->progressive.identity);
+    if (c->side_b != VIEW_SIDE_B_REFERENCE)
         return;
-    if (!same && (c->truth.runs || c->reference_failed)) {
+    if (!same && (c->reference_job.runs || c->reference_failed)) {
         view_compare_stop(v);
         c->reference_failed = false;
     }
-    if (!c->truth.runs && !c->reference_failed && is_at_rest(v))
-        begin_truth(v);
-    if (reference_job_take(&c->truth, &c->traced.linear)) {
-        c->traced.is_made = false;
+    if (!c->reference_job.runs && !c->reference_failed && is_at_rest(v))
+        begin_reference_job(v);
+    if (reference_job_take(&c->reference_job, &c->reference.linear)) {
+        c->reference.is_current = false;
         v->changed = true;
         ui_wake(v->ui);
     }
-    if (c->truth.runs && atomic_load(&c->truth.done) && c->truth.status != STATUS_OK) {
+    if (c->reference_job.runs && atomic_load(&c->reference_job.done) &&
+        c->reference_job.status != STATUS_OK) {
         view_compare_stop(v);
         c->reference_failed = true;
         view_fail(v, "the reference cannot be rendered");
@@ -241,24 +243,25 @@ static void follow_truth(struct view *v)
 static uint32_t count_of(const struct view *v)
 {
     const struct view_compare *c = &v->compare;
-    const uint32_t other = c->other == VIEW_SIDE_B_REFERENCE ? c->truth.taken_samples : 0;
-    return v->refine.shown + (other << 16);
+    const uint32_t other = c->side_b == VIEW_SIDE_B_REFERENCE ? c->reference_job.taken_samples : 0;
+    return v->progressive.shown_count + (other << 16);
 }
 
 /* Fills in the two images to compare. Returns false if one is missing or if their sizes differ. */
 static bool find_sides(struct view *v, struct flip_error_map_image sides[static 2])
 {
-    const struct viewport *p = v->picture;
-    const struct comparison_image *still = still_of(v);
+    const struct viewport *p = v->viewport;
+    const struct comparison_image *comparison = side_b_image(v);
     if (!p->renderer || !is_at_rest(v))
         return false;
     const float scale = 1.0f / (float)renderer_sum_count(p->renderer);
     sides[0] = (struct flip_error_map_image){ renderer_sums(p->renderer), scale, false };
-    if (still)
-        sides[1] = (struct flip_error_map_image){ &still->linear, 1.0f, still->is_shown };
-    else if (p->right)
-        sides[1] = (struct flip_error_map_image){ renderer_sums(p->right), scale, false };
-    return (still || p->right) && sides[0].image->width &&
+    if (comparison)
+        sides[1] =
+            (struct flip_error_map_image){ &comparison->linear, 1.0f, comparison->is_tone_mapped };
+    else if (p->right_renderer)
+        sides[1] = (struct flip_error_map_image){ renderer_sums(p->right_renderer), scale, false };
+    return (comparison || p->right_renderer) && sides[0].image->width &&
            sides[0].image->width == sides[1].image->width &&
            sides[0].image->height == sides[1].image->height;
 }
@@ -267,33 +270,34 @@ static bool is_compared(const struct view *v)
 {
     const struct view_compare *c = &v->compare;
     const float gain = gain_of(v);
-    return c->map_count == count_of(v) && view_progressive_is_same(&c->map_seen, &v->refine.seen) &&
-           !(gain < c->map_gain || gain > c->map_gain);
+    return c->flip_map_sample_count == count_of(v) &&
+           view_progressive_is_same(&c->flip_map_identity, &v->progressive.identity) &&
+           !(gain < c->flip_map_gain || gain > c->flip_map_gain);
 }
 
 /* Returns true if the error map is outdated; it is updated at sample counts 2^n and at the last. */
 static bool is_due(const struct view *v)
 {
-    const uint32_t shown = v->refine.shown;
-    return (shown >= v->refine.goal || !(shown & (shown - 1))) && !is_compared(v);
+    const uint32_t shown = v->progressive.shown_count;
+    return (shown >= v->progressive.target_count || !(shown & (shown - 1))) && !is_compared(v);
 }
 
 static void take_errors(struct view *v)
 {
     struct view_compare *c = &v->compare;
     char words[160];
-    if (!flip_error_map_take(&c->map))
+    if (!flip_error_map_take(&c->flip_map))
         return;
-    c->has_errors = !c->map.failed;
-    c->errors_seen = c->map_seen;
-    c->errors.is_made = false;
+    c->has_error_image = !c->flip_map.failed;
+    c->error_image_identity = c->flip_map_identity;
+    c->error_image.is_current = false;
     v->changed = true;
-    if (c->map.failed) {
+    if (c->flip_map.failed) {
         ui_show_failure(v->ui, "out of memory while comparing the images: make the window smaller");
         return;
     }
-    snprintf(words, sizeof(words), "FLIP: mean %.4f, 95 %% of the pixels below %.4f", c->map.mean,
-             c->map.high);
+    snprintf(words, sizeof(words), "FLIP: mean %.4f, 95 %% of the pixels below %.4f",
+             c->flip_map.mean, c->flip_map.percentile_95);
     ui_show_message(v->ui, words);
 }
 
@@ -302,21 +306,22 @@ static void follow_errors(struct view *v)
     struct view_compare *c = &v->compare;
     struct flip_error_map_image sides[2];
     take_errors(v);
-    if (!c->differs || c->map.runs || !is_at_rest(v) || !is_due(v) ||
-        (c->has_errors && !c->errors.is_made)) /* the previous map has not been shown yet */
+    if (!c->wants_error_map || c->flip_map.runs || !is_at_rest(v) || !is_due(v) ||
+        (c->has_error_image &&
+         !c->error_image.is_current)) /* wait until the previous map was shown */
         return;
-    c->map_seen = v->refine.seen;
-    c->map_count = count_of(v);
-    c->map_gain = gain_of(v);
+    c->flip_map_identity = v->progressive.identity;
+    c->flip_map_sample_count = count_of(v);
+    c->flip_map_gain = gain_of(v);
     if (find_sides(v, sides))
-        (void)flip_error_map_begin(&c->map, sides, c->map_gain, tone_of(v)->curve);
-    else if (still_of(v) && still_of(v)->linear.width)
+        (void)flip_error_map_begin(&c->flip_map, sides, c->flip_map_gain, tone_of(v)->curve);
+    else if (side_b_image(v) && side_b_image(v)->linear.width)
         ui_show_message(v->ui, "the images differ in size: start with --size equal to the file's");
 }
 
 void view_compare_follow(struct view *v)
 {
-    follow_truth(v);
+    follow_reference_job(v);
     follow_errors(v);
 }
 
@@ -325,26 +330,26 @@ void view_compare_follow(struct view *v)
 enum status view_compare_show(struct view *v)
 {
     struct view_compare *c = &v->compare;
-    struct viewport *p = v->picture;
-    struct comparison_image *still = still_of(v);
+    struct viewport *p = v->viewport;
+    struct comparison_image *comparison = side_b_image(v);
     enum status status = STATUS_OK;
-    p->still = VK_NULL_HANDLE;
-    if (still && still->linear.width) {
-        status = still->is_made ? STATUS_OK : presenter_wait(&v->screen);
+    p->comparison_image = VK_NULL_HANDLE;
+    if (comparison && comparison->linear.width) {
+        status = comparison->is_current ? STATUS_OK : presenter_wait(&v->presenter);
         if (status == STATUS_OK)
-            status = comparison_image_show(still, &v->gpu, gain_of(v), tone_of(v)->curve);
-        p->still = still->image.image;
-        p->comparison_extent = (VkExtent2D){ still->linear.width, still->linear.height };
+            status = comparison_image_show(comparison, &v->gpu, gain_of(v), tone_of(v)->curve);
+        p->comparison_image = comparison->image.image;
+        p->comparison_extent = (VkExtent2D){ comparison->linear.width, comparison->linear.height };
     }
-    if (status != STATUS_OK || !c->differs || !c->has_errors || !is_at_rest(v) ||
-        !view_progressive_is_same(&c->errors_seen, &v->refine.seen))
+    if (status != STATUS_OK || !c->wants_error_map || !c->has_error_image || !is_at_rest(v) ||
+        !view_progressive_is_same(&c->error_image_identity, &v->progressive.identity))
         return status;
-    if (!c->errors.is_made)
-        status = presenter_wait(&v->screen);
+    if (!c->error_image.is_current)
+        status = presenter_wait(&v->presenter);
     if (status == STATUS_OK)
-        status = comparison_image_upload(&c->errors, &v->gpu, c->map.rgba,
-                                         (VkExtent2D){ c->map.width, c->map.height });
-    p->instead = c->errors.image.image;
+        status = comparison_image_upload(&c->error_image, &v->gpu, c->flip_map.rgba,
+                                         (VkExtent2D){ c->flip_map.width, c->flip_map.height });
+    p->replacement = c->error_image.image.image;
     return status;
 }
 
@@ -354,19 +359,21 @@ void view_compare_print(const struct view *v, char left[static VIEW_SIDE_SIZE],
                         char right[static VIEW_SIDE_SIZE])
 {
     const struct view_compare *c = &v->compare;
-    const struct app_image *p = &v->picture->state;
+    const struct app_image *p = &v->viewport->state;
     *right = '\0';
     snprintf(left, VIEW_SIDE_SIZE, "A %s", p->refraction->refraction.name);
-    if (c->other == VIEW_SIDE_B_MODEL)
+    if (c->side_b == VIEW_SIDE_B_MODEL)
         snprintf(right, VIEW_SIDE_SIZE, "B %s", p->split->refraction.name);
-    else if (c->other == VIEW_SIDE_B_STATE)
+    else if (c->side_b == VIEW_SIDE_B_STATE)
         snprintf(right, VIEW_SIDE_SIZE, "B stored, %s", p->split->refraction.name);
-    else if (c->other == VIEW_SIDE_B_FILE)
+    else if (c->side_b == VIEW_SIDE_B_FILE)
         snprintf(right, VIEW_SIDE_SIZE, "B %s", c->file_name);
-    else if (c->other == VIEW_SIDE_B_REFERENCE && c->traced.linear.width)
-        snprintf(right, VIEW_SIDE_SIZE, "B reference %u/%u \xc2\xb1%.2g", c->truth.taken_samples,
-                 v->refine.goal, c->truth.taken_noise);
-    else if (c->other == VIEW_SIDE_B_REFERENCE)
+    else if (c->side_b == VIEW_SIDE_B_REFERENCE && c->reference.linear.width)
+        snprintf(right, VIEW_SIDE_SIZE, "B reference %u/%u \xc2\xb1%.2g",
+                 c->reference_job.taken_samples, v->progressive.target_count,
+                 c->reference_job.taken_noise);
+    else if (c->side_b == VIEW_SIDE_B_REFERENCE)
         snprintf(right, VIEW_SIDE_SIZE, "B reference: %s",
-                 v->refine.shown ? "rendering the first sample" : "when the image is at rest");
+                 v->progressive.shown_count ? "rendering the first sample"
+                                            : "when the image is at rest");
 }

@@ -13,23 +13,23 @@ enum {
 };
 
 struct view_compare {
-    enum view_side_b other;   /* kind of image on side B */
-    struct view_state stored; /* state stored by the user; valid with `has_stored` */
+    enum view_side_b side_b;  /* kind of image on side B */
+    struct view_state stored; /* state stored by the user */
     bool has_stored;
-    bool awaits_file; /* the next dropped image becomes side B */
+    bool awaits_file; /* a dropped image becomes side B */
     char file_name[VIEW_SIDE_SIZE - 8];
-    struct comparison_image file, traced;
-    struct reference_job truth;
-    struct view_identity view_reference_seen; /* view that the reference job renders */
-    bool reference_failed;                    /* failure for this view; already reported */
-    bool differs;                             /* the error map is requested */
-    struct flip_error_map map;
-    struct view_identity map_seen; /* view that the error map is computed for */
-    uint32_t map_count;            /* samples of both sides when the error map was started */
-    float map_gain;
-    struct comparison_image errors; /* displayed error map, of the view errors_seen */
-    struct view_identity errors_seen;
-    bool has_errors;
+    struct comparison_image file, reference;
+    struct reference_job reference_job;
+    struct view_identity reference_identity; /* view that the reference job renders */
+    bool reference_failed;                   /* failure for this view; already reported */
+    bool wants_error_map;                    /* the error map is requested */
+    struct flip_error_map flip_map;
+    struct view_identity flip_map_identity; /* view of the running error map */
+    uint32_t flip_map_sample_count;         /* samples of both sides */
+    float flip_map_gain;
+    struct comparison_image error_image; /* displayed error map */
+    struct view_identity error_image_identity;
+    bool has_error_image;
 };
 
 #endif

@@ -14,21 +14,21 @@
 #include "src/view/worker.h"
 
 enum {
-    WORDS_SIZE = 200,
+    TEXT_SIZE = 200,
 };
 
 struct view_state view_state_now(const struct view *v)
 {
-    const struct app_image *p = &v->picture->state;
+    const struct app_image *p = &v->viewport->state;
     struct view_state state = {
         .scene = v->scene,
-        .settings = frame_settings(&p->scene.settings, &v->picture->scene),
-        .stated = p->scene.stated,
+        .settings = frame_settings(&p->scene.settings, &v->viewport->scene),
+        .user_settings = p->scene.user_settings,
         .refraction = p->refraction,
-        .other = v->compare.other,
+        .side_b = v->compare.side_b,
         .split = p->split,
-        .right = v->picture->has_right_settings ? v->picture->right_settings
-                                                : (struct settings){ .values = { 0 } },
+        .right_settings = v->viewport->has_right_settings ? v->viewport->right_settings
+                                                          : (struct settings){ .values = { 0 } },
         .env_rotate = p->scene.env_rotate,
     };
     memcpy(state.is_set, p->scene.is_set, sizeof(state.is_set));
@@ -37,12 +37,12 @@ struct view_state view_state_now(const struct view *v)
 
 struct settings view_scene_settings(const struct view *v)
 {
-    const struct app_scene *given = &v->options->picture.scene;
-    struct app_scene own = v->picture->state.scene;
+    const struct app_scene *given = &v->options->image.scene;
+    struct app_scene own = v->viewport->state.scene;
     own.settings = given->settings;
     memcpy(own.is_set, given->is_set, sizeof(own.is_set));
-    app_apply_scene_settings(&own, &v->picture->scene);
-    return frame_settings(&own.settings, &v->picture->scene);
+    app_apply_scene_settings(&own, &v->viewport->scene);
+    return frame_settings(&own.settings, &v->viewport->scene);
 }
 
 struct change {
@@ -50,32 +50,32 @@ struct change {
     const struct view_state *state;
 };
 
-static void put_settings(struct app_scene *scene, const struct view_state *state)
+static void assign_settings(struct app_scene *scene, const struct view_state *state)
 {
     scene->settings = state->settings;
-    scene->stated = state->stated;
+    scene->user_settings = state->user_settings;
     memcpy(scene->is_set, state->is_set, sizeof(scene->is_set));
 }
 
-static enum status change_picture(void *user)
+static enum status change_viewport(void *user)
 {
     const struct change *change = user;
     struct view *v = change->view;
     bool remade = false;
-    struct app_scene scene = v->picture->state.scene;
-    put_settings(&scene, change->state);
+    struct app_scene scene = v->viewport->state.scene;
+    assign_settings(&scene, change->state);
     const enum status status =
-        viewport_change(&v->picture, &scene, change->state->refraction, &remade);
+        viewport_change(&v->viewport, &scene, change->state->refraction, &remade);
     if (remade)
-        presenter_disconnect(&v->screen);
+        presenter_disconnect(&v->presenter);
     return status;
 }
 
-static bool has_other_side(const struct view *v, const struct view_state *state)
+static bool is_other_side_b(const struct view *v, const struct view_state *state)
 {
     const struct view_state now = view_state_now(v);
-    return state->other != now.other || state->split != now.split ||
-           memcmp(&state->right, &now.right, sizeof(now.right)) != 0;
+    return state->side_b != now.side_b || state->split != now.split ||
+           memcmp(&state->right_settings, &now.right_settings, sizeof(now.right_settings)) != 0;
 }
 
 /* ---- other scenes ---- */
@@ -84,40 +84,40 @@ void view_enter_scene(struct view *v, const struct view_state *before)
 {
     v->scene = ++v->scene_count;
     const struct view_state now = view_state_now(v);
-    if (!v->history.count)
-        undo_stack_push(&v->history, before, 0);
-    undo_stack_push(&v->history, &now, 0);
-    undo_scenes_prune(&v->opened, &v->history);
+    if (!v->undo_stack.count)
+        undo_stack_push(&v->undo_stack, before, 0);
+    undo_stack_push(&v->undo_stack, &now, 0);
+    undo_scenes_prune(&v->undo_scenes, &v->undo_stack);
 }
 
 static enum status return_to_scene(void *user)
 {
     const struct change *change = user;
     struct view *v = change->view;
-    const struct app_image *now = &v->picture->state;
-    const struct undo_scene *to = undo_scenes_find(v->opened, change->state->scene);
+    const struct app_image *now = &v->viewport->state;
+    const struct undo_scene *to = undo_scenes_find(v->undo_scenes, change->state->scene);
     struct app_image state = to->state;
     state.width = now->width;
     state.height = now->height;
     state.split = now->split;
     state.refraction = change->state->refraction;
     state.scene.env_rotate = change->state->env_rotate;
-    put_settings(&state.scene, change->state);
-    return viewport_apply_state(&v->picture, &state);
+    assign_settings(&state.scene, change->state);
+    return viewport_apply_state(&v->viewport, &state);
 }
 
-/* Returns to the scene of a state if another one is open. Only a change of the object restores the
- * camera that was used there; a change of the environment keeps the current one. */
+/* Returns to the scene of a state if another one is open. The camera used there is restored only if
+ * the object changes, not for another environment. */
 static enum status return_to(struct view *v, const struct view_state *state)
 {
     struct change change = { v, state };
-    const struct undo_scene *to = undo_scenes_find(v->opened, state->scene);
+    const struct undo_scene *to = undo_scenes_find(v->undo_scenes, state->scene);
     if (state->scene == v->scene || !to)
         return STATUS_OK;
-    const bool is_object = strcmp(to->name, v->picture->state.scene.name) != 0;
-    const struct camera camera = is_object ? to->camera : v->picture->camera;
-    enum status status = undo_scenes_add(&v->opened, v->scene, v->picture);
-    presenter_disconnect(&v->screen);
+    const bool is_object = strcmp(to->name, v->viewport->state.scene.name) != 0;
+    const struct camera camera = is_object ? to->camera : v->viewport->camera;
+    enum status status = undo_scenes_add(&v->undo_scenes, v->scene, v->viewport);
+    presenter_disconnect(&v->presenter);
     if (status == STATUS_OK)
         status = worker_run(&v->window, return_to_scene, &change);
     if (status != STATUS_OK)
@@ -135,23 +135,23 @@ bool view_apply_state(struct view *v, const struct view_state *state)
     struct change change = { v, state };
     view_clear_errors(v);
     view_compare_stop(v);
-    enum status status = presenter_wait(&v->screen);
+    enum status status = presenter_wait(&v->presenter);
     if (status == STATUS_OK)
         status = return_to(v, state);
     if (status == STATUS_OK)
-        status = worker_run(&v->window, change_picture, &change);
-    const float turn = v->picture->state.scene.env_rotate;
-    if (status == STATUS_OK && (state->env_rotate < turn || state->env_rotate > turn)) {
-        presenter_disconnect(&v->screen);
-        status = viewport_rotate_panorama(v->picture, state->env_rotate);
+        status = worker_run(&v->window, change_viewport, &change);
+    const float rotation = v->viewport->state.scene.env_rotate;
+    if (status == STATUS_OK && (state->env_rotate < rotation || state->env_rotate > rotation)) {
+        presenter_disconnect(&v->presenter);
+        status = viewport_rotate_panorama(v->viewport, state->env_rotate);
     }
-    if (status == STATUS_OK && has_other_side(v, state))
+    if (status == STATUS_OK && is_other_side_b(v, state))
         status = view_compare_use(v, state);
     if (status != STATUS_OK)
         view_fail(v, "nothing was changed");
     v->changed = true;
     view_show_name(v);
-    view_frame_stats_exclude(&v->costs, start);
+    view_frame_stats_exclude(&v->frame_stats, start);
     return status == STATUS_OK;
 }
 
@@ -175,76 +175,76 @@ static void print_cost(const struct view_state *before, const struct view_state 
 static void state_settings(const struct view *v, struct view_state *state,
                            const struct settings *before, const bool *marked)
 {
-    const struct app_scene *given = &v->options->picture.scene;
-    const struct settings brought = view_scene_settings(v);
+    const struct app_scene *given = &v->options->image.scene;
+    const struct settings scene_settings = view_scene_settings(v);
     const struct setting_group *group;
     for (size_t g = 0; (group = settings_group(g)); g++) {
         for (size_t r = 0; r < group->row_count; r++) {
             const struct setting *row = &group->rows[r];
             const double value = settings_get(&state->settings, row);
             const double old = settings_get(before, row);
-            const double own = settings_get(&brought, row);
+            const double own = settings_get(&scene_settings, row);
             const size_t index = settings_index(row);
             const bool is_marked = marked && marked[index];
             if (!(value < old || value > old) && !is_marked)
                 continue;
             state->is_set[index] = is_marked || given->is_set[index] || value < own || value > own;
-            settings_set_value(&state->stated, row,
+            settings_set_value(&state->user_settings, row,
                                state->is_set[index] ? value : settings_get(&given->settings, row));
         }
     }
 }
 
-bool view_edit(struct view *v, const struct view_state *wanted, uint32_t gesture)
+bool view_edit(struct view *v, const struct view_state *requested, uint32_t gesture)
 {
-    char name[WORDS_SIZE / 2];
-    char cost[WORDS_SIZE / 2];
-    char words[WORDS_SIZE];
+    char name[TEXT_SIZE / 2];
+    char cost[TEXT_SIZE / 2];
+    char words[TEXT_SIZE];
     const double start = clock_seconds();
     const struct view_state before = view_state_now(v);
-    struct view_state state = *wanted;
-    if (!v->history.count)
-        undo_stack_push(&v->history, &before, 0);
+    struct view_state state = *requested;
+    if (!v->undo_stack.count)
+        undo_stack_push(&v->undo_stack, &before, 0);
     state_settings(v, &state, &before.settings, NULL);
     if (!view_apply_state(v, &state))
         return false;
     const struct view_state now = view_state_now(v);
-    undo_stack_push(&v->history, &now, gesture);
+    undo_stack_push(&v->undo_stack, &now, gesture);
     const struct view_state *since =
-        v->history.at ? &v->history.states[v->history.at - 1] : &before;
+        v->undo_stack.at ? &v->undo_stack.states[v->undo_stack.at - 1] : &before;
     undo_stack_describe(since, &now, name, sizeof(name)); /* describes the whole gesture */
     print_cost(&before, &now, clock_seconds() - start, cost, sizeof(cost));
     snprintf(words, sizeof(words), "%s%s", name, cost);
     if (*cost)
-        rebuild_log_add(&v->reloads, words);
+        rebuild_log_add(&v->rebuild_log, words);
     ui_show_message(v->ui, words);
     return true;
 }
 
 void view_undo_redo(struct view *v, bool again)
 {
-    char name[WORDS_SIZE / 2];
-    char cost[WORDS_SIZE / 2];
-    char words[2 * WORDS_SIZE];
+    char name[TEXT_SIZE / 2];
+    char cost[TEXT_SIZE / 2];
+    char words[2 * TEXT_SIZE];
     const double start = clock_seconds();
     const struct view_state before = view_state_now(v);
     const struct view_state *to =
-        again ? undo_stack_redo(&v->history) : undo_stack_undo(&v->history);
+        again ? undo_stack_redo(&v->undo_stack) : undo_stack_undo(&v->undo_stack);
     if (!to) {
         ui_show_message(v->ui, again ? "nothing to redo" : "nothing to undo");
         return;
     }
     undo_stack_describe(&before, to, name, sizeof(name));
     if (!view_apply_state(v, to)) {
-        (void)(again ? undo_stack_undo(&v->history) : undo_stack_redo(&v->history));
+        (void)(again ? undo_stack_undo(&v->undo_stack) : undo_stack_redo(&v->undo_stack));
         return;
     }
     if (to->scene != before.scene)
-        snprintf(name, sizeof(name), "back to %s", v->picture->state.scene.name);
+        snprintf(name, sizeof(name), "back to %s", v->viewport->state.scene.name);
     print_cost(&before, to, clock_seconds() - start, cost, sizeof(cost));
     snprintf(words, sizeof(words), "%s: %s%s", again ? "redo" : "undo", name, cost);
     if (*cost)
-        rebuild_log_add(&v->reloads, words);
+        rebuild_log_add(&v->rebuild_log, words);
     ui_show_message(v->ui, words);
 }
 
@@ -252,8 +252,8 @@ void view_undo_redo(struct view *v, bool again)
 
 void view_load_preset(struct view *v, const char *path)
 {
-    char words[WORDS_SIZE];
-    struct app_scene scene = v->picture->state.scene;
+    char words[TEXT_SIZE];
+    struct app_scene scene = v->viewport->state.scene;
     struct view_state state = view_state_now(v);
     scene.settings = state.settings;
     scene.preset = path;
@@ -275,16 +275,17 @@ void view_load_preset(struct view *v, const char *path)
 /* Prints settings that have their default value but would be set otherwise by the scene. */
 static void print_defaults(const struct view *v, const struct view_state *state, FILE *out)
 {
-    const struct settings brought = view_scene_settings(v);
+    const struct settings scene_settings = view_scene_settings(v);
     const struct settings defaults = settings_default();
     const struct setting_group *group;
     for (size_t g = 0; (group = settings_group(g)); g++) {
         for (size_t r = 0; r < group->row_count; r++) {
             const struct setting *row = &group->rows[r];
             const double value = settings_get(&state->settings, row);
-            const double usual = settings_get(&defaults, row);
-            const double own = settings_get(&brought, row);
-            if (value < usual || value > usual || !(own < usual || own > usual))
+            const double default_value = settings_get(&defaults, row);
+            const double own = settings_get(&scene_settings, row);
+            if (value < default_value || value > default_value ||
+                !(own < default_value || own > default_value))
                 continue;
             fprintf(out, "%s=", row->name);
             settings_print(&state->settings, row, out);
@@ -310,7 +311,7 @@ static char *print_preset(const struct view *v, const struct view_state *state, 
 
 void view_save_preset(struct view *v)
 {
-    char words[WORDS_SIZE];
+    char words[TEXT_SIZE];
     size_t size = 0;
     const struct view_state state = view_state_now(v);
     char *folder = user_files_presets(true);
@@ -333,21 +334,21 @@ void view_save_preset(struct view *v)
 struct opening {
     struct view *view;
     const char *path;
-    enum file_kind drop;
+    enum file_kind kind;
 };
 
 static enum status detect_kind(void *user)
 {
     struct opening *opening = user;
-    const struct reader_params *reader = &opening->view->picture->state.scene.reader;
-    return file_kind_detect(opening->path, reader, &opening->drop);
+    const struct reader_params *reader = &opening->view->viewport->state.scene.reader;
+    return file_kind_detect(opening->path, reader, &opening->kind);
 }
 
 static enum status open_file(void *user)
 {
     const struct opening *opening = user;
     bool remade;
-    return viewport_load(&opening->view->picture, opening->path, &remade);
+    return viewport_load(&opening->view->viewport, opening->path, &remade);
 }
 
 static void load(struct view *v, struct opening *opening)
@@ -356,24 +357,24 @@ static void load(struct view *v, struct opening *opening)
     char words[REBUILD_LOG_SIZE];
     const struct view_state before = view_state_now(v);
     view_set_title(v, "loading");
-    presenter_disconnect(&v->screen);
+    presenter_disconnect(&v->presenter);
     view_compare_stop(v);
     view_clear_errors(v);
-    if (undo_scenes_add(&v->opened, v->scene, v->picture) != STATUS_OK ||
+    if (undo_scenes_add(&v->undo_scenes, v->scene, v->viewport) != STATUS_OK ||
         worker_run(&v->window, open_file, opening) != STATUS_OK) {
         view_fail(v, "the file was not opened");
     } else {
         view_enter_scene(v, &before);
         snprintf(words, sizeof(words), "%s %s (scene loaded in %.0f ms)",
-                 opening->drop == FILE_KIND_ENVIRONMENT ? "opened environment" : "opened",
+                 opening->kind == FILE_KIND_ENVIRONMENT ? "opened environment" : "opened",
                  opening->path, (clock_seconds() - start) * 1e3);
-        rebuild_log_add(&v->reloads, words);
+        rebuild_log_add(&v->rebuild_log, words);
         ui_show_message(v->ui, words);
         recent_files_add(opening->path);
     }
     v->changed = true;
     view_show_name(v);
-    view_frame_stats_exclude(&v->costs, start);
+    view_frame_stats_exclude(&v->frame_stats, start);
 }
 
 /* Opens any kind of file. On failure, which is logged, the current scene stays. */
@@ -387,14 +388,14 @@ void view_open(struct view *v, const char *path)
     }
     view_clear_errors(v);
     const enum status status = worker_run(&v->window, detect_kind, &opening);
-    view_frame_stats_exclude(&v->costs, start);
+    view_frame_stats_exclude(&v->frame_stats, start);
     if (status != STATUS_OK)
         view_fail(v, "the file was not opened");
-    else if (opening.drop == FILE_KIND_SESSION)
+    else if (opening.kind == FILE_KIND_SESSION)
         view_load_session(v, path);
-    else if (opening.drop == FILE_KIND_PRESET)
+    else if (opening.kind == FILE_KIND_PRESET)
         view_load_preset(v, path);
-    else if (opening.drop == FILE_KIND_IMAGE)
+    else if (opening.kind == FILE_KIND_IMAGE)
         view_compare_open(v, path);
     else
         load(v, &opening);

@@ -7,7 +7,7 @@
 
 void view_frame_stats_exclude(struct view_frame_stats *c, double start)
 {
-    c->rest += clock_seconds() - start;
+    c->idle += clock_seconds() - start;
 }
 
 void view_frame_stats_limit(struct view_frame_stats *c, double start)
@@ -17,7 +17,7 @@ void view_frame_stats_limit(struct view_frame_stats *c, double start)
 
 void view_frame_stats_pause(struct view_frame_stats *c)
 {
-    c->end = 0.0;
+    c->last_end = 0.0;
 }
 
 static double passes_of(const struct rg_times *times)
@@ -29,33 +29,34 @@ static double passes_of(const struct rg_times *times)
 }
 
 void view_frame_stats_end(struct view_frame_stats *c, const struct rg_times *times,
-                          uint32_t time_count, double screen)
+                          uint32_t time_count, double presentation)
 {
     const double end = clock_seconds();
-    const double whole = end - c->end - c->rest;
+    const double whole = end - c->last_end - c->idle;
     double passes = 0.0;
-    double slots = 0.0; /* the host waited for the GPU to finish an earlier frame */
+    double slots = 0.0; /* seconds the host waited for an earlier frame's GPU work */
     for (uint32_t i = 0; i < time_count; i++) {
         passes += passes_of(&times[i]);
         slots += (double)times[i].begin * 1e-9;
     }
-    /* times are those of the slot's previous frame, which itself waited for the one before */
-    const bool counts = c->end > 0.0 && c->frame_count >= 2 * GPU_SWAPCHAIN_SLOT_COUNT;
+    /* GPU times are those of the slot's previous frame, so the first frames are not counted */
+    const bool counts = c->last_end > 0.0 && c->frame_count >= 2 * GPU_SWAPCHAIN_SLOT_COUNT;
     c->last = (struct ui_frame_pacing){
         .frame = counts ? whole : 0.0,
         .device = fmax(passes, slots),
-        .screen = screen,
+        .screen = presentation,
         .limit = c->limit,
     };
     if (counts) {
-        c->counted++;
+        c->summed_count++;
         c->frames += whole - c->limit;
         c->passes += passes;
-        c->host += whole - c->limit - slots - screen; /* `slots` belongs to an earlier frame */
+        c->host +=
+            whole - c->limit - slots - presentation; /* `slots` belongs to an earlier frame */
     }
     c->frame_count++;
-    c->rest = c->limit = 0.0;
-    c->end = end;
+    c->idle = c->limit = 0.0;
+    c->last_end = end;
 }
 
 static void add(struct view_time_ring *times, double seconds)
@@ -65,22 +66,22 @@ static void add(struct view_time_ring *times, double seconds)
 
 void view_frame_stats_input(struct view_frame_stats *c, double moved, double released)
 {
-    if (moved > 0.0 && !(c->hand_at > 0.0))
-        c->hand_at = moved;
+    if (moved > 0.0 && !(c->dragged_at > 0.0))
+        c->dragged_at = moved;
     if (released > 0.0)
-        c->release_at = released;
+        c->released_at = released;
 }
 
 void view_frame_stats_image(struct view_frame_stats *c, bool is_moving)
 {
     if (is_moving && c->last.frame > 0.0)
-        add(&c->moving, c->last.frame - c->last.limit);
-    if (is_moving && c->hand_at > 0.0)
-        add(&c->hand, c->end - c->hand_at);
-    if (!is_moving && c->release_at > 0.0)
-        add(&c->release, c->end - c->release_at);
-    c->hand_at = 0.0;
-    c->release_at = is_moving ? c->release_at : 0.0;
+        add(&c->interactive_frames, c->last.frame - c->last.limit);
+    if (is_moving && c->dragged_at > 0.0)
+        add(&c->drag_latency, c->last_end - c->dragged_at);
+    if (!is_moving && c->released_at > 0.0)
+        add(&c->release_latency, c->last_end - c->released_at);
+    c->dragged_at = 0.0;
+    c->released_at = is_moving ? c->released_at : 0.0;
 }
 
 static int compare(const void *a, const void *b)
@@ -90,30 +91,31 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Returns a quantile of the recorded times, in milliseconds; `part` 0.5 is the median. */
-static double quantile(const struct view_time_ring *times, double part)
+/* Returns a quantile of the recorded times, in milliseconds; `fraction` 0.5 is the median. */
+static double quantile(const struct view_time_ring *times, double fraction)
 {
     struct view_time_ring sorted = *times;
     const uint32_t count = times->count < VIEW_TIME_COUNT ? times->count : VIEW_TIME_COUNT;
     qsort(sorted.values, count, sizeof(sorted.values[0]), compare);
-    return count ? (double)sorted.values[(uint32_t)(part * (count - 1) + 0.5)] * 1e3 : 0.0;
+    return count ? (double)sorted.values[(uint32_t)(fraction * (count - 1) + 0.5)] * 1e3 : 0.0;
 }
 
 static void print_moving(const struct view_frame_stats *c, FILE *out)
 {
-    if (!c->moving.count || !c->hand.count)
+    if (!c->interactive_frames.count || !c->drag_latency.count)
         return;
     fprintf(out,
             "moving: %u images, median %.1f ms, 95 %% %.1f ms; input to image %.1f ms, 95 %% "
             "%.1f ms; full size after %.0f ms\n",
-            c->moving.count, quantile(&c->moving, 0.5), quantile(&c->moving, 0.95),
-            quantile(&c->hand, 0.5), quantile(&c->hand, 0.95), quantile(&c->release, 0.5));
+            c->interactive_frames.count, quantile(&c->interactive_frames, 0.5),
+            quantile(&c->interactive_frames, 0.95), quantile(&c->drag_latency, 0.5),
+            quantile(&c->drag_latency, 0.95), quantile(&c->release_latency, 0.5));
 }
 
 void view_frame_stats_print(const struct view_frame_stats *c, FILE *out)
 {
-    const double scale = c->counted ? 1e3 / c->counted : 0.0;
-    if (!c->counted) {
+    const double scale = c->summed_count ? 1e3 / c->summed_count : 0.0;
+    if (!c->summed_count) {
         fprintf(out, "%u frame%s\n", c->frame_count, c->frame_count == 1 ? "" : "s");
         return;
     }

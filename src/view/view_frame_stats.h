@@ -30,38 +30,37 @@ struct view_time_ring {
 /* All times in seconds. The sums skip the first frames, which compile shaders. */
 struct view_frame_stats {
     uint32_t frame_count;
-    double end;                  /* end of the previous frame; 0 if there is none to measure from */
-    double rest, limit;          /* idle and limiter time since `end` */
-    struct ui_frame_pacing last; /* newest frame; .frame is 0 if it was not measured */
-    uint32_t counted;            /* number of frames in the following sums */
-    double frames, passes;       /* passes: GPU time */
-    double host;                 /* time in which the host worked */
-    struct view_time_ring moving;  /* between images while something moves */
-    struct view_time_ring hand;    /* from mouse movement until its image is presented */
-    struct view_time_ring release; /* from mouse release until an image in full size */
-    double hand_at, release_at;    /* pending latency measurements; 0 if none */
+    double last_end;                          /* 0 if there is none */
+    double idle, limit;                       /* idle and limiter time since `last_end` */
+    struct ui_frame_pacing last;              /* newest; .frame 0 if not measured */
+    uint32_t summed_count;                    /* frames in the sums below */
+    double frames, passes;                    /* passes: GPU time */
+    double host;                              /* time in which the host worked */
+    struct view_time_ring interactive_frames; /* between images while something moves */
+    struct view_time_ring drag_latency;    /* latency from mouse movement to the presented image */
+    struct view_time_ring release_latency; /* latency from mouse release to the full-size image */
+    double dragged_at, released_at;        /* pending latency measurements; 0 if none */
 };
 
-/* counts no frame time since `start` */
-void view_frame_stats_exclude(struct view_frame_stats *costs, double start);
-/* counts the limiter since `start` */
-void view_frame_stats_limit(struct view_frame_stats *costs, double start);
+/* Excludes the time since `start` from the frame. */
+void view_frame_stats_exclude(struct view_frame_stats *stats, double start);
+/* Counts the time since `start` as waiting for --fps-limit. */
+void view_frame_stats_limit(struct view_frame_stats *stats, double start);
 
 /* Excludes the time until the next frame, since nothing was drawn for a while. */
-void view_frame_stats_pause(struct view_frame_stats *costs);
+void view_frame_stats_pause(struct view_frame_stats *stats);
 
-/* Ends a frame. `times`: latest times of each executed plan; `screen`: seconds the host waited for
- * the presentation engine. */
-void view_frame_stats_end(struct view_frame_stats *costs, const struct rg_times *times,
-                          uint32_t time_count, double screen);
+/* Ends a frame. `times`: latest times of each executed plan; `presentation` in seconds. */
+void view_frame_stats_end(struct view_frame_stats *stats, const struct rg_times *times,
+                          uint32_t time_count, double presentation);
 
 /* Records when the mouse moved or was released; the first movement since the last image counts. */
-void view_frame_stats_input(struct view_frame_stats *costs, double moved, double released);
+void view_frame_stats_input(struct view_frame_stats *stats, double moved, double released);
 
-/* Tells that the frame just counted shows a new image: of an interaction, or in full size. */
-void view_frame_stats_image(struct view_frame_stats *costs, bool is_moving);
+/* Records that the ended frame shows a new image, interactive (`is_moving`) or in full size. */
+void view_frame_stats_image(struct view_frame_stats *stats, bool is_moving);
 
 /* Prints the number of frames and mean times, and interaction times if there were any. */
-void view_frame_stats_print(const struct view_frame_stats *costs, FILE *out);
+void view_frame_stats_print(const struct view_frame_stats *stats, FILE *out);
 
 #endif

@@ -12,16 +12,16 @@ static bool is_same_choice(const struct pixel_inspector_choice *a,
 static enum status draw(void *user)
 {
     struct view *v = user;
-    const struct renderer_shot shot = { .camera = v->inspector_seen.camera,
-                                        .time = v->inspector_seen.time };
-    return pixel_inspector_draw(&v->look, v->picture, &shot);
+    const struct renderer_shot shot = { .camera = v->inspector_identity.camera,
+                                        .time = v->inspector_identity.time };
+    return pixel_inspector_draw(&v->inspector, v->viewport, &shot);
 }
 
 /* Closes the inspector after a failure, so that the image itself is still shown. */
 static void give_up(struct view *v)
 {
-    v->inspector_wanted = (struct pixel_inspector_choice){ 0 };
-    v->look.is_open = v->aims = false;
+    v->inspector_choice = (struct pixel_inspector_choice){ 0 };
+    v->inspector.is_open = v->recenters = false;
     ui_close_inspector(v->ui);
     view_fail(v, "the layers cannot be drawn");
 }
@@ -30,54 +30,55 @@ static void give_up(struct view *v)
 static void aim(struct view *v)
 {
     struct pixel_inspector_values at;
-    const struct app_image *p = &v->picture->state;
-    const double x = (v->aim_x - v->place.x) * p->width / v->place.width;
-    const double y = (v->aim_y - v->place.y) * p->height / v->place.height;
-    v->aims = false;
+    const struct app_image *p = &v->viewport->state;
+    const double x = (v->recenter_x - v->image_area.x) * p->width / v->image_area.width;
+    const double y = (v->recenter_y - v->image_area.y) * p->height / v->image_area.height;
+    v->recenters = false;
     if (x < 0.0 || y < 0.0 ||
-        !pixel_inspector_values(&v->look, v->picture, (uint32_t)x, (uint32_t)y, &at))
+        !pixel_inspector_values(&v->inspector, v->viewport, (uint32_t)x, (uint32_t)y, &at))
         return;
     if (!at.object) {
         ui_show_message(v->ui, "no surface at this point");
         return;
     }
-    v->picture->camera.target = (vec3s){ { at.position[0], at.position[1], at.position[2] } };
+    v->viewport->camera.target = (vec3s){ { at.position[0], at.position[1], at.position[2] } };
     v->changed = true;
 }
 
 void view_inspect(struct view *v)
 {
-    struct pixel_inspector *look = &v->look;
-    struct viewport *p = v->picture;
-    const bool wanted =
-        look->is_open || v->aims || pixel_inspector_replaces_image(&v->inspector_wanted);
-    const bool opens = look->is_open && !v->had_inspector_panel;
-    p->instead = VK_NULL_HANDLE;
-    v->had_inspector_panel = look->is_open;
-    if (!wanted || !v->refine.shown)
+    struct pixel_inspector *inspector = &v->inspector;
+    struct viewport *p = v->viewport;
+    const bool is_needed =
+        inspector->is_open || v->recenters || pixel_inspector_replaces_image(&v->inspector_choice);
+    const bool opens = inspector->is_open && !v->had_inspector_panel;
+    p->replacement = VK_NULL_HANDLE;
+    v->had_inspector_panel = inspector->is_open;
+    if (!is_needed || !v->progressive.shown_count)
         return;
-    if (opens) { /* the panel appears first, because rendering its layers may take seconds */
+    if (opens) { /* show the panel before rendering layers, which may take seconds */
         ui_wake(v->ui);
         return;
     }
-    const bool drawn = look->layers.width && look->drawn == v->inspector_wanted.layer &&
-                       view_progressive_is_same(&v->inspector_seen, &v->refine.seen);
-    const bool shown = drawn && look->sample_count == v->refine.shown &&
-                       is_same_choice(&look->choice, &v->inspector_wanted);
-    enum status status = shown ? STATUS_OK : presenter_wait(&v->screen);
+    const bool drawn = inspector->layers.width &&
+                       inspector->drawn_layer == v->inspector_choice.layer &&
+                       view_progressive_is_same(&v->inspector_identity, &v->progressive.identity);
+    const bool shown = drawn && inspector->sample_count == v->progressive.shown_count &&
+                       is_same_choice(&inspector->choice, &v->inspector_choice);
+    enum status status = shown ? STATUS_OK : presenter_wait(&v->presenter);
     view_clear_errors(v);
-    look->choice = v->inspector_wanted;
-    v->inspector_seen = v->refine.seen;
+    inspector->choice = v->inspector_choice;
+    v->inspector_identity = v->progressive.identity;
     if (status == STATUS_OK && !drawn)
         status = worker_run(&v->window, draw, v);
     if (status == STATUS_OK && !shown) {
-        status = pixel_inspector_show(look, p, v->refine.shown);
+        status = pixel_inspector_show(inspector, p, v->progressive.shown_count);
         ui_wake(v->ui);
     }
     if (status != STATUS_OK)
         give_up(v);
-    else if (look->rgba)
-        p->instead = look->image.image;
-    if (status == STATUS_OK && v->aims)
+    else if (inspector->rgba)
+        p->replacement = inspector->image.image;
+    if (status == STATUS_OK && v->recenters)
         aim(v);
 }

@@ -21,62 +21,62 @@ enum {
     VIEW_BOOKMARK_COUNT = 4,
 };
 
-#define VIEW_HOLD 0x80000000u /* marks gesture ids that are not from imgui_gesture() */
+#define VIEW_HOLD 0x80000000u /* gesture ids with this bit are not from imgui_gesture() */
 
 struct view {
     const struct app_options *options;
-    struct app_image first;      /* initial state, from the options */
-    struct session_file session; /* of --session; scene is NULL once it was restored */
-    struct signals stop;
-    struct stderr_capture echo; /* captures error messages */
+    struct app_image initial_state; /* from the options */
+    struct session_file session;    /* from --session; .scene NULL once restored */
+    struct signals signals;
+    struct stderr_capture stderr_capture;
     struct window window;
-    struct window_x11_shm *canvas; /* MIT-SHM; NULL to present by the driver */
+    struct window_x11_shm *shm_window; /* MIT-SHM; NULL if the driver presents */
     struct gpu_window_system system;
     struct gpu gpu;
     VkSurfaceKHR surface;
-    struct presenter screen;
-    struct viewport *picture;
-    struct shader_reload *watch; /* shader hot reload; NULL without --watch */
+    struct presenter presenter;
+    struct viewport *viewport;
+    struct shader_reload *shader_reload; /* NULL without --watch */
     struct ui *ui;
-    struct ui_thumbnails pictures; /* thumbnails for `ui` */
-    float ui_scale;                /* scale of text and panels; 0 if not known yet */
-    uint32_t theme;                /* index for theme_at() */
+    struct ui_thumbnails thumbnails; /* thumbnails for `ui` */
+    float ui_scale;                  /* scale of text and panels; 0 if not known yet */
+    uint32_t theme;                  /* index for theme_at() */
     struct window_layout layout;
-    struct present_area place; /* position of the image in the last frame */
-    VkExtent2D wanted;         /* requested image size; until then the image is shown scaled */
-    double resize_at;          /* when to resize the renderer, seconds; 0 if its size is right */
-    struct undo_stack history;
-    struct undo_scene *opened;   /* scenes that undo can return to */
-    uint32_t scene, scene_count; /* current scene number; number of scenes opened so far */
-    struct rebuild_log reloads;
+    struct present_area image_area; /* image position in the last frame */
+    VkExtent2D requested_size;      /* image size after the next resize */
+    double resize_at;               /* time to resize the renderer, seconds; 0 if not needed */
+    struct undo_stack undo_stack;
+    struct undo_scene *undo_scenes; /* scenes that undo can return to */
+    uint32_t scene, scene_count;    /* current number; number opened */
+    struct rebuild_log rebuild_log;
     struct camera bookmarks[VIEW_BOOKMARK_COUNT];
     bool bookmarked[VIEW_BOOKMARK_COUNT];
-    bool dragged;                           /* the user has orbited the camera once */
-    uint32_t hold;                          /* number of mouse button presses */
-    uint32_t holds[VIEW_WHEEL - VIEW_DRAG]; /* last press counted for each gesture */
-    double now;                             /* time of the current loop iteration, seconds */
-    double elapsed;                         /* scene time since motion.time, seconds */
-    float shown;                            /* scene time of the last frame drawn, seconds */
-    double next;                            /* earliest start of the next frame, seconds */
+    bool has_orbited;                                 /* the user orbited the camera */
+    uint32_t press_count;                             /* number of mouse button presses */
+    uint32_t counted_presses[VIEW_WHEEL - VIEW_DRAG]; /* last press counted for each gesture */
+    double now;                                       /* time of this iteration, seconds */
+    double elapsed;                                   /* scene time since motion.time, seconds */
+    float drawn_time;                                 /* scene time last drawn, seconds */
+    double next_frame_at;                             /* earliest start, seconds */
     bool paused, changed, quit;
-    bool recovered;         /* a lost device was reopened; done only once */
-    uint32_t message_count; /* validation messages of a lost device */
-    bool redrawn;           /* the last frame drew a new image */
-    VkExtent2D first_size;  /* window size at startup, pixels */
-    bool shoot;             /* save the next frame to files */
-    VkExtent2D shoot_size;  /* size to save; 0x0 for the window's */
-    bool aims;              /* centre the camera on the surface at (aim_x, aim_y) */
-    double aim_x, aim_y;    /* position in the window, pixels */
-    bool shoot_copy;        /* copy the next frame to the clipboard instead */
-    bool shoot_all;         /* include the panels when saving */
-    uint32_t shot_number;   /* number of the last screenshot */
-    struct view_frame_stats costs;
-    struct view_progressive refine;
+    bool recovered;             /* the lost device was already reopened */
+    uint32_t message_count;     /* validation messages of a lost device */
+    bool redrawn;               /* the last frame changed the image */
+    VkExtent2D initial_size;    /* window size at startup, pixels */
+    bool wants_screenshot;      /* save the next frame to files */
+    VkExtent2D screenshot_size; /* 0x0 for the window's size */
+    bool recenters;             /* centre the camera on the surface at (recenter_x, recenter_y) */
+    double recenter_x, recenter_y; /* position in the window, pixels */
+    bool screenshot_to_clipboard;  /* copy instead of saving */
+    bool screenshot_with_panels;   /* include the panels when saving */
+    uint32_t screenshot_number;    /* number of the last screenshot */
+    struct view_frame_stats frame_stats;
+    struct view_progressive progressive;
     struct view_compare compare;
-    bool had_inspector_panel; /* the inspector panel was open in an earlier frame */
-    struct pixel_inspector look;
-    struct pixel_inspector_choice inspector_wanted; /* choice of the user, not applied yet */
-    struct view_identity inspector_seen;            /* view for which `look.layers` was rendered */
+    bool had_inspector_panel; /* the panel was open before */
+    struct pixel_inspector inspector;
+    struct pixel_inspector_choice inspector_choice; /* chosen, but not applied yet */
+    struct view_identity inspector_identity; /* view for which `inspector.layers` was rendered */
 };
 
 float view_time(const struct view *view);                 /* scene time, seconds */
@@ -84,9 +84,9 @@ void view_seek(struct view *view, float time);            /* sets the scene time
 void view_set_title(struct view *view, const char *what); /* sets the window title */
 void view_show_name(struct view *view);
 
-/* Discards earlier error messages, so that the next view_fail() reports only those that follow. */
+/* view_fail() reports the last logged error in the status bar; view_clear_errors() drops it. */
 void view_clear_errors(struct view *view);
-void view_fail(struct view *view, const char *what); /* reports the last error in the status bar */
+void view_fail(struct view *view, const char *what);
 void view_show_ui(struct view *view, bool shown);
 void view_update_layout(struct view *view, VkExtent2D size); /* `size` of the window, pixels */
 
@@ -98,7 +98,7 @@ struct window_frame view_window(const struct view *view, const struct overlay_dr
 void view_execute(struct view *view, enum view_action action);
 void view_use_camera(struct view *view, const struct camera *camera);
 void view_zoom(struct view *view, float steps);
-void view_move_divider(struct view *view, double to); /* as a fraction of the image width */
+void view_move_divider(struct view *view, double to); /* `to`: fraction of the image width */
 
 /* ---- view_edit.c: changes with undo ---- */
 
@@ -113,8 +113,7 @@ struct settings view_scene_settings(const struct view *view);
 /* Applies a state. Returns false if that fails, which is reported; the previous state is kept. */
 bool view_apply_state(struct view *view, const struct view_state *state);
 
-/* Applies a state and pushes it to the undo stack; `gesture` as in undo_stack_push(). False on
- * failure. */
+/* Applies a state and pushes it to the undo stack: undo_stack_push(). False on failure. */
 bool view_edit(struct view *view, const struct view_state *state, uint32_t gesture);
 void view_undo_redo(struct view *view, bool again); /* undo, or redo if `again` */
 
@@ -127,8 +126,7 @@ void view_open(struct view *view, const char *path);
 
 /* ---- view_compare.c: A/B comparison ---- */
 
-/* Selects side B of a state. If no state was stored, VIEW_SIDE_B_STATE falls back to the most exact
- * refraction model. */
+/* Selects side B; without a stored state, VIEW_SIDE_B_STATE becomes the most exact model. */
 void view_compare_choose(struct view *view, struct view_state *state, enum view_side_b other);
 
 /* Shows side B of a state. On failure, which is logged, nothing changes. */
@@ -140,11 +138,10 @@ void view_compare_stop(struct view *view);
 void view_compare_with(struct view *view, enum view_side_b other);
 void view_compare_toggle(struct view *view); /* turns the comparison on or off */
 void view_compare_store(struct view *view);  /* stores side A as side B */
-void view_compare_flip(struct view *view);   /* shows side B in place of side A, or A again */
-void view_compare_toggle_error_map(struct view *view); /* turns the error map on or off */
+void view_compare_flip(struct view *view);   /* toggles between sides A and B */
+void view_compare_toggle_error_map(struct view *view);
 
-/* Wait for the next dropped image; test whether a path is accepted as this image; open it as side
- * B. */
+/* Await a dropped image file, test whether a path is one, and open it as side B. */
 void view_compare_await(struct view *view);
 bool view_compare_accepts(const struct view *view, const char *path);
 void view_compare_open(struct view *view, const char *path);
@@ -152,7 +149,7 @@ void view_compare_open(struct view *view, const char *path);
 /* Starts, collects and stops the comparison's worker jobs. Reports their failures. */
 void view_compare_follow(struct view *view);
 
-/* Uploads new results of the jobs to the viewport. */
+/* Shows new results of the comparison's jobs in the viewport. */
 MUST_USE enum status view_compare_show(struct view *view);
 
 /* Writes a label for each side; `right` is empty without a comparison. */
@@ -197,7 +194,7 @@ MUST_USE enum status view_progressive_begin(struct view *view);
 /* Draws a changed view as a frame of an interaction, at reduced size. */
 MUST_USE enum status view_progressive_draw(struct view *view, const struct renderer_shot *shot);
 
-/* Draws one more sample if the view is at rest. *drew tells whether there was something to draw. */
+/* Draws one more sample if the view is at rest. *drew is true if one was left to draw. */
 MUST_USE enum status view_progressive_step(struct view *view, bool *drew);
 
 /* Returns the seconds until samples may be drawn; negative if there are none left. */

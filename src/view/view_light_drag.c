@@ -4,7 +4,7 @@
 #include "src/tech/output/tonemap.h"
 #include "src/view/view_internal.h"
 
-static const double turn_deg = 180.0; /* rotation of a drag over the whole window height */
+static const double drag_rotation_deg = 180.0; /* rotation of a drag over the whole window height */
 
 /* Wraps an angle to -180 ... 180 degrees. */
 static double wrap(double degrees)
@@ -34,10 +34,10 @@ static const char *refusal(const struct scene *scene, const struct env_params *e
 
 void view_rotate_light(struct view *v, double right, double down, bool is_sun)
 {
-    const struct scene *scene = &v->picture->scene;
+    const struct scene *scene = &v->viewport->scene;
     struct view_state state = view_state_now(v);
     const char *why = refusal(scene, settings_of(&state.settings, &env_settings), is_sun);
-    right *= turn_deg;
+    right *= drag_rotation_deg;
     if (why) {
         ui_show_message(v->ui, why);
         return;
@@ -46,15 +46,15 @@ void view_rotate_light(struct view *v, double right, double down, bool is_sun)
         move_sun(&state.settings,
                  settings_row(&sky_settings, offsetof(struct sky_params, sun_azimuth)),
                  settings_row(&sky_settings, offsetof(struct sky_params, sun_elevation)), right,
-                 is_sun ? -down * turn_deg : 0.0);
+                 is_sun ? -down * drag_rotation_deg : 0.0);
     else if (is_sun)
         move_sun(&state.settings,
                  settings_row(&env_settings, offsetof(struct env_params, sun_azimuth)),
                  settings_row(&env_settings, offsetof(struct env_params, sun_elevation)), right,
-                 -down * turn_deg);
+                 -down * drag_rotation_deg);
     else
         state.env_rotate = (float)wrap((double)state.env_rotate + right);
-    view_edit(v, &state, v->hold | VIEW_HOLD);
+    view_edit(v, &state, v->press_count | VIEW_HOLD);
 }
 
 void view_add_exposure(struct view *v, double stops)

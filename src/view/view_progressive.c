@@ -1,5 +1,4 @@
-/* view_progressive.c: progressive refinement: fast frames during interaction, then sample by
- * sample. */
+/* view_progressive.c: progressive refinement: fast interactive frames, then samples. */
 #include "src/view/view_progressive.h"
 #include <cglm/struct.h>
 #include <string.h>
@@ -7,17 +6,17 @@
 #include "src/view/view_internal.h"
 #include "src/view/worker.h"
 
-static const double rest_seconds = 0.12; /* time without movement until samples are drawn */
-static const double show_seconds = 0.25; /* between displayed means, after the first few */
-static const double soon_seconds = 0.15; /* slower samples are preceded by a full-size draft */
+static const double rest_seconds = 0.12; /* rest before sampling starts, seconds */
+static const double show_seconds = 0.25; /* interval between displayed means, seconds */
+static const double soon_seconds = 0.15; /* slower samples first show a full-size draft */
 
 enum {
-    FIRST_COUNT = 8, /* up to this sample, means are shown at 1, 2, 4 and 8 samples */
+    FIRST_COUNT = 8, /* the first means shown are of 1, 2, 4 and 8 samples */
 };
 
-static struct view_identity seen_now(const struct view *v, float time)
+static struct view_identity current_identity(const struct view *v, float time)
 {
-    const struct viewport *p = v->picture;
+    const struct viewport *p = v->viewport;
     return (struct view_identity){ p->version, p->camera, time, p->state.scene.settings };
 }
 
@@ -35,53 +34,55 @@ static bool is_same_camera(const struct camera *a, const struct camera *b)
 
 static bool refines(const struct view *v)
 {
-    return v->picture && v->picture->refines && v->picture->renderer && !(v->resize_at > 0.0);
+    return v->viewport && v->viewport->is_progressive && v->viewport->renderer &&
+           !(v->resize_at > 0.0);
 }
 
 bool view_progressive_is_same(const struct view_identity *a, const struct view_identity *b)
 {
     const struct settings settings = viewport_with_exposure(&a->settings, &b->settings);
-    return a->version == b->version && is_same_camera(&a->camera, &b->camera) &&
+    return a->renderer_version == b->renderer_version && is_same_camera(&a->camera, &b->camera) &&
            !differ(a->time, b->time) && !memcmp(&settings, &b->settings, sizeof(settings));
 }
 
 /* Returns true if the view is unchanged except for the exposure. */
 static bool is_same(const struct view *v, const struct view_identity *now)
 {
-    return v->refine.has_seen && view_progressive_is_same(&v->refine.seen, now);
+    return v->progressive.has_identity && view_progressive_is_same(&v->progressive.identity, now);
 }
 
 static bool has_other_exposure(const struct view *v)
 {
-    return memcmp(&v->refine.seen.settings, &v->picture->state.scene.settings,
+    return memcmp(&v->progressive.identity.settings, &v->viewport->state.scene.settings,
                   sizeof(struct settings)) != 0;
 }
 
-static bool is_seen(const struct view *v)
+static bool has_current_samples(const struct view *v)
 {
-    const struct view_identity now = seen_now(v, view_time(v));
+    const struct view_identity now = current_identity(v, view_time(v));
     return is_same(v, &now);
 }
 
 double view_progressive_wait(const struct view *v)
 {
-    const struct view_progressive *r = &v->refine;
-    if (!refines(v) || !r->has_seen || r->count >= r->goal)
+    const struct view_progressive *r = &v->progressive;
+    if (!refines(v) || !r->has_identity || r->count >= r->target_count)
         return -1.0;
     const double left = r->moved_at + rest_seconds - clock_seconds();
-    return r->at_once || left < 0.0 ? 0.0 : left;
+    return r->skips_rest || left < 0.0 ? 0.0 : left;
 }
 
 double view_progressive_seconds_left(const struct view *v)
 {
-    const struct view_progressive *r = &v->refine;
+    const struct view_progressive *r = &v->progressive;
     const double taken = clock_seconds() - r->begun_at;
-    return r->count && r->count < r->goal ? taken * (r->goal - r->count) / r->count : 0.0;
+    return r->count && r->count < r->target_count ? taken * (r->target_count - r->count) / r->count
+                                                  : 0.0;
 }
 
 static bool is_to_be_shown(const struct view_progressive *r)
 {
-    if (r->count >= r->goal)
+    if (r->count >= r->target_count)
         return true;
     return r->count <= FIRST_COUNT ? !(r->count & (r->count - 1))
                                    : clock_seconds() > r->shown_at + show_seconds;
@@ -89,108 +90,109 @@ static bool is_to_be_shown(const struct view_progressive *r)
 
 static enum status resolve(struct view *v)
 {
-    struct view_progressive *r = &v->refine;
+    struct view_progressive *r = &v->progressive;
     /* frames in flight may still read the image that is overwritten here */
-    enum status status = presenter_wait(&v->screen);
+    enum status status = presenter_wait(&v->presenter);
     if (status == STATUS_OK)
-        status = viewport_resolve(v->picture, r->count);
-    r->seen.settings = v->picture->state.scene.settings;
-    r->shown = r->count;
-    v->look.sample_count = 0; /* invalidates the inspector's image */
+        status = viewport_resolve(v->viewport, r->count);
+    r->identity.settings = v->viewport->state.scene.settings;
+    r->shown_count = r->count;
+    v->inspector.sample_count = 0; /* invalidates the inspector's image */
     r->shown_at = clock_seconds();
-    v->changed = true; /* the new mean has to be displayed */
+    v->changed = true; /* display the new mean */
     return status;
 }
 
-static struct renderer_shot shot_seen(const struct view *v)
+static struct renderer_shot current_shot(const struct view *v)
 {
-    return (struct renderer_shot){ .camera = v->refine.seen.camera, .time = v->refine.seen.time };
+    return (struct renderer_shot){ .camera = v->progressive.identity.camera,
+                                   .time = v->progressive.identity.time };
 }
 
-static enum status make_quick(void *user)
+static enum status make_draft(void *user)
 {
     struct view *v = user;
-    const struct renderer_shot shot = shot_seen(v);
-    return viewport_create_draft(v->picture, &shot);
+    const struct renderer_shot shot = current_shot(v);
+    return viewport_create_draft(v->viewport, &shot);
 }
 
 /* Returns true if the full renderers are fast enough for interaction, judged by the last frame. */
 static bool is_fluid(const struct viewport *p)
 {
-    struct dynamic_resolution moving;
-    dynamic_resolution_begin(&moving, viewport_pass_seconds(p));
-    return moving.passes > 0.0 && moving.k == DYNAMIC_RESOLUTION_MAX;
+    struct dynamic_resolution resolution;
+    dynamic_resolution_begin(&resolution, viewport_pass_seconds(p));
+    return resolution.passes > 0.0 && resolution.k == DYNAMIC_RESOLUTION_MAX;
 }
 
-static enum status begin_quick(struct view *v)
+static enum status begin_draft(struct view *v)
 {
     const double start = clock_seconds();
-    const struct viewport *p = v->picture;
-    const enum status status = worker_run(&v->window, make_quick, v);
-    if (p->quick.left)
-        dynamic_resolution_begin(&v->refine.moving, 4.0 * p->quick.seconds);
-    view_frame_stats_exclude(&v->costs, start);
+    const struct viewport *p = v->viewport;
+    const enum status status = worker_run(&v->window, make_draft, v);
+    if (p->draft.left)
+        dynamic_resolution_begin(&v->progressive.dynamic_resolution, 4.0 * p->draft.seconds);
+    view_frame_stats_exclude(&v->frame_stats, start);
     return status;
 }
 
 enum status view_progressive_begin(struct view *v)
 {
-    struct viewport *p = v->picture;
+    struct viewport *p = v->viewport;
     if (!viewport_wants_draft(p))
         return STATUS_OK;
     const enum status status = viewport_wait(p);
-    return status == STATUS_OK && !is_fluid(p) ? begin_quick(v) : status;
+    return status == STATUS_OK && !is_fluid(p) ? begin_draft(v) : status;
 }
 
 /* Draws a draft in full size, shown until the first sample is finished. */
-static enum status draw_whole(struct view *v)
+static enum status draw_full_draft(struct view *v)
 {
-    const struct renderer_shot shot = shot_seen(v);
-    const struct app_image *p = &v->picture->state;
-    enum status status = presenter_wait(&v->screen);
+    const struct renderer_shot shot = current_shot(v);
+    const struct app_image *p = &v->viewport->state;
+    enum status status = presenter_wait(&v->presenter);
     if (status == STATUS_OK)
-        status = viewport_draw_interactive(v->picture, &shot, (VkExtent2D){ p->width, p->height });
-    v->refine.is_whole = v->changed = true;
+        status = viewport_draw_interactive(v->viewport, &shot, (VkExtent2D){ p->width, p->height });
+    v->progressive.has_full_draft = v->changed = true;
     return status;
 }
 
-/* Does what precedes the next sample: creates draft renderers, replaces outgrown ones, or draws a
- * full-size draft. *drew is true if it did one of these. */
+/* Prepares the next sample: creates draft renderers, replaces outgrown ones, or draws a full-size
+ * draft. *drew is true if it did one of these. */
 static enum status prepare(struct view *v, bool *drew)
 {
-    struct view_progressive *r = &v->refine;
-    struct viewport *p = v->picture;
+    struct view_progressive *r = &v->progressive;
+    struct viewport *p = v->viewport;
     *drew = true;
     if (r->count == 1 && viewport_wants_draft(p) && !is_fluid(p))
-        return begin_quick(v);
+        return begin_draft(v);
     if (!r->count && viewport_is_outgrown(p)) {
-        presenter_disconnect(&v->screen);
+        presenter_disconnect(&v->presenter);
         v->changed = true; /* the new renderers start from the first sample */
         return viewport_rebuild(p);
     }
-    const bool is_soon = r->sample > 0.0 && r->sample <= soon_seconds;
-    if (!r->count && !r->is_whole && p->shows_draft && !is_soon)
-        return draw_whole(v);
+    const bool is_soon = r->sample_seconds > 0.0 && r->sample_seconds <= soon_seconds;
+    if (!r->count && !r->has_full_draft && p->shows_draft && !is_soon)
+        return draw_full_draft(v);
     *drew = false;
     return STATUS_OK;
 }
 
 static enum status draw_sample(struct view *v)
 {
-    struct view_progressive *r = &v->refine;
+    struct view_progressive *r = &v->progressive;
     const double start = clock_seconds();
-    const struct renderer_shot shot = shot_seen(v);
-    enum status status = r->count ? STATUS_OK : presenter_wait(&v->screen);
+    const struct renderer_shot shot = current_shot(v);
+    enum status status = r->count ? STATUS_OK : presenter_wait(&v->presenter);
     if (status == STATUS_OK)
-        status = viewport_refine(v->picture, &shot, r->count);
+        status = viewport_refine(v->viewport, &shot, r->count);
     if (status == STATUS_OK)
-        noise_estimate_add(&r->noise, renderer_sums(v->picture->renderer), r->count);
+        noise_estimate_add(&r->noise, renderer_sums(v->viewport->renderer), r->count);
     r->begun_at = r->count ? r->begun_at : start;
     r->count++;
-    r->sample = clock_seconds() - start;
+    r->sample_seconds = clock_seconds() - start;
     if (status == STATUS_OK && is_to_be_shown(r))
         status = resolve(v);
-    view_frame_stats_exclude(&v->costs, start);
+    view_frame_stats_exclude(&v->frame_stats, start);
     return status;
 }
 
@@ -199,7 +201,7 @@ enum status view_progressive_step(struct view *v, bool *drew)
     const double wait = view_progressive_wait(v);
     const bool is_due = wait >= 0.0 && !(wait > 0.0);
     *drew = false;
-    if (!refines(v) || !is_seen(v) || (wait > 0.0))
+    if (!refines(v) || !has_current_samples(v) || (wait > 0.0))
         return STATUS_OK;
     const enum status status = prepare(v, drew);
     if (status != STATUS_OK || *drew || !is_due)
@@ -210,26 +212,26 @@ enum status view_progressive_step(struct view *v, bool *drew)
 
 enum status view_progressive_draw(struct view *v, const struct renderer_shot *shot)
 {
-    struct view_progressive *r = &v->refine;
-    const struct viewport *p = v->picture;
-    const struct view_identity now = seen_now(v, shot->time);
+    struct view_progressive *r = &v->progressive;
+    const struct viewport *p = v->viewport;
+    const struct view_identity now = current_identity(v, shot->time);
     v->redrawn = false;
     if (is_same(v, &now))
         return r->count && has_other_exposure(v) ? resolve(v) : STATUS_OK;
-    if (!r->moving.k)
-        dynamic_resolution_begin(&r->moving, 0.0);
-    const bool first = !r->has_seen;
-    const uint32_t k = first || p->quick.is_off ? DYNAMIC_RESOLUTION_MAX : r->moving.k;
+    if (!r->dynamic_resolution.k)
+        dynamic_resolution_begin(&r->dynamic_resolution, 0.0);
+    const bool first = !r->has_identity;
+    const uint32_t k = first || p->draft.is_off ? DYNAMIC_RESOLUTION_MAX : r->dynamic_resolution.k;
     const VkExtent2D view = { dynamic_resolution_scale(p->state.width, k),
                               dynamic_resolution_scale(p->state.height, k) };
-    const bool other = view.width != p->view.width || view.height != p->view.height;
-    enum status status = other ? presenter_wait(&v->screen) : STATUS_OK;
+    const bool other = view.width != p->extent.width || view.height != p->extent.height;
+    enum status status = other ? presenter_wait(&v->presenter) : STATUS_OK;
     if (status == STATUS_OK)
-        status = viewport_draw_interactive(v->picture, shot, view);
-    r->seen = now;
-    r->has_seen = true;
-    r->count = r->shown = 0;
-    r->is_whole = false;
+        status = viewport_draw_interactive(v->viewport, shot, view);
+    r->identity = now;
+    r->has_identity = true;
+    r->count = r->shown_count = 0;
+    r->has_full_draft = false;
     r->moved_at = first ? 0.0 : clock_seconds();
     v->redrawn = true;
     return status;

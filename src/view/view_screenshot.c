@@ -14,14 +14,14 @@ enum {
     FOLDER_SIZE = 512,
 };
 
-static enum status shoot_all(struct view *v, const char *path)
+static enum status save_window(struct view *v, const char *path)
 {
     struct render_result drawn = { 0 };
     const struct window_frame window = view_window(v, NULL);
-    enum status status = ui_screenshot(&v->screen, v->picture, &window, v->ui, &drawn.rgba);
+    enum status status = ui_screenshot(&v->presenter, v->viewport, &window, v->ui, &drawn.rgba);
     if (status == STATUS_OK)
-        status = viewport_save_drawn(v->picture, v->shown, path, &drawn, v->screen.swapchain.extent,
-                                     &v->stop);
+        status = viewport_save_drawn(v->viewport, v->drawn_time, path, &drawn,
+                                     v->presenter.swapchain.extent, &v->signals);
     render_result_finish(&drawn);
     return status;
 }
@@ -39,20 +39,21 @@ static bool is_taken(uint32_t number)
 }
 
 /* Copies the image through a temporary file in a private folder. */
-static void copy_picture(struct view *v)
+static void copy_image_to_clipboard(struct view *v)
 {
     const char *runtime = getenv("XDG_RUNTIME_DIR");
     char folder[FOLDER_SIZE];
     char png[FOLDER_SIZE + NAME_SIZE];
     const char *const paths[] = { png };
-    const bool quiet = v->picture->quiet;
+    const bool quiet = v->viewport->quiet;
     const int length =
         snprintf(folder, sizeof(folder), "%s/firn-XXXXXX", runtime ? runtime : "/tmp");
     const bool made = length < FOLDER_SIZE && mkdtemp(folder);
     snprintf(png, sizeof(png), "%s/picture.png", folder);
-    v->picture->quiet = true;
-    bool copied = made && viewport_save(v->picture, v->shown, paths, 1, &v->stop) == STATUS_OK;
-    v->picture->quiet = quiet;
+    v->viewport->quiet = true;
+    bool copied =
+        made && viewport_save(v->viewport, v->drawn_time, paths, 1, &v->signals) == STATUS_OK;
+    v->viewport->quiet = quiet;
     copied = copied && clipboard_copy_png(png);
     if (made) {
         unlink(png);
@@ -66,15 +67,16 @@ static void copy_picture(struct view *v)
 }
 
 /* Renders and saves the image in the requested size; in that of the window if there is none. */
-static enum status shoot_picture(struct view *v, const char *const *paths, uint32_t path_count)
+static enum status save_screenshot(struct view *v, const char *const *paths, uint32_t path_count)
 {
-    struct app_image *state = &v->picture->state;
+    struct app_image *state = &v->viewport->state;
     const VkExtent2D before = { state->width, state->height };
-    const VkExtent2D size = v->shoot_size.width ? v->shoot_size : before;
-    v->shoot_size = (VkExtent2D){ 0, 0 };
+    const VkExtent2D size = v->screenshot_size.width ? v->screenshot_size : before;
+    v->screenshot_size = (VkExtent2D){ 0, 0 };
     state->width = size.width;
     state->height = size.height;
-    const enum status status = viewport_save(v->picture, v->shown, paths, path_count, &v->stop);
+    const enum status status =
+        viewport_save(v->viewport, v->drawn_time, paths, path_count, &v->signals);
     state->width = before.width;
     state->height = before.height;
     return status;
@@ -88,26 +90,26 @@ void view_take_screenshot(struct view *v)
     char words[NAME_SIZE + 16];
     const char *const paths[] = { png, exr };
     const double start = clock_seconds();
-    const bool all = v->shoot_all;
+    const bool all = v->screenshot_with_panels;
     view_clear_errors(v);
-    const bool copies = v->shoot_copy;
-    v->shoot = v->shoot_all = v->shoot_copy = false;
+    const bool copies = v->screenshot_to_clipboard;
+    v->wants_screenshot = v->screenshot_with_panels = v->screenshot_to_clipboard = false;
     if (copies) {
-        copy_picture(v);
-        view_frame_stats_exclude(&v->costs, start);
+        copy_image_to_clipboard(v);
+        view_frame_stats_exclude(&v->frame_stats, start);
         return;
     }
-    while (is_taken(++v->shot_number))
+    while (is_taken(++v->screenshot_number))
         continue;
-    snprintf(png, sizeof(png), "firn-%04u.png", v->shot_number);
-    snprintf(exr, sizeof(exr), "firn-%04u.exr", v->shot_number);
-    const enum status status = all ? shoot_all(v, png) : shoot_picture(v, paths, 2);
+    snprintf(png, sizeof(png), "firn-%04u.png", v->screenshot_number);
+    snprintf(exr, sizeof(exr), "firn-%04u.exr", v->screenshot_number);
+    const enum status status = all ? save_window(v, png) : save_screenshot(v, paths, 2);
     snprintf(words, sizeof(words), status == STATUS_OK ? "saved %s" : "%s was not saved", png);
     if (status == STATUS_OK)
         ui_show_message(v->ui, words);
     else
         view_fail(v, words);
-    view_frame_stats_exclude(&v->costs, start);
+    view_frame_stats_exclude(&v->frame_stats, start);
 }
 
 enum status view_write_outputs(struct view *v)
@@ -115,10 +117,12 @@ enum status view_write_outputs(struct view *v)
     const struct app_outputs *outputs = &v->options->run.outputs;
     enum status status = STATUS_OK;
     if (v->options->view.overlay != APP_OVERLAY_ON)
-        return viewport_save(v->picture, v->shown, outputs->paths, outputs->count, &v->stop);
+        return viewport_save(v->viewport, v->drawn_time, outputs->paths, outputs->count,
+                             &v->signals);
     for (uint32_t i = 0; i < outputs->count && status == STATUS_OK; i++)
-        status = path_ends_in(outputs->paths[i], ".png")
-                     ? shoot_all(v, outputs->paths[i])
-                     : viewport_save(v->picture, v->shown, &outputs->paths[i], 1, &v->stop);
+        status =
+            path_ends_in(outputs->paths[i], ".png")
+                ? save_window(v, outputs->paths[i])
+                : viewport_save(v->viewport, v->drawn_time, &outputs->paths[i], 1, &v->signals);
     return status;
 }

@@ -35,9 +35,9 @@ void view_apply_session(const struct session_file *session, struct app_image *st
     scene->env_rotate = session->environment ? session->state.env_rotate : 0.0f;
     scene->env_exposure = session->environment ? session->env_exposure : 0.0f;
     scene->settings = session->state.settings;
-    scene->stated = scene->settings;
+    scene->user_settings = scene->settings;
     memset(scene->is_set, true, sizeof(scene->is_set)); /* all come from the session */
-    scene->has_own_environment = false;
+    scene->has_default_environment = false;
     scene->animation = scene->surroundings = scene->material = NULL;
     scene->cracks = scene->bump = scene->bump_mask = scene->air = NULL;
     scene->material_override_count = 0;
@@ -52,23 +52,23 @@ void view_apply_session(const struct session_file *session, struct app_image *st
 /* Unmarks settings that equal those the scene brings, so that they are dropped with the scene. */
 static void unmark_scene_settings(struct view *v)
 {
-    const struct app_scene *given = &v->options->picture.scene;
-    struct app_scene *scene = &v->picture->state.scene;
-    const struct asset *environment = app_own_environment(scene->name);
+    const struct app_scene *given = &v->options->image.scene;
+    struct app_scene *scene = &v->viewport->state.scene;
+    const struct asset *environment = app_default_environment(scene->name);
     const struct settings own = view_scene_settings(v);
     const struct setting_group *group;
     for (size_t g = 0; (group = settings_group(g)); g++) {
         for (size_t r = 0; r < group->row_count; r++) {
             const struct setting *row = &group->rows[r];
             const double value = settings_get(&scene->settings, row);
-            const double brought = settings_get(&own, row);
-            if (value < brought || value > brought || given->is_set[settings_index(row)])
+            const double scene_value = settings_get(&own, row);
+            if (value < scene_value || value > scene_value || given->is_set[settings_index(row)])
                 continue;
             scene->is_set[settings_index(row)] = false;
-            settings_set_value(&scene->stated, row, settings_get(&given->settings, row));
+            settings_set_value(&scene->user_settings, row, settings_get(&given->settings, row));
         }
     }
-    scene->has_own_environment =
+    scene->has_default_environment =
         environment && scene->environment && !strcmp(scene->environment, environment->name);
 }
 
@@ -83,15 +83,15 @@ enum status view_resume_session(struct view *v, const struct session_file *sessi
     memcpy(v->bookmarks, session->bookmarks, sizeof(v->bookmarks));
     v->elapsed = 0.0;
     v->elapsed = (double)session->time - (double)view_time(v);
-    v->history.count = v->history.at = 0;
-    undo_scenes_prune(&v->opened, NULL);
-    state.other = session->state.other;
+    v->undo_stack.count = v->undo_stack.at = 0;
+    undo_scenes_prune(&v->undo_scenes, NULL);
+    state.side_b = session->state.side_b;
     state.split = session->state.split;
-    state.right = session->state.right;
-    v->compare.has_stored = state.other == VIEW_SIDE_B_STATE;
+    state.right_settings = session->state.right_settings;
+    v->compare.has_stored = state.side_b == VIEW_SIDE_B_STATE;
     v->compare.stored = state;
     v->compare.stored.refraction = state.split;
-    v->compare.stored.settings = state.right;
+    v->compare.stored.settings = state.right_settings;
     v->changed = true;
     return view_compare_use(v, &state);
 }
@@ -106,12 +106,12 @@ static enum status load(void *user)
 {
     struct loading *loading = user;
     struct view *v = loading->view;
-    struct app_image state = v->picture->state;
+    struct app_image state = v->viewport->state;
     enum status status = view_read_session(&loading->session, loading->path, &state.scene.reader);
     if (status != STATUS_OK)
         return status;
     view_apply_session(&loading->session, &state);
-    return viewport_apply_state(&v->picture, &state);
+    return viewport_apply_state(&v->viewport, &state);
 }
 
 void view_load_session(struct view *v, const char *path)
@@ -119,7 +119,7 @@ void view_load_session(struct view *v, const char *path)
     struct loading loading = { .view = v, .path = path };
     const double start = clock_seconds();
     view_set_title(v, "loading");
-    presenter_disconnect(&v->screen);
+    presenter_disconnect(&v->presenter);
     view_compare_stop(v);
     view_clear_errors(v);
     enum status status = worker_run(&v->window, load, &loading);
@@ -132,12 +132,12 @@ void view_load_session(struct view *v, const char *path)
     session_file_finish(&loading.session);
     v->changed = true;
     view_show_name(v);
-    view_frame_stats_exclude(&v->costs, start);
+    view_frame_stats_exclude(&v->frame_stats, start);
 }
 
 /* Returns the absolute path of a file, so that it is found from any folder, or a copy of a built-in
  * name; NULL when out of memory. */
-static char *whole_name(const char *name)
+static char *absolute_name(const char *name)
 {
     const bool is_file = !scene_find_builtin(name) && !asset_find(name, ASSET_SCENE) &&
                          !asset_find(name, ASSET_ENVIRONMENT) && !asset_is_valley(name);
@@ -146,9 +146,9 @@ static char *whole_name(const char *name)
 }
 
 /* Returns the first option or feature in use that a session cannot store; NULL if there is none. */
-static const char *left_out(const struct view *v)
+static const char *unsupported(const struct view *v)
 {
-    const struct app_scene *s = &v->picture->state.scene;
+    const struct app_scene *s = &v->viewport->state.scene;
 
     const struct {
         bool is_there;
@@ -162,7 +162,7 @@ static const char *left_out(const struct view *v)
         { s->animation, "--animation" },
         { s->material_override_count, "--material NODE=..." },
         { s->background.is_given, "--background" },
-        { v->compare.other == VIEW_SIDE_B_FILE, "the image on side B" },
+        { v->compare.side_b == VIEW_SIDE_B_FILE, "the image on side B" },
     };
 
     for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++) {
@@ -177,9 +177,9 @@ static char *print(const struct view *v, const char *scene, const char *environm
     const struct session_file session = {
         .scene = scene,
         .environment = environment,
-        .env_exposure = v->picture->state.scene.env_exposure,
+        .env_exposure = v->viewport->state.scene.env_exposure,
         .state = view_state_now(v),
-        .camera = v->picture->camera,
+        .camera = v->viewport->camera,
         .time = view_time(v),
     };
     struct session_file all = session;
@@ -198,16 +198,16 @@ static char *print(const struct view *v, const char *scene, const char *environm
 
 void view_save_session(struct view *v)
 {
-    const struct app_scene *s = &v->picture->state.scene;
+    const struct app_scene *s = &v->viewport->state.scene;
     char words[600];
     size_t size = 0;
     char *folder = user_files_sessions(true);
     char *path = folder ? user_files_new(folder, "session", ".firn") : NULL;
-    char *scene = whole_name(s->name);
-    char *environment = s->environment ? whole_name(s->environment) : NULL;
+    char *scene = absolute_name(s->name);
+    char *environment = s->environment ? absolute_name(s->environment) : NULL;
     char *text = path && scene ? print(v, scene, environment, &size) : NULL;
     if (text && file_io_write(path, text, size) == STATUS_OK) {
-        const char *out = left_out(v);
+        const char *out = unsupported(v);
         snprintf(words, sizeof(words), "saved %s%s%s", path, out ? " without " : "",
                  out ? out : "");
         ui_show_message(v->ui, words);

@@ -12,7 +12,7 @@
 #include "src/view/window_x11_shm.h"
 #include "src/view/worker.h"
 
-/* time that the window's size must stay unchanged before resizing */
+/* time without size changes before the renderer is resized, seconds */
 static const double rest_seconds = 0.12;
 static const double idle_seconds = 0.1; /* poll interval while there is nothing to draw */
 
@@ -28,35 +28,36 @@ void view_set_title(struct view *v, const char *what)
 void view_clear_errors(struct view *v)
 {
     char line[STDERR_CAPTURE_SIZE];
-    (void)stderr_capture_take(&v->echo, line);
+    (void)stderr_capture_take(&v->stderr_capture, line);
 }
 
 void view_fail(struct view *v, const char *what)
 {
     char why[STDERR_CAPTURE_SIZE];
     char words[STDERR_CAPTURE_SIZE + 64];
-    const bool known = stderr_capture_take(&v->echo, why);
+    const bool known = stderr_capture_take(&v->stderr_capture, why);
     snprintf(words, sizeof(words), "%s%s%s", what, known ? ": " : "", why);
     ui_show_failure(v->ui, words);
 }
 
 static bool shows_panels(const struct app_options *o)
 {
-    const bool hands = !o->view.frame_count && !o->run.outputs.count;
-    return o->view.overlay == APP_OVERLAY_ON || (hands && o->view.overlay == APP_OVERLAY_AUTO);
+    const bool is_interactive = !o->view.frame_count && !o->run.outputs.count;
+    return o->view.overlay == APP_OVERLAY_ON ||
+           (is_interactive && o->view.overlay == APP_OVERLAY_AUTO);
 }
 
 /* Chooses the window size: --size is that of the image; limited to the desktop's size. */
 static VkExtent2D fit_window(void *user, float scale, VkExtent2D room)
 {
     struct view *v = user;
-    const struct app_image *p = &v->options->picture;
-    const VkExtent2D picture = { p->width, p->height };
+    const struct app_image *p = &v->options->image;
+    const VkExtent2D image = { p->width, p->height };
     const float given = v->options->view.ui_scale;
     v->ui_scale = given > 0.0f ? given : scale;
     if (!shows_panels(v->options))
-        return picture;
-    const VkExtent2D size = window_layout_for_image(picture, v->ui_scale);
+        return image;
+    const VkExtent2D size = window_layout_for_image(image, v->ui_scale);
     return (VkExtent2D){
         room.width && room.width < size.width ? room.width : size.width,
         room.height && room.height < size.height ? room.height : size.height,
@@ -86,10 +87,10 @@ static enum status open_device(void *user)
     if (status == STATUS_OK)
         status = window_surface(&v->window, &v->gpu, &v->surface);
     if (status == STATUS_OK)
-        v->canvas = window_x11_shm_open(v->window.handle);
+        v->shm_window = window_x11_shm_open(v->window.handle);
     if (status == STATUS_OK)
-        status = presenter_init(&v->screen, &v->gpu, v->surface, v->options->view.present,
-                                window_x11_shm_canvas(v->canvas));
+        status = presenter_init(&v->presenter, &v->gpu, v->surface, v->options->view.present,
+                                window_x11_shm_canvas(v->shm_window));
     return status;
 }
 
@@ -98,12 +99,12 @@ void view_show_name(struct view *v)
     static const char *const other[] = {
         [VIEW_SIDE_B_FILE] = "image", [VIEW_SIDE_B_REFERENCE] = "reference"
     };
-    const struct app_image *p = &v->picture->state;
+    const struct app_image *p = &v->viewport->state;
     char words[200];
-    if (v->compare.other != VIEW_SIDE_B_NONE)
+    if (v->compare.side_b != VIEW_SIDE_B_NONE)
         snprintf(words, sizeof(words), "%s, %s | %s%s", p->scene.name,
                  p->refraction->refraction.name,
-                 p->split ? p->split->refraction.name : other[v->compare.other],
+                 p->split ? p->split->refraction.name : other[v->compare.side_b],
                  v->paused ? ", paused" : "");
     else
         snprintf(words, sizeof(words), "%s%s", p->scene.name, v->paused ? ", paused" : "");
@@ -113,25 +114,25 @@ void view_show_name(struct view *v)
 static enum status load(void *user)
 {
     struct view *v = user;
-    if (v->picture)
-        return viewport_upload(v->picture);
+    if (v->viewport)
+        return viewport_upload(v->viewport);
     if (shows_panels(v->options) || !v->options->view.frame_count)
-        ui_thumbnails_load(&v->pictures, &v->first.scene.reader);
-    return viewport_create(&v->picture, &v->gpu, &v->first, v->watch, v->options->run.quiet,
-                           !v->options->view.frame_count);
+        ui_thumbnails_load(&v->thumbnails, &v->initial_state.scene.reader);
+    return viewport_create(&v->viewport, &v->gpu, &v->initial_state, v->shader_reload,
+                           v->options->run.quiet, !v->options->view.frame_count);
 }
 
 void view_show_ui(struct view *v, bool shown)
 {
     ui_show(v->ui, shown);
-    presenter_set_font(&v->screen, shown ? ui_font(v->ui) : NULL);
+    presenter_set_font(&v->presenter, shown ? ui_font(v->ui) : NULL);
 }
 
 static enum status open_ui(struct view *v)
 {
     const struct app_options *o = v->options;
     const enum status status =
-        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), &v->pictures, o->run.quiet);
+        ui_create(&v->ui, &v->gpu, v->ui_scale, theme_at(v->theme), &v->thumbnails, o->run.quiet);
     if (status != STATUS_OK)
         return status;
     window_set_listener(&v->window, ui_handle_event, v->ui);
@@ -144,18 +145,18 @@ static enum status open_ui(struct view *v)
 static void leave_device(struct view *v)
 {
     v->window.listen = NULL;
-    presenter_finish(&v->screen);
-    window_x11_shm_close(v->canvas);
-    v->canvas = NULL;
+    presenter_finish(&v->presenter);
+    window_x11_shm_close(v->shm_window);
+    v->shm_window = NULL;
     view_compare_stop(v);
     if (v->gpu.device) {
-        pixel_inspector_finish(&v->look, &v->gpu);
+        pixel_inspector_finish(&v->inspector, &v->gpu);
         comparison_image_leave_device(&v->compare.file, &v->gpu);
-        comparison_image_leave_device(&v->compare.traced, &v->gpu);
-        comparison_image_leave_device(&v->compare.errors, &v->gpu);
+        comparison_image_leave_device(&v->compare.reference, &v->gpu);
+        comparison_image_leave_device(&v->compare.error_image, &v->gpu);
     }
     ui_destroy(v->ui);
-    viewport_leave_device(v->picture);
+    viewport_leave_device(v->viewport);
     if (v->surface)
         vkDestroySurfaceKHR(v->gpu.instance, v->surface, NULL);
     gpu_destroy(&v->gpu);
@@ -168,14 +169,14 @@ static void leave_device(struct view *v)
 static void finish(struct view *v)
 {
     leave_device(v);
-    noise_estimate_finish(&v->refine.noise);
-    flip_error_map_finish(&v->compare.map);
+    noise_estimate_finish(&v->progressive.noise);
+    flip_error_map_finish(&v->compare.flip_map);
     image_finish(&v->compare.file.linear);
     session_file_finish(&v->session);
-    ui_thumbnails_finish(&v->pictures);
-    viewport_destroy(v->picture);
-    undo_scenes_prune(&v->opened, NULL);
-    shader_reload_destroy(v->watch);
+    ui_thumbnails_finish(&v->thumbnails);
+    viewport_destroy(v->viewport);
+    undo_scenes_prune(&v->undo_scenes, NULL);
+    shader_reload_destroy(v->shader_reload);
     window_finish(&v->window);
 }
 
@@ -188,19 +189,19 @@ static bool wait_for_frame(struct view *v, VkExtent2D size)
     const double before = v->now;
     const bool counted = o->frame_count != 0;
     v->now = clock_seconds();
-    if (!v->paused && o->time_step <= 0.0 && v->costs.frame_count)
+    if (!v->paused && o->time_step <= 0.0 && v->frame_stats.frame_count)
         v->elapsed += v->now - before;
     const bool idle =
         v->paused && !v->changed && !counted && !ui_is_busy(v->ui) && !(v->resize_at > 0.0);
     const double rest = view_progressive_wait(v);
-    if (size.width != 0 && !idle && v->now >= v->next)
+    if (size.width != 0 && !idle && v->now >= v->next_frame_at)
         return true;
     if (size.width == 0 || idle) {
         window_wait(&v->window, rest > 0.0 && rest < idle_seconds ? rest : idle_seconds);
-        view_frame_stats_pause(&v->costs);
+        view_frame_stats_pause(&v->frame_stats);
     } else {
-        window_wait(&v->window, v->next - v->now);
-        view_frame_stats_limit(&v->costs, v->now);
+        window_wait(&v->window, v->next_frame_at - v->now);
+        view_frame_stats_limit(&v->frame_stats, v->now);
     }
     return false;
 }
@@ -208,55 +209,56 @@ static bool wait_for_frame(struct view *v, VkExtent2D size)
 static enum status resize(void *user)
 {
     struct view *v = user;
-    return viewport_resize(v->picture, v->wanted);
+    return viewport_resize(v->viewport, v->requested_size);
 }
 
 /* Resizes the renderer to the image area. While the user drags the window's edge, the last image is
  * shown scaled, because replacing the renderer takes longer than a frame. */
-static enum status fit_picture(struct view *v, bool window_is_other)
+static enum status fit_image(struct view *v, bool window_changed)
 {
-    const struct viewport *p = v->picture;
-    const VkExtent2D room = v->layout.picture.extent;
+    const struct viewport *p = v->viewport;
+    const VkExtent2D room = v->layout.image.extent;
     char words[REBUILD_LOG_SIZE];
-    const bool waits = window_is_other && p->renderer && !v->options->view.frame_count;
+    const bool waits = window_changed && p->renderer && !v->options->view.frame_count;
     if (p->renderer && p->state.width == room.width && p->state.height == room.height) {
         v->resize_at = 0.0;
         return STATUS_OK;
     }
-    if (!(v->resize_at > 0.0) || v->wanted.width != room.width || v->wanted.height != room.height)
+    if (!(v->resize_at > 0.0) || v->requested_size.width != room.width ||
+        v->requested_size.height != room.height)
         v->resize_at = clock_seconds() + (waits ? rest_seconds : 0.0);
-    v->wanted = room;
+    v->requested_size = room;
     if (clock_seconds() < v->resize_at)
         return STATUS_OK;
     v->resize_at = 0.0;
     v->changed = true;
-    presenter_disconnect(&v->screen);
+    presenter_disconnect(&v->presenter);
     if (!p->renderer)
         return resize(v);
     const double start = clock_seconds();
     const enum status status = worker_run(&v->window, resize, v);
     snprintf(words, sizeof(words), "image size %ux%u (plan recompiled in %.0f ms)", room.width,
              room.height, (clock_seconds() - start) * 1e3);
-    rebuild_log_add(&v->reloads, words);
+    rebuild_log_add(&v->rebuild_log, words);
     return status;
 }
 
 void view_update_layout(struct view *v, VkExtent2D size)
 {
-    v->layout = window_layout_of(size, v->ui_scale, v->screen.font != NULL);
-    v->window.view = v->layout.picture;
+    v->layout = window_layout_of(size, v->ui_scale, v->presenter.font != NULL);
+    v->window.image_area = v->layout.image;
 }
 
 /* Resizes swapchain, layout and renderer to the window. *ready is false if nothing can be drawn. */
 static enum status fit(struct view *v, VkExtent2D size, bool *ready)
 {
     bool remade;
-    enum status status = presenter_fit(&v->screen, size, &remade);
-    *ready = status == STATUS_OK && !v->screen.swapchain.stale;
+    enum status status = presenter_fit(&v->presenter, size, &remade);
+    *ready = status == STATUS_OK && !v->presenter.swapchain.stale;
     if (!*ready)
         return status;
-    view_update_layout(v, v->screen.swapchain.extent);
-    return fit_picture(v, remade);
+    view_update_layout(v, v->presenter.swapchain.extent);
+    return fit_image(v, remade);
 }
 
 /* Makes the presentation plan use the current images. */
@@ -264,20 +266,20 @@ static enum status connect(struct view *v)
 {
     const double start = clock_seconds();
     const struct presenter_images shown = {
-        .left = viewport_left(v->picture),
-        .right = viewport_right(v->picture),
-        .extent = viewport_extent(v->picture),
-        .right_extent = viewport_right_extent(v->picture),
+        .left = viewport_left(v->viewport),
+        .right = viewport_right(v->viewport),
+        .extent = viewport_extent(v->viewport),
+        .right_extent = viewport_right_extent(v->viewport),
     };
-    const enum status status = presenter_connect(&v->screen, &shown);
-    view_frame_stats_exclude(&v->costs, start);
+    const enum status status = presenter_connect(&v->presenter, &shown);
+    view_frame_stats_exclude(&v->frame_stats, start);
     return status;
 }
 
 float view_time(const struct view *v)
 {
     const struct motion_params *motion =
-        settings_of(&v->picture->state.scene.settings, &motion_settings);
+        settings_of(&v->viewport->state.scene.settings, &motion_settings);
     return (float)((double)motion->time + v->elapsed);
 }
 
@@ -289,7 +291,7 @@ void view_seek(struct view *v, float time)
 
 static struct renderer_shot shot_now(const struct view *v)
 {
-    return (struct renderer_shot){ .camera = v->picture->camera, .time = view_time(v) };
+    return (struct renderer_shot){ .camera = v->viewport->camera, .time = view_time(v) };
 }
 
 /* Poses an animated model for the current time; pauses if its file cannot be read any more. */
@@ -297,38 +299,40 @@ static void pose(struct view *v)
 {
     const double start = clock_seconds();
     const float time = shot_now(v).time;
-    if (viewport_is_posed(v->picture, time))
+    if (viewport_is_posed(v->viewport, time))
         return;
-    presenter_disconnect(&v->screen);
+    presenter_disconnect(&v->presenter);
     view_compare_stop(v);
     v->changed = true;
-    if (viewport_pose(v->picture, time) != STATUS_OK) {
-        v->elapsed += (double)v->picture->scene.time - (double)time;
+    if (viewport_pose(v->viewport, time) != STATUS_OK) {
+        v->elapsed += (double)v->viewport->scene.time - (double)time;
         v->paused = true;
         view_show_name(v);
     }
-    view_frame_stats_exclude(&v->costs, start);
+    view_frame_stats_exclude(&v->frame_stats, start);
 }
 
 /* Draws the image unless it is unchanged. */
-static enum status draw_picture(struct view *v)
+static enum status draw_image(struct view *v)
 {
     const struct renderer_shot shot = shot_now(v);
     /* images of new renderers have no contents yet */
-    const bool is_new = v->picture->refines && v->picture->version != v->refine.seen.version;
-    const bool other = v->changed || shot.time < v->shown || shot.time > v->shown;
+    const bool is_new = v->viewport->is_progressive &&
+                        v->viewport->version != v->progressive.identity.renderer_version;
+    const bool other = v->changed || shot.time < v->drawn_time || shot.time > v->drawn_time;
     v->redrawn = is_new || (other && !(v->resize_at > 0.0));
     if (!v->redrawn)
         return STATUS_OK;
-    v->shown = shot.time;
+    v->drawn_time = shot.time;
     v->changed = false;
-    return v->picture->refines ? view_progressive_draw(v, &shot) : viewport_draw(v->picture, &shot);
+    return v->viewport->is_progressive ? view_progressive_draw(v, &shot)
+                                       : viewport_draw(v->viewport, &shot);
 }
 
 struct window_frame view_window(const struct view *v, const struct overlay_draw_list *list)
 {
     return (struct window_frame){
-        .present = v->place,
+        .present = v->image_area,
         .layout = v->layout,
         .overlay = list,
     };
@@ -338,8 +342,8 @@ struct window_frame view_window(const struct view *v, const struct overlay_draw_
 static enum status draw(struct view *v, bool *ready)
 {
     const struct overlay_draw_list *list = NULL;
-    const struct viewport *p = v->picture;
-    enum status status = draw_picture(v);
+    const struct viewport *p = v->viewport;
+    enum status status = draw_image(v);
     if (status == STATUS_OK) {
         view_inspect(v);
         status = view_compare_show(v);
@@ -348,31 +352,31 @@ static enum status draw(struct view *v, bool *ready)
         status = connect(v);
     }
     if (status == STATUS_OK)
-        status = presenter_begin(&v->screen, ready);
-    v->changed = v->changed || !*ready; /* what was drawn has not been presented yet */
+        status = presenter_begin(&v->presenter, ready);
+    v->changed = v->changed || !*ready; /* draw again, as nothing was presented */
     if (status != STATUS_OK || !*ready)
         return status;
-    if (v->screen.font)
-        list = ui_copy_draw_list(v->ui,
-                                 rg_exec_mapped(v->screen.exec, &overlay_vertices, v->screen.slot),
-                                 rg_exec_mapped(v->screen.exec, &overlay_indices, v->screen.slot));
-    const bool divided = viewport_is_split(p) && !p->flipped && !v->compare.differs;
-    v->place = present_fit(v->layout.picture, viewport_extent(p), divided ? p->divider : -1.0);
-    v->place.surround = theme_at(v->theme)->surround;
+    if (v->presenter.font)
+        list = ui_copy_draw_list(
+            v->ui, rg_exec_mapped(v->presenter.exec, &overlay_vertices, v->presenter.slot),
+            rg_exec_mapped(v->presenter.exec, &overlay_indices, v->presenter.slot));
+    const bool divided = viewport_is_split(p) && !p->flipped && !v->compare.wants_error_map;
+    v->image_area = present_fit(v->layout.image, viewport_extent(p), divided ? p->divider : -1.0);
+    v->image_area.surround = theme_at(v->theme)->surround;
     const struct window_frame window = view_window(v, list);
-    return presenter_end(&v->screen, &window);
+    return presenter_end(&v->presenter, &window);
 }
 
 /* Adds the files named by options to the recent files, except in scripted runs with --frames. */
 static void remember(const struct view *v)
 {
-    const char *environment = v->first.scene.environment;
+    const char *environment = v->initial_state.scene.environment;
     if (v->options->view.frame_count)
         return;
     if (environment)
         recent_files_add(environment);
-    if (!scene_find_builtin(v->first.scene.name))
-        recent_files_add(v->first.scene.name);
+    if (!scene_find_builtin(v->initial_state.scene.name))
+        recent_files_add(v->initial_state.scene.name);
 }
 
 /* Restores the rest of a session after the first frame, when renderers and panels exist. */
@@ -386,20 +390,21 @@ static void begin_session(struct view *v)
 
 static void count_frame(struct view *v)
 {
-    struct view_frame_stats *c = &v->costs;
-    const struct viewport *p = v->picture;
+    struct view_frame_stats *c = &v->frame_stats;
+    const struct viewport *p = v->viewport;
     const struct app_view *o = &v->options->view;
-    struct rg_times times[3] = { rg_exec_times(v->screen.exec) };
+    struct rg_times times[3] = { rg_exec_times(v->presenter.exec) };
     uint32_t count = 1;
     if (v->redrawn)
         times[count++] = renderer_times(viewport_renderer(p, false));
     if (v->redrawn && viewport_renderer(p, true))
         times[count++] = renderer_times(viewport_renderer(p, true));
-    view_frame_stats_end(c, times, count, v->screen.waited);
-    if (p->refines && (v->redrawn || v->refine.is_whole || v->refine.shown == 1))
+    view_frame_stats_end(c, times, count, v->presenter.wait_seconds);
+    if (p->is_progressive &&
+        (v->redrawn || v->progressive.has_full_draft || v->progressive.shown_count == 1))
         view_frame_stats_image(c, v->redrawn);
-    if (v->redrawn && p->refines && !p->quick.is_off && c->last.frame > 0.0)
-        dynamic_resolution_add(&v->refine.moving, c->last.frame - c->last.limit,
+    if (v->redrawn && p->is_progressive && !p->draft.is_off && c->last.frame > 0.0)
+        dynamic_resolution_add(&v->progressive.dynamic_resolution, c->last.frame - c->last.limit,
                                viewport_pass_seconds(p));
     if (c->frame_count == 1) {
         remember(v);
@@ -411,7 +416,7 @@ static void count_frame(struct view *v)
     if (o->time_step > 0.0 && !v->paused)
         v->elapsed += o->time_step;
     if (o->fps_limit)
-        v->next = v->now + 1.0 / o->fps_limit;
+        v->next_frame_at = v->now + 1.0 / o->fps_limit;
     v->quit = v->quit || (o->frame_count && c->frame_count >= o->frame_count);
 }
 
@@ -439,9 +444,9 @@ static enum status run_frame(struct view *v)
     if (status != STATUS_OK || !ready)
         return status;
     count_frame(v);
-    if (v->shoot && !(v->resize_at > 0.0))
+    if (v->wants_screenshot && !(v->resize_at > 0.0))
         view_take_screenshot(v);
-    return v->costs.frame_count == 1 ? view_progressive_begin(v) : STATUS_OK;
+    return v->frame_stats.frame_count == 1 ? view_progressive_begin(v) : STATUS_OK;
 }
 
 /* Performs the slow part of the first frame on the worker thread: creates the renderers and draws
@@ -451,11 +456,11 @@ static enum status warm_up(void *user)
     struct view *v = user;
     bool ready;
     const struct renderer_shot shot = shot_now(v);
-    enum status status = fit(v, v->first_size, &ready);
+    enum status status = fit(v, v->initial_size, &ready);
     if (status == STATUS_OK && ready)
-        status = viewport_draw(v->picture, &shot);
+        status = viewport_draw(v->viewport, &shot);
     if (status == STATUS_OK && ready)
-        status = viewport_wait(v->picture);
+        status = viewport_wait(v->viewport);
     return status;
 }
 
@@ -467,7 +472,7 @@ static enum status begin_device(struct view *v)
     enum status status = worker_run(&v->window, open_device, v);
     if (status != STATUS_OK || window_is_closed(&v->window))
         return status;
-    snprintf(words, sizeof(words), "loading %s", v->first.scene.name);
+    snprintf(words, sizeof(words), "loading %s", v->initial_state.scene.name);
     view_set_title(v, words);
     status = worker_run(&v->window, load, v);
     if (status != STATUS_OK || window_is_closed(&v->window))
@@ -476,9 +481,9 @@ static enum status begin_device(struct view *v)
     if (status != STATUS_OK)
         return status;
     view_set_title(v, "loading shaders");
-    v->screen.replace = v->watch ? shader_reload_replace : NULL;
-    v->screen.replace_user = v->watch;
-    v->first_size = window_size(&v->window);
+    v->presenter.replace = v->shader_reload ? shader_reload_replace : NULL;
+    v->presenter.replace_user = v->shader_reload;
+    v->initial_size = window_size(&v->window);
     return worker_run(&v->window, warm_up, v);
 }
 
@@ -487,9 +492,9 @@ static enum status begin(struct view *v)
 {
     const struct app_options *o = v->options;
     enum status status =
-        viewport_can_save(o->picture.split, o->run.outputs.paths, o->run.outputs.count);
+        viewport_can_save(o->image.split, o->run.outputs.paths, o->run.outputs.count);
     if (status == STATUS_OK && o->view.watch)
-        status = shader_reload_create(&v->watch, o->view.watch, o->run.quiet);
+        status = shader_reload_create(&v->shader_reload, o->view.watch, o->run.quiet);
     if (status == STATUS_OK)
         status = open_window(v);
     return status == STATUS_OK ? begin_device(v) : status;
@@ -499,7 +504,7 @@ static enum status begin(struct view *v)
 static enum status recover(struct view *v, enum status status)
 {
     const bool has_ui = v->ui;
-    const bool shown = v->screen.font;
+    const bool shown = v->presenter.font;
     if (status != STATUS_TRY_AGAIN || v->recovered || !gpu_is_lost(&v->gpu))
         return status;
     v->recovered = true;
@@ -523,7 +528,7 @@ static enum status run(struct view *v)
         status = recover(v, run_frame(v));
         v->quit = v->quit || window_is_closed(&v->window);
     }
-    if (status == STATUS_OK && v->options->run.outputs.count && v->costs.frame_count)
+    if (status == STATUS_OK && v->options->run.outputs.count && v->frame_stats.frame_count)
         status = view_write_outputs(v);
     return status;
 }
@@ -536,31 +541,31 @@ enum status viewer_run(const struct app_options *options)
     }
     v->options = options;
     v->theme = options->view.theme;
-    v->first = options->picture;
-    const struct reader_params *reader = &options->picture.scene.reader;
+    v->initial_state = options->image;
+    const struct reader_params *reader = &options->image.scene.reader;
     enum status status = STATUS_OK;
     if (options->view.session)
         status = view_read_session(&v->session, options->view.session, reader);
-    v->first.scene.stated = v->first.scene.settings;
+    v->initial_state.scene.user_settings = v->initial_state.scene.settings;
     if (v->session.scene)
-        view_apply_session(&v->session, &v->first);
-    if (!v->first.samples)
-        v->first.samples = options->view.frame_count ? 1 : VIEW_SAMPLE_COUNT;
-    v->refine.goal = v->first.samples;
-    v->compare.other = v->first.split ? VIEW_SIDE_B_MODEL : VIEW_SIDE_B_NONE;
+        view_apply_session(&v->session, &v->initial_state);
+    if (!v->initial_state.samples)
+        v->initial_state.samples = options->view.frame_count ? 1 : VIEW_SAMPLE_COUNT;
+    v->progressive.target_count = v->initial_state.samples;
+    v->compare.side_b = v->initial_state.split ? VIEW_SIDE_B_MODEL : VIEW_SIDE_B_NONE;
     v->paused = !options->view.frame_count && !(options->view.time_step > 0.0);
     if (status == STATUS_OK)
-        status = signals_begin(&v->stop);
-    stderr_capture_begin(&v->echo);
+        status = signals_begin(&v->signals);
+    stderr_capture_begin(&v->stderr_capture);
     if (status == STATUS_OK)
         status = run(v);
-    stderr_capture_end(&v->echo);
+    stderr_capture_end(&v->stderr_capture);
     if (status == STATUS_OK && !options->run.quiet)
-        view_frame_stats_print(&v->costs, stderr);
+        view_frame_stats_print(&v->frame_stats, stderr);
     finish(v);
     if (status == STATUS_OK && v->message_count)
         status = STATUS_FAILED; /* the validation layer has logged the reason */
-    signals_end(&v->stop);
+    signals_end(&v->signals);
     free(v);
     return status;
 }

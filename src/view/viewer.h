@@ -1,6 +1,4 @@
-/*
- * viewer.h: `firn view`: shows a scene in an interactive window.
- */
+/* viewer.h: `firn view`: shows a scene in an interactive window. */
 #ifndef FIRN_VIEW_VIEWER_H
 #define FIRN_VIEW_VIEWER_H
 

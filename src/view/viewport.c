@@ -18,19 +18,19 @@ static char *copy(const char *text)
     return text ? strdup(text) : NULL;
 }
 
-enum status viewport_create(struct viewport **picture, struct gpu *gpu,
-                            const struct app_image *state, struct shader_reload *watch, bool quiet,
+enum status viewport_create(struct viewport **viewport, struct gpu *gpu,
+                            const struct app_image *state, struct shader_reload *reload, bool quiet,
                             bool refines)
 {
     struct viewport *p = calloc(1, sizeof(*p));
-    *picture = NULL;
+    *viewport = NULL;
     if (!p)
         return log_out_of_memory(NULL);
     p->gpu = gpu;
-    p->watch = watch;
+    p->shader_reload = reload;
     p->divider = 0.5;
     p->quiet = quiet;
-    p->refines = refines;
+    p->is_progressive = refines;
     p->state = *state;
     p->state.scene.name = p->scene_name = copy(state->scene.name);
     p->state.scene.environment = p->environment_name = copy(state->scene.environment);
@@ -45,12 +45,12 @@ enum status viewport_create(struct viewport **picture, struct gpu *gpu,
         app_choose_refraction(&p->state, &p->scene, &p->camera);
     if (status == STATUS_OK)
         app_check_rays(&p->state.scene.settings, p->gpu);
-    p->state.scene.quiet = true; /* notes were logged on the first load */
+    p->state.scene.quiet = true; /* do not log the scene's notes again */
     p->first_camera = p->camera;
     if (status == STATUS_OK)
         status = viewport_upload(p);
     if (status == STATUS_OK)
-        *picture = p;
+        *viewport = p;
     else
         viewport_destroy(p);
     return status;
@@ -58,12 +58,12 @@ enum status viewport_create(struct viewport **picture, struct gpu *gpu,
 
 static void forget_renderers(struct viewport *p)
 {
-    draft_renderer_finish(&p->quick);
+    draft_renderer_finish(&p->draft);
     renderer_destroy(p->renderer);
-    renderer_destroy(p->right);
+    renderer_destroy(p->right_renderer);
     p->shows_draft = false;
     p->renderer = NULL;
-    p->right = NULL;
+    p->right_renderer = NULL;
 }
 
 static void forget_scene(struct viewport_scene *scene, struct gpu *gpu)
@@ -108,8 +108,8 @@ struct renderer_params viewport_params(struct viewport *p)
     struct renderer_params params = app_renderer_params(&p->state, p->gpu, &p->scene);
     params.uploaded = &p->uploaded;
     renderer_set_camera(&params, &p->camera);
-    params.replace = p->watch ? shader_reload_replace : NULL;
-    params.replace_user = p->watch;
+    params.replace = p->shader_reload ? shader_reload_replace : NULL;
+    params.replace_user = p->shader_reload;
     return params;
 }
 
@@ -159,7 +159,7 @@ static enum status fit_renderer(const struct viewport *p, struct renderer_params
                                 struct renderer **renderer)
 {
     params.keep = true;
-    params.refines = p->refines;
+    params.refines = p->is_progressive;
     params.measured = true;
     enum status status = *renderer ? renderer_change(*renderer, &params) : STATUS_TRY_AGAIN;
     if (status != STATUS_TRY_AGAIN)
@@ -180,14 +180,14 @@ static bool are_wide(struct viewport *p)
 
 bool viewport_is_outgrown(struct viewport *p)
 {
-    return p->renderer && are_wide(p) != p->is_wide;
+    return p->renderer && are_wide(p) != p->draws_beyond_image;
 }
 
 static void forget_right(struct viewport *p)
 {
-    renderer_destroy(p->right);
-    renderer_destroy(p->quick.right);
-    p->right = p->quick.right = NULL;
+    renderer_destroy(p->right_renderer);
+    renderer_destroy(p->draft.right);
+    p->right_renderer = p->draft.right = NULL;
 }
 
 /* Updates the renderers of both sides. On failure there are none. */
@@ -196,20 +196,20 @@ static enum status fit_renderers(struct viewport *p)
     struct viewport_scene *before = p->side_b_scene;
     enum status status = make_right_scene(p);
     if (before || p->side_b_scene || !p->state.split)
-        forget_right(p); /* a renderer is bound to one scene */
+        forget_right(p); /* renderers cannot change their scene */
     forget_scene(before, p->gpu);
     if (status == STATUS_OK)
         status = fit_renderer(p, viewport_params(p), &p->renderer);
     if (status == STATUS_OK && p->state.split)
-        status = fit_renderer(p, viewport_right_params(p), &p->right);
+        status = fit_renderer(p, viewport_right_params(p), &p->right_renderer);
     if (status != STATUS_OK) {
         forget_renderers(p);
         return status;
     }
-    p->is_wide = are_wide(p);
+    p->draws_beyond_image = are_wide(p);
     p->version++;
     p->shows_mean = p->shows_draft = false;
-    p->view = (VkExtent2D){ p->state.width, p->state.height };
+    p->extent = (VkExtent2D){ p->state.width, p->state.height };
     return STATUS_OK;
 }
 
@@ -218,8 +218,7 @@ enum status viewport_rebuild(struct viewport *p)
     return p->renderer ? fit_renderers(p) : STATUS_OK;
 }
 
-/* Recreates the renderers of the restored state after a failed change. If that fails, too,
- * viewport_resize() tries again. */
+/* Recreates the renderers of the restored state; if that fails, viewport_resize() tries again. */
 static enum status restore(struct viewport *p, enum status status)
 {
     (void)fit_renderers(p);
@@ -265,13 +264,13 @@ bool viewport_is_split(const struct viewport *p)
 enum status viewport_rotate_panorama(struct viewport *p, float degrees)
 {
     const float before = p->state.scene.env_rotate;
-    const float turn = p->scene.environment.turn;
+    const float rotation = p->scene.environment.turn;
     p->state.scene.env_rotate = degrees;
     p->scene.environment.turn = degrees / 360.0f - floorf(degrees / 360.0f);
     const enum status status = viewport_rebuild(p);
     if (status != STATUS_OK) {
         p->state.scene.env_rotate = before;
-        p->scene.environment.turn = turn;
+        p->scene.environment.turn = rotation;
         return restore(p, status);
     }
     return STATUS_OK;
@@ -282,8 +281,8 @@ enum status viewport_rotate_panorama(struct viewport *p, float degrees)
 enum status viewport_draw(struct viewport *p, const struct renderer_shot *shot)
 {
     enum status status = renderer_draw(p->renderer, shot);
-    if (status == STATUS_OK && p->right)
-        status = renderer_draw(p->right, shot);
+    if (status == STATUS_OK && p->right_renderer)
+        status = renderer_draw(p->right_renderer, shot);
     return status;
 }
 
@@ -299,8 +298,8 @@ static struct draft_renderer_params draft_renderer_params(struct viewport *p)
 
 bool viewport_wants_draft(const struct viewport *p)
 {
-    const struct draft_renderer *q = &p->quick;
-    return !q->left && !q->is_off && !q->failed && p->refines && p->renderer &&
+    const struct draft_renderer *q = &p->draft;
+    return !q->left && !q->is_off && !q->failed && p->is_progressive && p->renderer &&
            !p->scene.is_animated;
 }
 
@@ -313,50 +312,50 @@ enum status viewport_create_draft(struct viewport *p, const struct renderer_shot
                                                &p->side_b_scene->scene);
     if (status != STATUS_OK && status != STATUS_TRY_AGAIN)
         return status;
-    return draft_renderer_create(&p->quick, &params, shot);
+    return draft_renderer_create(&p->draft, &params, shot);
 }
 
 enum status viewport_draw_interactive(struct viewport *p, const struct renderer_shot *shot,
                                       VkExtent2D view)
 {
     const struct draft_renderer_params params = draft_renderer_params(p);
-    enum status status = p->quick.is_off ? STATUS_OK : draft_renderer_update(&p->quick, &params);
-    p->view = view;
+    enum status status = p->draft.is_off ? STATUS_OK : draft_renderer_update(&p->draft, &params);
+    p->extent = view;
     p->shows_mean = false;
-    p->shows_draft = p->quick.left && !p->quick.is_off;
+    p->shows_draft = p->draft.left && !p->draft.is_off;
     if (status == STATUS_OK && p->shows_draft)
-        return draft_renderer_draw(&p->quick, shot, view);
+        return draft_renderer_draw(&p->draft, shot, view);
     if (status == STATUS_OK)
         status = renderer_set_view(p->renderer, view);
-    if (status == STATUS_OK && p->right)
-        status = renderer_set_view(p->right, view);
+    if (status == STATUS_OK && p->right_renderer)
+        status = renderer_set_view(p->right_renderer, view);
     return status == STATUS_OK ? viewport_draw(p, shot) : status;
 }
 
 enum status viewport_refine(struct viewport *p, const struct renderer_shot *shot, uint32_t sample)
 {
     enum status status = renderer_refine(p->renderer, shot, sample);
-    if (status == STATUS_OK && p->right)
-        status = renderer_refine(p->right, shot, sample);
+    if (status == STATUS_OK && p->right_renderer)
+        status = renderer_refine(p->right_renderer, shot, sample);
     return status;
 }
 
 enum status viewport_resolve(struct viewport *p, uint32_t sample_count)
 {
     enum status status = renderer_resolve(p->renderer, sample_count);
-    if (status == STATUS_OK && p->right)
-        status = renderer_resolve(p->right, sample_count);
+    if (status == STATUS_OK && p->right_renderer)
+        status = renderer_resolve(p->right_renderer, sample_count);
     p->shows_mean = true;
     p->shows_draft = false;
-    p->view = (VkExtent2D){ p->state.width, p->state.height };
+    p->extent = (VkExtent2D){ p->state.width, p->state.height };
     return status;
 }
 
 enum status viewport_wait(struct viewport *p)
 {
     enum status status = renderer_wait(p->renderer);
-    if (status == STATUS_OK && p->right)
-        status = renderer_wait(p->right);
+    if (status == STATUS_OK && p->right_renderer)
+        status = renderer_wait(p->right_renderer);
     return status;
 }
 
@@ -372,8 +371,8 @@ static double passes_of(const struct renderer *renderer)
 const struct renderer *viewport_renderer(const struct viewport *p, bool right)
 {
     if (p->shows_draft)
-        return right ? p->quick.right : p->quick.left;
-    return right ? p->right : p->renderer;
+        return right ? p->draft.right : p->draft.left;
+    return right ? p->right_renderer : p->renderer;
 }
 
 double viewport_pass_seconds(const struct viewport *p)
@@ -388,32 +387,33 @@ static VkImage image_of(const struct viewport *p, const struct renderer *rendere
 
 VkImage viewport_right(const struct viewport *p)
 {
-    if (p->instead)
-        return p->instead;
+    if (p->replacement)
+        return p->replacement;
     const bool right = viewport_renderer(p, true);
-    return p->shows_comparison_image && p->still ? p->still
-                                                 : image_of(p, viewport_renderer(p, right));
+    return p->shows_comparison_image && p->comparison_image
+               ? p->comparison_image
+               : image_of(p, viewport_renderer(p, right));
 }
 
 VkImage viewport_left(const struct viewport *p)
 {
     if (p->flipped)
         return viewport_right(p);
-    return p->instead ? p->instead : image_of(p, viewport_renderer(p, false));
+    return p->replacement ? p->replacement : image_of(p, viewport_renderer(p, false));
 }
 
 VkExtent2D viewport_right_extent(const struct viewport *p)
 {
-    if (p->instead)
+    if (p->replacement)
         return (VkExtent2D){ p->state.width, p->state.height };
-    return p->shows_comparison_image && p->still ? p->comparison_extent : p->view;
+    return p->shows_comparison_image && p->comparison_image ? p->comparison_extent : p->extent;
 }
 
 VkExtent2D viewport_extent(const struct viewport *p)
 {
     if (p->flipped)
         return viewport_right_extent(p);
-    return p->instead ? (VkExtent2D){ p->state.width, p->state.height } : p->view;
+    return p->replacement ? (VkExtent2D){ p->state.width, p->state.height } : p->extent;
 }
 
 uint32_t viewport_divider_column(const struct viewport *p)
@@ -435,8 +435,8 @@ static float pose_time(const struct viewport *p, float time)
 
 bool viewport_is_posed(const struct viewport *p, float time)
 {
-    const float wanted = pose_time(p, time);
-    return !(wanted < p->scene.time || wanted > p->scene.time);
+    const float requested = pose_time(p, time);
+    return !(requested < p->scene.time || requested > p->scene.time);
 }
 
 /* Applies the file's camera of the current pose, unless the user has moved the camera. */
@@ -468,20 +468,20 @@ enum status viewport_pose(struct viewport *p, float time)
 
 /* ---- changes ---- */
 
-/* Replaces *picture by a new viewport with renderers of the same size, and destroys the old one. */
-static enum status replace(struct viewport **picture, const struct app_image *state,
+/* Replaces *viewport by a new viewport with renderers of the same size; destroys the old one. */
+static enum status replace(struct viewport **viewport, const struct app_image *state,
                            bool keep_camera)
 {
     struct viewport *next;
-    const bool drawn = (*picture)->renderer != NULL;
-    enum status status = viewport_create(&next, (*picture)->gpu, state, (*picture)->watch,
-                                         (*picture)->quiet, (*picture)->refines);
+    const bool drawn = (*viewport)->renderer != NULL;
+    enum status status = viewport_create(&next, (*viewport)->gpu, state, (*viewport)->shader_reload,
+                                         (*viewport)->quiet, (*viewport)->is_progressive);
     if (status == STATUS_OK) {
-        next->has_right_settings = (*picture)->has_right_settings;
-        next->right_settings = (*picture)->right_settings;
-        next->shows_comparison_image = (*picture)->shows_comparison_image;
-        next->quick.is_off = (*picture)->quick.is_off;
-        next->flipped = (*picture)->flipped;
+        next->has_right_settings = (*viewport)->has_right_settings;
+        next->right_settings = (*viewport)->right_settings;
+        next->shows_comparison_image = (*viewport)->shows_comparison_image;
+        next->draft.is_off = (*viewport)->draft.is_off;
+        next->flipped = (*viewport)->flipped;
     }
     if (status == STATUS_OK && drawn)
         status = fit_renderers(next);
@@ -490,19 +490,19 @@ static enum status replace(struct viewport **picture, const struct app_image *st
         return status;
     }
     if (keep_camera) {
-        next->camera = (*picture)->camera;
-        next->first_camera = (*picture)->first_camera;
+        next->camera = (*viewport)->camera;
+        next->first_camera = (*viewport)->first_camera;
     }
-    next->divider = (*picture)->divider;
-    next->version = (*picture)->version + 1;
-    viewport_destroy(*picture);
-    *picture = next;
+    next->divider = (*viewport)->divider;
+    next->version = (*viewport)->version + 1;
+    viewport_destroy(*viewport);
+    *viewport = next;
     return STATUS_OK;
 }
 
-enum status viewport_apply_state(struct viewport **picture, const struct app_image *state)
+enum status viewport_apply_state(struct viewport **viewport, const struct app_image *state)
 {
-    return replace(picture, state, false);
+    return replace(viewport, state, false);
 }
 
 struct settings viewport_with_exposure(const struct settings *settings, const struct settings *of)
@@ -529,25 +529,26 @@ static bool same_frame(const struct viewport *p, const struct app_image *a,
            frame_draws_cube(&b->scene.settings, &p->scene);
 }
 
-enum status viewport_change(struct viewport **picture, const struct app_scene *scene,
+enum status viewport_change(struct viewport **viewport, const struct app_scene *scene,
                             const struct technique *refraction, bool *remade)
 {
-    struct viewport *p = *picture;
+    struct viewport *p = *viewport;
     const struct app_image before = p->state;
-    struct app_image wanted = p->state;
+    struct app_image requested = p->state;
     *remade = false;
-    wanted.scene = *scene;
-    wanted.is_refraction_named = p->state.is_refraction_named || refraction != p->state.refraction;
-    wanted.refraction = refraction;
+    requested.scene = *scene;
+    requested.is_refraction_named =
+        p->state.is_refraction_named || refraction != p->state.refraction;
+    requested.refraction = refraction;
     if (settings_changed(&before.scene.settings, &scene->settings) == SETTING_AFFECTS_SCENE) {
         *remade = true;
-        return replace(picture, &wanted, true);
+        return replace(viewport, &requested, true);
     }
-    p->state = wanted;
-    if (!p->renderer || same_frame(p, &before, &wanted))
+    p->state = requested;
+    if (!p->renderer || same_frame(p, &before, &requested))
         return STATUS_OK;
     const enum status status = viewport_rebuild(p);
-    *remade = true; /* the renderers may have been replaced even on failure */
+    *remade = true; /* set even on failure, which may replace renderers */
     if (status == STATUS_OK)
         return status;
     p->state = before;
@@ -562,31 +563,31 @@ static bool is_environment(const char *path)
 static void leave_environment(struct app_scene *scene)
 {
     scene->environment = NULL;
-    scene->has_own_environment = false;
+    scene->has_default_environment = false;
     scene->env_rotate = scene->env_exposure = 0.0f;
 }
 
-enum status viewport_load(struct viewport **picture, const char *path, bool *remade)
+enum status viewport_load(struct viewport **viewport, const char *path, bool *remade)
 {
     const bool environment = is_environment(path);
-    struct app_image state = (*picture)->state;
-    state.scene.settings = state.scene.stated;
+    struct app_image state = (*viewport)->state;
+    state.scene.settings = state.scene.user_settings;
     if (environment) {
         state.scene.environment = path;
-        state.scene.has_own_environment = false;
+        state.scene.has_default_environment = false;
         state.scene.background.is_given = false;
     } else {
         state.scene.name = path;
-        state.scene.quiet = (*picture)->quiet;
+        state.scene.quiet = (*viewport)->quiet;
         /* these belonged to the previous object */
         state.camera = NULL;
         state.scene.animation = NULL;
         state.scene.material_override_count = 0;
         state.eye.is_given = state.target.is_given = state.orbit.is_given = false;
-        if (state.scene.has_own_environment)
+        if (state.scene.has_default_environment)
             leave_environment(&state.scene);
     }
-    const enum status status = replace(picture, &state, environment);
+    const enum status status = replace(viewport, &state, environment);
     *remade = status == STATUS_OK;
     return status;
 }

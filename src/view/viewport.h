@@ -24,147 +24,135 @@ struct viewport_scene {
 
 struct viewport {
     struct gpu *gpu;
-    bool quiet;             /* write files without printing a line about them */
-    struct app_image state; /* current options; its size is that of the renderer */
+    bool quiet;             /* print nothing about written files */
+    struct app_image state; /* current options and renderer size */
     char *scene_name;       /* string of `state`, owned */
-    char *environment_name; /* string of `state`, owned; may be NULL */
+    char *environment_name; /* string of `state`, owned, or NULL */
     struct scene scene;
     struct uploaded_scene uploaded;
-    struct shader_reload *watch; /* shader hot reload; may be NULL */
-    struct camera camera;        /* current camera, as moved by the user */
-    struct camera first_camera;  /* camera before the user moved it */
-    struct renderer *renderer;   /* NULL until viewport_resize() */
-    struct renderer *right;      /* renderer of state.split (side B); NULL without a split */
-    struct draft_renderer quick; /* draft renderers for interaction */
-    bool shows_draft;            /* viewport_left() and viewport_right() return images of `quick` */
-    bool has_right_settings;     /* side B uses right_settings */
+    struct shader_reload *shader_reload; /* shader hot reload; may be NULL */
+    struct camera camera;
+    struct camera first_camera;      /* camera before the user moved it */
+    struct renderer *renderer;       /* NULL until viewport_resize() */
+    struct renderer *right_renderer; /* renderer of side B, or NULL */
+    struct draft_renderer draft;     /* draft renderers for interaction */
+    bool shows_draft;                /* displayed images come from `draft` */
+    bool has_right_settings;         /* side B uses right_settings */
     struct settings right_settings;
-    struct viewport_scene *side_b_scene; /* scene of side B; NULL if that is `scene` */
-    bool shows_comparison_image;         /* side B is the fixed image `still` */
-    VkImage still; /* NULL if not available yet; side A is then shown on both sides */
-    VkExtent2D comparison_extent; /* pixels */
-    bool flipped;                 /* side B is shown in place of side A, without a divider */
-    double divider;   /* position of the divider, as a fraction of the width from the left */
-    bool refines;     /* renderers support viewport_refine() */
-    VkImage instead;  /* full-size image displayed instead of everything else; NULL if none */
-    bool shows_mean;  /* viewport_left() and viewport_right() are means of samples */
-    VkExtent2D view;  /* size of these images, pixels */
-    bool is_wide;     /* renderer_draws_beyond_image() of either renderer */
-    uint64_t version; /* changes whenever the renderers are replaced */
+    struct viewport_scene *side_b_scene; /* NULL if side B uses `scene` */
+    bool shows_comparison_image;         /* side B is `comparison_image` */
+    VkImage comparison_image;            /* NULL until available */
+    VkExtent2D comparison_extent;        /* pixels */
+    bool flipped;                        /* only side B is shown */
+    double divider;                      /* divider position, fraction of the width */
+    bool is_progressive;                 /* renderers support viewport_refine() */
+    VkImage replacement;                 /* image displayed instead, or NULL */
+    bool shows_mean;                     /* displayed images are sample means */
+    VkExtent2D extent;
+    bool draws_beyond_image; /* renderer_draws_beyond_image() of either renderer */
+    uint64_t version;        /* changes whenever the renderers are replaced */
 };
 
 struct shader_reload;
-/* Creates a viewport and loads its scene. Strings of `state` that are not copied, and `watch`, must
- * outlive it. */
-MUST_USE enum status viewport_create(struct viewport **picture, struct gpu *gpu,
-                                     const struct app_image *state, struct shader_reload *watch,
+/* Creates a viewport and loads its scene. `reload` and the strings of `state` must outlive it. */
+MUST_USE enum status viewport_create(struct viewport **viewport, struct gpu *gpu,
+                                     const struct app_image *state, struct shader_reload *reload,
                                      bool quiet, bool refines);
-void viewport_destroy(struct viewport *picture); /* may be NULL; waits for its frames */
+void viewport_destroy(struct viewport *viewport); /* may be NULL; waits for frames */
 
-/* Frees everything on the device; viewport_upload() then uploads the scene to another device that
- * was opened in the same gpu. Between the calls, or after a failed upload, only destroying and
- * viewport_upload() are allowed. */
-void viewport_leave_device(struct viewport *picture); /* may be NULL */
-MUST_USE enum status viewport_upload(struct viewport *picture);
+/* Frees all device resources; viewport_upload() then uploads the scene to a reopened device. In
+ * between, or after a failed upload, only destroying and viewport_upload() are allowed. */
+void viewport_leave_device(struct viewport *viewport); /* may be NULL */
+MUST_USE enum status viewport_upload(struct viewport *viewport);
 
 /* Creates the renderers or changes them to this size. On failure there are none. */
-MUST_USE enum status viewport_resize(struct viewport *picture, VkExtent2D size);
+MUST_USE enum status viewport_resize(struct viewport *viewport, VkExtent2D size);
 
-/*
- * Applies other settings (in an otherwise unchanged scene) and another refraction model. *remade is
- * true if the renderer, and so renderer_display_image(), was replaced. A reloaded scene keeps the
- * camera.
- */
-MUST_USE enum status viewport_change(struct viewport **picture, const struct app_scene *scene,
+/* Applies other settings and another refraction model. *remade is true if the renderer, and so
+ * renderer_display_image(), was replaced. A reloaded scene keeps the camera. */
+MUST_USE enum status viewport_change(struct viewport **viewport, const struct app_scene *scene,
                                      const struct technique *refraction, bool *remade);
 
-/*
- * Opens a model file or, by its extension (.exr, .hdr) or name (sky, or an asset), an environment.
- * On success *picture is replaced by one of the same size and *remade is true; on failure it stays.
- * An environment keeps the camera. Settings and environment that the previous object brought are
- * dropped, unless the user has changed them.
- */
-MUST_USE enum status viewport_load(struct viewport **picture, const char *path, bool *remade);
+/* Opens a model file or, by its extension (.exr, .hdr) or name (sky, or an asset), an environment.
+ * On success *viewport is replaced by one of the same size and *remade is true; on failure it
+ * stays. An environment keeps the camera. Settings and environment that the previous object brought
+ * are dropped, unless the user has changed them. */
+MUST_USE enum status viewport_load(struct viewport **viewport, const char *path, bool *remade);
 
-/* Applies a whole state with its camera at the current size. On failure *picture stays. */
-MUST_USE enum status viewport_apply_state(struct viewport **picture, const struct app_image *state);
+/* Applies a whole state with its camera at the current size. On failure *viewport stays. */
+MUST_USE enum status viewport_apply_state(struct viewport **viewport,
+                                          const struct app_image *state);
 
 /* Returns `settings` with the exposure of `of`; a change of exposure needs no new samples. */
 struct settings viewport_with_exposure(const struct settings *settings, const struct settings *of);
 
 /* Shows another refraction model on the right (side B); NULL ends the split. `settings` of side B
  * are copied; NULL to use those of side A. On failure nothing changes. */
-MUST_USE enum status viewport_split(struct viewport *picture, const struct technique *refraction,
+MUST_USE enum status viewport_split(struct viewport *viewport, const struct technique *refraction,
                                     const struct settings *settings);
 
-bool viewport_is_split(const struct viewport *picture); /* true if side B is shown */
+bool viewport_is_split(const struct viewport *viewport); /* true if side B is shown */
 
 /* Rotates the environment panorama, degrees. On failure nothing changes. */
-MUST_USE enum status viewport_rotate_panorama(struct viewport *picture, float degrees);
+MUST_USE enum status viewport_rotate_panorama(struct viewport *viewport, float degrees);
 
-/* Returns true if the camera has moved so far that other renderers are needed;
- * renderer_draws_beyond_image(). */
-bool viewport_is_outgrown(struct viewport *picture);
+/* Returns true if the camera moved too far for the renderers: renderer_draws_beyond_image(). */
+bool viewport_is_outgrown(struct viewport *viewport);
 
-/* Updates existing renderers after a change of watched shaders, of the projection, or if
- * viewport_is_outgrown(). On failure there are none; viewport_resize() creates them. */
-MUST_USE enum status viewport_rebuild(struct viewport *picture);
+/* Updates the renderers to changed shaders or projection, or if viewport_is_outgrown(). On failure
+ * there are none; viewport_resize() creates them. */
+MUST_USE enum status viewport_rebuild(struct viewport *viewport);
 
-/* Returns true if an animated model has the pose of this time, seconds, or if nothing is animated.
- */
-bool viewport_is_posed(const struct viewport *picture, float time);
+/* Returns true if the model has the pose of this time, seconds, or is not animated. */
+bool viewport_is_posed(const struct viewport *viewport, float time);
 
-/* Poses an animated model for a time and frees the renderers; viewport_resize() creates new ones.
- * If the file cannot be read, nothing changes. The camera follows the file's unless the user moved
- * it. */
-MUST_USE enum status viewport_pose(struct viewport *picture, float time);
+/* Poses an animated model and frees the renderers, which viewport_resize() recreates. If the file
+ * cannot be read, nothing changes. An animated camera is followed unless the user moved it. */
+MUST_USE enum status viewport_pose(struct viewport *viewport, float time);
 
 /* Calls renderer_draw() or renderer_wait() for the renderers of both sides. */
-MUST_USE enum status viewport_draw(struct viewport *picture, const struct renderer_shot *shot);
-MUST_USE enum status viewport_wait(struct viewport *picture);
+MUST_USE enum status viewport_draw(struct viewport *viewport, const struct renderer_shot *shot);
+MUST_USE enum status viewport_wait(struct viewport *viewport);
 
 /* Draws a frame during interaction, at up to full size, with draft renderers if there are any. */
-MUST_USE enum status viewport_draw_interactive(struct viewport *picture,
+MUST_USE enum status viewport_draw_interactive(struct viewport *viewport,
                                                const struct renderer_shot *shot, VkExtent2D view);
 
 /* Returns true if draft renderers are missing but needed; viewport_create_draft() creates them. */
-bool viewport_wants_draft(const struct viewport *picture);
-MUST_USE enum status viewport_create_draft(struct viewport *picture,
+bool viewport_wants_draft(const struct viewport *viewport);
+MUST_USE enum status viewport_create_draft(struct viewport *viewport,
                                            const struct renderer_shot *shot);
 
 /* Call renderer_refine() or renderer_resolve() for the renderers of both sides. */
-MUST_USE enum status viewport_refine(struct viewport *picture, const struct renderer_shot *shot,
+MUST_USE enum status viewport_refine(struct viewport *viewport, const struct renderer_shot *shot,
                                      uint32_t sample);
-MUST_USE enum status viewport_resolve(struct viewport *picture, uint32_t sample_count);
+MUST_USE enum status viewport_resolve(struct viewport *viewport, uint32_t sample_count);
 
 /* Returns the renderer of the displayed image on one side; NULL for `right` without a split. */
-const struct renderer *viewport_renderer(const struct viewport *picture, bool right);
+const struct renderer *viewport_renderer(const struct viewport *viewport, bool right);
 
 /* GPU time of the last frame's passes, seconds */
-double viewport_pass_seconds(const struct viewport *picture);
-VkImage viewport_left(const struct viewport *picture);
-VkImage viewport_right(const struct viewport *picture);     /* as on the left unless split */
-VkExtent2D viewport_extent(const struct viewport *picture); /* size of the left image, pixels */
-VkExtent2D viewport_right_extent(const struct viewport *picture); /* size of the right image */
+double viewport_pass_seconds(const struct viewport *viewport);
+VkImage viewport_left(const struct viewport *viewport);
+VkImage viewport_right(const struct viewport *viewport);     /* as on the left unless split */
+VkExtent2D viewport_extent(const struct viewport *viewport); /* size of the left image, pixels */
+VkExtent2D viewport_right_extent(const struct viewport *viewport); /* size of the right image */
 
 /* Returns the first column of the divider, or PRESENT_NO_LINE if not split. */
-uint32_t viewport_divider_column(const struct viewport *picture);
+uint32_t viewport_divider_column(const struct viewport *viewport);
 
 /* Returns the allowed range of the camera's distance from its target, metres. */
-void viewport_camera_range(const struct viewport *picture, float *nearest, float *farthest);
+void viewport_camera_range(const struct viewport *viewport, float *nearest, float *farthest);
 
 struct signals;
-/*
- * Renders the image as `firn render` does, with all samples and layers of the state, and writes it
- * to each path with firn's metadata; the extension selects the format. Of a split view, a PNG
- * file shows both sides with the divider, and NAME.exr becomes NAME-left.exr and NAME-right.exr.
- */
-MUST_USE enum status viewport_save(struct viewport *picture, float time, const char *const *paths,
+/* Renders the image as `firn render` does, with all samples and layers of the state, and writes it
+ * to each path with firn's metadata; the extension selects the format. Of a split view, a PNG file
+ * shows both sides with the divider, and NAME.exr becomes NAME-left.exr and NAME-right.exr. */
+MUST_USE enum status viewport_save(struct viewport *viewport, float time, const char *const *paths,
                                    uint32_t path_count, struct signals *stop);
 
-/* Writes pixels that were already drawn (`rgba` of this size, one sample) to a PNG file, with
- * firn's metadata. */
-MUST_USE enum status viewport_save_drawn(struct viewport *picture, float time, const char *path,
+/* Writes pixels already drawn (`rgba`, one sample) to a PNG file with firn's metadata. */
+MUST_USE enum status viewport_save_drawn(struct viewport *viewport, float time, const char *path,
                                          const struct render_result *drawn, VkExtent2D size,
                                          struct signals *stop);
 
@@ -173,7 +161,7 @@ MUST_USE enum status viewport_can_save(bool is_split, const char *const *paths,
                                        uint32_t path_count);
 
 /* Return parameters for renderers of side A and side B. */
-struct renderer_params viewport_params(struct viewport *picture);
-struct renderer_params viewport_right_params(struct viewport *picture);
+struct renderer_params viewport_params(struct viewport *viewport);
+struct renderer_params viewport_right_params(struct viewport *viewport);
 
 #endif

@@ -26,7 +26,7 @@ struct side {
 
 /* The rendered sides of the window's image. */
 struct drawn {
-    struct side sides[2]; /* left (A) and, if split, right (B) */
+    struct side sides[2]; /* side A and, if split, B */
     size_t side_count;
     struct output whole;
 };
@@ -55,10 +55,10 @@ static enum status write_file(struct viewport *p, const struct output *output, c
         signals_release(stop);
     }
     free(data);
-    const uint32_t samples = output->picture->samples;
+    const uint32_t samples = output->image->samples;
     if (status == STATUS_OK && !p->quiet)
         fprintf(stderr, "%s: %ux%u, %u sample%s\n", strcmp(path, "-") ? path : "stdout",
-                output->picture->width, output->picture->height, samples, samples > 1 ? "s" : "");
+                output->image->width, output->image->height, samples, samples > 1 ? "s" : "");
     return status;
 }
 
@@ -86,9 +86,9 @@ static enum status draw_side(struct viewport *p, struct side *side,
     struct renderer_params params = side->is_right ? viewport_right_params(p) : viewport_params(p);
     struct renderer *renderer = NULL;
     side->state.scene.settings = *params.settings;
-    side->output = (struct output){ .picture = &side->state, .scene = params.scene, .shot = *shot };
+    side->output = (struct output){ .image = &side->state, .scene = params.scene, .shot = *shot };
     params.samples = p->state.samples;
-    bool makes_png = false; /* a PNG file with an alpha channel is requested */
+    bool makes_png = false; /* a PNG file with alpha is requested */
     for (uint32_t i = 0; i < path_count; i++) {
         if (!path_ends_in(paths[i], ".png"))
             params.linear = true;
@@ -151,7 +151,7 @@ enum status viewport_save(struct viewport *p, float time, const char *const *pat
         .sides = { { .suffix = "-left", .state = p->state },
                    { .suffix = "-right", .state = p->state, .is_right = true } },
         .side_count = p->state.split ? 2 : 1,
-        .whole = { .picture = &p->state, .scene = &p->scene, .shot = shot },
+        .whole = { .image = &p->state, .scene = &p->scene, .shot = shot },
     };
     enum status status = viewport_can_save(p->state.split, paths, path_count);
     if (status == STATUS_OK)
@@ -180,11 +180,11 @@ enum status viewport_save_drawn(struct viewport *p, float time, const char *path
 {
     struct app_image state = p->state;
     struct output output = {
-        .picture = &state,
+        .image = &state,
         .scene = &p->scene,
         .shot = { .camera = p->camera, .time = time },
     };
-    state.samples = 1; /* the window shows one sample per pixel */
+    state.samples = 1; /* the window's pixels are one sample each */
     state.width = size.width;
     state.height = size.height;
     enum status status = output_describe(&output);

@@ -9,9 +9,9 @@
 #include "src/base/log.h"
 #include "src/view/window_x11.h"
 
-static const double divider_reach = 8.0; /* pixels; maximum distance for dragging the divider */
+static const double divider_reach = 8.0;        /* pixels; maximum distance from the divider */
 static const double double_click_seconds = 0.4; /* maximum time between both clicks */
-static const double double_click_reach = 5.0;   /* screen coordinates between both clicks */
+static const double double_click_reach = 5.0;   /* maximum distance, screen coordinates */
 
 static enum status failed(const char *what)
 {
@@ -89,7 +89,7 @@ static struct window_drag *current_drag(struct window *w)
     const bool left = is_down(w->handle, GLFW_MOUSE_BUTTON_LEFT);
     if (left && holds(w->handle, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL))
         return shift ? &w->input.sun : &w->input.light;
-    return left && !shift ? &w->input.turn : &w->input.pan;
+    return left && !shift ? &w->input.orbit : &w->input.pan;
 }
 
 /* Converts an x coordinate of the window to a fraction of the image width. */
@@ -99,12 +99,14 @@ static double fraction_of_view(const struct window *w, double x)
     int height;
     glfwGetWindowSize(w->handle, &width, &height);
     const double pixels = width > 0 ? x * window_size(w).width / width : 0.0;
-    return w->view.extent.width ? (pixels - w->view.offset.x) / w->view.extent.width : 0.0;
+    return w->image_area.extent.width
+               ? (pixels - w->image_area.offset.x) / w->image_area.extent.width
+               : 0.0;
 }
 
 static bool is_near_divider(const struct window *w, double x)
 {
-    const double distance = fabs(fraction_of_view(w, x) - w->divider) * w->view.extent.width;
+    const double distance = fabs(fraction_of_view(w, x) - w->divider) * w->image_area.extent.width;
     return w->divider >= 0.0 && distance <= divider_reach;
 }
 
@@ -124,9 +126,9 @@ static void detect_double_click(struct window *w)
     w->pressed_y = w->cursor_y;
     if (!is_double)
         return;
-    w->input.doubled = true;
-    w->input.at_x = w->cursor_x * pixels;
-    w->input.at_y = w->cursor_y * pixels;
+    w->input.double_clicked = true;
+    w->input.click_x = w->cursor_x * pixels;
+    w->input.click_y = w->cursor_y * pixels;
 }
 
 static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
@@ -138,28 +140,28 @@ static void on_button(GLFWwindow *handle, int button, int event, int modifiers)
         .down = event == GLFW_PRESS,
     };
     (void)modifiers;
-    const bool kept = notify(w, &notice);
+    const bool consumed = notify(w, &notice);
     w->input.pressed = w->input.pressed || notice.down;
     w->input.released = w->input.released || !notice.down;
     if (!notice.down)
         w->input.released_at = clock_seconds();
     if (button == GLFW_MOUSE_BUTTON_LEFT)
-        w->slides = !kept && notice.down && is_near_divider(w, w->cursor_x);
-    if (button == GLFW_MOUSE_BUTTON_LEFT && !kept && notice.down && !w->slides)
+        w->drags_divider = !consumed && notice.down && is_near_divider(w, w->cursor_x);
+    if (button == GLFW_MOUSE_BUTTON_LEFT && !consumed && notice.down && !w->drags_divider)
         detect_double_click(w);
 }
 
 /* Moves the divider while it is dragged, and changes the cursor shape near it. */
 static void drag_divider(struct window *w, double x)
 {
-    const bool shown = w->slides || is_near_divider(w, x);
-    if (shown && !w->slider)
-        w->slider = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
-    if (w->slider)
-        glfwSetCursor(w->handle, shown ? w->slider : NULL);
-    if (!w->slides)
+    const bool shown = w->drags_divider || is_near_divider(w, x);
+    if (shown && !w->divider_cursor)
+        w->divider_cursor = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
+    if (w->divider_cursor)
+        glfwSetCursor(w->handle, shown ? w->divider_cursor : NULL);
+    if (!w->drags_divider)
         return;
-    w->input.slid = true;
+    w->input.moved_divider = true;
     w->input.divider = fmin(fmax(fraction_of_view(w, x), 0.0), 1.0);
 }
 
@@ -172,7 +174,7 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     const double scale = height > 0 ? 1.0 / height : 0.0;
     const double dx = (x - w->cursor_x) * scale;
     const double dy = (y - w->cursor_y) * scale;
-    const bool held = (is_down(handle, GLFW_MOUSE_BUTTON_LEFT) && !w->slides) ||
+    const bool held = (is_down(handle, GLFW_MOUSE_BUTTON_LEFT) && !w->drags_divider) ||
                       is_down(handle, GLFW_MOUSE_BUTTON_RIGHT) ||
                       is_down(handle, GLFW_MOUSE_BUTTON_MIDDLE);
     w->cursor_x = x; /* from the event, because glfwGetCursorPos() may already be ahead of it */
@@ -258,8 +260,7 @@ static void listen(struct window *w)
     glfwSetWindowRefreshCallback(w->handle, on_refresh);
 }
 
-/* Resizes the window to a framebuffer size; window sizes are in screen coordinates, which may be
- * coarser than pixels. */
+/* Resizes the window to a framebuffer size; screen coordinates may be coarser than pixels. */
 static void fit_framebuffer(struct window *w, uint32_t width, uint32_t height)
 {
     const VkExtent2D size = window_size(w);
@@ -273,13 +274,13 @@ static void fit_framebuffer(struct window *w, uint32_t width, uint32_t height)
 }
 
 /* Returns the work area of a monitor, without the desktop's panels and docks; 0x0 if not known. */
-static VkExtent2D find_room(GLFWmonitor *monitor)
+static VkExtent2D find_work_area(GLFWmonitor *monitor)
 {
-    int place[4] = { 0 };
+    int work_area[4] = { 0 };
     if (monitor)
-        glfwGetMonitorWorkarea(monitor, &place[0], &place[1], &place[2], &place[3]);
-    const bool known = place[2] > 0 && place[3] > 0;
-    return (VkExtent2D){ known ? (uint32_t)place[2] : 0, known ? (uint32_t)place[3] : 0 };
+        glfwGetMonitorWorkarea(monitor, &work_area[0], &work_area[1], &work_area[2], &work_area[3]);
+    const bool known = work_area[2] > 0 && work_area[3] > 0;
+    return (VkExtent2D){ known ? (uint32_t)work_area[2] : 0, known ? (uint32_t)work_area[3] : 0 };
 }
 
 static VkExtent2D choose_size(const struct window_params *params, VkExtent2D room)
@@ -319,14 +320,14 @@ enum status window_init(struct window *w, const struct window_params *params)
     *w = (struct window){ .divider = -1.0 };
     if (!connect_system())
         return failed("cannot connect to a window system");
-    w->has_library = true;
+    w->is_initialised = true;
     if (!glfwVulkanSupported())
         return failed("cannot use Vulkan with windows");
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE); /* full screen stays without focus */
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "firn");
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    const VkExtent2D room = find_room(glfwGetPrimaryMonitor());
+    const VkExtent2D room = find_work_area(glfwGetPrimaryMonitor());
     VkExtent2D size = choose_size(params, room);
     w->handle = glfwCreateWindow((int)size.width, (int)size.height, params->title, NULL, NULL);
     if (!w->handle)
@@ -351,7 +352,7 @@ void window_finish(struct window *w)
 {
     if (w->handle)
         glfwDestroyWindow(w->handle);
-    if (w->has_library)
+    if (w->is_initialised)
         glfwTerminate();
     free(w->dropped);
     *w = (struct window){ 0 };
@@ -400,12 +401,12 @@ void window_wake(void)
     glfwPostEmptyEvent();
 }
 
-void window_set_listener(struct window *w, window_listen_fn *hear, void *listener)
+void window_set_listener(struct window *w, window_listen_fn *function, void *listener)
 {
     double x;
     double y;
     glfwGetCursorPos(w->handle, &x, &y);
-    w->listen = hear;
+    w->listen = function;
     w->listener = listener;
     on_cursor(w->handle, x, y);
 }

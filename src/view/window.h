@@ -24,19 +24,19 @@ struct window_drag {
 
 /* Input accumulated since the last window_take_input(). */
 struct window_input {
-    struct window_drag turn, pan;  /* orbit and pan of the camera */
-    struct window_drag light, sun; /* of all light (Ctrl drag) and of the sun (Ctrl Shift drag) */
+    struct window_drag orbit, pan; /* orbit and pan of the camera */
+    struct window_drag light, sun; /* Ctrl drag; Ctrl Shift drag */
     double wheel;                  /* steps; positive away from the user */
-    bool slid;                     /* the divider was dragged to `divider` */
+    bool moved_divider;            /* the divider was dragged to `divider` */
     double divider;
     enum view_action actions[WINDOW_ACTION_COUNT];
     uint32_t action_count;
-    bool redraw;            /* the window's contents may be damaged */
-    bool pressed, released; /* a mouse button was pressed or released */
-    double moved_at;    /* first mouse movement that moved the image, clock_seconds(); 0 if none */
-    double released_at; /* release of a mouse button, clock_seconds() */
-    bool doubled;       /* double click of the left button at (at_x, at_y) */
-    double at_x, at_y;  /* position of the double click, pixels */
+    bool redraw;             /* the window's contents may be damaged */
+    bool pressed, released;  /* by any mouse button */
+    double moved_at;         /* time of the first mouse movement that moved the image; 0 if none */
+    double released_at;      /* release of a mouse button, clock_seconds() */
+    bool double_clicked;     /* left button, at (click_x, click_y) */
+    double click_x, click_y; /* position of the double click, pixels */
 };
 
 enum window_event_kind {
@@ -51,32 +51,31 @@ enum window_event_kind {
 struct window_event {
     enum window_event_kind kind;
     double x, y;              /* cursor position, pixels; wheel movement, steps */
-    int code;                 /* GLFW button or key code, or Unicode character */
+    int code;                 /* GLFW code, or Unicode character */
     bool down;                /* pressed rather than released */
     bool control, shift, alt; /* modifiers held with a key */
 };
 
-/* Listener that gets events first. Returns true to consume an event, so that it moves no camera and
- * triggers no action. */
+/* Gets all events first. Returns true to consume one, which then moves and triggers nothing. */
 typedef bool window_listen_fn(void *user, const struct window_event *event);
 
 struct window {
     struct GLFWwindow *handle;
     window_listen_fn *listen; /* may be NULL */
     void *listener;
-    bool has_library; /* GLFW is initialised */
+    bool is_initialised; /* GLFW is initialised */
     struct window_input input;
     char *dropped;             /* path of a dropped file, malloc'd; NULL if none */
     double cursor_x, cursor_y; /* last cursor position, screen coordinates */
-    VkRect2D view;             /* area of the image, pixels */
-    double divider; /* position as a fraction of the image width; negative without a divider */
-    bool slides;    /* the divider is being dragged */
+    VkRect2D image_area;       /* area of the image, pixels */
+    double divider;            /* divider position, fraction of the image width; negative if none */
+    bool drags_divider;        /* the divider is being dragged */
     double pressed_at, pressed_x, pressed_y; /* last press, to detect double clicks */
-    struct GLFWcursor *slider;               /* cursor shape near the divider; NULL until needed */
-    bool repeated;                           /* the current key event is an auto-repeat */
+    struct GLFWcursor *divider_cursor;       /* cursor shape; NULL until needed */
+    bool repeated;                           /* key event is an auto-repeat */
     VkExtent2D framebuffer;                  /* size in pixels, kept while minimised */
     bool minimised;
-    int left, top, width, height; /* window rectangle to restore after full screen */
+    int left, top, width, height; /* rectangle to restore after full screen */
 };
 
 /* Chooses the window size in pixels for a user interface `scale` and an available work area `room`
@@ -116,24 +115,22 @@ void window_wait(struct window *window, double seconds);
 /* Ends window_wait(); may be called from any thread. */
 void window_wake(void);
 
-/* Sets the listener that gets all events first. It immediately gets the current cursor position, as
- * the cursor may not move for a while. */
-void window_set_listener(struct window *window, window_listen_fn *hear, void *listener);
+/* Sets the event listener, which immediately gets the current cursor position. */
+void window_set_listener(struct window *window, window_listen_fn *function, void *listener);
 
 /* Returns the accumulated input and clears it. */
 struct window_input window_take_input(struct window *window);
 
-/* Returns the last dropped file and forgets it; the caller frees the path. NULL if there is none.
- */
+/* Returns the last dropped file, once; the caller frees the path. NULL if there is none. */
 char *window_take_dropped(struct window *window);
 
-/* true once the user has requested to close it */
+/* Returns true once the user has requested to close the window. */
 bool window_is_closed(const struct window *window);
 
 /* Returns the framebuffer size in pixels; 0x0 while minimised. */
 VkExtent2D window_size(const struct window *window);
 
-void window_toggle_fullscreen(struct window *window); /* toggles full screen */
+void window_toggle_fullscreen(struct window *window);
 
 /* Returns the extensions and callbacks that gpu_create() needs; valid while the window exists. */
 MUST_USE enum status window_system(const struct window *window, struct gpu_window_system *system);

@@ -1,15 +1,14 @@
-/* window_layout.c: computes the rectangles of toolbar, image, timeline, side panel and status bar.
- */
+/* window_layout.c: computes the rectangles of image, toolbar, timeline and panels. */
 #include "src/view/window_layout.h"
 
 static const float bar_height = 36.0f; /* all lengths are pixels at scale 1 */
 static const float status_height = 26.0f;
 static const float strip_height = 30.0f;
-static const float strip_window = 560.0f; /* minimum height of a window that has a timeline */
+static const float timeline_window_height = 560.0f; /* minimum window height with a timeline */
 
 /* Widths of the side panel: wider windows get a wider panel. */
 static const struct {
-    float window, panel; /* minimum width of the window; width of its panel */
+    float window, panel; /* minimum window width; panel width */
 } widths[] = {
     { 1300.0f, 340.0f },
     { 900.0f, 300.0f },
@@ -44,32 +43,32 @@ struct window_layout window_layout_of(VkExtent2D window, float scale, bool has_p
     const uint32_t bar = pixels(bar_height, scale);
     const uint32_t status = pixels(status_height, scale);
     const uint32_t width = panel_width(window.width, scale);
-    struct window_layout l = { .picture = rectangle(0, 0, window.width, window.height) };
+    struct window_layout l = { .image = rectangle(0, 0, window.width, window.height) };
     if (!has_panels || width < 2 || window.height < 2 * (bar + status))
         return l;
     const uint32_t left = window.width - width;
     const uint32_t body = window.height - status;
     const uint32_t strip =
-        window.height < pixels(strip_window, scale) ? 0 : pixels(strip_height, scale);
+        window.height < pixels(timeline_window_height, scale) ? 0 : pixels(strip_height, scale);
     l.bar = rectangle(0, 0, left, bar);
-    l.picture = rectangle(0, bar, left, body - bar - strip);
+    l.image = rectangle(0, bar, left, body - bar - strip);
     l.strip = rectangle(0, body - strip, left, strip);
     l.panel = rectangle(left, 0, width, body);
     l.status = rectangle(0, body, window.width, status);
     return l;
 }
 
-VkExtent2D window_layout_for_image(VkExtent2D picture, float scale)
+VkExtent2D window_layout_for_image(VkExtent2D image, float scale)
 {
     const uint32_t more = pixels(bar_height, scale) + pixels(status_height, scale);
-    VkExtent2D window = { 0, picture.height + more };
+    VkExtent2D window = { 0, image.height + more };
     const uint32_t strip = pixels(strip_height, scale);
-    window.height += window.height + strip < pixels(strip_window, scale) ? 0 : strip;
+    window.height += window.height + strip < pixels(timeline_window_height, scale) ? 0 : strip;
     for (uint32_t i = 0; i < WIDTH_COUNT; i++) {
-        window.width = picture.width + pixels(widths[i].panel, scale);
-        if (panel_width(window.width, scale) + picture.width == window.width)
+        window.width = image.width + pixels(widths[i].panel, scale);
+        if (panel_width(window.width, scale) + image.width == window.width)
             return window;
     }
-    window.width = 2 * picture.width; /* in a narrow window the panel takes half of the width */
+    window.width = 2 * image.width; /* in a narrow window the panel takes half of the width */
     return window;
 }

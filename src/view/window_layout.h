@@ -19,7 +19,7 @@
 
 /* Rectangles in pixels; panels are 0x0 if they are hidden or the window is too small for them. */
 struct window_layout {
-    VkRect2D picture; /* area of the rendered image, at least 1x1 */
+    VkRect2D image; /* rendered image, at least 1x1 */
     VkRect2D bar, panel, status;
     VkRect2D strip; /* timeline; 0x0 in low windows */
 };
@@ -27,7 +27,7 @@ struct window_layout {
 /* Computes the layout of a window of at least 1x1 pixels; `scale` multiplies panel sizes. */
 struct window_layout window_layout_of(VkExtent2D window, float scale, bool has_panels);
 
-/* Returns the size of a window, in pixels, whose image area has the size `picture`. */
-VkExtent2D window_layout_for_image(VkExtent2D picture, float scale);
+/* Returns the size of a window, in pixels, whose image area has the size `image`. */
+VkExtent2D window_layout_for_image(VkExtent2D image, float scale);
 
 #endif

@@ -46,11 +46,11 @@ void window_x11_background(struct GLFWwindow *window, uint32_t color)
 {
     void *x11 = dlopen("libX11.so.6", RTLD_LAZY);
     const union symbol change = { x11 ? dlsym(x11, "XChangeWindowAttributes") : NULL };
-    XSetWindowAttributes wanted = { .background_pixel = color, .bit_gravity = NorthWestGravity };
+    XSetWindowAttributes requested = { .background_pixel = color, .bit_gravity = NorthWestGravity };
     Window id;
     Display *display = find(window, &id);
     if (id && change.change)
-        change.change(display, id, CWBackPixel | CWBitGravity, &wanted);
+        change.change(display, id, CWBackPixel | CWBitGravity, &requested);
     if (x11)
         dlclose(x11);
 }

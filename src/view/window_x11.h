@@ -1,7 +1,4 @@
-/*
- * window_x11.h: X11 features that GLFW lacks: background colour, gravity, error handling. Does
- * nothing without X11.
- */
+/* window_x11.h: X11 background colour, gravity and error handling, which GLFW lacks. */
 #ifndef FIRN_VIEW_WINDOW_X11_H
 #define FIRN_VIEW_WINDOW_X11_H
 
@@ -16,12 +13,9 @@ uint32_t window_x11_id(struct GLFWwindow *window);
  * the window is resized. */
 void window_x11_background(struct GLFWwindow *window, uint32_t color);
 
-/*
- * Installs an X error handler that keeps the program running. By default Xlib exits when the server
- * refuses a request, for instance if GLFW answers a drag and drop whose source window is gone.
- * Other errors are logged. GLFW 3.3 occasionally restores the old handler, so call this before
- * handling events.
- */
+/* Installs an X error handler that keeps the program running; by default Xlib exits, for instance
+ * if GLFW answers a drag and drop whose source window is gone. GLFW 3.3 occasionally restores the
+ * old handler, so call this before handling events. */
 void window_x11_ignore_errors(void);
 
 #endif

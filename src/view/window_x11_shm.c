@@ -41,7 +41,7 @@ static void *map(void *user, uint32_t index, size_t size)
         free(error);
     }
     if (number >= 0)
-        shmctl(number, IPC_RMID, NULL); /* mark for deletion once nobody is attached */
+        shmctl(number, IPC_RMID, NULL); /* delete the segment after the last detach */
     if (memory != (void *)-1 && !is_attached)
         shmdt(memory);
     s->memory = is_attached ? memory : NULL;
@@ -101,13 +101,13 @@ static bool has_extension(xcb_connection_t *x, const char *name)
 }
 
 /* Returns a visual of a screen; NULL if the screen does not have it. */
-static const xcb_visualtype_t *find_visual(const xcb_screen_t *screen, xcb_visualid_t wanted)
+static const xcb_visualtype_t *find_visual(const xcb_screen_t *screen, xcb_visualid_t visual_id)
 {
     xcb_depth_iterator_t depth = xcb_screen_allowed_depths_iterator(screen);
     for (; depth.rem; xcb_depth_next(&depth)) {
         xcb_visualtype_iterator_t visual = xcb_depth_visuals_iterator(depth.data);
         for (; visual.rem; xcb_visualtype_next(&visual)) {
-            if (visual.data->visual_id == wanted)
+            if (visual.data->visual_id == visual_id)
                 return visual.data;
         }
     }
@@ -115,12 +115,12 @@ static const xcb_visualtype_t *find_visual(const xcb_screen_t *screen, xcb_visua
 }
 
 /* Returns true if pixels of a visual are BGRX bytes, the format of gpu_shared_window.h. */
-static bool is_blue_first(const xcb_setup_t *setup, xcb_visualid_t wanted)
+static bool is_blue_first(const xcb_setup_t *setup, xcb_visualid_t visual_id)
 {
     const xcb_visualtype_t *visual = NULL;
     xcb_screen_iterator_t screen = xcb_setup_roots_iterator(setup);
     for (; screen.rem && !visual; xcb_screen_next(&screen))
-        visual = find_visual(screen.data, wanted);
+        visual = find_visual(screen.data, visual_id);
     return setup->image_byte_order == XCB_IMAGE_ORDER_LSB_FIRST && visual &&
            visual->red_mask == 0xff0000 && visual->green_mask == 0xff00 &&
            visual->blue_mask == 0xff;

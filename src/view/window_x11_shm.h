@@ -1,10 +1,6 @@
-/*
- * window_x11_shm.h: presents images to an X window through shared memory (MIT-SHM).
- *
- * Used only on X servers without DRI3; with DRI3, drivers share images with the server themselves.
- * It opens an X connection of its own, so that it does not interfere with GLFW's requests and
- * replies.
- */
+/* window_x11_shm.h: presents images to an X window through shared memory (MIT-SHM), only on X
+ * servers without DRI3, with which drivers share images themselves. It opens an X connection of its
+ * own, so that it does not interfere with GLFW's requests and replies. */
 #ifndef FIRN_VIEW_WINDOW_X11_SHM_H
 #define FIRN_VIEW_WINDOW_X11_SHM_H
 

@@ -1,6 +1,4 @@
-/*
- * worker.h: runs long jobs on a worker thread, so that the window stays responsive.
- */
+/* worker.h: runs long jobs on a worker thread, so that the window stays responsive. */
 #ifndef FIRN_VIEW_WORKER_H
 #define FIRN_VIEW_WORKER_H
 
@@ -8,11 +6,9 @@
 
 typedef enum status worker_fn(void *user);
 
-/*
- * Runs `work` on a thread and handles window events until it is done; returns its status. A window
+/* Runs `work` on a thread and handles window events until it is done; returns its status. A window
  * that is closed meanwhile is hidden at once. The job must not access the window, and no other
- * thread may access the job's data.
- */
+ * thread may access the job's data. */
 MUST_USE enum status worker_run(struct window *window, worker_fn *work, void *user);
 
 #endif

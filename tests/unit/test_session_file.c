@@ -54,10 +54,10 @@ static void lines_come_back_as_they_were(void **state)
                                    "b.cracks.count=7\nb.tonemap.curve=agx\n"),
                      STATUS_OK);
     assert_string_equal(first.scene, "a b\xc3\xa9%.glb");
-    assert_int_equal(first.state.other, VIEW_SIDE_B_STATE);
+    assert_int_equal(first.state.side_b, VIEW_SIDE_B_STATE);
     assert_true(first.bookmarked[3] && !first.bookmarked[0]);
     CHECK_NEAR(settings_get(&first.state.settings, settings_find("cracks.count")), 5, 0);
-    CHECK_NEAR(settings_get(&first.state.right, settings_find("cracks.count")), 7, 0);
+    CHECK_NEAR(settings_get(&first.state.right_settings, settings_find("cracks.count")), 7, 0);
     char *text = print(&first);
     assert_int_equal(parse(&again, text), STATUS_OK);
     char *text_again = print(&again);

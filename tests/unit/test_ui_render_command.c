@@ -39,9 +39,9 @@ static void start(struct fixture *f, const char *words)
     f->scene.model.materials = &ice;
     f->scene.model.object_count = 1;
     f->scene.box = (struct box){ .min = { { -1, -1, -1 } }, .max = { { 1, 1, 1 } } };
-    f->options.picture.width = 320;
-    f->options.picture.height = 240;
-    assert_int_equal(app_camera(&f->camera, &f->scene, &f->options.picture), STATUS_OK);
+    f->options.image.width = 320;
+    f->options.image.height = 240;
+    assert_int_equal(app_camera(&f->camera, &f->scene, &f->options.image), STATUS_OK);
 }
 
 static void finish(struct fixture *f)
@@ -52,7 +52,7 @@ static void finish(struct fixture *f)
 static char *print(const struct fixture *f)
 {
     char *text = ui_render_command_print(&(struct ui_render_command){
-        .picture = &f->options.picture,
+        .image = &f->options.image,
         .scene = &f->scene,
         .camera = &f->camera,
         .time = f->time,
@@ -76,7 +76,7 @@ static void read_back(const struct fixture *f, struct fixture *back)
     parse(back, text, 2);
     assert_string_equal(back->words.we_wordv[0], "firn");
     assert_string_equal(back->words.we_wordv[1], "render");
-    assert_int_equal(app_camera(&back->camera, &back->scene, &back->options.picture), STATUS_OK);
+    assert_int_equal(app_camera(&back->camera, &back->scene, &back->options.image), STATUS_OK);
     free(text);
 }
 
@@ -159,17 +159,17 @@ static void test_words_come_back(void **state)
         .fov_deg = 100.0f / 3.0f,
     };
     read_back(&f, &back);
-    assert_string_equal(back.options.picture.scene.name, "it's a $HOME `x` \"y\".obj");
-    assert_string_equal(back.options.picture.scene.environment, "a b.hdr");
-    assert_string_equal(back.options.picture.scene.surroundings, "c;d.glb");
-    assert_memory_equal(&back.options.picture.scene.background.value,
-                        &f.options.picture.scene.background.value, sizeof(vec3s));
+    assert_string_equal(back.options.image.scene.name, "it's a $HOME `x` \"y\".obj");
+    assert_string_equal(back.options.image.scene.environment, "a b.hdr");
+    assert_string_equal(back.options.image.scene.surroundings, "c;d.glb");
+    assert_memory_equal(&back.options.image.scene.background.value,
+                        &f.options.image.scene.background.value, sizeof(vec3s));
     assert_memory_equal(&back.camera.eye, &f.camera.eye, sizeof(vec3s));
     assert_memory_equal(&back.camera.target, &f.camera.target, sizeof(vec3s));
     assert_memory_equal(&back.camera.fov_deg, &f.camera.fov_deg, sizeof(float));
-    settings_set_value(&f.options.picture.scene.settings, settings_find("motion.time"),
+    settings_set_value(&f.options.image.scene.settings, settings_find("motion.time"),
                        (double)f.time);
-    assert_memory_equal(&back.options.picture.scene.settings, &f.options.picture.scene.settings,
+    assert_memory_equal(&back.options.image.scene.settings, &f.options.image.scene.settings,
                         sizeof(struct settings));
     finish(&back);
     finish(&f);
@@ -188,10 +188,10 @@ static void test_another_size(void **state)
     struct fixture f;
     struct fixture back;
     start(&f, "sphere");
-    f.options.picture.width = 100; /* higher than wide: the framing camera stands farther away */
+    f.options.image.width = 100; /* higher than wide: the framing camera stands farther away */
     read_back(&f, &back);
     assert_memory_equal(&back.camera.eye, &f.camera.eye, sizeof(vec3s));
-    assert_int_equal(back.options.picture.width, 100);
+    assert_int_equal(back.options.image.width, 100);
     finish(&back);
     finish(&f);
 }

@@ -46,11 +46,11 @@ static void test_search(void **state)
 {
     (void)state;
     const struct setting *row = settings_find("cracks.count");
-    assert_true(ui_settings_fit(row, ""));
-    assert_true(ui_settings_fit(row, "cracks.count"));
-    assert_true(ui_settings_fit(row, "  COUNT  crack "));
-    assert_true(ui_settings_fit(row, "inside number")); /* group and help */
-    assert_false(ui_settings_fit(row, "cracks bubbles"));
+    assert_true(ui_settings_match(row, ""));
+    assert_true(ui_settings_match(row, "cracks.count"));
+    assert_true(ui_settings_match(row, "  COUNT  crack "));
+    assert_true(ui_settings_match(row, "inside number")); /* group and help */
+    assert_false(ui_settings_match(row, "cracks bubbles"));
 }
 
 static bool is_label(const char *name)
@@ -68,8 +68,8 @@ static void test_synonyms(void **state)
     const char *name;
     for (uint32_t i = 0; (name = ui_search_synonyms_name(i)); i++)
         assert_true(settings_find(name) || is_label(name));
-    assert_true(ui_settings_fit(settings_find("tonemap.exposure"), "brightness"));
-    assert_false(ui_settings_fit(settings_find("cracks.seed"), "brightness"));
+    assert_true(ui_settings_match(settings_find("tonemap.exposure"), "brightness"));
+    assert_false(ui_settings_match(settings_find("cracks.seed"), "brightness"));
     assert_string_equal(ui_search_synonyms("cracks.seed"), "");
 }
 

@@ -20,7 +20,7 @@ static uint64_t area(VkRect2D r)
 static void check(VkExtent2D window, float scale, bool has_panels)
 {
     const struct window_layout l = window_layout_of(window, scale, has_panels);
-    const VkRect2D parts[] = { l.picture, l.bar, l.panel, l.status, l.strip };
+    const VkRect2D parts[] = { l.image, l.bar, l.panel, l.status, l.strip };
     uint64_t sum = 0;
     for (size_t i = 0; i < 5; i++) {
         sum += area(parts[i]);
@@ -28,8 +28,8 @@ static void check(VkExtent2D window, float scale, bool has_panels)
             assert_false(area(parts[i]) && area(parts[j]) && meet(parts[i], parts[j]));
     }
     assert_int_equal(sum, (uint64_t)window.width * window.height);
-    assert_true(l.picture.extent.width >= 1 && l.picture.extent.height >= 1);
-    assert_true(has_panels || area(l.picture) == sum);
+    assert_true(l.image.extent.width >= 1 && l.image.extent.height >= 1);
+    assert_true(has_panels || area(l.image) == sum);
 }
 
 static void parts_cover_the_window_once(void **state)
@@ -53,8 +53,8 @@ static void a_window_around_a_picture_has_its_size(void **state)
             const VkExtent2D picture = { width, 600 };
             const struct window_layout l =
                 window_layout_of(window_layout_for_image(picture, scales[s]), scales[s], true);
-            assert_int_equal(l.picture.extent.width, width);
-            assert_int_equal(l.picture.extent.height, 600);
+            assert_int_equal(l.image.extent.width, width);
+            assert_int_equal(l.image.extent.height, 600);
         }
     }
 }

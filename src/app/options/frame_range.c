@@ -18,7 +18,7 @@ struct list {
     uint32_t capacity;
     unsigned char *listed; /* bitset: frame already listed; bit is frame + FRAME_RANGE_MAX */
     const char *at;        /* next character to parse */
-    const char *error;     /* error message; NULL if there is no error */
+    const char *error;     /* error message, or NULL */
     bool out_of_memory;
 };
 
@@ -27,9 +27,9 @@ enum {
 };
 
 /* Skips the character if it is next. Returns true if it was. */
-static bool skip(struct list *list, char wanted)
+static bool skip(struct list *list, char expected)
 {
-    bool found = *list->at == wanted;
+    bool found = *list->at == expected;
     list->at += found;
     return found;
 }

@@ -14,19 +14,17 @@
 #include "src/base/status.h"
 
 enum {
-    FRAME_RANGE_MAX = 9999999,     /* frames: -FRAME_RANGE_MAX to FRAME_RANGE_MAX; steps: from 1 */
-    FRAME_RANGE_COUNT_MAX = 100000 /* maximum number of different frames in a list */
+    FRAME_RANGE_MAX = 9999999,     /* limit of frame numbers and steps */
+    FRAME_RANGE_COUNT_MAX = 100000 /* maximum number of frames */
 };
 
 struct frame_range {
-    int32_t *frames; /* in the order of the list, none twice */
+    int32_t *frames; /* in list order, none twice */
     uint32_t count;
 };
 
-/*
- * Parses a frame list. Logs a syntax error in one line and returns STATUS_USAGE, or
- * STATUS_TRY_AGAIN when out of memory. On failure *range is {0}.
- */
+/* Parses a frame list. Logs a syntax error in one line and returns STATUS_USAGE, or
+ * STATUS_TRY_AGAIN when out of memory. On failure *range is {0}. */
 MUST_USE enum status frame_range_parse(struct frame_range *range, const char *text);
 
 /* Keeps chunk k (1 to n) of the list split into n (up to 1000000) consecutive chunks, whose sizes

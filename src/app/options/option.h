@@ -13,14 +13,14 @@ typedef enum status option_fn(const struct option *option, void *at, const char 
 struct option {
     const char *group; /* heading in the help */
     const char *name;  /* without dashes */
-    char letter;       /* short name; 0 if there is none */
-    const char *value; /* NULL: takes none; "[=VALUE]": optional, and NULL if missing */
-    unsigned commands; /* bits of enum app_command that accept the option */
-    size_t offset;     /* offset in struct app_options of the field that it sets */
+    char letter;       /* short name, or 0 */
+    const char *value; /* NULL: none; "[=VALUE]": optional */
+    unsigned commands; /* bits of enum app_command */
+    size_t offset;     /* offset in struct app_options */
     option_fn *set;
     const char *help;
     uint32_t min, max; /* range of option_count */
-    const char *unit;  /* for option_count, as in " of seconds"; NULL if there is none */
+    const char *unit;  /* " of seconds", or NULL */
 };
 
 #endif

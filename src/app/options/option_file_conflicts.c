@@ -1,5 +1,4 @@
-/* option_file_conflicts.c: refuses command lines on which an output would overwrite another file in
- * use. */
+/* option_file_conflicts.c: refuses command lines whose outputs overwrite files in use. */
 #include "src/app/options/option_file_conflicts.h"
 #include <stdio.h>
 #include <string.h>
@@ -45,7 +44,7 @@ static bool are_same_file(const char *a, const char *b)
 {
     struct stat infos[2];
     if (!strcmp(a, "-") || !strcmp(b, "-"))
-        return false; /* commands refuse a second output on stdout themselves */
+        return false; /* a second output on stdout is refused elsewhere */
     const bool has_a = stat(a, &infos[0]) == 0, has_b = stat(b, &infos[1]) == 0;
     if (has_a && has_b)
         return S_ISREG(infos[0].st_mode) && is_same(&infos[0], &infos[1]);

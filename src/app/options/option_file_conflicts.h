@@ -1,5 +1,4 @@
-/* option_file_conflicts.h: checks that no output file of a command line overwrites another file in
- * use. */
+/* option_file_conflicts.h: checks that no output of a command overwrites another of its files. */
 #ifndef FIRN_APP_OPTIONS_OPTION_FILE_CONFLICTS_H
 #define FIRN_APP_OPTIONS_OPTION_FILE_CONFLICTS_H
 
@@ -11,8 +10,8 @@ option_fn option_input, option_report;
 
 /* A file that a command reads or writes. */
 struct option_file {
-    const char *option; /* option name, without dashes; NULL if the file is an argument */
-    const char *path;   /* "-" is stdout and is not checked */
+    const char *option; /* option name; NULL for an argument */
+    const char *path;   /* "-" (stdout) is not checked */
     bool is_written;
 };
 

@@ -68,14 +68,14 @@ enum status option_format(const struct option *option, void *at, const char *val
         [APP_FORMAT_HTML] = "html", [APP_FORMAT_PRESET] = "preset",
     };
     enum app_format *format = at;
-    const enum app_format wanted =
+    const enum app_format requested =
         (enum app_format)option_find_word(names, APP_FORMAT_COUNT, option->name);
     (void)value;
-    if (*format != APP_FORMAT_TEXT && *format != wanted) {
-        log_error("--%s: conflicts with --%s: choose one format", names[wanted], names[*format]);
+    if (*format != APP_FORMAT_TEXT && *format != requested) {
+        log_error("--%s: conflicts with --%s: choose one format", names[requested], names[*format]);
         return STATUS_USAGE;
     }
-    *format = wanted;
+    *format = requested;
     return STATUS_OK;
 }
 
@@ -90,8 +90,8 @@ static bool parse_pair(const char *value, uint32_t max, uint32_t *across, uint32
 
 enum status option_size(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
-    return parse_pair(value, 16384, &picture->width, &picture->height)
+    struct app_image *image = at;
+    return parse_pair(value, 16384, &image->width, &image->height)
                ? STATUS_OK
                : option_refuse(option, value, "WIDTHxHEIGHT in pixels, 1x1 to 16384x16384");
 }
@@ -99,11 +99,11 @@ enum status option_size(const struct option *option, void *at, const char *value
 /* Sets the width of a cube face, which is square. */
 enum status option_bake_size(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
+    struct app_image *image = at;
     const char *rest;
-    if (!option_parse_count(value, 1, 4096, &picture->width, &rest) || *rest)
+    if (!option_parse_count(value, 1, 4096, &image->width, &rest) || *rest)
         return option_refuse(option, value, "the side of a cube face in texels, 1 to 4096");
-    picture->height = picture->width;
+    image->height = image->width;
     return STATUS_OK;
 }
 
@@ -113,31 +113,31 @@ enum {
 
 enum status option_tiles(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
-    return parse_pair(value, TILES_MAX, &picture->columns, &picture->rows)
+    struct app_image *image = at;
+    return parse_pair(value, TILES_MAX, &image->columns, &image->rows)
                ? STATUS_OK
                : option_refuse(option, value, "COLUMNSxROWS, 1x1 to 16x16");
 }
 
 enum status option_tile(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
+    struct app_image *image = at;
     const char *rest;
-    if (!option_parse_count(value, 1, TILES_MAX * TILES_MAX, &picture->tile, &rest) || *rest)
+    if (!option_parse_count(value, 1, TILES_MAX * TILES_MAX, &image->tile, &rest) || *rest)
         return option_refuse(option, value, "the number of a tile, from 1 to 256");
     return STATUS_OK;
 }
 
-static bool add_layer(struct app_image *picture, const char *name, size_t length)
+static bool add_layer(struct app_image *image, const char *name, size_t length)
 {
     if (length == 3 && !strncmp(name, "all", 3)) {
-        picture->all_layers = true;
+        image->all_layers = true;
         return true;
     }
     for (uint32_t i = 0; techniques_layer(i); i++) {
         if (strlen(techniques_layer(i)->name) == length &&
             !strncmp(techniques_layer(i)->name, name, length)) {
-            picture->layers |= 1u << i;
+            image->layers |= 1u << i;
             return true;
         }
     }
@@ -158,43 +158,42 @@ enum status option_aov(const struct option *option, void *at, const char *value)
 
 enum status option_show(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
-    picture->show = layer_image_find(value);
-    return picture->show ? STATUS_OK
-                         : option_refuse_name(option, OPTION_LAYERS, value, strlen(value));
+    struct app_image *image = at;
+    image->show = layer_image_find(value);
+    return image->show ? STATUS_OK
+                       : option_refuse_name(option, OPTION_LAYERS, value, strlen(value));
 }
 
 enum status option_png_bits(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
+    struct app_image *image = at;
     const bool is_16 = strcmp(value, "16") == 0;
     if (!is_16 && strcmp(value, "8") != 0)
         return option_refuse(option, value, "8 or 16");
-    picture->png_bits = is_16 ? 16 : 8;
+    image->png_bits = is_16 ? 16 : 8;
     return STATUS_OK;
 }
 
 enum status option_samples(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
+    struct app_image *image = at;
     const char *rest;
-    picture->is_adaptive = strcmp(value, "auto") == 0;
-    if (picture->is_adaptive)
-        picture->samples = ADAPTIVE_SAMPLES;
-    else if (!option_parse_count(value, option->min, option->max, &picture->samples, &rest) ||
-             *rest)
+    image->is_adaptive = strcmp(value, "auto") == 0;
+    if (image->is_adaptive)
+        image->samples = ADAPTIVE_SAMPLES;
+    else if (!option_parse_count(value, option->min, option->max, &image->samples, &rest) || *rest)
         return option_refuse(option, value, "a whole number from 1 to 65536, or auto");
     return STATUS_OK;
 }
 
 enum status option_pixel_filter(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
+    struct app_image *image = at;
     const int i = option_find_word(pixel_filter_names, PIXEL_FILTER_COUNT, value);
     if (i < 0)
         return option_refuse(option, value, "box, point or blackman-harris");
-    picture->filter = (enum pixel_filter)i;
-    picture->is_filter_named = true;
+    image->filter = (enum pixel_filter)i;
+    image->is_filter_named = true;
     return STATUS_OK;
 }
 
@@ -217,13 +216,13 @@ enum status option_sharing(const struct option *option, void *at, const char *va
 
 enum status option_refraction(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
+    struct app_image *image = at;
     const bool is_traced = !strcmp(value, refract_reference.refraction.name);
-    picture->refraction = is_traced ? &refract_reference : techniques_find_refraction(value);
-    picture->is_refraction_named = true;
-    return picture->refraction
-               ? STATUS_OK
-               : option_refuse_name(option, OPTION_RUNGS_AND_REFERENCE, value, strlen(value));
+    image->refraction = is_traced ? &refract_reference : techniques_find_refraction(value);
+    image->is_refraction_named = true;
+    return image->refraction ? STATUS_OK
+                             : option_refuse_name(option, OPTION_REFRACTION_MODELS_AND_REFERENCE,
+                                                  value, strlen(value));
 }
 
 enum status option_material(const struct option *option, void *at, const char *value)
@@ -297,7 +296,7 @@ enum status option_env_exposure(const struct option *option, void *at, const cha
 enum status option_up(const struct option *option, void *at, const char *value)
 {
     struct app_scene *scene = at;
-    scene->is_placed = true;
+    scene->has_transform = true;
     scene->model_transform.is_z_up = strcmp(value, "z") == 0;
     return scene->model_transform.is_z_up || strcmp(value, "y") == 0
                ? STATUS_OK
@@ -308,7 +307,7 @@ enum status option_scale(const struct option *option, void *at, const char *valu
 {
     struct app_scene *scene = at;
     float *scale = &scene->model_transform.scale;
-    scene->is_placed = true;
+    scene->has_transform = true;
     return option_parse_numbers(value, ',', scale, 1) && *scale >= 1e-6f && *scale <= 1e6f
                ? STATUS_OK
                : option_refuse(option, value, "a number from 1e-6 to 1e6");
@@ -318,7 +317,7 @@ enum status option_rotate(const struct option *option, void *at, const char *val
 {
     struct app_scene *scene = at;
     const vec3s *v = &scene->model_transform.rotate_deg;
-    scene->is_placed = true;
+    scene->has_transform = true;
     const bool ok = option_parse_numbers(value, ',', scene->model_transform.rotate_deg.raw, 3) &&
                     fabsf(v->x) <= 360.0f && fabsf(v->y) <= 360.0f && fabsf(v->z) <= 360.0f;
     return ok ? STATUS_OK : option_refuse(option, value, "X,Y,Z, each from -360 to 360 degrees");
@@ -344,13 +343,13 @@ enum status option_background(const struct option *option, void *at, const char 
 /* ---- the camera ---- */
 
 /* Maximum coordinate, metres: squares of such distances are still finite in float. */
-static const float place_max = 1e9f;
+static const float position_max = 1e9f;
 
 enum status option_orbit(const struct option *option, void *at, const char *value)
 {
     struct app_vector *orbit = at;
     orbit->is_given = option_parse_numbers(value, ',', orbit->value.raw, 3) &&
-                      orbit->value.z > 0.0f && orbit->value.z <= place_max;
+                      orbit->value.z > 0.0f && orbit->value.z <= position_max;
     return orbit->is_given
                ? STATUS_OK
                : option_refuse(
@@ -363,8 +362,8 @@ enum status option_position(const struct option *option, void *at, const char *v
     struct app_vector *vector = at;
     const vec3s *v = &vector->value;
     vector->is_given = option_parse_numbers(value, ',', vector->value.raw, 3) &&
-                       fabsf(v->x) <= place_max && fabsf(v->y) <= place_max &&
-                       fabsf(v->z) <= place_max;
+                       fabsf(v->x) <= position_max && fabsf(v->y) <= position_max &&
+                       fabsf(v->z) <= position_max;
     return vector->is_given
                ? STATUS_OK
                : option_refuse(option, value, "X,Y,Z in metres, each from -1e9 to 1e9");
@@ -372,8 +371,8 @@ enum status option_position(const struct option *option, void *at, const char *v
 
 enum status option_fov(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
-    const bool ok = option_parse_numbers(value, ',', &picture->fov_deg, 1) &&
-                    picture->fov_deg >= 1.0f && picture->fov_deg <= 170.0f;
+    struct app_image *image = at;
+    const bool ok = option_parse_numbers(value, ',', &image->fov_deg, 1) &&
+                    image->fov_deg >= 1.0f && image->fov_deg <= 170.0f;
     return ok ? STATUS_OK : option_refuse(option, value, "1 to 170 degrees");
 }

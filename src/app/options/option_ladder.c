@@ -19,7 +19,7 @@ enum status option_ladder_output(const struct option *option, void *at, const ch
     return option_add_output(option, at, value);
 }
 
-static bool add_rung(struct app_ladder *ladder, const char *name, size_t length)
+static bool add_refraction_model(struct app_ladder *ladder, const char *name, size_t length)
 {
     const struct technique *refraction;
     for (uint32_t i = 0; (refraction = techniques_refraction(i)); i++) {
@@ -32,12 +32,12 @@ static bool add_rung(struct app_ladder *ladder, const char *name, size_t length)
     return false;
 }
 
-enum status option_rungs(const struct option *option, void *at, const char *value)
+enum status option_refraction_models(const struct option *option, void *at, const char *value)
 {
     for (const char *name = value;;) {
         const size_t length = strcspn(name, ",");
-        if (!add_rung(at, name, length))
-            return option_refuse_name(option, OPTION_RUNGS, name, length);
+        if (!add_refraction_model(at, name, length))
+            return option_refuse_name(option, OPTION_REFRACTION_MODELS, name, length);
         if (!name[length])
             return STATUS_OK;
         name += length + 1;

@@ -5,8 +5,8 @@
 #include "src/app/app.h"
 #include "src/app/options/option.h"
 
-option_fn option_ladder_output; /* of struct app_outputs */
-option_fn option_rungs;         /* of struct app_ladder */
+option_fn option_ladder_output;     /* of struct app_outputs */
+option_fn option_refraction_models; /* of struct app_ladder */
 
 /* Sets the defaults of firn ladder: what the reference does not draw is off, and refraction models
  * use their exact variants. Options of the command line are applied afterwards. */

@@ -21,7 +21,7 @@ static const struct key {
 
 enum {
     KEY_COUNT = sizeof(keys) / sizeof(keys[0]),
-    WORD_SIZE = 64, /* maximum length of "key=value", bytes */
+    PARAMETER_SIZE = 64, /* maximum length of "key=value", bytes */
 };
 
 static bool is_word(const char *word, size_t length, const char *name)
@@ -29,7 +29,7 @@ static bool is_word(const char *word, size_t length, const char *name)
     return strlen(name) == length && !strncmp(word, name, length);
 }
 
-static enum status refuse_key(const char *words, const char *word)
+static enum status refuse_key(const char *parameters, const char *word)
 {
     char name[SUGGEST_NAME_SIZE], hint[SUGGEST_HINT_SIZE];
     struct suggest suggest = { .word = name };
@@ -38,14 +38,14 @@ static enum status refuse_key(const char *words, const char *word)
         suggest_offer(&suggest, keys[k].name);
     log_error("--material %s: unknown key '%s'%s; expected ior, roughness, transmission, thickness "
               "or dispersion",
-              words, name, suggest_hint(&suggest, hint));
+              parameters, name, suggest_hint(&suggest, hint));
     return STATUS_USAGE;
 }
 
 /* Parses and sets one parameter of a material, such as "ior=1.52". */
 static enum status set_key(struct material_override *made, const char *word, size_t length)
 {
-    char text[WORD_SIZE];
+    char text[PARAMETER_SIZE];
     const size_t name_length = strcspn(word, "=,");
     const struct key *key = NULL;
     float number;

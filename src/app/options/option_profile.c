@@ -16,9 +16,9 @@ enum status option_clock(const struct option *option, void *at, const char *valu
 {
     static const enum rg_clock clocks[] = { RG_CLOCK_NONE, RG_CLOCK_EXACT, RG_CLOCK_SUBMITS };
 
-    static const char *const words[] = { "auto", "timestamps", "submits" };
+    static const char *const names[] = { "auto", "timestamps", "submits" };
     enum rg_clock *clock = at;
-    const int i = option_find_word(words, sizeof(words) / sizeof(words[0]), value);
+    const int i = option_find_word(names, sizeof(names) / sizeof(names[0]), value);
     if (i < 0)
         return option_refuse(option, value, "auto, timestamps or submits");
     *clock = clocks[i];
@@ -30,6 +30,6 @@ enum status option_sweep(const struct option *option, void *at, const char *valu
     struct app_sweeps *sweeps = at;
     if (sweeps->count == APP_SWEEP_COUNT)
         return option_refuse_more(option, value, APP_SWEEP_COUNT);
-    sweeps->words[sweeps->count++] = value;
+    sweeps->texts[sweeps->count++] = value;
     return STATUS_OK;
 }

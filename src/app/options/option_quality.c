@@ -3,11 +3,11 @@
 #include "src/app/options/option_values.h"
 #include "src/settings/quality.h"
 
-static void apply_level(struct app_image *picture, uint32_t level)
+static void apply_level(struct app_image *image, uint32_t level)
 {
-    struct app_scene *scene = &picture->scene;
-    picture->level_samples = qualities[level].samples;
-    picture->level_has_smooth_filter = qualities[level].is_smooth;
+    struct app_scene *scene = &image->scene;
+    image->level_samples = qualities[level].samples;
+    image->level_has_smooth_filter = qualities[level].is_smooth;
     for (const struct quality_row *row = quality_rows; row->setting; row++) {
         const size_t index = settings_index(settings_find(row->setting));
         if (!scene->is_set[index] && !scene->is_preset[index])
@@ -27,8 +27,8 @@ enum status option_quality(const struct option *option, void *at, const char *va
 
 void option_default_quality(struct app_options *o)
 {
-    const struct app_image *picture = &o->picture;
+    const struct app_image *image = &o->image;
     const bool has_limit = o->render.noise > 0.0 || o->render.seconds > 0.0;
-    if (!picture->level_samples && !picture->samples && !picture->scene.preset && !has_limit)
-        apply_level(&o->picture, QUALITY_RENDER_DEFAULT);
+    if (!image->level_samples && !image->samples && !image->scene.preset && !has_limit)
+        apply_level(&o->image, QUALITY_RENDER_DEFAULT);
 }

@@ -41,14 +41,14 @@ const char *option_sums_image(const struct app_options *o)
     return NULL;
 }
 
-char *option_sums_file(const char *picture)
+char *option_sums_file(const char *image)
 {
     static const char ending[] = ".sums.exr";
-    const size_t length = strlen(picture) - strlen(".exr");
+    const size_t length = strlen(image) - strlen(".exr");
     const size_t size = length + sizeof(ending);
     char *name = malloc(size);
     if (name)
-        snprintf(name, size, "%.*s%s", (int)length, picture, ending);
+        snprintf(name, size, "%.*s%s", (int)length, image, ending);
     return name;
 }
 
@@ -56,16 +56,16 @@ enum status option_check_reference(struct app_options *o)
 {
     const struct app_render *render = &o->render;
     const char *limit = render->noise > 0.0 ? "noise" : render->seconds > 0.0 ? "time" : NULL;
-    const bool is_named = o->picture.is_refraction_named;
-    const uint32_t usual = o->picture.level_samples ? o->picture.level_samples : 1;
-    if (o->picture.level_has_smooth_filter && !o->picture.is_filter_named)
-        o->picture.filter = PIXEL_FILTER_BLACKMAN_HARRIS;
-    if (!o->picture.samples)
-        o->picture.samples = limit ? SAMPLES_MAX : usual;
-    if (o->picture.refraction != &refract_reference && (limit || render->keep_sums)) {
+    const bool is_named = o->image.is_refraction_named;
+    const uint32_t default_count = o->image.level_samples ? o->image.level_samples : 1;
+    if (o->image.level_has_smooth_filter && !o->image.is_filter_named)
+        o->image.filter = PIXEL_FILTER_BLACKMAN_HARRIS;
+    if (!o->image.samples)
+        o->image.samples = limit ? SAMPLES_MAX : default_count;
+    if (o->image.refraction != &refract_reference && (limit || render->keep_sums)) {
         log_error("--%s: only available with --refraction reference%s%s%s; %s",
                   limit ? limit : "keep-sums", is_named ? ", not '" : "",
-                  is_named ? o->picture.refraction->refraction.name : "", is_named ? "'" : "",
+                  is_named ? o->image.refraction->refraction.name : "", is_named ? "'" : "",
                   limit ? "give --samples instead" : "leave it out");
         return STATUS_USAGE;
     }

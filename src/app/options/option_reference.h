@@ -11,7 +11,7 @@ const char *option_sums_image(const struct app_options *options);
 
 /* Returns the name of the file with an image's sample sums, "a.sums.exr" for "a.exr", to be freed
  * by the caller; NULL when out of memory. */
-char *option_sums_file(const char *picture);
+char *option_sums_file(const char *image);
 
 /* Checks that options for the reference are used only with it, and sets the default sample count
  * and pixel filter. On failure logs and returns STATUS_USAGE. */

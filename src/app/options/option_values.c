@@ -23,17 +23,18 @@ enum status option_refuse(const struct option *option, const char *value, const 
     return STATUS_USAGE;
 }
 
-enum status option_refuse_more(const struct option *option, const char *value, uint32_t most)
+enum status option_refuse_more(const struct option *option, const char *value, uint32_t max_count)
 {
-    log_error("--%s: expected at most %u of these options, '%s' is one more", option->name, most,
-              value);
+    log_error("--%s: expected at most %u of these options, '%s' is one more", option->name,
+              max_count, value);
     return STATUS_USAGE;
 }
 
 static void offer_names(struct suggest *suggest, enum option_names names)
 {
-    const bool has_reference = names == OPTION_RUNGS_AND_REFERENCE;
-    for (size_t i = 0; (names == OPTION_RUNGS || has_reference) && techniques_refraction(i); i++)
+    const bool has_reference = names == OPTION_REFRACTION_MODELS_AND_REFERENCE;
+    for (size_t i = 0;
+         (names == OPTION_REFRACTION_MODELS || has_reference) && techniques_refraction(i); i++)
         suggest_offer(suggest, techniques_refraction(i)->refraction.name);
     if (has_reference)
         suggest_offer(suggest, refract_reference.refraction.name);
@@ -48,8 +49,8 @@ enum status option_refuse_name(const struct option *option, enum option_names na
                                const char *word, size_t length)
 {
     static const char *const kinds[] = {
-        [OPTION_RUNGS] = "rung",
-        [OPTION_RUNGS_AND_REFERENCE] = "rung",
+        [OPTION_REFRACTION_MODELS] = "rung",
+        [OPTION_REFRACTION_MODELS_AND_REFERENCE] = "rung",
         [OPTION_MATERIALS] = "material",
         [OPTION_LAYERS] = "layer",
     };
@@ -59,7 +60,7 @@ enum status option_refuse_name(const struct option *option, enum option_names na
     snprintf(name, sizeof(name), "%.*s", (int)(length < sizeof(name) ? length : sizeof(name)),
              word);
     offer_names(&suggest, names);
-    if (names == OPTION_RUNGS && !strcmp(name, refract_reference.refraction.name))
+    if (names == OPTION_REFRACTION_MODELS && !strcmp(name, refract_reference.refraction.name))
         log_error("--%s: refraction model '%s' is ray traced, which only firn render --refraction "
                   "supports",
                   option->name, name);
@@ -100,10 +101,10 @@ bool option_parse_count(const char *text, uint32_t min, uint32_t max, uint32_t *
     return true;
 }
 
-int option_find_word(const char *const *words, int count, const char *value)
+int option_find_word(const char *const *names, int count, const char *value)
 {
     int i = 0;
-    while (i < count && strcmp(words[i], value) != 0)
+    while (i < count && strcmp(names[i], value) != 0)
         i++;
     return i < count ? i : -1;
 }

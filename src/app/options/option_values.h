@@ -13,20 +13,18 @@ bool option_is_optional(const struct option *option);
 /* Logs "--option: expected EXPECTED, got 'value'". Returns STATUS_USAGE. */
 enum status option_refuse(const struct option *option, const char *value, const char *expected);
 
-/* Logs that an option was given more than `most` times, last with `value`. Returns STATUS_USAGE. */
-enum status option_refuse_more(const struct option *option, const char *value, uint32_t most);
+/* Logs that an option was given more than `max_count` times. Returns STATUS_USAGE. */
+enum status option_refuse_more(const struct option *option, const char *value, uint32_t max_count);
 
 enum option_names {
-    OPTION_RUNGS,
-    OPTION_RUNGS_AND_REFERENCE,
+    OPTION_REFRACTION_MODELS,
+    OPTION_REFRACTION_MODELS_AND_REFERENCE,
     OPTION_MATERIALS,
     OPTION_LAYERS,
 };
 
-/*
- * Logs that the first `length` characters of `word` are not a known name of this kind, suggests a
- * similar name and refers to firn list. Returns STATUS_USAGE.
- */
+/* Logs that the first `length` characters of `word` are not a known name of this kind, suggests a
+ * similar name and refers to firn list. Returns STATUS_USAGE. */
 enum status option_refuse_name(const struct option *option, enum option_names names,
                                const char *word, size_t length);
 
@@ -35,7 +33,7 @@ enum status option_add_output(const struct option *option, struct app_outputs *o
                               const char *value);
 
 /* Returns the index of `value` in the array of words; -1 if it is not there. */
-int option_find_word(const char *const *words, int count, const char *value);
+int option_find_word(const char *const *names, int count, const char *value);
 
 /* Parses numbers between separators. Returns true if there are exactly `count`, all finite. */
 bool option_parse_numbers(const char *text, char separator, float *numbers, size_t count);

@@ -15,10 +15,11 @@ enum status option_present(const struct option *option, void *at, const char *va
 
 enum status option_split(const struct option *option, void *at, const char *value)
 {
-    struct app_image *picture = at;
-    picture->split = techniques_find_refraction(value);
-    return picture->split ? STATUS_OK
-                          : option_refuse_name(option, OPTION_RUNGS, value, strlen(value));
+    struct app_image *image = at;
+    image->split = techniques_find_refraction(value);
+    return image->split
+               ? STATUS_OK
+               : option_refuse_name(option, OPTION_REFRACTION_MODELS, value, strlen(value));
 }
 
 enum status option_watch(const struct option *option, void *at, const char *value)

@@ -4,9 +4,8 @@
 
 #include "src/app/options/option.h"
 
-/* sets a field of struct app_view */
-option_fn option_present, option_overlay, option_theme, option_ui_scale;
-option_fn option_watch; /* sets a field of struct app_view */
+/* of struct app_view */
+option_fn option_present, option_overlay, option_theme, option_ui_scale, option_watch;
 option_fn option_split; /* of struct app_image */
 
 #endif

@@ -33,12 +33,12 @@ enum {
     TASKS_MAX = 1000 /* Slurm's default MaxArraySize is 1001 */
 };
 
-#define FRAMES   (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW | APP_FARM)
-#define PICTURES (FRAMES | APP_LADDER | APP_SHEET)
-#define SCENES   (PICTURES | APP_BAKE)
-#define READERS  (SCENES | APP_DIFF | APP_MERGE | APP_INFO)
-#define FILES    (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
-#define DEVICES  ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
+#define FRAMES  (APP_RENDER | APP_GRAPH | APP_PROFILE | APP_VIEW | APP_FARM)
+#define IMAGES  (FRAMES | APP_LADDER | APP_SHEET)
+#define SCENES  (IMAGES | APP_BAKE)
+#define READERS (SCENES | APP_DIFF | APP_MERGE | APP_INFO)
+#define FILES   (APP_RENDER | APP_GRAPH | APP_VIEW | APP_FARM)
+#define DEVICES ((FRAMES & ~(unsigned)APP_GRAPH) | APP_LADDER | APP_BAKE | APP_SHEET)
 
 /* Give the offset of a row's field, and its setter; a field of another type does not compile. A
  * type cannot be in parentheses. NOLINTBEGIN(bugprone-macro-parentheses) */
@@ -50,9 +50,9 @@ enum {
 #define INPUT(field)       AT(const char *, field, option_input)
 #define REPORT(field)      AT(const char *, field, option_report)
 #define COUNT(field)       AT(uint32_t, field, option_count)
-#define PICTURE(set)       AT(struct app_image, picture, set)
-#define SCENE(set)         AT(struct app_scene, picture.scene, set)
-#define VECTOR(field, set) AT(struct app_vector, picture.field, set)
+#define IMAGE(set)         AT(struct app_image, image, set)
+#define SCENE(set)         AT(struct app_scene, image.scene, set)
+#define VECTOR(field, set) AT(struct app_vector, image.field, set)
 #define OUTPUTS(set)       AT(struct app_outputs, run.outputs, set)
 #define FORMAT             AT(enum app_format, run.format, option_format)
 #define SWEEP              AT(struct app_sweeps, sweeps, option_sweep)
@@ -73,40 +73,40 @@ static const struct option options[] = {
       "output file, .exr, or - for stdout (merged.exr)" },
     { "Output", "sweep", 0, "NAME=A,B,...", APP_SHEET, SWEEP,
       "values of a setting, one image each; repeatable: all combinations (materials)" },
-    { "Output", "size", 's', "WxH", APP_SHEET, PICTURE(option_size),
+    { "Output", "size", 's', "WxH", APP_SHEET, IMAGE(option_size),
       "size of each image, pixels, 1x1 to 16384x16384 (320x240)" },
-    { "Output", "size", 's', "N", APP_BAKE, PICTURE(option_bake_size),
+    { "Output", "size", 's', "N", APP_BAKE, IMAGE(option_bake_size),
       "side of a cube face, texels, 1 to 4096 (512)" },
-    { "Output", "size", 's', "WxH", FRAMES, PICTURE(option_size),
+    { "Output", "size", 's', "WxH", FRAMES, IMAGE(option_size),
       "size of the image, pixels, 1x1 to 16384x16384 (1024x768)" },
-    { "Output", "size", 's', "WxH", APP_LADDER, PICTURE(option_size),
+    { "Output", "size", 's', "WxH", APP_LADDER, IMAGE(option_size),
       "size of the image, pixels, 1x1 to 16384x16384 (512x512)" },
-    { "Output", "samples", 'n', "N|auto", APP_RENDER | APP_FARM, PICTURE(option_samples),
+    { "Output", "samples", 'n', "N|auto", APP_RENDER | APP_FARM, IMAGE(option_samples),
       "samples per pixel, 1 to 65536; auto: 4, 16 or 64 by noise (set by --quality)", 1, 65536 },
-    { "Output", "samples", 'n', "N", APP_GRAPH | APP_LADDER | APP_SHEET, COUNT(picture.samples),
+    { "Output", "samples", 'n', "N", APP_GRAPH | APP_LADDER | APP_SHEET, COUNT(image.samples),
       "samples per pixel, 1 to 65536 (1)", 1, 65536 },
     { "Output", "noise", 0, "LEVEL", APP_RENDER, AT(double, render.noise, option_noise),
       "reference: stop at this mean standard error of RGB clamped to 0..1 (no limit)" },
     { "Output", "time", 0, "SECONDS", APP_RENDER, AT(double, render.seconds, option_seconds),
-      "reference: time after which no round of samples starts, seconds (no limit)" },
+      "reference: start no new samples after this time, seconds (no limit)" },
     { "Output", "keep-sums", 0, NULL, APP_RENDER, FLAG(render.keep_sums),
       "reference: keep sample sums in a.sums.exr beside a.exr, for --resume" },
-    { "Output", "samples", 'n', "N", APP_VIEW, COUNT(picture.samples),
+    { "Output", "samples", 'n', "N", APP_VIEW, COUNT(image.samples),
       "samples per pixel at rest and in screenshots, 1 to 65536 (64; 1 with --frames)", 1, 65536 },
     { "Output", "pixel-filter", 0, "FILTER", FILES | APP_LADDER | APP_SHEET,
-      AT(struct app_image, picture, option_pixel_filter),
+      AT(struct app_image, image, option_pixel_filter),
       "pixel reconstruction filter: box, point (pixel centre) or blackman-harris (box)" },
-    { "Output", "aov", 0, "LIST", FILES, PICTURE(option_aov),
+    { "Output", "aov", 0, "LIST", FILES, IMAGE(option_aov),
       "additional EXR layers (AOVs), separated by commas, or all: firn list layers" },
-    { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, PICTURE(option_tiles),
+    { "Output", "tiles", 0, "CxR", APP_RENDER | APP_FARM, IMAGE(option_tiles),
       "columns and rows of tiles, 1x1 to 16x16: less memory, identical output" },
-    { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, PICTURE(option_tile),
+    { "Output", "tile", 0, "I", APP_RENDER | APP_FARM, IMAGE(option_tile),
       "number of the only tile to draw, from 1; firn merge joins the files" },
-    { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, FLAG(picture.interleaved),
+    { "Output", "interleaved", 0, NULL, APP_RENDER | APP_FARM, FLAG(image.interleaved),
       "interleave tiles, for images beyond the device's size limit; output differs" },
-    { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, PICTURE(option_show),
+    { "Output", "show", 0, "LAYER", APP_RENDER | APP_FARM, IMAGE(option_show),
       "layer that PNG files show instead of the image: firn list layers" },
-    { "Output", "png-bits", 0, "8|16", APP_RENDER | APP_FARM, PICTURE(option_png_bits),
+    { "Output", "png-bits", 0, "8|16", APP_RENDER | APP_FARM, IMAGE(option_png_bits),
       "bits per channel of PNG files (8)" },
     { "Window", "frames", 0, "N", APP_VIEW, COUNT(view.frame_count),
       "number of frames until the window closes, 1 to 1000000000 (no limit)", 1, 1000000000 },
@@ -128,7 +128,7 @@ static const struct option options[] = {
       "file for the positions of all controls, pixels, rewritten when they change" },
     { "Window", "session", 0, "FILE", APP_VIEW, INPUT(view.session),
       "session file, as Ctrl S saves it, to open instead of SCENE" },
-    { "Window", "split", 0, "RUNG", APP_VIEW, PICTURE(option_split),
+    { "Window", "split", 0, "RUNG", APP_VIEW, IMAGE(option_split),
       "refraction model to compare, to the right of a divider; keys W, [ and ]" },
     { "Window", "watch", 0, "[=FOLDER]", APP_VIEW, VIEW(option_watch),
       "folder of shaders that are recompiled and reloaded when saved (shaders)" },
@@ -172,7 +172,8 @@ static const struct option options[] = {
     { "Reports", "html", 0, "FILE", APP_PROFILE, REPORT(profile.html), "HTML page with plots" },
     { "Reports", "capture", 0, NULL, APP_PROFILE, FLAG(profile.capture),
       "RenderDoc capture of one frame; start firn from RenderDoc" },
-    { "Ladder", "rungs", 0, "LIST", APP_LADDER, AT(struct app_ladder, ladder, option_rungs),
+    { "Ladder", "rungs", 0, "LIST", APP_LADDER,
+      AT(struct app_ladder, ladder, option_refraction_models),
       "refraction models to compare, separated by commas: firn list rungs (all)" },
     { "Ladder", "runs", 0, "N", APP_LADDER, COUNT(ladder.run_count),
       "timed frames per refraction model, 0 to 10000; 0 skips the timing (10)", 0, 10000 },
@@ -180,21 +181,21 @@ static const struct option options[] = {
       "white furnace test; exit code 1 if a refraction model gains or loses light" },
     { "Ladder", "whole", 0, NULL, APP_LADDER, FLAG(ladder.whole),
       "include bubbles, cracks, air, bumps and frost; list errors by what rays hit" },
-    { "Ladder", "truth", 0, "FILE", APP_LADDER, INPUT(ladder.truth),
+    { "Ladder", "truth", 0, "FILE", APP_LADDER, INPUT(ladder.reference_image),
       "second reference: an image of the same view by another renderer" },
-    { "Picture", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, PICTURE(option_refraction),
+    { "Rendering", "refraction", 'r', "RUNG", FRAMES | APP_SHEET, IMAGE(option_refraction),
       "refraction model: paper, bounce, ...: firn list rungs (chosen by the scene)" },
-    { "Picture", "quality", 0, "LEVEL", PICTURES, PICTURE(option_quality),
+    { "Rendering", "quality", 0, "LEVEL", IMAGES, IMAGE(option_quality),
       "quality level: draft, normal or high (high in firn render, normal elsewhere)" },
-    { "Picture", "material", 'm', "NAME", PICTURES, SCENE(option_material),
+    { "Rendering", "material", 'm', "NAME", IMAGES, SCENE(option_material),
       "material: ice, glass, ... (firn list materials), or NODE=glass[,ior=1.5,...]" },
-    { "Picture", "plain", 0, NULL, PICTURES, FLAG(picture.scene.plain),
+    { "Rendering", "plain", 0, NULL, IMAGES, FLAG(image.scene.plain),
       "no cracks, air, bubbles, bumps, frost or highlights, except those of --set" },
-    { "Picture", "tone-curve", 0, "CURVE", PICTURES, SCENE(option_tone_curve),
+    { "Rendering", "tone-curve", 0, "CURVE", IMAGES, SCENE(option_tone_curve),
       "tone curve of PNG files: neutral, agx, aces, hable or clip (neutral)" },
-    { "Picture", "preset", 0, "FILE", SCENES, INPUT(picture.scene.preset),
+    { "Rendering", "preset", 0, "FILE", SCENES, INPUT(image.scene.preset),
       "settings: NAME=VALUE lines, firn's .exr or .png, or paper: the paper's scenes" },
-    { "Picture", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
+    { "Rendering", "set", 0, "NAME=VALUE", SCENES, SCENE(option_set),
       "value of a setting; see firn list settings; repeatable" },
     { "Scene", "up", 0, "AXIS", SCENES, SCENE(option_up),
       "up axis of the model file, y or z; does not affect --surroundings (y)" },
@@ -202,35 +203,35 @@ static const struct option options[] = {
       "scale of the model file, 1e-6 to 1e6; does not affect --surroundings (1)" },
     { "Scene", "rotate", 0, "X,Y,Z", SCENES, SCENE(option_rotate),
       "rotation of the model file about X, Y, Z, degrees; not of --surroundings" },
-    { "Scene", "animation", 0, "NAME|N", SCENES, TEXT(picture.scene.animation),
+    { "Scene", "animation", 0, "NAME|N", SCENES, TEXT(image.scene.animation),
       "animation of the model file: name, number from 0, or none (the first)" },
-    { "Scene", "env", 'e', "FILE", SCENES, INPUT(picture.scene.environment),
+    { "Scene", "env", 'e', "FILE", SCENES, INPUT(image.scene.environment),
       "environment: name, .exr, .hdr or firn bake's cube (sky; studio for model files)" },
     { "Scene", "env-rotate", 0, "DEG", SCENES, SCENE(option_env_rotate),
       "rotation of the --env panorama about +Y, degrees, -360 to 360 (0)" },
     { "Scene", "env-exposure", 0, "EV", SCENES, SCENE(option_env_exposure),
       "exposure of the --env file, stops, -16 to 16 (0)" },
-    { "Scene", "surroundings", 0, "FILE", SCENES, INPUT(picture.scene.surroundings),
+    { "Scene", "surroundings", 0, "FILE", SCENES, INPUT(image.scene.surroundings),
       "model file that surrounds the object (the scene's own surroundings)" },
-    { "Scene", "cracks", 0, "FILE", SCENES, INPUT(picture.scene.cracks),
+    { "Scene", "cracks", 0, "FILE", SCENES, INPUT(image.scene.cracks),
       "model file of a crack; cracks.count copies of it are placed at random" },
-    { "Scene", "bump", 0, "FILE", SCENES, INPUT(picture.scene.bump),
+    { "Scene", "bump", 0, "FILE", SCENES, INPUT(image.scene.bump),
       "height map of bumps, tiled over the surface: .exr, .hdr or .png (noise)" },
-    { "Scene", "bump-mask", 0, "FILE", SCENES, INPUT(picture.scene.bump_mask),
+    { "Scene", "bump-mask", 0, "FILE", SCENES, INPUT(image.scene.bump_mask),
       "mask image: white where the surface has no bumps (noise and bump.mask)" },
-    { "Scene", "air", 0, "FILE", SCENES, INPUT(picture.scene.air),
+    { "Scene", "air", 0, "FILE", SCENES, INPUT(image.scene.air),
       "image of bubbles for the planes of air: white is opaque (random bubbles)" },
     { "Scene", "background", 0, "R,G,B", SCENES, SCENE(option_background),
       "constant linear colour instead of the sky; none: alpha 0 behind surfaces" },
-    { "Camera", "camera", 0, "NAME|N", PICTURES, TEXT(picture.camera),
+    { "Camera", "camera", 0, "NAME|N", IMAGES, TEXT(image.camera),
       "camera of the model file, name or number from 0: firn info FILE (the first)" },
-    { "Camera", "orbit", 0, "AZ,EL,DIST", PICTURES, VECTOR(orbit, option_orbit),
+    { "Camera", "orbit", 0, "AZ,EL,DIST", IMAGES, VECTOR(orbit, option_orbit),
       "orbit camera: azimuth and elevation, degrees; distance to the target, metres" },
-    { "Camera", "eye", 0, "X,Y,Z", PICTURES, VECTOR(eye, option_position),
+    { "Camera", "eye", 0, "X,Y,Z", IMAGES, VECTOR(eye, option_position),
       "position of the camera, metres" },
-    { "Camera", "target", 0, "X,Y,Z", PICTURES, VECTOR(target, option_position),
+    { "Camera", "target", 0, "X,Y,Z", IMAGES, VECTOR(target, option_position),
       "point that the camera looks at, metres (the object's centre)" },
-    { "Camera", "fov", 0, "DEGREES", PICTURES, PICTURE(option_fov),
+    { "Camera", "fov", 0, "DEGREES", IMAGES, IMAGE(option_fov),
       "vertical field of view, degrees, 1 to 170 (45)" },
     { "Device", "device", 'd', "N|NAME", DEVICES, TEXT(run.gpu.device),
       "Vulkan device, number or part of its name: firn list devices (a GPU)" },
@@ -238,11 +239,11 @@ static const struct option options[] = {
       "Vulkan validation layer, with synchronization validation" },
     { "Device", "no-cache", 0, NULL, DEVICES | APP_INFO, FLAG(run.gpu.no_cache),
       "do not cache compiled pipelines and large BVHs in $XDG_CACHE_HOME/firn" },
-    { "Device", "sharing", 0, "HOW", SCENES, AT(enum rg_sharing, picture.sharing, option_sharing),
+    { "Device", "sharing", 0, "HOW", SCENES, AT(enum rg_sharing, image.sharing, option_sharing),
       "memory aliasing of images: batches (no extra batches), memory, nothing (batches)" },
-    { "Reading", "load-seconds", 0, "N", READERS, COUNT(picture.scene.reader.seconds),
+    { "Reading", "load-seconds", 0, "N", READERS, COUNT(image.scene.reader.seconds),
       "limit of CPU time per file, seconds, 1 to 3600 (60)", 1, 3600, " of seconds" },
-    { "Reading", "load-memory", 0, "GiB", READERS, COUNT(picture.scene.reader.memory_gib),
+    { "Reading", "load-memory", 0, "GiB", READERS, COUNT(image.scene.reader.memory_gib),
       "memory limit per file, GiB, 1 to 1024 (4)", 1, 1024, " of GiB" },
     { "Reading", "sandbox", 0, "on|off", READERS, SCENE(option_sandbox),
       "sandbox of the processes that read files; off is for debugging (on)" },
@@ -351,10 +352,10 @@ static enum status parse_option(struct app_options *o, enum app_command command,
         log_error("--%s: expected no value, got '%s' (see --help)", option->name, value);
         return STATUS_USAGE;
     }
-    const bool wanted = option->value && !value && !option_is_optional(option);
-    if (wanted)
+    const bool needs_value = option->value && !value && !option_is_optional(option);
+    if (needs_value)
         value = argv[++*index]; /* argv ends at NULL */
-    if (wanted && !value) {
+    if (needs_value && !value) {
         log_error("--%s: expected %s, got nothing (see --help)", option->name, option->value);
         return STATUS_USAGE;
     }
@@ -369,28 +370,27 @@ static enum status add_positional(struct app_options *o, enum app_command comman
                           : command == APP_MERGE          ? APP_POSITIONAL_COUNT - 1
                           : command == APP_LADDER         ? APP_LADDER_SCENE_COUNT
                                                           : 1;
-    const bool is_first = is_scene && !o->picture.scene.name;
-    const char **words =
-        is_first || (is_scene && most == 1) ? &o->picture.scene.name : o->positionals;
+    const bool is_first = is_scene && !o->image.scene.name;
+    const char **args = is_first || (is_scene && most == 1) ? &o->image.scene.name : o->positionals;
     const uint32_t room = is_first ? 1 : most - (is_scene && most > 1);
     uint32_t count = 0;
-    while (count < room && words[count])
+    while (count < room && args[count])
         count++;
     if (count < room) {
-        words[count] = word;
+        args[count] = word;
         return STATUS_OK;
     }
     if (most > 1)
         log_error("unexpected argument '%s': expected at most %u (see --help)", word, most);
     else
         log_error("unexpected argument '%s': the %s is already '%s'", word,
-                  is_scene ? "scene" : "list", words[0]);
+                  is_scene ? "scene" : "list", args[0]);
     return STATUS_USAGE;
 }
 
-static enum status refuse_traced(const struct app_image *picture)
+static enum status refuse_traced(const struct app_image *image)
 {
-    if (picture->refraction != &refract_reference)
+    if (image->refraction != &refract_reference)
         return STATUS_OK;
     log_error("--refraction: 'reference' is ray traced, which only firn render supports; choose "
               "another refraction model");
@@ -398,23 +398,23 @@ static enum status refuse_traced(const struct app_image *picture)
 }
 
 /* Checks that the selected renderer draws all requested layers; needs all options to be parsed. */
-static enum status settle_layers(struct app_image *picture)
+static enum status check_layers(struct app_image *image)
 {
     uint32_t made = 0;
     for (uint32_t i = 0; techniques_layer(i); i++) {
         const struct frame_layer *layer = techniques_layer(i);
-        const bool is_made = picture->refraction == &refract_reference ? reference_has_layer(layer)
-                                                                       : layer->image != NULL;
-        const bool is_shown = picture->show == layer;
+        const bool is_made = image->refraction == &refract_reference ? reference_has_layer(layer)
+                                                                     : layer->image != NULL;
+        const bool is_shown = image->show == layer;
         made |= is_made ? 1u << i : 0;
-        if (is_made || !(picture->layers & 1u << i || is_shown))
+        if (is_made || !(image->layers & 1u << i || is_shown))
             continue;
         log_error("--%s: layer '%s' is not available with --refraction %s (firn list layers)",
-                  is_shown ? "show" : "aov", layer->name, picture->refraction->refraction.name);
+                  is_shown ? "show" : "aov", layer->name, image->refraction->refraction.name);
         return STATUS_USAGE;
     }
-    if (picture->all_layers)
-        picture->layers = made;
+    if (image->all_layers)
+        image->layers = made;
     return STATUS_OK;
 }
 
@@ -453,8 +453,8 @@ static enum status check_files(const struct app_options *o, enum app_command com
     for (uint32_t i = 0; i < o->run.outputs.count; i++)
         files[count++] = (struct option_file){ command == APP_VIEW ? "screenshot" : "output",
                                                o->run.outputs.paths[i], true };
-    if (o->picture.scene.name && !scene_is_known(o->picture.scene.name))
-        files[count++] = (struct option_file){ NULL, o->picture.scene.name, false };
+    if (o->image.scene.name && !scene_is_known(o->image.scene.name))
+        files[count++] = (struct option_file){ NULL, o->image.scene.name, false };
     for (size_t i = 0; i < APP_POSITIONAL_COUNT && o->positionals[i]; i++)
         files[count++] = (struct option_file){ NULL, o->positionals[i], false };
     if (sums)
@@ -467,7 +467,7 @@ static enum status check_files(const struct app_options *o, enum app_command com
 static void init_defaults(struct app_options *o, enum app_command command)
 {
     *o = (struct app_options){
-        .picture = {
+        .image = {
             .scene = {
                 .reader = { .program = "/proc/self/exe" },
                 .settings = settings_default(),
@@ -482,36 +482,36 @@ static void init_defaults(struct app_options *o, enum app_command command)
         .ladder = { .run_count = 10 },
     };
     if (command & (APP_RENDER | APP_FARM))
-        o->picture.samples = 0; /* option_check_reference() sets the default */
+        o->image.samples = 0; /* option_check_reference() sets the default */
     if (command == APP_VIEW)
-        o->picture.samples = 0; /* the viewer sets the default */
+        o->image.samples = 0; /* the viewer sets the default */
     if (command == APP_LADDER)
-        option_ladder_settings(&o->picture.scene.settings);
+        option_ladder_settings(&o->image.scene.settings);
     if (command & (APP_LADDER | APP_BAKE))
-        o->picture.width = o->picture.height = 512;
+        o->image.width = o->image.height = 512;
     if (command == APP_SHEET) {
-        o->picture.width = 320;
-        o->picture.height = 240;
+        o->image.width = 320;
+        o->image.height = 240;
     }
 }
 
 enum status app_parse(struct app_options *o, enum app_command command, int argc, char **argv,
                       bool *done)
 {
-    bool only_words = false;
+    bool options_ended = false;
     *done = false;
     init_defaults(o, command);
     for (int i = 0; i < argc; i++) {
         enum status status = STATUS_OK;
         const char *word = argv[i];
-        if (!only_words && (!strcmp(word, "--help") || !strcmp(word, "-h"))) {
+        if (!options_ended && (!strcmp(word, "--help") || !strcmp(word, "-h"))) {
             app_help(command);
             *done = true;
             return STATUS_OK;
         }
-        if (!only_words && !strcmp(word, "--")) {
-            only_words = true;
-        } else if (!only_words && word[0] == '-' && word[1]) {
+        if (!options_ended && !strcmp(word, "--")) {
+            options_ended = true;
+        } else if (!options_ended && word[0] == '-' && word[1]) {
             status = parse_option(o, command, argv, &i);
         } else {
             status = add_positional(o, command, word);
@@ -519,60 +519,61 @@ enum status app_parse(struct app_options *o, enum app_command command, int argc,
         if (status != STATUS_OK)
             return status;
     }
-    if (!(command & (APP_RENDER | APP_FARM)) && refuse_traced(&o->picture) != STATUS_OK)
+    if (!(command & (APP_RENDER | APP_FARM)) && refuse_traced(&o->image) != STATUS_OK)
         return STATUS_USAGE;
-    o->picture.scene.quiet = o->run.quiet;
+    o->image.scene.quiet = o->run.quiet;
     if (o->ladder.whole)
-        option_ladder_whole(&o->picture.scene);
+        option_ladder_whole(&o->image.scene);
     if (command != APP_FARM) /* firn farm sets its outputs later: a positional word may be one */
         app_default_output(o, command);
-    enum status status = settle_layers(&o->picture);
+    enum status status = check_layers(&o->image);
     if (command & (APP_RENDER | APP_FARM))
         option_default_quality(o);
     if (status == STATUS_OK && command & (APP_RENDER | APP_FARM))
         status = option_check_reference(o);
     if (status == STATUS_OK)
         status = check_files(o, command);
-    return status == STATUS_OK ? option_preset_read(&o->picture.scene) : status;
+    return status == STATUS_OK ? option_preset_read(&o->image.scene) : status;
 }
 
-void app_print_render_arguments(char *const *words, enum app_command command, uint32_t skip,
+void app_print_render_arguments(char *const *args, enum app_command command, uint32_t skip,
                                 FILE *out)
 {
-    bool only_words = false;
-    for (; *words; words++) {
+    bool options_ended = false;
+    for (; *args; args++) {
         const char *value = "";
-        const bool is_option = !only_words && words[0][0] == '-' && words[0][1];
-        const bool is_last = is_option && !strcmp(*words, "--");
-        const struct option *option = is_option && !is_last ? split(*words, command, &value) : NULL;
+        const bool is_option = !options_ended && args[0][0] == '-' && args[0][1];
+        const bool is_last = is_option && !strcmp(*args, "--");
+        const struct option *option = is_option && !is_last ? split(*args, command, &value) : NULL;
         const bool has_next = option && option->value && !value && !option_is_optional(option);
         const bool skipped = !is_option && skip > 0;
-        only_words = only_words || is_last;
+        options_ended = options_ended || is_last;
         skip -= skipped;
         if (!skipped && (!option || option->commands & APP_RENDER)) {
             putc(' ', out);
-            shell_quote_word(*words, out);
+            shell_quote_word(*args, out);
             if (has_next) {
                 putc(' ', out);
-                shell_quote_word(words[1], out);
+                shell_quote_word(args[1], out);
             }
         }
-        words += has_next;
+        args += has_next;
     }
 }
 
-/* Sets an option of a picture; only its offsets are valid here. */
-enum status app_set_option(struct app_image *picture, const char *name, const char *value)
+/* Sets an option of an image; only offsets within struct app_image are valid here. */
+enum status app_set_option(struct app_image *image, const char *name, const char *value)
 {
     const struct option *option = find_long(name, strlen(name), APP_GRAPH);
     char assignment[256];
-    _Static_assert(offsetof(struct app_options, picture) == 0, "offsets are those in a picture");
-    if (option && option->offset < sizeof(*picture) && strcmp(name, "set") != 0) {
-        const enum status status = option->set(option, (char *)picture + option->offset, value);
+    _Static_assert(offsetof(struct app_options, image) == 0,
+                   "offsets are those in struct app_image");
+    if (option && option->offset < sizeof(*image) && strcmp(name, "set") != 0) {
+        const enum status status = option->set(option, (char *)image + option->offset, value);
         if (status == STATUS_OK && !strcmp(name, "preset"))
-            return option_preset_read(&picture->scene);
-        return status == STATUS_OK ? refuse_traced(picture) : status;
+            return option_preset_read(&image->scene);
+        return status == STATUS_OK ? refuse_traced(image) : status;
     }
     snprintf(assignment, sizeof(assignment), "%s=%s", name, value);
-    return option_set(option, &picture->scene, assignment);
+    return option_set(option, &image->scene, assignment);
 }

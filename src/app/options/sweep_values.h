@@ -8,11 +8,10 @@
 /* Parses all --sweep options and checks every point. Logs errors; *sweep may then be half-built. */
 MUST_USE enum status sweep_values_parse(struct profile_sweep *sweep,
                                         const struct app_sweeps *sweeps,
-                                        const struct app_image *picture);
+                                        const struct app_image *image);
 
 /* Sets *at_point to the options of a sweep point. On failure logs and returns STATUS_USAGE. */
 MUST_USE enum status sweep_values_apply(const struct profile_sweep *sweep, uint32_t point,
-                                        const struct app_image *picture,
-                                        struct app_image *at_point);
+                                        const struct app_image *image, struct app_image *at_point);
 
 #endif

@@ -25,9 +25,9 @@ constexpr ImGuiKey keys[IMGUI_KEY_COUNT] = {
     ImGuiKey_V,         ImGuiKey_X,         ImGuiKey_Z,
 };
 
-bool contains(const imgui_rect &place, float x, float y)
+bool contains(const imgui_rect &area, float x, float y)
 {
-    return x >= place.x && y >= place.y && x < place.x + place.width && y < place.y + place.height;
+    return x >= area.x && y >= area.y && x < area.x + area.width && y < area.y + area.height;
 }
 
 } // namespace
@@ -77,7 +77,7 @@ static void set_theme(float scale, const theme &theme)
     style.FrameRounding = 4.0f;
     style.GrabRounding = 4.0f;
     style.PopupRounding = 4.0f;
-    style.GrabMinSize = 4.0f; /* the number on the slider stays legible */
+    style.GrabMinSize = 4.0f; /* keeps the number legible */
     style.ScrollbarSize = 12.0f;
     style.WindowPadding = ImVec2(8.0f, 5.0f);
     style.ItemSpacing = ImVec2(6.0f, 4.0f);
@@ -116,7 +116,7 @@ static bool add_font(const imgui *ui)
 }
 
 /* Reserves a rectangle for each thumbnail in the font atlas, before the atlas is built. */
-static void add_pictures(imgui *ui)
+static void add_thumbnails(imgui *ui)
 {
     const imgui_thumbnails &p = ui->thumbnails;
     for (uint32_t i = 0; i < p.count; i++)
@@ -129,13 +129,13 @@ static void add_bitmap_font(imgui *ui, float scale)
     ImFontAtlas *fonts = ImGui::GetIO().Fonts;
     ImFontConfig config;
     fonts->Clear();
-    add_pictures(ui);
+    add_thumbnails(ui);
     config.SizePixels = static_cast<float>(static_cast<int>(bitmap_text_size * scale));
     fonts->AddFontDefault(&config);
     fonts->Build();
 }
 
-static void copy_pictures(const imgui *ui)
+static void copy_thumbnails(const imgui *ui)
 {
     ImFontAtlas *fonts = ImGui::GetIO().Fonts;
     const imgui_thumbnails &p = ui->thumbnails;
@@ -151,9 +151,9 @@ static void copy_pictures(const imgui *ui)
     }
 }
 
-void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *pictures)
+void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *thumbnails)
 {
-    ui->thumbnails = *pictures;
+    ui->thumbnails = *thumbnails;
 }
 
 bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme)
@@ -162,11 +162,11 @@ bool imgui_rescale(struct imgui *ui, float scale, const struct theme *theme)
     ui->colors = theme;
     set_theme(scale, *theme);
     ImGui::GetIO().Fonts->Clear();
-    add_pictures(ui);
+    add_thumbnails(ui);
     const bool found = add_font(ui);
     if (!found)
         add_bitmap_font(ui, scale);
-    copy_pictures(ui);
+    copy_thumbnails(ui);
     return found;
 }
 
@@ -274,7 +274,7 @@ static bool take_commands(const ImDrawList *from, uint32_t base, uint32_t *index
         overlay_draw_command part = clip(command, data);
         if (!part.width || !part.height || !command.ElemCount)
             continue;
-        if (list->part_count == OVERLAY_COMMAND_COUNT ||
+        if (list->command_count == OVERLAY_COMMAND_COUNT ||
             *index_count + command.ElemCount > OVERLAY_INDEX_COUNT)
             return false;
         part.first_index = *index_count;
@@ -282,7 +282,7 @@ static bool take_commands(const ImDrawList *from, uint32_t base, uint32_t *index
         const ImDrawIdx *source = &from->IdxBuffer.Data[command.IdxOffset];
         for (uint32_t i = 0; i < command.ElemCount; i++)
             indices[(*index_count)++] = base + command.VtxOffset + source[i];
-        list->parts[list->part_count++] = part;
+        list->commands[list->command_count++] = part;
     }
     return true;
 }
@@ -299,7 +299,7 @@ bool imgui_copy_draw_list(const struct imgui *, struct overlay_vertex *vertices,
     const ImDrawData *data = ImGui::GetDrawData();
     uint32_t vertex_count = 0;
     uint32_t index_count = 0;
-    list->part_count = 0;
+    list->command_count = 0;
     for (int l = 0; data && l < data->CmdListsCount; l++) {
         const ImDrawList *from = data->CmdLists[l];
         const uint32_t count = static_cast<uint32_t>(from->VtxBuffer.Size);

@@ -38,11 +38,11 @@ enum imgui_key {
     IMGUI_SPACE,
     IMGUI_ENTER,
     IMGUI_ESCAPE,
-    IMGUI_A, /* with Ctrl in a text field: select all */
-    IMGUI_C, /* with Ctrl: copy */
-    IMGUI_V, /* with Ctrl: paste */
-    IMGUI_X, /* with Ctrl: cut */
-    IMGUI_Z, /* with Ctrl: undo */
+    IMGUI_A, /* Ctrl: select all */
+    IMGUI_C, /* Ctrl: copy */
+    IMGUI_V, /* Ctrl: paste */
+    IMGUI_X, /* Ctrl: cut */
+    IMGUI_Z, /* Ctrl: undo */
     IMGUI_KEY_COUNT,
 };
 
@@ -73,13 +73,13 @@ struct imgui *imgui_create(const struct system_font *font);
 
 /* Thumbnails for imgui_thumbnail_button() buttons. */
 struct imgui_thumbnails {
-    const uint8_t *rgba;    /* images one after another, top row first; sRGB-encoded RGBA */
+    const uint8_t *rgba;    /* sRGB-encoded RGBA, top row first */
     uint32_t width, height; /* size of each image, texels */
     uint32_t count;         /* at most IMGUI_THUMBNAIL_MAX */
 };
 
 /* Sets the thumbnails. Each imgui_rescale() copies them into the font atlas. */
-void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *pictures);
+void imgui_set_thumbnails(struct imgui *ui, const struct imgui_thumbnails *thumbnails);
 
 /* Multiplies all sizes by `scale`, applies the theme and rebuilds the font atlas. Not within a
  * frame. Returns false if the font cannot be read; the built-in font is then used. */
@@ -101,10 +101,9 @@ bool imgui_copy_draw_list(const struct imgui *ui, struct overlay_vertex *vertice
 
 /* ---- between frames ---- */
 
-bool imgui_wants_mouse(const struct imgui *ui, float x,
-                       float y);                   /* true if a panel covers this point */
-bool imgui_wants_keyboard(const struct imgui *ui); /* true if a panel has the keyboard focus */
-bool imgui_wants_text(const struct imgui *ui);     /* true if a text field has the keyboard focus */
+bool imgui_wants_mouse(const struct imgui *ui, float x, float y); /* a panel covers this point */
+bool imgui_wants_keyboard(const struct imgui *ui);                /* a panel has the focus */
+bool imgui_wants_text(const struct imgui *ui);                    /* a text field has the focus */
 
 /* ---- panels, between begin and end ---- */
 
@@ -115,11 +114,11 @@ struct imgui_rect {
 enum imgui_panel {
     IMGUI_DOCKED, /* beside the image */
     IMGUI_LABEL,  /* label over the image */
-    IMGUI_POPUP,  /* popup above all other panels, with a border */
+    IMGUI_POPUP,  /* popup with a border, above other panels */
 };
 
-/* Begins a panel at `place`. It must be ended even if it is completely hidden. */
-void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_rect place,
+/* Begins a panel at `area`. It must be ended even if it is completely hidden. */
+void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_rect area,
                        enum imgui_panel kind);
 void imgui_panel_end(void);
 
@@ -130,8 +129,8 @@ void imgui_gap_end(void);
 void imgui_scroll_begin(const char *name);
 void imgui_scroll_end(void);
 void imgui_scroll_to_here(void);           /* scrolls to the last item */
-void imgui_focus_panel(const char *title); /* gives a panel the keyboard focus; NULL clears it */
-bool imgui_is_active(void);                /* true while an item is dragged, edited or open */
+void imgui_focus_panel(const char *title); /* NULL clears the keyboard focus */
+bool imgui_is_active(void);                /* true while an item is used */
 float imgui_scale(void);                   /* scale set by imgui_rescale() */
 const struct theme *imgui_theme(void);     /* current theme */
 float imgui_line_height(void);             /* height of a line of text */
@@ -140,35 +139,35 @@ float imgui_available_width(void);         /* remaining width in the current row
 
 /* ---- items ---- */
 
-void imgui_indent(float x);    /* shifts the next item to the right */
-void imgui_same_line(float x); /* on the same line, at x; 0 for next to the last item */
+void imgui_indent(float x);
+void imgui_same_line(float x); /* 0 for after the last item */
 void imgui_next_width(float width);
-void imgui_next_focus(void);         /* gives the next item the keyboard focus */
-void imgui_id_begin(const void *id); /* scope in which labels may be used again */
+void imgui_next_focus(void);         /* focuses the next item */
+void imgui_id_begin(const void *id); /* scope of item labels */
 void imgui_id_end(void);
 void imgui_tooltip(const char *text);     /* tooltip of the last item */
-float imgui_width(const char *text);      /* width of a button with this label */
+float imgui_width(const char *text);      /* width of such a button */
 void imgui_disabled_begin(bool disabled); /* greyed out until imgui_disabled_end() */
 void imgui_disabled_end(void);
 
 void imgui_text(const char *text);
 void imgui_text_dim(const char *text);
-void imgui_value(const char *text); /* listed in imgui_items() */
-void imgui_name(const char *text);  /* lists the last item in imgui_items() under this name */
+void imgui_value(const char *text);                    /* listed in imgui_items() */
+void imgui_name(const char *text);                     /* lists the last item in imgui_items() */
 void imgui_text_in(const char *text, uint32_t rgb);    /* colour 0xRRGGBB */
 void imgui_text_elided(const char *text, float width); /* shortened by "..." in the middle */
 void imgui_text_elided_in(const char *text, float width, uint32_t rgb);
-void imgui_align(void);               /* aligns the text in this row with that of buttons */
+void imgui_align(void);               /* aligns text with buttons */
 void imgui_warning(const char *text); /* red, wrapped */
 void imgui_separator(void);
 void imgui_text_wrapped(const char *text); /* wrapped; listed in imgui_items() */
 bool imgui_button(const char *label);
 bool imgui_small_button(const char *label);
-bool imgui_choice_button(const char *label, bool chosen); /* one of a group of exclusive buttons */
-bool imgui_selectable(const char *label, bool chosen);    /* selectable row, as wide as the panel */
+bool imgui_choice_button(const char *label, bool chosen); /* one of exclusive buttons */
+bool imgui_selectable(const char *label, bool chosen);    /* row as wide as the panel */
 
 /* Draws a button with a thumbnail above its label, one of a group. `width` in pixels. */
-bool imgui_thumbnail_button(const char *label, uint32_t picture, float width, bool chosen);
+bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, bool chosen);
 bool imgui_collapsing_header(const char *label,
                              bool *open); /* collapsible heading; toggles *open */
 
@@ -177,7 +176,7 @@ bool imgui_collapsing_header(const char *label,
 bool imgui_checkbox(const char *label, bool *value);
 bool imgui_combo(const char *label, const char *const *names, uint32_t count, uint32_t *index);
 bool imgui_text_field(const char *label, const char *hint, char *text, size_t size);
-bool imgui_is_enter_pressed(void); /* true if Enter finished the last text field */
+bool imgui_is_enter_pressed(void); /* Enter finished the last text field */
 
 struct imgui_slider_range {
     float min, max;
@@ -200,14 +199,13 @@ enum {
 /* An interactive item. */
 struct imgui_item {
     char label[64]; /* label without the text before "##" */
-    struct imgui_rect place;
+    struct imgui_rect rect;
 };
 
 /* Returns the visible items of the last frame. */
 const struct imgui_item *imgui_items(const struct imgui *ui, uint32_t *count);
 
-/* Returns a counter of user interactions: it increases when an item becomes active, and stays the
- * same while the item is dragged. */
+/* Returns a number that increases when an item becomes active and stays while it is dragged. */
 uint32_t imgui_gesture(const struct imgui *ui);
 
 /* ---- drawing ---- */
@@ -217,11 +215,11 @@ uint32_t imgui_gesture(const struct imgui *ui);
 
 /* Reserves an area of the panel for drawing, and returns its position. */
 struct imgui_rect imgui_reserve(float width, float height);
-struct imgui_rect imgui_cursor(void); /* position of the next item; the size is 0x0 */
+struct imgui_rect imgui_cursor(void); /* of the next item; size 0x0 */
 uint32_t imgui_rgba(uint32_t rgb);    /* converts 0xRRGGBB to packed RGBA */
-void imgui_rectangle(struct imgui_rect place, uint32_t color);
-void imgui_cursor_tooltip(const char *text);    /* tooltip at the cursor */
-bool imgui_is_hovered(struct imgui_rect place); /* true if the cursor is in the rectangle */
+void imgui_rectangle(struct imgui_rect area, uint32_t color);
+void imgui_cursor_tooltip(const char *text);   /* tooltip at the cursor */
+bool imgui_is_hovered(struct imgui_rect area); /* the cursor is in the rectangle */
 
 #ifdef __cplusplus
 }

@@ -12,15 +12,15 @@ struct imgui {
     ImGuiContext *context;
     imgui_rect panels[panel_count_max]; /* panels of the current frame */
     int panel_count;
-    bool popup;   /* a popup such as a drop-down list is open */
-    bool focuses; /* the next text field gets the keyboard focus */
+    bool popup;   /* a popup is open */
+    bool focuses; /* focus the next text field */
     float scale;
     const theme *colors;
     imgui_item items[IMGUI_ITEM_COUNT];
     uint32_t item_count;
     unsigned active; /* ID of the active item; 0 if none */
     uint32_t gesture;
-    system_font font; /* system font; path "" for the built-in one */
+    system_font font; /* path "" for the built-in one */
     imgui_thumbnails thumbnails;
     int rects[IMGUI_THUMBNAIL_MAX]; /* atlas rectangles of the thumbnails */
 };

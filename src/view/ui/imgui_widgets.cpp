@@ -6,38 +6,38 @@
 namespace
 {
 
-constexpr float picture_width = 64.0f; /* width of a thumbnail on a button, pixels at scale 1 */
+constexpr float thumbnail_width = 64.0f; /* pixels at scale 1 */
 
-ImVec2 position(const imgui_rect &place)
+ImVec2 position(const imgui_rect &area)
 {
-    return { place.x, place.y };
+    return { area.x, area.y };
 }
 
-ImVec2 corner(const imgui_rect &place)
+ImVec2 corner(const imgui_rect &area)
 {
-    return { place.x + place.width, place.y + place.height };
+    return { area.x + area.width, area.y + area.height };
 }
 
 } // namespace
 
 /* ---- panels ---- */
 
-void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_rect place,
+void imgui_panel_begin(struct imgui *ui, const char *title, struct imgui_rect area,
                        enum imgui_panel kind)
 {
     ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
     if (kind != IMGUI_POPUP)
         flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
-    ImGui::SetNextWindowPos(position(place));
-    ImGui::SetNextWindowSize(ImVec2(place.width, place.height));
+    ImGui::SetNextWindowPos(position(area));
+    ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, kind == IMGUI_POPUP ? 1.0f : 0.0f);
     ImGui::Begin(title, nullptr, flags);
     ImGui::PopStyleVar();
     if (kind == IMGUI_POPUP)
         ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     if (ui->panel_count < panel_count_max)
-        ui->panels[ui->panel_count++] = place;
+        ui->panels[ui->panel_count++] = area;
 }
 
 void imgui_panel_end(void)
@@ -70,8 +70,7 @@ void imgui_scroll_to_here(void)
     ImGui::SetScrollHereY();
 }
 
-/* Lists the last item under its label: the visible part or, if that is only a symbol or empty, the
- * part after "##". */
+/* Lists the last item under its visible label or, if empty or a symbol, the part after "##". */
 static void note(const char *label)
 {
     imgui *ui = static_cast<imgui *>(ImGui::GetIO().UserData);
@@ -86,7 +85,7 @@ static void note(const char *label)
     const size_t length = is_named || !end ? strlen(begin) : static_cast<size_t>(end - begin);
     item = {};
     memcpy(item.label, begin, length < sizeof(item.label) ? length : sizeof(item.label) - 1);
-    item.place = { from.x, from.y, to.x - from.x, to.y - from.y };
+    item.rect = { from.x, from.y, to.x - from.x, to.y - from.y };
 }
 
 void imgui_focus_panel(const char *title)
@@ -95,7 +94,7 @@ void imgui_focus_panel(const char *title)
     ImGuiWindow *window = title ? ImGui::FindWindowByName(title) : nullptr;
     if (!window)
         return;
-    ImGui::NavInitWindow(window, true); /* otherwise the first arrow key only starts navigation */
+    ImGui::NavInitWindow(window, true); /* makes the first arrow key move the focus */
     ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
 
@@ -326,7 +325,7 @@ bool imgui_choice_button(const char *label, bool chosen)
 }
 
 /* Draws a thumbnail centred at the top of the last button. */
-static void draw_thumbnail(const imgui *ui, uint32_t picture, const ImVec2 &size)
+static void draw_thumbnail(const imgui *ui, uint32_t thumbnail, const ImVec2 &size)
 {
     const ImFontAtlas *fonts = ImGui::GetIO().Fonts;
     const float padding = ImGui::GetStyle().FramePadding.y;
@@ -334,30 +333,30 @@ static void draw_thumbnail(const imgui *ui, uint32_t picture, const ImVec2 &size
     const float left = corner.x + (ImGui::GetItemRectSize().x - size.x) / 2.0f;
     ImVec2 from;
     ImVec2 to;
-    fonts->CalcCustomRectUV(&fonts->CustomRects[ui->rects[picture]], &from, &to);
+    fonts->CalcCustomRectUV(&fonts->CustomRects[ui->rects[thumbnail]], &from, &to);
     ImGui::GetWindowDrawList()->AddImage(fonts->TexID, ImVec2(left, corner.y + padding),
                                          ImVec2(left + size.x, corner.y + padding + size.y), from,
                                          to);
 }
 
-bool imgui_thumbnail_button(const char *label, uint32_t picture, float width, bool chosen)
+bool imgui_thumbnail_button(const char *label, uint32_t thumbnail, float width, bool chosen)
 {
     const imgui *ui = static_cast<const imgui *>(ImGui::GetIO().UserData);
     const theme *colors = imgui_theme();
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
     const imgui_thumbnails &all = ui->thumbnails;
-    const float across = ImMin(picture_width * ui->scale, width - 2.0f * padding.x);
+    const float across = ImMin(thumbnail_width * ui->scale, width - 2.0f * padding.x);
     const ImVec2 size(across,
                       across * static_cast<float>(all.height) / static_cast<float>(all.width));
     const ImVec2 whole(width, size.y + 3.0f * padding.y + ImGui::GetTextLineHeight());
     ImGui::PushID(label);
     ImGui::PushStyleColor(ImGuiCol_Button,
                           imgui_state_color(chosen ? colors->pressed : colors->raised));
-    const bool pressed = ImGui::Button("##picture", whole);
+    const bool pressed = ImGui::Button("##thumbnail", whole);
     ImGui::PopStyleColor();
     ImGui::PopID();
     note(label);
-    draw_thumbnail(ui, picture, size);
+    draw_thumbnail(ui, thumbnail, size);
     const ImVec2 corner = ImGui::GetItemRectMin();
     const ImVec2 end = ImGui::GetItemRectMax();
     const ImVec2 from(corner.x + 1.0f, corner.y + size.y + 2.0f * padding.y);
@@ -476,9 +475,9 @@ uint32_t imgui_rgba(uint32_t rgb)
     return 0xff000000u | (rgb & 255) << 16 | (rgb & 0xff00) | (rgb >> 16 & 255);
 }
 
-void imgui_rectangle(struct imgui_rect place, uint32_t color)
+void imgui_rectangle(struct imgui_rect area, uint32_t color)
 {
-    ImGui::GetWindowDrawList()->AddRectFilled(position(place), corner(place), color);
+    ImGui::GetWindowDrawList()->AddRectFilled(position(area), corner(area), color);
 }
 
 void imgui_cursor_tooltip(const char *text)
@@ -486,7 +485,7 @@ void imgui_cursor_tooltip(const char *text)
     ImGui::SetTooltip("%s", text);
 }
 
-bool imgui_is_hovered(struct imgui_rect place)
+bool imgui_is_hovered(struct imgui_rect area)
 {
-    return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(position(place), corner(place));
+    return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(position(area), corner(area));
 }

@@ -25,19 +25,19 @@ bool system_font_find(struct system_font *font, const char *family)
     bool found = false;
     *font = (struct system_font){ .index = 0 };
     FcConfig *config = FcInitLoadConfigAndFonts();
-    FcPattern *wanted = FcNameParse((const FcChar8 *)family);
-    if (config && wanted) {
-        FcPatternAddBool(wanted, FC_SCALABLE, FcTrue);
-        FcPatternAddBool(wanted, FC_COLOR, FcFalse);
-        FcConfigSubstitute(config, wanted, FcMatchPattern);
-        FcDefaultSubstitute(wanted);
-        FcPattern *match = FcFontMatch(config, wanted, &result);
+    FcPattern *pattern = FcNameParse((const FcChar8 *)family);
+    if (config && pattern) {
+        FcPatternAddBool(pattern, FC_SCALABLE, FcTrue);
+        FcPatternAddBool(pattern, FC_COLOR, FcFalse);
+        FcConfigSubstitute(config, pattern, FcMatchPattern);
+        FcDefaultSubstitute(pattern);
+        FcPattern *match = FcFontMatch(config, pattern, &result);
         found = match && take(font, match);
         if (match)
             FcPatternDestroy(match);
     }
-    if (wanted)
-        FcPatternDestroy(wanted);
+    if (pattern)
+        FcPatternDestroy(pattern);
     if (config)
         FcConfigDestroy(config);
     if (!found)

@@ -1,6 +1,4 @@
-/*
- * system_font.h: lookup of the system font for the user interface.
- */
+/* system_font.h: lookup of the system font for the user interface. */
 #ifndef FIRN_VIEW_UI_SYSTEM_FONT_H
 #define FIRN_VIEW_UI_SYSTEM_FONT_H
 
@@ -12,7 +10,7 @@ enum {
 
 struct system_font {
     char path[SYSTEM_FONT_PATH_SIZE];
-    int index; /* index of the face in the font file */
+    int index; /* index of the font face */
 };
 
 /* Finds the scalable font that fontconfig prefers for `family` ("sans", "monospace"). Returns

@@ -1,9 +1,6 @@
-/*
- * theme.h: colour themes of the user interface.
- *
- * Colours are 0xRRGGBB, sRGB-encoded. Text has a contrast of at least 4.5 with every surface it is
- * drawn on, marks and borders of at least 3 (WCAG 2.1, 1.4.3 and 1.4.11); a test verifies both.
- */
+/* theme.h: colour themes of the user interface. Colours are 0xRRGGBB, sRGB-encoded. Text has a
+ * contrast of at least 4.5 with every surface it is drawn on, marks and borders of at least 3 (WCAG
+ * 2.1, 1.4.3 and 1.4.11); a test verifies both. */
 #ifndef FIRN_VIEW_UI_THEME_H
 #define FIRN_VIEW_UI_THEME_H
 
@@ -13,7 +10,7 @@ struct theme {
     const char *name;
     uint32_t surround; /* margins around the image */
     uint32_t panel, raised, hover, pressed;
-    uint32_t text, dim; /* text on all of these surfaces; dim only on panel and raised */
+    uint32_t text, dim; /* dim only on panel and raised */
     uint32_t accent;    /* draggable elements */
     uint32_t changed;   /* mark and text of changed settings */
     uint32_t error;

@@ -9,41 +9,40 @@
 #include "src/view/ui/ui_internal.h"
 
 enum {
-    SETTLE_COUNT = 3, /* frames to draw after an event until the layout has settled */
-    HOLD_COUNT = 6,   /* frames until the requested focus takes effect; Dear ImGui 1.90 needs 4 */
+    PENDING_FRAMES = 3, /* frames until the layout has settled */
+    FOCUS_FRAMES = 6,   /* frames until the requested focus takes effect; Dear ImGui 1.90 needs 4 */
 };
 
-static const double drag_seconds = 0.25; /* between frames of the panels during a drag */
-static const float click_reach = 3.0f;   /* pixels; a longer movement is a drag */
+static const double drag_seconds = 0.25; /* interval between panel updates during a drag */
+static const float click_reach = 3.0f;   /* pixels; longer mouse movements are drags */
 
 /* ---- dump for scripts ---- */
 
 void ui_count_action(struct ui *ui, enum view_action action)
 {
-    ui->done[action]++;
+    ui->action_counts[action]++;
 }
 
 void ui_dump(struct ui *ui, const char *path)
 {
-    ui->dump = path;
+    ui->dump_path = path;
 }
 
 /* Replaces the file by renaming, so that readers see the old list or the new one. */
 static void replace_dump(const struct ui *ui, const struct imgui_item *items, uint32_t count)
 {
     char path[SYSTEM_FONT_PATH_SIZE];
-    const int length = snprintf(path, sizeof(path), "%s.new", ui->dump);
+    const int length = snprintf(path, sizeof(path), "%s.new", ui->dump_path);
     FILE *file = length > 0 && length < SYSTEM_FONT_PATH_SIZE ? fopen(path, "w") : NULL;
     if (!file)
         return;
     for (uint32_t i = 0; i < count; i++)
-        fprintf(file, "%.0f %.0f %.0f %.0f %s\n", (double)items[i].place.x,
-                (double)items[i].place.y, (double)items[i].place.width,
-                (double)items[i].place.height, items[i].label);
+        fprintf(file, "%.0f %.0f %.0f %.0f %s\n", (double)items[i].rect.x, (double)items[i].rect.y,
+                (double)items[i].rect.width, (double)items[i].rect.height, items[i].label);
     for (enum view_action a = VIEW_ACTION_NONE + 1; a < VIEW_INPUT_COUNT; a++)
-        fprintf(file, "0 0 0 0 done %u: %s\n", ui->done[a], key_bindings_label(a));
+        fprintf(file, "0 0 0 0 done %u: %s\n", ui->action_counts[a], key_bindings_label(a));
     if (fclose(file) == 0)
-        (void)!rename(path, ui->dump);
+        (void)!rename(path, ui->dump_path);
 }
 
 /* 32-bit FNV-1a hash */
@@ -59,10 +58,10 @@ static void write_dump(struct ui *ui)
     uint32_t count;
     const struct imgui_item *items = imgui_items(ui->imgui, &count);
     const uint32_t shown = hash_more(2166136261u, items, count * sizeof(*items));
-    const uint32_t hash = hash_more(shown, ui->done, sizeof(ui->done));
-    if (ui->dump && hash != ui->dumped)
+    const uint32_t hash = hash_more(shown, ui->action_counts, sizeof(ui->action_counts));
+    if (ui->dump_path && hash != ui->dump_hash)
         replace_dump(ui, items, count);
-    ui->dumped = hash;
+    ui->dump_hash = hash;
 }
 
 /* ---- lifecycle ---- */
@@ -79,7 +78,7 @@ static enum status make_font(struct ui *ui)
 }
 
 enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct theme *theme,
-                      const struct ui_thumbnails *pictures, bool quiet)
+                      const struct ui_thumbnails *thumbnails, bool quiet)
 {
     struct ui *u = calloc(1, sizeof(*u));
     struct system_font font;
@@ -88,14 +87,14 @@ enum status ui_create(struct ui **ui, struct gpu *gpu, float scale, const struct
     if (u) {
         u->gpu = gpu;
         u->theme = theme;
-        u->pictures = pictures;
+        u->thumbnails = thumbnails;
         u->open[UI_MATERIAL] = u->open[UI_INSIDE] = true;
     }
     if (u)
         u->imgui = imgui_create(&font);
     if (!u || !u->imgui)
         return log_out_of_memory(NULL);
-    imgui_set_thumbnails(u->imgui, &pictures->list);
+    imgui_set_thumbnails(u->imgui, &thumbnails->list);
     const enum status status = ui_rescale(u, scale);
     if (!u->has_font && !quiet)
         log_warning("%s%s: using the built-in bitmap font",
@@ -108,7 +107,7 @@ enum status ui_rescale(struct ui *ui, float scale)
 {
     gpu_image_destroy(ui->gpu, &ui->font);
     ui->scale = scale;
-    ui->settle = SETTLE_COUNT;
+    ui->pending_frames = PENDING_FRAMES;
     ui->has_font = imgui_rescale(ui->imgui, scale, ui->theme);
     return make_font(ui);
 }
@@ -116,7 +115,7 @@ enum status ui_rescale(struct ui *ui, float scale)
 void ui_set_theme(struct ui *ui, const struct theme *theme)
 {
     ui->theme = theme;
-    ui->settle = SETTLE_COUNT;
+    ui->pending_frames = PENDING_FRAMES;
     imgui_set_theme(ui->imgui, theme);
 }
 
@@ -129,8 +128,8 @@ void ui_destroy(struct ui *ui)
 {
     if (!ui)
         return;
-    if (ui->dump)
-        write_dump(ui); /* includes actions counted while the panels were hidden */
+    if (ui->dump_path)
+        write_dump(ui); /* also lists actions counted while hidden */
     gpu_image_destroy(ui->gpu, &ui->font);
     imgui_destroy(ui->imgui);
     free(ui);
@@ -139,9 +138,9 @@ void ui_destroy(struct ui *ui)
 void ui_show(struct ui *ui, bool shown)
 {
     ui->shown = shown;
-    ui->settle = SETTLE_COUNT;
+    ui->pending_frames = PENDING_FRAMES;
     ui->buttons = 0;
-    ui->grabbed = false;
+    ui->pressed_panel = false;
     ui->input.event_count = 0;
     memset(ui->input.now.buttons, 0, sizeof(ui->input.now.buttons));
     memset(ui->input.now.keys, 0, sizeof(ui->input.now.keys));
@@ -152,19 +151,19 @@ bool ui_is_shown(const struct ui *ui)
     return ui->shown;
 }
 
-bool ui_drags_picture(const struct ui *ui)
+bool ui_drags_image(const struct ui *ui)
 {
-    return ui->shown && ui->buttons && !ui->grabbed;
+    return ui->shown && ui->buttons && !ui->pressed_panel;
 }
 
 bool ui_can_skip_frame(const struct ui *ui, double now)
 {
-    return ui_drags_picture(ui) && !ui_is_busy(ui) && now - ui->last < drag_seconds;
+    return ui_drags_image(ui) && !ui_is_busy(ui) && now - ui->last_frame_at < drag_seconds;
 }
 
 bool ui_is_busy(const struct ui *ui)
 {
-    return ui->shown && (ui->settle || ui->held || ui->input.event_count);
+    return ui->shown && (ui->pending_frames || ui->focus_wait_frames || ui->input.event_count);
 }
 
 const struct gpu_image *ui_font(const struct ui *ui)
@@ -172,22 +171,22 @@ const struct gpu_image *ui_font(const struct ui *ui)
     return &ui->font;
 }
 
-void ui_show_message(struct ui *ui, const char *words)
+void ui_show_message(struct ui *ui, const char *message)
 {
-    snprintf(ui->words, sizeof(ui->words), "%s", words);
-    ui->failed = false;
-    ui->settle = SETTLE_COUNT;
+    snprintf(ui->message, sizeof(ui->message), "%s", message);
+    ui->is_failure = false;
+    ui->pending_frames = PENDING_FRAMES;
 }
 
-void ui_show_failure(struct ui *ui, const char *words)
+void ui_show_failure(struct ui *ui, const char *message)
 {
-    ui_show_message(ui, words);
-    ui->failed = true;
+    ui_show_message(ui, message);
+    ui->is_failure = true;
 }
 
 void ui_wake(struct ui *ui)
 {
-    ui->settle = SETTLE_COUNT;
+    ui->pending_frames = PENDING_FRAMES;
 }
 
 void ui_close_inspector(struct ui *ui)
@@ -196,12 +195,12 @@ void ui_close_inspector(struct ui *ui)
     ui_wake(ui);
 }
 
-void ui_set_error(struct ui *ui, const char *words)
+void ui_set_error(struct ui *ui, const char *message)
 {
-    if (strncmp(ui->fault, words, sizeof(ui->fault) - 1) == 0)
+    if (strncmp(ui->error, message, sizeof(ui->error) - 1) == 0)
         return;
-    snprintf(ui->fault, sizeof(ui->fault), "%s", words);
-    ui->settle = SETTLE_COUNT;
+    snprintf(ui->error, sizeof(ui->error), "%s", message);
+    ui->pending_frames = PENDING_FRAMES;
 }
 
 bool ui_toggle(struct ui *ui, enum view_action action)
@@ -212,14 +211,14 @@ bool ui_toggle(struct ui *ui, enum view_action action)
     if (action == VIEW_HELP) {
         ui->keys_open = !ui->keys_open || !ui->shown;
     } else if (action == VIEW_PALETTE) {
-        ui->palette_open = ui->focus_palette = ui->searches = true;
+        ui->palette_open = ui->focus_palette = ui->focused_search = true;
         ui->palette_entered = false;
-        ui->palette_at = 0;
-        *ui->palette_words = '\0';
-        ui->held = HOLD_COUNT;
+        ui->palette_row = 0;
+        *ui->palette_query = '\0';
+        ui->focus_wait_frames = FOCUS_FRAMES;
     } else
         ui->tab = ui->tab == tab && ui->shown ? UI_SETTINGS : tab;
-    ui->settle = SETTLE_COUNT;
+    ui->pending_frames = PENDING_FRAMES;
     return action == VIEW_HELP ? ui->keys_open : ui->tab == tab;
 }
 
@@ -241,16 +240,16 @@ static bool handle_button(struct ui *ui, const struct window_event *event)
 {
     const unsigned bit = 1u << (event->code & 31);
     if (event->down && !ui->buttons)
-        ui->grabbed = imgui_wants_mouse(ui->imgui, ui->x, ui->y);
+        ui->pressed_panel = imgui_wants_mouse(ui->imgui, ui->x, ui->y);
     ui->buttons = event->down ? ui->buttons | bit : ui->buttons & ~bit;
-    if (event->code == GLFW_MOUSE_BUTTON_LEFT && !ui->grabbed)
+    if (event->code == GLFW_MOUSE_BUTTON_LEFT && !ui->pressed_panel)
         handle_click(ui, event->down);
-    return ui->grabbed;
+    return ui->pressed_panel;
 }
 
 static bool has_keys(const struct ui *ui)
 {
-    return imgui_wants_keyboard(ui->imgui) && !ui->released;
+    return imgui_wants_keyboard(ui->imgui) && !ui->releases_keys;
 }
 
 /* Handles the palette's navigation keys. Returns true if the event was one. */
@@ -265,9 +264,9 @@ static bool handle_palette_key(struct ui *ui, const struct window_event *event)
     if (event->down && enter)
         ui->palette_entered = true;
     else if (event->down && key == GLFW_KEY_DOWN)
-        ui->palette_at++;
+        ui->palette_row++;
     else if (event->down && key == GLFW_KEY_UP)
-        ui->palette_at -= ui->palette_at ? 1 : 0;
+        ui->palette_row -= ui->palette_row ? 1 : 0;
     else if (event->down) {
         ui->palette_open = false;
         ui->release = true;
@@ -288,36 +287,36 @@ static bool is_for_text(const struct window_event *event)
 static bool handle_key(struct ui *ui, const struct window_event *event)
 {
     const bool function = event->code >= GLFW_KEY_F1 && event->code <= GLFW_KEY_F25;
-    const bool kept =
+    const bool keeps =
         !function && (event->control ? imgui_wants_text(ui->imgui) && is_for_text(event)
-                                     : ui->held || has_keys(ui));
+                                     : ui->focus_wait_frames || has_keys(ui));
     if (event->down && event->code == GLFW_KEY_F6) {
         ui_count_action(ui, VIEW_PANEL_KEYS);
         ui->focus_panel = true;
-        ui->searches = false;
-        ui->held = HOLD_COUNT;
+        ui->focused_search = false;
+        ui->focus_wait_frames = FOCUS_FRAMES;
         return true;
     }
     if (event->down && event->code == GLFW_KEY_ESCAPE && !imgui_is_active()) {
         imgui_focus_panel(NULL);
         ui->keys_open = false;
-        ui->released = true;
+        ui->releases_keys = true;
         return true;
     }
     ui_input_queue_add(&ui->input, event);
-    return kept;
+    return keeps;
 }
 
 static bool handle_character(struct ui *ui, const struct window_event *event)
 {
-    if (imgui_wants_text(ui->imgui) || ui->held) {
+    if (imgui_wants_text(ui->imgui) || ui->focus_wait_frames) {
         ui_input_queue_add(&ui->input, event);
         return true;
     }
     if (event->code == '/') {
         ui_count_action(ui, VIEW_SEARCH);
-        ui->focus_search = ui->searches = true;
-        ui->held = HOLD_COUNT;
+        ui->focus_search = ui->focused_search = true;
+        ui->focus_wait_frames = FOCUS_FRAMES;
         return true;
     }
     return event->code == ' ' && has_keys(ui);
@@ -332,21 +331,22 @@ bool ui_handle_event(void *user, const struct window_event *event)
     }
     if (!ui->shown)
         return false;
-    if (event->kind == WINDOW_CURSOR && ui_drags_picture(ui))
-        return false; /* the end of the drag is still reported */
-    ui->settle = SETTLE_COUNT;
+    if (event->kind == WINDOW_CURSOR && ui_drags_image(ui))
+        return false; /* do not consume the end of a drag */
+    ui->pending_frames = PENDING_FRAMES;
     if (event->kind == WINDOW_KEY)
         return handle_palette_key(ui, event) || handle_key(ui, event);
     if (event->kind == WINDOW_CHARACTER)
         return handle_character(ui, event);
-    if (ui_drags_picture(ui))
+    if (ui_drags_image(ui))
         ui_input_queue_add(&ui->input, &(struct window_event){ .kind = WINDOW_CURSOR,
                                                                .x = (double)ui->x,
                                                                .y = (double)ui->y });
     ui_input_queue_add(&ui->input, event);
     if (event->kind == WINDOW_BUTTON)
         return handle_button(ui, event);
-    return event->kind == WINDOW_WHEEL ? imgui_wants_mouse(ui->imgui, ui->x, ui->y) : ui->grabbed;
+    return event->kind == WINDOW_WHEEL ? imgui_wants_mouse(ui->imgui, ui->x, ui->y)
+                                       : ui->pressed_panel;
 }
 
 /* ---- a frame ---- */
@@ -362,62 +362,62 @@ static void add_times(struct ui_pass_times *sums, const struct renderer *rendere
 static void measure(struct ui *ui, const struct ui_view *view)
 {
     ui_frame_pacing_add(&ui->pace, &view->pace);
-    add_times(&ui->frame_times, viewport_renderer(view->picture, false));
-    add_times(&ui->right_times, viewport_renderer(view->picture, true));
-    if (view->screen->exec) {
-        const struct rg_times times = rg_exec_times(view->screen->exec);
-        ui_pass_times_add(&ui->window_times, view->screen->plan, &times);
+    add_times(&ui->frame_times, viewport_renderer(view->viewport, false));
+    add_times(&ui->right_times, viewport_renderer(view->viewport, true));
+    if (view->presenter->exec) {
+        const struct rg_times times = rg_exec_times(view->presenter->exec);
+        ui_pass_times_add(&ui->window_times, view->presenter->plan, &times);
     }
 }
 
-/* Advances the input queue. Keys typed ahead are held back until the requested panel or text field
- * has the focus. */
+/* Advances the input queue; keys wait until the requested panel or text field has the focus. */
 static void take_input(struct ui *ui)
 {
-    const bool there = ui->searches ? imgui_wants_text(ui->imgui) : imgui_wants_keyboard(ui->imgui);
-    ui->released = false;
-    if (ui->held && !there) {
-        ui->held--;
+    const bool has_focus =
+        ui->focused_search ? imgui_wants_text(ui->imgui) : imgui_wants_keyboard(ui->imgui);
+    ui->releases_keys = false;
+    if (ui->focus_wait_frames && !has_focus) {
+        ui->focus_wait_frames--;
         return;
     }
     const bool escaped = ui->input.now.keys[IMGUI_ESCAPE];
-    ui->held = 0;
+    ui->focus_wait_frames = 0;
     ui_input_queue_step(&ui->input);
     if (escaped || !ui->input.now.keys[IMGUI_ESCAPE])
         return;
     if (!imgui_is_active())
         imgui_focus_panel(NULL); /* the Escape key was queued before */
-    else if (ui->searches && imgui_wants_text(ui->imgui))
-        ui->release = true; /* a single Escape leaves the search field */
+    else if (ui->focused_search && imgui_wants_text(ui->imgui))
+        ui->release = true; /* one Escape leaves the search field */
 }
 
-void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *wish)
+void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     struct imgui_input *input = &ui->input.now;
-    *wish = (struct ui_request){
-        .settings = frame_settings(&view->picture->state.scene.settings, &view->picture->scene),
-        .refraction = view->picture->state.refraction,
-        .other = view->other,
-        .split = view->picture->state.split,
-        .look = view->inspector_wanted,
+    *request = (struct ui_request){
+        .settings = frame_settings(&view->viewport->state.scene.settings, &view->viewport->scene),
+        .refraction = view->viewport->state.refraction,
+        .side_b = view->side_b,
+        .split = view->viewport->state.split,
+        .inspector_choice = view->inspector_choice,
     };
     take_input(ui);
     if (ui->input.event_count)
-        ui->settle = SETTLE_COUNT; /* restart after the last event */
+        ui->pending_frames = PENDING_FRAMES; /* restart after the last event */
     else
-        ui->settle -= ui->settle ? 1 : 0;
-    input->seconds = ui->last > 0.0 ? (float)(view->now - ui->last) : 0.0f;
+        ui->pending_frames -= ui->pending_frames ? 1 : 0;
+    input->seconds = ui->last_frame_at > 0.0 ? (float)(view->now - ui->last_frame_at) : 0.0f;
     input->width = (float)view->size.width;
     input->height = (float)view->size.height;
-    ui->last = view->now;
+    ui->last_frame_at = view->now;
     measure(ui, view);
-    ui->picture = view->layout->picture;
+    ui->image_area = view->layout->image;
     ui->list.version += ui->list.version == UINT32_MAX ? 2 : 1;
     imgui_begin(ui->imgui, input);
-    ui_panels(ui, view, wish);
+    ui_panels(ui, view, request);
     imgui_end(ui->imgui);
-    wish->looks = ui->tab == UI_INSPECT;
-    wish->gesture = imgui_gesture(ui->imgui);
+    request->inspects = ui->tab == UI_INSPECT;
+    request->gesture = imgui_gesture(ui->imgui);
     write_dump(ui);
 }
 
@@ -433,7 +433,7 @@ static bool is_beside(const struct ui *ui, const struct overlay_draw_command *pa
         right = fmaxf(right, v->x);
         bottom = fmaxf(bottom, v->y);
     }
-    const VkRect2D *p = &ui->picture;
+    const VkRect2D *p = &ui->image_area;
     left = fmaxf(left, (float)part->left);
     top = fmaxf(top, (float)part->top);
     right = fminf(right, (float)part->left + (float)part->width);
@@ -449,10 +449,10 @@ const struct overlay_draw_list *ui_copy_draw_list(struct ui *ui, struct overlay_
     struct overlay_draw_list *list = &ui->list;
     list->docked_count = 0;
     if (!ui->shown)
-        list->part_count = 0;
+        list->command_count = 0;
     const bool whole = !ui->shown || imgui_copy_draw_list(ui->imgui, vertices, indices, list);
-    while (list->docked_count < list->part_count &&
-           is_beside(ui, &list->parts[list->docked_count], vertices, indices))
+    while (list->docked_count < list->command_count &&
+           is_beside(ui, &list->commands[list->docked_count], vertices, indices))
         list->docked_count++;
     if (!whole && !ui->is_full)
         log_warning("the panels exceed the vertex limit: the rest is not drawn");

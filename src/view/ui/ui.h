@@ -1,10 +1,6 @@
-/*
- * ui.h: user interface of the viewer: panels for settings, inspection, pass times, plan and
- * shortcuts.
- *
- * It receives input events first (ui_handle_event) and consumes those meant for panels. While
- * hidden, it costs no time and consumes no events.
- */
+/* ui.h: user interface of the viewer: panels for settings, inspection, pass times, plan and
+ * shortcuts. It receives input events first (ui_handle_event) and consumes those meant for panels.
+ * While hidden, it costs no time and consumes no events. */
 #ifndef FIRN_VIEW_UI_UI_H
 #define FIRN_VIEW_UI_UI_H
 
@@ -22,10 +18,10 @@
 
 struct ui;
 
-/* Creates the user interface. `scale` multiplies all sizes; `pictures` must outlive it. Logs errors
- * and, unless `quiet`, that only the built-in font is available. */
+/* Creates the user interface. `scale` multiplies all sizes; `thumbnails` must outlive it. Logs
+ * errors and, unless `quiet`, that only the built-in font is available. */
 MUST_USE enum status ui_create(struct ui **ui, struct gpu *gpu, float scale,
-                               const struct theme *theme, const struct ui_thumbnails *pictures,
+                               const struct theme *theme, const struct ui_thumbnails *thumbnails,
                                bool quiet);
 void ui_destroy(struct ui *ui); /* may be NULL */
 
@@ -37,10 +33,9 @@ bool ui_is_shown(const struct ui *ui);
 /* Returns true if the panels are shown but not yet up to date with the input. */
 bool ui_is_busy(const struct ui *ui);
 
-/* ui_drags_picture() returns true while the user drags the image rather than a panel. The panels
- * then change only in their frame time, so ui_can_skip_frame() returns true if their next update
- * can be skipped. */
-bool ui_drags_picture(const struct ui *ui);
+/* Return true while the user drags the image, and if the panels' next update can be skipped,
+ * because only their frame time changes during such a drag. */
+bool ui_drags_image(const struct ui *ui);
 bool ui_can_skip_frame(const struct ui *ui, double now);
 
 /* Changes the scale. ui_font() is replaced, so no frame may still use it. */
@@ -48,9 +43,8 @@ MUST_USE enum status ui_rescale(struct ui *ui, float scale);
 
 void ui_set_theme(struct ui *ui, const struct theme *theme); /* from the next frame on */
 
-/* Lets a file be rewritten on each change, with one line per usable item: left, top, width, height
- * in pixels, label; and lines at 0 0 0 0 with the count of each action. For scripts that drive the
- * window. */
+/* Sets a file for scripts that drive the window, rewritten on each change: one line per item with
+ * left, top, width, height (pixels) and label, and lines at 0 0 0 0 with action counts. */
 void ui_dump(struct ui *ui, const char *path);
 void ui_count_action(struct ui *ui, enum view_action action); /* counts an executed action */
 
@@ -61,48 +55,47 @@ const struct gpu_image *ui_font(const struct ui *ui);
 
 /* Viewer state that the panels display. */
 struct ui_view {
-    const struct viewport *picture;
-    const struct presenter *screen;
+    const struct viewport *viewport;
+    const struct presenter *presenter;
     struct ui_frame_pacing pace; /* timing of the last frame */
     double now;                  /* seconds */
     VkExtent2D size;             /* size of the window, pixels */
-    const struct undo_stack *history;
-    const struct rebuild_log *reloads;
+    const struct undo_stack *undo_stack;
+    const struct rebuild_log *rebuild_log;
     const struct window_layout *layout; /* layout of the window */
-    const struct pixel_inspector *look;
-    struct pixel_inspector_choice inspector_wanted;
-    const struct present_area *place; /* position of the image in the window */
-    enum view_side_b other;
+    const struct pixel_inspector *inspector;
+    struct pixel_inspector_choice inspector_choice;
+    const struct present_area *image_area; /* image position in the window */
+    enum view_side_b side_b;
     const char *left, *right; /* labels of side A and side B */
     bool has_stored;          /* VIEW_SIDE_B_STATE is available */
-    bool differs;             /* the error map is shown */
+    bool shows_error_map;     /* the error map is shown */
     bool paused;
     float time;                         /* scene time, seconds */
-    uint32_t sample_count, sample_goal; /* samples of the displayed image; 0 during interaction */
-    double noise;                       /* noise of the image; negative if not known */
-    double seconds_left; /* seconds until all samples are drawn; 0 if done or unknown */
-    bool is_new;         /* the user has not orbited the camera yet */
+    uint32_t sample_count, sample_goal; /* 0 during interaction */
+    double noise;                       /* negative if not known */
+    double seconds_left;                /* 0 if done or unknown */
+    bool shows_hint;                    /* the camera was never orbited */
 };
 
 /* What the user requested in the panels during a frame. */
 struct ui_request {
     enum view_action action; /* VIEW_ACTION_NONE if none */
     char *open;              /* file or scene to open, malloc'd; NULL if none */
-    bool changed;            /* `settings` or `rung` were changed */
+    bool changed;            /* `settings` or `refraction` were changed */
     struct settings settings;
     const struct technique *refraction;
-    uint32_t gesture; /* equal for all changes of one drag; see imgui_gesture() */
+    uint32_t gesture; /* id shared by one drag */
     bool seeks;       /* set the scene time to `time` */
     float time;
-    VkExtent2D shot; /* save an image of this size; 0x0 if none */
-    struct pixel_inspector_choice look;
-    bool looks;                    /* the inspector panel is open */
-    enum view_side_b other;        /* side B, changed independently of `changed` */
-    const struct technique *split; /* refraction model of side B; NULL if there is none */
+    VkExtent2D screenshot_size; /* 0x0 to save no image */
+    struct pixel_inspector_choice inspector_choice;
+    bool inspects;                 /* the inspector panel is open */
+    enum view_side_b side_b;       /* side B, changed independently of `changed` */
+    const struct technique *split; /* model of side B, or NULL */
 };
 
-/* Toggles the panel that an action names: pass times, plan, inspector ... Returns true if it is
- * shown. */
+/* Toggles the panel of an action, such as pass times or plan. Returns true if it is shown. */
 bool ui_toggle(struct ui *ui, enum view_action action);
 
 /* Requests a frame although there was no input. */
@@ -111,16 +104,16 @@ void ui_wake(struct ui *ui);
 void ui_close_inspector(struct ui *ui);
 
 /* Shows a message in the status bar until the next one; too long messages are shortened. */
-void ui_show_message(struct ui *ui, const char *words);
+void ui_show_message(struct ui *ui, const char *message);
 
 /* Shows an error message in the status bar, with a hint what to do. */
-void ui_show_failure(struct ui *ui, const char *words);
+void ui_show_failure(struct ui *ui, const char *message);
 
 /* Shows a persistent error in red until it is cleared by "". */
-void ui_set_error(struct ui *ui, const char *words);
+void ui_set_error(struct ui *ui, const char *message);
 
 /* Runs the panels for one frame; call it before drawing that frame. */
-void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *wish);
+void ui_frame(struct ui *ui, const struct ui_view *view, struct ui_request *request);
 
 /* Writes vertices and indices, of OVERLAY_*_COUNT elements, and returns the draw list, which the ui
  * owns. The list is empty while hidden. */

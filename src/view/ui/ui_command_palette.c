@@ -1,5 +1,4 @@
-/* ui_command_palette.c: command palette: fuzzy search of actions, settings, materials, scenes and
- * files. */
+/* ui_command_palette.c: command palette: fuzzy search of actions, settings and files. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,7 +20,7 @@ enum {
     LABEL_SIZE = 96,
     SYNONYM = 500,   /* distance if only a synonym matches */
     IN_HELP = 1000,  /* distance if only the help of a setting matches */
-    MISSPELT = 2000, /* minimum distance of matches with a wrong letter */
+    MISSPELT = 2000, /* minimum distance with a wrong letter */
 };
 
 enum entry_kind {
@@ -40,19 +39,19 @@ enum entry_kind {
 /* An entry of the palette. */
 struct entry {
     enum entry_kind kind;
-    uint32_t index;  /* index in the table of its kind */
-    VkExtent2D size; /* size of an image to be saved */
+    uint32_t index;  /* index in its kind's table */
+    VkExtent2D size; /* size of a saved image */
     const struct setting *row;
     char label[LABEL_SIZE];
-    const char *key;   /* keyboard shortcut; NULL if there is none */
-    uint32_t distance; /* match distance; the nearest entries come first */
+    const char *key;   /* keyboard shortcut, or NULL */
+    uint32_t distance; /* match distance */
 };
 
 struct palette {
     struct entry entries[ENTRIES_MAX];
     const struct entry *order[ENTRIES_MAX]; /* entries sorted by distance */
     uint32_t count;
-    const char *words;
+    const char *query;
 };
 
 static const char *const presets[] = { ".txt", NULL };
@@ -60,15 +59,15 @@ static const char *const sessions[] = { ".firn", NULL };
 
 static uint32_t distance_of(const struct palette *p, const struct entry *e)
 {
-    uint32_t distance = ui_fuzzy_match_distance(p->words, e->label, false);
+    uint32_t distance = ui_fuzzy_match_distance(p->query, e->label, false);
     if (distance != UI_FUZZY_MATCH_NONE)
         return distance;
     const char *const texts[] = { e->label, ui_search_synonyms(e->row ? e->row->name : e->label) };
-    if (ui_fuzzy_match_contains(p->words, texts, 2))
+    if (ui_fuzzy_match_contains(p->query, texts, 2))
         return SYNONYM;
-    if (e->row && ui_settings_fit(e->row, p->words))
+    if (e->row && ui_settings_match(e->row, p->query))
         return IN_HELP;
-    distance = ui_fuzzy_match_distance(p->words, e->label, true);
+    distance = ui_fuzzy_match_distance(p->query, e->label, true);
     return distance == UI_FUZZY_MATCH_NONE ? distance : MISSPELT + distance;
 }
 
@@ -117,7 +116,7 @@ static void collect_files(struct palette *p)
 static void collect_sizes(struct palette *p)
 {
     static const VkExtent2D sizes[] = { { 1920, 1080 }, { 3840, 2160 }, { 2048, 2048 } };
-    const char *digits = p->words + strcspn(p->words, "0123456789");
+    const char *digits = p->query + strcspn(p->query, "0123456789");
     VkExtent2D typed;
     char end;
     for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++)
@@ -170,42 +169,42 @@ static void collect(struct palette *p)
     sort(p);
 }
 
-static void choose(struct ui *ui, const struct entry *e, struct ui_request *wish)
+static void choose(struct ui *ui, const struct entry *e, struct ui_request *request)
 {
     char *folder = e->kind == ENTRY_PRESET    ? user_files_presets(false)
                    : e->kind == ENTRY_SESSION ? user_files_sessions(false)
                                               : NULL;
     switch (e->kind) {
     case ENTRY_ACTION:
-        wish->action = (enum view_action)e->index;
+        request->action = (enum view_action)e->index;
         break;
     case ENTRY_MATERIAL:
-        settings_set_value(&wish->settings,
+        settings_set_value(&request->settings,
                            settings_row(&refract_settings, offsetof(struct refract_params, ior)),
                            (double)material_presets[e->index].ior);
-        wish->changed = true;
+        request->changed = true;
         break;
     case ENTRY_SCENE:
-        wish->open = strdup(scene_name(e->index));
+        request->open = strdup(scene_name(e->index));
         break;
     case ENTRY_ENVIRONMENT:
-        wish->open = strdup(ui_environment(e->index));
+        request->open = strdup(ui_environment(e->index));
         break;
     case ENTRY_PRESET:
-        wish->open = folder ? user_files_at(folder, presets, e->index) : NULL;
+        request->open = folder ? user_files_at(folder, presets, e->index) : NULL;
         break;
     case ENTRY_SESSION:
-        wish->open = folder ? user_files_at(folder, sessions, e->index) : NULL;
+        request->open = folder ? user_files_at(folder, sessions, e->index) : NULL;
         break;
     case ENTRY_RECENT:
-        wish->open = recent_files_at(e->index);
+        request->open = recent_files_at(e->index);
         break;
     case ENTRY_SHOT:
-        wish->shot = e->size;
+        request->screenshot_size = e->size;
         break;
     case ENTRY_OTHER:
-        wish->other = VIEW_SIDE_B_MODEL;
-        wish->split = techniques_refraction(e->index);
+        request->side_b = VIEW_SIDE_B_MODEL;
+        request->split = techniques_refraction(e->index);
         break;
     case ENTRY_SETTING:
         snprintf(ui->filter, sizeof(ui->filter), "%s", e->row->name);
@@ -217,15 +216,15 @@ static void choose(struct ui *ui, const struct entry *e, struct ui_request *wish
     ui->release = true;
 }
 
-static void rows(struct ui *ui, const struct palette *p, struct ui_request *wish)
+static void rows(struct ui *ui, const struct palette *p, struct ui_request *request)
 {
-    const uint32_t first = ui->palette_at >= SHOWN_MAX ? ui->palette_at - SHOWN_MAX + 1 : 0;
+    const uint32_t first = ui->palette_row >= SHOWN_MAX ? ui->palette_row - SHOWN_MAX + 1 : 0;
     const float right = imgui_available_width();
     for (uint32_t i = first; i < p->count && i < first + SHOWN_MAX; i++) {
         const struct entry *e = p->order[i];
         imgui_id_begin(e);
-        if (imgui_selectable(e->label, i == ui->palette_at))
-            choose(ui, e, wish);
+        if (imgui_selectable(e->label, i == ui->palette_row))
+            choose(ui, e, request);
         if (e->row)
             imgui_tooltip(e->row->help);
         if (e->key) {
@@ -238,36 +237,36 @@ static void rows(struct ui *ui, const struct palette *p, struct ui_request *wish
         imgui_text_dim("no matches");
 }
 
-void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *wish)
+void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     const float scale = ui->scale;
     const float row = imgui_row_height();
     const float window = (float)view->size.width;
     const float width = 440.0f * scale < window ? 440.0f * scale : window;
     const float height = row * 1.2f + (float)SHOWN_MAX * 21.0f * scale + 10.0f * scale;
-    const struct imgui_rect place = { (window - width) / 2.0f, row, width,
-                                      height < (float)view->size.height
-                                          ? height
-                                          : (float)view->size.height - row };
+    const struct imgui_rect area = { (window - width) / 2.0f, row, width,
+                                     height < (float)view->size.height
+                                         ? height
+                                         : (float)view->size.height - row };
     struct palette *p = malloc(sizeof(*p));
     if (!p)
         return;
-    p->words = ui->palette_words;
-    imgui_panel_begin(ui->imgui, "palette", place, IMGUI_POPUP);
+    p->query = ui->palette_query;
+    imgui_panel_begin(ui->imgui, "palette", area, IMGUI_POPUP);
     if (ui->focus_palette)
         imgui_next_focus();
     imgui_next_width(imgui_available_width());
     if (imgui_text_field("##palette", "search actions, settings, materials, scenes",
-                         ui->palette_words, sizeof(ui->palette_words)))
-        ui->palette_at = 0;
+                         ui->palette_query, sizeof(ui->palette_query)))
+        ui->palette_row = 0;
     collect(p);
-    ui->palette_at = p->count && ui->palette_at >= p->count ? p->count - 1 : ui->palette_at;
+    ui->palette_row = p->count && ui->palette_row >= p->count ? p->count - 1 : ui->palette_row;
     /* Enter takes effect after queued text has been searched */
-    const bool entered = ui->palette_entered && !ui->held && !ui->input.event_count;
-    if (entered && ui->palette_at < p->count)
-        choose(ui, p->order[ui->palette_at], wish);
+    const bool entered = ui->palette_entered && !ui->focus_wait_frames && !ui->input.event_count;
+    if (entered && ui->palette_row < p->count)
+        choose(ui, p->order[ui->palette_row], request);
     else
-        rows(ui, p, wish);
+        rows(ui, p, request);
     imgui_panel_end();
     ui->focus_palette = false;
     ui->palette_entered = ui->palette_entered && !entered;

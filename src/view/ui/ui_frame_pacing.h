@@ -1,14 +1,12 @@
-/*
- * ui_frame_pacing.h: frame pacing: how long frames take and what limits the frame rate.
- */
+/* ui_frame_pacing.h: frame pacing: how long frames take and what limits the frame rate. */
 #ifndef FIRN_VIEW_UI_UI_FRAME_PACING_H
 #define FIRN_VIEW_UI_UI_FRAME_PACING_H
 
 /* Seconds of one frame, or means over several. device, screen and limit may overlap in time. */
 struct ui_frame_pacing {
-    double frame;  /* from the start of a frame to the next */
-    double device; /* the device worked, or the host waited for it */
-    double screen; /* the host waited to acquire or present an image */
+    double frame;  /* between the starts of two frames */
+    double device; /* device time, or waiting for it */
+    double screen; /* acquiring or presenting an image */
     double limit;  /* the host waited because of --fps-limit */
 };
 

@@ -5,12 +5,12 @@
 #include <strings.h>
 
 enum {
-    WITHIN = 2,         /* distance of a word found inside another word */
-    GAPS_MAX = 2,       /* skipped letters allowed per typed letter */
-    GAPS_PART = 2,      /* one skipped letter per so many typed ones if a letter is wrong */
-    ABBREVIATION = 3,   /* minimum length of a fuzzy word; shorter ones match too much */
-    MISSPELT_LEAST = 4, /* minimum length of a word with a wrong letter */
-    MISSPELT = 8,       /* distance added for a wrong letter */
+    WITHIN = 2,              /* distance of a word found inside another word */
+    GAPS_MAX = 2,            /* maximum skipped letters per typed one */
+    GAPS_PART = 2,           /* with a wrong letter: typed letters per skipped one */
+    ABBREVIATION = 3,        /* minimum length of a fuzzy word */
+    MISSPELT_LENGTH_MIN = 4, /* minimum length for a wrong letter */
+    MISSPELT = 8,            /* distance added for a wrong letter */
 };
 
 static bool holds(const char *text, const char *word, size_t length)
@@ -22,16 +22,16 @@ static bool holds(const char *text, const char *word, size_t length)
     return false;
 }
 
-bool ui_fuzzy_match_contains(const char *words, const char *const *texts, size_t text_count)
+bool ui_fuzzy_match_contains(const char *query, const char *const *texts, size_t text_count)
 {
-    for (words += strspn(words, " "); *words; words += strspn(words, " ")) {
-        const size_t length = strcspn(words, " ");
+    for (query += strspn(query, " "); *query; query += strspn(query, " ")) {
+        const size_t length = strcspn(query, " ");
         size_t i = 0;
-        while (i < text_count && !holds(texts[i], words, length))
+        while (i < text_count && !holds(texts[i], query, length))
             i++;
         if (i == text_count)
             return false;
-        words += length;
+        query += length;
     }
     return true;
 }
@@ -46,7 +46,7 @@ static bool is_same(char a, char b)
     return !strncasecmp(&a, &b, 1);
 }
 
-static uint32_t least(uint32_t a, uint32_t b)
+static uint32_t minimum(uint32_t a, uint32_t b)
 {
     return a < b ? a : b;
 }
@@ -57,12 +57,12 @@ static uint32_t whole(const char *text, const char *word, size_t length)
     uint32_t distance = UI_FUZZY_MATCH_NONE;
     for (size_t at = 0; text[at]; at++) {
         if (!strncasecmp(text + at, word, length))
-            distance = least(distance, !at ? 0 : begins_word(text, at) ? 1 : WITHIN);
+            distance = minimum(distance, !at ? 0 : begins_word(text, at) ? 1 : WITHIN);
     }
     return distance;
 }
 
-/* Counts the letters of `text` skipped between those of a word, whose letter `wrong` is ignored. */
+/* Counts the letters of `text` that are skipped between those of a word; ignores letter `wrong`. */
 static uint32_t gaps(const char *text, const char *word, size_t length, size_t wrong)
 {
     uint32_t count = 0;
@@ -90,7 +90,7 @@ static uint32_t scattered(const char *text, const char *word, size_t length, siz
     const char first = word[wrong == 0 ? 1 : 0];
     for (size_t at = 0; text[at]; at++) {
         if (begins_word(text, at) && is_same(text[at], first))
-            distance = least(distance, gaps(text + at, word, length, wrong));
+            distance = minimum(distance, gaps(text + at, word, length, wrong));
     }
     const size_t most = wrong < length ? length / GAPS_PART : GAPS_MAX * length;
     return distance > most ? UI_FUZZY_MATCH_NONE : distance;
@@ -102,23 +102,23 @@ static uint32_t word_distance(const char *text, const char *word, size_t length,
     if (distance != UI_FUZZY_MATCH_NONE || length < ABBREVIATION)
         return distance;
     distance = scattered(text, word, length, length);
-    for (size_t i = 0; misspelt && length >= MISSPELT_LEAST && i < length; i++) {
+    for (size_t i = 0; misspelt && length >= MISSPELT_LENGTH_MIN && i < length; i++) {
         const uint32_t other = scattered(text, word, length, i);
-        distance = least(distance, other == UI_FUZZY_MATCH_NONE ? other : MISSPELT + other);
+        distance = minimum(distance, other == UI_FUZZY_MATCH_NONE ? other : MISSPELT + other);
     }
     return distance == UI_FUZZY_MATCH_NONE ? distance : WITHIN + 1 + distance;
 }
 
-uint32_t ui_fuzzy_match_distance(const char *words, const char *text, bool misspelt)
+uint32_t ui_fuzzy_match_distance(const char *query, const char *text, bool misspelt)
 {
     uint32_t sum = 0;
-    for (words += strspn(words, " "); *words; words += strspn(words, " ")) {
-        const size_t length = strcspn(words, " ");
-        const uint32_t distance = word_distance(text, words, length, misspelt);
+    for (query += strspn(query, " "); *query; query += strspn(query, " ")) {
+        const size_t length = strcspn(query, " ");
+        const uint32_t distance = word_distance(text, query, length, misspelt);
         if (distance == UI_FUZZY_MATCH_NONE)
             return distance;
         sum += distance;
-        words += length;
+        query += length;
     }
     return sum;
 }

@@ -24,66 +24,64 @@ struct ui {
     struct ui_frame_pacing pace;
     struct ui_pass_times frame_times, right_times, window_times;
     struct overlay_draw_list list;
-    VkRect2D picture; /* image area of the last frame; overlapping parts are not docked */
-    double last;      /* start of the last frame, seconds; 0 if there was none */
+    VkRect2D image_area;  /* image area of the last frame */
+    double last_frame_at; /* seconds; 0 before the first frame */
     bool shown, keys_open, palette_open;
     bool focus_palette, palette_entered; /* requests for the next frame */
-    bool release;        /* return the keyboard focus to the image after this frame */
-    uint32_t palette_at; /* selected row of the palette */
-    char palette_words[64];
+    bool release;                        /* return focus to the image afterwards */
+    uint32_t palette_row;                /* selected row of the palette */
+    char palette_query[64];
     enum ui_tab tab;
-    bool open[UI_GROUP_COUNT], more[UI_GROUP_COUNT]; /* open groups, and those with all rows */
+    bool open[UI_GROUP_COUNT], shows_all[UI_GROUP_COUNT]; /* per group: open, all rows shown */
     const struct theme *theme;
-    const struct ui_thumbnails *pictures;
+    const struct ui_thumbnails *thumbnails;
     bool focus_panel, focus_search;    /* focus requests for the next frame */
-    bool searches;                     /* the last focus request was for the search field */
-    bool released;                     /* keys act on the image from the next frame on */
-    uint32_t held;                     /* frames that queued events still wait for the focus */
-    uint32_t settle;                   /* frames still to be drawn */
+    bool focused_search;               /* focus request was for the search */
+    bool releases_keys;                /* next frame's keys control the image */
+    uint32_t focus_wait_frames;        /* frames to wait for the focus */
+    uint32_t pending_frames;           /* frames still to be drawn */
     float x, y;                        /* cursor position */
     uint32_t inspected_x, inspected_y; /* last pixel under the cursor */
-    bool has_inspected;                /* the cursor has been over the image */
-    bool pinned;                       /* the pixel was pinned by a click */
-    float press_x, press_y;            /* position of the last left button press */
-    unsigned buttons;                  /* pressed mouse buttons: bit b for button b */
-    bool grabbed;                      /* they were pressed over a panel */
-    bool is_full;                      /* the vertex limit was exceeded; logged once */
+    bool has_inspected;                /* the cursor was over the image */
+    bool pinned;                       /* pixel pinned by a click */
+    float press_x, press_y;            /* last left button press */
+    unsigned buttons;                  /* bit b: mouse button b pressed */
+    bool pressed_panel;                /* they were pressed over a panel */
+    bool is_full;                      /* vertex limit exceeded, logged once */
     char filter[64];
-    char words[600];
-    bool failed;                     /* `words` report a failure */
-    char fault[512];                 /* persistent error; "" if none */
-    const char *dump;                /* file for the positions of items; NULL if none */
-    uint32_t dumped;                 /* hash of its current contents */
-    uint32_t done[VIEW_INPUT_COUNT]; /* number of executions of each action */
+    char message[600];
+    bool is_failure;                          /* `message` is a failure */
+    char error[512];                          /* persistent error, or "" */
+    const char *dump_path;                    /* ui_dump() file, or NULL */
+    uint32_t dump_hash;                       /* hash of its current contents */
+    uint32_t action_counts[VIEW_INPUT_COUNT]; /* number of executions of each action */
 };
 
-/* Draw parts of the user interface between imgui_begin() and imgui_end(). ui_panels.c: all open
- * panels; ui_toolbar.c: toolbar and status bar; ui_command_palette.c: command palette (Ctrl K). */
-void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *wish);
-void ui_toolbar(const struct ui_view *view, struct ui_request *wish);
-void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *wish);
-void ui_timeline(const struct ui_view *view, struct ui_request *wish); /* ui_timeline.c: timeline */
+/* Draw parts of the user interface, between imgui_begin() and imgui_end(). */
+void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *request);
+void ui_toolbar(const struct ui_view *view, struct ui_request *request);
+void ui_command_palette(struct ui *ui, const struct ui_view *view, struct ui_request *request);
+void ui_timeline(const struct ui_view *view,
+                 struct ui_request *request); /* ui_timeline.c: timeline */
 void ui_status(const struct ui *ui, const struct ui_view *view);
 
-/* Draws a drop-down list with a label, like a setting's row. Returns true if the choice has
- * changed. */
+/* Draws a drop-down list with a label. Returns true if the choice has changed. */
 bool ui_named_list(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                    const char *tip);
 
 /* A choice of one of several values, shown as thumbnails with labels. */
 struct ui_gallery {
-    const char *name;         /* name of what is chosen */
-    const char *words;        /* heading above the thumbnails */
-    const char *const *names; /* labels of the values */
-    const char *const *tips;  /* tooltips of the values */
-    uint32_t first_picture;   /* thumbnail of the first value; UI_THUMBNAIL_NONE for labels only */
+    const char *name; /* name of what is chosen */
+    const char *heading;
+    const char *const *names;    /* labels of the values */
+    const char *const *tooltips; /* tooltips of the values */
+    uint32_t first_thumbnail;    /* UI_THUMBNAIL_NONE for labels only */
     uint32_t count;
 };
 
 bool ui_gallery(const struct ui_gallery *gallery, uint32_t *index);
 
-/* Draws exclusive buttons with a label, wrapped if needed. Returns true if the choice has changed.
- */
+/* Draws exclusive buttons with a label, wrapped if needed. Returns true if changed. */
 bool ui_named_buttons(const char *name, const char *const *names, uint32_t count, uint32_t *index,
                       const char *tip);
 

@@ -16,20 +16,20 @@
 enum {
     MATERIAL_MAX = 16, /* maximum entries of each list */
     ENVIRONMENT_MAX = 8,
-    RUNG_MAX = 32,
-    OTHER_COUNT = 3, /* choices for side B that are not refraction models */
+    REFRACTION_MAX = 32,
+    OTHER_COUNT = 3, /* side-B choices besides the refraction models */
 };
 
 static const char panel[] = "settings";
 static const float gallery_panel = 440.0f; /* minimum height for thumbnails, at scale 1 */
 
-/* Fills in the names of all refraction models. Returns the index of `rung`. */
-static uint32_t name_rungs(const char *names[static RUNG_MAX], uint32_t *count,
-                           const struct technique *refraction)
+/* Lists the names of all refraction models. Returns the index of the current one. */
+static uint32_t name_refraction_models(const char *names[static REFRACTION_MAX], uint32_t *count,
+                                       const struct technique *refraction)
 {
     uint32_t chosen = 0;
     const struct technique *next;
-    for (*count = 0; *count < RUNG_MAX && (next = techniques_refraction(*count)); ++*count) {
+    for (*count = 0; *count < REFRACTION_MAX && (next = techniques_refraction(*count)); ++*count) {
         names[*count] = next->refraction.name;
         chosen = refraction == next ? *count : chosen;
     }
@@ -47,11 +47,11 @@ const char *ui_environment(uint32_t i)
     return NULL;
 }
 
-static void environment_buttons(const struct ui_view *view, struct ui_request *wish)
+static void environment_buttons(const struct ui_view *view, struct ui_request *request)
 {
     const char *names[ENVIRONMENT_MAX];
-    const char *now = view->picture->state.scene.environment;
-    const bool is_sky = view->picture->scene.background == SCENE_SKY;
+    const char *now = view->viewport->state.scene.environment;
+    const bool is_sky = view->viewport->scene.background == SCENE_SKY;
     uint32_t count = 0;
     uint32_t chosen = is_sky ? 0 : UINT32_MAX;
     for (; count < ENVIRONMENT_MAX && ui_environment(count); count++) {
@@ -60,14 +60,14 @@ static void environment_buttons(const struct ui_view *view, struct ui_request *w
     }
     if (ui_named_buttons("Environment", names, count, &chosen,
                          "surrounding panorama (--env); or drop an .exr or .hdr file") &&
-        !wish->open)
-        wish->open = strdup(names[chosen]);
+        !request->open)
+        request->open = strdup(names[chosen]);
 }
 
-static void quality_list(struct ui_request *wish)
+static void quality_list(struct ui_request *request)
 {
     const char *names[QUALITY_COUNT + 1] = { [QUALITY_COUNT] = "custom" };
-    uint32_t level = quality_find(&wish->settings);
+    uint32_t level = quality_find(&request->settings);
     const uint32_t count = level < QUALITY_COUNT ? QUALITY_COUNT : QUALITY_COUNT + 1;
     for (uint32_t i = 0; i < QUALITY_COUNT; i++)
         names[i] = qualities[i].name;
@@ -76,13 +76,13 @@ static void quality_list(struct ui_request *wish)
         level == QUALITY_COUNT)
         return;
     for (const struct quality_row *row = quality_rows; row->setting; row++)
-        quality_apply_row(&wish->settings, row, level);
-    wish->changed = true;
+        quality_apply_row(&request->settings, row, level);
+    request->changed = true;
 }
 
 /* Draws the list of side B: none, the refraction models, reference, image file, stored state. */
-static void other_list(const struct ui_view *view, struct ui_request *wish, const char **names,
-                       uint32_t count)
+static void list_side_b(const struct ui_view *view, struct ui_request *request, const char **names,
+                        uint32_t count)
 {
     static const struct {
         enum view_side_b other;
@@ -96,59 +96,62 @@ static void other_list(const struct ui_view *view, struct ui_request *wish, cons
     const uint32_t more_count = view->has_stored ? OTHER_COUNT : OTHER_COUNT - 1;
     uint32_t chosen = 0;
     for (uint32_t i = 1; i < count; i++)
-        chosen = wish->other == VIEW_SIDE_B_MODEL && wish->split == techniques_refraction(i - 1)
-                     ? i
-                     : chosen;
+        chosen =
+            request->side_b == VIEW_SIDE_B_MODEL && request->split == techniques_refraction(i - 1)
+                ? i
+                : chosen;
     for (uint32_t i = 0; i < more_count; i++) {
         names[count + i] = more[i].name;
-        chosen = wish->other == more[i].other ? count + i : chosen;
+        chosen = request->side_b == more[i].other ? count + i : chosen;
     }
     if (!ui_named_list("Compare with", names, count + more_count, &chosen,
                        "side B, right of the divider (W, [ and ])"))
         return;
-    wish->split = chosen && chosen < count ? techniques_refraction(chosen - 1) : NULL;
-    wish->other = !chosen       ? VIEW_SIDE_B_NONE
-                  : wish->split ? VIEW_SIDE_B_MODEL
-                                : more[chosen - count].other;
+    request->split = chosen && chosen < count ? techniques_refraction(chosen - 1) : NULL;
+    request->side_b = !chosen          ? VIEW_SIDE_B_NONE
+                      : request->split ? VIEW_SIDE_B_MODEL
+                                       : more[chosen - count].other;
 }
 
 /* Returns the thumbnail, or none in low panels, which lack the room. */
-static uint32_t picture_if_high(const struct ui *ui, const struct ui_view *view, uint32_t picture)
+static uint32_t thumbnail_if_high(const struct ui *ui, const struct ui_view *view,
+                                  uint32_t thumbnail)
 {
     const float height = (float)view->layout->panel.extent.height;
-    return height < gallery_panel * ui->scale ? UI_THUMBNAIL_NONE : picture;
+    return height < gallery_panel * ui->scale ? UI_THUMBNAIL_NONE : thumbnail;
 }
 
-static void rung_lists(const struct ui *ui, const struct ui_view *view, struct ui_request *wish)
+static void refraction_lists(const struct ui *ui, const struct ui_view *view,
+                             struct ui_request *request)
 {
-    const char *names[RUNG_MAX + 1 + OTHER_COUNT] = { "none" };
-    const char *tips[RUNG_MAX];
+    const char *names[REFRACTION_MAX + 1 + OTHER_COUNT] = { "none" };
+    const char *tips[REFRACTION_MAX];
     uint32_t count;
-    uint32_t left = name_rungs(&names[1], &count, wish->refraction);
+    uint32_t left = name_refraction_models(&names[1], &count, request->refraction);
     for (uint32_t i = 0; i < count; i++)
         tips[i] = techniques_refraction(i)->help;
     const struct ui_gallery gallery = {
         .name = "Refraction model",
-        .words = "Refraction model",
+        .heading = "Refraction model",
         .names = &names[1],
-        .tips = tips,
-        .first_picture = picture_if_high(ui, view, ui_thumbnails_model(ui->pictures, 0)),
+        .tooltips = tips,
+        .first_thumbnail = thumbnail_if_high(ui, view, ui_thumbnails_model(ui->thumbnails, 0)),
         .count = count,
     };
     if (ui_gallery(&gallery, &left)) {
-        wish->refraction = techniques_refraction(left);
-        wish->changed = true;
+        request->refraction = techniques_refraction(left);
+        request->changed = true;
     }
-    other_list(view, wish, names, count + 1);
+    list_side_b(view, request, names, count + 1);
 }
 
 /* Draws the material presets; the current one is recognised by its refractive index alone. */
 static void material_buttons(const struct ui *ui, const struct ui_view *view,
-                             struct ui_request *wish)
+                             struct ui_request *request)
 {
     const struct setting *ior =
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
-    const double is = settings_get(&wish->settings, ior);
+    const double is = settings_get(&request->settings, ior);
     const char *names[MATERIAL_MAX];
     const char *tips[MATERIAL_MAX];
     uint32_t count = 0;
@@ -162,47 +165,48 @@ static void material_buttons(const struct ui *ui, const struct ui_view *view,
     }
     const struct ui_gallery gallery = {
         .name = "Material preset",
-        .words = "Material",
+        .heading = "Material",
         .names = names,
-        .tips = tips,
-        .first_picture = picture_if_high(ui, view, ui_thumbnails_material(ui->pictures, 0)),
+        .tooltips = tips,
+        .first_thumbnail = thumbnail_if_high(ui, view, ui_thumbnails_material(ui->thumbnails, 0)),
         .count = count,
     };
     if (ui_gallery(&gallery, &chosen)) {
-        settings_set_value(&wish->settings, ior, (double)material_presets[chosen].ior);
-        wish->changed = true;
+        settings_set_value(&request->settings, ior, (double)material_presets[chosen].ior);
+        request->changed = true;
     }
 }
 
 /* Draws the controls of a group that are not settings. */
 static void lists(const struct ui *ui, enum ui_setting_group group, const struct ui_view *view,
-                  struct ui_request *wish)
+                  struct ui_request *request)
 {
     if (group == UI_MATERIAL)
-        material_buttons(ui, view, wish);
+        material_buttons(ui, view, request);
     if (group == UI_LIGHT)
-        environment_buttons(view, wish);
+        environment_buttons(view, request);
     if (group == UI_QUALITY) {
-        quality_list(wish);
-        rung_lists(ui, view, wish);
+        quality_list(request);
+        refraction_lists(ui, view, request);
     }
 }
 
 static void groups(struct ui *ui, const struct ui_view *view, const struct ui_settings *settings,
-                   struct ui_request *wish)
+                   struct ui_request *request)
 {
     for (enum ui_setting_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
         imgui_id_begin(ui_setting_groups_name(g));
-        wish->changed = ui_settings_heading(settings, g, &ui->open[g]) || wish->changed;
+        request->changed = ui_settings_heading(settings, g, &ui->open[g]) || request->changed;
         if (ui->open[g]) {
-            lists(ui, g, view, wish);
-            wish->changed = ui_settings_group(settings, g, &ui->more[g]) || wish->changed;
+            lists(ui, g, view, request);
+            request->changed =
+                ui_settings_group(settings, g, &ui->shows_all[g]) || request->changed;
         }
         imgui_id_end();
     }
 }
 
-static void search(struct ui *ui, const struct settings *usual, struct ui_request *wish)
+static void search(struct ui *ui, const struct settings *defaults, struct ui_request *request)
 {
     static const char all[] = "Reset all";
     if (ui->focus_search)
@@ -211,48 +215,47 @@ static void search(struct ui *ui, const struct settings *usual, struct ui_reques
     imgui_text_field("##search", "search settings (/)", ui->filter, sizeof(ui->filter));
     imgui_same_line(0.0f);
     if (imgui_button(all)) {
-        wish->settings = *usual;
-        wish->changed = true;
+        request->settings = *defaults;
+        request->changed = true;
     }
     imgui_tooltip("reset all settings to the scene's values");
 }
 
-static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_request *wish)
+static void settings_tab(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
-    const struct scene *scene = &view->picture->scene;
-    const struct settings own = app_scene_settings(&view->picture->state.scene, scene);
-    const struct settings usual = frame_settings(&own, scene);
-    const struct ui_settings settings = { &wish->settings, &usual };
-    search(ui, &usual, wish);
+    const struct scene *scene = &view->viewport->scene;
+    const struct settings own = app_scene_settings(&view->viewport->state.scene, scene);
+    const struct settings defaults = frame_settings(&own, scene);
+    const struct ui_settings settings = { &request->settings, &defaults };
+    search(ui, &defaults, request);
     imgui_scroll_begin("rows");
     if (*ui->filter)
-        wish->changed = ui_settings_found(&settings, ui->filter) || wish->changed;
+        request->changed = ui_settings_matches(&settings, ui->filter) || request->changed;
     else
-        groups(ui, view, &settings, wish);
+        groups(ui, view, &settings, request);
     imgui_scroll_end();
 }
 
 /* Draws the memory of the image's plan, and the log of slow changes with their reasons. */
-static void costs(const struct ui_view *view)
+static void show_costs(const struct ui_view *view)
 {
-    const struct renderer *renderer = viewport_renderer(view->picture, false);
-    const char *words = rebuild_log_at(view->reloads, 0);
+    const struct renderer *renderer = viewport_renderer(view->viewport, false);
+    const char *message = rebuild_log_at(view->rebuild_log, 0);
     if (renderer)
         ui_plan_chart_memory(renderer_frame(renderer));
-    imgui_text_dim(words ? "slow changes:" : "no slow changes");
-    imgui_tooltip(
-        "changes that took longer than a frame, newest first; tooltips of settings tell what "
-        "they rebuild");
-    for (uint32_t i = 0; (words = rebuild_log_at(view->reloads, i)); i++)
-        imgui_text_wrapped(words);
+    imgui_text_dim(message ? "slow changes:" : "no slow changes");
+    imgui_tooltip("changes that took longer than a frame, newest first; what a setting rebuilds "
+                  "is in its tooltip");
+    for (uint32_t i = 0; (message = rebuild_log_at(view->rebuild_log, i)); i++)
+        imgui_text_wrapped(message);
 }
 
 static void times_tab(const struct ui *ui, const struct ui_view *view)
 {
     imgui_scroll_begin("times");
-    costs(view);
+    show_costs(view);
     ui_pass_times_panel("frame", &ui->frame_times);
-    if (view->picture->right)
+    if (view->viewport->right_renderer)
         ui_pass_times_panel("side B", &ui->right_times);
     ui_pass_times_panel("window", &ui->window_times);
     imgui_scroll_end();
@@ -261,7 +264,7 @@ static void times_tab(const struct ui *ui, const struct ui_view *view)
 static void plan_tab(const struct ui_view *view)
 {
     imgui_scroll_begin("plan");
-    const struct renderer *renderer = viewport_renderer(view->picture, false);
+    const struct renderer *renderer = viewport_renderer(view->viewport, false);
     if (renderer)
         ui_plan_chart_panel(renderer_frame(renderer));
     imgui_scroll_end();
@@ -287,19 +290,19 @@ static void tabs(struct ui *ui)
     }
 }
 
-static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_request *wish)
+static void side_panel(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     if (ui->focus_search)
         ui->tab = UI_SETTINGS;
     tabs(ui);
-    if (*ui->fault)
-        imgui_warning(ui->fault);
+    if (*ui->error)
+        imgui_warning(ui->error);
     if (ui->tab == UI_SETTINGS)
-        settings_tab(ui, view, wish);
+        settings_tab(ui, view, request);
     else if (ui->tab == UI_TIMES)
         times_tab(ui, view);
     else if (ui->tab == UI_INSPECT)
-        ui_pixel_inspector_panel(ui, view, wish);
+        ui_pixel_inspector_panel(ui, view, request);
     else
         plan_tab(view);
     ui->focus_search = false;
@@ -323,9 +326,9 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
     const float gap = fmaxf(fminf(4.0f * scale, room / (float)rows - line), scale);
     const float height =
         fminf((float)rows * (line + gap) + 16.0f * scale, (float)view->size.height);
-    const struct imgui_rect place = { ((float)view->size.width - width) / 2.0f,
-                                      ((float)view->size.height - height) / 2.0f, width, height };
-    imgui_panel_begin(ui->imgui, "keys", place, IMGUI_POPUP);
+    const struct imgui_rect area = { ((float)view->size.width - width) / 2.0f,
+                                     ((float)view->size.height - height) / 2.0f, width, height };
+    imgui_panel_begin(ui->imgui, "keys", area, IMGUI_POPUP);
     imgui_gap_begin(gap);
     imgui_scroll_begin("##keys");
     const float column = imgui_available_width() / (float)columns;
@@ -348,16 +351,16 @@ static void keys_panel(struct ui *ui, const struct ui_view *view)
 /* Draws the label of a side over a corner of the image, the only panel that covers it. */
 static void name_side(struct ui *ui, const struct ui_view *view, const char *name, bool is_right)
 {
-    const struct present_area *p = view->place;
+    const struct present_area *p = view->image_area;
     const float width = fminf(imgui_width(name) + 8.0f * ui->scale, 0.48f * (float)p->width);
     const float height = imgui_line_height() + 10.0f * ui->scale;
-    const struct imgui_rect place = {
+    const struct imgui_rect area = {
         (float)p->x + (is_right ? (float)p->width - width : 0.0f),
         (float)(p->y + p->height) - height,
         width,
         height,
     };
-    imgui_panel_begin(ui->imgui, is_right ? "right" : "left", place, IMGUI_LABEL);
+    imgui_panel_begin(ui->imgui, is_right ? "right" : "left", area, IMGUI_LABEL);
     imgui_text_elided(name, imgui_available_width());
     imgui_name(name);
     imgui_panel_end();
@@ -365,15 +368,15 @@ static void name_side(struct ui *ui, const struct ui_view *view, const char *nam
 
 static void name_sides(struct ui *ui, const struct ui_view *view)
 {
-    const bool flipped = view->picture->flipped;
-    if (view->other == VIEW_SIDE_B_NONE || !view->place->width)
+    const bool flipped = view->viewport->flipped;
+    if (view->side_b == VIEW_SIDE_B_NONE || !view->image_area->width)
         return;
     name_side(ui, view, flipped ? view->right : view->left, false);
     if (!flipped)
         name_side(ui, view, view->right, true);
 }
 
-void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *wish)
+void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     const struct window_layout *l = view->layout;
     if (ui->focus_panel || ui->release)
@@ -382,14 +385,14 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *wis
     ui->focus_panel = ui->release = false;
     if (l->panel.extent.width) {
         imgui_panel_begin(ui->imgui, "bar", ui_rect_of(l->bar), IMGUI_DOCKED);
-        ui_toolbar(view, wish);
+        ui_toolbar(view, request);
         imgui_panel_end();
         imgui_panel_begin(ui->imgui, panel, ui_rect_of(l->panel), IMGUI_DOCKED);
-        side_panel(ui, view, wish);
+        side_panel(ui, view, request);
         imgui_panel_end();
         if (l->strip.extent.height) {
             imgui_panel_begin(ui->imgui, "time", ui_rect_of(l->strip), IMGUI_DOCKED);
-            ui_timeline(view, wish);
+            ui_timeline(view, request);
             imgui_panel_end();
         }
         imgui_panel_begin(ui->imgui, "status", ui_rect_of(l->status), IMGUI_DOCKED);
@@ -398,7 +401,7 @@ void ui_panels(struct ui *ui, const struct ui_view *view, struct ui_request *wis
     }
     name_sides(ui, view);
     if (ui->palette_open)
-        ui_command_palette(ui, view, wish);
+        ui_command_palette(ui, view, request);
     if (ui->keys_open)
         keys_panel(ui, view);
 }

@@ -131,11 +131,11 @@ static uint32_t color_of(uint32_t key)
 static void bar(const struct ui_pass_times_row *row, double most)
 {
     const float width = imgui_available_width();
-    struct imgui_rect place = imgui_reserve(width, imgui_line_height());
-    struct imgui_rect sign = place;
+    struct imgui_rect area = imgui_reserve(width, imgui_line_height());
+    struct imgui_rect sign = area;
     char text[128];
-    place.width *= (float)(row->milliseconds / most);
-    imgui_rectangle(place, imgui_rgba(imgui_theme()->pressed));
+    area.width *= (float)(row->milliseconds / most);
+    imgui_rectangle(area, imgui_rgba(imgui_theme()->pressed));
     sign.width = 4.0f * imgui_scale();
     imgui_rectangle(sign, color_of(ui_pass_times_key(row->name)));
     if (row->repetition_count > 1)
@@ -149,7 +149,7 @@ static void bar(const struct ui_pass_times_row *row, double most)
     imgui_text(text);
 }
 
-/* Returns the name of the longest pass of a frame, if the newest plan still has it. */
+/* Returns the name of a frame's longest pass, if the newest plan still has it. */
 static const char *name_longest(const struct ui_pass_times *times,
                                 const struct ui_pass_times_frame *frame)
 {

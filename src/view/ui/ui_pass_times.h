@@ -1,7 +1,4 @@
-/*
- * ui_pass_times.h: GPU time of each pass: running means as bars, and a column for each of the last
- * frames.
- */
+/* ui_pass_times.h: GPU times of passes: running means, and a history of the last frames. */
 #ifndef FIRN_VIEW_UI_UI_PASS_TIMES_H
 #define FIRN_VIEW_UI_UI_PASS_TIMES_H
 
@@ -14,7 +11,7 @@ enum {
 
 /* Time of one pass of the plan, summed over its repetitions. */
 struct ui_pass_times_row {
-    char name[64]; /* truncated copy, since the plan may be destroyed earlier */
+    char name[64]; /* copy, truncated */
     uint32_t repetition_count;
     double milliseconds; /* running mean */
 };
@@ -30,7 +27,7 @@ struct ui_pass_times {
     struct ui_pass_times_row rows[UI_PASS_TIMES_ROW_COUNT]; /* rows of the newest plan */
     uint32_t row_count;
     uint64_t start; /* rg_times.start of the newest frame */
-    /* ring buffer; frame n is at n modulo its size */
+    /* ring buffer */
     struct ui_pass_times_frame frames[UI_PASS_TIMES_FRAME_COUNT];
     uint32_t frame_count; /* frames recorded in total */
 };
@@ -45,8 +42,7 @@ void ui_pass_times_add(struct ui_pass_times *times, const struct rg_plan *plan,
 
 double ui_pass_times_sum(const struct ui_pass_times *times); /* milliseconds */
 
-/* Returns the total milliseconds of a recorded frame; `ago` is 0 for the newest; negative if none.
- */
+/* Returns the milliseconds of a recorded frame (`ago` 0: the newest); negative if none. */
 double ui_pass_times_frame(const struct ui_pass_times *times, uint32_t ago);
 
 /* Draws the panel; `what` names the measured plan. */

@@ -1,5 +1,4 @@
-/* ui_pixel_inspector.c: panel of the pixel inspector: layer, channel, histogram, pixel values,
- * magnifier. */
+/* ui_pixel_inspector.c: panel of the pixel inspector: histogram, values, magnifier. */
 #include "src/view/ui/ui_pixel_inspector.h"
 #include <math.h>
 #include <stdio.h>
@@ -10,7 +9,7 @@
 enum {
     ZOOM_COLUMNS = 15, /* pixels shown in the magnifier */
     ZOOM_ROWS = 9,
-    ZOOM_MIDDLE = ZOOM_ROWS / 2 * ZOOM_COLUMNS + ZOOM_COLUMNS / 2,
+    ZOOM_CENTER = ZOOM_ROWS / 2 * ZOOM_COLUMNS + ZOOM_COLUMNS / 2,
     NAMES_MAX = PIXEL_INSPECTOR_LAYER_MAX + 1,
 };
 
@@ -78,7 +77,7 @@ static void choose(struct pixel_inspector_choice *c)
     imgui_tooltip("show the unmodified image");
 }
 
-static void histogram(const struct pixel_inspector *look, const struct theme *theme)
+static void histogram(const struct pixel_inspector *inspector, const struct theme *theme)
 {
     char text[96];
     const float scale = imgui_scale();
@@ -87,21 +86,22 @@ static void histogram(const struct pixel_inspector *look, const struct theme *th
     const float step = all.width / PIXEL_INSPECTOR_BIN_COUNT;
     uint32_t most = 1;
     for (uint32_t b = 0; b < PIXEL_INSPECTOR_BIN_COUNT; b++)
-        most = look->bins[b] > most ? look->bins[b] : most;
+        most = inspector->bins[b] > most ? inspector->bins[b] : most;
     imgui_rectangle(all, imgui_rgba(theme->raised));
     for (uint32_t b = 0; b < PIXEL_INSPECTOR_BIN_COUNT; b++) {
-        const float height = all.height * sqrtf((float)look->bins[b] / (float)most);
+        const float height = all.height * sqrtf((float)inspector->bins[b] / (float)most);
         imgui_rectangle((struct imgui_rect){ all.x + (float)b * step, all.y + all.height - height,
                                              step, height },
                         imgui_rgba(theme->accent));
     }
     snprintf(text, sizeof(text),
-             look->choice.layer ? "%.4g to %.4g" : "%.0f to %.0f stops relative to 1",
-             (double)look->least, (double)look->greatest);
+             inspector->choice.layer ? "%.4g to %.4g" : "%.0f to %.0f stops relative to 1",
+             (double)inspector->min, (double)inspector->max);
     imgui_text_wrapped(text);
-    if (look->below > 0.0f || look->above > 0.0f) {
-        snprintf(text, sizeof(text), "%.1f %% below, %.1f %% above", 100.0 * (double)look->below,
-                 100.0 * (double)look->above);
+    if (inspector->below_fraction > 0.0f || inspector->above_fraction > 0.0f) {
+        snprintf(text, sizeof(text), "%.1f %% below, %.1f %% above",
+                 100.0 * (double)inspector->below_fraction,
+                 100.0 * (double)inspector->above_fraction);
         imgui_text_dim(text);
     }
 }
@@ -116,17 +116,17 @@ static void magnifier(const struct ui_view *view, uint32_t x, uint32_t y, const 
         for (uint32_t i = 0; i < ZOOM_COLUMNS * ZOOM_ROWS; i++) {
             const uint32_t column = i % ZOOM_COLUMNS;
             const uint32_t row = i / ZOOM_COLUMNS;
-            const struct imgui_rect place = { all.x + (float)column * side,
-                                              all.y + (float)row * side, side, side };
-            if ((i == ZOOM_MIDDLE) != (pass == 1) ||
-                !pixel_inspector_values(view->look, view->picture, x + column - ZOOM_COLUMNS / 2,
-                                        y + row - ZOOM_ROWS / 2, &v))
+            const struct imgui_rect area = { all.x + (float)column * side,
+                                             all.y + (float)row * side, side, side };
+            if ((i == ZOOM_CENTER) != (pass == 1) ||
+                !pixel_inspector_values(view->inspector, view->viewport,
+                                        x + column - ZOOM_COLUMNS / 2, y + row - ZOOM_ROWS / 2, &v))
                 continue;
             if (pass == 1)
                 imgui_rectangle(
-                    (struct imgui_rect){ place.x - 2.0f, place.y - 2.0f, side + 4.0f, side + 4.0f },
+                    (struct imgui_rect){ area.x - 2.0f, area.y - 2.0f, side + 4.0f, side + 4.0f },
                     imgui_rgba(theme->accent));
-            imgui_rectangle(place, IMGUI_RGBA(v.shown[0], v.shown[1], v.shown[2], 255));
+            imgui_rectangle(area, IMGUI_RGBA(v.shown[0], v.shown[1], v.shown[2], 255));
         }
     }
 }
@@ -162,7 +162,7 @@ static void values(const struct ui_view *view, const struct pixel_inspector_valu
                    uint32_t y, bool pinned)
 {
     char text[160];
-    const struct frame_layer *layer = pixel_inspector_layer(view->look->choice.layer);
+    const struct frame_layer *layer = pixel_inspector_layer(view->inspector->choice.layer);
     snprintf(text, sizeof(text), "pixel %u %u%s", x, y, pinned ? " pinned" : "");
     imgui_value(text);
     imgui_tooltip(pinned ? "click the image to unpin" : "click the image to pin");
@@ -180,8 +180,8 @@ static void values(const struct ui_view *view, const struct pixel_inspector_valu
     line("distance", &v->distance, 1, " m");
     snprintf(text, sizeof(text), "object %u %s", v->object, v->name);
     imgui_value(text);
-    imgui_tooltip(text); /* long names are cut in the panel */
-    const char *material = material_of(view->picture, v->object);
+    imgui_tooltip(text); /* shows names that the panel truncates */
+    const char *material = material_of(view->viewport, v->object);
     if (material) {
         snprintf(text, sizeof(text), "material %s", material);
         imgui_value(text);
@@ -191,32 +191,32 @@ static void values(const struct ui_view *view, const struct pixel_inspector_valu
 /* Returns true if the cursor is over the image, and its pixel. */
 static bool find_pixel(const struct ui *ui, const struct ui_view *view, uint32_t *x, uint32_t *y)
 {
-    const struct present_area *place = view->place;
-    const struct app_image *p = &view->picture->state;
-    const float left = ui->x - (float)place->x;
-    const float top = ui->y - (float)place->y;
-    if (left < 0.0f || top < 0.0f || left >= (float)place->width || top >= (float)place->height)
+    const struct present_area *area = view->image_area;
+    const struct app_image *p = &view->viewport->state;
+    const float left = ui->x - (float)area->x;
+    const float top = ui->y - (float)area->y;
+    if (left < 0.0f || top < 0.0f || left >= (float)area->width || top >= (float)area->height)
         return false;
-    *x = (uint32_t)(left * (float)p->width / (float)place->width);
-    *y = (uint32_t)(top * (float)p->height / (float)place->height);
+    *x = (uint32_t)(left * (float)p->width / (float)area->width);
+    *y = (uint32_t)(top * (float)p->height / (float)area->height);
     return true;
 }
 
-void ui_pixel_inspector_panel(struct ui *ui, const struct ui_view *view, struct ui_request *wish)
+void ui_pixel_inspector_panel(struct ui *ui, const struct ui_view *view, struct ui_request *request)
 {
     struct pixel_inspector_values v;
-    choose(&wish->look);
+    choose(&request->inspector_choice);
     imgui_scroll_begin("values");
-    if (!view->look->sample_count) {
+    if (!view->inspector->sample_count) {
         imgui_text_dim("values are available when the image is at rest");
         imgui_scroll_end();
         return;
     }
-    histogram(view->look, ui->theme);
+    histogram(view->inspector, ui->theme);
     if (!ui->pinned && find_pixel(ui, view, &ui->inspected_x, &ui->inspected_y))
         ui->has_inspected = true;
-    if (ui->has_inspected &&
-        pixel_inspector_values(view->look, view->picture, ui->inspected_x, ui->inspected_y, &v)) {
+    if (ui->has_inspected && pixel_inspector_values(view->inspector, view->viewport,
+                                                    ui->inspected_x, ui->inspected_y, &v)) {
         values(view, &v, ui->inspected_x, ui->inspected_y, ui->pinned);
         magnifier(view, ui->inspected_x, ui->inspected_y, ui->theme);
     } else {

@@ -7,6 +7,7 @@
 /* Draws a drop-down list of the layers; changing the layer resets the channel. */
 void ui_pixel_inspector_layer_list(const char *label, struct pixel_inspector_choice *choice);
 
-void ui_pixel_inspector_panel(struct ui *ui, const struct ui_view *view, struct ui_request *wish);
+void ui_pixel_inspector_panel(struct ui *ui, const struct ui_view *view,
+                              struct ui_request *request);
 
 #endif

@@ -6,7 +6,7 @@ static const double mebi = 1024.0 * 1024.0;
 
 struct chart {
     const struct rg_plan *plan;
-    struct imgui_rect place;
+    struct imgui_rect area;
     float column, row; /* width of a pass and height of a resource, pixels */
 };
 
@@ -14,8 +14,8 @@ static struct imgui_rect cell(const struct chart *c, uint32_t first, uint32_t la
 {
     const float end = (float)(last < c->plan->pass_count ? last + 1 : c->plan->pass_count);
     return (struct imgui_rect){
-        .x = c->place.x + (float)first * c->column,
-        .y = c->place.y + (float)row * c->row,
+        .x = c->area.x + (float)first * c->column,
+        .y = c->area.y + (float)row * c->row,
         .width = (end - (float)first) * c->column,
         .height = c->row,
     };
@@ -64,7 +64,7 @@ static void draw_pass(const struct chart *c, uint32_t p)
     if (!imgui_is_hovered(whole))
         return;
     struct imgui_rect column = whole;
-    column.height = c->place.height;
+    column.height = c->area.height;
     imgui_rectangle(column, IMGUI_RGBA(255, 255, 255, 40));
     snprintf(text, sizeof(text), "pass %u: %s\n%u barrier%s before it", p, pass->pass->name,
              pass->barrier_count, pass->barrier_count == 1 ? "" : "s");
@@ -94,8 +94,8 @@ void ui_plan_chart_panel(const struct rg_plan *plan)
 {
     struct chart c = { .plan = plan, .row = 7.0f * imgui_scale() };
     print_sums(plan);
-    c.place = imgui_reserve(imgui_available_width(), c.row * (float)(plan->image_count + 1));
-    c.column = c.place.width / (float)plan->pass_count;
+    c.area = imgui_reserve(imgui_available_width(), c.row * (float)(plan->image_count + 1));
+    c.column = c.area.width / (float)plan->pass_count;
     for (uint32_t p = 0; p < plan->pass_count; p++)
         draw_pass(&c, p);
     for (uint32_t i = 0; i < plan->image_count; i++)

@@ -61,7 +61,7 @@ static bool has_roll(const struct camera *camera)
  */
 static void print_camera(FILE *out, const struct ui_render_command *c)
 {
-    const struct app_image *p = c->picture;
+    const struct app_image *p = c->image;
     struct camera given;
     if (app_camera(&given, c->scene, p) == STATUS_OK && same_camera(&given, c->camera)) {
         print_name(out, "camera", p->camera);
@@ -124,33 +124,33 @@ static void print_ior(FILE *out, const struct ui_render_command *c)
         settings_row(&refract_settings, offsetof(struct refract_params, ior));
     const struct model *model = &c->scene->model;
     const struct settings defaults = settings_default();
-    const char *material = c->picture->scene.material;
-    const double ior = settings_get(&c->picture->scene.settings, row);
+    const char *material = c->image->scene.material;
+    const double ior = settings_get(&c->image->scene.settings, row);
     double own = model->has_ior ? (double)model->ior : settings_get(&defaults, row);
-    if (material && !scene_find_builtin(c->picture->scene.name)) {
+    if (material && !scene_find_builtin(c->image->scene.name)) {
         print_name(out, "material", material);
         own = (double)material_preset_find(material)->ior;
         if (differ(ior, own))
-            print_setting(out, &c->picture->scene.settings, row);
+            print_setting(out, &c->image->scene.settings, row);
         return;
     }
     if (!differ(ior, own))
         return;
     const struct material_preset *m = material_presets;
-    for (; m->name && !has_default_inclusions(&c->picture->scene.settings); m++) {
+    for (; m->name && !has_default_inclusions(&c->image->scene.settings); m++) {
         if (!differ((double)m->ior, ior)) {
             print_name(out, "material", m->name);
             return;
         }
     }
-    print_setting(out, &c->picture->scene.settings, row);
+    print_setting(out, &c->image->scene.settings, row);
 }
 
 static void print_settings(FILE *out, const struct ui_render_command *c)
 {
     const struct settings defaults = settings_default();
-    const struct settings brought = app_scene_settings(&c->picture->scene, c->scene);
-    struct settings settings = frame_settings(&c->picture->scene.settings, c->scene);
+    const struct settings scene_settings = app_scene_settings(&c->image->scene, c->scene);
+    struct settings settings = frame_settings(&c->image->scene.settings, c->scene);
     settings_set_value(&settings, settings_find("motion.time"), (double)c->time);
     const struct setting_group *group;
     for (size_t g = 0; (group = settings_group(g)); g++) {
@@ -158,7 +158,7 @@ static void print_settings(FILE *out, const struct ui_render_command *c)
             const struct setting *row = &group->rows[r];
             if (row != settings_row(&refract_settings, offsetof(struct refract_params, ior)) &&
                 (differ(settings_get(&settings, row), settings_get(&defaults, row)) ||
-                 differ(settings_get(&brought, row), settings_get(&defaults, row))))
+                 differ(settings_get(&scene_settings, row), settings_get(&defaults, row))))
                 print_setting(out, &settings, row);
         }
     }
@@ -166,7 +166,7 @@ static void print_settings(FILE *out, const struct ui_render_command *c)
 
 static void print(FILE *out, const struct ui_render_command *c)
 {
-    const struct app_image *p = c->picture;
+    const struct app_image *p = c->image;
     fputs("firn render ", out);
     if (p->scene.name[0] == '-') /* otherwise the name would be parsed as an option */
         fputs("./", out);

@@ -1,5 +1,4 @@
-/* ui_screenshot.c: renders the window's contents off screen: its plan, with a readback at the end.
- */
+/* ui_screenshot.c: renders the window's contents off screen and reads them back. */
 #include "src/view/ui/ui_screenshot.h"
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +8,7 @@
 #include "src/tech/output/tonemap.h"
 
 enum {
-    IMPORT_PICTURE,
+    IMPORT_IMAGE,
     IMPORT_RIGHT,
     IMPORT_FONT,
     IMPORT_COUNT,
@@ -23,9 +22,9 @@ static const struct rg_buffer pixels = {
 
 /* Tables contain pointers to this struct, so it must not move. */
 struct shot {
-    const struct presenter *screen;
-    const struct viewport *picture;
-    const struct window_frame *shown;
+    const struct presenter *presenter;
+    const struct viewport *viewport;
+    const struct window_frame *frame;
     struct present_tables present;
     struct overlay_tables overlay;
     struct rg_use uses[3];
@@ -64,12 +63,12 @@ static enum status compile(struct shot *s, const struct gpu_image *font,
         &s->overlay.technique,
         &s->readback,
     };
-    const VkExtent2D picture = { s->shown->present.texel_columns, s->shown->present.texel_rows };
+    const VkExtent2D viewport = { s->frame->present.texel_columns, s->frame->present.texel_rows };
     const struct rg_import imports[IMPORT_COUNT] = {
-        [IMPORT_PICTURE] = { .image = &frame_display, .access = RG_SAMPLED, .extent = picture },
+        [IMPORT_IMAGE] = { .image = &frame_display, .access = RG_SAMPLED, .extent = viewport },
         [IMPORT_RIGHT] = { .image = &present_right,
                            .access = RG_SAMPLED,
-                           .extent = viewport_right_extent(s->picture) },
+                           .extent = viewport_right_extent(s->viewport) },
         [IMPORT_FONT] = {
             .image = &overlay_font,
             .access = RG_SAMPLED,
@@ -79,7 +78,7 @@ static enum status compile(struct shot *s, const struct gpu_image *font,
     s->plan = rg_compile(&(struct rg_compile_params){
         .techniques = parts,
         .technique_count = sizeof(parts) / sizeof(parts[0]),
-        .view = s->screen->swapchain.extent,
+        .view = s->presenter->swapchain.extent,
         .outputs = &(struct rg_output){ .buffer = &pixels, .access = RG_HOST_READ },
         .output_count = 1,
         .imports = imports,
@@ -96,17 +95,17 @@ static enum status compile(struct shot *s, const struct gpu_image *font,
 static enum status realise(struct shot *s, const struct gpu_image *font)
 {
     const struct rg_exec_import imports[IMPORT_COUNT] = {
-        [IMPORT_PICTURE] = { .image = viewport_left(s->picture) },
-        [IMPORT_RIGHT] = { .image = viewport_right(s->picture) },
+        [IMPORT_IMAGE] = { .image = viewport_left(s->viewport) },
+        [IMPORT_RIGHT] = { .image = viewport_right(s->viewport) },
         [IMPORT_FONT] = { .image = font->image },
     };
-    struct rg_exec_params params = presenter_exec_params(s->screen->gpu, s->plan);
+    struct rg_exec_params params = presenter_exec_params(s->presenter->gpu, s->plan);
     VkResult result;
     params.frames_in_flight = 1;
     params.imports = imports;
     params.import_count = IMPORT_COUNT;
-    params.replace_shader = s->screen->replace;
-    params.user = s->screen->replace_user;
+    params.replace_shader = s->presenter->replace;
+    params.user = s->presenter->replace_user;
     s->exec = rg_exec_create(&params, &result);
     return gpu_status(result);
 }
@@ -117,9 +116,9 @@ static enum status draw(struct shot *s, struct ui *ui, size_t size, uint8_t **rg
     enum status status = gpu_status(rg_exec_begin(s->exec, &slot));
     if (status != STATUS_OK)
         return status;
-    struct window_frame window = *s->shown;
-    window.right_columns = viewport_right_extent(s->picture).width;
-    window.right_rows = viewport_right_extent(s->picture).height;
+    struct window_frame window = *s->frame;
+    window.right_columns = viewport_right_extent(s->viewport).width;
+    window.right_rows = viewport_right_extent(s->viewport).height;
     window.overlay = ui_copy_draw_list(ui, rg_exec_mapped(s->exec, &overlay_vertices, slot),
                                        rg_exec_mapped(s->exec, &overlay_indices, slot));
     const struct rg_frame frame = { .window = &window };
@@ -136,13 +135,13 @@ static enum status draw(struct shot *s, struct ui *ui, size_t size, uint8_t **rg
     return STATUS_OK;
 }
 
-enum status ui_screenshot(const struct presenter *screen, const struct viewport *picture,
-                          const struct window_frame *shown, struct ui *ui, uint8_t **rgba)
+enum status ui_screenshot(const struct presenter *presenter, const struct viewport *viewport,
+                          const struct window_frame *frame, struct ui *ui, uint8_t **rgba)
 {
-    const struct rg_vulkan vulkan = frame_exec_vulkan(screen->gpu);
+    const struct rg_vulkan vulkan = frame_exec_vulkan(presenter->gpu);
     const struct rg_device device = rg_exec_device(&vulkan);
-    const VkExtent2D size = screen->swapchain.extent;
-    struct shot s = { .screen = screen, .picture = picture, .shown = shown };
+    const VkExtent2D size = presenter->swapchain.extent;
+    struct shot s = { .presenter = presenter, .viewport = viewport, .frame = frame };
     *rgba = NULL;
     make_tables(&s);
     enum status status = compile(&s, ui_font(ui), &device);

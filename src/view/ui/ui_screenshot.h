@@ -1,14 +1,13 @@
-/*
- * ui_screenshot.h: screenshot of the window with its panels.
- */
+/* ui_screenshot.h: screenshot of the window with its panels. */
 #ifndef FIRN_VIEW_UI_UI_SCREENSHOT_H
 #define FIRN_VIEW_UI_UI_SCREENSHOT_H
 
 #include "src/view/ui/ui.h"
 
-/* Draws the image that the screen shows, with the panels. *rgba is malloc'd, of the screen's size,
- * and freed by the caller; on failure, which is logged, it is NULL. */
-MUST_USE enum status ui_screenshot(const struct presenter *screen, const struct viewport *picture,
-                                   const struct window_frame *shown, struct ui *ui, uint8_t **rgba);
+/* Renders the window's contents with the panels. *rgba is malloc'd, of the window's size, and freed
+ * by the caller; on failure, which is logged, it is NULL. */
+MUST_USE enum status ui_screenshot(const struct presenter *presenter,
+                                   const struct viewport *viewport,
+                                   const struct window_frame *frame, struct ui *ui, uint8_t **rgba);
 
 #endif

@@ -69,7 +69,7 @@ static const struct {
     { "compare with the reference", "truth ground accurate exact raytracing path tracing" },
     { "difference of A and B", "error flip delta" },
     { "time of each pass", "performance speed fps profile slow gpu" },
-    { "plan of the frame", "graph passes memory" },
+    { "render graph of the frame", "plan passes memory" },
     { "layers and pixel values", "pixel probe histogram magnifier inspect normals depth" },
     { "false colours", "heat map heatmap" },
     { "play or pause", "play animation stop start" },

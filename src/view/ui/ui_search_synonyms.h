@@ -1,5 +1,4 @@
-/* ui_search_synonyms.h: synonyms that users may type when they search for a setting or an action.
- */
+/* ui_search_synonyms.h: search synonyms of settings and actions. */
 #ifndef FIRN_VIEW_UI_UI_SEARCH_SYNONYMS_H
 #define FIRN_VIEW_UI_UI_SEARCH_SYNONYMS_H
 
@@ -8,7 +7,6 @@
 /* Returns the synonyms of a setting's name or an action's label; "" if there are none. */
 const char *ui_search_synonyms(const char *name);
 
-const char *
-ui_search_synonyms_name(uint32_t i); /* name in row i of the table; NULL after the last */
+const char *ui_search_synonyms_name(uint32_t i); /* NULL after the last */
 
 #endif

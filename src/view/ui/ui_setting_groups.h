@@ -1,6 +1,4 @@
-/*
- * ui_setting_groups.h: groups of the settings panel, and which settings belong to them.
- */
+/* ui_setting_groups.h: groups of the settings panel, and which settings belong to them. */
 #ifndef FIRN_VIEW_UI_UI_SETTING_GROUPS_H
 #define FIRN_VIEW_UI_UI_SETTING_GROUPS_H
 

@@ -12,13 +12,13 @@ enum {
     LABEL_SIZE = 64,
 };
 
-static const double wide = 50.0;       /* slider is logarithmic if range > wide * default */
-static const double too_wide = 1e4;    /* longest integer range that is usable with a slider */
-static const float label_share = 0.5f; /* start of the widget / width of the row */
+static const double wide = 50.0;          /* slider is logarithmic if range > wide * default */
+static const double too_wide = 1e4;       /* maximum integer range of a slider */
+static const float label_fraction = 0.5f; /* widget start / row width */
 
 /* Short forms of units, since the words take more room than the numbers. */
 static const struct {
-    const char *words, *sign;
+    const char *name, *sign;
 } units[] = {
     { "degrees", "\xc2\xb0" },
     { "degrees per second", "\xc2\xb0/s" },
@@ -48,20 +48,20 @@ enum ui_widget ui_settings_widget(const struct setting *row)
 
 static void reset(const struct ui_settings *settings, const struct setting *row)
 {
-    settings_set_value(settings->now, row, settings_get(settings->usual, row));
+    settings_set_value(settings->current, row, settings_get(settings->defaults, row));
 }
 
 static bool is_scene_value(const struct ui_settings *settings, const struct setting *row)
 {
-    struct settings usual = *settings->now;
-    reset(&(struct ui_settings){ &usual, settings->usual }, row);
-    return !memcmp(&usual, settings->now, sizeof(usual));
+    struct settings unchanged = *settings->current;
+    reset(&(struct ui_settings){ &unchanged, settings->defaults }, row);
+    return !memcmp(&unchanged, settings->current, sizeof(unchanged));
 }
 
 static const char *sign_of(const char *unit)
 {
     for (size_t i = 0; i < sizeof(units) / sizeof(units[0]) && unit; i++) {
-        if (!strcmp(units[i].words, unit))
+        if (!strcmp(units[i].name, unit))
             return units[i].sign;
     }
     return unit ? unit : "";
@@ -133,7 +133,7 @@ static bool widget(const struct setting *row, const char *label, double *value)
 
 static void describe(const struct setting *row, char *text, size_t size)
 {
-    static const char *const costs[] = {
+    static const char *const effects[] = {
         [SETTING_AFFECTS_NOTHING] = "",
         [SETTING_AFFECTS_FRAME] = "",
         [SETTING_AFFECTS_PLAN] = "\nRecompiles the plan.",
@@ -142,12 +142,12 @@ static void describe(const struct setting *row, char *text, size_t size)
     const char *unit = row->unit ? row->unit : "";
     if (row->has_auto)
         snprintf(text, size, "%s: %s\n%g to %g%s%s, default auto%s", row->name, row->help, row->min,
-                 row->max, *unit ? " " : "", unit, costs[row->affects]);
+                 row->max, *unit ? " " : "", unit, effects[row->affects]);
     else if (row->type == SETTING_FLOAT || row->type == SETTING_COUNT)
         snprintf(text, size, "%s: %s\n%g to %g%s%s, default %g%s", row->name, row->help, row->min,
-                 row->max, *unit ? " " : "", unit, row->initial, costs[row->affects]);
+                 row->max, *unit ? " " : "", unit, row->initial, effects[row->affects]);
     else
-        snprintf(text, size, "%s: %s%s", row->name, row->help, costs[row->affects]);
+        snprintf(text, size, "%s: %s%s", row->name, row->help, effects[row->affects]);
 }
 
 /* Draws the label of a row, marked if the value was changed; the widget starts at `x`. */
@@ -171,29 +171,29 @@ static void head(const struct setting *row, bool changed, float x)
 
 bool ui_settings_row(const struct ui_settings *settings, const struct setting *row)
 {
-    const double before = settings_get(settings->now, row);
-    const bool usual = is_scene_value(settings, row);
+    const double before = settings_get(settings->current, row);
+    const bool unchanged = is_scene_value(settings, row);
     const float button = imgui_width("\xc3\x97");
-    const float x = imgui_available_width() * label_share;
+    const float x = imgui_available_width() * label_fraction;
     double value = before;
     char id[LABEL_SIZE + 16];
     char text[400];
-    head(row, !usual, x);
+    head(row, !unchanged, x);
     imgui_next_width(imgui_available_width() - button - 6.0f * imgui_scale());
     snprintf(id, sizeof(id), "##%s", row->name);
     bool changed = widget(row, id, &value);
     describe(row, text, sizeof(text));
     imgui_tooltip(text);
     if (changed)
-        settings_set_value(settings->now, row, value);
-    if (!usual) {
+        settings_set_value(settings->current, row, value);
+    if (!unchanged) {
         imgui_same_line(0.0f);
         snprintf(id, sizeof(id), "\xc3\x97##reset %s", row->name);
         if (imgui_button(id)) {
             reset(settings, row);
             changed = true;
         }
-        const double usually = settings_get(settings->usual, row);
+        const double usually = settings_get(settings->defaults, row);
         if (setting_is_auto(row, usually))
             snprintf(text, sizeof(text), "reset %s to auto", row->label);
         else
@@ -203,22 +203,22 @@ bool ui_settings_row(const struct ui_settings *settings, const struct setting *r
     return changed;
 }
 
-bool ui_settings_fit(const struct setting *row, const char *words)
+bool ui_settings_match(const struct setting *row, const char *query)
 {
     const char *const texts[] = { row->name, row->label, row->help,
                                   ui_setting_groups_name(ui_setting_groups_of(row)),
                                   ui_search_synonyms(row->name) };
-    return ui_fuzzy_match_contains(words, texts, sizeof(texts) / sizeof(texts[0]));
+    return ui_fuzzy_match_contains(query, texts, sizeof(texts) / sizeof(texts[0]));
 }
 
 static bool reset_button(const struct ui_settings *settings, enum ui_setting_group group, float x)
 {
     const struct setting *row;
-    bool usual = true;
+    bool unchanged = true;
     char id[LABEL_SIZE];
     for (uint32_t i = 0; (row = ui_setting_groups_row(group, i)); i++)
-        usual = usual && is_scene_value(settings, row);
-    if (usual)
+        unchanged = unchanged && is_scene_value(settings, row);
+    if (unchanged)
         return false;
     imgui_same_line(x);
     snprintf(id, sizeof(id), "\xc3\x97##reset %s", ui_setting_groups_name(group));
@@ -255,31 +255,31 @@ bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group
 
 /* How well the searched words match a setting. */
 enum fit {
-    FIT_NAME,
-    FIT_HELP,
-    FIT_LETTERS, /* the letters occur in the name, perhaps with an error */
-    FIT_NOTHING,
+    MATCH_NAME,
+    MATCH_HELP,
+    MATCH_LETTERS, /* the letters occur in the name, perhaps with an error */
+    MATCH_NONE,
 };
 
-static enum fit fit_of(const struct setting *row, const char *words)
+static enum fit match_of(const struct setting *row, const char *query)
 {
     const char *const names[] = { row->name, row->label };
-    if (ui_fuzzy_match_contains(words, names, 2))
-        return FIT_NAME;
-    if (ui_settings_fit(row, words))
-        return FIT_HELP;
-    return ui_fuzzy_match_distance(words, row->name, true) != UI_FUZZY_MATCH_NONE ? FIT_LETTERS
-                                                                                  : FIT_NOTHING;
+    if (ui_fuzzy_match_contains(query, names, 2))
+        return MATCH_NAME;
+    if (ui_settings_match(row, query))
+        return MATCH_HELP;
+    return ui_fuzzy_match_distance(query, row->name, true) != UI_FUZZY_MATCH_NONE ? MATCH_LETTERS
+                                                                                  : MATCH_NONE;
 }
 
-static uint32_t show_found(const struct ui_settings *settings, const char *words, enum fit fit,
+static uint32_t show_found(const struct ui_settings *settings, const char *query, enum fit fit,
                            bool *changed)
 {
     const struct setting *row;
     uint32_t count = 0;
     for (enum ui_setting_group g = UI_OBJECT; g < UI_GROUP_COUNT; g++) {
         for (uint32_t i = 0; (row = ui_setting_groups_row(g, i)); i++) {
-            if (fit_of(row, words) != fit)
+            if (match_of(row, query) != fit)
                 continue;
             *changed = ui_settings_row(settings, row) || *changed;
             count++;
@@ -288,12 +288,12 @@ static uint32_t show_found(const struct ui_settings *settings, const char *words
     return count;
 }
 
-bool ui_settings_found(const struct ui_settings *settings, const char *words)
+bool ui_settings_matches(const struct ui_settings *settings, const char *query)
 {
     bool changed = false;
-    uint32_t count = show_found(settings, words, FIT_NAME, &changed);
-    count += show_found(settings, words, FIT_HELP, &changed);
-    if (!count && !show_found(settings, words, FIT_LETTERS, &changed))
+    uint32_t count = show_found(settings, query, MATCH_NAME, &changed);
+    count += show_found(settings, query, MATCH_HELP, &changed);
+    if (!count && !show_found(settings, query, MATCH_LETTERS, &changed))
         imgui_text_dim("no matching setting");
     return changed;
 }

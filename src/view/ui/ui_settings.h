@@ -1,8 +1,5 @@
-/*
- * ui_settings.h: settings panel: generates a widget for every setting from its table row.
- *
- * All drawing functions return true if the user has changed a setting.
- */
+/* ui_settings.h: settings panel: generates a widget for every setting from its table row. All
+ * drawing functions return true if the user has changed a setting. */
 #ifndef FIRN_VIEW_UI_UI_SETTINGS_H
 #define FIRN_VIEW_UI_UI_SETTINGS_H
 
@@ -13,8 +10,8 @@ enum ui_widget {
     UI_CHECKBOX,
     UI_LIST,
     UI_SLIDER,
-    UI_LOGARITHMIC, /* slider with more room for small values */
-    UI_NUMBER,      /* number field for ranges too long for a slider */
+    UI_LOGARITHMIC,
+    UI_NUMBER, /* number field for long ranges */
 };
 
 /* Returns the kind of widget for a setting. */
@@ -22,8 +19,8 @@ enum ui_widget ui_settings_widget(const struct setting *row);
 
 /* Settings edited by the user, and those of the unmodified scene, to which they are reset. */
 struct ui_settings {
-    struct settings *now;
-    const struct settings *usual;
+    struct settings *current;
+    const struct settings *defaults;
 };
 
 /* Draws label, widget, tooltip and, if the value is not the scene's, a mark and a reset button. */
@@ -37,9 +34,9 @@ bool ui_settings_heading(const struct ui_settings *settings, enum ui_setting_gro
 bool ui_settings_group(const struct ui_settings *settings, enum ui_setting_group group, bool *more);
 
 /* Returns true if each word, separated by blanks, occurs in name, help, group or synonyms. */
-bool ui_settings_fit(const struct setting *row, const char *words);
+bool ui_settings_match(const struct setting *row, const char *query);
 
 /* Draws the rows of all groups that match the words. */
-bool ui_settings_found(const struct ui_settings *settings, const char *words);
+bool ui_settings_matches(const struct ui_settings *settings, const char *query);
 
 #endif

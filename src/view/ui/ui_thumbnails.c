@@ -1,5 +1,4 @@
-/* ui_thumbnails.c: loads the thumbnails of materials and refraction models from sheets in assets/.
- */
+/* ui_thumbnails.c: loads the thumbnails of materials and refraction models. */
 #include "src/view/ui/ui_thumbnails.h"
 #include <stdlib.h>
 #include "src/base/log.h"

@@ -1,8 +1,5 @@
-/*
- * ui_thumbnails.h: thumbnails of materials and refraction models for their buttons.
- *
- * They are installed with the program as sheets drawn by `firn sheet`; see assets/README.md.
- */
+/* ui_thumbnails.h: thumbnails of materials and refraction models for their buttons, installed as
+ * sheets drawn by `firn sheet`; see assets/README.md. */
 #ifndef FIRN_VIEW_UI_UI_THUMBNAILS_H
 #define FIRN_VIEW_UI_UI_THUMBNAILS_H
 
@@ -20,11 +17,11 @@ struct ui_thumbnails {
 };
 
 /* Reads the sheets. On failure, which is logged, there are no thumbnails. */
-void ui_thumbnails_load(struct ui_thumbnails *pictures, const struct reader_params *reader);
-void ui_thumbnails_finish(struct ui_thumbnails *pictures); /* {0} is fine */
+void ui_thumbnails_load(struct ui_thumbnails *thumbnails, const struct reader_params *reader);
+void ui_thumbnails_finish(struct ui_thumbnails *thumbnails); /* {0} is fine */
 
 /* Return the thumbnail of preset or refraction model i; UI_THUMBNAIL_NONE if there is none. */
-uint32_t ui_thumbnails_material(const struct ui_thumbnails *pictures, uint32_t i);
-uint32_t ui_thumbnails_model(const struct ui_thumbnails *pictures, uint32_t i);
+uint32_t ui_thumbnails_material(const struct ui_thumbnails *thumbnails, uint32_t i);
+uint32_t ui_thumbnails_model(const struct ui_thumbnails *thumbnails, uint32_t i);
 
 #endif

@@ -3,18 +3,19 @@
 #include <stdio.h>
 #include "src/view/ui/ui_internal.h"
 
-static const float usual_end = 10.0f; /* length of the timeline of scenes without an end, seconds */
+static const float default_length =
+    10.0f; /* length of the timeline of scenes without an end, seconds */
 
 /* Returns the end of the timeline: that of the model's animation, or the next multiple of 10 s. */
 static float end_of(const struct ui_view *view)
 {
-    const struct model *model = &view->picture->scene.model;
+    const struct model *model = &view->viewport->scene.model;
     if (model->animation)
         return model->animations[model->animation - 1].seconds;
-    return usual_end * fmaxf(ceilf(view->time / usual_end), 1.0f);
+    return default_length * fmaxf(ceilf(view->time / default_length), 1.0f);
 }
 
-void ui_timeline(const struct ui_view *view, struct ui_request *wish)
+void ui_timeline(const struct ui_view *view, struct ui_request *request)
 {
     char format[64];
     const float end = end_of(view);
@@ -22,12 +23,12 @@ void ui_timeline(const struct ui_view *view, struct ui_request *wish)
     snprintf(format, sizeof(format), "%%.2f of %.4g s", (double)end);
     const struct imgui_slider_range slide = { 0.0f, end > 0.0f ? end : 1.0f, format, false };
     if (imgui_button(view->paused ? "Play##play" : "Pause##play"))
-        wish->action = VIEW_PAUSE;
+        request->action = VIEW_PAUSE;
     imgui_tooltip("play or pause (Space); comma and full stop step by one frame");
     imgui_same_line(0.0f);
     imgui_next_width(imgui_available_width());
     if (!imgui_slider("##time", &time, &slide))
         return;
-    wish->seeks = true;
-    wish->time = time;
+    request->seeks = true;
+    request->time = time;
 }

@@ -14,9 +14,9 @@ static const enum view_action buttons[BUTTON_COUNT] = {
     VIEW_SCREENSHOT, VIEW_COPY,    VIEW_SPLIT, VIEW_RESET,
 };
 
-static const float slot_width = 130.0f;   /* of exposure slider and layer list, at scale 1 */
+static const float slot_width = 130.0f;   /* width of exposure slider and layer list, at scale 1 */
 static const float exposure_reach = 6.0f; /* stops; the setting itself allows more */
-static const float name_width = 60.0f;    /* minimum width of the scene's name, at scale 1 */
+static const float name_width = 60.0f;    /* minimum scene name width, scale 1 */
 
 struct imgui_rect ui_rect_of(VkRect2D r)
 {
@@ -42,64 +42,64 @@ static void tip(enum view_action action)
 
 static bool is_disabled(const struct ui_view *view, enum view_action action)
 {
-    const struct undo_stack *h = view->history;
+    const struct undo_stack *h = view->undo_stack;
     return (action == VIEW_UNDO && !h->at) || (action == VIEW_REDO && h->at + 1 >= h->count);
 }
 
-static void exposure(float width, struct ui_request *wish)
+static void exposure(float width, struct ui_request *request)
 {
     const struct setting *row =
         settings_row(&tonemap_settings, offsetof(struct tonemap_params, exposure));
     const struct imgui_slider_range slide = { -exposure_reach, exposure_reach, "%+.2f stops",
                                               false };
-    float stops = (float)settings_get(&wish->settings, row);
+    float stops = (float)settings_get(&request->settings, row);
     imgui_next_width(width);
     if (imgui_slider("##exposure", &stops, &slide)) {
-        settings_set_value(&wish->settings, row, (double)stops);
-        wish->changed = true;
+        settings_set_value(&request->settings, row, (double)stops);
+        request->changed = true;
     }
     imgui_tooltip("exposure (E, Shift+E: half a stop): tonemap.exposure; needs no new samples");
 }
 
-void ui_toolbar(const struct ui_view *view, struct ui_request *wish)
+void ui_toolbar(const struct ui_view *view, struct ui_request *request)
 {
     const float gap = 6.0f * imgui_scale();
     const float room = imgui_available_width();
-    const float least = name_width * imgui_scale();
+    const float min_width = name_width * imgui_scale();
     float width = 0.0f;
     uint32_t count = 0;
     while (count < BUTTON_COUNT) {
         const float more = imgui_width(label_of(view, buttons[count])) + gap;
-        if (width + more + least > room)
+        if (width + more + min_width > room)
             break;
         width += more;
         count++;
     }
     const float slot = slot_width * imgui_scale();
-    const bool exposes = count == BUTTON_COUNT && width + slot + least < room;
-    const bool lists = exposes && width + 2.0f * slot + least < room;
+    const bool exposes = count == BUTTON_COUNT && width + slot + min_width < room;
+    const bool lists = exposes && width + 2.0f * slot + min_width < room;
     float x = room - width - (exposes ? slot : 0.0f) - (lists ? slot : 0.0f);
     imgui_align();
-    imgui_text_elided(view->picture->state.scene.name, x - gap);
-    imgui_tooltip(view->picture->state.scene.name);
+    imgui_text_elided(view->viewport->state.scene.name, x - gap);
+    imgui_tooltip(view->viewport->state.scene.name);
     if (lists) {
         imgui_same_line(x + gap);
         imgui_next_width(slot - gap);
-        ui_pixel_inspector_layer_list("##shown layer", &wish->look);
+        ui_pixel_inspector_layer_list("##shown layer", &request->inspector_choice);
         x += slot;
     }
     if (exposes) {
         imgui_same_line(x + gap);
-        exposure(slot - gap, wish);
+        exposure(slot - gap, request);
     }
     for (uint32_t i = 0; i < count; i++) {
         const enum view_action action = buttons[i];
         imgui_same_line(i ? 0.0f : room - width + gap);
         imgui_disabled_begin(is_disabled(view, action));
         if (action == VIEW_SPLIT
-                ? imgui_choice_button(label_of(view, action), view->other != VIEW_SIDE_B_NONE)
+                ? imgui_choice_button(label_of(view, action), view->side_b != VIEW_SIDE_B_NONE)
                 : imgui_button(label_of(view, action)))
-            wish->action = action;
+            request->action = action;
         imgui_disabled_end();
         tip(action);
     }
@@ -107,9 +107,9 @@ void ui_toolbar(const struct ui_view *view, struct ui_request *wish)
 
 static void print_pace(const struct ui *ui, const struct ui_view *view, char *text, size_t size)
 {
-    const struct app_image *p = &view->picture->state;
+    const struct app_image *p = &view->viewport->state;
     const double frame = ui->pace.frame;
-    const VkExtent2D drawn = view->picture->view;
+    const VkExtent2D drawn = view->viewport->extent;
     char noise[32] = "";
     char left[32] = "";
     if (view->noise >= 0.0)
@@ -129,7 +129,7 @@ static void print_pace(const struct ui *ui, const struct ui_view *view, char *te
 /* Draws a progress bar of the samples along the lower edge of the image. */
 static void show_progress(const struct ui_view *view)
 {
-    struct imgui_rect line = ui_rect_of(view->layout->picture);
+    struct imgui_rect line = ui_rect_of(view->layout->image);
     line.y += line.height;
     line.height = 2.0f * imgui_scale();
     line.width *= (float)view->sample_count / (float)view->sample_goal;
@@ -149,12 +149,15 @@ void ui_status(const struct ui *ui, const struct ui_view *view)
     print_pace(ui, view, pace, sizeof(pace));
     show_progress(view);
     const float width = imgui_width(pace);
-    const char *words = *ui->fault ? ui->fault : *ui->words ? ui->words : view->is_new ? hint : "";
-    imgui_text_elided_in(words, room - width,
-                         *ui->fault || ui->failed ? theme->error : theme->text);
-    imgui_name(words);
-    if (words != hint && *words)
-        imgui_tooltip(words);
+    const char *message = *ui->error         ? ui->error
+                          : *ui->message     ? ui->message
+                          : view->shows_hint ? hint
+                                             : "";
+    imgui_text_elided_in(message, room - width,
+                         *ui->error || ui->is_failure ? theme->error : theme->text);
+    imgui_name(message);
+    if (message != hint && *message)
+        imgui_tooltip(message);
     imgui_same_line(room - width + 10.0f * imgui_scale());
     imgui_text_dim(pace);
     imgui_name(pace);
