@@ -49,7 +49,7 @@ struct cell {
     uint32_t flags;
     uint32_t written;     /* pass after the last write */
     uint32_t touched;     /* pass after the last access */
-    uint32_t last_access; /* latest access plus 1 (expand_rows.c) */
+    uint32_t last_access; /* latest access plus 1 (expand_passes.c) */
     uint32_t filled;
     bool is_needed;            /* culling: needed later in the frame */
     bool is_needed_next_frame; /* culling: needed by the next frame */
@@ -305,7 +305,7 @@ static inline VkImageSubresourceRange rg_cell_range(const struct cell_walk *w)
     return (VkImageSubresourceRange){ lowest, w->mip, 1, w->layer, 1 };
 }
 
-/* ---- check_params.c, check_row.c ---- */
+/* ---- check_params.c, check_pass.c ---- */
 
 /* Counts the rows and checks the tables of the params. Returns true if all tables can be read. */
 bool rg_check_params(struct compiler *c);
@@ -351,14 +351,14 @@ static inline bool rg_is_use(const struct rg_use *use)
 }
 
 /* Returns true if a use names exactly one resource and a valid access. */
-static inline bool rg_is_good_use(const struct rg_use *use)
+static inline bool rg_is_valid_use(const struct rg_use *use)
 {
     return !use->image != !use->buffer && use->access > RG_ACCESS_NONE &&
            use->access < RG_ACCESS_COUNT;
 }
 
 /* Returns how many entries of .color are safe to read, even if color_count is wrong. */
-static inline uint32_t rg_color_room(const struct rg_pass *pass)
+static inline uint32_t rg_safe_color_count(const struct rg_pass *pass)
 {
     return rg_is_bad_table(pass->color, pass->color_count, RG_COLOR_COUNT) ? 0 : pass->color_count;
 }
@@ -366,7 +366,7 @@ static inline uint32_t rg_color_room(const struct rg_pass *pass)
 /* Counts the colour targets before the first entry without an image. */
 static inline uint32_t rg_color_count(const struct rg_pass *pass)
 {
-    uint32_t room = rg_color_room(pass);
+    uint32_t room = rg_safe_color_count(pass);
     uint32_t count = 0;
     while (count < room && pass->color[count].image)
         count++;
@@ -393,7 +393,7 @@ struct resource *rg_resource_of(struct compiler *c, const struct rg_image *image
 
 /* ---- compiler stages in execution order; each requires the previous ones ---- */
 
-/* expand_rows.c: expands rows to passes and accesses; reports the faults of rows. */
+/* expand_passes.c: expands rows to passes and accesses; reports the faults of rows. */
 void rg_expand(struct compiler *c);
 
 /* cull_passes.c: decides which passes are alive. */
@@ -440,14 +440,14 @@ void rg_end_barriers(struct compiler *c);
 
 struct pack_result {
     VkDeviceSize size;      /* bytes of the block */
-    VkDeviceSize apart;     /* bytes without aliasing */
+    VkDeviceSize unaliased; /* bytes without aliasing */
     VkDeviceSize bound;     /* peak live bytes, a lower bound */
-    VkDeviceSize least;     /* bound with lifetimes from first use */
+    VkDeviceSize min_bound; /* bound with lifetimes from first use */
     VkDeviceSize alignment; /* the largest of all items */
 };
 
 /* Assigns offsets to items sorted by first use and ended by pass `end`; `apart`: no aliasing. */
 struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
-                           uint32_t end, bool apart);
+                           uint32_t end, bool unaliased);
 
 #endif

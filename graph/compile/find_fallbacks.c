@@ -18,7 +18,7 @@ static void provide_row(struct compiler *c, const struct rg_pass *pass)
     if (!pass->depth_read_only)
         provide(c, pass->depth.image);
     for (const struct rg_use *use = pass->uses; use && rg_is_use(use); use++) {
-        if (rg_is_good_use(use) && rg_access_table[use->access].writes_content)
+        if (rg_is_valid_use(use) && rg_access_table[use->access].writes_content)
             provide(c, use->image);
     }
 }

@@ -33,15 +33,15 @@ static uint32_t gather(struct compiler *c, struct pack_item *items, uint32_t cou
 static void place_block(struct compiler *c, uint32_t first, uint32_t count, struct rg_block *block)
 {
     struct rg_plan *plan = c->plan;
-    bool apart = c->params->sharing == RG_SHARE_NOTHING;
+    bool unaliased = c->params->sharing == RG_SHARE_NOTHING;
     struct pack_item *items = &c->items[first];
-    struct pack_result packed = rg_pack(c->arena, items, count, plan->pass_count, apart);
+    struct pack_result packed = rg_pack(c->arena, items, count, plan->pass_count, unaliased);
     block->size = packed.size;
     block->alignment = packed.alignment;
     plan->memory_used += packed.size;
-    plan->memory_without_aliasing += packed.apart;
+    plan->memory_without_aliasing += packed.unaliased;
     plan->memory_bound += packed.bound;
-    plan->memory_least += packed.least;
+    plan->memory_least += packed.min_bound;
     for (uint32_t i = 0; i < count; i++) {
         const struct resource *r = items[i].resource;
         items[i].block = plan->block_count;
@@ -60,10 +60,10 @@ void rg_pack_blocks(struct compiler *c)
 {
     struct rg_block *blocks = NULL;
     uint32_t room = 0;
-    bool apart = c->params->sharing == RG_SHARE_NOTHING; /* then no memory is reused */
+    bool unaliased = c->params->sharing == RG_SHARE_NOTHING; /* then no memory is reused */
     for (uint32_t i = 0; i < c->item_count; i++) {
         const struct resource *r = c->items[i].resource;
-        c->items[i].first = apart ? r->first : r->acquired_before;
+        c->items[i].first = unaliased ? r->first : r->acquired_before;
     }
     for (uint32_t done = 0; done < c->item_count;) {
         const struct pack_item *item = &c->items[done];

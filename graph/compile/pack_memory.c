@@ -84,8 +84,8 @@ static void find_changes(const struct packing *p, struct pack_result *result)
     for (uint32_t i = 0; i < p->count; i++) {
         const struct pack_item *item = &p->items[i];
         struct change *after = &changes[item->last + 1];
-        p->offsets[i] = align_up(result->apart, item->alignment);
-        result->apart = p->offsets[i] + item->size;
+        p->offsets[i] = align_up(result->unaliased, item->alignment);
+        result->unaliased = p->offsets[i] + item->size;
         if (result->alignment < item->alignment)
             result->alignment = item->alignment;
         changes[item->first].taken += item->size;
@@ -113,7 +113,7 @@ static uint64_t find_live_sets(struct packing *p, uint32_t end, struct pack_resu
         alive += pass->begun - pass->ended;
         ended += pass->ended;
         result->bound = result->bound < taken ? taken : result->bound;
-        result->least = result->least < used ? used : result->least;
+        result->min_bound = result->min_bound < used ? used : result->min_bound;
         if (pass->begun) {
             newest = ended ? next++ : newest;
             newest->alive = alive;
@@ -366,7 +366,7 @@ static VkDeviceSize apply_time_order(const struct packing *p, struct arena *aren
 }
 
 struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_t count,
-                           uint32_t end, bool apart)
+                           uint32_t end, bool unaliased)
 {
     struct pack_result result = { .alignment = 1 };
     struct packing p = {
@@ -383,14 +383,14 @@ struct pack_result rg_pack(struct arena *arena, struct pack_item *items, uint32_
     find_changes(&p, &result);
     uint64_t live_sum = find_live_sets(&p, end, &result);
     size_t live_set_count = (size_t)(p.live_sets_end - p.live_sets);
-    result.size = result.apart;
-    bool shared = !apart && result.apart > result.bound;
+    result.size = result.unaliased;
+    bool shared = !unaliased && result.unaliased > result.bound;
     if (shared && live_sum > MANY_ITEMS * MANY_ITEMS / 2 + (uint64_t)count * LONG_LIFE) {
         result.size = apply_time_order(&p, arena, end);
     } else if (shared) {
         p.spans = ARENA_ARRAY(arena, struct span, live_sum + 2 * live_set_count);
         if (p.spans)
-            result.size = apply_orders(&p, result.apart, result.bound);
+            result.size = apply_orders(&p, result.unaliased, result.bound);
     }
     for (uint32_t i = 0; i < count; i++)
         items[i].offset = p.offsets[i];

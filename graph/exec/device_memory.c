@@ -108,7 +108,7 @@ bool rg_exec_is_external(const struct rg_exec *exec, bool imported)
     return imported && !exec->params.warm_up_only;
 }
 
-VkImageSubresourceRange rg_exec_whole(const struct rg_plan_image *image)
+VkImageSubresourceRange rg_exec_full_range(const struct rg_plan_image *image)
 {
     return (VkImageSubresourceRange){ image->aspects, 0, image->mips, 0, image->layers };
 }

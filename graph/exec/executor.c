@@ -298,7 +298,7 @@ VkResult rg_exec_submit_synced(struct rg_exec *exec, const struct rg_frame *fram
         RG_TRY(submit_alone(exec, frame));
     else
         RG_TRY(submit(exec, frame, 0, exec->plan->pass_count));
-    exec->filled = true;
+    exec->initialized = true;
 fail:
     return result;
 }

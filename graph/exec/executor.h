@@ -124,7 +124,7 @@ struct rg_exec {
     struct rg_exec_region region;               /* {0}: the whole view */
     struct rg_exec_external_sync external_sync; /* of the frame submitted last */
     struct exec_time *time;                     /* NULL if created without `measured` */
-    bool filled; /* persistent resources, placeholders are initialised */
+    bool initialized; /* persistent resources, placeholders are initialised */
     /* for each plan image, then buffer: true if it keeps content of the previous plan */
     bool *has_content;
     struct exec_transition *transitions;
@@ -224,7 +224,7 @@ VkResult rg_exec_make_host_buffer(struct rg_exec *exec, const VkBufferCreateInfo
                                   struct exec_buffer *buffer);
 /* Returns true for an object of the program; its handle is no cache key, since it may be reused. */
 bool rg_exec_is_external(const struct rg_exec *exec, bool imported);
-VkImageSubresourceRange rg_exec_whole(const struct rg_plan_image *image);
+VkImageSubresourceRange rg_exec_full_range(const struct rg_plan_image *image);
 struct exec_buffer *rg_exec_buffer(const struct rg_exec *exec, uint32_t buffer, uint32_t slot);
 VkResult rg_exec_sync_host(struct rg_exec *exec, uint32_t slot, enum rg_memory memory);
 

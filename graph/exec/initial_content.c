@@ -46,14 +46,14 @@ static void add_moves(struct rg_exec *exec, const struct rg_exec *former, uint32
 {
     const struct rg_plan *plan = former->plan;
     VkImage image = former->image_sets->images[index];
-    for (uint32_t i = 0; i < plan->initial_barrier_count && former->filled; i++) {
+    for (uint32_t i = 0; i < plan->initial_barrier_count && former->initialized; i++) {
         const struct rg_barrier *b = &plan->barriers[plan->first_initial_barrier + i];
         if (b->image == index)
             exec->transitions[exec->transition_count++] =
                 (struct exec_transition){ image, b->range, b->new_layout };
     }
     /* the previous plan drew no frame */
-    for (uint32_t i = 0; i < former->transition_count && !former->filled; i++) {
+    for (uint32_t i = 0; i < former->transition_count && !former->initialized; i++) {
         if (former->transitions[i].image == image)
             exec->transitions[exec->transition_count++] = former->transitions[i];
     }
@@ -71,7 +71,7 @@ VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former
         while (exec->has_content[i] && /* the previous plan has it */
                former->image_sets->images[k] != exec->image_sets->images[i])
             k++;
-        exec->has_content[i] &= former->filled || former->has_content[k];
+        exec->has_content[i] &= former->initialized || former->has_content[k];
         if (exec->has_content[i])
             add_moves(exec, former, k);
     }
@@ -81,7 +81,7 @@ VkResult rg_exec_keep_content(struct rg_exec *exec, const struct rg_exec *former
         while (*has_content &&
                rg_exec_buffer(former, k, 0)->buffer != rg_exec_buffer(exec, i, 0)->buffer)
             k++;
-        *has_content &= former->filled || former->has_content[before->image_count + k];
+        *has_content &= former->initialized || former->has_content[before->image_count + k];
     }
     return VK_SUCCESS;
 }
@@ -96,7 +96,7 @@ void rg_exec_record_clear(struct rg_exec *exec, VkCommandBuffer commands)
                                   clear_layout);
     }
     for (uint32_t i = 0; i < plan->image_count; i++) {
-        const VkImageSubresourceRange all = rg_exec_whole(&plan->images[i]);
+        const VkImageSubresourceRange all = rg_exec_full_range(&plan->images[i]);
         if (plan->images[i].persistent && !exec->has_content[i])
             rg_exec_record_clear_image(exec, commands, exec->image_set->images[i], &all, &zero);
     }

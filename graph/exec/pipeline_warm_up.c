@@ -45,7 +45,7 @@ static void prepare_pass(const struct rg_exec *exec, VkCommandBuffer commands,
     }
     for (uint32_t i = 0; i < pass->fallback_count; i++) {
         const struct exec_fallback *fallback = &exec->fallbacks[pass->first_fallback + i];
-        prepare(exec, commands, fallback->image, rg_exec_whole(&fallback->described),
+        prepare(exec, commands, fallback->image, rg_exec_full_range(&fallback->described),
                 VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     }
     for (uint32_t i = 0; i < target_count; i++) {

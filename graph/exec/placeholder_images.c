@@ -35,7 +35,7 @@ static VkResult make_fallback(struct rg_exec *exec, const struct rg_use *use,
         .samples = 1,
         .block = RG_NONE,
     };
-    VkImageSubresourceRange subresource = rg_exec_whole(&fallback->described);
+    VkImageSubresourceRange subresource = rg_exec_full_range(&fallback->described);
     if (use->range.aspect)
         subresource.aspectMask = use->range.aspect;
     uint64_t salt = rg_exec_key(RG_NO_KEY, use->fallback, sizeof(*use->fallback));
@@ -87,7 +87,7 @@ void rg_exec_record_fallbacks(struct rg_exec *exec, VkCommandBuffer commands)
 {
     for (uint32_t i = 0; i < exec->plan->fallback_count; i++) {
         const struct exec_fallback *fallback = &exec->fallbacks[i];
-        const VkImageSubresourceRange all = rg_exec_whole(&fallback->described);
+        const VkImageSubresourceRange all = rg_exec_full_range(&fallback->described);
         const VkClearColorValue color = color_of(exec->plan->fallbacks[i]);
         if (!fallback->first)
             continue;

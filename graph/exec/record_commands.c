@@ -190,7 +190,7 @@ VkResult rg_exec_record(struct rg_exec *exec, const struct rg_frame *frame, uint
     const struct rg_plan *plan = exec->plan;
     VkResult result;
     RG_CALL(exec, NULL, BeginCommandBuffer, commands, &rg_exec_commands_once);
-    if (first == 0 && !exec->filled) {
+    if (first == 0 && !exec->initialized) {
         rg_exec_record_clear(exec, commands);
         rg_exec_record_fallbacks(exec, commands);
     }

@@ -17,7 +17,8 @@
 struct ice_nested_media {
     vec4s ior[ICE_NESTED_MEDIA_MAX];    /* refractive indices for red, green, blue */
     vec4s absorb[ICE_NESTED_MEDIA_MAX]; /* absorption coefficients, 1 / metre */
-    ABI_STRUCT(medium_field) clouds[ICE_NESTED_MEDIA_MAX]; /* extinction 0: clear medium */
+    ABI_STRUCT(medium_field)
+    scattering_media[ICE_NESTED_MEDIA_MAX]; /* extinction 0: clear medium */
 };
 
 struct ice_nested_push {

@@ -17,7 +17,7 @@
 #include "inclusions/medium.h"
 #include "lib/environment_diffuse.glsl"
 
-layout(set = 0, binding = MEDIUM_TEXELS) uniform sampler2DArray clouds;
+layout(set = 0, binding = MEDIUM_TEXELS) uniform sampler2DArray scattering_media;
 
 const int medium_sun_steps =
     3; /* steps of the shadow ray, each twice as long as the previous one */
@@ -32,7 +32,7 @@ float medium_density(medium_field cloud, vec3 point)
     float z = clamp(at.z - 0.5, 0.0, float(MEDIUM_SIZE) - 1.0);
     float layer = min(floor(z), float(MEDIUM_SIZE) - 2.0);
     vec3 texel = vec3(at.xy / float(MEDIUM_SIZE), cloud.first_layer + layer);
-    vec2 both = textureLod(clouds, texel, 0.0).rg;
+    vec2 both = textureLod(scattering_media, texel, 0.0).rg;
     return mix(both.x, both.y, z - layer);
 }
 

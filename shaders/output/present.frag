@@ -5,7 +5,7 @@
 
 layout(constant_id = PRESENT_ENCODES) const uint encodes = 0u;
 
-layout(set = 0, binding = PRESENT_PICTURE) uniform sampler2D picture;
+layout(set = 0, binding = PRESENT_IMAGE) uniform sampler2D picture;
 
 layout(push_constant, scalar) uniform Push
 {

@@ -4,7 +4,7 @@
 #define SHADERS_OUTPUT_PRESENT_H
 #include "abi.h"
 
-#define PRESENT_PICTURE 0
+#define PRESENT_IMAGE 0
 
 /* Specialization constant id: 1 if the swapchain's format converts shader output to sRGB. As a push
  * constant, lavapipe would execute the decoding for every pixel even where it is off. */

@@ -255,8 +255,8 @@ nested_face nested_next_face(nested_space space, int channel, inout nested_ray r
     face.segment_length = ends.x;
 #ifdef REFRACT_MEDIUM
     float straight = 1.0;
-    face.scattered = ray.throughput *
-                     refract_in_scatter(media.clouds[medium], ray.point, ray.dir, ends.x, straight);
+    face.scattered = ray.throughput * refract_in_scatter(media.scattering_media[medium], ray.point,
+                                                         ray.dir, ends.x, straight);
     ray.throughput *= straight;
 #endif
     ray.point += ends.x * ray.dir;

@@ -65,7 +65,7 @@
 /* Uniform data of the ray tracer in addition to struct globals; written once per frame. */
 struct trace_frame {
     vec4s media[(BVH_MEDIA_MAX + 1) * TRACE_MEDIUM]; /* first the outside */
-    ABI_STRUCT(medium_field) clouds[TRACE_SCATTERING_MAX];
+    ABI_STRUCT(medium_field) scattering_media[TRACE_SCATTERING_MAX];
     vec4s guide; /* guide distribution for diffuse rays (diffuse_sampling.h) */
     vec4s objects_rotation, movers_rotation; /* vertical-axis rotations, see trace_bvh_pose() */
     vec4s grid_low, grid_scale;              /* the grid of horizons (struct tree); w is 0 */

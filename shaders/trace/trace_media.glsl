@@ -29,7 +29,7 @@ float trace_medium_transmittance(float t)
     uint rank = trace_current_medium(path.medium_stack);
     bool is_clear = !trace_has(TRACE_HAS_SCATTERING) || !trace_is_in(path) || path.is_in_bubble;
     float own = is_clear ? 0.0 : trace_medium(rank, TRACE_TINT).w;
-    medium_field cloud = trace.clouds[int(max(-1.0 - own, 0.0))];
+    medium_field cloud = trace.scattering_media[int(max(-1.0 - own, 0.0))];
     vec3 from = trace_unposed_point(path.origin, BVH_OBJECTS);
     vec3 along = trace_unposed_point(path.origin + path.dir, BVH_OBJECTS) - from;
     vec3 to_sun = trace_unposed_point(path.origin + frame.sun_dir, BVH_OBJECTS) - from;

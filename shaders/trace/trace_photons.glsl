@@ -59,7 +59,7 @@ float photon_reduced_depth(float t)
     bool is_clear = !trace_has(TRACE_HAS_SCATTERING) || !trace_is_in(path) || path.is_in_bubble;
     float own =
         is_clear ? 0.0 : trace_medium(trace_current_medium(path.medium_stack), TRACE_TINT).w;
-    medium_field cloud = trace.clouds[int(max(-1.0 - own, 0.0))];
+    medium_field cloud = trace.scattering_media[int(max(-1.0 - own, 0.0))];
     float sum = 0.0, part = t / float(medium_steps);
     int turns = own < 0.0 ? medium_steps : 0;
     while (turns > 0) {

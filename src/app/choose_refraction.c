@@ -55,10 +55,11 @@ static uint32_t count_hidden(const struct model *model)
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
         uint32_t depth = 0, beside = 0;
-        for (uint32_t k = i; model->objects[k].within; k = model->objects[k].within - 1)
+        for (uint32_t k = i; model->objects[k].enclosing_object;
+             k = model->objects[k].enclosing_object - 1)
             depth++;
-        for (uint32_t k = 0; k < model->object_count && object->within; k++)
-            beside += k != i && model->objects[k].within == object->within;
+        for (uint32_t k = 0; k < model->object_count && object->enclosing_object; k++)
+            beside += k != i && model->objects[k].enclosing_object == object->enclosing_object;
         count += beside || depth >= ICE_NESTED_LEVELS;
     }
     return count;
@@ -113,7 +114,7 @@ static void name_undrawn(const struct scene *scene, bool is_nested, char *text, 
 static void warn_of_materials(const struct app_image *image, const struct scene *scene)
 {
     char text[160];
-    if (!image->refraction->refraction.rows || image->refraction->refraction.traces_bvh)
+    if (!image->refraction->refraction.shaders || image->refraction->refraction.traces_bvh)
         return;
     const bool is_nested = image->refraction == &refract_bounce &&
                            refract_bounce_is_nested(&image->scene.settings, scene);
@@ -191,8 +192,8 @@ static bool can_trace(const struct model *model)
  * the reference, which has no passes, draws them. */
 static bool draws_bumps(const struct refraction_model *refraction)
 {
-    return !refraction->rows ||
-           (!refraction->traces_bvh && (refraction->by_pixel || refraction->rows->bump_frag));
+    return !refraction->shaders || (!refraction->traces_bvh && (refraction->shades_fullscreen ||
+                                                                refraction->shaders->bump_frag));
 }
 
 /* Warns of explicitly set settings without effect on the refraction model: bumps, and, if it is ray
@@ -238,7 +239,7 @@ static void warn_of_files(const struct app_image *image, const struct scene *sce
         { "--cracks", options->cracks, scene->cracks.index_count > 0 },
         { "--air", options->air, scene->air.index_count > 0 },
         { "inclusions.scale", is_scaled ? options->name : NULL,
-          image->refraction->refraction.rows && (scene->air.index_count || has_more) },
+          image->refraction->refraction.shaders && (scene->air.index_count || has_more) },
         { "--bump", options->bump, has_bumps && !scene->has_pool },
         { "--bump-mask", options->bump_mask, has_bumps && !scene->has_pool },
     };
@@ -263,7 +264,7 @@ static void warn_of_ground(const struct app_image *image, const struct scene *sc
     const struct ground_params *ground = settings_of(&image->scene.settings, &ground_settings);
     const struct refraction_model *refraction = &image->refraction->refraction;
     const size_t index = settings_index(settings_find("ground.light"));
-    if (ground->light == GROUND_TRACED && image->scene.is_set[index] && refraction->rows &&
+    if (ground->light == GROUND_TRACED && image->scene.is_set[index] && refraction->shaders &&
         !refraction->traces_bvh && scene->material_table &&
         material_table_has_lit(&scene->model.surroundings) && !image->scene.quiet)
         log_note("ground.light=traced: not drawn by this refraction model, so surroundings are lit "
@@ -280,24 +281,24 @@ static void warn_of_media(const struct app_image *image, const struct scene *sce
 {
     const struct settings *settings = &image->scene.settings;
     const struct refraction_model *refraction = &image->refraction->refraction;
-    struct technique_choice choice = { .settings = settings, .refraction = image->refraction };
-    if (!scene->clouds.count)
+    struct technique_config config = { .settings = settings, .refraction = image->refraction };
+    if (!scene->scattering_media.count)
         return;
     if (refraction->traces_bvh)
-        refraction->choose(&choice, scene);
+        refraction->choose(&config, scene);
     if (refract_has_medium(image->refraction, scene, settings))
-        choice.renders_media = true;
-    else if (air_is_medium(settings) && !refraction->traces_bvh && refraction->rows)
+        config.renders_media = true;
+    else if (air_is_medium(settings) && !refraction->traces_bvh && refraction->shaders)
         log_warning("air.model=medium: drawn as planes; --refraction bounce, one-sided, trace and "
                     "reference draw a medium");
-    else if (refraction->rows && !choice.hits_surroundings && !image->scene.quiet)
+    else if (refraction->shaders && !config.hits_surroundings && !image->scene.quiet)
         log_note(
             "%s: its cloudy ice is drawn clear; --refraction trace and bounce draw scattering%s",
             image->scene.name,
             refraction->traces_bvh ? ", but not with trace.surroundings=cube" : "");
-    if (scene->clouds.left_out)
+    if (scene->scattering_media.left_out)
         log_warning("%s: more than %d objects are cloudy; %u of them are drawn clear",
-                    image->scene.name, SCATTERING_MEDIA_MAX, scene->clouds.left_out);
+                    image->scene.name, SCATTERING_MEDIA_MAX, scene->scattering_media.left_out);
 }
 
 void app_choose_refraction(struct app_image *image, const struct scene *scene,
@@ -313,7 +314,7 @@ void app_choose_refraction(struct app_image *image, const struct scene *scene,
     if (reason[0] && image->refraction == &refract_trace && !image->scene.quiet)
         log_note("%s: drawn with --refraction trace, because %s", image->scene.name, reason);
     warn_of_materials(image, scene);
-    if (is_inside && image->refraction->refraction.rows &&
+    if (is_inside && image->refraction->refraction.shaders &&
         !image->refraction->refraction.traces_bvh)
         log_warning("%s: the camera is inside an object, which %s draws as seen from outside, so "
                     "it is missing; --refraction trace draws this view",

@@ -127,8 +127,8 @@ static void print_medium(const struct material *m)
                (double)m->base_color.z);
     if (m->flags & MATERIAL_HAS_PRIORITY)
         printf(", priority %d", m->priority);
-    if (m->cloud > 0.0f)
-        printf(", cloud %g", (double)m->cloud);
+    if (m->scattering_optical_depth > 0.0f)
+        printf(", cloud %g", (double)m->scattering_optical_depth);
 }
 
 static void print_material(const struct material *m)
@@ -366,8 +366,9 @@ static json_t *material_of(const struct material *m)
         json = join(json, m->transmission > 0.0f ? medium_of(m) : surface_of(m));
     if (json && m->flags & MATERIAL_HAS_PRIORITY)
         (void)json_object_set_new(json, "priority", json_integer(m->priority));
-    if (json && m->cloud > 0.0f)
-        (void)json_object_set_new(json, "cloud", json_real(json_text_float(m->cloud)));
+    if (json && m->scattering_optical_depth > 0.0f)
+        (void)json_object_set_new(json, "cloud",
+                                  json_real(json_text_float(m->scattering_optical_depth)));
     return json;
 }
 

@@ -242,7 +242,7 @@ static enum status report(const struct job *job)
         if (job->o.positionals[0])
             print_scene(job->o.image.scene.name);
         furnace_print(&furnace, stdout);
-        status = furnace_holds(&furnace) ? STATUS_OK : STATUS_FAILED;
+        status = furnace_passes(&furnace) ? STATUS_OK : STATUS_FAILED;
     } else {
         for (uint32_t i = 0; i < job->o.run.outputs.count && status == STATUS_OK; i++)
             status = write_output(job, job->o.run.outputs.paths[i]);

@@ -246,7 +246,7 @@ static void print_contrasts(const struct profile_sweep *sweep)
         const struct profile_contrast *c = &sweep->contrasts[i];
         printf("%-9s %-38s %5.1f %% [%5.1f, %5.1f] %6.1g  %s\n", c->where, c->what,
                100 * (c->rate.ratio - 1), 100 * (c->rate.low - 1), 100 * (c->rate.high - 1), c->p,
-               c->said);
+               c->claim);
     }
     char text[2048];
     snprintf(text, sizeof(text),

@@ -219,7 +219,7 @@ static enum status trace_image(struct job *job, struct frame *frame)
     };
     struct reference_session session = {
         .load = path && job->o.render.resume ? sample_sums_file_load : NULL,
-        .keep = path ? sample_sums_file_store : NULL,
+        .save = path ? sample_sums_file_store : NULL,
         .user = &file,
     };
     if (image && !path)

@@ -113,7 +113,7 @@ static void place_image(struct job *job, uint32_t point, const struct render_res
         length += (size_t)snprintf(label + length, sizeof(label) - length, "%s%s=%s", i ? " " : "",
                                    job->sweep.parameters[i].name,
                                    profile_sweep_value(&job->sweep, point, i));
-    canvas_draw_text(&job->canvas, x, y, sheet_letter_scale(&grid), label);
+    canvas_draw_text(&job->canvas, x, y, sheet_text_scale(&grid), label);
     canvas_draw_image(&job->canvas, x, y + sheet_label_height(&grid), &image);
 }
 

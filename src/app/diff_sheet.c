@@ -94,7 +94,7 @@ enum status diff_sheet_all(const struct diff_sheet *sheet, void **data, size_t *
         canvas_draw_image(&canvas, x, top, &canvases[i]);
     }
     if (ok)
-        legend_put(&canvas, bar, letters);
+        legend_draw(&canvas, bar, letters);
     const enum status status = ok ? encode(&canvas, data, size) : log_out_of_memory(NULL);
     for (uint32_t i = 0; i < CELLS; i++)
         free(canvases[i].rgba);

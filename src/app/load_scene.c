@@ -294,10 +294,10 @@ struct scene_params app_scene_params(const struct app_scene *options, struct bum
         .bump = bump.is_on(&options->settings) || frost.is_on(&options->settings) ? maps : NULL,
         .cracks = { sheets->count, sheets->seed, sheets->size, sheets->clip == CRACKS_CLIP_PRECUT,
                     options->cracks },
-        .pictures = { options->bump, options->bump_mask, options->air },
+        .image_files = { options->bump, options->bump_mask, options->air },
         .decode = &options->reader,
         .pool = { pool->size, pool->depth, pool->ice },
-        .later = true,
+        .defers_texels = true,
     };
 }
 
@@ -326,9 +326,9 @@ enum status app_pose_scene(struct scene *scene, const struct app_scene *options,
     struct reader_params reader = options->reader;
     reader.no_warnings = true; /* do not repeat the warnings of the first load */
     params.decode = &reader;
-    params.before = scene;
+    params.previous_pose = scene;
     params.pose.time = time;
-    params.later = false;
+    params.defers_texels = false;
     const enum status status = scene_load(&posed, &params);
     if (status != STATUS_OK)
         return status;
@@ -396,7 +396,7 @@ enum status app_begin_scene(struct scene *scene, struct app_scene *options)
         return STATUS_USAGE;
     choose_environment(options);
     struct scene_params params = app_scene_params(options, &maps);
-    params.settle = finish_settings_callback;
+    params.on_object_loaded = finish_settings_callback;
     params.user = &settings_callback_data;
     enum status status = scene_load(scene, &params);
     if (status == STATUS_OK)

@@ -50,9 +50,9 @@ void previous_pose_move_to(struct previous_pose *previous, struct scene *scene)
     const struct model *model = &scene->model;
     if (previous->positions && previous->object_count == model->object.vertex_count &&
         previous->surroundings_count == model->surroundings.vertex_count) {
-        free(scene->earlier);
-        scene->earlier = previous->positions;
-        scene->earlier_rows = previous->rows;
+        free(scene->previous_positions);
+        scene->previous_positions = previous->positions;
+        scene->previous_position_rows = previous->rows;
         previous->positions = NULL;
     }
     free(previous->positions);

@@ -103,7 +103,7 @@ static enum status read_rows(const struct sample_sums_file *file, struct image_r
         for (uint32_t p = 0; p < reference_sums_plane_count(sums) && status == STATUS_OK; p++) {
             const float *row;
             status = image_reader_row(reader, planes[p], y, &row);
-            if (status != STATUS_OK || reference_sums_put_row(sums, p, y, row))
+            if (status != STATUS_OK || reference_sums_set_row(sums, p, y, row))
                 continue;
             log_error("%s: row %u has values that cannot be sample sums; remove the file, or leave "
                       "out --resume",

@@ -21,7 +21,7 @@ struct sample_sums_file {
  * of another image or version, or of more samples: STATUS_DATA. A missing file means no samples. */
 MUST_USE enum status sample_sums_file_load(void *user, struct reference_sums *sums);
 
-/* Writes the sums; a reference_keep_fn. Skips the write if it would take more than a tenth of the
+/* Writes the sums; a reference_save_fn. Skips the write if it would take more than a tenth of the
  * time, unless it is the last. Logs errors. */
 MUST_USE enum status sample_sums_file_store(void *user, const struct reference_sums *sums,
                                             bool is_last);

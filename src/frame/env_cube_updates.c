@@ -192,8 +192,8 @@ static uint32_t faces_due(const struct frame_cube *cube, const struct frame_view
 {
     const struct env_cube_params *params = settings_of(view->settings, &env_cube_settings);
     const struct frame_cube_state now = face_inputs(globals);
-    const bool in_turn = cube->in_turn && cube->drawn == FRAME_CUBE_ALL;
-    const uint32_t max = in_turn ? params->faces : FRAME_CUBE_FACES;
+    const bool round_robin = cube->round_robin && cube->drawn == FRAME_CUBE_ALL;
+    const uint32_t max = round_robin ? params->faces : FRAME_CUBE_FACES;
     uint32_t due = 0;
     if (params->always)
         return FRAME_CUBE_ALL;

@@ -44,7 +44,7 @@ struct frame_cube {
     uint32_t orbiting_ball_count;
     uint32_t drawn;                                   /* mask of faces drawn so far */
     uint32_t next;                                    /* next face in round-robin order */
-    bool in_turn;                                     /* at most env_cube.faces due per frame */
+    bool round_robin;                                 /* at most env_cube.faces due per frame */
     struct frame_cube_state states[FRAME_CUBE_FACES]; /* inputs at the last draw */
     struct frame_cube_light light;                    /* caustics drawn last, if has_light */
     struct frame_cube_light faces_light;              /* caustics in faces, if has_faces_light */

@@ -12,7 +12,7 @@ enum {
 
 /* Description of a frame: what it imports, draws and reads back. */
 struct frame_request {
-    struct technique_choice config;
+    struct technique_config config;
     const struct scene *scene; /* NULL: fallbacks replace its images */
     VkExtent2D view;           /* pixels */
     uint32_t face_size;        /* cube face width, texels; 0: automatic */

@@ -230,7 +230,7 @@ vec3s frame_sun_light(const struct scene *scene, const struct settings *settings
 {
     const struct sky_params *sky = settings_of(settings, &sky_settings);
     const struct env_params *env = settings_of(settings, &env_settings);
-    const vec3s own = env->sun == ENV_SUN_OWN ? glms_vec3_one() : scene->environment.sun.light;
+    const vec3s own = env->sun == ENV_SUN_CUSTOM ? glms_vec3_one() : scene->environment.sun.light;
     if (scene->background == SCENE_SKY || scene->has_pool)
         return glms_vec3_scale(SKY_SUN_COLOR, sky->strength * sky->sun_strength);
     if (scene->background != SCENE_ENVIRONMENT || env->sun == ENV_SUN_NONE)
@@ -243,7 +243,7 @@ static void set_environment_sun(const struct frame_view *view, float radius, str
 {
     const struct env_params *params = settings_of(view->settings, &env_settings);
     const struct environment *environment = &view->scene->environment;
-    const bool is_own = params->sun == ENV_SUN_OWN;
+    const bool is_own = params->sun == ENV_SUN_CUSTOM;
     g->sun_spread = 0.5f * radius;
     if (params->sun == ENV_SUN_NONE || !(is_own || glms_vec3_max(environment->sun.light) > 0.0f))
         return;

@@ -23,7 +23,7 @@ enum {
 
 static bool is_applicable(const struct technique *technique,
                           const struct technique_pass_group *group,
-                          const struct technique_choice *config)
+                          const struct technique_config *config)
 {
     const uint32_t purposes = group->purposes ? group->purposes : 1u << TECHNIQUE_IMAGE;
     const enum technique_scene scene = config->has_pool ? SCENE_OF_POOL : SCENE_OF_OBJECT;
@@ -37,7 +37,7 @@ static bool is_applicable(const struct technique *technique,
 /* Returns the passes of a pass group, or none if the technique is off. */
 static struct rg_technique passes_of_group(const struct technique *technique,
                                            const struct technique_pass_group *group,
-                                           const struct technique_choice *config,
+                                           const struct technique_config *config,
                                            struct pass_builder *builder)
 {
     const bool is_traced =
@@ -52,11 +52,11 @@ static struct rg_technique passes_of_group(const struct technique *technique,
     return group->graph;
 }
 
-static bool add_phase(struct frame_list *list, const struct technique_choice *config,
+static bool add_phase(struct frame_list *list, const struct technique_config *config,
                       enum technique_phase phase)
 {
     for (const struct technique *const *t = techniques; *t; t++) {
-        for (size_t p = 0; p < TECHNIQUE_PART_COUNT; p++) {
+        for (size_t p = 0; p < TECHNIQUE_PASS_GROUP_COUNT; p++) {
             const struct technique_pass_group *group = &(*t)->pass_groups[p];
             if (group->phase != phase || (!group->make_passes && !group->graph.passes))
                 continue;
@@ -141,10 +141,10 @@ static bool assign_to_object(struct frame_list *list, size_t first, uint32_t dep
 }
 
 /* Adds the passes of every object: for the image if `last` is PHASE_REFRACTION, else for layers. */
-static bool add_objects(struct frame_list *list, const struct technique_choice *config,
+static bool add_objects(struct frame_list *list, const struct technique_config *config,
                         enum technique_phase last)
 {
-    struct technique_choice copy = *config;
+    struct technique_config copy = *config;
     const bool for_layers = last != PHASE_REFRACTION;
     bool done = true;
     copy.keeps_depth = for_layers;
@@ -267,7 +267,7 @@ static bool keep_shared(struct frame_list *list)
     return !list->builder.failed;
 }
 
-static bool add_all(struct frame_list *list, const struct technique_choice *config)
+static bool add_all(struct frame_list *list, const struct technique_config *config)
 {
     const bool are_many = (config->object_count > 1 || config->is_nested) && config->refraction &&
                           !config->refraction->refraction.draws_all_objects;
@@ -284,13 +284,13 @@ static bool add_all(struct frame_list *list, const struct technique_choice *conf
     return done && keep_shared(list);
 }
 
-enum status frame_list_init(struct frame_list *list, const struct technique_choice *config)
+enum status frame_list_init(struct frame_list *list, const struct technique_config *config)
 {
     const size_t object_count =
         config->object_count > 1 || config->is_nested ? 3 * (size_t)config->object_count : 1;
     *list = (struct frame_list){ .small.builder = &list->builder, .is_nested = config->is_nested };
     /* inclusions.scale at most doubles the number of pass groups */
-    list->pass_groups = calloc(2 * techniques_count * TECHNIQUE_PART_COUNT * object_count + 1,
+    list->pass_groups = calloc(2 * techniques_count * TECHNIQUE_PASS_GROUP_COUNT * object_count + 1,
                                sizeof(*list->pass_groups));
     list->objects = calloc(object_count, sizeof(*list->objects));
     if (list->pass_groups && list->objects && add_all(list, config))

@@ -32,7 +32,7 @@ struct frame_list {
 
 /* Fills *list. Logs and returns STATUS_TRY_AGAIN when out of memory; *list is then {0}. */
 MUST_USE enum status frame_list_init(struct frame_list *list,
-                                     const struct technique_choice *config);
+                                     const struct technique_config *config);
 void frame_list_finish(struct frame_list *list); /* {0} is fine */
 
 /* Returns a pass's name without the suffix that identifies the object. */

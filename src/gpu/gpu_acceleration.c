@@ -252,7 +252,7 @@ static enum status upload_instances(struct gpu *gpu, struct inputs *inputs,
             .accelerationStructure = rays->blas_handles[i],
         };
         instances[i] = (VkAccelerationStructureInstanceKHR){
-            .transform = groups->all[i].place,
+            .transform = groups->all[i].transform,
             .instanceShaderBindingTableRecordOffset = groups->all[i].first & 0xffffffu,
             .mask = groups->all[i].mask,
             .flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR,

@@ -19,7 +19,7 @@ struct gpu_blas_group {
     uint32_t first, count; /* triangles; the count is not 0 */
     uint8_t mask;          /* instance mask of ray queries */
     bool is_kept;          /* unchanged, so keep its BLAS */
-    VkTransformMatrixKHR place;
+    VkTransformMatrixKHR transform;
 };
 
 struct gpu_blas_groups {

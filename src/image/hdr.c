@@ -149,7 +149,7 @@ static enum status close_hdr(struct source *source, enum status status)
     return status;
 }
 
-enum status hdr_head(const char *path, struct image_header *head)
+enum status hdr_read_header(const char *path, struct image_header *head)
 {
     struct source source;
     int width = 0, height = 0;

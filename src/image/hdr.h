@@ -7,7 +7,7 @@
 #include "src/image/image_header.h"
 
 /* Returns size and planes of the image that hdr_read() would return, from the header only. */
-MUST_USE enum status hdr_head(const char *path, struct image_header *head);
+MUST_USE enum status hdr_read_header(const char *path, struct image_header *head);
 
 /* Reads a Radiance file; rejects other formats. Limits, errors, ownership: see exr_read(). */
 MUST_USE enum status hdr_read(const char *path, struct image *image);

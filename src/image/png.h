@@ -35,7 +35,7 @@ MUST_USE enum status png_encode(const struct png_image_source *picture, void **d
 MUST_USE enum status png_read(const char *path, struct image *image);
 
 /* Returns size and planes of what png_read() would return, from the file's header only. */
-MUST_USE enum status png_head(const char *path, struct image_header *head);
+MUST_USE enum status png_read_header(const char *path, struct image_header *head);
 
 /* Checks a whole file by the CRCs of its chunks, without decompressing texels, and returns its
  * header in *head, which the caller finishes. Errors are those of png_read(). */

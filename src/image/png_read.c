@@ -120,7 +120,7 @@ static enum status close_png(png_image *png, FILE *file, enum status status)
     return status;
 }
 
-enum status png_head(const char *path, struct image_header *head)
+enum status png_read_header(const char *path, struct image_header *head)
 {
     png_image png;
     FILE *file;

@@ -77,10 +77,10 @@ static void draw_reference(struct canvas *canvas, const struct ladder *ladder)
     cell_origin(ladder, 0, &x, &y);
     canvas_draw_text(canvas, x, y, letter_scale(ladder), "reference   FLIP:");
     canvas_draw_image(canvas, x, y + label_height(ladder), &picture);
-    legend_put(canvas,
-               (const uint32_t[]){ x + ladder->width + MARGIN, y + label_height(ladder),
-                                   ladder->width / 8 + 1, ladder->height },
-               letter_scale(ladder));
+    legend_draw(canvas,
+                (const uint32_t[]){ x + ladder->width + MARGIN, y + label_height(ladder),
+                                    ladder->width / 8 + 1, ladder->height },
+                letter_scale(ladder));
 }
 
 static bool draw_model(struct canvas *canvas, const struct ladder *ladder, uint32_t index)

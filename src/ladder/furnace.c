@@ -50,7 +50,7 @@ struct furnace furnace_measure(const struct ladder *ladder)
     return furnace;
 }
 
-bool furnace_holds(const struct furnace *furnace)
+bool furnace_passes(const struct furnace *furnace)
 {
     uint64_t off = 0;
     for (uint32_t i = 0; i < furnace->row_count; i++)

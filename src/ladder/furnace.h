@@ -30,7 +30,7 @@ struct furnace {
 struct furnace furnace_measure(const struct ladder *ladder);
 
 /* Returns true if every pixel passes the furnace test. */
-bool furnace_holds(const struct furnace *furnace);
+bool furnace_passes(const struct furnace *furnace);
 
 void furnace_print(const struct furnace *furnace, FILE *out);
 

@@ -15,7 +15,7 @@ uint32_t legend_numbers(uint32_t scale)
     return TICK_LENGTH + NUMBER_COLUMNS * LETTER * scale;
 }
 
-void legend_put(struct canvas *canvas, const uint32_t box[static 4], uint32_t scale)
+void legend_draw(struct canvas *canvas, const uint32_t box[static 4], uint32_t scale)
 {
     const uint32_t x = box[0], y = box[1], width = box[2], height = box[3];
     const uint32_t line = scale * CANVAS_TEXT_HEIGHT;

@@ -17,14 +17,14 @@ struct sheet_grid {
     uint32_t width, height; /* of an image */
 };
 
-static inline uint32_t sheet_letter_scale(const struct sheet_grid *grid)
+static inline uint32_t sheet_text_scale(const struct sheet_grid *grid)
 {
     return grid->width >= 2 * SHEET_LABEL_WIDTH ? 2 : 1;
 }
 
 static inline uint32_t sheet_label_height(const struct sheet_grid *grid)
 {
-    return sheet_letter_scale(grid) * CANVAS_TEXT_HEIGHT + 4;
+    return sheet_text_scale(grid) * CANVAS_TEXT_HEIGHT + 4;
 }
 
 /* Returns the width of a sheet, in pixels. */

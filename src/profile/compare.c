@@ -228,10 +228,9 @@ static void print_least(const struct comparison *c, FILE *out)
 {
     char message[TEXT_SIZE];
     uint32_t runs = 2;
-    if (profile_mann_whitney_least(c->base->run_count, c->now->run_count) * c->tested <=
-        significance)
+    if (profile_mann_whitney_min(c->base->run_count, c->now->run_count) * c->tested <= significance)
         return;
-    while (profile_mann_whitney_least(runs, runs) * c->tested > significance)
+    while (profile_mann_whitney_min(runs, runs) * c->tested > significance)
         runs++;
     snprintf(message, sizeof(message),
              "With %" PRIu32 " and %" PRIu32 " runs no difference can be significant in %" PRIu32

@@ -36,9 +36,9 @@ static const struct profile_field of_profile[] = {
     { PROFILE_FIELD_U32, AT(profile, run_count) },
     { PROFILE_FIELD_DOUBLE, AT(profile, time) },
     { PROFILE_FIELD_DOUBLE, AT(profile, time_step) },
-    { PROFILE_FIELD_DOUBLE, KEY("tree", profile, tree), .is_optional = true },
-    { PROFILE_FIELD_U32, KEY("tree_triangles", profile, tree_triangles), .is_optional = true },
-    { PROFILE_FIELD_U64, KEY("tree_size", profile, tree_size), .is_optional = true },
+    { PROFILE_FIELD_DOUBLE, KEY("tree", profile, bvh_ms), .is_optional = true },
+    { PROFILE_FIELD_U32, KEY("tree_triangles", profile, bvh_triangles), .is_optional = true },
+    { PROFILE_FIELD_U64, KEY("tree_size", profile, bvh_size), .is_optional = true },
     { PROFILE_FIELD_DOUBLE, AT(profile, rays), .is_optional = true },
     { PROFILE_FIELD_U64, AT(profile, rays_size), .is_optional = true },
     { PROFILE_FIELD_DOUBLE, AT(profile, upload) },
@@ -88,8 +88,8 @@ const struct profile_fields profile_resource_fields = FIELDS(of_resident);
 const struct profile_fields profile_row_fields = FIELDS(of_row);
 
 const char *const profile_kind_names[PROFILE_KIND_COUNT] = {
-    [PROFILE_RASTER] = "raster", [PROFILE_COMPUTE] = "compute", [PROFILE_TRANSFER] = "transfer",
-    [PROFILE_HOST] = "host",     [PROFILE_REST] = "rest",
+    [PROFILE_RASTER] = "raster", [PROFILE_COMPUTE] = "compute",   [PROFILE_TRANSFER] = "transfer",
+    [PROFILE_HOST] = "host",     [PROFILE_UNATTRIBUTED] = "rest",
 };
 
 json_t *profile_json_put(json_t *json, const char *key, json_t *value)

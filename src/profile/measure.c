@@ -34,10 +34,10 @@ static uint64_t target_size(const struct rg_plan *plan, const struct rg_plan_pas
 static void name_pass(const struct measure *m, uint32_t index, struct profile_row *row)
 {
     const struct rg_plan *plan = m->plan;
-    const char *name = renderer_row_name(m->renderer, plan->passes[index].pass);
+    const char *name = renderer_pass_name(m->renderer, plan->passes[index].pass);
     snprintf(row->name, sizeof(row->name), "%s", name);
     for (uint32_t p = 0; p < plan->pass_count; p++) {
-        const bool is_same = !strcmp(renderer_row_name(m->renderer, plan->passes[p].pass), name);
+        const bool is_same = !strcmp(renderer_pass_name(m->renderer, plan->passes[p].pass), name);
         row->repetition += is_same && p < index;
         row->repetition_count += is_same;
     }
@@ -269,9 +269,9 @@ static enum status open_renderer(struct measure *m)
     if (status != STATUS_OK)
         return status;
     const struct renderer_costs costs = renderer_costs(m->renderer);
-    p->tree = costs.bvh;
-    p->tree_triangles = costs.bvh_triangles;
-    p->tree_size = costs.bvh_size;
+    p->bvh_ms = costs.bvh;
+    p->bvh_triangles = costs.bvh_triangles;
+    p->bvh_size = costs.bvh_size;
     p->rays = costs.rays;
     p->rays_size = costs.rays_size;
     p->upload = costs.upload;

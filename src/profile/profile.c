@@ -24,7 +24,7 @@ enum status profile_make_rows(struct profile *p)
     } after[ROWS_AFTER_PASSES] = {
         { "record", PROFILE_HOST },
         { "submit", PROFILE_HOST },
-        { "unattributed", PROFILE_REST },
+        { "unattributed", PROFILE_UNATTRIBUTED },
     };
 
     bool is_made = true;

@@ -23,8 +23,8 @@ enum profile_kind {
     PROFILE_RASTER, /* first kind of GPU pass */
     PROFILE_COMPUTE,
     PROFILE_TRANSFER,
-    PROFILE_HOST, /* record, submit */
-    PROFILE_REST, /* the row `unattributed` */
+    PROFILE_HOST,         /* record, submit */
+    PROFILE_UNATTRIBUTED, /* the row `unattributed` */
     PROFILE_KIND_COUNT,
 };
 
@@ -74,12 +74,12 @@ struct profile {
     bool fragments_are_exact; /* false if drivers count whole blocks */
     uint32_t warmup;          /* warm-up runs */
     uint32_t run_count;
-    double time, time_step;  /* seconds: first run's scene time, step */
-    uint32_t tree_triangles; /* BVH triangles; 0 without a BVH */
-    uint64_t tree_size;      /* BVH size, bytes */
-    double tree;             /* BVH build, milliseconds */
-    uint64_t rays_size;      /* acceleration structures, bytes; 0 without */
-    double rays;             /* acceleration structure build, milliseconds */
+    double time, time_step; /* seconds: first run's scene time, step */
+    uint32_t bvh_triangles; /* BVH triangles; 0 without a BVH */
+    uint64_t bvh_size;      /* BVH size, bytes */
+    double bvh_ms;          /* BVH build, milliseconds */
+    uint64_t rays_size;     /* acceleration structures, bytes; 0 without */
+    double rays;            /* acceleration structure build, milliseconds */
     /* One-time costs, ms: scene upload, graph, pipelines, first frame (compiles shaders). */
     double upload, compile, realise, first_frame;
     uint64_t memory_used, memory_without_aliasing, memory_bound, memory_persistent;

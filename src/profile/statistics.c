@@ -184,7 +184,7 @@ double profile_mann_whitney(const struct profile_pair *pair)
     return normal_probability(a, b, &ranks);
 }
 
-double profile_mann_whitney_least(uint32_t a_count, uint32_t b_count)
+double profile_mann_whitney_min(uint32_t a_count, uint32_t b_count)
 {
     assert(a_count > 0 && b_count > 0);
     const struct ranks none = { 0 };

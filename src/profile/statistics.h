@@ -49,7 +49,7 @@ struct profile_pair {
 double profile_mann_whitney(const struct profile_pair *pair);
 
 /* Returns the minimum p-value of profile_mann_whitney() with these sample counts. */
-double profile_mann_whitney_least(uint32_t a_count, uint32_t b_count);
+double profile_mann_whitney_min(uint32_t a_count, uint32_t b_count);
 
 enum {
     PROFILE_EXACT_COUNT = 20

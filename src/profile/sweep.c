@@ -175,7 +175,7 @@ static bool name_growths(struct fitting *fitting, uint32_t point_count)
     for (uint32_t i = 0; i < point_count; i++) {
         for (uint32_t k = 0; k < fitting->lines[i].count; k++) {
             const struct profile_table_row *line = &fitting->lines[i].lines[k];
-            if (line->fraction > fit_fraction_min && line->row->kind != PROFILE_REST &&
+            if (line->fraction > fit_fraction_min && line->row->kind != PROFILE_UNATTRIBUTED &&
                 !has_growth(fitting, line->row->name))
                 snprintf(fitting->growths[fitting->count++].name, PROFILE_NAME_SIZE, "%s",
                          line->row->name);

@@ -24,10 +24,10 @@ struct profile_parameter {
 
 /* Planned comparison of two points of a sweep with a published claim. */
 struct profile_contrast {
-    const char *where, *what, *said; /* "figure 6", difference, published claim */
-    uint32_t before, after;          /* indices of the points */
-    struct profile_ratio rate;       /* frame rate after / before */
-    double p;                        /* Mann-Whitney p-value, Holm-adjusted over all contrasts */
+    const char *where, *what, *claim; /* "figure 6", difference, published claim */
+    uint32_t before, after;           /* indices of the points */
+    struct profile_ratio rate;        /* frame rate after / before */
+    double p;                         /* Mann-Whitney p-value, Holm-adjusted over all contrasts */
 };
 
 enum {

@@ -179,7 +179,7 @@ static bool add_contrast(json_t *contrasts, const struct profile_contrast *contr
     json_t *json = profile_json_put(contrasts, NULL, json_object());
     return profile_json_put(json, "where", json_string(contrast->where)) &&
            profile_json_put(json, "what", json_string(contrast->what)) &&
-           profile_json_put(json, "said", json_string(contrast->said)) &&
+           profile_json_put(json, "said", json_string(contrast->claim)) &&
            profile_json_put(json, "before", json_integer(contrast->before)) &&
            profile_json_put(json, "after", json_integer(contrast->after)) &&
            profile_json_put(json, "rate", json_real(contrast->rate.ratio)) &&

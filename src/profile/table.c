@@ -190,9 +190,9 @@ static void print_rest(const struct profile_table_rows *lines, const struct prof
              profile_decimals(p->realise), p->realise, profile_decimals(p->first_frame),
              p->first_frame);
     profile_print_wrapped(text, 2, out);
-    if (p->tree_triangles) {
-        snprintf(text, sizeof(text), "BVH: %u triangles, %.*f ms, %.1f MiB", p->tree_triangles,
-                 profile_decimals(p->tree), p->tree, (double)p->tree_size / (1 << 20));
+    if (p->bvh_triangles) {
+        snprintf(text, sizeof(text), "BVH: %u triangles, %.*f ms, %.1f MiB", p->bvh_triangles,
+                 profile_decimals(p->bvh_ms), p->bvh_ms, (double)p->bvh_size / (1 << 20));
         profile_print_wrapped(text, 2, out);
     }
     if (p->rays_size) {

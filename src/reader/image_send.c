@@ -14,8 +14,8 @@ static const struct format {
     enum status (*read)(const char *path, struct image *image);
     enum status (*check)(const char *path, struct image_header *head); /* NULL: decode by `read` */
 } formats[] = {
-    { ".hdr", hdr_head, hdr_read, NULL },
-    { ".png", png_head, png_read, png_check },
+    { ".hdr", hdr_read_header, hdr_read, NULL },
+    { ".png", png_read_header, png_read, png_check },
 };
 
 enum {

@@ -59,7 +59,7 @@ static void filter_surroundings(const struct RTCFilterFunctionNArguments *args)
     const struct embree_scene *embree_scene = args->geometryUserPtr;
     const struct RTCHit *hit = hit_of(args);
     const struct mesh_vertex surface =
-        interpolated(&embree_scene->parts[EMBREE_SCENE_SURROUNDINGS], hit->primID, hit->u, hit->v);
+        interpolated(&embree_scene->meshes[EMBREE_SCENE_SURROUNDINGS], hit->primID, hit->u, hit->v);
     if (radiance_transmittance(embree_scene->radiance, &surface) >= 1.0f)
         args->valid[0] = 0;
 }
@@ -138,7 +138,7 @@ static void intersect_bubble(const struct RTCIntersectFunctionNArguments *args)
 static mat4s world_from_mesh(const struct embree_scene *embree_scene,
                              const struct embree_scene_mesh *scene_mesh, uint32_t material)
 {
-    if (scene_mesh != &embree_scene->parts[EMBREE_SCENE_SURROUNDINGS])
+    if (scene_mesh != &embree_scene->meshes[EMBREE_SCENE_SURROUNDINGS])
         return embree_scene->radiance->globals->world_from_object;
     return material & MESH_ORBITS ? embree_scene->radiance->globals->world_from_movers
                                   : glms_mat4_identity();
@@ -147,7 +147,7 @@ static mat4s world_from_mesh(const struct embree_scene *embree_scene,
 /* Adds mesh `index` to the Embree scene, in world space. Returns false when out of memory. */
 static bool add_mesh(struct embree_scene *embree_scene, RTCDevice device, uint32_t index)
 {
-    struct embree_scene_mesh *scene_mesh = &embree_scene->parts[index];
+    struct embree_scene_mesh *scene_mesh = &embree_scene->meshes[index];
     const struct mesh *mesh = scene_mesh->mesh;
     if (!mesh->index_count)
         return true;
@@ -211,7 +211,7 @@ static enum status check_size(const struct embree_scene *embree_scene, uint64_t 
 {
     uint64_t triangles = 0;
     for (uint32_t i = 0; i < EMBREE_SCENE_MESH_COUNT; i++)
-        triangles += embree_scene->parts[i].mesh->index_count / 3;
+        triangles += embree_scene->meshes[i].mesh->index_count / 3;
     if (triangles <= memory / TRIANGLE_SIZE)
         return STATUS_OK;
     log_error("--refraction reference: %llu triangles need about %.1f GiB, %.1f GiB are available: "
@@ -237,10 +237,10 @@ enum status embree_scene_init(struct embree_scene *embree_scene, RTCDevice devic
         .radiance = radiance,
         .epsilon = 1e-4f * radiance->globals->radius,
         .is_textured = has_textured_object(&radiance->scene->model),
-        .parts[EMBREE_SCENE_OBJECT].mesh = &radiance->scene->model.object,
-        .parts[EMBREE_SCENE_SURROUNDINGS].mesh = &radiance->scene->model.surroundings,
-        .parts[EMBREE_SCENE_CRACKS].mesh = &radiance->scene->cracks,
-        .parts[EMBREE_SCENE_AIR].mesh = &radiance->scene->air,
+        .meshes[EMBREE_SCENE_OBJECT].mesh = &radiance->scene->model.object,
+        .meshes[EMBREE_SCENE_SURROUNDINGS].mesh = &radiance->scene->model.surroundings,
+        .meshes[EMBREE_SCENE_CRACKS].mesh = &radiance->scene->cracks,
+        .meshes[EMBREE_SCENE_AIR].mesh = &radiance->scene->air,
     };
     enum status status = check_size(embree_scene, memory);
     if (status != STATUS_OK)
@@ -395,11 +395,11 @@ bool embree_scene_intersect(const struct embree_scene *embree_scene,
         *hit = bubble_hit(embree_scene, &rayhit);
         return true;
     }
-    const struct embree_scene_mesh *scene_mesh = &embree_scene->parts[rayhit.hit.geomID];
+    const struct embree_scene_mesh *scene_mesh = &embree_scene->meshes[rayhit.hit.geomID];
     *hit = (struct embree_scene_hit){
         .kind = rayhit.hit.geomID,
         .triangle = rayhit.hit.primID,
-        .object = scene_mesh == &embree_scene->parts[EMBREE_SCENE_OBJECT]
+        .object = scene_mesh == &embree_scene->meshes[EMBREE_SCENE_OBJECT]
                       ? object_of(embree_scene, rayhit.hit.primID)
                       : 0,
         .u = rayhit.hit.u,

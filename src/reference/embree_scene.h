@@ -60,7 +60,7 @@ struct embree_scene {
     struct embree_scene_mesh {
         const struct mesh *mesh;
         const vec3s *positions; /* in world space; owned by Embree */
-    } parts[EMBREE_SCENE_MESH_COUNT];
+    } meshes[EMBREE_SCENE_MESH_COUNT];
 
     struct bubble *bubbles; /* in world space; may be NULL */
 };

@@ -158,7 +158,7 @@ static struct bump_sample bump_by_uv(const struct inclusions *inclusions,
                                      const struct embree_scene *embree_scene,
                                      const struct embree_scene_hit *hit, vec3s normal)
 {
-    const struct embree_scene_mesh *scene_mesh = &embree_scene->parts[EMBREE_SCENE_OBJECT];
+    const struct embree_scene_mesh *scene_mesh = &embree_scene->meshes[EMBREE_SCENE_OBJECT];
     const uint32_t *corners = &scene_mesh->mesh->indices[(size_t)hit->triangle * 3];
     const vec2s scaled =
         glms_vec2_scale(hit->surface.uv, inclusions->radiance->globals->bump_scale);

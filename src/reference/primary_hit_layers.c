@@ -36,15 +36,16 @@ static vec3s previous_point(const struct primary_hit_layers *first,
                             const struct embree_scene_hit *hit)
 {
     const struct scene *scene = first->radiance->scene;
-    const struct mesh *mesh = first->embree_scene->parts[hit->kind].mesh;
+    const struct mesh *mesh = first->embree_scene->meshes[hit->kind].mesh;
     const uint32_t *corners = &mesh->indices[(size_t)hit->triangle * 3];
     const size_t offset =
         hit->kind == EMBREE_SCENE_SURROUNDINGS ? scene->model.object.vertex_count : (size_t)0;
     const float weights[3] = { 1.0f - hit->u - hit->v, hit->u, hit->v };
     vec3s point = glms_vec3_zero();
     for (int k = 0; k < 3; k++) {
-        const vec3s corner = scene->earlier ? glms_vec3(scene->earlier[offset + corners[k]])
-                                            : mesh->vertices[corners[k]].position;
+        const vec3s corner = scene->previous_positions
+                                 ? glms_vec3(scene->previous_positions[offset + corners[k]])
+                                 : mesh->vertices[corners[k]].position;
         point = glms_vec3_muladds(corner, weights[k], point);
     }
     return point;
@@ -72,7 +73,7 @@ float primary_hit_layers_object(const struct primary_hit_layers *first,
                                 const struct embree_scene_hit *hit)
 {
     const struct model *model = &first->radiance->scene->model;
-    const struct mesh *mesh = first->embree_scene->parts[hit->kind].mesh;
+    const struct mesh *mesh = first->embree_scene->meshes[hit->kind].mesh;
     if (hit->kind == EMBREE_SCENE_OBJECT)
         return (float)(hit->object + 1);
     return (float)(model->object_count + 1 +

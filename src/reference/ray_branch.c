@@ -74,7 +74,7 @@ static struct ray_branch continue_ray(const struct tracer *tracing, const struct
         .bounces = b->bounces + 1,
         .seed = microfacet_hash(b->seed, is_through),
         .scatterings = b->scatterings,
-        .met = b->met | inclusion_bit(hit),
+        .inclusion_bits = b->inclusion_bits | inclusion_bit(hit),
         .ignores_scattering = b->ignores_scattering,
         .is_gather_ray = b->is_gather_ray,
         .is_single_path = b->is_single_path,
@@ -98,7 +98,7 @@ static void pass_sheet(const struct tracer *tracing, struct ray_branch *b,
         const float opacity = inclusions_air_cover(inclusions, &hit->surface, b->ray.dir);
         const vec3s light = glms_vec3_mul(b->throughput, inclusions->air_light);
         b->air = glms_vec3_muladds(light, opacity, b->air);
-        b->met |= opacity > OPACITY_MIN ? REFERENCE_INCLUSION_AIR : 0;
+        b->inclusion_bits |= opacity > OPACITY_MIN ? REFERENCE_INCLUSION_AIR : 0;
         b->throughput = glms_vec3_scale(b->throughput, 1.0f - opacity);
     }
     b->ray.origin = hit->surface.position;
@@ -148,7 +148,7 @@ static bool scatter(const struct tracer *tracing, struct ray_branch *b, float le
         !volume_scattering_sample_distance(volume_scattering, &segment, tracing->sample,
                                            microfacet_hash(b->seed, PATH_SEED), &distance))
         return false;
-    b->met |= REFERENCE_INCLUSION_AIR;
+    b->inclusion_bits |= REFERENCE_INCLUSION_AIR;
     if (b->ignores_scattering)
         return false;
     const vec2s at = microfacet_point(tracing->sample, microfacet_hash(b->seed, DIRECTION_SEED));

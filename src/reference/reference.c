@@ -246,7 +246,7 @@ static bool has_rounds(const struct job *job)
 {
     const struct reference_request *request = &job->reference->request;
     const struct reference_session *session = job->session;
-    return request->noise > 0.0 || request->seconds > 0.0 || session->load || session->keep;
+    return request->noise > 0.0 || request->seconds > 0.0 || session->load || session->save;
 }
 
 /* Returns the sample count after the round that starts with `samples` samples. */
@@ -309,8 +309,8 @@ static enum status run_rounds(struct job *job, renderer_progress_fn *progress, v
         status = run_until(job, job->sums.samples, progress, user);
     while (status == STATUS_OK && !is_enough(job, began)) {
         status = run_until(job, round_end(job, job->sums.samples), progress, user);
-        if (status == STATUS_OK && session->keep)
-            status = session->keep(session->user, &job->sums, is_enough(job, began));
+        if (status == STATUS_OK && session->save)
+            status = session->save(session->user, &job->sums, is_enough(job, began));
     }
     return status;
 }
@@ -326,12 +326,12 @@ static bool add_layer(struct job *job, struct image *image, const struct frame_l
         job->planes[job->plane_count++] = (struct plane){
             .texels = image_find(image, layer->planes[p]),
             .value_index = value_index,
-            .sum_index = is_sum ? reference_sums_want(&job->sums, (uint32_t)value_index) : 0,
+            .sum_index = is_sum ? reference_sums_add_value(&job->sums, (uint32_t)value_index) : 0,
             .mean = layer->mean,
         };
         if (!layer->mean)
-            reference_sums_want_first(&job->sums, (uint32_t)value_index,
-                                      image_find(image, layer->planes[p]));
+            reference_sums_add_first(&job->sums, (uint32_t)value_index,
+                                     image_find(image, layer->planes[p]));
     }
     return true;
 }
@@ -352,7 +352,7 @@ static bool add_layers(struct job *job, struct image *image)
     job->tile_columns = (request->width + TILE - 1) / TILE;
     job->tile_count = job->tile_columns * ((request->height + TILE - 1) / TILE);
     job->tallies = calloc(job->tile_count, sizeof(*job->tallies));
-    return done && job->tallies && (!has_rounds(job) || reference_sums_keep(&job->sums));
+    return done && job->tallies && (!has_rounds(job) || reference_sums_allocate(&job->sums));
 }
 
 static uint64_t memory_limit(const struct reference_request *request)
@@ -384,7 +384,7 @@ static struct tracer tracing_of(const struct job *job)
                                                     job->radiance.scene->prefiltered_environment),
         .params = *params,
     };
-    for (uint32_t i = 0; i < job->radiance.scene->clouds.count; i++) {
+    for (uint32_t i = 0; i < job->radiance.scene->scattering_media.count; i++) {
         const struct volume_scattering volume_scattering =
             volume_scattering_of(&job->radiance, job->reference->request.settings, i);
         if (volume_scattering.majorant > 0.0f)

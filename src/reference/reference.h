@@ -81,12 +81,12 @@ struct reference_sums;
 typedef enum status reference_load_fn(void *user, struct reference_sums *sums);
 
 /* Callback that saves the sums after each round. A failure ends the rendering. */
-typedef enum status reference_keep_fn(void *user, const struct reference_sums *sums, bool is_last);
+typedef enum status reference_save_fn(void *user, const struct reference_sums *sums, bool is_last);
 
 /* Rendering session of an image that several runs may continue. */
 struct reference_session {
     reference_load_fn *load; /* NULL to start without samples */
-    reference_keep_fn *keep; /* may be NULL */
+    reference_save_fn *save; /* may be NULL */
     void *user;              /* argument of both callbacks */
     struct reference_outcome outcome;
 };

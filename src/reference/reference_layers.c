@@ -30,7 +30,7 @@ static const struct {
     VALUE("path.Z", path),
     VALUE("bounces.Z", bounces),
     VALUE("tir.Z", tir),
-    VALUE("inclusions.Z", met),
+    VALUE("inclusions.Z", inclusion_bits),
     VALUE("refraction.R", refraction.x),
     VALUE("refraction.G", refraction.y),
     VALUE("refraction.B", refraction.z),

@@ -23,7 +23,7 @@ struct reference_ray_values {
      * of the refracted path; 1 if the first surface hit inside reflects totally. */
     vec3s exit;
     float path, bounces, tir;
-    float met;                    /* inclusions hit by the refracted path */
+    float inclusion_bits;         /* inclusions hit by the refracted path */
     vec3s refraction, reflection; /* radiance per primary branch */
     float fresnel;                /* primary hit's reflectance; green if dispersive */
     vec3s remaining;              /* throughput of terminated rays */

@@ -16,10 +16,10 @@ void reference_sums_init(struct reference_sums *sums, uint32_t width, uint32_t h
 {
     const uint32_t remaining = (uint32_t)reference_layers_find("remaining.R");
     *sums = (struct reference_sums){ .width = width, .height = height };
-    reference_sums_want(sums, REFERENCE_SUM_BRIGHTNESS);
-    reference_sums_want(sums, REFERENCE_SUM_SQUARE);
+    reference_sums_add_value(sums, REFERENCE_SUM_BRIGHTNESS);
+    reference_sums_add_value(sums, REFERENCE_SUM_SQUARE);
     for (uint32_t c = 0; c < 3; c++)
-        reference_sums_want(sums, remaining + c);
+        reference_sums_add_value(sums, remaining + c);
 }
 
 void reference_sums_finish(struct reference_sums *sums)
@@ -28,7 +28,7 @@ void reference_sums_finish(struct reference_sums *sums)
     *sums = (struct reference_sums){ 0 };
 }
 
-uint32_t reference_sums_want(struct reference_sums *sums, uint32_t value)
+uint32_t reference_sums_add_value(struct reference_sums *sums, uint32_t value)
 {
     uint32_t i = 0;
     while (i < sums->count && sums->values[i] != value)
@@ -38,13 +38,13 @@ uint32_t reference_sums_want(struct reference_sums *sums, uint32_t value)
     return i;
 }
 
-void reference_sums_want_first(struct reference_sums *sums, uint32_t value, float *texels)
+void reference_sums_add_first(struct reference_sums *sums, uint32_t value, float *texels)
 {
     sums->first_values[sums->first_count] = value;
     sums->firsts[sums->first_count++] = texels;
 }
 
-bool reference_sums_keep(struct reference_sums *sums)
+bool reference_sums_allocate(struct reference_sums *sums)
 {
     sums->sums = calloc((size_t)sums->width * sums->height, sums->count * sizeof(double));
     return sums->sums != NULL;
@@ -130,7 +130,7 @@ void reference_sums_get_row(const struct reference_sums *sums, uint32_t plane, u
     }
 }
 
-bool reference_sums_put_row(struct reference_sums *sums, uint32_t plane, uint32_t y,
+bool reference_sums_set_row(struct reference_sums *sums, uint32_t plane, uint32_t y,
                             const float *row)
 {
     const size_t begin = (size_t)y * sums->width;

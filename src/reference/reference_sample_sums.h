@@ -43,13 +43,13 @@ void reference_sums_init(struct reference_sums *sums, uint32_t width, uint32_t h
 void reference_sums_finish(struct reference_sums *sums); /* accepts {0} */
 
 /* Adds a value to the list of sums unless it is already listed. Returns the index of its sum. */
-uint32_t reference_sums_want(struct reference_sums *sums, uint32_t value);
+uint32_t reference_sums_add_value(struct reference_sums *sums, uint32_t value);
 
 /* Adds a value of sample 0, which is not averaged, with the image plane that stores it. */
-void reference_sums_want_first(struct reference_sums *sums, uint32_t value, float *texels);
+void reference_sums_add_first(struct reference_sums *sums, uint32_t value, float *texels);
 
 /* Allocates the sums of all pixels, initialised to 0. Returns false when out of memory. */
-MUST_USE bool reference_sums_keep(struct reference_sums *sums);
+MUST_USE bool reference_sums_allocate(struct reference_sums *sums);
 
 /* Adds the values of one sample to the sums of a pixel. */
 void reference_sums_add(const struct reference_sums *sums, double *pixel,
@@ -72,7 +72,7 @@ void reference_sums_get_row(const struct reference_sums *sums, uint32_t plane, u
 
 /* Restores row y of a file's plane. The sums must initially be 0, and every row must be restored
  * once. Returns false if a value is not one that reference_sums_get_row() writes. */
-MUST_USE bool reference_sums_put_row(struct reference_sums *sums, uint32_t plane, uint32_t y,
+MUST_USE bool reference_sums_set_row(struct reference_sums *sums, uint32_t plane, uint32_t y,
                                      const float *row);
 
 #endif

@@ -10,9 +10,9 @@
 #include "src/settings/settings.h"
 
 struct volume_scattering {
-    const struct clouds *fields; /* borrowed */
-    uint32_t index;              /* index of the density field */
-    uint32_t object;             /* object that contains the medium */
+    const struct scattering_media *fields; /* borrowed */
+    uint32_t index;                        /* index of the density field */
+    uint32_t object;                       /* object that contains the medium */
     mat4s object_from_world;
     float majorant;   /* majorant extinction, 1/metre; 0 if empty */
     float anisotropy; /* Henyey-Greenstein g: mean scattering cosine */

@@ -179,7 +179,7 @@ static void fill_refracted_layers(const struct tracer *tracing, struct ray_branc
     values->exit = b.ray.dir;
     values->path = length;
     values->bounces = (float)bounces;
-    values->met = (float)b.met;
+    values->inclusion_bits = (float)b.inclusion_bits;
     values->tir =
         /* Without total reflection, the path exits at the first inner surface. */
         bounces ? 1.0f : 0.0f;

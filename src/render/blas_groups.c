@@ -158,7 +158,7 @@ static uint32_t add_root_groups(struct gpu_blas_groups *groups, const struct bvh
             i == range[0] || (by_objects && object_id_of(bvh, i) != object_id_of(bvh, i - 1));
         if (is_first && groups->all)
             groups->all[groups->count + count] = (struct gpu_blas_group){
-                .first = i, .mask = (uint8_t)(1u << root), .place = in_world
+                .first = i, .mask = (uint8_t)(1u << root), .transform = in_world
             };
         count += is_first;
         if (groups->all)
@@ -213,9 +213,9 @@ enum status blas_groups_init(struct gpu_blas_groups *groups, const struct bvh *b
     return STATUS_OK;
 }
 
-static const float *vertex_at(const void *of, uint32_t corner)
+static const float *vertex_at(const void *context, uint32_t corner)
 {
-    const float *corners = of;
+    const float *corners = context;
     return &corners[(size_t)corner * 3];
 }
 
@@ -238,8 +238,8 @@ static bool has_moved(const struct gpu_blas_groups *groups, const struct gpu_bla
     if (!similarity_transform_find(motion, &anchor, &old, &moved))
         return false;
     for (uint32_t i = 0; i < moved.count; i++) {
-        const double error =
-            similarity_transform_error(motion, vertex_at(old.of, i), vertex_at(moved.of, i));
+        const double error = similarity_transform_error(motion, vertex_at(old.context, i),
+                                                        vertex_at(moved.context, i));
         if (!(error <= 0.5 * (double)groups->margin))
             return false;
     }
@@ -265,7 +265,7 @@ bool blas_groups_keep(struct gpu_blas_groups *groups, const struct gpu_blas_grou
             continue;
         group->is_kept = true;
         for (int k = 0; k < 12; k++)
-            group->place.matrix[k / 4][k % 4] = (float)motion.rows[k / 4][k % 4];
+            group->transform.matrix[k / 4][k % 4] = (float)motion.rows[k / 4][k % 4];
         memcpy(groups->corners[group->first], built->corners[group->first],
                group->count * sizeof(*groups->corners));
     }

@@ -53,7 +53,7 @@ static uint32_t sort(struct frame_object_distance *order, const struct frame_vie
     const struct model *model = &view->scene->model;
     uint32_t count = 0;
     for (uint32_t i = 0; i < model->object_count; i++) {
-        if (is_nested && model->objects[i].within)
+        if (is_nested && model->objects[i].enclosing_object)
             continue;
         const vec3s center =
             glms_mat4_mulv3(globals->world_from_object, box_center(model->objects[i].box), 1.0f);

@@ -374,7 +374,7 @@ enum status renderer_capture_cube(struct renderer *r, const struct renderer_shot
 enum status renderer_draw(struct renderer *r, const struct renderer_shot *shot)
 {
     enum status status = renderer_capture_cube(r, shot);
-    r->cube.in_turn = true;
+    r->cube.round_robin = true;
     r->skips_readback = true;
     if (status == STATUS_OK)
         status = renderer_run(r, &r->image, shot, 0, &r->last_slot);
@@ -411,7 +411,7 @@ const struct rg_plan *renderer_frame(const struct renderer *r)
     return r->image.frame->plan;
 }
 
-const char *renderer_row_name(const struct renderer *r, const struct rg_pass *row)
+const char *renderer_pass_name(const struct renderer *r, const struct rg_pass *row)
 {
     return frame_list_pass_name(&r->image.frame->list, row);
 }
@@ -421,7 +421,7 @@ static enum status draw_samples(struct renderer *r, const struct renderer_shot *
 {
     const struct tile pixels = { .width = image->width, .height = image->height };
     enum status status = renderer_capture_cube(r, shot);
-    r->cube.in_turn = false; /* draw all faces: an image must not depend on earlier ones */
+    r->cube.round_robin = false; /* draw all faces: an image must not depend on earlier ones */
     r->skips_readback = false;
     /* The device draws one sample while the host accumulates the previous one. */
     for (uint32_t i = 0; i <= r->params.samples && status == STATUS_OK; i++) {

@@ -122,7 +122,7 @@ struct rg_times renderer_times(const struct renderer *renderer);
 const struct rg_plan *renderer_frame(const struct renderer *renderer);
 
 /* Returns the name of a pass of renderer_frame(); copies of a pass for several objects share it. */
-const char *renderer_row_name(const struct renderer *renderer, const struct rg_pass *row);
+const char *renderer_pass_name(const struct renderer *renderer, const struct rg_pass *row);
 
 void renderer_destroy(struct renderer *renderer); /* may be NULL */
 

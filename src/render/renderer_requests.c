@@ -48,10 +48,10 @@ static bool should_denoise(const struct renderer_params *params)
     return ground->denoise && is_few && is_read && !is_kept && params->columns * params->rows <= 1;
 }
 
-static struct technique_choice choose(const struct renderer_params *params,
+static struct technique_config choose(const struct renderer_params *params,
                                       enum technique_purpose purpose)
 {
-    struct technique_choice config = {
+    struct technique_config config = {
         .settings = params->settings,
         .purpose = purpose,
         .refraction = params->refraction,

@@ -106,7 +106,7 @@ static void trace_ray(const struct ao_shape *shape, const struct ao_medium *medi
         return;
     const vec3s n = glms_vec3(shape->planes[planes[0]]);
     ray->at = glms_vec3_muladds(ray->dir, fmaxf(t[0], 0.0f), ray->at);
-    if (random_unit(&ray->seed) < medium->shine) {
+    if (random_unit(&ray->seed) < medium->diffuse_fraction) {
         scatter_outside(ray, n, medium->tint);
         return;
     }
@@ -160,7 +160,7 @@ struct ao_light ao_light_of(const struct ao_shape *shape, const struct ao_medium
     struct ao_light light = { .sky = glms_vec3_zero() };
     const vec3s base = base_of(shape, up);
     uint32_t count = 0;
-    float straight = 0.0f;
+    float undeviated = 0.0f;
     for (uint32_t i = 0; i < RAYS_TRIED && count < RAYS; i++) {
         float t[2];
         uint32_t planes[2];
@@ -171,12 +171,12 @@ struct ao_light ao_light_of(const struct ao_shape *shape, const struct ao_medium
         trace_ray(shape, medium, &ray);
         if (glms_vec3_dot(ray.dir, up) > 0.0f &&
             glms_vec3_dot(ray.dir, before_body) > UNDEVIATED_COSINE)
-            straight += ray.weight.y;
+            undeviated += ray.weight.y;
         vec3s *const from = glms_vec3_dot(ray.dir, up) > 0.0f ? &light.sky : &light.ground;
         *from = glms_vec3_add(*from, ray.weight);
         count++;
     }
-    light.straight = straight / fmaxf(light.sky.y, 1e-6f);
+    light.undeviated = undeviated / fmaxf(light.sky.y, 1e-6f);
     const float scale = 1.0f / (float)(count ? count : 1);
     light.sky = glms_vec3_scale(light.sky, scale);
     light.ground = glms_vec3_scale(light.ground, scale);

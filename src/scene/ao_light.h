@@ -12,17 +12,17 @@
 
 /* Homogeneous medium that fills a body. */
 struct ao_medium {
-    float ior;        /* refractive index, relative to the outside */
-    float scattering; /* isotropic (reduced) scattering coefficient, 1 / metre */
-    float shine;      /* fraction that the surface reflects diffusely */
-    vec3s absorption; /* absorption coefficient, 1 / metre */
-    vec3s tint;       /* tint of diffuse transmission and reflection */
+    float ior;              /* refractive index, relative to the outside */
+    float scattering;       /* isotropic (reduced) scattering coefficient, 1 / metre */
+    float diffuse_fraction; /* fraction that the surface reflects diffusely */
+    vec3s absorption;       /* absorption coefficient, 1 / metre */
+    vec3s tint;             /* tint of diffuse transmission and reflection */
 };
 
 /* Fractions of the light that comes from the sky and from the ground; their sum is at most 1. */
 struct ao_light {
     vec3s sky, ground;
-    float straight; /* fraction of sky light, almost undeviated */
+    float undeviated; /* fraction of sky light, almost undeviated */
 };
 
 /* Returns the light that a body brings to the ground near its base. `up` is unit. Uses a fixed

@@ -110,8 +110,8 @@ static void add_member(struct ao_shape *shape, const struct object *objects, uin
     if (shape->member_count == AO_MEMBERS)
         return;
     for (uint32_t i = 0; objects && i < shape->member_count; i++) {
-        if (objects[object].within == shape->members[i].object + 1)
-            shape->members[i].share -= fraction;
+        if (objects[object].enclosing_object == shape->members[i].object + 1)
+            shape->members[i].volume_fraction -= fraction;
     }
     shape->members[shape->member_count++] = (struct ao_member){ object, fraction };
 }
@@ -126,7 +126,7 @@ static void make_shape(struct ao_shape *shape, struct extent *extents, const str
         shape->planes[k] = glms_vec4(direction(k), body->most[k]);
     const float fraction = filled_fraction(shape);
     const float volume = fmaxf(fraction * sides.x * sides.y * sides.z, 1e-30f);
-    shape->slim = sqrtf(fraction);
+    shape->relative_width = sqrtf(fraction);
     add_member(shape, objects, largest, fminf(body->volume / volume, 1.0f));
     for (uint32_t i = 0; i < count; i++) {
         if (i == largest || extents[i].is_assigned || !contains(body, &extents[i]))

@@ -20,7 +20,9 @@ enum {
 
 struct ao_member {
     uint32_t object;
-    float share; /* fraction of the occluder's volume, excluding the member's inner objects */
+    float
+        /* fraction of the occluder's volume, excluding the member's inner objects */
+        volume_fraction;
 };
 
 /* Convex body, the intersection of half-spaces: a point p is inside if dot(p, planes[i].xyz) <=
@@ -29,7 +31,7 @@ struct ao_shape {
     vec4s planes[AO_PLANES]; /* unit normals */
     struct box box;
     /* width of an equally high box of equal surface area, relative to the body's; at most 1 */
-    float slim;
+    float relative_width;
     struct ao_member members[AO_MEMBERS];
     uint32_t member_count;
 };

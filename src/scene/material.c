@@ -77,7 +77,7 @@ bool material_clamp(struct material *m)
     has_changed |= clamp(&m->ior, 1.0f, 4.0f, 1.5f);
     has_changed |= clamp(&m->dispersion, 0.0f, 10.0f, 0.0f);
     has_changed |= clamp(&m->attenuation_distance, 0.0f, FLT_MAX, 0.0f);
-    has_changed |= clamp(&m->cloud, 0.0f, MATERIAL_SCATTERING_MAX, 0.0f);
+    has_changed |= clamp(&m->scattering_optical_depth, 0.0f, MATERIAL_SCATTERING_MAX, 0.0f);
     return has_changed;
 }
 

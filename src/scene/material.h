@@ -77,7 +77,9 @@ struct material {
     float dispersion;   /* dispersion: 20 / Abbe number, 0 to 10 */
     vec3s attenuation_color;    /* colour after attenuation_distance, 0 to 1 */
     float attenuation_distance; /* metres; 0 for a clear medium */
-    float cloud; /* scattering optical depth across the object, at maximum density; 0 if clear */
+    float
+        /* scattering optical depth across the object, at maximum density; 0 if clear */
+        scattering_optical_depth;
     int32_t priority;   /* of overlapping media, that of the highest priority fills the space */
     float metallic;     /* metallic factor, 0 to 1; glTF's default is 1 */
     float alpha;        /* 0 to 1 */

@@ -16,7 +16,7 @@ struct ranked {
     uint32_t depth;          /* number of enclosing objects */
     uint32_t container_rank; /* index of the innermost enclosing object, + 1; 0 for none */
     /* like container_rank, but also counts objects whose cavity contains this one */
-    uint32_t within;
+    uint32_t enclosing_object;
 };
 
 struct mesh object_mesh(const struct object *object, const struct mesh *mesh)
@@ -75,7 +75,7 @@ static bool record_enclosed(struct ranked *ranking, const struct object *objects
         const struct mesh part = object_mesh(&objects[i], mesh);
         if (!all_inside(&closed_mesh, &part, closed_mesh_surrounds))
             continue;
-        update_innermost(objects, k, &ranking[i].within);
+        update_innermost(objects, k, &ranking[i].enclosing_object);
         if (!all_inside(&closed_mesh, &part, closed_mesh_contains))
             continue;
         ranking[i].depth++;
@@ -118,7 +118,7 @@ enum status object_assign_ranks(struct object *objects, uint32_t count, const st
             const uint32_t container_rank = ranking[i].container_rank;
             objects[ranking[i].object].container_rank =
                 container_rank ? objects[container_rank - 1].rank : 0;
-            objects[ranking[i].object].within = ranking[i].within;
+            objects[ranking[i].object].enclosing_object = ranking[i].enclosing_object;
         }
     }
     free(ranking);
@@ -127,8 +127,8 @@ enum status object_assign_ranks(struct object *objects, uint32_t count, const st
 
 uint32_t object_outermost(const struct object *objects, uint32_t index)
 {
-    while (objects[index].within)
-        index = objects[index].within - 1;
+    while (objects[index].enclosing_object)
+        index = objects[index].enclosing_object - 1;
     return index;
 }
 

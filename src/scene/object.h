@@ -15,7 +15,9 @@ struct object {
     struct box box;    /* bounding box of the triangles; set with the rank */
     uint32_t rank;     /* unique medium priority, not 0: where objects overlap, the highest wins */
     uint32_t container_rank; /* rank of the innermost object whose medium encloses it; or 0 */
-    uint32_t within; /* 1 + index of the innermost object around this one or its cavity; 0: none */
+    uint32_t
+        /* 1 + index of the innermost object around this one or its cavity; 0: none */
+        enclosing_object;
 };
 
 /* Returns a mesh of the object's triangles that borrows the arrays of the mesh of all objects. */

@@ -35,26 +35,27 @@ static float density_at(uint32_t texel, float depth)
                               : 0.0f;
 }
 
-struct clouds scattering_media_find(const struct model *model, bool is_asked)
+struct scattering_media scattering_media_find(const struct model *model, bool is_asked)
 {
-    struct clouds clouds = { 0 };
+    struct scattering_media scattering_media = { 0 };
     if (!model->object_count && is_asked && model->object.index_count)
-        clouds.all[clouds.count++] = (struct scattering_medium){ .box = mesh_box(&model->object) };
+        scattering_media.all[scattering_media.count++] =
+            (struct scattering_medium){ .box = mesh_box(&model->object) };
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
         const struct scattering_medium cloud = {
             .object = i,
-            .density = model->materials[object->material].cloud,
+            .density = model->materials[object->material].scattering_optical_depth,
             .box = object->box,
         };
         if (!(cloud.density > 0.0f) && !(is_asked && i == 0))
             continue;
-        if (clouds.count < SCATTERING_MEDIA_MAX)
-            clouds.all[clouds.count++] = cloud;
+        if (scattering_media.count < SCATTERING_MEDIA_MAX)
+            scattering_media.all[scattering_media.count++] = cloud;
         else
-            clouds.left_out++;
+            scattering_media.left_out++;
     }
-    return clouds;
+    return scattering_media;
 }
 
 static struct mesh object_triangles(const struct model *model,
@@ -88,38 +89,42 @@ static struct box filled_by(const struct box *box, uint8_t (*texels)[2])
     return filled;
 }
 
-bool scattering_media_fill(struct clouds *clouds, const struct model *model)
+bool scattering_media_fill(struct scattering_media *scattering_media, const struct model *model)
 {
-    clouds->texels = clouds->count ? malloc(sizeof(*clouds->texels) * COUNT * clouds->count) : NULL;
-    if (clouds->count && !clouds->texels)
+    scattering_media->texels =
+        scattering_media->count
+            ? malloc(sizeof(*scattering_media->texels) * COUNT * scattering_media->count)
+            : NULL;
+    if (scattering_media->count && !scattering_media->texels)
         return false;
-    for (uint32_t i = 0; i < clouds->count; i++) {
-        const struct mesh part = object_triangles(model, &clouds->all[i]);
+    for (uint32_t i = 0; i < scattering_media->count; i++) {
+        const struct mesh part = object_triangles(model, &scattering_media->all[i]);
         struct distance_field depth;
         if (!distance_field_init(&depth, &part))
             return false;
-        uint8_t(*texels)[2] = &clouds->texels[(size_t)COUNT * i];
+        uint8_t(*texels)[2] = &scattering_media->texels[(size_t)COUNT * i];
         for (uint32_t k = 0; k < COUNT; k++)
             texels[k][0] = (uint8_t)(255.0f * density_at(k, depth.texels[k]) + 0.5f);
         for (uint32_t k = 0; k < COUNT; k++)
             texels[k][1] = texels[k + SIZE * SIZE < COUNT ? k + SIZE * SIZE : k][0];
-        clouds->all[i].box = depth.box;
-        clouds->all[i].filled = filled_by(&depth.box, texels);
+        scattering_media->all[i].box = depth.box;
+        scattering_media->all[i].filled = filled_by(&depth.box, texels);
         distance_field_finish(&depth);
     }
     return true;
 }
 
-void scattering_media_finish(struct clouds *clouds)
+void scattering_media_finish(struct scattering_media *scattering_media)
 {
-    free(clouds->texels);
-    *clouds = (struct clouds){ 0 };
+    free(scattering_media->texels);
+    *scattering_media = (struct scattering_media){ 0 };
 }
 
-float scattering_media_at(const struct clouds *clouds, uint32_t index, vec3s point)
+float scattering_media_at(const struct scattering_media *scattering_media, uint32_t index,
+                          vec3s point)
 {
-    const struct box *box = &clouds->all[index].box;
-    uint8_t(*texels)[2] = &clouds->texels[(size_t)COUNT * index];
+    const struct box *box = &scattering_media->all[index].box;
+    uint8_t(*texels)[2] = &scattering_media->texels[(size_t)COUNT * index];
     uint32_t lower[3];
     float weights[3], sum = 0.0f;
     for (int k = 0; k < 3; k++) {

@@ -11,13 +11,15 @@ enum {
 };
 
 struct scattering_medium {
-    uint32_t object;   /* index of the object that contains the medium */
-    float density;     /* optical depth from material.cloud; 0 for that of the settings */
+    uint32_t object; /* index of the object that contains the medium */
+    float
+        /* optical depth from material.scattering_optical_depth; 0 for that of the settings */
+        density;
     struct box box;    /* bounding box of the object, in mesh space, which the texels fill */
     struct box filled; /* bounding box of non-zero density; set by scattering_media_fill() */
 };
 
-struct clouds {
+struct scattering_media {
     struct scattering_medium all[SCATTERING_MEDIA_MAX];
     uint32_t count;
     uint32_t left_out; /* objects beyond SCATTERING_MEDIA_MAX, rendered as clear */
@@ -28,15 +30,16 @@ struct clouds {
 
 /* Finds the scattering media of a model, without texels: those of materials and, if `is_asked`, one
  * in the first object with the density of the settings. */
-struct clouds scattering_media_find(const struct model *model, bool is_asked);
+struct scattering_media scattering_media_find(const struct model *model, bool is_asked);
 
 /* Generates the texels. Returns false when out of memory. */
-bool scattering_media_fill(struct clouds *clouds, const struct model *model);
+bool scattering_media_fill(struct scattering_media *scattering_media, const struct model *model);
 
-void scattering_media_finish(struct clouds *clouds); /* {0} is fine */
+void scattering_media_finish(struct scattering_media *scattering_media); /* {0} is fine */
 
 /* Returns the trilinearly interpolated density of a medium at a point, 0 to 1; 0 outside its box.
  */
-float scattering_media_at(const struct clouds *clouds, uint32_t index, vec3s point);
+float scattering_media_at(const struct scattering_media *scattering_media, uint32_t index,
+                          vec3s point);
 
 #endif

@@ -251,11 +251,11 @@ static enum status load_background(struct scene *scene, const struct scene_param
     }
     if (!params->environment)
         return STATUS_OK;
-    if (params->before) {
-        scene->background = params->before->background;
-        scene->environment = params->before->environment;
-        scene->cube = params->before->cube;
-        scene->prefiltered_environment = params->before->prefiltered_environment;
+    if (params->previous_pose) {
+        scene->background = params->previous_pose->background;
+        scene->environment = params->previous_pose->environment;
+        scene->cube = params->previous_pose->cube;
+        scene->prefiltered_environment = params->previous_pose->prefiltered_environment;
         return STATUS_OK;
     }
     struct environment environment;
@@ -309,12 +309,12 @@ static enum status add_extras(struct scene *scene)
 static enum status add_surfaces(struct scene *scene, bool has_scattering_medium)
 {
     if (scene->model.object.index_count)
-        scene->clouds = scattering_media_find(&scene->model, has_scattering_medium);
+        scene->scattering_media = scattering_media_find(&scene->model, has_scattering_medium);
     const bool is_lit =
         material_table_has_lit(&scene->model.surroundings) || scene_has_lit_object(scene);
     const bool has_lights = is_lit && scene->model.light_count > 0;
     const bool needs_light =
-        (is_lit || scene->clouds.count) && scene->background == SCENE_ENVIRONMENT;
+        (is_lit || scene->scattering_media.count) && scene->background == SCENE_ENVIRONMENT;
     const bool is_lit_by_table = has_lights || (is_lit && scene->background != SCENE_SKY);
     if (needs_light && !scene->prefiltered_environment)
         scene->prefiltered_environment = image_based_lighting_prefilter(&scene->environment);
@@ -402,7 +402,7 @@ static enum status melt_ice(struct scene *scene, const struct scene_params *para
     struct model *model = &scene->model;
     const enum status status =
         melt_model(model, &params->melting, params->pose.time, &scene->melted);
-    if (status != STATUS_OK || !(scene->melted.share > 0.0f))
+    if (status != STATUS_OK || !(scene->melted.lost_fraction > 0.0f))
         return status;
     if (scene->has_pool)
         scene->floating_ice = mesh_box(&model->object);
@@ -430,8 +430,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     const struct scene_params *params = &copy;
     *scene = (struct scene){ 0 };
     enum status status = load_object(scene, params);
-    if (status == STATUS_OK && copy.settle)
-        copy.settle(copy.user, scene, &copy);
+    if (status == STATUS_OK && copy.on_object_loaded)
+        copy.on_object_loaded(copy.user, scene, &copy);
     if (status == STATUS_OK)
         status = load_background(scene, params);
     if (status == STATUS_OK)
@@ -446,7 +446,8 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     measure_shape(scene);
     if (status == STATUS_OK)
         status = load_surroundings(scene, params);
-    scene->around = scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);
+    scene->lookup_box =
+        scene->model.has_box ? scene->model.box : mesh_box(&scene->model.surroundings);
     if (status == STATUS_OK)
         status = sort_surroundings(scene);
     if (status == STATUS_OK && params->orbiting_ball_count)
@@ -461,9 +462,9 @@ enum status scene_load(struct scene *scene, const struct scene_params *given)
     if (status == STATUS_OK && has_object && !scene->has_pool)
         status = scene_fill_object(scene, params);
     if (status == STATUS_OK)
-        status = allocate_bvh(scene, params->before);
-    if (params->before)
-        transfer_ownership(params->before, scene, params->environment != NULL, status);
+        status = allocate_bvh(scene, params->previous_pose);
+    if (params->previous_pose)
+        transfer_ownership(params->previous_pose, scene, params->environment != NULL, status);
     if (status != STATUS_OK)
         scene_finish(scene);
     return status;
@@ -495,12 +496,12 @@ void scene_finish(struct scene *scene)
     environment_finish(&scene->cube);
     free(scene->material_table);
     free(scene->vertex_extra_table);
-    free(scene->earlier);
+    free(scene->previous_positions);
     free(scene->punctual_light_table);
     free(scene->brdf_table);
     free(scene->prefiltered_environment);
     bump_maps_finish(&scene->bump);
-    scattering_media_finish(&scene->clouds);
+    scattering_media_finish(&scene->scattering_media);
     mesh_finish(&scene->air);
     free(scene->air_layers.texels);
     free(scene->bubbles.all);
@@ -508,7 +509,7 @@ void scene_finish(struct scene *scene)
     mesh_finish(&scene->files.crack_sheet);
     free(scene->files.heights);
     free(scene->files.smoothness);
-    free(scene->files.air_cover);
+    free(scene->files.air_opacity);
     *scene = (struct scene){ 0 };
 }
 

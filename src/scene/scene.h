@@ -24,7 +24,7 @@ enum scene_background {
 /* Data read from files instead of generated; NULL or empty if it is generated. */
 struct scene_files {
     float *heights, *smoothness; /* bump map input, for bump_maps_params */
-    float *air_cover;            /* bubble opacity, for generate_air */
+    float *air_opacity;          /* bubble opacity, for generate_air */
     struct mesh crack_sheet;     /* crack sheet, scaled to the unit ball */
 };
 
@@ -46,16 +46,19 @@ struct scene {
     struct box box;          /* bounding box of the object or pool */
     struct box framing_box;  /* bounding box at time 0, for the default camera */
     float time;              /* animation time, seconds */
-    vec4s *earlier; /* vertex positions of the previous frame, objects first; NULL if unchanged */
-    uint32_t earlier_rows;
+    vec4s *
+        /* vertex positions of the previous frame, objects first; NULL if unchanged */
+        previous_positions;
+    uint32_t previous_position_rows;
     struct box floating_ice;      /* bounding box of floating ice in the pool; {0} for none */
-    struct box around;            /* proxy box for refract.lookup=box; {0} for none */
+    struct box lookup_box;        /* proxy box for refract.lookup=box; {0} for none */
     struct mesh cracks;           /* cracks, in object space; may be empty */
     struct mesh air;              /* planes of air bubbles, in object space; may be empty */
     struct air_layers air_layers; /* textures of the air planes */
     struct scene_files files;
-    struct melted melted;   /* result of melting; {0} if nothing has melted */
-    struct clouds clouds;   /* scattering media, in the space of the objects' mesh */
+    struct melted melted; /* result of melting; {0} if nothing has melted */
+    struct scattering_media
+        scattering_media;   /* scattering media, in the space of the objects' mesh */
     struct ao ao;           /* ambient occlusion occluders, in object space */
     struct bubbles bubbles; /* bubbles, in object space */
     struct bvh *bvh;        /* BVH of all triangles; empty before scene_build_bvh() */
@@ -79,7 +82,7 @@ struct scene_cracks {
 };
 
 /* Image files that replace generated bump maps and air textures; NULL for none. */
-struct scene_pictures {
+struct scene_image_files {
     const char *heights, *smoothness, *air;
 };
 
@@ -95,7 +98,7 @@ struct scene_params {
     float environment_exposure; /* exposure of the image file, stops */
     /* pose of the same scene whose environment, lighting, `files` and `rest` are moved into this
      * one; NULL to load them */
-    struct scene *before;
+    struct scene *previous_pose;
     const struct model_transform *model_transform; /* NULL for the identity */
     struct model_pose pose; /* `objects` is replaced by the names of material_overrides */
     const struct material_override *material_overrides;
@@ -113,13 +116,13 @@ struct scene_params {
     struct generate_bubbles bubbles; /* bubbles; count 0 for none */
     const struct bump_maps_params *bump; /* bump map of the object's surface; NULL for none */
     struct scene_cracks cracks;
-    struct scene_pictures pictures;
+    struct scene_image_files image_files;
     const struct reader_params *decode; /* reader process for files; NULL for this process */
     struct generate_pool pool;          /* pool of the scene `pool` */
-    bool later; /* leave bump and air texels to scene_fill(); only set their sizes */
+    bool defers_texels; /* leave bump and air texels to scene_fill(); only set their sizes */
     /* Callback after the object is loaded, which may change inclusions and `bump`, since they
      * depend on the object's materials. May be NULL. */
-    void (*settle)(void *user, const struct scene *scene, struct scene_params *params);
+    void (*on_object_loaded)(void *user, const struct scene *scene, struct scene_params *params);
     void *user;
 };
 
@@ -151,9 +154,9 @@ const char *scene_name(uint32_t index);
  * does not fit in the pool) or STATUS_TRY_AGAIN; *scene is then {0}. */
 MUST_USE enum status scene_load(struct scene *scene, const struct scene_params *params);
 
-/* Generates the texels that params.later has deferred. Other threads may read the rest of the scene
- * meanwhile. Returns NULL, or the name of the part that ran out of memory ("air"). Does not log, so
- * that the caller can choose between this error and one of another thread. */
+/* Generates the texels that params.defers_texels has deferred. Other threads may read the rest of
+ * the scene meanwhile. Returns NULL, or the name of the part that ran out of memory ("air"). Does
+ * not log, so that the caller can choose between this error and one of another thread. */
 MUST_USE const char *scene_fill(struct scene *scene, const struct scene_params *params);
 
 /* Generates the object's inclusions and bump map; called by scene_load(). */

@@ -42,7 +42,7 @@ static enum status load_cracks(struct scene *scene, const struct scene_params *p
 /* Returns the object's box before melting, since inclusions stay where they froze. */
 static struct box unmelted_box(const struct scene *scene)
 {
-    return scene->melted.share > 0.0f ? scene->melted.box : scene->box;
+    return scene->melted.lost_fraction > 0.0f ? scene->melted.box : scene->box;
 }
 
 static enum status add_air(struct scene *scene, const struct generate_air *air)
@@ -56,11 +56,12 @@ static enum status add_air(struct scene *scene, const struct generate_air *air)
 
 static enum status add_bubbles(struct scene *scene, const struct generate_bubbles *bubbles)
 {
-    const bool has_melted = scene->melted.share > 0.0f;
+    const bool has_melted = scene->melted.lost_fraction > 0.0f;
     const struct mesh *unmelted = has_melted ? &scene->melted.unmelted : &scene->model.object;
     const struct model *model = &scene->model;
     const bool has_core =
-        model->object_count > 0 && model->materials[model->objects[0].material].cloud > 0.0f;
+        model->object_count > 0 &&
+        model->materials[model->objects[0].material].scattering_optical_depth > 0.0f;
     struct generate_bubbles params = *bubbles;
     params.rim = has_core ? CLEAR_RIM : 0.0f;
     bool done = generate_bubbles(&scene->bubbles, unmelted, &params) &&
@@ -76,8 +77,8 @@ enum status scene_generate_cracks(struct scene *scene, const struct scene_cracks
     const struct generate_cracks params = { cracks->count, cracks->seed, cracks->size };
     bool done =
         generate_cracks(&scene->cracks, unmelted_box(scene), &params, &scene->files.crack_sheet);
-    if (done && cracks->count && scene->melted.share > 0.0f)
-        done = melt_cracks(&scene->cracks, object, scene->melted.share);
+    if (done && cracks->count && scene->melted.lost_fraction > 0.0f)
+        done = melt_cracks(&scene->cracks, object, scene->melted.lost_fraction);
     if (done && cracks->count && cracks->cut) {
         done = closed_mesh_init(&closed_mesh, object) &&
                closed_mesh_clip(&closed_mesh, &scene->cracks, box_diagonal(scene->box) / 128.0f);
@@ -94,15 +95,15 @@ const char *scene_fill(struct scene *scene, const struct scene_params *params)
     struct generate_air air = params->air;
     maps.heights = scene->files.heights;
     maps.smoothness = scene->files.smoothness;
-    air.cover = scene->files.air_cover;
+    air.opacity = scene->files.air_opacity;
     if (params->bump && !bump_maps_init(&scene->bump, &maps))
         return "bump maps";
     if (air.count && !generate_air_layers(&scene->air_layers, &air))
         return "air";
     struct model unmelted = scene->model; /* the core stays where it was before melting */
-    if (scene->melted.share > 0.0f)
+    if (scene->melted.lost_fraction > 0.0f)
         unmelted.object = scene->melted.unmelted;
-    if (!scattering_media_fill(&scene->clouds, &unmelted))
+    if (!scattering_media_fill(&scene->scattering_media, &unmelted))
         return "scattering media";
     return NULL;
 }
@@ -125,9 +126,9 @@ static enum status read_maps(struct scene *scene, const struct scene_params *par
         uint32_t side;
         bool is_unit_range;
     } inputs[] = {
-        { params->pictures.heights, &scene->files.heights, BUMP_MAPS_SIZE, false },
-        { params->pictures.smoothness, &scene->files.smoothness, BUMP_MAPS_SIZE, true },
-        { params->pictures.air, &scene->files.air_cover, GENERATE_AIR_LAYER_SIZE, true },
+        { params->image_files.heights, &scene->files.heights, BUMP_MAPS_SIZE, false },
+        { params->image_files.smoothness, &scene->files.smoothness, BUMP_MAPS_SIZE, true },
+        { params->image_files.air, &scene->files.air_opacity, GENERATE_AIR_LAYER_SIZE, true },
     };
     enum status status = STATUS_OK;
     for (size_t i = 0; i < sizeof(inputs) / sizeof(inputs[0]) && status == STATUS_OK; i++) {
@@ -140,19 +141,19 @@ static enum status read_maps(struct scene *scene, const struct scene_params *par
 
 enum status scene_fill_object(struct scene *scene, const struct scene_params *params)
 {
-    enum status status = params->before ? STATUS_OK : read_maps(scene, params);
+    enum status status = params->previous_pose ? STATUS_OK : read_maps(scene, params);
     if (status != STATUS_OK)
         return status;
-    if (params->before)
-        scene->files = params->before->files;
+    if (params->previous_pose)
+        scene->files = params->previous_pose->files;
     size_textures(scene, params);
-    const char *failed_part = params->later ? NULL : scene_fill(scene, params);
+    const char *failed_part = params->defers_texels ? NULL : scene_fill(scene, params);
     status = failed_part ? log_out_of_memory(failed_part) : STATUS_OK;
     if (status == STATUS_OK && params->air.count)
         status = add_air(scene, &params->air);
     if (status == STATUS_OK && params->bubbles.count)
         status = add_bubbles(scene, &params->bubbles);
-    if (status == STATUS_OK && !params->before)
+    if (status == STATUS_OK && !params->previous_pose)
         status = load_cracks(scene, params);
     if (status == STATUS_OK)
         status = scene_generate_cracks(scene, &params->cracks);

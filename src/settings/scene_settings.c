@@ -104,14 +104,14 @@ const struct setting_group sky_settings = SETTING_GROUP("sky", sky_rows, struct 
 
 static const char *const env_suns[] = {
     [ENV_SUN_FILE] = "file",
-    [ENV_SUN_OWN] = "own",
+    [ENV_SUN_CUSTOM] = "own",
     [ENV_SUN_NONE] = "none",
     NULL,
 };
 
 static const char *const env_sun_labels[] = {
     [ENV_SUN_FILE] = "in the picture",
-    [ENV_SUN_OWN] = "set below",
+    [ENV_SUN_CUSTOM] = "set below",
     [ENV_SUN_NONE] = "none",
 };
 

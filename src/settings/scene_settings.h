@@ -25,8 +25,8 @@ struct sky_params {
 };
 
 enum env_sun {
-    ENV_SUN_FILE, /* sun stored in the panorama's file */
-    ENV_SUN_OWN,  /* sun_azimuth and sun_elevation below */
+    ENV_SUN_FILE,   /* sun stored in the panorama's file */
+    ENV_SUN_CUSTOM, /* sun_azimuth and sun_elevation below */
     ENV_SUN_NONE,
 };
 
@@ -34,8 +34,8 @@ enum env_sun {
 struct env_params {
     uint32_t sun;        /* enum env_sun */
     float sun_strength;  /* factor on the sun's light */
-    float sun_azimuth;   /* for ENV_SUN_OWN, degrees; +Z is 0 */
-    float sun_elevation; /* ENV_SUN_OWN: degrees above the horizon */
+    float sun_azimuth;   /* for ENV_SUN_CUSTOM, degrees; +Z is 0 */
+    float sun_elevation; /* ENV_SUN_CUSTOM: degrees above the horizon */
 };
 
 struct texture_params {

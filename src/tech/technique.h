@@ -29,7 +29,7 @@ enum technique_purpose {
 };
 
 /* State that determines which passes a plan has. */
-struct technique_choice {
+struct technique_config {
     const struct settings *settings;
     enum technique_purpose purpose;
     /* refraction model; may be NULL in a pool and for purposes other than images */
@@ -86,7 +86,7 @@ enum technique_scene {
 
 /* Returns the passes of a pass group, or none if it is off. Tables that depend on `config` are
  * allocated from the builder (src/tech/pass_builder.h), which owns them. */
-typedef struct rg_technique technique_passes_fn(const struct technique_choice *config,
+typedef struct rg_technique technique_passes_fn(const struct technique_config *config,
                                                 struct pass_builder *builder);
 
 struct technique_pass_group {
@@ -104,7 +104,7 @@ struct refraction_model {
     float reach;                           /* face lookup radius, bounding radii; 0 means 1 */
     /* Shades a full-screen triangle instead of front faces
      * (shaders/refract/refract_fullscreen.glsl): for models with expensive fragment shaders. */
-    bool by_pixel;
+    bool shades_fullscreen;
     bool follows_paper;     /* `auto` settings follow the paper */
     bool draws_all_objects; /* one pass draws all objects */
     bool traces_bvh;        /* traces rays through scene->bvh */
@@ -112,11 +112,11 @@ struct refraction_model {
     bool (*refracts_cracks)(const struct settings *settings);
     bool (*refracts_bubbles)(const struct settings *settings);
     /* Sets the members of `config` that depend on the model, after all others; may be NULL. */
-    void (*choose)(struct technique_choice *config, const struct scene *scene);
+    void (*choose)(struct technique_config *config, const struct scene *scene);
     /* Turns a pass of ice_caustics.c into one that traces photons through the scene's triangles,
      * if rays hit surroundings. `own` lists the pass's further uses and ends at {0};
      * targets and record function are kept. NULL: photons are rasterised. */
-    void (*trace_photons)(struct rg_pass *pass, const struct technique_choice *config,
+    void (*trace_photons)(struct rg_pass *pass, const struct technique_config *config,
                           struct pass_builder *builder, const struct rg_use *own);
 };
 
@@ -161,7 +161,7 @@ struct technique_inputs {
 };
 
 enum {
-    TECHNIQUE_PART_COUNT = 4,
+    TECHNIQUE_PASS_GROUP_COUNT = 4,
     TECHNIQUE_GROUP_COUNT = 2,
 };
 
@@ -177,7 +177,7 @@ struct technique {
     /* Returns true if the feature makes objects of a scene transmit or block light; NULL: never. */
     bool (*affects_light)(const struct scene *scene);
     const char *title; /* display name; NULL: `name` */
-    struct technique_pass_group pass_groups[TECHNIQUE_PART_COUNT];
+    struct technique_pass_group pass_groups[TECHNIQUE_PASS_GROUP_COUNT];
     struct refraction_model refraction;
     const struct frame_layer *layers;       /* ends at {0}; may be NULL */
     const struct technique_upload *uploads; /* may be NULL */

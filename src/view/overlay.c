@@ -185,7 +185,7 @@ static void record_copy(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 const struct technique overlay = {
     .name = "overlay",
-    .parts = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("overlay", passes) } },
+    .pass_groups = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("overlay", passes) } },
     .help = "panels over the image",
 };
 

@@ -24,7 +24,7 @@ const struct rg_image present_right = {
 #define SOURCE(source) \
     RG_USES({ .image = &(source), \
               .access = RG_SAMPLED, \
-              .binding = PRESENT_PICTURE, \
+              .binding = PRESENT_IMAGE, \
               .sampler = &frame_linear })
 
 static const struct rg_pass passes[PRESENT_PASS_COUNT] = {
@@ -191,7 +191,7 @@ static bool is_split_scaled(const struct rg_frame *frame, uint32_t repetition)
 const struct technique present = {
     .name = "present",
     .help = "presentation of the image in a window",
-    .parts = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("present", passes) } },
+    .pass_groups = { { PHASE_DISPLAY, SCENE_OF_ANY, .graph = RG_TECHNIQUE("present", passes) } },
 };
 
 struct present_area present_fit(VkRect2D view, VkExtent2D image, double divider)

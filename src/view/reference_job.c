@@ -46,7 +46,7 @@ static double noise_of(const struct reference_sums *sums)
     return sum / (double)size;
 }
 
-static enum status keep(void *user, const struct reference_sums *sums, bool is_last)
+static enum status save(void *user, const struct reference_sums *sums, bool is_last)
 {
     struct reference_job *t = user;
     struct image mean;
@@ -78,7 +78,7 @@ static void *run(void *user)
     struct reference_job *t = user;
     struct reference *reference = NULL;
     struct render_result result = { 0 };
-    struct reference_session session = { .keep = keep, .user = t };
+    struct reference_session session = { .save = save, .user = t };
     enum status status = reference_create(&reference, &t->request);
     if (status == STATUS_OK)
         status = reference_continue(reference, &t->shot, &result, &session, goes_on, t);

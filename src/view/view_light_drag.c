@@ -27,7 +27,7 @@ static const char *refusal(const struct scene *scene, const struct env_params *e
         return "a baked cube map cannot be rotated: open a panorama or a model without one";
     if (scene->background == SCENE_COLOR)
         return "the background is a single colour: open a panorama to rotate the light";
-    if (scene->background == SCENE_ENVIRONMENT && is_sun && env->sun != ENV_SUN_OWN)
+    if (scene->background == SCENE_ENVIRONMENT && is_sun && env->sun != ENV_SUN_CUSTOM)
         return "the sun is part of this panorama: set env.sun to own to move it";
     return NULL;
 }

@@ -17,15 +17,15 @@ enum {
 static uint32_t walk(const struct bvh_two_level *shape, uint32_t at, bool *seen, uint32_t left)
 {
     FUZZ_CHECK(left > 0 && at < NODES);
-    const struct bvh_node *node = &shape->draft.nodes[at];
+    const struct bvh_node *node = &shape->builder.nodes[at];
     uint32_t count = 0;
     for (int i = 0; i < 2 && node->children[0]; i++) {
-        FUZZ_CHECK(shape->draft.nodes[node->children[i]].first == node->first + count);
+        FUZZ_CHECK(shape->builder.nodes[node->children[i]].first == node->first + count);
         count += walk(shape, node->children[i], seen, left - 1);
     }
     FUZZ_CHECK(node->children[0] || node->count <= BVH_LEAF_MAX);
     for (uint32_t i = 0; i < node->count && !node->children[0]; i++, count++) {
-        const uint32_t triangle = shape->draft.order[node->first + i];
+        const uint32_t triangle = shape->builder.order[node->first + i];
         FUZZ_CHECK(triangle < COUNT && !seen[triangle]);
         seen[triangle] = true;
     }
@@ -39,7 +39,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct bvh_node nodes[NODES];
     uint32_t order[COUNT] = { 0 };
     struct bvh_range groups[] = { { 0, FIRST, 1 }, { FIRST, COUNT - FIRST, 2 * FIRST + 1 } };
-    struct bvh_two_level shape = { .draft = { boxes, order, nodes, BVH_LEAF_MAX },
+    struct bvh_two_level shape = { .builder = { boxes, order, nodes, BVH_LEAF_MAX },
                                    .groups = groups,
                                    .count = COUNT,
                                    .group_count = 2,

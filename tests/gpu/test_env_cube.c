@@ -82,14 +82,14 @@ static struct rg_plan *compile(const struct rg_device *device, const struct scen
                                struct frame_list *list)
 {
     const struct settings settings = settings_default();
-    const struct technique_choice choice = { .settings = &settings, .purpose = TECHNIQUE_CAPTURE };
-    const struct rg_technique *parts[] = { NULL, &copy };
+    const struct technique_config config = { .settings = &settings, .purpose = TECHNIQUE_CAPTURE };
+    const struct rg_technique *pass_groups[] = { NULL, &copy };
     const struct environment *environment = &scene->environment;
     const uint32_t side =
         environment->width > environment->height ? environment->width : environment->height;
-    assert_int_equal(frame_list_init(list, &choice), STATUS_OK);
+    assert_int_equal(frame_list_init(list, &config), STATUS_OK);
     assert_int_equal(list->count, 1);
-    parts[0] = &list->parts[0];
+    pass_groups[0] = &list->pass_groups[0];
     const struct rg_import imports[] = {
         { .image = &frame_environment,
           .access = RG_SAMPLED,
@@ -99,7 +99,7 @@ static struct rg_plan *compile(const struct rg_device *device, const struct scen
     };
     const struct rg_output output = { .buffer = &copied, .access = RG_HOST_READ };
     struct rg_plan *plan = rg_compile(&(struct rg_compile_params){
-        .techniques = parts,
+        .techniques = pass_groups,
         .technique_count = 2,
         .view = { 64, 64 },
         .outputs = &output,

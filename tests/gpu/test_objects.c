@@ -265,9 +265,9 @@ static struct scene hollow_scene(bool core_first)
     if (!core_first)
         add_ball(&scene, &core);
     complete(&scene);
-    assert_int_equal(objects[!core_first].within, 1 + core_first);
+    assert_int_equal(objects[!core_first].enclosing_object, 1 + core_first);
     assert_int_equal(objects[!core_first].container_rank, 0);
-    assert_int_equal(objects[core_first].within, 0);
+    assert_int_equal(objects[core_first].enclosing_object, 0);
     return scene;
 }
 

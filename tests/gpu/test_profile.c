@@ -149,7 +149,7 @@ static void check_frame(const struct profile *p)
     assert_int_equal(sky[1].repetition, 1);
     assert_int_equal(back->triangles, 960);
     assert_true(back->covered > 0 && back->covered < (size_t)SIDE * SIDE);
-    assert_int_equal(p->rows[p->row_count - 1].kind, PROFILE_REST);
+    assert_int_equal(p->rows[p->row_count - 1].kind, PROFILE_UNATTRIBUTED);
     for (uint32_t i = 0; i < p->resident_count; i++) {
         assert_true(p->residents[i].first_pass <= p->residents[i].last_pass);
         assert_true(p->residents[i].last_pass < p->pass_count);
@@ -245,7 +245,7 @@ static void a_shown_frame_stays_on_the_device(void **state)
         STATUS_OK);
     assert_int_equal(renderer_refine(renderer, &shot, 0), STATUS_OK);
     const uint32_t slot = renderer->last_slot;
-    const void *texels = renderer_read_back(&renderer->picture, frame_beauty.image, slot);
+    const void *texels = renderer_read_back(&renderer->image, frame_beauty.image, slot);
     memcpy(sample, texels, sizeof(sample));
     shot.camera = camera_orbit(90, 40, 3, box_center(scene.box), 45);
     for (uint32_t i = 0; i < 2; i++) {

@@ -18,7 +18,7 @@ static const struct {
     { "copy \"quoted\" <b>", "readback", PROFILE_TRANSFER, 0, 1, 0, 0, 0.5 },
     { "record", "", PROFILE_HOST, 0, 1, 0, 0, 0.3 },
     { "submit", "", PROFILE_HOST, 0, 1, 0, 0, 0.1 },
-    { "unattributed", "", PROFILE_REST, 0, 1, 0, 0, 0.1 },
+    { "unattributed", "", PROFILE_UNATTRIBUTED, 0, 1, 0, 0, 0.1 },
 };
 
 /* deterministic noise, 0.97 to 1.03, different for every row and run */
@@ -79,9 +79,9 @@ void profile_sample(struct profile *p, double scale)
         .has_statistics = true,
         .warmup = 3,
         .run_count = SAMPLE_RUN_COUNT,
-        .tree = 31,
-        .tree_triangles = 14400,
-        .tree_size = 3145728,
+        .bvh_ms = 31,
+        .bvh_triangles = 14400,
+        .bvh_size = 3145728,
         .rays = 4.25,
         .rays_size = 2097152,
         .upload = 12,

@@ -73,7 +73,7 @@ struct reference_ray reference_ray_trace(const struct scene *scene, const struct
         .path = value(image, "path.Z"),
         .bounces = value(image, "bounces.Z"),
         .tir = value(image, "tir.Z"),
-        .met = value(image, "inclusions.Z"),
+        .inclusion_bits = value(image, "inclusions.Z"),
         .z = value(image, "Z"),
     };
     render_result_finish(&result);

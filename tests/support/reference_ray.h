@@ -11,7 +11,7 @@
 /* Values of the reference's layers for one ray. */
 struct reference_ray {
     struct vec color, exit, refraction, reflection, remaining, normal, position;
-    double fresnel, path, bounces, tir, met, z;
+    double fresnel, path, bounces, tir, inclusion_bits, z;
 };
 
 /* Returns the default settings with assignments "refract.ior=1.5"; the list is NULL-terminated. */

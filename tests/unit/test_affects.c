@@ -50,7 +50,7 @@ static char *describe_plan(const struct settings *settings, bool has_pool)
     const struct scene scene = { .has_pool = has_pool };
     const struct frame_constants constants = frame_view_constants(&scene, settings, NULL);
     const struct frame_request request = {
-        .choice = { .settings = settings,
+        .config = { .settings = settings,
                     .refraction = techniques_find_refraction("paper"),
                     .has_pool = has_pool },
         .view = { 64, 64 },

@@ -36,7 +36,7 @@ static struct ao find(uint32_t count, const vec3s corners[][2])
         objects[i].first_index = 36 * i;
         objects[i].index_count = 36;
     }
-    objects[1].within = 1;
+    objects[1].enclosing_object = 1;
     assert_int_equal(ao_find(&ao, &mesh, objects, count), STATUS_OK);
     return ao;
 }
@@ -54,9 +54,9 @@ static void test_bodies(void **state)
     const struct ao ao = find(4, cubes);
     assert_int_equal(ao.count, 2);
     assert_int_equal(ao.shapes[0].member_count, 2);
-    assert_float_equal(ao.shapes[0].members[0].share, 15.0f / 16.0f, 1e-3f);
-    assert_float_equal(ao.shapes[0].members[1].share, 1.0f / 16.0f, 1e-3f);
-    assert_float_equal(ao.shapes[0].slim, 1.0f, 1e-3f);
+    assert_float_equal(ao.shapes[0].members[0].volume_fraction, 15.0f / 16.0f, 1e-3f);
+    assert_float_equal(ao.shapes[0].members[1].volume_fraction, 1.0f / 16.0f, 1e-3f);
+    assert_float_equal(ao.shapes[0].relative_width, 1.0f, 1e-3f);
     assert_int_equal(ao.shapes[1].members[0].object, 2);
 }
 

@@ -47,10 +47,10 @@ static struct bvh_two_level make(const struct sample *sample)
     struct bvh_two_level shape;
     struct bvh_build_stats work = { .threads = 1 };
     assert_true(bvh_two_level_build(&shape, &sample->part, &work));
-    shape.draft.boxes = malloc(TRIANGLES * sizeof(*shape.draft.boxes));
-    assert_non_null(shape.draft.boxes);
+    shape.builder.boxes = malloc(TRIANGLES * sizeof(*shape.builder.boxes));
+    assert_non_null(shape.builder.boxes);
     for (uint32_t i = 0; i < TRIANGLES; i++)
-        shape.draft.boxes[i] = bvh_triangle_box(&sample->part, i);
+        shape.builder.boxes[i] = bvh_triangle_box(&sample->part, i);
     return shape;
 }
 
@@ -58,8 +58,8 @@ static struct bvh_two_level make(const struct sample *sample)
 static void forget(struct bvh_two_level *shape)
 {
     for (uint32_t i = 0; i < TRIANGLES; i++)
-        shape->draft.order[i] = i;
-    memset(shape->draft.nodes, 0x5a, shape->node_count * sizeof(*shape->draft.nodes));
+        shape->builder.order[i] = i;
+    memset(shape->builder.nodes, 0x5a, shape->node_count * sizeof(*shape->builder.nodes));
 }
 
 static void check_same(const struct bvh_builder *a, uint32_t at, const struct bvh_builder *b,
@@ -79,9 +79,9 @@ static void check_same(const struct bvh_builder *a, uint32_t at, const struct bv
 
 static void check_all_same(const struct bvh_two_level *a, const struct bvh_two_level *b)
 {
-    assert_memory_equal(a->draft.order, b->draft.order, TRIANGLES * sizeof(*a->draft.order));
+    assert_memory_equal(a->builder.order, b->builder.order, TRIANGLES * sizeof(*a->builder.order));
     for (uint32_t i = 0; i < a->group_count; i++)
-        check_same(&a->draft, a->groups[i].root, &b->draft, b->groups[i].root);
+        check_same(&a->builder, a->groups[i].root, &b->builder, b->groups[i].root);
 }
 
 /* Gives a test a cache of its own; its name is in *state. */
@@ -170,7 +170,7 @@ static void test_damage(void **state)
     write_file(path, data, size + 1);
     assert_false(bvh_cache_load(&other, key));
     for (uint32_t i = 0; i < TRIANGLES; i++)
-        assert_int_equal(other.draft.order[i], i);
+        assert_int_equal(other.builder.order[i], i);
     write_file(path, data, size);
     assert_true(bvh_cache_load(&other, key));
     check_all_same(&shape, &other);

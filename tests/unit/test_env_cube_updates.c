@@ -200,7 +200,7 @@ static void test_where_things_were(void **state)
 static void test_in_turn(void **state)
 {
     struct fixture *f = *state;
-    f->cube.in_turn = true;
+    f->cube.round_robin = true;
     change(f, "env_cube.faces=2");
     assert_int_equal(draw(f), FRAME_CUBE_ALL); /* nothing is there yet */
     change(f, "sky.strength=3");
@@ -212,7 +212,7 @@ static void test_in_turn(void **state)
     assert_int_equal(draw(f), 1 << 2 | 1 << 3);
     assert_int_equal(draw(f), 0);
     change(f, "sky.strength=5");
-    f->cube.in_turn = false;
+    f->cube.round_robin = false;
     assert_int_equal(draw(f), FRAME_CUBE_ALL);
 }
 

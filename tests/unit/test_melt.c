@@ -137,8 +137,8 @@ static void a_ball_stays_one(void **state)
 }
 
 /* Returns the longest way of a point between two shares. */
-static double way(bool (*generate)(struct mesh *, uint32_t), uint32_t triangles, double share,
-                  double more)
+static double way(bool (*generate)(struct mesh *, uint32_t), uint32_t triangles,
+                  double lost_fraction, double more)
 {
     struct shell a = { 0 }, b = { 0 };
     double lost, longest = 0;
@@ -146,8 +146,8 @@ static double way(bool (*generate)(struct mesh *, uint32_t), uint32_t triangles,
     shell_start(&a);
     shell_start(&b);
     const double half = melt_curvature_flow_half_width(&a.flow);
-    assert_true(melt_curvature_flow_run(&a.flow, share, 0, &lost));
-    CHECK_NEAR(lost, share, 1e-4);
+    assert_true(melt_curvature_flow_run(&a.flow, lost_fraction, 0, &lost));
+    CHECK_NEAR(lost, lost_fraction, 1e-4);
     assert_true(melt_curvature_flow_run(&b.flow, more, 0, &lost));
     for (uint32_t i = 0; i < a.flow.count; i++) {
         for (int k = 0; k < 3; k++)
@@ -189,14 +189,16 @@ static void ice_stands_where_it_stood(void **state)
     const struct box whole = mesh_box(&before.object);
     model.object.vertices[0].normal = (vec3s){ { 0, 1, 0 } }; /* of a file, which keeps its own */
     before.object.vertices[0].normal = model.object.vertices[0].normal;
-    assert_int_equal(melt_model(&model, &(struct melting){ .share = 0 }, 9, &melted), STATUS_OK);
+    assert_int_equal(melt_model(&model, &(struct melting){ .lost_fraction = 0 }, 9, &melted),
+                     STATUS_OK);
     assert_memory_equal(model.object.vertices, before.object.vertices,
                         model.object.vertex_count * sizeof(*model.object.vertices));
-    assert_int_equal(melt_model(&model, &(struct melting){ .share = 0.5f }, 0, &melted), STATUS_OK);
+    assert_int_equal(melt_model(&model, &(struct melting){ .lost_fraction = 0.5f }, 0, &melted),
+                     STATUS_OK);
     assert_memory_equal(model.object.indices, before.object.indices,
                         model.object.index_count * sizeof(*model.object.indices));
     const struct box left = mesh_box(&model.object);
-    CHECK_NEAR(melted.share, 0.5, 1e-4);
+    CHECK_NEAR(melted.lost_fraction, 0.5, 1e-4);
     CHECK_NEAR(left.min.y, whole.min.y, 1e-5);
     const double height = (double)whole.max.y - (double)whole.min.y;
     check_between((double)left.max.y - (double)left.min.y, 0.6 * height, 0.95 * height);
@@ -223,7 +225,8 @@ static void bubbles_shrink_at_the_surface(void **state)
     bubbles.all[3].stretch = 0.4f;
     bubbles.all[3].radius = 0.02f;
     bubbles.all[3].is_capsule = true;
-    assert_int_equal(melt_model(&model, &(struct melting){ .share = 0.4f }, 0, &melted), STATUS_OK);
+    assert_int_equal(melt_model(&model, &(struct melting){ .lost_fraction = 0.4f }, 0, &melted),
+                     STATUS_OK);
     assert_true(melt_bubbles(&bubbles, &model.object));
     assert_int_equal(bubbles.count, 3); /* the one at the side is gone */
     CHECK_NEAR(bubbles.all[0].radius, 0.15f, 1e-6);
@@ -293,7 +296,8 @@ static void films_spread(void **state)
     }
     for (uint32_t i = 0; i < 12; i++)
         model.surroundings.indices[i] = corners[i % 6] + i / 6 * 4;
-    assert_int_equal(melt_model(&model, &(struct melting){ .share = 0.5f }, 0, &melted), STATUS_OK);
+    assert_int_equal(melt_model(&model, &(struct melting){ .lost_fraction = 0.5f }, 0, &melted),
+                     STATUS_OK);
     for (uint32_t i = 4; i < 8; i++) {
         const struct mesh_vertex *v = &model.surroundings.vertices[i];
         const double x = (double)v->position.x, z = (double)v->position.z;
@@ -345,7 +349,8 @@ static void grow_rings(const float radii[3], float grown[3][2])
         mesh->indices[i] =
             (const uint32_t[]){ k, next, next + AROUND, k, next + AROUND, k + AROUND }[i % 6];
     }
-    assert_int_equal(melt_model(&model, &(struct melting){ .share = 0.9f }, 0, &melted), STATUS_OK);
+    assert_int_equal(melt_model(&model, &(struct melting){ .lost_fraction = 0.9f }, 0, &melted),
+                     STATUS_OK);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const vec3s p = mesh->vertices[i].position;
         const float by = hypotf(p.x, p.z) / (radii[i / AROUND] * box.max.x);

@@ -421,7 +421,7 @@ static void objects_are_checked(void **state)
     refuse_word(OBJECTS_AT + offsetof(struct object, material), 2, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, rank), 1, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, container_rank), 1, PIPE_MATERIAL);
-    refuse_word(OBJECTS_AT + offsetof(struct object, within), 1, PIPE_MATERIAL);
+    refuse_word(OBJECTS_AT + offsetof(struct object, enclosing_object), 1, PIPE_MATERIAL);
     refuse_word(OBJECTS_AT + offsetof(struct object, first_index), 3, PIPE_INDEX);
     refuse_word(OBJECTS_AT + offsetof(struct object, index_count), 6, PIPE_INDEX);
     refuse_word(OBJECTS_AT + offsetof(struct object, index_count), 0, PIPE_INDEX);
@@ -437,7 +437,7 @@ static void materials_are_checked(void **state)
         offsetof(struct material, thickness),
         offsetof(struct material, ior),
         offsetof(struct material, dispersion),
-        offsetof(struct material, cloud),
+        offsetof(struct material, scattering_optical_depth),
         offsetof(struct material, attenuation_color),
         offsetof(struct material, attenuation_distance),
         offsetof(struct material, metallic),

@@ -32,7 +32,7 @@ static void make_items(struct pack_item *items, uint32_t count, uint32_t seed)
     }
 }
 
-static bool apart(const struct pack_item *a, const struct pack_item *b)
+static bool unaliased(const struct pack_item *a, const struct pack_item *b)
 {
     return a->last < b->first || b->last < a->first || a->offset + a->size <= b->offset ||
            b->offset + b->size <= a->offset;
@@ -44,7 +44,7 @@ static void check_places(const struct pack_item *items, uint32_t count, VkDevice
         assert_true(items[i].offset % items[i].alignment == 0);
         assert_true(items[i].offset + items[i].size <= size);
         for (uint32_t k = 0; k < i; k++)
-            assert_true(apart(&items[i], &items[k]));
+            assert_true(unaliased(&items[i], &items[k]));
     }
 }
 
@@ -72,7 +72,7 @@ static void test_random_lives(void **state)
         const struct pack_result r = rg_pack(&scratch, items, count, END, false);
         check_places(items, count, r.size);
         assert_int_equal(r.bound, slow_bound(items, count));
-        assert_true(r.bound <= r.size && r.size <= r.apart);
+        assert_true(r.bound <= r.size && r.size <= r.unaliased);
         rg_arena_finish(&scratch);
     }
 }
@@ -84,7 +84,7 @@ static void test_without_aliasing_nothing_is_shared(void **state)
     struct pack_item items[40];
     make_items(items, 40, 7);
     const struct pack_result r = rg_pack(&scratch, items, 40, END, true);
-    assert_int_equal(r.size, r.apart);
+    assert_int_equal(r.size, r.unaliased);
     for (uint32_t i = 0; i < 40; i++)
         items[i].first = 0, items[i].last = 99;
     check_places(items, 40, r.size);
@@ -103,7 +103,7 @@ static void test_many_long_lives(void **state)
     const struct pack_result r = rg_pack(&scratch, items, MOST, END, false);
     check_places(items, MOST, r.size);
     assert_int_equal(r.bound, slow_bound(items, MOST));
-    assert_true(r.bound <= r.size && r.size < r.apart);
+    assert_true(r.bound <= r.size && r.size < r.unaliased);
     rg_arena_finish(&scratch);
 }
 

@@ -79,7 +79,7 @@ static struct frame_request request_of(const struct golden *golden, struct setti
     if (golden->setting)
         assert_int_equal(settings_set(settings, golden->setting), STATUS_OK);
     return (struct frame_request){
-        .choice = {
+        .config = {
             .settings = settings,
             .purpose = purposes[golden->list],
             .refraction =
@@ -236,12 +236,12 @@ static void check_surface(const char *const *assignments, bool lights, bool fros
         assert_int_equal(settings_set(&settings, *assignments), STATUS_OK);
     const struct technique *refraction;
     for (size_t r = 0; (refraction = techniques_refraction(r)); r++) {
-        if (!refraction->refraction.rows->bump_frag && !refraction->refraction.by_pixel)
+        if (!refraction->refraction.shaders->bump_frag && !refraction->refraction.shades_fullscreen)
             continue;
         struct settings defaults;
         struct frame_request request =
             request_of(&(struct golden){ .refraction = refraction->refraction.name }, &defaults);
-        request.choice.settings = &settings;
+        request.config.settings = &settings;
         struct frame_plan plan;
         assert_int_equal(frame_plan_init(&plan, &request), STATUS_OK);
         assert_int_equal(has_pass_of(plan.plan, "over"), lights);
@@ -343,7 +343,7 @@ static void test_objects_draw_where_they_are(void **state)
     for (size_t r = 0; (refraction = techniques_refraction(r)); r++) {
         const struct objects_cost two = cost_of(refraction->refraction.name, 2);
         const uint32_t each = two.limited;
-        assert_true(each || refraction->refraction.is_whole);
+        assert_true(each || refraction->refraction.draws_all_objects);
         for (uint32_t count = 5; count <= 50; count *= 10) {
             const struct objects_cost more = cost_of(refraction->refraction.name, count);
             assert_int_equal(more.whole, two.whole);
@@ -364,7 +364,7 @@ static void test_no_cracks_no_passes(void **state)
         struct frame_plan plan;
         assert_int_equal(settings_set(&settings, switches[i]), STATUS_OK);
         const struct frame_request request = {
-            .choice = { .settings = &settings,
+            .config = { .settings = &settings,
                         .refraction = techniques_refraction(0),
                         .is_convex = i == 2 },
             .view = { 64, 64 },

@@ -76,8 +76,8 @@ static void test_without_a_tree(void **state)
         key[1] = 'n'; /* another one */
     save(text, strlen(text));
     assert_int_equal(profile_read_json(path, &p), STATUS_OK);
-    assert_int_equal(p.tree_triangles, 0);
-    assert_int_equal(p.tree_size, 0);
+    assert_int_equal(p.bvh_triangles, 0);
+    assert_int_equal(p.bvh_size, 0);
     profile_finish(&p);
     free(text);
 }

@@ -18,7 +18,7 @@ enum {
     SAMPLES = 1 << 14,
 };
 
-static struct clouds ball_clouds;
+static struct scattering_media ball_clouds;
 
 /* ---- depths ---- */
 
@@ -29,13 +29,13 @@ static void test_depth_in_ball(void **state)
     struct distance_field field;
     (void)state;
     assert_true(distance_field_init(&field, &scene.model.object));
-    CHECK_NEAR(field.most, 1, 0.005);
+    CHECK_NEAR(field.max_depth, 1, 0.005);
     for (int i = 0; i < 500; i++) {
         const double r = 0.9 * fmod(0.618 * i, 1), up = cos(0.7 * i), turn = 2.4 * i;
         const double flat = r * sqrt(1 - up * up);
         const vec3s at = { { (float)(3 + flat * cos(turn)), (float)(r * up - 1),
                              (float)(2 + flat * sin(turn)) } };
-        CHECK_NEAR(distance_field_at(&field, at) * field.most, 1 - r, 0.03);
+        CHECK_NEAR(distance_field_at(&field, at) * field.max_depth, 1 - r, 0.03);
     }
     CHECK_NEAR(distance_field_at(&field, (vec3s){ { 2.1F, -1.9F, 1.1F } }), 0,
                0); /* the box's corner */
@@ -68,7 +68,7 @@ static void test_depth_in_ring(void **state)
             ring.indices[i * 6 + c] = corners[c];
     }
     assert_true(distance_field_init(&field, &ring));
-    CHECK_NEAR(field.most, 0.3, 0.008);
+    CHECK_NEAR(field.max_depth, 0.3, 0.008);
     CHECK_NEAR(distance_field_at(&field, glms_vec3_zero()), 0, 0);
     CHECK_NEAR(distance_field_at(&field, (vec3s){ { 0, 0, 1 } }), 1, 0.1);
     distance_field_finish(&field);
@@ -81,13 +81,13 @@ static void test_depth_in_ring(void **state)
 static struct scene cloudy_ball(void)
 {
     struct scene scene = picture_sphere_scene(glms_vec3_zero(), 8000);
-    scene.clouds = ball_clouds;
+    scene.scattering_media = ball_clouds;
     return scene;
 }
 
 static void finish(struct scene *scene)
 {
-    scene->clouds = (struct clouds){ 0 };
+    scene->scattering_media = (struct scattering_media){ 0 };
     scene_finish(scene);
 }
 

@@ -318,16 +318,18 @@ static void test_met(void **state)
     add_sheet(&scene.air, -20);
 
     static const struct {
-        double x, z, met;
+        double x, z, inclusion_bits;
     } table[] = { { 40, 0, 0 }, { 30, 0, 1 }, { 10, -15, 4 }, { 10, 0, 6 }, { 0.1, 0, 7 } };
 
     for (size_t i = 0; i < sizeof(table) / sizeof(table[0]); i++) {
         const struct vec eye = { table[i].x, 0, 60 }, inner = { table[i].x, 0, table[i].z };
-        CHECK_NEAR(reference_ray_trace(&scene, &settings, inner, reference_ray_direction(0)).met,
-                   table[i].met, 0);
+        CHECK_NEAR(reference_ray_trace(&scene, &settings, inner, reference_ray_direction(0))
+                       .inclusion_bits,
+                   table[i].inclusion_bits, 0);
         if (table[i].z >= 0)
-            CHECK_NEAR(reference_ray_trace(&scene, &settings, eye, reference_ray_direction(0)).met,
-                       table[i].met, 0);
+            CHECK_NEAR(reference_ray_trace(&scene, &settings, eye, reference_ray_direction(0))
+                           .inclusion_bits,
+                       table[i].inclusion_bits, 0);
     }
     scene.air_layers = (struct air_layers){ 0 };
     scene_finish(&scene);
@@ -397,8 +399,8 @@ static void test_bumps_by_uv(void **state)
         const struct globals globals = globals_of_turn(0);
         const struct radiance radiance = radiance_of(&scene, &globals);
         const struct inclusions inclusions = inclusions_of(&radiance, &settings);
-        const struct embree_scene embree_scene = { .parts[EMBREE_SCENE_OBJECT] = { box,
-                                                                                   positions } };
+        const struct embree_scene embree_scene = { .meshes[EMBREE_SCENE_OBJECT] = { box,
+                                                                                    positions } };
         for (uint32_t triangle = 10; triangle < 12; triangle++) { /* of the side at z = 50 */
             const float out = triangle == 10 ? 1 : -1;
             const struct vec n = { 0, 0, (double)out }, e = { 0, 0, -(double)out };

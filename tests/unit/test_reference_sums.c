@@ -18,10 +18,10 @@ static float firsts[2][WIDTH * HEIGHT] = { { 1, -2, 1e-30F, 4, INFINITY, 6 } };
 static void begin(struct reference_sums *sums, float *first)
 {
     reference_sums_init(sums, WIDTH, HEIGHT);
-    assert_int_equal(reference_sums_want(sums, 0), 5);
-    assert_int_equal(reference_sums_want(sums, REFERENCE_SUM_SQUARE), 1);
-    reference_sums_want_first(sums, (uint32_t)reference_layers_find("exit.Y"), first);
-    assert_true(reference_sums_keep(sums));
+    assert_int_equal(reference_sums_add_value(sums, 0), 5);
+    assert_int_equal(reference_sums_add_value(sums, REFERENCE_SUM_SQUARE), 1);
+    reference_sums_add_first(sums, (uint32_t)reference_layers_find("exit.Y"), first);
+    assert_true(reference_sums_allocate(sums));
 }
 
 static void test_every_bit(void **state)
@@ -38,7 +38,7 @@ static void test_every_bit(void **state)
     for (uint32_t p = 0; p < reference_sums_plane_count(&from); p++) {
         for (uint32_t y = 0; y < HEIGHT; y++) {
             reference_sums_get_row(&from, p, y, row);
-            assert_true(reference_sums_put_row(&to, p, y, row));
+            assert_true(reference_sums_set_row(&to, p, y, row));
         }
     }
     assert_memory_equal(from.sums, to.sums, count * sizeof(double));
@@ -72,12 +72,12 @@ static void test_other_numbers(void **state)
     for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++) {
         const float row[WIDTH] = { 0, 0, wrong[i] };
         for (uint32_t part = 0; part < 3; part++)
-            assert_false(reference_sums_put_row(&sums, 3 + part, 1, row));
+            assert_false(reference_sums_set_row(&sums, 3 + part, 1, row));
     }
     const float row[WIDTH] = { 0, 0, 1 << 21 }; /* the first part alone has 22 bits */
-    assert_true(reference_sums_put_row(&sums, 3, 0, row));
-    assert_false(reference_sums_put_row(&sums, 4, 0, row));
-    assert_false(reference_sums_put_row(&sums, 5, 0, row));
+    assert_true(reference_sums_set_row(&sums, 3, 0, row));
+    assert_false(reference_sums_set_row(&sums, 4, 0, row));
+    assert_false(reference_sums_set_row(&sums, 5, 0, row));
     reference_sums_finish(&sums);
 }
 

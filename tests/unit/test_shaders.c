@@ -176,7 +176,7 @@ static void check_table(const struct rg_technique *technique, struct checked *ch
 static void check_settings(const struct settings *settings, const struct technique *refraction,
                            struct checked *checked)
 {
-    static const struct technique_choice choices[] = {
+    static const struct technique_config choices[] = {
         { 0 },
         { .is_convex = true },
         { .hits_surroundings = true },
@@ -186,13 +186,13 @@ static void check_settings(const struct settings *settings, const struct techniq
         { .purpose = TECHNIQUE_RESOLVE },
     };
     for (size_t i = 0; i < sizeof(choices) / sizeof(choices[0]); i++) {
-        struct technique_choice choice = choices[i];
+        struct technique_config config = choices[i];
         struct frame_list list;
-        choice.settings = settings;
-        choice.refraction = refraction;
-        assert_int_equal(frame_list_init(&list, &choice), STATUS_OK);
+        config.settings = settings;
+        config.refraction = refraction;
+        assert_int_equal(frame_list_init(&list, &config), STATUS_OK);
         for (size_t t = 0; t < list.count; t++)
-            check_table(&list.parts[t], checked);
+            check_table(&list.pass_groups[t], checked);
         frame_list_finish(&list);
     }
 }
@@ -261,8 +261,8 @@ static void test_rows_and_shaders_agree(void **state)
     }
     static const struct technique *const windows[] = { VIEW_TECHNIQUES };
     for (size_t t = 0; t < sizeof(windows) / sizeof(windows[0]); t++) {
-        for (size_t p = 0; p < TECHNIQUE_PART_COUNT; p++)
-            check_table(&windows[t]->parts[p].graph, &checked);
+        for (size_t p = 0; p < TECHNIQUE_PASS_GROUP_COUNT; p++)
+            check_table(&windows[t]->pass_groups[p].graph, &checked);
     }
     print_message("%zu rows\n", checked.count);
     assert_true(checked.count > 0);

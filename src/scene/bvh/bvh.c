@@ -190,7 +190,7 @@ static void write_part(struct bvh *bvh, uint32_t index, const struct bvh_part *p
     size_t word = (size_t)first * BVH_CORNER_WORDS;
     bvh->roots[index] = BVH_NONE;
     for (uint32_t i = 0; i < part->count; i++) {
-        const uint32_t triangle = part->triangles[hierarchy->draft.order[i]];
+        const uint32_t triangle = part->triangles[hierarchy->builder.order[i]];
         if (bvh_bubble(part, triangle)) {
             write_bubble(&bvh->triangles, bvh_bubble(part, triangle));
             word += BVH_CORNER_WORDS;
@@ -254,7 +254,7 @@ static bool build_parts(struct bvh_two_level *hierarchies, const struct bvh_part
         struct bvh_two_level *at_rest =
             is_posed && i != BVH_INCLUSIONS ? &rest->hierarchies[i] : NULL;
         work->is_cached = params->is_cached && i != BVH_INCLUSIONS;
-        if (at_rest && !at_rest->draft.nodes)
+        if (at_rest && !at_rest->builder.nodes)
             done =
                 bvh_two_level_build(at_rest, &rest_parts[i], work) && bvh_two_level_pack(at_rest);
         work->is_cached = work->is_cached && !is_posed;
@@ -284,7 +284,7 @@ static bool write_all(struct bvh *bvh, const struct bvh_part *parts,
         bvh_horizon_grid_write(bvh, objects, &parts[BVH_OBJECTS]);
     for (uint32_t i = 0; i < BVH_PART_COUNT; i++)
         bvh->costs[i] =
-            parts[i].count ? bvh_sah_cost(&hierarchies[i].draft, hierarchies[i].root) : 0.0;
+            parts[i].count ? bvh_sah_cost(&hierarchies[i].builder, hierarchies[i].root) : 0.0;
     return !media_words(bvh) || write_media(bvh, parts[BVH_OBJECTS].model);
 }
 

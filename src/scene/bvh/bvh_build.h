@@ -39,7 +39,7 @@ struct bvh_range {
 
 /* Two-level BVH of a scene part (bvh_two_level.h), before encoding. */
 struct bvh_two_level {
-    struct bvh_builder draft; /* without boxes after the build */
+    struct bvh_builder builder; /* without boxes after the build */
     struct bvh_range *groups;
     uint32_t count, group_count; /* numbers of triangles and groups */
     uint32_t node_count;         /* size of the node array */

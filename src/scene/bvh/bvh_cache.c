@@ -68,9 +68,9 @@ static void encode_node(uint32_t *words, size_t *next, const struct bvh_node *no
 static size_t encode(uint32_t *words, const struct bvh_two_level *hierarchy)
 {
     size_t next = hierarchy->count;
-    memcpy(words, hierarchy->draft.order, hierarchy->count * sizeof(*words));
+    memcpy(words, hierarchy->builder.order, hierarchy->count * sizeof(*words));
     for (uint32_t i = 0; i < hierarchy->group_count; i++)
-        encode_node(words, &next, hierarchy->draft.nodes, hierarchy->groups[i].root);
+        encode_node(words, &next, hierarchy->builder.nodes, hierarchy->groups[i].root);
     return next;
 }
 
@@ -122,16 +122,16 @@ bool bvh_cache_decode(struct bvh_two_level *hierarchy, const uint32_t *words, si
 {
     if (count < hierarchy->count || !is_order(hierarchy, words))
         return false;
-    struct decoder decoder = { hierarchy->draft.nodes, words, hierarchy->count, count };
+    struct decoder decoder = { hierarchy->builder.nodes, words, hierarchy->count, count };
     for (uint32_t i = 0; i < hierarchy->group_count; i++) {
         if (!decode_node(&decoder, &hierarchy->groups[i], hierarchy->depth))
             return false;
     }
     if (decoder.next != count)
         return false;
-    memcpy(hierarchy->draft.order, words, hierarchy->count * sizeof(*words));
+    memcpy(hierarchy->builder.order, words, hierarchy->count * sizeof(*words));
     for (uint32_t i = 0; i < hierarchy->group_count; i++)
-        bvh_refit(&hierarchy->draft, hierarchy->groups[i].root);
+        bvh_refit(&hierarchy->builder, hierarchy->groups[i].root);
     return true;
 }
 

@@ -68,7 +68,7 @@ struct search {
 
 static void copy_corners(float to[static 3][3], const struct search *search, uint32_t at)
 {
-    const uint32_t triangle = search->part->triangles[search->hierarchy->draft.order[at]];
+    const uint32_t triangle = search->part->triangles[search->hierarchy->builder.order[at]];
     for (uint32_t k = 0; k < 3; k++)
         memcpy(to[k], bvh_corner(search->part, triangle, k)->position.raw, sizeof(to[k]));
 }
@@ -181,7 +181,7 @@ struct candidate {
  * occluder to test first, the previous triangle's, and receives the highest occluder. */
 static float horizon_of(const struct receiver *from, const struct search *search, uint32_t *highest)
 {
-    const struct bvh_node *nodes = search->hierarchy->draft.nodes;
+    const struct bvh_node *nodes = search->hierarchy->builder.nodes;
     struct candidate stack[BVH_DEPTH_MAX + 2];
     uint32_t count = 0, visits = 0;
     float horizon = flattest;
@@ -253,7 +253,7 @@ uint8_t *bvh_horizons_compute(const struct bvh_two_level *hierarchy, const struc
     if (!part->count || part->count > BVH_HORIZON_TRIANGLES_MAX)
         return NULL;
     struct search search = { hierarchy, part,
-                             epsilon_of(&hierarchy->draft.nodes[hierarchy->root].box),
+                             epsilon_of(&hierarchy->builder.nodes[hierarchy->root].box),
                              malloc(part->count) };
     uint32_t count = part->count / THREAD_MIN + 1;
     count = count < threads ? count : threads ? threads : 1;
@@ -286,7 +286,7 @@ static uint8_t widened_horizon(const struct bvh_two_level *hierarchy, const stru
 {
     const struct search search = { .hierarchy = hierarchy, .part = part };
     const double horizon = (double)hierarchy->horizons[at] / BVH_HORIZON_STEPS;
-    const uint32_t triangle = part->triangles[hierarchy->draft.order[at]];
+    const uint32_t triangle = part->triangles[hierarchy->builder.order[at]];
     struct receiver from;
     double cosine = 1.0;
     if (horizon > 1.0 || !receiver_init(&from, &search, at))
@@ -326,7 +326,7 @@ void bvh_horizon_grid_write(struct bvh *bvh, const struct bvh_two_level *objects
 {
     /* tolerance of hit points beside their triangle, in cells */
     static const float tolerance = 0.1f;
-    const struct bvh_box *all = &objects->draft.nodes[objects->root].box;
+    const struct bvh_box *all = &objects->builder.nodes[objects->root].box;
     struct grid grid = { 0 };
     memset(grid.cells, BVH_HORIZON_UNKNOWN, sizeof(grid.cells));
     for (int k = 0; k < 3; k++) {
@@ -335,7 +335,7 @@ void bvh_horizon_grid_write(struct bvh *bvh, const struct bvh_two_level *objects
     }
     for (uint32_t i = 0; i < part->count; i++) {
         const struct bvh_box triangle_box =
-            bvh_triangle_box(part, part->triangles[objects->draft.order[i]]);
+            bvh_triangle_box(part, part->triangles[objects->builder.order[i]]);
         int first[3], last[3];
         for (int k = 0; k < 3; k++) {
             const float low = bvh->grid_low.raw[k], scale = bvh->grid_scale.raw[k];

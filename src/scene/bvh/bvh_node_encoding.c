@@ -177,7 +177,7 @@ static void write_child(struct encoder *encoder, uint32_t word, uint32_t at, uin
                         struct cone *cone)
 {
     struct bvh *bvh = encoder->bvh;
-    const struct bvh_node *node = &encoder->hierarchy->draft.nodes[at];
+    const struct bvh_node *node = &encoder->hierarchy->builder.nodes[at];
     const uint32_t first = encoder->first + node->first;
     struct cone child_cone;
     uint32_t child;
@@ -206,7 +206,7 @@ static uint32_t write_node(struct encoder *encoder, uint32_t at, uint32_t depth,
 {
     struct bvh *bvh = encoder->bvh;
     const uint32_t word = bvh->nodes.count;
-    const struct bvh_node *node = &encoder->hierarchy->draft.nodes[at];
+    const struct bvh_node *node = &encoder->hierarchy->builder.nodes[at];
     bvh->nodes.count += BVH_NODE_WORDS;
     bvh->depth = depth > bvh->depth ? depth : bvh->depth;
     *cone = (struct cone){ .angle = -1.0 };
@@ -235,7 +235,7 @@ static uint32_t count_inner(const struct bvh_builder *builder, uint32_t at)
 
 uint32_t bvh_nodes_word_count(const struct bvh_two_level *hierarchy)
 {
-    const uint32_t inner = count_inner(&hierarchy->draft, hierarchy->root);
+    const uint32_t inner = count_inner(&hierarchy->builder, hierarchy->root);
     return (1 + (inner ? inner : 1)) * BVH_NODE_WORDS;
 }
 
@@ -243,7 +243,7 @@ uint32_t bvh_nodes_word_count(const struct bvh_two_level *hierarchy)
 uint32_t bvh_nodes_write(struct bvh *bvh, const struct bvh_two_level *hierarchy, uint32_t first,
                          bool has_cones)
 {
-    const struct bvh_node *root = &hierarchy->draft.nodes[hierarchy->root];
+    const struct bvh_node *root = &hierarchy->builder.nodes[hierarchy->root];
     struct encoder encoder = { .bvh = bvh,
                                .hierarchy = hierarchy,
                                .first = first,

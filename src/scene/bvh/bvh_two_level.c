@@ -68,35 +68,35 @@ static bool allocate(struct bvh_two_level *hierarchy, const struct bvh_part *par
                      uint32_t group_count, uint32_t slot_count)
 {
     *hierarchy = (struct bvh_two_level){
-        .draft = { .boxes = malloc((part->count + (size_t)1) * sizeof(*hierarchy->draft.boxes)),
-                   .order = malloc((part->count + (size_t)1) * sizeof(*hierarchy->draft.order)),
-                   .nodes = malloc((slot_count + (size_t)1) * sizeof(*hierarchy->draft.nodes)),
-                   .leaf_max = BVH_LEAF_MAX },
+        .builder = { .boxes = malloc((part->count + (size_t)1) * sizeof(*hierarchy->builder.boxes)),
+                     .order = malloc((part->count + (size_t)1) * sizeof(*hierarchy->builder.order)),
+                     .nodes = malloc((slot_count + (size_t)1) * sizeof(*hierarchy->builder.nodes)),
+                     .leaf_max = BVH_LEAF_MAX },
         .groups = malloc((group_count + (size_t)1) * sizeof(*hierarchy->groups)),
         .count = part->count,
         .group_count = group_count,
     };
-    if (!hierarchy->draft.boxes || !hierarchy->draft.order || !hierarchy->draft.nodes ||
+    if (!hierarchy->builder.boxes || !hierarchy->builder.order || !hierarchy->builder.nodes ||
         !hierarchy->groups)
         return false;
     for (uint32_t i = 0; i < part->count; i++) {
-        hierarchy->draft.boxes[i] = bvh_triangle_box(part, part->triangles[i]);
-        hierarchy->draft.order[i] = i;
+        hierarchy->builder.boxes[i] = bvh_triangle_box(part, part->triangles[i]);
+        hierarchy->builder.order[i] = i;
     }
     return true;
 }
 
 static void free_boxes(struct bvh_two_level *hierarchy)
 {
-    free(hierarchy->draft.boxes);
-    hierarchy->draft.boxes = NULL;
+    free(hierarchy->builder.boxes);
+    hierarchy->builder.boxes = NULL;
 }
 
 void bvh_two_level_finish(struct bvh_two_level *hierarchy)
 {
     free_boxes(hierarchy);
-    free(hierarchy->draft.order);
-    free(hierarchy->draft.nodes);
+    free(hierarchy->builder.order);
+    free(hierarchy->builder.nodes);
     free(hierarchy->groups);
     free(hierarchy->horizons);
     *hierarchy = (struct bvh_two_level){ 0 };
@@ -126,14 +126,14 @@ static bool build_top_level(struct bvh_two_level *hierarchy)
     };
     const bool done = top.boxes && top.order && top.nodes;
     for (uint32_t i = 0; i < count && done; i++) {
-        top.boxes[i] = hierarchy->draft.nodes[hierarchy->groups[i].root].box;
+        top.boxes[i] = hierarchy->builder.nodes[hierarchy->groups[i].root].box;
         top.order[i] = i;
     }
     const struct bvh_range all = { 0, count, 0 };
     if (done && count > 1)
         bvh_build(&top, &all, BVH_DEPTH_MAX - hierarchy->depth, 1);
     for (uint32_t i = 0; i < 2 * count - 1 && done && count > 1; i++) {
-        struct bvh_node *node = &hierarchy->draft.nodes[hierarchy->node_count + i];
+        struct bvh_node *node = &hierarchy->builder.nodes[hierarchy->node_count + i];
         *node = top.nodes[i];
         for (int k = 0; k < 2 && node->children[0]; k++) {
             const struct bvh_node *child = &top.nodes[node->children[k]];
@@ -185,11 +185,12 @@ static bool copy_similar(struct bvh_two_level *hierarchy, const struct bvh_part 
             continue;
         const uint32_t shift = range->first - other->first;
         uint32_t next = range->root;
-        (void)copy_nodes(hierarchy->draft.nodes, &next, hierarchy->draft.nodes, other->root, shift);
+        (void)copy_nodes(hierarchy->builder.nodes, &next, hierarchy->builder.nodes, other->root,
+                         shift);
         for (uint32_t k = 0; k < range->count; k++)
-            hierarchy->draft.order[range->first + k] =
-                hierarchy->draft.order[other->first + k] + shift;
-        bvh_refit(&hierarchy->draft, range->root);
+            hierarchy->builder.order[range->first + k] =
+                hierarchy->builder.order[other->first + k] + shift;
+        bvh_refit(&hierarchy->builder, range->root);
         return true;
     }
     return false;
@@ -216,7 +217,7 @@ static void build_groups(struct bvh_two_level *hierarchy, const struct bvh_part 
             work->shared++;
             continue;
         }
-        bvh_build(&hierarchy->draft, range, hierarchy->depth, work->threads);
+        bvh_build(&hierarchy->builder, range, hierarchy->depth, work->threads);
         work->built++;
         if (hierarchy->group_count == 1)
             continue;
@@ -266,12 +267,12 @@ bool bvh_two_level_pack(struct bvh_two_level *hierarchy)
         return false;
     for (uint32_t i = 0; i < hierarchy->group_count; i++) {
         struct bvh_range *range = &hierarchy->groups[i];
-        range->root = copy_nodes(nodes, &next, hierarchy->draft.nodes, range->root, 0);
+        range->root = copy_nodes(nodes, &next, hierarchy->builder.nodes, range->root, 0);
     }
-    free(hierarchy->draft.nodes);
+    free(hierarchy->builder.nodes);
     hierarchy->node_count = next;
     struct bvh_node *smaller = realloc(nodes, next * sizeof(*nodes));
-    hierarchy->draft.nodes = smaller ? smaller : nodes;
+    hierarchy->builder.nodes = smaller ? smaller : nodes;
     return true;
 }
 
@@ -287,8 +288,8 @@ static bool is_degraded(const struct bvh_two_level *hierarchy, const struct bvh_
                         uint32_t index, double cost_growth_max)
 {
     const struct bvh_range *range = &rest->groups[index];
-    const double before = bvh_sah_cost(&rest->draft, range->root);
-    if (!(bvh_sah_cost(&hierarchy->draft, hierarchy->groups[index].root) >
+    const double before = bvh_sah_cost(&rest->builder, range->root);
+    if (!(bvh_sah_cost(&hierarchy->builder, hierarchy->groups[index].root) >
           cost_growth_max * before))
         return false;
     const struct group recent = { rest_part, range->first, range->count };
@@ -309,19 +310,20 @@ bool bvh_two_level_refit(struct bvh_two_level *hierarchy, const struct bvh_part 
         return false;
     hierarchy->depth = rest->depth;
     hierarchy->node_count = rest->node_count + 2 * part->count;
-    memcpy(hierarchy->draft.order, rest->draft.order, part->count * sizeof(*rest->draft.order));
-    memcpy(hierarchy->draft.nodes, rest->draft.nodes,
-           rest->node_count * sizeof(*rest->draft.nodes));
+    memcpy(hierarchy->builder.order, rest->builder.order,
+           part->count * sizeof(*rest->builder.order));
+    memcpy(hierarchy->builder.nodes, rest->builder.nodes,
+           rest->node_count * sizeof(*rest->builder.nodes));
     memcpy(hierarchy->groups, rest->groups, group_count * sizeof(*rest->groups));
     for (uint32_t i = 0; i < group_count; i++) {
         struct bvh_range *range = &hierarchy->groups[i];
-        bvh_refit(&hierarchy->draft, range->root);
+        bvh_refit(&hierarchy->builder, range->root);
         if (!is_degraded(hierarchy, part, rest, rest_part, i, work->cost_growth_max)) {
             work->refitted++;
             continue;
         }
         range->root = rest->node_count + 2 * range->first;
-        bvh_build(&hierarchy->draft, range, hierarchy->depth, work->threads);
+        bvh_build(&hierarchy->builder, range, hierarchy->depth, work->threads);
         work->built++;
     }
     const bool done = build_top_level(hierarchy);

@@ -158,9 +158,9 @@ bool generate_air_layers(struct air_layers *layers, const struct generate_air *a
     for (uint32_t layer = 0; layer < LAYER_COUNT; layer++) {
         uint8_t *texels = &layers->texels[layer * layer_size];
         struct random random = random_begin(air->seed, GENERATE_AIR_MAX + layer);
-        for (size_t i = 0; air->cover && i < layer_size / 2; i++)
-            texels[2 * i] = (uint8_t)(255 * air->cover[i]);
-        for (int octave = 0; octave < OCTAVES && !air->cover; octave++)
+        for (size_t i = 0; air->opacity && i < layer_size / 2; i++)
+            texels[2 * i] = (uint8_t)(255 * air->opacity[i]);
+        for (int octave = 0; octave < OCTAVES && !air->opacity; octave++)
             draw_bubbles(texels, ldexpf(air->frequency, octave), ldexpf(air->size, -octave),
                          &random);
         draw_haze(texels, air->seed * LAYER_COUNT + layer);

@@ -74,7 +74,7 @@ struct generate_air {
     float frequency;      /* number of the largest bubbles along the box diagonal */
     /* bubble opacity that replaces the procedural one in all layers, 0 to 1;
      * GENERATE_AIR_LAYER_SIZE rows and columns; or NULL */
-    const float *cover;
+    const float *opacity;
 };
 
 enum {

@@ -238,9 +238,9 @@ static void measure(struct distance_field *field, const struct work *work)
     }
     if (!(field->texels[best] > 0.0f))
         return;
-    field->most = find_maximum(work, best);
+    field->max_depth = find_maximum(work, best);
     for (size_t i = 0; i < COUNT; i++)
-        field->texels[i] /= field->most;
+        field->texels[i] /= field->max_depth;
 }
 
 static struct box box_of(const struct mesh *mesh)

@@ -6,8 +6,8 @@
 #include "src/scene/geometry/mesh.h"
 
 struct distance_field {
-    struct box box; /* extent of the texels, in the mesh's space */
-    float most;     /* maximum depth, in the mesh's units; 0 if nothing is inside */
+    struct box box;  /* extent of the texels, in the mesh's space */
+    float max_depth; /* maximum depth, in the mesh's units; 0 if nothing is inside */
     float
         *texels; /* depths relative to the maximum, MEDIUM_SIZE texels per axis, x fastest; owned */
 };

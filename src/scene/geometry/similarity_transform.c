@@ -11,7 +11,7 @@ struct frame {
 
 static const float *position_of(const struct similarity_transform_corners *corners, uint32_t corner)
 {
-    return corners->position(corners->of, corner);
+    return corners->position(corners->context, corner);
 }
 
 static void cross(const double *a, const double *b, double *to)

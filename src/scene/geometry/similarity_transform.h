@@ -9,8 +9,9 @@
 
 /* Triangle corners, accessed by index through a callback. */
 struct similarity_transform_corners {
-    const void *of;
-    const float *(*position)(const void *of, uint32_t corner); /* returns x, y, z of a corner */
+    const void *context;
+    const float *(*position)(const void *context,
+                             uint32_t corner); /* returns x, y, z of a corner */
     uint32_t count;
 };
 

@@ -293,7 +293,8 @@ static bool is_material(const struct material *m)
            is_color(m->attenuation_color, false) && is_in_range(m->roughness, 0, 1) &&
            is_in_range(m->transmission, 0, 1) &&
            is_in_range(m->thickness, 0, MODEL_COORDINATE_MAX) && is_in_range(m->ior, 1, 4) &&
-           is_in_range(m->dispersion, 0, 10) && is_in_range(m->cloud, 0, MATERIAL_SCATTERING_MAX) &&
+           is_in_range(m->dispersion, 0, 10) &&
+           is_in_range(m->scattering_optical_depth, 0, MATERIAL_SCATTERING_MAX) &&
            is_in_range(m->attenuation_distance, 0, FLT_MAX) && is_surface(m);
 }
 
@@ -314,7 +315,7 @@ static enum pipe_fault check_objects(const struct model *model, const struct mod
     for (uint32_t i = 0; i < model->object_count; i++) {
         const struct object *object = &model->objects[i];
         if (!memchr(object->name, 0, sizeof(object->name)) || object->rank != 0 ||
-            object->container_rank != 0 || object->within != 0 ||
+            object->container_rank != 0 || object->enclosing_object != 0 ||
             object->material >= model->material_count)
             return PIPE_MATERIAL;
         if (object->first_index != end || object->index_count == 0 || object->index_count % 3 != 0)

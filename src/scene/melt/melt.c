@@ -51,12 +51,12 @@ static float hollow_depth(vec3s at)
 
 float melted_frost_factor(const struct melted *melted)
 {
-    return 1.0f - glm_smoothstep(0.0f, FROST_MELTED, melted->share);
+    return 1.0f - glm_smoothstep(0.0f, FROST_MELTED, melted->lost_fraction);
 }
 
 float melted_hollow_factor(const struct melted *melted)
 {
-    return 1.0f + 2.0f * melted->share;
+    return 1.0f + 2.0f * melted->lost_fraction;
 }
 
 /* Closed mesh of ice that melts. */
@@ -182,16 +182,17 @@ static void write_back(const struct ice *ice, const vec3s *normals, struct mesh 
 }
 
 /* Melts a mesh by a fraction of its volume, then by `further` (melt_curvature_flow_run()). */
-static bool melt_closed_mesh(struct ice *ice, struct mesh *mesh, struct mesh *unmelted, float share,
-                             float further)
+static bool melt_closed_mesh(struct ice *ice, struct mesh *mesh, struct mesh *unmelted,
+                             float lost_fraction, float further)
 {
     double lost = 0;
     vec3s *normals = malloc((ice->flow.count + (size_t)1) * sizeof(*normals));
     ice->before = box_of(&ice->flow);
     ice->half = melt_curvature_flow_half_width(&ice->flow);
-    bool done = normals &&
-                melt_curvature_flow_run(&ice->flow, (double)share, (double)further, &lost) &&
-                find_normals(&ice->flow, normals);
+    bool done =
+        normals &&
+        melt_curvature_flow_run(&ice->flow, (double)lost_fraction, (double)further, &lost) &&
+        find_normals(&ice->flow, normals);
     ice->lost = (float)lost;
     if (done) {
         press_hollows(ice, normals);
@@ -253,7 +254,7 @@ static bool update_surroundings(struct model *model, const struct mesh *unmelted
         if (has_ior(model, i, 0.0f, AIR_IOR_MAX))
             done = melt_air_and_water_shrink_air(model, i, &parts);
         else if (has_ior(model, i, ICE_IOR_MAX, WATER_IOR_MAX))
-            done = melt_air_and_water_spread_shells(model, i, &parts);
+            done = melt_air_and_water_spread_components(model, i, &parts);
     }
     done = done && melt_air_and_water_spread_layers(model, &parts);
     melt_air_and_water_finish(&parts);
@@ -264,11 +265,12 @@ static bool melt_object(struct model *model, const struct object *object, bool f
                         const struct melting *melting, float time, struct melted *melted)
 {
     struct ice ice;
-    const bool done = ice_init(&ice, &model->object, object, floats) &&
-                      melt_closed_mesh(&ice, &model->object, &melted->unmelted, melting->share,
-                                       fmaxf(melting->speed * time, 0.0f)) &&
-                      update_surroundings(model, &melted->unmelted, &ice, object);
-    melted->share = melted->share > 0.0f ? melted->share : ice.lost;
+    const bool done =
+        ice_init(&ice, &model->object, object, floats) &&
+        melt_closed_mesh(&ice, &model->object, &melted->unmelted, melting->lost_fraction,
+                         fmaxf(melting->speed * time, 0.0f)) &&
+        update_surroundings(model, &melted->unmelted, &ice, object);
+    melted->lost_fraction = melted->lost_fraction > 0.0f ? melted->lost_fraction : ice.lost;
     ice_finish(&ice);
     return done;
 }
@@ -314,10 +316,10 @@ enum status melt_model(struct model *model, const struct melting *melting, float
     *melted = (struct melted){ 0 };
     for (uint32_t i = 0; i < model->object_count; i++)
         has_ice = has_ice || is_ice(model, i, melting);
-    if (!has_ice && !(time > 0.0f) && (melting->share > 0.0f || melting->speed > 0.0f))
+    if (!has_ice && !(time > 0.0f) && (melting->lost_fraction > 0.0f || melting->speed > 0.0f))
         log_warning("ice.melt, motion.melt: no effect, since the scene has no ice (an index of "
                     "refraction from 1.3 to 1.32)");
-    if (!has_ice || !(melting->share > 0.0f || melting->speed * time > 0.0f))
+    if (!has_ice || !(melting->lost_fraction > 0.0f || melting->speed * time > 0.0f))
         return STATUS_OK;
     if (melt_all(model, melting, time, melted))
         return STATUS_OK;
@@ -376,7 +378,7 @@ bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object)
     return true;
 }
 
-bool melt_cracks(struct mesh *cracks, const struct mesh *object, float share)
+bool melt_cracks(struct mesh *cracks, const struct mesh *object, float lost_fraction)
 {
     struct distance_field depth;
     if (!distance_field_init(&depth, object))
@@ -384,8 +386,8 @@ bool melt_cracks(struct mesh *cracks, const struct mesh *object, float share)
     for (uint32_t i = 0; i < cracks->vertex_count; i++) {
         struct mesh_vertex *vertex = &cracks->vertices[i];
         const float deep = melt_air_and_water_depth(&depth, vertex->position);
-        const float near = 1.0f - glm_smoothstep(0.0f, CRACK_OPENING_DEPTH * depth.most, deep);
-        const float scale = 1.0f + CRACK_WIDENING * share * near;
+        const float near = 1.0f - glm_smoothstep(0.0f, CRACK_OPENING_DEPTH * depth.max_depth, deep);
+        const float scale = 1.0f + CRACK_WIDENING * lost_fraction * near;
         vertex->color = glms_vec3_scale(vertex->color, scale * scale);
     }
     distance_field_finish(&depth);

@@ -21,14 +21,14 @@
 #include "src/scene/import/model.h"
 
 struct melting {
-    float share; /* volume fraction lost at time 0, 0 to 1 */
-    float speed; /* retreat of the faces from time 0 on, half widths per second */
-    bool is_all; /* treat every object as ice */
+    float lost_fraction; /* volume fraction lost at time 0, 0 to 1 */
+    float speed;         /* retreat of the faces from time 0 on, half widths per second */
+    bool is_all;         /* treat every object as ice */
     bool is_none;
 };
 
 struct melted {
-    float share; /* lost volume fraction of the first ice object; 0 if nothing has melted */
+    float lost_fraction; /* lost volume fraction of the first ice object; 0 if nothing has melted */
     struct mesh unmelted; /* objects before melting, displaced with the ice; or {0} */
     struct box box;       /* bounding box of `unmelted` */
 };
@@ -43,7 +43,7 @@ bool melt_bubbles(struct bubbles *bubbles, const struct mesh *object);
 
 /* Opens cracks near the surface of ice that has lost a volume fraction; false when out of memory.
  */
-bool melt_cracks(struct mesh *cracks, const struct mesh *object, float share);
+bool melt_cracks(struct mesh *cracks, const struct mesh *object, float lost_fraction);
 
 void melted_finish(struct melted *melted); /* {0} is fine */
 

@@ -115,7 +115,7 @@ float melt_air_and_water_depth(const struct distance_field *field, vec3s point)
         if (!(point.raw[k] > field->box.min.raw[k] && point.raw[k] < field->box.max.raw[k]))
             return 0.0f;
     }
-    return field->most * distance_field_at(field, point);
+    return field->max_depth * distance_field_at(field, point);
 }
 
 /* Computes distance fields of the ice after and before melting. */
@@ -276,8 +276,8 @@ static bool spread(struct mesh *mesh, const struct object *object, const struct 
     return true;
 }
 
-bool melt_air_and_water_spread_shells(struct model *model, uint32_t object,
-                                      const struct melt_air_and_water_ice *ice)
+bool melt_air_and_water_spread_components(struct model *model, uint32_t object,
+                                          const struct melt_air_and_water_ice *ice)
 {
     return spread(&model->object, &model->objects[object], model, ice);
 }

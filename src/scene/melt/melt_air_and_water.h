@@ -23,8 +23,8 @@ bool melt_air_and_water_shrink_air(struct model *model, uint32_t object,
                                    struct melt_air_and_water_ice *ice);
 
 /* Spreads an object's components that carry the ice. Returns false when out of memory. */
-bool melt_air_and_water_spread_shells(struct model *model, uint32_t object,
-                                      const struct melt_air_and_water_ice *ice);
+bool melt_air_and_water_spread_components(struct model *model, uint32_t object,
+                                          const struct melt_air_and_water_ice *ice);
 
 /* Spreads water layers (MATERIAL_IS_WATER_LAYER) on the surroundings below the ice. They follow the
  * ground downwards, but stay level where it rises, so that it emerges from them. Textures stay

@@ -90,7 +90,7 @@ static struct rg_pass *peel_all(struct rg_pass *pass, struct pass_builder *build
     return pass + 1;
 }
 
-static struct rg_technique make_passes(const struct technique_choice *config,
+static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
     const uint32_t index = ice_interval_index(config->settings);

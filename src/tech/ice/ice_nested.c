@@ -151,7 +151,7 @@ static void widen(struct pass_builder *builder, struct rg_pass *pass)
     pass->vert = &ice_nested_wide_vert;
 }
 
-static struct rg_technique make_passes(const struct technique_choice *config,
+static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
     const size_t count = sizeof(passes) / sizeof(passes[0]);
@@ -168,7 +168,7 @@ bool ice_nested_is_in(const struct scene *scene)
     const struct model *model = &scene->model;
     bool found = false;
     for (uint32_t i = 0; i < model->object_count; i++)
-        found = found || model->objects[i].within;
+        found = found || model->objects[i].enclosing_object;
     return found;
 }
 
@@ -182,7 +182,7 @@ uint32_t ice_nested_outermost_count(const struct scene *scene)
     const struct model *model = &scene->model;
     uint32_t count = 0;
     for (uint32_t i = 0; i < model->object_count; i++)
-        count += !model->objects[i].within;
+        count += !model->objects[i].enclosing_object;
     return count;
 }
 
@@ -196,7 +196,7 @@ static void write_media(void *memory, const struct frame_view *view, const struc
         const uint32_t at = i + 1 == count ? 0 : i + 1;
         media->ior[at] = (vec4s){ { medium.ior[0], medium.ior[1], medium.ior[2], 0.0f } };
         media->absorb[at] = glms_vec4(medium.absorption, 0.0f);
-        media->clouds[at] = medium_field_of(view->scene, view->settings, i);
+        media->scattering_media[at] = medium_field_of(view->scene, view->settings, i);
     }
 }
 

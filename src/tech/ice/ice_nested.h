@@ -14,7 +14,7 @@
  * level; w: 1 + medium in the level at this face, or 0 if there is no face. */
 extern const struct rg_image ice_nested_depths, ice_nested_normals;
 
-/* Depth layers of the area that extends beyond the image, if technique_choice.is_wide. */
+/* Depth layers of the area that extends beyond the image, if technique_config.is_wide. */
 extern const struct rg_image ice_nested_wide_depths, ice_nested_wide_normals;
 
 extern const struct rg_buffer ice_nested_media; /* struct ice_nested_media */

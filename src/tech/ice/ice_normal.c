@@ -214,11 +214,11 @@ static void record_textured(struct rg_cmd *cmd, const struct rg_frame *frame)
 
 /* Returns true if front faces must not be drawn to frame_depth, because it holds a finished image
  * or the depth of other objects, which only the refraction model's own passes may extend. */
-static bool keeps_depth(const struct technique_choice *config)
+static bool keeps_depth(const struct technique_config *config)
 {
     const bool are_many = config->object_count > 1;
     return config->has_pool || config->keeps_depth ||
-           (are_many && !config->refraction->refraction.by_pixel);
+           (are_many && !config->refraction->refraction.shades_fullscreen);
 }
 
 /* Makes a pass clear the normals: in a limited area a clear costs less than an extra pass. */
@@ -231,7 +231,7 @@ static void clear_normals(struct pass_builder *builder, struct rg_pass *pass)
 }
 
 /* Returns the G-buffer passes. In a pool they run after the background and have no bump mapping. */
-static struct rg_technique make_passes(const struct technique_choice *config,
+static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
     const bool bumped = !config->has_pool && bump.is_on(config->settings);
@@ -260,7 +260,7 @@ static struct rg_technique make_passes(const struct technique_choice *config,
 
 /* Returns a pass that draws the back faces of all objects for the layer: refraction models
  * overwrite the map per object, so that it ends with those of the last one. */
-static struct rg_technique make_layer(const struct technique_choice *config,
+static struct rg_technique make_layer(const struct technique_config *config,
                                       struct pass_builder *builder)
 {
     const bool are_many = config->object_count > 1 && config->refraction &&

@@ -13,17 +13,17 @@ extern const struct rg_image ice_normal_front; /* as ice_normal_back; faces the 
 extern const struct rg_image ice_normal_shading;
 
 /* rgb: tinted transmittance of the front and back surface; a: roughness. 1, 1, 1 if there is no
- * face. Only if technique_choice.is_textured. */
+ * face. Only if technique_config.is_textured. */
 extern const struct rg_image ice_normal_front_material, ice_normal_back_material;
 
-/* Radiance of the opaque base at front faces, if technique_choice.is_textured. */
+/* Radiance of the opaque base at front faces, if technique_config.is_textured. */
 extern const struct rg_image ice_normal_front_base;
 
 /* Depth of the faces by globals.clip_from_world: near plane / distance; 0 without a face. */
 extern const struct rg_image ice_normal_back_depth, ice_normal_front_depth;
 
 /* G-buffers of an area larger than the image on all sides, by globals.wide_scale, if
- * technique_choice.is_wide: for rays inside an object that extends beyond the image. */
+ * technique_config.is_wide: for rays inside an object that extends beyond the image. */
 #define ICE_NORMAL_WIDE 1.5f
 extern const struct rg_image ice_normal_wide_back, ice_normal_wide_front;
 extern const struct rg_image ice_normal_wide_back_depth, ice_normal_wide_front_depth;

@@ -203,7 +203,7 @@ static const struct setting rows[] = {
         .renamed_from = "air.clouds",
         .label = "Density of scattering media",
         .type = SETTING_FLOAT,
-        .offset = offsetof(struct air_params, clouds),
+        .offset = offsetof(struct air_params, scattering_media),
         .initial = 1,
         .max = 100,
         .help = "factor on the density of scattering media in scene files, extras.cloud (0: none)",
@@ -266,7 +266,7 @@ static const uint8_t clear[2] = { 0 };
 
 static struct technique_texels find_clouds(const struct scene *scene)
 {
-    const struct clouds *found = &scene->clouds;
+    const struct scattering_media *found = &scene->scattering_media;
     if (!found->count)
         return (struct technique_texels){ 0 };
     return (struct technique_texels){

@@ -30,15 +30,15 @@ enum air_model {
 };
 
 struct air_params {
-    uint32_t count, seed; /* number of planes; their random seed */
-    float size;           /* largest bubbles, relative to object diagonal */
-    float frequency;      /* largest bubbles along the object diagonal */
-    float strength;       /* maximum opacity of a plane's bubbles */
-    float haze;           /* maximum opacity of a plane's haze */
-    uint32_t model;       /* enum air_model */
-    float density;        /* maximum optical depth across the object */
-    float clouds;         /* factor on material.cloud */
-    float anisotropy;     /* Henyey-Greenstein g of all scattering media */
+    uint32_t count, seed;   /* number of planes; their random seed */
+    float size;             /* largest bubbles, relative to object diagonal */
+    float frequency;        /* largest bubbles along the object diagonal */
+    float strength;         /* maximum opacity of a plane's bubbles */
+    float haze;             /* maximum opacity of a plane's haze */
+    uint32_t model;         /* enum air_model */
+    float density;          /* maximum optical depth across the object */
+    float scattering_media; /* factor on material.scattering_optical_depth */
+    float anisotropy;       /* Henyey-Greenstein g of all scattering media */
     uint32_t steps; /* ray march steps per segment, except in model `trace`; 0 renders clear ice */
 };
 

@@ -217,7 +217,7 @@ static bool is_on(const struct settings *settings)
 
 /* Returns true if bubbles can be searched along refracted rays: with several objects, the depth and
  * normal maps hold the nearest faces only. */
-bool bubbles_are_refracted(const struct technique_choice *config)
+bool bubbles_are_refracted(const struct technique_config *config)
 {
     const struct inclusion_target_params *target =
         settings_of(config->settings, &inclusion_target_settings);
@@ -227,7 +227,7 @@ bool bubbles_are_refracted(const struct technique_choice *config)
            config->object_count <= 1 && target->scale >= 1.0f;
 }
 
-static struct rg_technique make_passes(const struct technique_choice *config,
+static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
     const struct bubbles_params *params = settings_of(config->settings, &bubbles_settings);

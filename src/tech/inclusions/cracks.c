@@ -120,7 +120,7 @@ static const struct rg_use *use_intervals(struct pass_builder *builder, uint32_t
 
 /* Returns the clipping method. An object known to be convex has one interval per pixel, from the
  * nearest to the farthest face, so it needs no depth peeling. */
-static struct clipping find_clipping(const struct technique_choice *config,
+static struct clipping find_clipping(const struct technique_config *config,
                                      struct pass_builder *builder)
 {
     const struct cracks_params *params = settings_of(config->settings, &cracks_settings);
@@ -322,7 +322,7 @@ bool cracks_are_traced(const struct settings *settings, const struct technique *
 }
 
 /* Makes the colour pass. Without cracks it only clears the layer; culled unless requested. */
-static struct rg_technique make_color(const struct technique_choice *config,
+static struct rg_technique make_color(const struct technique_config *config,
                                       struct pass_builder *builder)
 {
     const struct cracks_params *params = settings_of(config->settings, &cracks_settings);
@@ -339,7 +339,7 @@ static struct rg_technique make_color(const struct technique_choice *config,
     return (struct rg_technique){ "cracks", pass, 1 };
 }
 
-static struct rg_technique make_normals(const struct technique_choice *config,
+static struct rg_technique make_normals(const struct technique_config *config,
                                         struct pass_builder *builder)
 {
     const struct cracks_params *params = settings_of(config->settings, &cracks_settings);
@@ -357,7 +357,7 @@ static struct rg_technique make_normals(const struct technique_choice *config,
     return (struct rg_technique){ are_traced ? "cracks_hits" : "cracks_normal", pass, 1 };
 }
 
-static struct rg_technique make_composite(const struct technique_choice *config,
+static struct rg_technique make_composite(const struct technique_config *config,
                                           struct pass_builder *builder)
 {
     (void)builder;

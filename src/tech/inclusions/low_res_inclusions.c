@@ -136,7 +136,7 @@ static void change_readers(struct low_res_images *small, struct rg_technique *gr
 }
 
 struct rg_technique low_res_inclusions_apply(struct low_res_images *small,
-                                             const struct technique_choice *config,
+                                             const struct technique_config *config,
                                              enum technique_phase phase, struct rg_technique *group)
 {
     const struct inclusion_target_params *params =

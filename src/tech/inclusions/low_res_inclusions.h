@@ -16,7 +16,7 @@ struct low_res_images {
  * draw the object's depth maps again at that resolution. With inclusions.scale=1, and in a pool,
  * changes nothing. Sets `failed` of the builder when out of memory. */
 struct rg_technique low_res_inclusions_apply(struct low_res_images *small,
-                                             const struct technique_choice *config,
+                                             const struct technique_config *config,
                                              enum technique_phase phase,
                                              struct rg_technique *group);
 

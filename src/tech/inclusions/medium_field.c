@@ -8,10 +8,10 @@ struct medium_field medium_field_at(const struct scene *scene, const struct sett
                                     uint32_t index)
 {
     const struct air_params *params = settings_of(settings, &air_settings);
-    const struct scattering_medium *cloud = &scene->clouds.all[index];
+    const struct scattering_medium *cloud = &scene->scattering_media.all[index];
     const vec3s sides = glms_vec3_sub(cloud->box.max, cloud->box.min);
     const vec3s texels = { { MEDIUM_SIZE, MEDIUM_SIZE, MEDIUM_SIZE } };
-    const float own = cloud->density * params->clouds;
+    const float own = cloud->density * params->scattering_media;
     const float density = cloud->density > 0.0f     ? own
                           : air_is_medium(settings) ? params->density
                                                     : 0.0f;
@@ -28,8 +28,8 @@ struct medium_field medium_field_at(const struct scene *scene, const struct sett
 struct medium_field medium_field_of(const struct scene *scene, const struct settings *settings,
                                     uint32_t object)
 {
-    for (uint32_t i = 0; i < scene->clouds.count; i++) {
-        if (scene->clouds.all[i].object == object)
+    for (uint32_t i = 0; i < scene->scattering_media.count; i++) {
+        if (scene->scattering_media.all[i].object == object)
             return medium_field_at(scene, settings, i);
     }
     return (struct medium_field){ .extinction = 0.0f };
@@ -37,7 +37,7 @@ struct medium_field medium_field_of(const struct scene *scene, const struct sett
 
 bool medium_field_exists(const struct scene *scene, const struct settings *settings)
 {
-    for (uint32_t i = 0; i < scene->clouds.count; i++) {
+    for (uint32_t i = 0; i < scene->scattering_media.count; i++) {
         if (medium_field_at(scene, settings, i).extinction > 0.0f)
             return true;
     }

@@ -177,13 +177,13 @@ static struct ao_medium medium_of(const struct frame_view *view, const struct gl
             frame_medium_at(view->scene, view->settings, member->object);
         const struct medium_field cloud =
             medium_field_of(view->scene, view->settings, member->object);
-        const float weight = fmaxf(member->share, 0.0f);
+        const float weight = fmaxf(member->volume_fraction, 0.0f);
         medium.ior += weight * (object_medium.ior[1] / around - 1.0f);
         medium.absorption = glms_vec3_muladds(object_medium.absorption, weight, medium.absorption);
         medium.scattering += weight * reduced * cloud.extinction;
         if (i == 0) {
             medium.tint = object_medium.tint;
-            medium.shine = object_medium.opacity;
+            medium.diffuse_fraction = object_medium.opacity;
         }
     }
     medium.ior = fmaxf(medium.ior, 1.0f);
@@ -194,8 +194,8 @@ static struct ao_medium medium_of(const struct frame_view *view, const struct gl
 static vec3s slimmed_corner(const struct ao_shape *shape, vec3s corner)
 {
     const vec3s middle = box_center(shape->box);
-    corner.x = glm_lerp(middle.x, corner.x, shape->slim);
-    corner.z = glm_lerp(middle.z, corner.z, shape->slim);
+    corner.x = glm_lerp(middle.x, corner.x, shape->relative_width);
+    corner.z = glm_lerp(middle.z, corner.z, shape->relative_width);
     return corner;
 }
 
@@ -233,12 +233,12 @@ static void write_bodies(void *memory, const struct frame_view *view, const stru
             .max = slimmed_corner(shape, shape->box.max),
             .sky = light.sky,
             .ground = light.ground,
-            .straight = light.straight,
+            .straight = light.undeviated,
         };
     }
 }
 
-static struct rg_technique make_passes(const struct technique_choice *config,
+static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
     (void)builder;

@@ -99,8 +99,8 @@ static void write_globals(const struct frame_view *view, struct globals *g)
 {
     const struct bump_params *params = settings_of(view->settings, &bump_settings);
     const struct melted *melted = &view->scene->melted;
-    const float diagonal =
-        melted->share > 0.0f ? box_diagonal(melted->box) : 2.0f * g->radius; /* before melting */
+    const float diagonal = melted->lost_fraction > 0.0f ? box_diagonal(melted->box)
+                                                        : 2.0f * g->radius; /* before melting */
     const float width = fmaxf(diagonal, 1e-6f);
     g->bump_strength = params->strength * melted_hollow_factor(melted);
     g->bump_scale = params->mapping == BUMP_UV ? params->scale : params->scale / width;

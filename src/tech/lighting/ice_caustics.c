@@ -390,7 +390,7 @@ static bool is_on(const struct settings *settings)
     return params->light != ICE_CAUSTICS_NONE;
 }
 
-static struct rg_technique make_maps(const struct technique_choice *config,
+static struct rg_technique make_maps(const struct technique_config *config,
                                      struct pass_builder *builder)
 {
     const size_t count = sizeof(passes) / sizeof(passes[0]);
@@ -415,7 +415,7 @@ static struct rg_technique make_maps(const struct technique_choice *config,
 }
 
 /* Makes the pass of the AOV layer: sunlight on the visible surroundings. */
-static struct rg_technique make_layer(const struct technique_choice *config,
+static struct rg_technique make_layer(const struct technique_config *config,
                                       struct pass_builder *builder)
 {
     const struct rg_use *const uses[] = { globals_use, ice_caustics_uses };

@@ -68,7 +68,7 @@ static uint32_t layers_of(const struct settings *settings, const struct techniqu
            (target->scale < 1.0f ? COMPOSITE_IS_LOW_RES : 0u);
 }
 
-static struct rg_technique make_passes(const struct technique_choice *config,
+static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
     const uint32_t bits = layers_of(config->settings, config->refraction, config->renders_media);

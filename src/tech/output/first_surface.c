@@ -141,12 +141,12 @@ static const struct technique_upload uploads[] = {
 
 static struct technique_texels find_positions(const struct scene *scene)
 {
-    if (!scene->earlier)
+    if (!scene->previous_positions)
         return (struct technique_texels){ 0 };
     return (struct technique_texels){
-        .texels = scene->earlier,
+        .texels = scene->previous_positions,
         .width = FIRST_SURFACE_WIDTH,
-        .height = scene->earlier_rows,
+        .height = scene->previous_position_rows,
         .no_mips = true,
     };
 }

@@ -111,7 +111,7 @@ const struct rg_use refract_medium_uses[] = {
     { 0 },
 };
 
-static bool has_bumps(const struct technique_choice *config)
+static bool has_bumps(const struct technique_config *config)
 {
     return config->refraction->refraction.shaders->bump_frag && bump.is_on(config->settings);
 }
@@ -125,7 +125,7 @@ bool refract_has_medium(const struct technique *refraction, const struct scene *
            medium_field_exists(scene, settings);
 }
 
-void refract_choose(struct technique_choice *config, const struct scene *scene)
+void refract_choose(struct technique_config *config, const struct scene *scene)
 {
     config->is_textured = config->refraction->refraction.shaders->material_frag &&
                           scene_has_textured_objects(scene) && !bump.is_on(config->settings);
@@ -140,7 +140,7 @@ static void draw_faces(struct rg_pass *pass, const struct refract_shaders *refra
     pass->cull = VK_CULL_MODE_BACK_BIT;
 }
 
-static const struct rg_shader *plain_frag(const struct technique_choice *config, bool bumped,
+static const struct rg_shader *plain_frag(const struct technique_config *config, bool bumped,
                                           bool is_layers)
 {
     const struct refract_shaders *refraction = config->refraction->refraction.shaders;
@@ -153,7 +153,7 @@ static const struct rg_shader *plain_frag(const struct technique_choice *config,
     return is_layers ? refraction->layers_frag : refraction->frag;
 }
 
-static const struct rg_shader *scattering_frag(const struct technique_choice *config, bool bumped,
+static const struct rg_shader *scattering_frag(const struct technique_config *config, bool bumped,
                                                bool is_layers)
 {
     const struct refract_medium_shaders *medium_shaders =
@@ -167,7 +167,7 @@ static const struct rg_shader *scattering_frag(const struct technique_choice *co
     return is_layers ? medium_shaders->layers_frag : medium_shaders->frag;
 }
 
-static struct rg_technique make_pass(const struct technique_choice *config,
+static struct rg_technique make_pass(const struct technique_config *config,
                                      struct pass_builder *builder, const struct rg_pass *base,
                                      bool is_layers)
 {
@@ -176,8 +176,8 @@ static struct rg_technique make_pass(const struct technique_choice *config,
     const bool bumped = has_bumps(config);
     assert(technique->refraction.choose || !refraction->material_frag);
     const struct rg_use *const uses[] = {
-        technique->refraction.by_pixel ? pixel_uses : face_uses,
-        technique->refraction.by_pixel && is_layers ? scene_uses : NULL,
+        technique->refraction.shades_fullscreen ? pixel_uses : face_uses,
+        technique->refraction.shades_fullscreen && is_layers ? scene_uses : NULL,
         config->is_nested && config->is_wide ? refraction->nested_wide_uses
         : config->is_nested                  ? refraction->nested_uses
         : config->is_wide                    ? refraction->wide_uses
@@ -191,7 +191,7 @@ static struct rg_technique make_pass(const struct technique_choice *config,
         return (struct rg_technique){ 0 };
     pass->name = pass_builder_name(builder, technique->name, is_layers ? "layers" : "color");
     pass->uses = pass_builder_join_uses(builder, uses, sizeof(uses) / sizeof(uses[0]));
-    if (technique->refraction.by_pixel)
+    if (technique->refraction.shades_fullscreen)
         pass->vert = refraction->vert ? refraction->vert : &refract_fullscreen_vert;
     else
         draw_faces(pass, refraction, bumped);
@@ -202,18 +202,18 @@ static struct rg_technique make_pass(const struct technique_choice *config,
     return (struct rg_technique){ technique->name, pass, 1 };
 }
 
-struct rg_technique refract_image_passes(const struct technique_choice *config,
+struct rg_technique refract_image_passes(const struct technique_config *config,
                                          struct pass_builder *builder)
 {
-    const bool by_pixel = config->refraction->refraction.by_pixel;
-    return make_pass(config, builder, by_pixel ? &pixel_color_pass : &color_pass, false);
+    const bool shades_fullscreen = config->refraction->refraction.shades_fullscreen;
+    return make_pass(config, builder, shades_fullscreen ? &pixel_color_pass : &color_pass, false);
 }
 
-struct rg_technique refract_layer_passes(const struct technique_choice *config,
+struct rg_technique refract_layer_passes(const struct technique_config *config,
                                          struct pass_builder *builder)
 {
-    const bool by_pixel = config->refraction->refraction.by_pixel;
-    return make_pass(config, builder, by_pixel ? &pixel_layer_pass : &layer_pass, true);
+    const bool shades_fullscreen = config->refraction->refraction.shades_fullscreen;
+    return make_pass(config, builder, shades_fullscreen ? &pixel_layer_pass : &layer_pass, true);
 }
 
 static const char *const fresnels[] = {

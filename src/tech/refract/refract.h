@@ -48,7 +48,7 @@ struct refract_shaders {
     const struct rg_shader *frag, *layers_frag, *bump_frag, *bump_layers_frag;
     /* Variants for ice_normal's material images; NULL: the model ignores tints and textures. */
     const struct rg_shader *material_frag, *material_layers_frag;
-    /* Variants for nested objects, if technique_choice.is_nested. */
+    /* Variants for nested objects, if technique_config.is_nested. */
     const struct rg_shader *nested_frag, *nested_layers_frag;
     /* NULL: scattering media are rendered clear */
     const struct refract_medium_shaders *medium_shaders;
@@ -59,8 +59,8 @@ struct refract_shaders {
      * refract_fullscreen.vert for models shaded by pixel. */
     const struct rg_shader *vert;
     const struct rg_use *uses;             /* besides globals and bump map */
-    const struct rg_use *wide_uses;        /* replaces `uses` if technique_choice.is_wide */
-    const struct rg_use *nested_uses;      /* replaces `uses` if technique_choice.is_nested */
+    const struct rg_use *wide_uses;        /* replaces `uses` if technique_config.is_wide */
+    const struct rg_use *nested_uses;      /* replaces `uses` if technique_config.is_nested */
     const struct rg_use *nested_wide_uses; /* replaces `uses` if both are set */
     uint32_t push_size;                    /* push constants, bytes; 0 if none */
     rg_record_fn *record;                  /* NULL: frame_draw_object() */
@@ -75,7 +75,7 @@ extern const struct rg_use refract_material_uses[], refract_medium_uses[];
 
 /* Implements refraction_model.choose for raster models: material images are used if there is a
  * shader for them and bump mapping is off. */
-void refract_choose(struct technique_choice *config, const struct scene *scene);
+void refract_choose(struct technique_config *config, const struct scene *scene);
 
 /* Use of the environment cube by models with refract_fullscreen_mean.vert. */
 #define REFRACT_USE_FULLSCREEN_CUBE \

@@ -239,7 +239,7 @@ bool refract_bounce_is_nested(const struct settings *settings, const struct scen
 }
 
 /* Completes a configuration; the wide maps have no variants with material images or cracks. */
-static void choose(struct technique_choice *config, const struct scene *scene)
+static void choose(struct technique_config *config, const struct scene *scene)
 {
     const struct refract_bounce_params *params =
         settings_of(config->settings, &refract_bounce_settings);
@@ -292,7 +292,7 @@ const struct technique refract_bounce = {
     .write_globals = write_globals,
     .refraction = { .name = "bounce",
                     .shaders = &refraction,
-                    .by_pixel = true,
+                    .shades_fullscreen = true,
                     .refracts_cracks = refracts_cracks,
                     .refracts_bubbles = refracts_bubbles,
                     .choose = choose },

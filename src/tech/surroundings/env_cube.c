@@ -48,7 +48,7 @@ static void record_surroundings(struct rg_cmd *cmd, const struct rg_frame *frame
     rg_cmd_draw_mesh(cmd, &frame->surroundings);
 }
 
-static struct rg_technique make_passes(const struct technique_choice *config,
+static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
     const struct env_cube_params *params = settings_of(config->settings, &env_cube_settings);

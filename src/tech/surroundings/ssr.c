@@ -285,7 +285,7 @@ static bool is_on(const struct settings *settings)
     return params->steps > 0;
 }
 
-bool ssr_is_drawn(const struct technique_choice *config)
+bool ssr_is_drawn(const struct technique_config *config)
 {
     const struct ground_params *ground = settings_of(config->settings, &ground_settings);
     return is_on(config->settings) && ground->shading == GROUND_PIXELS && config->has_mirrors &&
@@ -293,7 +293,7 @@ bool ssr_is_drawn(const struct technique_choice *config)
            !config->refraction->refraction.traces_bvh;
 }
 
-static struct rg_technique make_object_passes(const struct technique_choice *config,
+static struct rg_technique make_object_passes(const struct technique_config *config,
                                               struct pass_builder *builder)
 {
     (void)builder;
@@ -304,7 +304,7 @@ static struct rg_technique make_object_passes(const struct technique_choice *con
 
 /* Returns the shader that refracts reflected rays in the object, or NULL to reuse the camera's
  * view. With several or nested objects, the depth and normal maps no longer exist at this point. */
-static const struct rg_shader *refracted_frag(const struct technique_choice *config)
+static const struct rg_shader *refracted_frag(const struct technique_config *config)
 {
     const struct ssr_params *params = settings_of(config->settings, &ssr_settings);
     const struct refract_shaders *refraction = config->refraction->refraction.shaders;
@@ -316,7 +316,7 @@ static const struct rg_shader *refracted_frag(const struct technique_choice *con
     return config->is_textured ? refraction->ssr_material_frag : refraction->ssr_frag;
 }
 
-static struct rg_technique make_refracted_passes(const struct technique_choice *config,
+static struct rg_technique make_refracted_passes(const struct technique_config *config,
                                                  struct pass_builder *builder)
 {
     const struct rg_shader *frag = ssr_is_drawn(config) ? refracted_frag(config) : NULL;
@@ -336,7 +336,7 @@ static struct rg_technique make_refracted_passes(const struct technique_choice *
     return (struct rg_technique){ "ssr", own, 2 };
 }
 
-static struct rg_technique make_screen_passes(const struct technique_choice *config,
+static struct rg_technique make_screen_passes(const struct technique_config *config,
                                               struct pass_builder *builder)
 {
     (void)builder;

@@ -15,6 +15,6 @@ struct ssr_params {
 };
 
 /* Returns true if a frame draws screen-space reflections. */
-bool ssr_is_drawn(const struct technique_choice *config);
+bool ssr_is_drawn(const struct technique_config *config);
 
 #endif

@@ -171,7 +171,7 @@ struct rg_technique surroundings_make(struct pass_builder *builder,
 }
 
 /* Makes the passes that draw the background: before the water of a pool, but after an object. */
-static struct rg_technique make_passes(const struct technique_choice *config,
+static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
     const struct ground_params *ground = settings_of(config->settings, &ground_settings);

@@ -10,7 +10,7 @@ struct surroundings_pass_params {
     const struct rg_image *color, *depth; /* reversed depth: 0 is infinity */
     bool keep;                            /* load instead of clear the images */
     bool caustics;                        /* apply ice caustics and shadow */
-    bool has_materials, has_extras;       /* as in technique_choice */
+    bool has_materials, has_extras;       /* as in technique_config */
     bool per_vertex;                      /* per-vertex lighting; excludes `has_ssr` */
     bool has_ssr;                         /* write the SSR inputs */
     enum rg_repeat repeat;

@@ -132,12 +132,12 @@ static void fill_medium(vec4s *texels, const struct frame_medium *medium)
 static void fill_clouds(struct trace_frame *trace, const struct frame_view *view)
 {
     const struct scene *scene = view->scene;
-    for (uint32_t i = 0; i < scene->clouds.count; i++) {
-        const uint32_t object = scene->clouds.all[i].object;
+    for (uint32_t i = 0; i < scene->scattering_media.count; i++) {
+        const uint32_t object = scene->scattering_media.all[i].object;
         const struct frame_medium medium = frame_medium_at(scene, view->settings, object);
         const size_t at = (size_t)bvh_medium(scene->bvh, medium.rank) * TRACE_MEDIUM;
-        trace->clouds[i] = medium_field_at(scene, view->settings, i);
-        if (trace->clouds[i].extinction > 0.0f)
+        trace->scattering_media[i] = medium_field_at(scene, view->settings, i);
+        if (trace->scattering_media[i].extinction > 0.0f)
             trace->media[at + TRACE_TINT].w = -1.0f - (float)i;
     }
 }
@@ -315,7 +315,7 @@ static const struct refract_shaders refraction = {
     .layers_frag = &refract_trace_aov_frag,
 };
 
-static struct rg_technique make_pass(const struct technique_choice *config,
+static struct rg_technique make_pass(const struct technique_config *config,
                                      struct pass_builder *builder, bool is_layers)
 {
     static const struct rg_shader *const frags[2][2][2][2] = {
@@ -363,7 +363,7 @@ static struct rg_technique make_pass(const struct technique_choice *config,
     return (struct rg_technique){ refract_trace.name, pass, 1 };
 }
 
-static void trace_photons(struct rg_pass *pass, const struct technique_choice *config,
+static void trace_photons(struct rg_pass *pass, const struct technique_config *config,
                           struct pass_builder *builder, const struct rg_use *own)
 {
     const struct rg_use *const uses[] = { bvh_uses, surface_uses, own };
@@ -373,13 +373,13 @@ static void trace_photons(struct rg_pass *pass, const struct technique_choice *c
                                        : &refract_trace_rays_photons_frag;
 }
 
-static struct rg_technique make_color_passes(const struct technique_choice *config,
+static struct rg_technique make_color_passes(const struct technique_config *config,
                                              struct pass_builder *builder)
 {
     return make_pass(config, builder, false);
 }
 
-static struct rg_technique make_layer_passes(const struct technique_choice *config,
+static struct rg_technique make_layer_passes(const struct technique_config *config,
                                              struct pass_builder *builder)
 {
     return make_pass(config, builder, true);
@@ -391,7 +391,7 @@ static void record_objects(struct rg_cmd *cmd, const struct rg_frame *frame)
     rg_cmd_draw(cmd, 3);
 }
 
-static void choose(struct technique_choice *config, const struct scene *scene)
+static void choose(struct technique_config *config, const struct scene *scene)
 {
     const struct trace_params *params = settings_of(config->settings, &trace_settings);
     config->queries = params->rays == TRACE_BY_DEVICE
@@ -434,7 +434,7 @@ const struct technique refract_trace = {
                      { PHASE_LAYERS, .make_passes = make_layer_passes } },
     .refraction = { .name = "trace",
                     .shaders = &refraction,
-                    .by_pixel = true,
+                    .shades_fullscreen = true,
                     .draws_all_objects = true,
                     .traces_bvh = true,
                     .choose = choose,

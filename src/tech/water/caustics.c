@@ -279,7 +279,7 @@ static const struct setting rows[] = {
 const struct setting_group caustics_settings =
     SETTING_GROUP("caustics", rows, struct caustics_params);
 
-static struct rg_technique make_passes(const struct technique_choice *config,
+static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
     static const struct rg_technique methods_rows[] = {

@@ -160,7 +160,7 @@ static void add_pass(struct rg_technique *technique, struct rg_pass *passes,
     added->frag = frag;
 }
 
-static struct rg_technique make_passes(const struct technique_choice *config,
+static struct rg_technique make_passes(const struct technique_config *config,
                                        struct pass_builder *builder)
 {
     const bool lit = caustics_are_lit(config->settings);

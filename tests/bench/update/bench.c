@@ -58,7 +58,7 @@ static void init_side(struct side *side, const struct change *change, int which,
     if (which && change->setting)
         assert_int_equal(settings_set(&side->settings, change->setting), STATUS_OK);
     const struct frame_request request = {
-        .choice = { .settings = &side->settings,
+        .config = { .settings = &side->settings,
                     .refraction = techniques_find_refraction(change->refraction_models[which]) },
         .view = change->views[which],
         .beauty = true,

@@ -105,7 +105,7 @@ static void read_scattering(const struct gltf_object *object, struct material *m
     if (!cloud)
         return;
     if (json_is_number(cloud) && value >= 0 && value <= (double)MATERIAL_SCATTERING_MAX)
-        m->cloud = (float)value;
+        m->scattering_optical_depth = (float)value;
     else
         (void)gltf_fault(object, "extras.cloud: expected a number from 0 to %g",
                          (double)MATERIAL_SCATTERING_MAX);

@@ -1,4 +1,4 @@
-/* check_row.c: validates a row (pass declaration) by itself, independently of other rows. */
+/* check_pass.c: validates a row (pass declaration) by itself, independently of other rows. */
 #include <float.h>
 #include "graph/compile/compiler.h"
 
@@ -28,7 +28,7 @@ static bool fits_format(const struct rg_use *use)
 static void check_use(struct compiler *c, const struct rg_pass *pass, const struct rg_use *use)
 {
     const char *name = use_name(use);
-    if (!rg_is_good_use(use)) {
+    if (!rg_is_valid_use(use)) {
         rg_fault(c, RG_ERROR_NOT_ONE_RESOURCE, name,
                  "a use needs exactly one image or buffer, and an access");
         return;
@@ -64,7 +64,7 @@ static void check_bindings(struct compiler *c, const struct rg_use *uses, uint32
         c->bindings = ARENA_ZEROED(c->arena, uint32_t, (UINT16_MAX + 1) / 32);
     for (uint32_t i = 0; i < use_count && c->bindings; i++) {
         bool bound =
-            rg_is_good_use(&uses[i]) && rg_is_shader_access(uses[i].access) && !uses[i].element;
+            rg_is_valid_use(&uses[i]) && rg_is_shader_access(uses[i].access) && !uses[i].element;
         uint32_t bit = bound ? 1u << uses[i].binding % 32 : 0;
         rg_fault_if(c, c->bindings[uses[i].binding / 32] & bit, RG_ERROR_DUPLICATE_BINDING,
                     use_name(&uses[i]), "give each use of the row a unique binding");
@@ -103,7 +103,7 @@ static void check_uses(struct compiler *c, const struct rg_pass *pass, uint32_t 
 
 static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32_t color_count)
 {
-    bool any = color_count || pass->depth.image || rg_color_room(pass) < pass->color_count;
+    bool any = color_count || pass->depth.image || rg_safe_color_count(pass) < pass->color_count;
     rg_fault_if(c, pass->kind != RG_RASTER && any, RG_ERROR_ACCESS, NULL,
                 "only a raster pass has targets");
     rg_fault_if(c, pass->kind != RG_RASTER && pass->area, RG_ERROR_ACCESS, NULL,
@@ -112,7 +112,7 @@ static void check_targets(struct compiler *c, const struct rg_pass *pass, uint32
                 "only a raster pass draws further rows");
     rg_fault_if(c, pass->kind == RG_RASTER && !any, RG_ERROR_NO_TARGET, NULL,
                 "set an image in .color or .depth");
-    for (uint32_t i = color_count, room = rg_color_room(pass); i < room; i++) {
+    for (uint32_t i = color_count, room = rg_safe_color_count(pass); i < room; i++) {
         const struct rg_image *image =
             pass->color[i].image ? pass->color[i].image : pass->color[i].resolve;
         if (image)

@@ -1,4 +1,5 @@
-/* expand_rows.c: expands rows to passes (one per repetition), and targets and uses to accesses. */
+/* expand_passes.c: expands rows to passes (one per repetition), and targets and uses to accesses.
+ */
 #include "graph/compile/compiler.h"
 
 /* ---- subresources that an access reads and writes ---- */
@@ -253,7 +254,7 @@ static void add_pass(struct compiler *c, const struct rg_pass *row, uint32_t rep
     if (row->depth.image)
         add_target(c, &row->depth);
     for (const struct rg_use *use = row->uses; use && rg_is_use(use); use++) {
-        if (rg_is_good_use(use) && !(use->fallback && rg_use_fallback(c, use)))
+        if (rg_is_valid_use(use) && !(use->fallback && rg_use_fallback(c, use)))
             add_use(c, use);
     }
     pass->access_count = c->access_count - pass->first_access;
@@ -272,7 +273,7 @@ static uint32_t repetition_count(struct compiler *c, const struct rg_pass *pass)
     uint32_t mip = target->mip;
     uint32_t layer = target->layer;
     for (const struct rg_use *use = pass->uses; use && rg_is_use(use) && !image; use++) {
-        if (rg_is_good_use(use) && rg_access_table[use->access].writes_content) {
+        if (rg_is_valid_use(use) && rg_access_table[use->access].writes_content) {
             image = use->image;
             mip = use->range.mip;
             layer = use->range.layer;
