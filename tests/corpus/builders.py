@@ -120,14 +120,14 @@ def png_of(*chunks):
         for name, data in chunks)
 
 
-def png_read_header(width, height, depth=8, color=2, interlaced=0):
+def png_head(width, height, depth=8, color=2, interlaced=0):
     return b'IHDR', struct.pack('>IIBBBBB', width, height, depth, color, 0, 0, interlaced)
 
 
 def png(width, height, rows=None):
     if rows is None:
         rows = (b'\0' + b'\x80\x40\x20' * width) * height
-    return png_of(png_read_header(width, height), (b'IDAT', zlib.compress(rows, 9)), (b'IEND', b''))
+    return png_of(png_head(width, height), (b'IDAT', zlib.compress(rows, 9)), (b'IEND', b''))
 
 
 def attribute(name, kind, value):
